@@ -1,0 +1,1 @@
+"""Language tools and mechanics for the Kinematics-DSL."""

@@ -1,0 +1,4 @@
+"""Knows the command line.
+
+Must not know the protocol of editors.
+"""

@@ -1,0 +1,4 @@
+"""Knows the algorithms of rigid-body mechanics.
+
+Must not know the language.
+"""

@@ -1,0 +1,4 @@
+"""Knows the one style, tree to text edits.
+
+Must not know editors, the command line.
+"""

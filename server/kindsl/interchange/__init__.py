@@ -1,0 +1,4 @@
+"""Knows URDF in and out.
+
+Must not know editors.
+"""

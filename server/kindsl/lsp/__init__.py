@@ -1,0 +1,4 @@
+"""Knows the language server protocol.
+
+Must not know what any answer means.
+"""

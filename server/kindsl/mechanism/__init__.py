@@ -1,0 +1,4 @@
+"""Knows how a model and parameter values become numbered bodies.
+
+Must not know files, editors.
+"""

@@ -1,0 +1,4 @@
+"""Knows the scene and its live viewer.
+
+Must not know the protocol of editors.
+"""

@@ -1,0 +1,4 @@
+"""Knows characters: spans, edits, lines, encodings.
+
+Must not know tokens, robots, editors.
+"""
