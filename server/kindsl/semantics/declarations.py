@@ -1,0 +1,244 @@
+"""What a document declares: links, joints, frames, inertia. As written, before any of it is related."""
+
+from collections.abc import Iterator
+from enum import StrEnum
+from typing import NamedTuple
+
+from kindsl.semantics.expressions import Expression
+from kindsl.semantics.places import Name, Place
+from kindsl.syntax.tree import Island, Node
+
+MOMENTS = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")
+
+
+class ValueKind(StrEnum):
+    """The class of a value, which is the class of the parameters in it."""
+
+    LENGTH = "length"
+    ANGLE = "angle"
+    DYNAMICS = "dynamics"
+
+
+class Vector(NamedTuple):
+    """Three components as written; fewer or more while someone types."""
+
+    node: Node
+    island: Island
+    components: tuple[Expression, ...]
+
+    @property
+    def start(self) -> int:
+        """First code point, from the island's start."""
+        return self.node.start
+
+    @property
+    def end(self) -> int:
+        """One past the last code point, from the island's start."""
+        return self.node.end
+
+
+class Pose(NamedTuple):
+    """Translation in metres, then rotation: intrinsic x, y, z in radians. None where missing."""
+
+    translation: Vector | None
+    rotation: Vector | None
+
+
+class Inertia(NamedTuple):
+    """The inertia section of a link.
+
+    Attributes:
+        node: Its syntax.
+        island: Where it stands.
+        mass: Kilograms.
+        com: Centre of mass in metres.
+        moments: Moments `Ix Iy Iz` and products `Ixy Ixz Iyz` by name, kg·m², the first of each.
+        frame: The frame that centre of mass and moments are given in; the link frame if None.
+    """
+
+    node: Node
+    island: Island
+    mass: Expression | None
+    com: Vector | None
+    moments: dict[str, Expression]
+    frame: Name | None
+
+    @property
+    def start(self) -> int:
+        """First code point, from the island's start."""
+        return self.node.start
+
+    @property
+    def end(self) -> int:
+        """One past the last code point, from the island's start."""
+        return self.node.end
+
+
+class Child(NamedTuple):
+    """`link via joint`, with the names that stand there."""
+
+    link: Name
+    joint: Name
+
+    @property
+    def island(self) -> Island:
+        """The island it lies in."""
+        return self.link.island
+
+    @property
+    def start(self) -> int:
+        """Start of the link's name."""
+        return self.link.start
+
+    @property
+    def end(self) -> int:
+        """End of the joint's name."""
+        return self.joint.end
+
+
+class Frame:
+    """An optional frame, given with respect to its link's frame. `link` is the link's name."""
+
+    __slots__ = ("island", "link", "name", "node", "pose")
+
+    def __init__(self, node: Node, island: Island, name: Name, link: str, pose: Pose) -> None:
+        self.node = node
+        self.island = island
+        self.name = name
+        self.link = link
+        self.pose = pose
+
+    @property
+    def start(self) -> int:
+        """First code point, from the island's start."""
+        return self.node.start
+
+    @property
+    def end(self) -> int:
+        """One past the last code point, from the island's start."""
+        return self.node.end
+
+
+class Link:
+    """A link, or the robot's base.
+
+    Attributes:
+        node: Its syntax.
+        island: Where it stands.
+        name: Its name, empty where it is missing.
+        id: Its number as written (0 for the base), None where missing or no number.
+        id_place: Where the number stands.
+        inertia: The first inertia section.
+        children: Pairs of link and joint name.
+        frames: Its optional frames.
+        is_base: Whether it is the `RobotBase`.
+        is_floating: Whether it is a floating base.
+    """
+
+    __slots__ = (
+        "children", "frames", "id", "id_place", "inertia", "is_base", "is_floating", "island",
+        "name", "node",
+    )  # fmt: skip
+
+    def __init__(self, node: Node, island: Island, name: Name) -> None:
+        self.node = node
+        self.island = island
+        self.name = name
+        self.id: int | None = None
+        self.id_place: Place | None = None
+        self.inertia: Inertia | None = None
+        self.children: tuple[Child, ...] = ()
+        self.frames: tuple[Frame, ...] = ()
+        self.is_base = False
+        self.is_floating = False
+
+    @property
+    def start(self) -> int:
+        """First code point, from the island's start."""
+        return self.node.start
+
+    @property
+    def end(self) -> int:
+        """One past the last code point, from the island's start."""
+        return self.node.end
+
+    def __repr__(self) -> str:
+        return f"Link({str(self.name)!r}, id={self.id})"
+
+
+class Joint:
+    """A joint with its frame, given with respect to the predecessor's link frame.
+
+    Attributes:
+        node: Its syntax.
+        island: Where it stands.
+        name: Its name, empty where it is missing.
+        kind: `"revolute"` or `"prismatic"`.
+        id: Its optional, obsolete number.
+        id_place: Where the number stands.
+        pose: The joint frame.
+    """
+
+    __slots__ = ("id", "id_place", "island", "kind", "name", "node", "pose")
+
+    def __init__(self, node: Node, island: Island, name: Name, kind: str) -> None:
+        self.node = node
+        self.island = island
+        self.name = name
+        self.kind = kind
+        self.id: int | None = None
+        self.id_place: Place | None = None
+        self.pose = Pose(None, None)
+
+    @property
+    def start(self) -> int:
+        """First code point, from the island's start."""
+        return self.node.start
+
+    @property
+    def end(self) -> int:
+        """One past the last code point, from the island's start."""
+        return self.node.end
+
+    def __repr__(self) -> str:
+        return f"Joint({str(self.name)!r}, {self.kind})"
+
+
+class Declarations(NamedTuple):
+    """What one island declares."""
+
+    robot: Name | None
+    bases: tuple[Link, ...]
+    links: tuple[Link, ...]
+    joints: tuple[Joint, ...]
+
+    def bodies(self) -> Iterator[Link]:
+        """Yield the bases, then the links."""
+        yield from self.bases
+        yield from self.links
+
+
+def pose_values(pose: Pose) -> Iterator[tuple[Expression, ValueKind]]:
+    """Yield the values of a pose with their class."""
+    for vector, kind in ((pose.translation, ValueKind.LENGTH), (pose.rotation, ValueKind.ANGLE)):
+        if vector is not None:
+            for component in vector.components:
+                yield component, kind
+
+
+def inertia_values(inertia: Inertia) -> Iterator[Expression]:
+    """Yield mass, centre of mass and moments."""
+    if inertia.mass is not None:
+        yield inertia.mass
+    if inertia.com is not None:
+        yield from inertia.com.components
+    yield from inertia.moments.values()
+
+
+def link_values(link: Link) -> Iterator[tuple[Expression, ValueKind]]:
+    """Yield all values in a link with their class."""
+    if link.inertia is not None:
+        for value in inertia_values(link.inertia):
+            yield value, ValueKind.DYNAMICS
+    for frame in link.frames:
+        yield from pose_values(frame.pose)

@@ -1,0 +1,195 @@
+"""Values as written: what they mean, and how exactly they were given."""
+
+from collections.abc import Iterator, Mapping
+from math import pi
+from typing import NamedTuple
+
+from kindsl.semantics.places import Name
+from kindsl.syntax.tree import Island, Node, Token
+
+
+class Expression:
+    """A value as written.
+
+    Attributes:
+        node: Its syntax.
+        island: Where it stands.
+        literal: Its value if it is a plain decimal number, else None.
+    """
+
+    __slots__ = ("island", "literal", "node")
+
+    def __init__(self, node: Node, island: Island) -> None:
+        self.node = node
+        self.island = island
+        self.literal = number_of(node.children[0]) if node.kind == "number" else None
+
+    @property
+    def start(self) -> int:
+        """First code point, from the island's start."""
+        return self.node.start
+
+    @property
+    def end(self) -> int:
+        """One past the last code point, from the island's start."""
+        return self.node.end
+
+    @property
+    def text(self) -> str:
+        """As written."""
+        return self.island.text[self.start : self.end]
+
+    def value(self, bindings: Mapping[str, float]) -> float | None:
+        """Return the value in SI units, or None where a name is unbound or nothing is defined.
+
+        Args:
+            bindings: Values of parameters by name, and of constants by `<name>`.
+        """
+        return self.literal if self.literal is not None else _value(self.node, bindings)
+
+    def rounding(self, bindings: Mapping[str, float]) -> float:
+        """Return how far the true value may be from the written one, to first order.
+
+        A decimal number stands for all that round to it: half a unit of its last digit.
+        """
+        return _rounding(self.node, bindings)
+
+
+class ParameterUse(NamedTuple):
+    """A parameter in a value, with the default that stands there, if any."""
+
+    name: Name
+    default: Expression | None
+
+
+class ConstantUse(NamedTuple):
+    """A named constant in a value; `value` is None where it is only referred to."""
+
+    name: Name
+    value: Expression | None
+
+
+def number_of(token: Node | Token) -> float | None:
+    """Return the value of a number token, or None if it is none (`0x10`, missing)."""
+    try:
+        return float(token.text) if isinstance(token, Token) else None
+    except ValueError:
+        return None
+
+
+def half_unit(text: str) -> float:
+    """Return half a unit of the last digit of a decimal number as written."""
+    mantissa, _, exponent = text.lower().partition("e")
+    _, _, decimals = mantissa.partition(".")
+    return 0.5 * 10.0 ** (int(exponent or 0) - len(decimals))
+
+
+def symbols(expression: Expression) -> Iterator[ParameterUse | ConstantUse]:
+    """Yield the parameters and constants of a value, in the order of the text."""
+    if expression.literal is None:
+        yield from _symbols(expression.node, expression.island)
+
+
+def _symbols(node: Node, island: Island) -> Iterator[ParameterUse | ConstantUse]:
+    kind = node.kind
+    if kind in ("parameter", "defaulted", "juxtaposed_parameter"):
+        default = next((c for c in node.children if isinstance(c, Node)), None)
+        given = Expression(default, island) if default is not None else None
+        yield ParameterUse(_name_in(node, island), given)
+    elif kind in ("constant", "constant_use"):
+        value = next((c for c in node.children if isinstance(c, Node)), None)
+        given = Expression(value, island) if value is not None else None
+        yield ConstantUse(_name_in(node, island), given)
+    else:
+        for child in node.children:
+            if isinstance(child, Node):
+                yield from _symbols(child, island)
+
+
+_NAME_KINDS = frozenset(("NAME", "UNICODE_NAME", "ESCAPED_NAME", "KEYWORD_NAME"))
+
+
+def _name_in(node: Node, island: Island) -> Name:
+    for token in node.children:
+        if isinstance(token, Token) and (token.kind in _NAME_KINDS or token.kind == "LOWER_PI"):
+            return Name.at(token.text.lstrip("^"), island, token.start, token.end)
+    return Name.at("", island, node.start, node.end)
+
+
+def _value(node: Node, bindings: Mapping[str, float]) -> float | None:
+    kind = node.kind
+    if kind == "number":
+        return number_of(node.children[0])
+    if kind == "pi":
+        return pi
+    if kind == "parameter":
+        return bindings.get(_name_text(node))
+    if kind == "defaulted":
+        bound = bindings.get(_name_text(node))
+        return bound if bound is not None else _operand(node, bindings)
+    if kind == "juxtaposed_pi":
+        factor = number_of(node.children[0])
+        return None if factor is None else factor * pi
+    if kind == "juxtaposed_parameter":
+        return _product(number_of(node.children[0]), bindings.get(_name_text(node)))
+    if kind == "constant_use":
+        return bindings.get(f"<{_name_text(node)}>")
+    if kind in ("group", "plus", "constant"):
+        return _operand(node, bindings)
+    if kind == "negate":
+        return _product(-1.0, _operand(node, bindings))
+    return _binary(node, bindings)
+
+
+def _binary(node: Node, bindings: Mapping[str, float]) -> float | None:
+    operands = [_value(child, bindings) for child in node.children if isinstance(child, Node)]
+    if len(operands) != 2 or operands[0] is None or operands[1] is None:
+        return None
+    left, right = operands
+    if node.kind == "multiply":
+        return left * right
+    if node.kind == "divide":
+        return left / right if right else None
+    if node.kind == "add":
+        return left + right
+    return left - right if node.kind == "subtract" else None
+
+
+def _operand(node: Node, bindings: Mapping[str, float]) -> float | None:
+    inner = next((child for child in node.children if isinstance(child, Node)), None)
+    return _value(inner, bindings) if inner is not None else None
+
+
+def _product(left: float | None, right: float | None) -> float | None:
+    return None if left is None or right is None else left * right
+
+
+def _name_text(node: Node) -> str:
+    for token in node.children:
+        if isinstance(token, Token) and token.kind in _NAME_KINDS:
+            return token.text.lstrip("^")
+    return ""
+
+
+def _rounding(node: Node, bindings: Mapping[str, float]) -> float:
+    if node.kind == "number":
+        token = node.children[0]
+        return half_unit(token.text) if isinstance(token, Token) and number_of(token) else 0.0
+    parts = [child for child in node.children if isinstance(child, Node)]
+    if node.kind in ("add", "subtract", "group", "plus", "negate"):
+        return sum(_rounding(part, bindings) for part in parts)
+    if node.kind in ("multiply", "divide") and len(parts) == 2:
+        return _rounding_of_product(node, parts, bindings)
+    return 0.0
+
+
+def _rounding_of_product(
+    node: Node, parts: list[Node], bindings: Mapping[str, float]
+) -> float:
+    left, right = (_value(part, bindings) or 0.0 for part in parts)
+    left_error, right_error = (_rounding(part, bindings) for part in parts)
+    if node.kind == "multiply":
+        return abs(right) * left_error + abs(left) * right_error
+    if not right:
+        return 0.0
+    return (left_error + abs(left / right) * right_error) / abs(right)

@@ -1,0 +1,147 @@
+"""The lossless syntax tree: islands of text, their tokens and nodes.
+
+A document is a row of islands, each a piece of text that the parser reads by itself: the head,
+the base, a link, a joint. All offsets inside an island count from the island's start, so that an
+edit elsewhere leaves it as it is.
+"""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+
+class Token:
+    """A word, number or sign. Blanks and comments lie between tokens, in `lead`.
+
+    Attributes:
+        kind: The terminal's name in the grammar; keywords and signs by their own text.
+        text: As written; what was expected, for a missing token.
+        lead: Where the blanks, comments and skipped text before it begin.
+        start: Where it begins, code points from the island's start.
+        end: Where it ends; equal to `start` for a missing token.
+    """
+
+    __slots__ = ("end", "kind", "lead", "start", "text")
+
+    def __init__(self, kind: str, text: str, lead: int, start: int, end: int) -> None:
+        self.kind = kind
+        self.text = text
+        self.lead = lead
+        self.start = start
+        self.end = end
+
+    @property
+    def is_missing(self) -> bool:
+        """Whether the parser supplied it."""
+        return self.start == self.end
+
+    def __repr__(self) -> str:
+        return f"Token({self.kind}, {self.text!r}, {self.start}..{self.end})"
+
+
+class Node:
+    """A construct of the grammar with all its tokens.
+
+    Attributes:
+        kind: The rule's name (or alias) in the grammar.
+        children: Nodes and tokens in the order of the text.
+    """
+
+    __slots__ = ("children", "kind")
+
+    def __init__(self, kind: str, children: "list[Node | Token]") -> None:
+        self.kind = kind
+        self.children = children
+
+    @property
+    def start(self) -> int:
+        """Where its first token begins."""
+        return self.children[0].start
+
+    @property
+    def end(self) -> int:
+        """Where its last token ends."""
+        return self.children[-1].end
+
+    def nodes(self, kind: str) -> "Iterator[Node]":
+        """Yield the children that are nodes of that kind."""
+        for child in self.children:
+            if child.kind == kind and isinstance(child, Node):
+                yield child
+
+    def tokens(self) -> Iterator[Token]:
+        """Yield all tokens below, in order."""
+        for child in self.children:
+            if isinstance(child, Token):
+                yield child
+            else:
+                yield from child.tokens()
+
+    def __repr__(self) -> str:
+        return f"Node({self.kind}, {self.children!r})"
+
+
+class Edit(NamedTuple):
+    """A replacement inside one island, offsets from the island's start."""
+
+    start: int
+    end: int
+    text: str
+
+
+class Repair(NamedTuple):
+    """A change of text that would remove a problem."""
+
+    title: str
+    edits: tuple[Edit, ...]
+    is_safe: bool
+
+
+class Problem(NamedTuple):
+    """Something that is not in the language.
+
+    Attributes:
+        code: The rule it is reported under, `KD001` to `KD010`.
+        message: One sentence, no final period.
+        start: Code points from the island's start.
+        end: End, exclusive.
+        repair: What would mend it, where that is known.
+    """
+
+    code: str
+    message: str
+    start: int
+    end: int
+    repair: Repair | None = None
+
+
+class Island:
+    """A piece of the document that is parsed by itself; never changed once made.
+
+    Attributes:
+        text: The piece as written, with the blanks and comments around it.
+        nodes: The blocks found in it, mostly one: `head`, `base`, `link`, `joint`, `end`.
+        tokens: All tokens in order, the missing and the skipped ones left out of neither.
+        skipped: Tokens that fit nowhere; they are in no node.
+        comments: Spans of the comments.
+        problems: What is wrong in it.
+        facts: What later layers derived from it alone, kept as long as the island lives.
+    """
+
+    __slots__ = ("__weakref__", "comments", "facts", "nodes", "problems", "skipped", "text", "tokens")
+
+    def __init__(
+        self,
+        text: str,
+        nodes: tuple[Node, ...],
+        tokens: tuple[Token, ...],
+        skipped: tuple[Token, ...],
+        comments: tuple[tuple[int, int], ...],
+        problems: tuple[Problem, ...],
+    ) -> None:
+        self.text = text
+        self.nodes = nodes
+        self.tokens = tokens
+        self.skipped = skipped
+        self.comments = comments
+        self.problems = problems
+        self.facts: dict[object, object] = {}

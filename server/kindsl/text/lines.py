@@ -1,0 +1,31 @@
+"""Lines of a text and the way between offsets and (line, column)."""
+
+import re
+from bisect import bisect_right
+
+_LINE_END = re.compile(r"\r\n|\n|\r")
+
+
+class LineIndex:
+    """Where the lines of a text begin; only CR LF, LF and CR end a line.
+
+    Lines and columns count from 0, columns in code points.
+    """
+
+    __slots__ = ("length", "starts")
+
+    def __init__(self, text: str) -> None:
+        self.length = len(text)
+        self.starts = [0, *(match.end() for match in _LINE_END.finditer(text))]
+
+    def position(self, offset: int) -> tuple[int, int]:
+        """Return `(line, column)` of an offset, clamped to the text."""
+        offset = min(max(offset, 0), self.length)
+        line = bisect_right(self.starts, offset) - 1
+        return line, offset - self.starts[line]
+
+    def offset(self, line: int, column: int) -> int:
+        """Return the offset of `(line, column)`, clamped to the text."""
+        if line >= len(self.starts):
+            return self.length
+        return min(self.starts[max(line, 0)] + max(column, 0), self.length)
