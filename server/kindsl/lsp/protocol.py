@@ -1,0 +1,224 @@
+"""The message loop's rules: life cycle, errors and cancellation as the specification has them.
+
+pygls leaves a few of them open. Here a request always gets exactly one answer: invalid parameters
+-32602, before `initialize` -32002, after `shutdown` -32600, cancelled -32800, our own fault -32603
+with one clean sentence. What went wrong inside is logged, never shown in a box.
+"""
+
+import asyncio
+import contextvars
+import inspect
+import json
+import logging
+from collections.abc import Callable
+from concurrent.futures import Future
+from typing import TYPE_CHECKING, Any
+
+from cattrs import transform_error
+from lsprotocol import types
+from pygls.exceptions import (
+    JsonRpcException,
+    JsonRpcInternalError,
+    JsonRpcInvalidParams,
+    JsonRpcInvalidRequest,
+    JsonRpcParseError,
+    JsonRpcRequestCancelled,
+    JsonRpcServerNotInitialized,
+)
+from pygls.protocol import LanguageServerProtocol, lsp_method
+
+if TYPE_CHECKING:
+    from kindsl.lsp.server import KindslLanguageServer
+
+logger = logging.getLogger(__name__)
+
+
+class KindslProtocol(LanguageServerProtocol):
+    """Answers messages; keeps pygls' registry, types and capabilities."""
+
+    _server: "KindslLanguageServer"
+    is_initialized = False
+
+    @property
+    def exit_code(self) -> int:
+        """What the process should end with: 0 only after `shutdown`."""
+        return 0 if self._shutdown else 1
+
+    def receive(self, body: bytes) -> bool:
+        """Handle one message; say whether to go on reading."""
+        try:
+            data = json.loads(body)
+        except (ValueError, RecursionError):
+            self._refuse(None, JsonRpcParseError("the message is not JSON"))
+            return True
+        if not isinstance(data, dict) or data.get("jsonrpc") != self.VERSION:
+            self._refuse(None, JsonRpcInvalidRequest("the message is not a JSON-RPC 2.0 object"))
+        elif isinstance(data.get("method"), str):
+            self._receive_call(data)
+            return bool(data["method"] != types.EXIT)
+        elif "id" in data and ("result" in data or "error" in data):
+            self._receive_response(data)
+        else:
+            self._refuse(None, JsonRpcInvalidRequest("the message is no request and no response"))
+        return True
+
+    def _receive_call(self, data: dict[str, Any]) -> None:
+        """Check a request or notification and hand it to its handler."""
+        method = data["method"]
+        try:
+            self._check_life_cycle(method)
+            params = self._structured_params(data)
+        except JsonRpcException as error:
+            if "id" in data:
+                self._refuse(data["id"], error)
+            else:
+                logger.warning("notification %s was ignored: %s", method, error)
+            return
+        handle = self._handle_request if "id" in data else self._handle_notification
+        arguments = (data["id"], method, params) if "id" in data else (method, params)
+        contextvars.copy_context().run(handle, *arguments)
+
+    def _check_life_cycle(self, method: str) -> None:
+        if method == types.EXIT:
+            return
+        if self._shutdown:
+            raise JsonRpcInvalidRequest("the server has been shut down")
+        if method == types.INITIALIZE and self.is_initialized:
+            raise JsonRpcInvalidRequest("the server is initialized already")
+        if method != types.INITIALIZE and not self.is_initialized:
+            raise JsonRpcServerNotInitialized("the server is not initialized yet")
+
+    def _structured_params(self, data: dict[str, Any]) -> Any:
+        known = self.get_message_type(data["method"])
+        if known is None:
+            return data.get("params")
+        try:
+            return getattr(self._converter.structure(data, known), "params", None)
+        except Exception as error:
+            reason = "; ".join(transform_error(error, path="message"))
+            raise JsonRpcInvalidParams(f"invalid {data['method']}: {reason}") from None
+
+    def _receive_response(self, data: dict[str, Any]) -> None:
+        """Hand the client's answer to whoever asked."""
+        try:
+            message = super().structure_message(data)
+        except JsonRpcException as error:
+            logger.warning("the client's answer to %s is malformed", data["id"])
+            self._handle_response(data["id"], error=error.to_response_error())
+        else:
+            error = getattr(message, "error", None)
+            self._handle_response(message.id, getattr(message, "result", None), error)
+
+    def _refuse(self, msg_id: Any, error: JsonRpcException) -> None:
+        body = {"code": error.code, "message": error.message}
+        self._send_data({"jsonrpc": self.VERSION, "id": msg_id, "error": body})
+
+    def _execute_handler(
+        self,
+        msg_id: Any,
+        handler: Callable[..., Any],
+        callback: Callable[[Any], None],
+        args: tuple[Any, ...] | None = None,
+        kwargs: dict[str, Any] | None = None,
+    ) -> None:
+        """Run a handler; what it returns may be awaitable.
+
+        A handler is called at once, so that it sees the documents as they were when the message
+        came. What it awaits starts after the messages that wait already, cancellations among
+        them, have been read.
+        """
+        if inspect.isgeneratorfunction(handler):
+            super()._execute_handler(msg_id, handler, callback, args, kwargs)
+            return
+        future: Any = Future()
+        try:
+            result = handler(*(args or ()), **(kwargs or {}))
+            if inspect.isawaitable(result):
+                future = asyncio.ensure_future(result)
+                self._request_futures[msg_id] = future
+            else:
+                future.set_result(result)
+        except Exception as error:
+            future.set_exception(error)
+        future.add_done_callback(callback)
+
+    def _send_handler_result(self, future: Any, *, msg_id: Any) -> None:
+        self._request_futures.pop(msg_id, None)
+        if future.cancelled():
+            self._refuse(msg_id, JsonRpcRequestCancelled("the request was cancelled"))
+        elif (error := future.exception()) is None:
+            self._send_result(msg_id, future.result())
+        elif isinstance(error, JsonRpcException):
+            self._refuse(msg_id, error)
+        else:
+            logger.error("a request failed", exc_info=error)
+            self._refuse(msg_id, JsonRpcInternalError(f"internal error: {_sentence(error)}"))
+
+    def _send_result(self, msg_id: Any, result: Any) -> None:
+        self._result_types.pop(msg_id, None)
+        self._send_data({"jsonrpc": self.VERSION, "id": msg_id, "result": result})
+
+    def _check_handler_result(self, future: Any) -> None:
+        if not future.cancelled() and (error := future.exception()) is not None:
+            logger.error("a notification failed", exc_info=error)
+
+    def _handle_request(self, msg_id: Any, method_name: str, params: Any) -> None:
+        try:
+            handler = self._get_handler(method_name)
+        except JsonRpcException:
+            self._refuse(msg_id, JsonRpcException(f"unknown method '{method_name}'", -32601))
+            return
+        self._ctx_msg_id.set(msg_id)
+        callback = lambda future: self._send_handler_result(future, msg_id=msg_id)  # noqa: E731
+        self._execute_handler(msg_id, handler, callback, args=(params,))
+
+    def _handle_cancel_notification(self, msg_id: Any) -> None:
+        future = self._request_futures.get(msg_id)
+        if future is not None:
+            future.cancel()
+
+    @lsp_method(types.INITIALIZE)
+    def lsp_initialize(self, params: types.InitializeParams) -> Any:
+        """Agree on capabilities."""
+        self.is_initialized = True
+        return (yield from super().lsp_initialize(params))
+
+    @lsp_method(types.SHUTDOWN)
+    def lsp_shutdown(self, *_: object) -> None:
+        """Cancel what runs; only `exit` is listened to from now on."""
+        for future in tuple(self._request_futures.values()):
+            future.cancel()
+        self._shutdown = True
+
+    @lsp_method(types.WORKSPACE_EXECUTE_COMMAND)
+    def lsp_workspace__execute_command(self, params: types.ExecuteCommandParams) -> Any:
+        """Run a command with its arguments as they came."""
+        command = self.fm.commands.get(params.command)
+        if command is None:
+            raise JsonRpcInvalidParams(f"unknown command '{params.command}'")
+        return command(*(params.arguments or ()))
+
+    @lsp_method(types.EXIT)
+    def lsp_exit(self, *_: object) -> None:
+        """End; the message loop stops after this message."""
+
+    @lsp_method(types.TEXT_DOCUMENT_DID_OPEN)
+    def lsp_text_document__did_open(self, params: types.DidOpenTextDocumentParams) -> None:
+        """Keep the text that the editor shows."""
+        self._server.documents.open(params.text_document)
+
+    @lsp_method(types.TEXT_DOCUMENT_DID_CHANGE)
+    def lsp_text_document__did_change(self, params: types.DidChangeTextDocumentParams) -> None:
+        """Follow the editor's changes."""
+        self._server.documents.change(params)
+
+    @lsp_method(types.TEXT_DOCUMENT_DID_CLOSE)
+    def lsp_text_document__did_close(self, params: types.DidCloseTextDocumentParams) -> None:
+        """Forget the text that the editor showed."""
+        self._server.documents.close(params.text_document.uri)
+
+
+def _sentence(error: BaseException) -> str:
+    """The first line of what an exception says, or its kind."""
+    lines = str(error).splitlines()
+    return lines[0] if lines else type(error).__name__

@@ -1,0 +1,140 @@
+"""Bytes in and out: framed messages over stdio or a socket, in the running event loop.
+
+Nothing here waits in a thread while messages flow: on POSIX both pipes belong to the event loop,
+so a busy handler cannot starve the reader, and a client that does not read cannot block us.
+"""
+
+import asyncio
+import contextlib
+import logging
+import os
+import re
+import stat
+import sys
+import threading
+from collections.abc import Callable
+from typing import Protocol
+
+_CONTENT_LENGTH = re.compile(rb"^content-length:[ \t]*(\d+)[ \t]*\r?$", re.IGNORECASE | re.MULTILINE)
+_BUFFER = 1 << 24
+_READ = 1 << 16
+
+logger = logging.getLogger(__name__)
+
+
+class MessageWriter(Protocol):
+    """Where framed messages go."""
+
+    def write(self, data: bytes) -> None:
+        """Send, or keep until the other side reads; never waits."""
+
+    def close(self) -> None:
+        """Send no more."""
+
+    async def flush(self) -> None:
+        """Wait until all is sent."""
+
+
+async def read_messages(reader: asyncio.StreamReader, receive: Callable[[bytes], bool]) -> None:
+    """Hand the body of each message to `receive` until it says False or the input ends."""
+    while True:
+        try:
+            head = await reader.readuntil(b"\r\n\r\n")
+            length = _CONTENT_LENGTH.search(head)
+            if length is None:
+                logger.error("a header without Content-Length was skipped")
+                continue
+            body = await reader.readexactly(int(length[1]))
+        except (asyncio.IncompleteReadError, asyncio.LimitOverrunError, ConnectionError):
+            return
+        if not receive(body):
+            return
+
+
+async def open_stdio() -> tuple[asyncio.StreamReader, MessageWriter]:
+    """Take over stdin and stdout; from now on `print` writes to stderr."""
+    incoming, outgoing = os.dup(0), os.dup(1)
+    sys.stdout.flush()
+    os.dup2(2, 1)
+    sys.stdout = sys.stderr
+    return await _open_reader(incoming), await _open_writer(outgoing)
+
+
+class TransportWriter:
+    """Writes through an asyncio transport: at once, or when the other side reads."""
+
+    __slots__ = ("_transport",)
+
+    def __init__(self, transport: asyncio.WriteTransport) -> None:
+        self._transport = transport
+
+    def write(self, data: bytes) -> None:
+        """Send, or keep until the other side reads."""
+        self._transport.write(data)
+
+    def close(self) -> None:
+        """Send what is kept, then no more."""
+        self._transport.close()
+
+    async def flush(self) -> None:
+        """Wait until all is sent, or the other side is gone."""
+        while self._transport.get_write_buffer_size() and not self._transport.is_closing():
+            await asyncio.sleep(0.005)
+
+
+class BlockingMessageWriter:
+    """Writes to a file descriptor that the event loop cannot watch (a file, Windows)."""
+
+    __slots__ = ("_descriptor",)
+
+    def __init__(self, descriptor: int) -> None:
+        self._descriptor = descriptor
+
+    def write(self, data: bytes) -> None:
+        """Send at once."""
+        view = memoryview(data)
+        while view:
+            view = view[os.write(self._descriptor, view) :]
+
+    def close(self) -> None:
+        """Send no more."""
+        with contextlib.suppress(OSError):
+            os.close(self._descriptor)
+
+    async def flush(self) -> None:
+        """Everything has been sent already."""
+
+
+async def _open_reader(descriptor: int) -> asyncio.StreamReader:
+    loop = asyncio.get_running_loop()
+    reader = asyncio.StreamReader(limit=_BUFFER)
+    if _can_be_watched(descriptor):
+        pipe = os.fdopen(descriptor, "rb", buffering=0)
+        await loop.connect_read_pipe(lambda: asyncio.StreamReaderProtocol(reader), pipe)
+    else:
+        feed = threading.Thread(target=_feed, args=(descriptor, reader, loop), daemon=True)
+        feed.start()
+    return reader
+
+
+async def _open_writer(descriptor: int) -> MessageWriter:
+    if not _can_be_watched(descriptor):
+        return BlockingMessageWriter(descriptor)
+    pipe = os.fdopen(descriptor, "wb", buffering=0)
+    loop = asyncio.get_running_loop()
+    transport, _ = await loop.connect_write_pipe(asyncio.BaseProtocol, pipe)
+    return TransportWriter(transport)
+
+
+def _can_be_watched(descriptor: int) -> bool:
+    """Whether the event loop can wait for it: pipes and sockets on POSIX."""
+    mode = os.fstat(descriptor).st_mode
+    return os.name == "posix" and (stat.S_ISFIFO(mode) or stat.S_ISSOCK(mode))
+
+
+def _feed(descriptor: int, reader: asyncio.StreamReader, loop: asyncio.AbstractEventLoop) -> None:
+    """Carry blocking reads to the event loop."""
+    with contextlib.suppress(RuntimeError):  # the loop has ended
+        while chunk := os.read(descriptor, _READ):
+            loop.call_soon_threadsafe(reader.feed_data, chunk)
+        loop.call_soon_threadsafe(reader.feed_eof)
