@@ -1,0 +1,59 @@
+"""The LALR automaton of the grammar, states only: what may follow what."""
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from kindsl.syntax.tables import ACTIONS, GOTOS, RULES, STARTS
+
+ROWS: list[dict[str, int]] = [dict(zip(*row, strict=True)) for row in ACTIONS]
+TARGETS: list[dict[str, int]] = [dict(zip(*row, strict=True)) for row in GOTOS]
+
+
+class Stack(NamedTuple):
+    """The states of a half-read construct, innermost first; shared between readings."""
+
+    state: int
+    below: "Stack | None"
+
+
+def initial(start: str) -> Stack:
+    """Return the stack before the first token of a construct."""
+    return Stack(STARTS[start][0], None)
+
+
+def step(stack: Stack, kind: str) -> Stack | None:
+    """Return the stack after one more token, or None where that token cannot stand."""
+    while True:
+        action = ROWS[stack.state].get(kind)
+        if action is None:
+            return None
+        if action >= 0:
+            return Stack(action, stack)
+        stack = _reduce(stack, ~action)
+
+
+def is_complete(stack: Stack, start: str) -> bool:
+    """Return whether the construct may end here."""
+    end = STARTS[start][1]
+    while stack.state != end:
+        action = ROWS[stack.state].get("$END")
+        if action is None or action >= 0:
+            return False
+        stack = _reduce(stack, ~action)
+    return True
+
+
+def accepts(start: str, kinds: Iterable[str]) -> bool:
+    """Return whether these token kinds are the whole of a construct."""
+    stack: Stack | None = initial(start)
+    for kind in kinds:
+        stack = step(stack, kind) if stack is not None else None
+    return stack is not None and is_complete(stack, start)
+
+
+def _reduce(stack: Stack, rule: int) -> Stack:
+    size, name, _, _ = RULES[rule]
+    for _ in range(size):
+        assert stack.below is not None
+        stack = stack.below
+    return Stack(TARGETS[stack.state][name], stack)

@@ -1,0 +1,246 @@
+"""The document as a value: islands in chunks, so that an edit costs what it touches.
+
+An edit makes a new document that shares all untouched islands, and all chunks of islands but the
+one or two it falls into, with the old one.
+"""
+
+import gc
+from bisect import bisect_right
+from collections.abc import Iterable, Sequence
+from functools import cached_property
+from itertools import accumulate, chain
+from typing import NamedTuple
+
+from kindsl.syntax.parser import parse_island
+from kindsl.syntax.splitter import LOOKAHEAD, split
+from kindsl.syntax.tree import Island, Problem
+from kindsl.text.edits import TextEdit, apply_edits
+
+_CHUNK = 96
+_MANY_EDITS = 64
+
+
+class PlacedIsland(NamedTuple):
+    """An island, its number in the document and its absolute offset."""
+
+    index: int
+    island: Island
+    start: int
+
+
+class PlacedProblem(NamedTuple):
+    """A problem of the document as a whole, told by a place in one of its islands."""
+
+    index: int
+    island: Island
+    problem: Problem
+
+
+class Chunk:
+    """Some neighbouring islands; never changed once made."""
+
+    __slots__ = ("islands", "length", "offsets", "open_comments")
+
+    def __init__(self, islands: tuple[Island, ...]) -> None:
+        self.islands = islands
+        self.offsets = [0, *accumulate(len(island.text) for island in islands)]
+        self.length = self.offsets.pop()
+        self.open_comments = sum(has_open_comment(island) for island in islands)
+
+
+class SyntaxDocument:
+    """A text and its islands; edits make new documents.
+
+    All offsets are code points from the start of the text.
+    """
+
+    def __init__(self, chunks: tuple[Chunk, ...]) -> None:
+        self.chunks = chunks
+        self._chunk_starts = [0, *accumulate(chunk.length for chunk in chunks)]
+        self._chunk_indices = [0, *accumulate(len(chunk.islands) for chunk in chunks)]
+
+    def __len__(self) -> int:
+        """Return the number of islands."""
+        return self._chunk_indices[-1]
+
+    @property
+    def length(self) -> int:
+        """Length of the text in code points."""
+        return self._chunk_starts[-1]
+
+    @cached_property
+    def islands(self) -> tuple[Island, ...]:
+        """All islands in order; their texts joined are the text."""
+        return tuple(chain.from_iterable(chunk.islands for chunk in self.chunks))
+
+    @cached_property
+    def starts(self) -> list[int]:
+        """The absolute offset of each island."""
+        return [
+            start + offset
+            for start, chunk in zip(self._chunk_starts, self.chunks, strict=False)
+            for offset in chunk.offsets
+        ]
+
+    @cached_property
+    def text(self) -> str:
+        """The whole text."""
+        return "".join([island.text for island in self.islands])
+
+    def island(self, index: int) -> PlacedIsland:
+        """Return the island of a number, without making the list of all."""
+        number = min(bisect_right(self._chunk_indices, index) - 1, len(self.chunks) - 1)
+        local = index - self._chunk_indices[number]
+        chunk = self.chunks[number]
+        start = self._chunk_starts[number] + chunk.offsets[local]
+        return PlacedIsland(index, chunk.islands[local], start)
+
+    def island_at(self, offset: int) -> PlacedIsland:
+        """Return the island that holds an offset, clamped to the text.
+
+        An offset between two islands belongs to the second.
+        """
+        offset = min(max(offset, 0), self.length)
+        number = min(bisect_right(self._chunk_starts, offset) - 1, len(self.chunks) - 1)
+        chunk, start = self.chunks[number], self._chunk_starts[number]
+        local = bisect_right(chunk.offsets, offset - start) - 1
+        index = self._chunk_indices[number] + local
+        return PlacedIsland(index, chunk.islands[local], start + chunk.offsets[local])
+
+    def edited(self, edits: Sequence[TextEdit]) -> "SyntaxDocument":
+        """Return the document after edits that are made at once.
+
+        Raises:
+            ValueError: Two edits overlap.
+        """
+        if len(edits) > _MANY_EDITS:
+            return _reparsed(apply_edits(self.text, edits), self.islands)
+        document, done = self, self.length
+        for edit in sorted(enumerate(edits), key=lambda e: (e[1].start, e[1].end, e[0]))[::-1]:
+            if edit[1].end > done:
+                raise ValueError(f"edits overlap at offset {edit[1].end}")
+            done = edit[1].start
+            document = _edited_once(document, *edit[1])
+        return document
+
+
+def parse(text: str) -> SyntaxDocument:
+    """Return the document of a text; never raises, whatever the text."""
+    return _reparsed(text, ())
+
+
+def has_open_comment(island: Island) -> bool:
+    """Return whether a comment in the island has no end."""
+    if not island.comments:
+        return False
+    start, end = island.comments[-1]
+    comment = island.text[start:end]
+    return comment.startswith("/*") and (len(comment) < 4 or not comment.endswith("*/"))
+
+
+def _reparsed(text: str, known: Iterable[Island]) -> SyntaxDocument:
+    """Return a document, its islands taken from the known ones where the text is the same."""
+    islands = _islands(text, split(text).starts, known)
+    return SyntaxDocument(_chunks(islands))
+
+
+def _islands(text: str, starts: list[int], known: Iterable[Island]) -> list[Island]:
+    pool: dict[str, list[Island]] = {}
+    for island in known:
+        pool.setdefault(island.text, []).append(island)
+    was_enabled = gc.isenabled()
+    gc.disable()
+    try:
+        islands = []
+        for start, end in zip(starts, [*starts[1:], len(text)], strict=True):
+            piece = text[start:end]
+            same = pool.get(piece)
+            islands.append(same.pop(0) if same else parse_island(piece))
+        return islands
+    finally:
+        if was_enabled:
+            gc.enable()
+
+
+def _chunks(islands: Sequence[Island]) -> tuple[Chunk, ...]:
+    return tuple(
+        Chunk(tuple(islands[first : first + _CHUNK])) for first in range(0, len(islands), _CHUNK)
+    )
+
+
+def _edited_once(document: SyntaxDocument, start: int, end: int, new: str) -> SyntaxDocument:
+    """Return the document after one edit: split anew around it, parse what is new."""
+    first = _safe_start(document, document.island_at(start).index, new)
+    last = document.island_at(end).index
+    origin = document.island(first).start
+    reach = 1
+    while True:
+        stop = _safe_stop(document, last + reach)
+        region = [document.island(index).island for index in range(first, stop)]
+        old = "".join([island.text for island in region])
+        text = old[: start - origin] + new + old[end - origin :]
+        found = split(text)
+        if stop < len(document):
+            if found.has_open_comment and _closes_later(document, stop):
+                reach *= 2
+                continue
+            kept = _first_kept(document, last + 1, stop, origin + len(text) - len(old), found.starts)
+            if kept is None:
+                reach *= 2
+                continue
+            cut = document.island(kept).start - origin + len(text) - len(old)
+        else:
+            kept, cut = len(document), len(text)
+        starts = [begin for begin in found.starts if begin < cut] or [0]
+        islands = _islands(text[:cut], starts, region)
+        return _replaced(document, first, kept, islands)
+
+
+def _safe_start(document: SyntaxDocument, index: int, new: str) -> int:
+    """Return an island before the edit whose beginning the edit cannot put in question."""
+    if any(chunk.open_comments for chunk in document.chunks):
+        for number, island in enumerate(document.islands[:index]):
+            if has_open_comment(island):
+                index = number
+                break
+    index -= 1
+    while index > 0 and len(document.island(index).island.tokens) < LOOKAHEAD:
+        index -= 1
+    return max(index, 0)
+
+
+def _safe_stop(document: SyntaxDocument, index: int) -> int:
+    """Return an end behind the island `index` that its keyword's look-ahead does not reach."""
+    while index < len(document) and len(document.island(index).island.tokens) < LOOKAHEAD:
+        index += 1
+    return min(index + 1, len(document))
+
+
+def _closes_later(document: SyntaxDocument, first: int) -> bool:
+    return any("*/" in document.island(i).island.text for i in range(first, len(document)))
+
+
+def _first_kept(
+    document: SyntaxDocument, first: int, stop: int, shifted: int, starts: list[int]
+) -> int | None:
+    """Return the first old island whose beginning is found again behind the edit."""
+    found = set(starts)
+    for index in range(first, stop):
+        if document.island(index).start - shifted in found:
+            return index
+    return None
+
+
+def _replaced(
+    document: SyntaxDocument, first: int, stop: int, islands: list[Island]
+) -> SyntaxDocument:
+    """Return the document with the islands from `first` to `stop` replaced."""
+    indices = document._chunk_indices
+    low = min(bisect_right(indices, first) - 1, len(document.chunks) - 1)
+    high = max(bisect_right(indices, max(stop - 1, first)), low + 1)
+    old = [island for chunk in document.chunks[low:high] for island in chunk.islands]
+    base = indices[low]
+    old[first - base : stop - base] = islands
+    return SyntaxDocument(
+        (*document.chunks[:low], *_chunks(old), *document.chunks[high:]) or _chunks(islands)
+    )

@@ -1,0 +1,221 @@
+"""Write `tables.py` from `grammar/kindsl.lark`: `python -m kindsl.syntax.generate [--check]`.
+
+Lark reads the grammar and builds the LALR automaton; what the parser needs of it is written down as
+literals that load in no time, so that Lark is needed to change the grammar only.
+"""
+
+import re
+import sys
+from pathlib import Path
+from typing import Any
+
+TABLES = Path(__file__).with_name("tables.py")
+STARTS = ("head", "base", "link", "joint", "end", "value")
+
+_HEADER = '"""Generated from grammar/kindsl.lark by `python -m kindsl.syntax.generate`; do not edit."""\n'
+_ROWS = "tuple[tuple[tuple[str, ...], tuple[int, ...]], ...]"
+_TYPES = {
+    "KEYWORDS": "dict[str, str]",
+    "PUNCTUATION": "str",
+    "PATTERNS": "tuple[tuple[str, str], ...]",
+    "ACTIONS": _ROWS,
+    "GOTOS": _ROWS,
+    "STARTS": "dict[str, tuple[int, int]]",
+    "RULES": "tuple[tuple[int, str, str, str], ...]",
+    "CONSTRUCTS": "tuple[str, ...]",
+    "ORDERS": "dict[str, tuple[str, ...]]",
+    "ONLY": "dict[str, str]",
+    "NEITHER": "dict[str, str]",
+}
+_WORDS = re.compile(r"\(\?:(\w+(?:\|\w+)*)\)")
+_ORDER = re.compile(r"^//: order (.*)\n(\w+):", re.M)
+_REMARK = re.compile(r"(?:-> (\w+)|^(\w+):.*?)[ \t]*//: (only|neither) (\w+)[ \t]*$", re.M)
+
+
+def main(arguments: list[str]) -> int:
+    """Write the tables, or compare them with `--check`; return the exit status."""
+    text = tables(grammar_path().read_text(encoding="utf-8"))
+    if "--check" not in arguments:
+        TABLES.write_text(text, encoding="utf-8")
+        return 0
+    if TABLES.read_text(encoding="utf-8") == text:
+        return 0
+    sys.stderr.write(f"{TABLES} does not fit the grammar: run python -m kindsl.syntax.generate\n")
+    return 1
+
+
+def grammar_path() -> Path:
+    """Return where the grammar is: beside the package when installed, else in the repository.
+
+    Raises:
+        FileNotFoundError: It is in neither place.
+    """
+    package = Path(__file__).parents[1]
+    for folder in (package, *package.parents[:2]):
+        path = folder / "grammar" / "kindsl.lark"
+        if path.is_file():
+            return path
+    raise FileNotFoundError("grammar/kindsl.lark")
+
+
+def tables(grammar: str) -> str:
+    """Return the source of `tables.py` for a grammar."""
+    from lark import Lark
+
+    lark = Lark(
+        grammar,
+        parser="lalr",
+        lexer="basic",
+        start=list(STARTS),
+        maybe_placeholders=False,
+        keep_all_tokens=True,
+        debug=True,
+    )
+    kinds = _token_kinds(lark, grammar)
+    automaton = _Automaton(lark, kinds)
+    sections = {
+        **_lexical(lark, kinds),
+        **automaton.tables(),
+        "ORDERS": {rule: tuple(order.split()) for order, rule in _ORDER.findall(grammar)},
+        "ONLY": _remarks(grammar, "only"),
+        "NEITHER": _remarks(grammar, "neither"),
+    }
+    return _HEADER + "\n# ruff: noqa\n# fmt: off\n" + "".join(
+        f"\n{name}: {_TYPES[name]} = {_literal(value)}\n" for name, value in sections.items()
+    )
+
+
+def _token_kinds(lark: Any, grammar: str) -> dict[str, str]:
+    """Return the token kind of each terminal: its name, or its text where it has no own name."""
+    named = set(re.findall(r"^([A-Z_]+):", grammar, re.M))
+    return {
+        terminal.name: terminal.name if terminal.name in named else terminal.pattern.value
+        for terminal in lark.terminals
+    } | {"$END": "$END"}
+
+
+def _lexical(lark: Any, kinds: dict[str, str]) -> dict[str, Any]:
+    keywords: dict[str, str] = {}
+    punctuation: list[str] = []
+    patterns: list[tuple[str, str]] = []
+    for terminal in lark.terminals:
+        kind, value = kinds[terminal.name], terminal.pattern.value
+        words = _WORDS.fullmatch(value)
+        if words:
+            keywords |= dict.fromkeys(sorted(words[1].split("|")), kind)
+        elif terminal.pattern.type == "re":
+            patterns.append((kind, value))
+        elif value[0].isalpha():
+            keywords[value] = kind
+        else:
+            punctuation.append(value)
+    return {
+        "KEYWORDS": keywords,
+        "PUNCTUATION": "".join(sorted(punctuation)),
+        "PATTERNS": tuple(patterns),
+    }
+
+
+def _remarks(grammar: str, word: str) -> dict[str, str]:
+    return {
+        alias or rule: value
+        for alias, rule, found, value in _REMARK.findall(grammar)
+        if found == word
+    }
+
+
+class _Automaton:
+    """Lark's LALR states, numbered so that equal grammars give equal tables."""
+
+    def __init__(self, lark: Any, kinds: dict[str, str]) -> None:
+        self.table = lark.parser.parser._parse_table
+        self.kinds = kinds
+        self.rules: dict[Any, int] = {}
+        self.numbers: dict[Any, int] = {}
+        self._number()
+
+    def _number(self) -> None:
+        queue = [self.table.start_states[start] for start in STARTS]
+        for state in queue:
+            if state in self.numbers:
+                continue
+            self.numbers[state] = len(self.numbers)
+            for _, (action, argument) in self._row(state):
+                if str(action) == "Shift":
+                    queue.append(argument)
+                else:
+                    self.rules.setdefault(argument, len(self.rules))
+
+    def _row(self, state: Any) -> list[tuple[str, Any]]:
+        return sorted(self.table.states[state].items())
+
+    def tables(self) -> dict[str, Any]:
+        """Return the automaton's tables by name."""
+        actions, gotos = [], []
+        for state in self.numbers:
+            cells = {self.kinds.get(symbol, ""): cell for symbol, cell in self._row(state)}
+            terminals = {kind: self._code(*cell) for kind, cell in cells.items() if kind}
+            targets = {
+                symbol: self.numbers[argument]
+                for symbol, (_, argument) in self._row(state)
+                if symbol not in self.kinds
+            }
+            actions.append((tuple(terminals), tuple(terminals.values())))
+            gotos.append((tuple(targets), tuple(targets.values())))
+        return {
+            "STARTS": {
+                start: (
+                    self.numbers[self.table.start_states[start]],
+                    self.numbers[self.table.end_states[start]],
+                )
+                for start in STARTS
+            },
+            "ACTIONS": tuple(actions),
+            "GOTOS": tuple(gotos),
+            "RULES": tuple(_rule(rule, self.kinds) for rule in self.rules),
+            "CONSTRUCTS": tuple(_construct(state) for state in self.numbers),
+        }
+
+    def _code(self, action: Any, argument: Any) -> int:
+        """Return a state to shift to, or the complement of the number of a rule to reduce."""
+        if str(action) == "Shift":
+            return self.numbers[argument]
+        return ~self.rules[argument]
+
+
+def _rule(rule: Any, kinds: dict[str, str]) -> tuple[int, str, str, str]:
+    """Return `(size, left-hand side, action, node kind)`; `builder.py` tells the actions."""
+    size, name = len(rule.expansion), str(rule.origin.name)
+    if name.startswith("__"):
+        action = "extend" if rule.expansion[0].name == name else "list"
+    elif name in ("_name", "_parameter"):
+        action = "pass" if kinds[rule.expansion[0].name] == "NAME" else "name"
+    elif size == 1 and (name.startswith("_") or (rule.options.expand1 and not rule.alias)):
+        action = "pass"
+    else:
+        lists = any(symbol.name.startswith("__") for symbol in rule.expansion)
+        action = "splice" if lists else "node"
+    return size, name, action, str(rule.alias or name)
+
+
+def _construct(state: Any) -> str:
+    """Return the kind of node that a state is in the middle of, where it tells."""
+    kinds = {
+        str(pointer.rule.alias or pointer.rule.origin.name)
+        for pointer in state
+        if not pointer.rule.origin.name.startswith(("_", "$"))
+    }
+    return kinds.pop() if len(kinds) == 1 else ""
+
+
+def _literal(value: Any) -> str:
+    """Return a Python literal, one entry a line."""
+    if isinstance(value, dict):
+        return "{\n" + "".join(f"    {k!r}: {v!r},\n" for k, v in value.items()) + "}"
+    if isinstance(value, tuple):
+        return "(\n" + "".join(f"    {entry!r},\n" for entry in value) + ")"
+    return repr(value)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

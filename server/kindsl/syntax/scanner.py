@@ -1,0 +1,95 @@
+"""Text to tokens; any text whatever, nothing is ever refused."""
+
+import re
+
+from kindsl.syntax.tables import KEYWORDS, PATTERNS
+from kindsl.syntax.tree import Token
+
+BAD = "BAD"
+TRIVIA = r"(?:[ \t\r\n]++|//[^\r\n]*+|/\*(?:[^*]|\*(?!/))*+(?:\*/|\Z))*+"
+COMMENT = re.compile(r"//[^\r\n]*|/\*(?:[^*]|\*(?!/))*+(?:\*/)?")
+
+_PATTERN = dict(PATTERNS)
+_ODD_KINDS = (
+    "PIPE_PI",
+    "ESCAPED_NAME",
+    "POWER_FLOAT",
+    "SCIENTIFIC",
+    "MALFORMED_NUMBER",
+    "FLOAT",
+    "INT",
+)
+_ODD = [(kind, re.compile(_PATTERN[kind])) for kind in _ODD_KINDS]
+_TOKEN = re.compile(
+    rf"{TRIVIA}(?:"
+    r"((?![pP]\|)[^\W\d]\w*)"
+    r"|([-+]?[0-9]*\.[0-9]+(?![\w.]))"
+    r"|([{}()=,\[\]<>*/])"
+    r"|([-+]?[0-9]+(?![\w.]))"
+    rf"|({'|'.join(_PATTERN[kind] for kind in _ODD_KINDS)})"
+    r"|([-+])"
+    r"|(\Z)"
+    r"|([^ \t\r\n]))"
+)
+_WORD, _FLOAT, _SIGN, _INT, _ODD_GROUP, _OPERATOR, _END = 1, 2, 3, 4, 5, 6, 7
+_PI_PREFIXED = re.compile(_PATTERN["PI_PREFIXED"])
+_NAME = re.compile(_PATTERN["NAME"])
+
+
+class _WordKinds(dict[str, str]):
+    """Kinds of words: the keywords by look-up, names by their spelling."""
+
+    def __missing__(self, word: str) -> str:
+        return word_kind(word)
+
+
+_WORD_KINDS = _WordKinds(KEYWORDS)
+
+
+def scan(text: str) -> list[Token]:
+    """Return the tokens of a text; together with what lies between them they are the text."""
+    tokens: list[Token] = []
+    append = tokens.append
+    done = 0
+    for match in _TOKEN.finditer(text):
+        group = match.lastindex or 0
+        start, end = match.span(group)
+        word = match[group]
+        if group == _WORD:
+            kind = _WORD_KINDS[word]
+        elif group == _FLOAT:
+            kind = "FLOAT"
+        elif group == _SIGN or group == _OPERATOR:
+            kind = word
+        elif group == _INT:
+            kind = "INT"
+        elif group == _ODD_GROUP:
+            kind = _odd_kind(word)
+        elif group == _END:
+            break
+        else:
+            kind = BAD
+        append(Token(kind, word, done, start, end))
+        done = end
+    return tokens
+
+
+def word_kind(word: str) -> str:
+    """Return the terminal that a word belongs to; for a name the kind tells how it is spelt."""
+    kind = KEYWORDS.get(word)
+    if kind is not None:
+        return kind
+    if _NAME.fullmatch(word):
+        return "NAME"
+    return "PI_PREFIXED" if _PI_PREFIXED.fullmatch(word) else "UNICODE_NAME"
+
+
+def comments(text: str) -> tuple[tuple[int, int], ...]:
+    """Return the spans of the comments in a text."""
+    if "//" not in text and "/*" not in text:
+        return ()
+    return tuple(match.span() for match in COMMENT.finditer(text))
+
+
+def _odd_kind(word: str) -> str:
+    return next(kind for kind, pattern in _ODD if pattern.fullmatch(word))
