@@ -1,4 +1,4 @@
-"""What a document declares: links, joints, frames, inertia. As written, before any of it is related."""
+"""What a document declares, as written: links, joints, frames, inertia."""
 
 from collections.abc import Iterator
 from enum import StrEnum

@@ -143,9 +143,11 @@ def _value(node: Node, bindings: Mapping[str, float]) -> float | None:
 
 def _binary(node: Node, bindings: Mapping[str, float]) -> float | None:
     operands = [_value(child, bindings) for child in node.children if isinstance(child, Node)]
-    if len(operands) != 2 or operands[0] is None or operands[1] is None:
+    if len(operands) != 2:
         return None
     left, right = operands
+    if left is None or right is None:
+        return None
     if node.kind == "multiply":
         return left * right
     if node.kind == "divide":

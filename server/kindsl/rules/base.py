@@ -1,0 +1,115 @@
+"""What a rule is, and what it finds."""
+
+from collections.abc import Callable, Iterator
+from enum import StrEnum
+from typing import NamedTuple
+
+from kindsl.rules.context import Context
+from kindsl.semantics.declarations import Declarations
+from kindsl.semantics.model import Model
+from kindsl.semantics.places import Located
+
+
+class Severity(StrEnum):
+    """How bad a finding is."""
+
+    ERROR = "error"
+    WARNING = "warning"
+    INFORMATION = "info"
+    HINT = "hint"
+
+
+class Tag(StrEnum):
+    """How an editor may draw a finding."""
+
+    UNNECESSARY = "unnecessary"
+    DEPRECATED = "deprecated"
+
+
+class Related(NamedTuple):
+    """Another place that belongs to a finding, and what it has to do with it."""
+
+    at: Located
+    message: str
+
+
+class Change(NamedTuple):
+    """Replace the text at a place; an empty place inserts."""
+
+    at: Located
+    text: str
+
+
+class Fix(NamedTuple):
+    """What would mend a finding.
+
+    Attributes:
+        title: What it does, in the imperative.
+        changes: Disjoint replacements.
+        is_safe: Whether the robot's meaning can only become what was obviously meant.
+    """
+
+    title: str
+    changes: tuple[Change, ...]
+    is_safe: bool = False
+
+
+class Finding(NamedTuple):
+    """Something that a rule found.
+
+    Attributes:
+        at: Where.
+        message: One sentence without final period: what is wrong, names quoted, with units.
+        related: Other places.
+        fix: What would mend it.
+        severity: Where it differs from the rule's.
+        tag: How to draw it.
+    """
+
+    at: Located
+    message: str
+    related: tuple[Related, ...] = ()
+    fix: Fix | None = None
+    severity: Severity | None = None
+    tag: Tag | None = None
+
+
+class Example(NamedTuple):
+    """A document that shows a rule, with what it needs from outside."""
+
+    text: str
+    targets: tuple[str, ...] = ()
+    parameters: tuple[tuple[str, float], ...] = ()
+
+
+DocumentCheck = Callable[[Model, Context], Iterator[Finding]]
+IslandCheck = Callable[[Declarations, Context], Iterator[Finding]]
+
+
+class Rule(NamedTuple):
+    """A rule; its module's docstring is its page.
+
+    A rule has one of two checks. `check_document` sees the whole model and runs after every edit.
+    `check_island` sees what one island declares and its result is kept until that island, or a
+    value that it uses, changes; so whatever can be said of a link alone belongs there. The rules
+    of the syntax have neither: the parser finds them.
+
+    Attributes:
+        code: `KD` and three digits, never reused.
+        name: What is wrong, hyphenated.
+        severity: Unless configured otherwise.
+        check_document: See above.
+        check_island: See above.
+        is_default: Whether it runs without being selected or needed by a target.
+        good: Documents, or single blocks, in which it finds nothing.
+        bad: The same, in which it finds something.
+    """
+
+    code: str
+    name: str
+    severity: Severity
+    check_document: DocumentCheck | None = None
+    check_island: IslandCheck | None = None
+    is_default: bool = True
+    good: tuple[str | Example, ...] = ()
+    bad: tuple[str | Example, ...] = ()

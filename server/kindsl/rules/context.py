@@ -1,0 +1,38 @@
+"""What a rule may know besides the document: targets, bindings, ranges."""
+
+from collections.abc import Mapping
+from functools import cached_property
+
+from kindsl.semantics.model import Model
+from kindsl.semantics.parameters import Binding, values_of
+
+ROBCOGEN = "robcogen"
+ROBCOGEN2 = "robcogen2"
+TARGETS = (ROBCOGEN, ROBCOGEN2)
+
+
+class Context:
+    """The surroundings of a check.
+
+    Attributes:
+        targets: The generators that the document must be accepted by.
+        bindings: Values given to parameters from outside the document, with their ranges.
+        values: Value of each bound parameter by name, and of each constant by `<name>`.
+    """
+
+    def __init__(
+        self, targets: frozenset[str], bindings: Mapping[str, Binding], model: Model
+    ) -> None:
+        self.targets = targets
+        self.bindings = bindings
+        given = {name: binding.value for name, binding in bindings.items()}
+        self.values = values_of(model.parameters, model.constants, given)
+
+    @cached_property
+    def key(self) -> tuple[object, ...]:
+        """What a result that uses values depends on."""
+        return (
+            self.targets,
+            tuple(sorted(self.values.items())),
+            tuple(sorted(self.bindings.items())),
+        )

@@ -1,0 +1,80 @@
+"""Findings with absolute offsets, as they are shown."""
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+from kindsl.rules.base import Finding, Fix, Rule, Severity, Tag
+from kindsl.semantics.places import Located
+from kindsl.syntax.tree import Island
+from kindsl.text.edits import TextEdit
+
+RULE_PAGES = "https://kindsl.github.io/kindsl/rules"
+
+
+class RelatedPlace(NamedTuple):
+    """Another place of the same document."""
+
+    start: int
+    end: int
+    message: str
+
+
+class TextFix(NamedTuple):
+    """A change of the document's text."""
+
+    title: str
+    is_safe: bool
+    edits: tuple[TextEdit, ...]
+
+
+class Diagnostic(NamedTuple):
+    """A finding as it is shown; offsets in code points of the document, `end` exclusive."""
+
+    code: str
+    name: str
+    severity: Severity
+    message: str
+    start: int
+    end: int
+    related: tuple[RelatedPlace, ...] = ()
+    fix: TextFix | None = None
+    tag: Tag | None = None
+
+    @property
+    def url(self) -> str:
+        """The rule's page."""
+        return f"{RULE_PAGES}/{self.code.lower()}"
+
+
+class Resolver:
+    """Turns places in islands into absolute offsets."""
+
+    def __init__(self, islands: Sequence[Island], starts: Sequence[int]) -> None:
+        self._starts: Mapping[int, int] = {
+            id(island): start for island, start in zip(islands, starts, strict=False)
+        }
+
+    def span(self, at: Located) -> tuple[int, int]:
+        """Return the absolute start and end of a place."""
+        origin = self._starts[id(at.island)]
+        return origin + at.start, origin + at.end
+
+    def diagnostic(self, rule: Rule, finding: Finding, severity: Severity) -> Diagnostic:
+        """Return a finding with absolute offsets."""
+        start, end = self.span(finding.at)
+        related = tuple(RelatedPlace(*self.span(r.at), r.message) for r in finding.related)
+        return Diagnostic(
+            rule.code,
+            rule.name,
+            severity,
+            finding.message,
+            start,
+            end,
+            related,
+            self._fix(finding.fix) if finding.fix else None,
+            finding.tag,
+        )
+
+    def _fix(self, fix: Fix) -> TextFix:
+        edits = sorted(TextEdit(*self.span(c.at), c.text) for c in fix.changes)
+        return TextFix(fix.title, fix.is_safe, tuple(edits))

@@ -1,0 +1,66 @@
+"""A comment that silences a finding which is not there.
+
+## What it does
+Reports each code in a `// kindsl: ignore[...]` or `// kindsl: ignore-file[...]` comment that
+silenced nothing.
+
+## Why is this bad?
+It tells the reader of a defect that is no longer there, and will hide the next one.
+
+## Example
+```kindsl
+link upper { // kindsl: ignore[KD301]
+```
+where the inertia of `upper` was corrected long ago.
+
+## Fix
+Removes the code, or the comment with its last code. Safe: a comment means nothing to the robot.
+"""
+
+from collections.abc import Iterable, Iterator
+
+from kindsl.rules.base import Change, Finding, Fix, Rule, Severity, Tag
+from kindsl.rules.suppression import Suppression
+from kindsl.semantics.places import Place
+
+_TITLE = "Remove the unused suppression"
+
+
+def unused_suppressions(
+    unused: Iterable[Suppression], enabled_codes: Iterable[str]
+) -> Iterator[Finding]:
+    """Yield a finding for each suppression of an enabled rule, or of no rule at all."""
+    enabled = tuple(enabled_codes)
+    by_comment: dict[Place, list[Suppression]] = {}
+    for suppression in unused:
+        by_comment.setdefault(suppression.comment, []).append(suppression)
+    for comment, group in by_comment.items():
+        for suppression in group:
+            if any(code.startswith(suppression.code.upper()) for code in enabled):
+                message = f"nothing to suppress for '{suppression.code}'"
+                yield Finding(suppression.at, message, fix=_fix(comment, suppression), tag=_TAG)
+
+
+_TAG = Tag.UNNECESSARY
+
+
+def _fix(comment: Place, suppression: Suppression) -> Fix:
+    text = comment.island.text
+    inside = text[text.index("[", comment.start) + 1 : text.index("]", comment.start)]
+    if len([code for code in inside.split(",") if code.strip()]) > 1:
+        at = suppression.at
+        end = at.end
+        while text[end] in ", ":
+            end += 1
+        start = at.start
+        if text[end] == "]":
+            while text[start - 1] in ", ":
+                start -= 1
+        return Fix(_TITLE, (Change(Place(at.island, start, end), ""),), is_safe=True)
+    start = comment.start
+    while start and text[start - 1] in " \t":
+        start -= 1
+    return Fix(_TITLE, (Change(Place(comment.island, start, comment.end), ""),), is_safe=True)
+
+
+RULE = Rule("KD704", "unused-suppression", Severity.WARNING)

@@ -1,0 +1,38 @@
+"""All rules, found by walking this package: a file named after a code holds one."""
+
+from collections.abc import Iterator
+from functools import cache
+from importlib import import_module
+from pathlib import Path
+from types import ModuleType
+
+from kindsl.rules.base import Rule
+
+
+@cache
+def all_rules() -> tuple[Rule, ...]:
+    """Return the rules in the order of their codes."""
+    return tuple(rule_module(name).RULE for name in sorted(_module_names()))
+
+
+def rule_named(code: str) -> Rule | None:
+    """Return the rule with a code or a name, whatever its case."""
+    wanted = code.lower()
+    return next((r for r in all_rules() if wanted in (r.code.lower(), r.name)), None)
+
+
+def page_of(rule: Rule) -> str:
+    """Return the docs page of a rule: the docstring of its module."""
+    names = [name for name in _module_names() if name.startswith(f"{rule.code.lower()}_")]
+    return (rule_module(names[0]).__doc__ or "").strip()
+
+
+def rule_module(name: str) -> ModuleType:
+    """Import a rule's module by its file's stem."""
+    return import_module(f"kindsl.rules.{name}")
+
+
+def _module_names() -> Iterator[str]:
+    for path in Path(__file__).parent.iterdir():
+        if path.name.startswith("kd") and path.suffix == ".py":
+            yield path.stem

@@ -1,0 +1,55 @@
+"""What a user decides about the rules: which, how severe, for whom, with which values."""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from kindsl.rules.base import Rule, Severity
+from kindsl.semantics.parameters import Binding
+
+_FIRST_DIGITS_OF_SYNTAX = "KD0"
+
+
+class Settings(NamedTuple):
+    """Decisions for one document.
+
+    Attributes:
+        targets: The generators that must accept it.
+        select: Codes or prefixes to run; empty for the default ones.
+        ignore: Codes or prefixes to leave out.
+        severity: Severity by code or prefix, the longest match wins.
+        bindings: Values of parameters.
+    """
+
+    targets: frozenset[str] = frozenset()
+    select: tuple[str, ...] = ()
+    ignore: tuple[str, ...] = ()
+    severity: Mapping[str, Severity] = {}
+    bindings: Mapping[str, Binding] = {}
+
+
+def is_enabled(rule: Rule, settings: Settings) -> bool:
+    """Return whether a rule is to report; the syntax rules always are."""
+    if rule.code.startswith(_FIRST_DIGITS_OF_SYNTAX):
+        return True
+    selected = _longest_match(rule.code, settings.select)
+    ignored = _longest_match(rule.code, settings.ignore)
+    if settings.select and not selected:
+        return False
+    if ignored and len(ignored) >= len(selected):
+        return False
+    return rule.is_default or bool(selected) or rule.code in _codes_of_targets(settings.targets)
+
+
+def severity_of(rule: Rule, own: Severity | None, settings: Settings) -> Severity:
+    """Return the severity to report: configured, else the finding's own, else the rule's."""
+    match = _longest_match(rule.code, tuple(settings.severity))
+    return settings.severity[match] if match else own or rule.severity
+
+
+def _longest_match(code: str, prefixes: tuple[str, ...]) -> str:
+    return max((p for p in prefixes if code.startswith(p.upper())), key=len, default="")
+
+
+def _codes_of_targets(targets: frozenset[str]) -> frozenset[str]:
+    refusals = {"robcogen": "KD601", "robcogen2": "KD602"}
+    return frozenset(refusals[target] for target in targets if target in refusals)

@@ -1,0 +1,33 @@
+"""What the parser found, as findings of the syntax rules."""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Change, Finding, Fix, Rule
+from kindsl.rules.registry import all_rules
+from kindsl.semantics.places import Place
+from kindsl.syntax.document import SyntaxDocument
+from kindsl.syntax.tree import Island, Problem
+
+
+def syntax_findings(document: SyntaxDocument) -> Iterator[tuple[Rule, Finding]]:
+    """Yield the problems of the islands and of the document as a whole."""
+    rules = {rule.code: rule for rule in all_rules()}
+    for island, problem in all_problems(document):
+        yield rules[problem.code], _finding(island, problem)
+
+
+def all_problems(document: SyntaxDocument) -> Iterator[tuple[Island, Problem]]:
+    """Yield the problems with the islands that their offsets count from."""
+    for island in document.islands:
+        for problem in island.problems:
+            yield island, problem
+    yield from document.problems
+
+
+def _finding(island: Island, problem: Problem) -> Finding:
+    repair = problem.repair
+    fix = None
+    if repair is not None:
+        changes = tuple(Change(Place(island, e.start, e.end), e.text) for e in repair.edits)
+        fix = Fix(repair.title, changes, repair.is_safe)
+    return Finding(Place(island, problem.start, problem.end), problem.message, fix=fix)

@@ -1,0 +1,117 @@
+"""Who carries whom: the edges `link via joint`, and what is wrong with them as a tree."""
+
+from collections.abc import Iterable, Mapping
+from typing import NamedTuple
+
+from kindsl.semantics.declarations import Child, Joint, Link
+
+
+class Edge(NamedTuple):
+    """One `link via joint` with what its names refer to; None where they refer to nothing."""
+
+    predecessor: Link
+    child: Child
+    link: Link | None
+    joint: Joint | None
+
+
+class KinematicTree:
+    """The edges of a document, each looked up once.
+
+    Attributes:
+        edges: In the order of the document.
+        below: The edges that leave a body.
+        above: The edges that lead to a body; more than one is a defect.
+        joint_uses: The edges that name a joint; more than one is a defect.
+        reachable: The bodies that the base carries, the base included.
+        loops: Each kinematic loop once, as the edges around it.
+    """
+
+    __slots__ = ("above", "below", "edges", "joint_uses", "loops", "reachable")
+
+    def __init__(
+        self,
+        bodies: Iterable[Link],
+        links: Mapping[str, Link],
+        joints: Mapping[str, Joint],
+        base: Link | None,
+    ) -> None:
+        self.edges: list[Edge] = []
+        self.below: dict[Link, list[Edge]] = {}
+        self.above: dict[Link, list[Edge]] = {}
+        self.joint_uses: dict[Joint, list[Edge]] = {}
+        for body in bodies:
+            for child in body.children:
+                self._add(Edge(body, child, links.get(child.link), joints.get(child.joint)))
+        self.reachable = self._below_and_itself(base)
+        self.loops = self._find_loops()
+
+    def supporting_edge(self, link: Link) -> Edge | None:
+        """Return the edge that carries a link, the first if there are several."""
+        edges = self.above.get(link)
+        return edges[0] if edges else None
+
+    def successor_edges(self, body: Link) -> list[Edge]:
+        """Return the edges that leave a body."""
+        return self.below.get(body, [])
+
+    def in_topological_order(self, base: Link) -> list[Link]:
+        """Return the links that the base carries, parents first, siblings in written order."""
+        order: list[Link] = []
+        seen = {base}
+        row = [base]
+        while row:
+            row = [
+                edge.link
+                for body in row
+                for edge in self.successor_edges(body)
+                if edge.link is not None and edge.link not in seen and not seen.add(edge.link)  # type: ignore[func-returns-value]
+            ]
+            order += row
+        return order
+
+    def _add(self, edge: Edge) -> None:
+        self.edges.append(edge)
+        self.below.setdefault(edge.predecessor, []).append(edge)
+        if edge.link is not None:
+            self.above.setdefault(edge.link, []).append(edge)
+        if edge.joint is not None:
+            self.joint_uses.setdefault(edge.joint, []).append(edge)
+
+    def _below_and_itself(self, base: Link | None) -> set[Link]:
+        if base is None:
+            return set()
+        return {base, *self.in_topological_order(base)}
+
+    def _find_loops(self) -> list[tuple[Edge, ...]]:
+        """Depth-first search without recursion; an edge back to the path closes a loop."""
+        loops: list[tuple[Edge, ...]] = []
+        done: set[Link] = set()
+        for start in self.below:
+            if start not in done:
+                self._search_loops(start, done, loops)
+        return loops
+
+    def _search_loops(
+        self, start: Link, done: set[Link], loops: list[tuple[Edge, ...]]
+    ) -> None:
+        path: list[Edge] = []
+        depth = {start: 0}
+        stack = [iter(self.below.get(start, ()))]
+        bodies = [start]
+        while stack:
+            edge = next(stack[-1], None)
+            if edge is None:
+                stack.pop()
+                finished = bodies.pop()
+                done.add(finished)
+                del depth[finished]
+                if path:
+                    path.pop()
+            elif edge.link is not None and edge.link in depth:
+                loops.append((*path[depth[edge.link] :], edge))
+            elif edge.link is not None and edge.link not in done:
+                path.append(edge)
+                depth[edge.link] = len(bodies)
+                bodies.append(edge.link)
+                stack.append(iter(self.below.get(edge.link, ())))
