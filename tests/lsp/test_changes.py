@@ -18,7 +18,9 @@ encodings = st.sampled_from(["utf-8", "utf-16", "utf-32"])
 positions = st.builds(types.Position, st.integers(0, 8), st.integers(0, 12))
 ranges = st.builds(types.Range, positions, positions)
 changes = st.lists(
-    st.builds(types.TextDocumentContentChangePartial, range=ranges, text=st.text(ALPHABET, max_size=5))
+    st.builds(
+        types.TextDocumentContentChangePartial, range=ranges, text=st.text(ALPHABET, max_size=5)
+    )
     | st.builds(types.TextDocumentContentChangeWholeDocument, text=texts),
     min_size=1,
     max_size=6,
@@ -61,7 +63,9 @@ def test_other_separators_do_not_end_a_line(separator: str) -> None:
         range=types.Range(types.Position(1, 0), types.Position(1, 0)), text="x"
     )
     text = f"a{separator}b\nc"
-    assert apply_edits(text, edits_of(lines_of(text), [insertion], "utf-16")) == f"a{separator}b\nxc"
+    assert (
+        apply_edits(text, edits_of(lines_of(text), [insertion], "utf-16")) == f"a{separator}b\nxc"
+    )
 
 
 def lines_of(text: str) -> Lines:

@@ -40,9 +40,7 @@ def test_a_stretch_of_text_does_not_depend_on_the_pieces(
     assert cut(text, cuts).text(start, end) == text[start:end]
 
 
-@pytest.mark.parametrize(
-    ("encoding", "units"), [("utf-8", 6), ("utf-16", 3), ("utf-32", 2)]
-)
+@pytest.mark.parametrize(("encoding", "units"), [("utf-8", 6), ("utf-16", 3), ("utf-32", 2)])
 def test_columns_count_code_units(encoding: str, units: int) -> None:
     assert cut("😀é", []).position(2, encoding) == (0, units)
 

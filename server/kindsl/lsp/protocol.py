@@ -51,16 +51,21 @@ class KindslProtocol(LanguageServerProtocol):
         except (ValueError, RecursionError):
             self._refuse(None, JsonRpcParseError("the message is not JSON"))
             return True
+        try:
+            self._receive(data)
+        except Exception:
+            logger.exception("a message could not be handled")
+        return not (isinstance(data, dict) and data.get("method") == types.EXIT)
+
+    def _receive(self, data: Any) -> None:
         if not isinstance(data, dict) or data.get("jsonrpc") != self.VERSION:
             self._refuse(None, JsonRpcInvalidRequest("the message is not a JSON-RPC 2.0 object"))
         elif isinstance(data.get("method"), str):
             self._receive_call(data)
-            return bool(data["method"] != types.EXIT)
         elif "id" in data and ("result" in data or "error" in data):
             self._receive_response(data)
         else:
             self._refuse(None, JsonRpcInvalidRequest("the message is no request and no response"))
-        return True
 
     def _receive_call(self, data: dict[str, Any]) -> None:
         """Check a request or notification and hand it to its handler."""
@@ -155,8 +160,19 @@ class KindslProtocol(LanguageServerProtocol):
             self._refuse(msg_id, JsonRpcInternalError(f"internal error: {_sentence(error)}"))
 
     def _send_result(self, msg_id: Any, result: Any) -> None:
-        self._result_types.pop(msg_id, None)
-        self._send_data({"jsonrpc": self.VERSION, "id": msg_id, "result": result})
+        try:
+            self._send_data({"jsonrpc": self.VERSION, "id": msg_id, "result": result})
+        except (TypeError, ValueError) as error:
+            logger.error("a result cannot be sent", exc_info=error)
+            self._refuse(msg_id, JsonRpcInternalError(f"internal error: {_sentence(error)}"))
+
+    def _send_data(self, data: Any) -> None:
+        """Frame and send a message; only JSON that every client reads, so no NaN."""
+        encode = self._serialize_message
+        text = json.dumps(data, default=encode, separators=(",", ":"), allow_nan=False)
+        body = text.encode("ascii")
+        if self.writer is not None:
+            self.writer.write(b"Content-Length: %d\r\n\r\n%b" % (len(body), body))
 
     def _check_handler_result(self, future: Any) -> None:
         if not future.cancelled() and (error := future.exception()) is not None:

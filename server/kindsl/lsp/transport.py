@@ -6,6 +6,7 @@ so a busy handler cannot starve the reader, and a client that does not read cann
 
 import asyncio
 import contextlib
+import itertools
 import logging
 import os
 import re
@@ -15,9 +16,12 @@ import threading
 from collections.abc import Callable
 from typing import Protocol
 
-_CONTENT_LENGTH = re.compile(rb"^content-length:[ \t]*(\d+)[ \t]*\r?$", re.IGNORECASE | re.MULTILINE)
+_CONTENT_LENGTH = re.compile(
+    rb"^content-length:[ \t]*(\d+)[ \t]*\r?$", re.IGNORECASE | re.MULTILINE
+)
 _BUFFER = 1 << 24
 _READ = 1 << 16
+_TURN = 256
 
 logger = logging.getLogger(__name__)
 
@@ -36,8 +40,14 @@ class MessageWriter(Protocol):
 
 
 async def read_messages(reader: asyncio.StreamReader, receive: Callable[[bytes], bool]) -> None:
-    """Hand the body of each message to `receive` until it says False or the input ends."""
-    while True:
+    """Hand the body of each message to `receive` until it says False or the input ends.
+
+    Messages that have arrived are all handed on before what they started goes on, so that a
+    cancellation overtakes the request it is about; a flood still leaves others their turn.
+    """
+    for count in itertools.count(1):
+        if count % _TURN == 0:
+            await asyncio.sleep(0)
         try:
             head = await reader.readuntil(b"\r\n\r\n")
             length = _CONTENT_LENGTH.search(head)

@@ -1,0 +1,82 @@
+"""How a protocol method finds its handler: a table a module, registered capability by capability.
+
+A handler of a document sees one version of it from the beginning to the end, the one that was
+there when the request came, however the editor goes on typing meanwhile.
+"""
+
+from collections.abc import Awaitable, Callable
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeVar
+
+from lsprotocol import types
+
+if TYPE_CHECKING:
+    from kindsl.lsp.server import KindslLanguageServer
+    from kindsl.lsp.view import View
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+class _OfDocument(Protocol):
+    text_document: types.TextDocumentIdentifier
+
+
+class _Entry(NamedTuple):
+    method: str
+    options: Any
+    bind: "Callable[[KindslLanguageServer], Callable[..., Any]]"
+
+
+class Handlers:
+    """The handlers of one module."""
+
+    __slots__ = ("_commands", "_entries")
+
+    def __init__(self) -> None:
+        self._entries: list[_Entry] = []
+        self._commands: list[_Entry] = []
+
+    def document(self, method: str, options: Any = None) -> Callable[[F], F]:
+        """Register a handler `(view, params) -> result` of one document."""
+
+        def register(handler: F) -> F:
+            self._entries.append(_Entry(method, options, lambda server: _on_view(server, handler)))
+            return handler
+
+        return register
+
+    def server(self, method: str, options: Any = None) -> Callable[[F], F]:
+        """Register a handler `(server, params) -> result`, which may be awaitable."""
+
+        def register(handler: F) -> F:
+            self._entries.append(
+                _Entry(method, options, lambda server: _on_server(server, handler))
+            )
+            return handler
+
+        return register
+
+    def command(self, name: str) -> Callable[[F], F]:
+        """Register a command `(server, *arguments) -> result`, which may be awaitable."""
+
+        def register(handler: F) -> F:
+            self._commands.append(_Entry(name, None, lambda server: _on_server(server, handler)))
+            return handler
+
+        return register
+
+    def register(self, server: "KindslLanguageServer") -> None:
+        """Announce everything to pygls."""
+        for method, options, bind in self._entries:
+            server.feature(method, options)(bind(server))
+        for name, _, bind in self._commands:
+            server.command(name)(bind(server))
+
+
+def _on_server(server: "KindslLanguageServer", handler: Callable[..., Any]) -> Callable[..., Any]:
+    return lambda *arguments: handler(server, *arguments)
+
+
+def _on_view(
+    server: "KindslLanguageServer", handler: "Callable[[View, Any], Any]"
+) -> Callable[[Any], Awaitable[Any]]:
+    return lambda params: server.answer(handler, params.text_document.uri, params)

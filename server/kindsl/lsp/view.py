@@ -1,0 +1,38 @@
+"""What a handler sees: one version of a document, what is known about it, and the settings."""
+
+from typing import TYPE_CHECKING
+
+from lsprotocol import types
+
+from kindsl.lsp.document import Document
+
+if TYPE_CHECKING:
+    from kindsl.lsp.server import KindslLanguageServer
+    from kindsl.rules.analysis import Analysis
+
+
+class View:
+    """One version of a document with its analysis.
+
+    Attributes:
+        document: The text.
+        analysis: What it means.
+        server: The settings, the client, the other documents.
+    """
+
+    __slots__ = ("analysis", "document", "server")
+
+    def __init__(
+        self, document: Document, analysis: "Analysis", server: "KindslLanguageServer"
+    ) -> None:
+        self.document = document
+        self.analysis = analysis
+        self.server = server
+
+    def offset(self, position: types.Position) -> int:
+        """Return the code point that a client's position means."""
+        return self.document.offset(position)
+
+    def range(self, start: int, end: int) -> types.Range:
+        """Return the client's range of a stretch of code points."""
+        return self.document.range(start, end)

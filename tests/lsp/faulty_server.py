@@ -1,0 +1,66 @@
+"""The language server with handlers that misbehave, to see what reaches the client."""
+
+import asyncio
+import sys
+import time
+
+from kindsl.lsp.run import serve_stdio
+from kindsl.lsp.server import KindslLanguageServer
+
+server = KindslLanguageServer()
+ran: list[int] = []
+
+
+@server.feature("test/print")
+def print_something(*_: object) -> str:
+    print("Content-Length: 3\r\n\r\nxyz", flush=True)
+    return "printed"
+
+
+@server.feature("test/fail")
+def fail(*_: object) -> None:
+    raise ZeroDivisionError("first line\nsecond line")
+
+
+@server.feature("test/failLater")
+async def fail_later(*_: object) -> None:
+    await asyncio.sleep(0)
+    raise KeyError("later")
+
+
+@server.feature("test/notJson")
+def answer_no_json(*_: object) -> float:
+    return float("nan")
+
+
+@server.feature("test/wait")
+async def wait(*_: object) -> None:
+    await asyncio.sleep(60)
+
+
+@server.feature("test/busy")
+async def keep_the_worker_busy(seconds: float) -> None:
+    await server.worker.run(lambda: time.sleep(seconds))
+
+
+@server.feature("test/mark")
+async def mark(number: int) -> None:
+    ran.append(number)
+
+
+@server.feature("test/markInWorker")
+async def mark_in_worker(number: int) -> None:
+    await server.worker.run(lambda: ran.append(number))
+
+
+@server.feature("test/marks")
+async def marks(*_: object) -> list[int]:
+    return ran
+
+
+@server.command("test.fail")
+def fail_as_command(*_: object) -> None:
+    raise ZeroDivisionError("command")
+
+
+sys.exit(asyncio.run(serve_stdio(server)))

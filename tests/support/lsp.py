@@ -1,0 +1,180 @@
+"""A language client that sees the bytes: raw JSON-RPC over the server's real stdio."""
+
+import json
+import os
+import queue
+import subprocess
+import sys
+import threading
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+SERVER = (sys.executable, "-m", "kindsl.cli.language_server")
+TIMEOUT = 30.0
+
+
+class RawClient:
+    """Sends what it is told, well-formed or not, and keeps everything that comes back."""
+
+    def __init__(self, command: Sequence[str] = SERVER, cwd: Path | None = None) -> None:
+        self.process = subprocess.Popen(
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=cwd
+        )
+        self.messages: list[dict[str, Any]] = []
+        self._arrived: queue.Queue[dict[str, Any] | None] = queue.Queue()
+        self._ids = 0
+        self._errors: list[bytes] = []
+        self._threads = [
+            threading.Thread(target=work, daemon=True) for work in (self._read, self._read_errors)
+        ]
+        for thread in self._threads:
+            thread.start()
+
+    def send_bytes(self, data: bytes) -> None:
+        assert self.process.stdin is not None
+        self.process.stdin.write(data)
+        self.process.stdin.flush()
+
+    def send_body(self, body: bytes) -> None:
+        self.send_bytes(b"Content-Length: %d\r\n\r\n%b" % (len(body), body))
+
+    def send(self, **message: Any) -> None:
+        self.send_body(json.dumps({"jsonrpc": "2.0", **message}).encode())
+
+    def notify(self, method: str, params: Any = None) -> None:
+        self.send(method=method, params=params if params is not None else {})
+
+    def start(self, method: str, params: Any = None) -> int:
+        """Send a request; return its id."""
+        self._ids += 1
+        self.send(id=self._ids, method=method, params=params if params is not None else {})
+        return self._ids
+
+    def request(self, method: str, params: Any = None) -> Any:
+        """Send a request and return its result; a refusal is an error."""
+        answer = self.answer(self.start(method, params))
+        assert "error" not in answer, answer["error"]
+        return answer["result"]
+
+    def refusal(self, method: str, params: Any = None) -> dict[str, Any]:
+        """Send a request that must be refused; return the error."""
+        error: dict[str, Any] = self.answer(self.start(method, params))["error"]
+        return error
+
+    def answer(self, msg_id: Any) -> dict[str, Any]:
+        return self.wait(lambda m: "method" not in m and m.get("id") == msg_id)
+
+    def notification(self, method: str) -> Any:
+        """Wait for a notification that has not been seen yet; return its parameters."""
+        return self.wait(lambda m: m.get("method") == method)["params"]
+
+    def diagnostics(self, uri: str) -> list[dict[str, Any]]:
+        """Wait for the next diagnostics that are published for a document."""
+        message = self.wait(
+            lambda m: (
+                m.get("method") == "textDocument/publishDiagnostics" and m["params"]["uri"] == uri
+            )
+        )
+        found: list[dict[str, Any]] = message["params"]["diagnostics"]
+        return found
+
+    def wait(self, is_wanted: Any, timeout: float = TIMEOUT) -> dict[str, Any]:
+        """Return and take out the first message that is wanted."""
+        while True:
+            for index, message in enumerate(self.messages):
+                if is_wanted(message):
+                    return self.messages.pop(index)
+            message = self._arrived.get(timeout=timeout)
+            assert message is not None, f"the server ended: {self.stderr}"
+            self._keep(message)
+
+    def drain(self) -> list[dict[str, Any]]:
+        """Return and take out everything that has come before a round trip's answer."""
+        self.answer(self.start("kindsl/unknown"))
+        messages, self.messages = self.messages, []
+        return messages
+
+    def open(self, uri: str, text: str, version: int = 1) -> None:
+        item = {"uri": uri, "languageId": "kinematics-dsl", "version": version, "text": text}
+        self.notify("textDocument/didOpen", {"textDocument": item})
+
+    def change(self, uri: str, version: int, *changes: dict[str, Any]) -> None:
+        identifier = {"uri": uri, "version": version}
+        self.notify(
+            "textDocument/didChange", {"textDocument": identifier, "contentChanges": changes}
+        )
+
+    def close(self, uri: str) -> None:
+        self.notify("textDocument/didClose", {"textDocument": {"uri": uri}})
+
+    def initialize(self, capabilities: dict[str, Any] | None = None, **more: Any) -> dict[str, Any]:
+        params = {"processId": os.getpid(), "rootUri": None, "capabilities": capabilities or {}}
+        result: dict[str, Any] = self.request("initialize", params | more)
+        self.notify("initialized")
+        return result
+
+    def wait_for_end(self) -> int:
+        code = self.process.wait(TIMEOUT)
+        for thread in self._threads:
+            thread.join(TIMEOUT)
+        return code
+
+    def kill(self) -> None:
+        self.process.kill()
+        self.wait_for_end()
+        for stream in (self.process.stdin, self.process.stdout, self.process.stderr):
+            assert stream is not None
+            try:
+                stream.close()
+            except BrokenPipeError:
+                continue
+
+    @property
+    def stderr(self) -> str:
+        return b"".join(self._errors).decode()
+
+    def _keep(self, message: dict[str, Any]) -> None:
+        if "method" in message and "id" in message:
+            self._reply(message)
+        self.messages.append(message)
+
+    def _reply(self, message: dict[str, Any]) -> None:
+        """Answer what the server asks: no configuration, everything else is fine."""
+        items = message.get("params", {}).get("items", []) if message.get("params") else []
+        is_configuration = message["method"] == "workspace/configuration"
+        self.send(id=message["id"], result=[{} for _ in items] if is_configuration else None)
+
+    def _read(self) -> None:
+        stream = self.process.stdout
+        assert stream is not None
+        while header := stream.readline():
+            assert header.lower().startswith(b"content-length:"), header
+            assert stream.readline() == b"\r\n"
+            self._arrived.put(json.loads(stream.read(int(header.split(b":")[1]))))
+        self._arrived.put(None)
+
+    def _read_errors(self) -> None:
+        assert self.process.stderr is not None
+        self._errors.extend(iter(self.process.stderr.readline, b""))
+
+
+@contextmanager
+def raw_client(*options: str, cwd: Path | None = None) -> Iterator[RawClient]:
+    """A server with nothing said to it yet."""
+    client = RawClient((*SERVER, *options), cwd)
+    try:
+        yield client
+    finally:
+        client.kill()
+
+
+@contextmanager
+def ready_client(
+    capabilities: dict[str, Any] | None = None, cwd: Path | None = None, **more: Any
+) -> Iterator[RawClient]:
+    """A server that has been initialized."""
+    with raw_client(cwd=cwd) as client:
+        client.initialize(capabilities, **more)
+        yield client
