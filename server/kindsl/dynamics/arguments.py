@@ -1,0 +1,49 @@
+"""Checks what callers pass in."""
+
+from collections.abc import Iterable
+from difflib import get_close_matches
+
+import numpy as np
+import numpy.typing as npt
+
+from kindsl.spatial.arrays import Array
+
+
+def vectors(quantity: str, values: npt.ArrayLike, components: int) -> Array:
+    """Return values as an array whose last dimension has that many components.
+
+    Raises:
+        ValueError: If they are not real, finite numbers, or of another length.
+    """
+    try:
+        array = np.asarray(values)
+        if array.dtype.kind not in "fiub":
+            raise TypeError(array.dtype)
+        array = array.astype(np.float64, copy=False)
+    except (TypeError, ValueError):
+        raise ValueError(f"'{quantity}' holds something that is not a real number") from None
+    if array.ndim == 0 or array.shape[-1] != components:
+        raise ValueError(f"'{quantity}' has shape {array.shape}, expected (..., {components})")
+    if not np.isfinite(array).all():
+        raise ValueError(f"'{quantity}' holds a value that is not finite")
+    return array
+
+
+def common_batch_shape(arrays: dict[str, Array]) -> tuple[int, ...]:
+    """Return the leading dimensions that named arrays broadcast to.
+
+    Raises:
+        ValueError: If they do not.
+    """
+    try:
+        return np.broadcast_shapes(*(array.shape[:-1] for array in arrays.values()))
+    except ValueError:
+        shapes = ", ".join(f"'{name}' {array.shape}" for name, array in arrays.items())
+        raise ValueError(f"the leading dimensions do not go together: {shapes}") from None
+
+
+def unknown_name(kind: str, name: str, known: Iterable[str]) -> ValueError:
+    """Return the error for a name that is not there, with the nearest one that is."""
+    close = get_close_matches(name, list(known), n=1)
+    hint = f", did you mean '{close[0]}'?" if close else ""
+    return ValueError(f"there is no {kind} '{name}'{hint}")

@@ -1,0 +1,63 @@
+"""Composite bodies and the joint-space inertia, for tracing."""
+
+from kindsl.dynamics.generation.mass_distribution import MassDistribution
+from kindsl.dynamics.generation.tree import Tree, joint_motions
+from kindsl.dynamics.generation.vectors import Matrix, Vector, add, cross
+
+
+def composites(tree: Tree, q: Vector) -> list[MassDistribution]:
+    """Return each body with all that it carries, as if rigid."""
+    joints, composite = joint_motions(tree, q), list(tree.masses)
+    for i in tree.links_leaves_first():
+        composite[tree.parents[i]] += joints[i].mass_in_parent(composite[i])
+    return composite
+
+
+def joint_reaction(kind: str, body: MassDistribution) -> tuple[Vector, Vector]:
+    """Return the moment and the force of a body that its joint accelerates by one."""
+    (xx, _, xz), (_, yy, yz), _ = body.second
+    x, y, _ = body.first
+    if kind == "revolute":
+        return [0.0 - xz, 0.0 - yz, xx + yy], [0.0 - y, x, 0.0]
+    return [y, 0.0 - x, 0.0], [0.0, 0.0, body.mass]
+
+
+def joint_space_inertia(tree: Tree, q: Vector) -> Matrix:
+    """Return `M`, the base's six rows first if it floats; entries below the diagonal mirrored."""
+    joints, composite = joint_motions(tree, q), composites(tree, q)
+    first = 6 if tree.is_floating else 0
+    size = first + len(tree.links())
+    M: Matrix = [[0.0] * size for _ in range(size)]
+    for i in tree.links():
+        row = first + i - 1
+        moment, force = joint_reaction(joints[i].kind, composite[i])
+        M[row][row] = moment[2] if joints[i].kind == "revolute" else force[2]
+        j = i
+        while j != 0 and (tree.parents[j] != 0 or tree.is_floating):
+            force = joints[j].to_parent(force)
+            moment = add(joints[j].to_parent(moment), cross(joints[j].offset, force))
+            j = tree.parents[j]
+            if j != 0:
+                column = first + j - 1
+                M[row][column] = moment[2] if joints[j].kind == "revolute" else force[2]
+                M[column][row] = M[row][column]
+        if tree.is_floating:
+            for column, entry in enumerate([*moment, *force]):
+                M[row][column] = M[column][row] = entry
+    if tree.is_floating:
+        for row, entries in enumerate(rigid_body_inertia(composite[0])):
+            M[row][:6] = entries
+    return M
+
+
+def rigid_body_inertia(body: MassDistribution) -> Matrix:
+    """Return the 6x6 inertia of a body, angular part first."""
+    I, (x, y, z), m = body.inertia(), body.first, body.mass
+    return [
+        [*I[0], 0.0, 0.0 - z, y],
+        [*I[1], z, 0.0, 0.0 - x],
+        [*I[2], 0.0 - y, x, 0.0],
+        [0.0, z, 0.0 - y, m, 0.0, 0.0],
+        [0.0 - z, 0.0, x, 0.0, m, 0.0],
+        [y, 0.0 - x, 0.0, 0.0, 0.0, m],
+    ]

@@ -1,0 +1,143 @@
+"""Expressions that record the arithmetic done on them.
+
+An algorithm that is run on `Expression` inputs leaves a graph of what it computed. Operations on
+constants are folded, zeros and ones drop out, negations move outwards, and equal operations are
+recorded once. The graph's nodes are tuples `(operation, operand, ...)`; an operand is the index
+of an earlier node, or a float.
+"""
+
+from typing import TypeAlias, Union
+
+Scalar: TypeAlias = Union["Expression", float]
+Operand: TypeAlias = int | float
+Node: TypeAlias = tuple[str, Operand] | tuple[str, Operand, Operand]
+
+
+class Graph:
+    """What was computed so far, each operation once, operands before results."""
+
+    __slots__ = ("_indices", "inputs", "nodes")
+
+    def __init__(self) -> None:
+        self.nodes: list[Node] = []
+        self.inputs: list[int] = []
+        self._indices: dict[tuple[object, ...], int] = {}
+
+    def input(self) -> "Expression":
+        """Add an input value; inputs are numbered in the order in which they are added."""
+        index = len(self.nodes)
+        self.nodes.append(("input", len(self.inputs)))
+        self.inputs.append(index)
+        return Expression(self, index)
+
+    def vector(self, length: int) -> "list[Scalar]":
+        """Add several input values."""
+        return [self.input() for _ in range(length)]
+
+    def record(self, *node: Operand | str) -> "Expression":
+        """Return the expression of an operation, which is recorded if it is a new one."""
+        # 1.0 == 1 as a key, so an operand's type belongs to it.
+        key = (*node, *map(type, node))
+        index = self._indices.get(key)
+        if index is None:
+            index = self._indices[key] = len(self.nodes)
+            self.nodes.append(node)  # type: ignore[arg-type]
+        return Expression(self, index)
+
+
+class Expression:
+    """A value that is known only when the generated code runs."""
+
+    __slots__ = ("graph", "index")
+
+    def __init__(self, graph: Graph, index: int) -> None:
+        self.graph = graph
+        self.index = index
+
+    def __add__(self, other: Scalar) -> Scalar:
+        if isinstance(other, float):
+            return self if other == 0.0 else self.graph.record("+", self.index, other)
+        negated_self, negated_other = self._negated(), other._negated()
+        if negated_other is not None:
+            return self - negated_other
+        if negated_self is not None:
+            return other - negated_self
+        first, second = sorted((self.index, other.index))
+        return self.graph.record("+", first, second)
+
+    __radd__ = __add__
+
+    def __sub__(self, other: Scalar) -> Scalar:
+        if isinstance(other, float):
+            return self + -other
+        if self.index == other.index:
+            return 0.0
+        negated_self, negated_other = self._negated(), other._negated()
+        if negated_other is not None:
+            return self + negated_other
+        if negated_self is not None:
+            return -(negated_self + other)
+        return self.graph.record("-", self.index, other.index)
+
+    def __rsub__(self, other: float) -> Scalar:
+        return -self if other == 0.0 else self.graph.record("-", other, self.index)
+
+    def __mul__(self, other: Scalar) -> Scalar:
+        if isinstance(other, float):
+            return self._scaled(other)
+        negated_self, negated_other = self._negated(), other._negated()
+        if negated_self is not None:
+            return -(negated_self * other)
+        if negated_other is not None:
+            return -(self * negated_other)
+        first, second = sorted((self.index, other.index))
+        return self.graph.record("*", first, second)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Scalar) -> Scalar:
+        if isinstance(other, float):
+            return self * (1.0 / other)
+        return self.graph.record("/", self.index, other.index)
+
+    def __rtruediv__(self, other: float) -> Scalar:
+        return self.graph.record("/", other, self.index)
+
+    def __neg__(self) -> "Expression":
+        node = self.graph.nodes[self.index]
+        if node[0] == "neg":
+            return Expression(self.graph, int(node[1]))
+        if node[0] == "-":
+            return self.graph.record("-", node[2], node[1])
+        if node[0] == "*" and isinstance(node[2], float):
+            return self.graph.record("*", node[1], -node[2])
+        return self.graph.record("neg", self.index)
+
+    def _scaled(self, factor: float) -> Scalar:
+        node = self.graph.nodes[self.index]
+        if factor == 0.0:
+            return 0.0
+        if factor == 1.0:
+            return self
+        if factor == -1.0:
+            return -self
+        if node[0] == "neg":
+            return Expression(self.graph, int(node[1]))._scaled(-factor)
+        if node[0] == "*" and isinstance(node[2], float):
+            return Expression(self.graph, int(node[1]))._scaled(node[2] * factor)
+        return self.graph.record("*", self.index, factor)
+
+    def _negated(self) -> "Expression | None":
+        """Return what this is the negative of, if it is recorded so."""
+        node = self.graph.nodes[self.index]
+        return Expression(self.graph, int(node[1])) if node[0] == "neg" else None
+
+
+def sine(angle: Expression) -> Scalar:
+    """Record the sine of an angle, radians."""
+    return angle.graph.record("sin", angle.index)
+
+
+def cosine(angle: Expression) -> Scalar:
+    """Record the cosine of an angle, radians."""
+    return angle.graph.record("cos", angle.index)

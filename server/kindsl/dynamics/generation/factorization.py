@@ -1,0 +1,56 @@
+"""Linear systems with a symmetric matrix and the zeros that a tree's branches leave in it."""
+
+from kindsl.dynamics.generation.expressions import Scalar
+from kindsl.dynamics.generation.vectors import Matrix, Vector
+from kindsl.dynamics.quantities import SingularInertiaError
+
+
+def solve_symmetric(A: Matrix, b: Vector) -> Vector:
+    """Solve `A x = b` by `A = L^T D L`, skipping zeros.
+
+    The factorization starts at the last row, so a mechanism's branches stay zero.
+
+    Args:
+        A: Symmetric, definite; only the lower triangle is read.
+        b: The right side.
+
+    Raises:
+        SingularInertiaError: If a pivot is a constant zero.
+
+    Source: Featherstone 2008, sec. 6.5.
+    """
+    size = len(b)
+    L = [list(row[: index + 1]) for index, row in enumerate(A)]
+    inverse_pivots: Vector = [0.0] * size
+    for k in reversed(range(size)):
+        inverse_pivots[k] = _inverse(L[k][k])
+        support = [i for i in range(k) if not is_zero(L[k][i])]
+        for i in reversed(support):
+            factor = L[k][i] * inverse_pivots[k]
+            for j in (j for j in support if j <= i):
+                L[i][j] = L[i][j] - factor * L[k][j]
+            L[k][i] = factor
+    return _substitute(L, inverse_pivots, b)
+
+
+def is_zero(value: Scalar) -> bool:
+    """Return whether a value is a constant zero."""
+    return isinstance(value, float) and value == 0.0
+
+
+def _substitute(L: Matrix, inverse_pivots: Vector, b: Vector) -> Vector:
+    x = list(b)
+    for k in reversed(range(len(x))):
+        for i in range(k):
+            x[i] = x[i] - L[k][i] * x[k]
+    x = [value * inverse for value, inverse in zip(x, inverse_pivots, strict=True)]
+    for k in range(len(x)):
+        for i in range(k):
+            x[k] = x[k] - L[k][i] * x[i]
+    return x
+
+
+def _inverse(pivot: Scalar) -> Scalar:
+    if is_zero(pivot):
+        raise SingularInertiaError("nothing resists a motion: the inertia there is zero")
+    return 1.0 / pivot

@@ -1,0 +1,24 @@
+"""Forward dynamics, for tracing: bias and joint-space inertia, solved along the branches."""
+
+from kindsl.dynamics.generation.composite_bodies import joint_space_inertia
+from kindsl.dynamics.generation.expressions import Scalar
+from kindsl.dynamics.generation.factorization import solve_symmetric
+from kindsl.dynamics.generation.inverse_dynamics import newton_euler, spatial_acceleration
+from kindsl.dynamics.generation.tree import Tree
+from kindsl.dynamics.generation.vectors import ZERO, Vector, subtract
+
+
+def forward_dynamics(
+    tree: Tree, q: Vector, qd: Vector, tau: Vector, base_velocity: Vector, gravity: Vector
+) -> list[Scalar]:
+    """Return the joint accelerations, then a floating base's spatial acceleration."""
+    rest = [0.0] * len(q)
+    M = joint_space_inertia(tree, q)
+    if not tree.is_floating:
+        bias, _ = newton_euler(tree, q, qd, rest, ZERO, subtract(ZERO, gravity))
+        return solve_symmetric(M, subtract(tau, bias))
+    w, v = base_velocity[:3], base_velocity[3:]
+    bias, wrench = newton_euler(tree, q, qd, rest, w, ZERO)
+    forces = [*subtract([0.0] * 6, wrench), *subtract(tau, bias)]
+    accelerations = solve_symmetric(M, forces)
+    return [*accelerations[6:], *spatial_acceleration(accelerations[:6], w, v, gravity)]

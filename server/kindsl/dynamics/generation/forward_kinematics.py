@@ -1,0 +1,31 @@
+"""Forward kinematics, for tracing."""
+
+from kindsl.dynamics.bodies import Frame
+from kindsl.dynamics.generation.expressions import Scalar
+from kindsl.dynamics.generation.tree import Tree, joint_motions
+from kindsl.dynamics.generation.vectors import Matrix, Vector, add, multiply, transform
+
+
+def poses(tree: Tree, frames: tuple[Frame, ...], q: Vector) -> list[Scalar]:
+    """Return `base_T_link` of all links, then of the frames, row by row: 16 scalars each."""
+    joints = joint_motions(tree, q)
+    rotations: list[Matrix] = [[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]]
+    positions: list[Vector] = [[0.0, 0.0, 0.0]]
+    for i in tree.links():
+        R, r = rotations[tree.parents[i]], positions[tree.parents[i]]
+        positions.append(add(r, transform(R, joints[i].offset)))
+        rotations.append(joints[i].rotation_in(R))
+    entries: list[Scalar] = []
+    for i in tree.links():
+        entries += _homogeneous(rotations[i], positions[i])
+    for frame in frames:
+        R, r = rotations[frame.body], positions[frame.body]
+        offset: Vector = frame.body_r_frame.tolist()
+        turned = multiply(R, frame.body_R_frame.tolist())
+        entries += _homogeneous(turned, add(r, transform(R, offset)))
+    return entries
+
+
+def _homogeneous(R: Matrix, r: Vector) -> list[Scalar]:
+    rows = [[*row, component] for row, component in zip(R, r, strict=True)]
+    return [entry for row in (*rows, [0.0, 0.0, 0.0, 1.0]) for entry in row]

@@ -1,0 +1,143 @@
+"""A mechanism as nested lists of floats, prepared for tracing."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from kindsl.dynamics.bodies import Bodies, JointKind
+from kindsl.dynamics.generation.expressions import Expression, Scalar, cosine, sine
+from kindsl.dynamics.generation.mass_distribution import (
+    MassDistribution,
+    carried_by_predecessor,
+    without,
+)
+from kindsl.dynamics.generation.vectors import Matrix, Vector, add, scale, transform
+from kindsl.spatial.arrays import Array
+from kindsl.spatial.inertia import second_moment
+
+# A turn by pi/2 leaves cosines of about 1e-16, which would be carried through all the code.
+ROUNDING = 1e-15
+
+
+@dataclass(frozen=True, slots=True)
+class Tree:
+    """What the traced algorithms need to know; all lists by body index, base first.
+
+    Attributes:
+        parents: Body index of the parent; 0 for the base itself.
+        kinds: Kind of the supporting joint; `"revolute"` for the base, which has none.
+        rotations: `p_R_j`, entries within rounding of 0, 1 and -1 made exact.
+        positions: `p_r_j`, metres.
+        masses: Moments of mass, moved towards the base as far as forces stay the same.
+        is_floating: Whether the base is free.
+    """
+
+    parents: list[int]
+    kinds: list[JointKind]
+    rotations: list[Matrix]
+    positions: list[Vector]
+    masses: list[MassDistribution]
+    is_floating: bool
+
+    def links(self) -> range:
+        """Return the links' body indices, parents first."""
+        return range(1, len(self.parents))
+
+    def links_leaves_first(self) -> range:
+        """Return the links' body indices, children first."""
+        return range(len(self.parents) - 1, 0, -1)
+
+
+def tree_of(bodies: Bodies) -> Tree:
+    """Prepare a mechanism for tracing."""
+    rotations = np.concatenate((np.eye(3)[None], bodies.p_R_j))
+    rotations = _snapped(rotations)
+    positions = np.concatenate((np.zeros((1, 3)), bodies.p_r_j))
+    return Tree(
+        parents=[0, *bodies.parents],
+        kinds=["revolute", *bodies.joint_kinds],
+        rotations=rotations.tolist(),
+        positions=positions.tolist(),
+        masses=_masses_near_base(bodies, rotations.tolist(), positions.tolist()),
+        is_floating=bodies.is_floating,
+    )
+
+
+class JointMotion:
+    """Moves vectors across the supporting joint of one link: (p)arent and (i) the link.
+
+    Attributes:
+        kind: The joint's kind.
+        offset: The link's origin in the parent, `p_r_i`.
+    """
+
+    __slots__ = ("_R", "_cosine", "_sine", "kind", "offset")
+
+    def __init__(self, tree: Tree, body: int, q: Scalar) -> None:
+        self.kind = tree.kinds[body]
+        self._R = tree.rotations[body]
+        self.offset = tree.positions[body]
+        self._cosine: Scalar = 1.0
+        self._sine: Scalar = 0.0
+        if self.kind == "prismatic":
+            self.offset = add(self.offset, scale(q, [row[2] for row in self._R]))
+        else:
+            assert isinstance(q, Expression)
+            self._cosine, self._sine = cosine(q), sine(q)
+
+    def to_link(self, v: Vector) -> Vector:
+        """Rotate the parent's coordinates of a vector to the link's."""
+        x, y, z = transform([list(column) for column in zip(*self._R, strict=True)], v)
+        return [self._cosine * x + self._sine * y, self._cosine * y - self._sine * x, z]
+
+    def to_parent(self, v: Vector) -> Vector:
+        """Rotate the link's coordinates of a vector to the parent's."""
+        x, y, z = v
+        turned = [self._cosine * x - self._sine * y, self._sine * x + self._cosine * y, z]
+        return transform(self._R, turned)
+
+    def mass_in_parent(self, body: MassDistribution) -> MassDistribution:
+        """Express a mass distribution, given in the link, in the parent."""
+        turned = body.rotated_about_z(self._cosine, self._sine)
+        return turned.rotated(self._R).displaced(self.offset)
+
+    def rotation_in(self, base_R_p: Matrix) -> Matrix:
+        """Return `base_R_i` from the parent's `base_R_p`."""
+        rows = [transform([list(c) for c in zip(*self._R, strict=True)], row) for row in base_R_p]
+        c, s = self._cosine, self._sine
+        return [[c * x + s * y, c * y - s * x, z] for x, y, z in rows]
+
+
+def joint_motions(tree: Tree, q: Vector) -> list[JointMotion]:
+    """Return the motion across each supporting joint, by body; the base's is not to be used."""
+    links = [JointMotion(tree, i, q[i - 1]) for i in tree.links()]
+    return [links[0], *links]
+
+
+def _masses_near_base(
+    bodies: Bodies, rotations: list[Matrix], positions: list[Vector]
+) -> list[MassDistribution]:
+    firsts = bodies.masses[:, None] * bodies.coms
+    masses = [
+        MassDistribution(second.tolist(), first.tolist(), float(mass))
+        for second, first, mass in zip(
+            second_moment(bodies.inertias), firsts, bodies.masses, strict=True
+        )
+    ]
+    for i, parent in bodies.links_leaves_first():
+        part = carried_by_predecessor(bodies.joint_kinds[i - 1], masses[i])
+        masses[i] = _without_rounding(without(masses[i], part))
+        masses[parent] += part.rotated(rotations[i]).displaced(positions[i])
+    return masses
+
+
+def _without_rounding(body: MassDistribution) -> MassDistribution:
+    second, first = np.array(body.second, dtype=float), np.array(body.first, dtype=float)
+    for moments in (second, first):
+        moments[abs(moments) < ROUNDING * abs(moments).max(initial=0.0)] = 0.0
+    return MassDistribution(second.tolist(), first.tolist(), body.mass)
+
+
+def _snapped(rotations: Array) -> Array:
+    nearest = np.rint(rotations)
+    return np.where(abs(rotations - nearest) < ROUNDING, nearest, rotations)

@@ -1,0 +1,277 @@
+"""The one interface to all quantities of a mechanism."""
+
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from kindsl.dynamics import center_of_mass as masses
+from kindsl.dynamics import energy, readable
+from kindsl.dynamics.arguments import common_batch_shape, unknown_name, vectors
+from kindsl.dynamics.bodies import Bodies
+from kindsl.dynamics.forward_kinematics import joint_poses
+from kindsl.dynamics.generation.generated import GeneratedForm
+from kindsl.dynamics.jacobian import jacobian
+from kindsl.dynamics.quantities import Quantity, SingularInertiaError
+from kindsl.spatial.arrays import Array
+from kindsl.spatial.transforms import homogeneous
+
+STANDARD_GRAVITY = (0.0, 0.0, -9.81)
+
+# Longer code takes seconds to generate.
+MOST_LINKS_FOR_GENERATION = 30
+# The readable form holds some 6x6 matrices per body and configuration.
+READABLE_CHUNK = 4096
+
+NOTHING_RESISTS = "the acceleration is not defined: nothing resists some motion"
+
+
+class FreeMotionTorque(NamedTuple):
+    """Inverse dynamics with a floating base on which no wrench acts.
+
+    Attributes:
+        tau: Joint forces, shape (..., n), N m and N.
+        base_acceleration: Spatial acceleration, gravity's effect included, shape (..., 6), base
+            coordinates, angular part first.
+    """
+
+    tau: Array
+    base_acceleration: Array
+
+
+class FreeMotion(NamedTuple):
+    """Forward dynamics with a floating base on which no wrench acts.
+
+    Attributes:
+        qdd: Joint accelerations, shape (..., n).
+        base_acceleration: Spatial acceleration, gravity's effect included, shape (..., 6), base
+            coordinates, angular part first.
+    """
+
+    qdd: Array
+    base_acceleration: Array
+
+
+class Mechanics:
+    """Kinematics and dynamics of a tree of bodies.
+
+    Leading dimensions of all arguments are batches and broadcast. What concerns joints is in the
+    order of the links. All vectors are in base coordinates, and gravity is to be given so too. A
+    floating base adds six rows before the joints', angular then linear. Results of large batches
+    are views whose memory runs along the batch.
+
+    All methods raise ValueError for arguments of a wrong shape or with values that are not finite.
+    """
+
+    __slots__ = ("_generated", "_pose_names", "bodies")
+
+    def __init__(self, bodies: Bodies) -> None:
+        self.bodies = bodies
+        self._generated = GeneratedForm(bodies)
+        self._pose_names = (*bodies.link_names, *(frame.name for frame in bodies.frames))
+
+    def forward_kinematics(self, q: npt.ArrayLike) -> dict[str, Array]:
+        """Return `base_T_x` (..., 4, 4) of each link and frame x by name, links first."""
+        entries = self._evaluate("poses", q=q)
+        poses = entries.reshape((*entries.shape[:-1], len(self._pose_names), 4, 4))
+        return dict(zip(self._pose_names, np.moveaxis(poses, -3, 0), strict=True))
+
+    def joint_poses(self, q: npt.ArrayLike) -> dict[str, Array]:
+        """Return `base_T_j` (..., 4, 4) of each joint frame j by the joint's name.
+
+        The joint turns about, or slides along, the z axis.
+        """
+        poses = joint_poses(self.bodies, self._body_poses(q))
+        return dict(zip(self.bodies.joint_names, poses, strict=True))
+
+    def jacobian(self, q: npt.ArrayLike, name: str) -> Array:
+        """Return the geometric Jacobian (..., 6, nv) of a link or frame.
+
+        It gives the velocity relative to the world in that frame's orientation, at its origin.
+
+        Raises:
+            ValueError: If there is no such link or frame.
+        """
+        body = self._body_of(name)
+        poses = self._body_poses(q)
+        base_T_frame = poses[body]
+        for frame in self.bodies.frames:
+            if frame.name == name:
+                body_T_frame = homogeneous(frame.body_R_frame, frame.body_r_frame)
+                base_T_frame = poses[body] @ body_T_frame
+        return jacobian(self.bodies, poses, body, base_T_frame)
+
+    def center_of_mass(self, q: npt.ArrayLike) -> Array:
+        """Return the centre of mass of all bodies, base included, shape (..., 3), metres.
+
+        Raises:
+            ValueError: If the total mass is zero.
+        """
+        self._check_mass()
+        return masses.center_of_mass(self.bodies, self._body_poses(q))
+
+    def center_of_mass_jacobian(self, q: npt.ArrayLike) -> Array:
+        """Return the Jacobian (..., 3, nv) of the centre of mass.
+
+        Raises:
+            ValueError: If the total mass is zero.
+        """
+        self._check_mass()
+        return masses.center_of_mass_jacobian(self.bodies, self._body_poses(q))
+
+    def total_mass(self) -> float:
+        """Return the mass of all bodies, base included, kg."""
+        return float(np.sum(self.bodies.masses))
+
+    def subtree_masses(self) -> dict[str, float]:
+        """Return each body's mass with all that it carries by the body's name, kg, base first."""
+        names = (self.bodies.base_name, *self.bodies.link_names)
+        return dict(zip(names, masses.subtree_masses(self.bodies).tolist(), strict=True))
+
+    def joint_space_inertia(self, q: npt.ArrayLike) -> Array:
+        """Return the joint-space inertia (..., nv, nv)."""
+        entries = self._evaluate("joint_space_inertia", q=q)
+        nv = self.bodies.n_velocities
+        return entries.reshape((*entries.shape[:-1], nv, nv))
+
+    def inverse_dynamics(
+        self,
+        q: npt.ArrayLike,
+        qd: npt.ArrayLike,
+        qdd: npt.ArrayLike,
+        base_velocity: npt.ArrayLike | None = None,
+        gravity: npt.ArrayLike = STANDARD_GRAVITY,
+    ) -> Array | FreeMotionTorque:
+        """Return the joint forces that a motion takes.
+
+        Args:
+            q: Joint positions, shape (..., n), radians and metres.
+            qd: Joint velocities, shape (..., n).
+            qdd: Joint accelerations, shape (..., n).
+            base_velocity: Of a floating base, shape (..., 6); None is rest.
+            gravity: Shape (..., 3), m/s^2.
+
+        Returns:
+            With a fixed base `tau` (..., n), N m and N; with a floating base always
+            `(tau, base_acceleration)`, at which no wrench acts on the base.
+
+        Raises:
+            SingularInertiaError: If nothing resists a floating base's motion.
+        """
+        entries = self._evaluate(
+            "inverse_dynamics", q=q, qd=qd, qdd=qdd, base_velocity=base_velocity, gravity=gravity
+        )
+        if not self.bodies.is_floating:
+            return entries
+        return FreeMotionTorque(entries[..., :-6], entries[..., -6:])
+
+    def forward_dynamics(
+        self,
+        q: npt.ArrayLike,
+        qd: npt.ArrayLike,
+        tau: npt.ArrayLike,
+        base_velocity: npt.ArrayLike | None = None,
+        gravity: npt.ArrayLike = STANDARD_GRAVITY,
+    ) -> Array | FreeMotion:
+        """Return the accelerations under joint forces.
+
+        Args:
+            q: Joint positions, shape (..., n), radians and metres.
+            qd: Joint velocities, shape (..., n).
+            tau: Joint forces, shape (..., n), N m and N.
+            base_velocity: Of a floating base, shape (..., 6); None is rest.
+            gravity: Shape (..., 3), m/s^2.
+
+        Returns:
+            With a fixed base `qdd` (..., n); with a floating base always
+            `(qdd, base_acceleration)`, at which no wrench acts on the base.
+
+        Raises:
+            SingularInertiaError: If nothing resists a motion.
+        """
+        entries = self._evaluate(
+            "forward_dynamics", q=q, qd=qd, tau=tau, base_velocity=base_velocity, gravity=gravity
+        )
+        if not self.bodies.is_floating:
+            return entries
+        return FreeMotion(entries[..., :-6], entries[..., -6:])
+
+    def gravity_torque(self, q: npt.ArrayLike, gravity: npt.ArrayLike = STANDARD_GRAVITY) -> Array:
+        """Return the forces (..., nv) that hold the mechanism at rest."""
+        return self._evaluate("gravity_torque", q=q, gravity=gravity)
+
+    def bias_torque(
+        self,
+        q: npt.ArrayLike,
+        qd: npt.ArrayLike,
+        base_velocity: npt.ArrayLike | None = None,
+        gravity: npt.ArrayLike = STANDARD_GRAVITY,
+    ) -> Array:
+        """Return the forces (..., nv) at zero acceleration, gravity's included."""
+        return self._evaluate(
+            "bias_torque", q=q, qd=qd, base_velocity=base_velocity, gravity=gravity
+        )
+
+    def kinetic_energy(
+        self, q: npt.ArrayLike, qd: npt.ArrayLike, base_velocity: npt.ArrayLike | None = None
+    ) -> Array:
+        """Return the kinetic energy (...), joule."""
+        arrays = self._checked(q=q, qd=qd, base_velocity=base_velocity)
+        return energy.kinetic_energy(self.bodies, *arrays)
+
+    def potential_energy(
+        self, q: npt.ArrayLike, gravity: npt.ArrayLike = STANDARD_GRAVITY
+    ) -> Array:
+        """Return the potential energy (...), joule, zero for all mass at the base's origin."""
+        q, gravity = self._checked(q=q, gravity=gravity)
+        return energy.potential_energy(self.bodies, self._body_poses(q), gravity)
+
+    def _evaluate(self, quantity: Quantity, **arguments: npt.ArrayLike | None) -> Array:
+        arrays = self._checked(**arguments)
+        if self.bodies.n_links > MOST_LINKS_FOR_GENERATION:
+            evaluate = partial(readable.evaluate, self.bodies)
+        else:
+            evaluate = self._generated.evaluate
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+            try:
+                entries = evaluate(quantity, arrays)
+            except (ZeroDivisionError, np.linalg.LinAlgError):
+                raise SingularInertiaError(NOTHING_RESISTS) from None
+        if quantity in ("inverse_dynamics", "forward_dynamics") and not np.isfinite(entries).all():
+            raise SingularInertiaError(NOTHING_RESISTS)
+        return entries
+
+    def _checked(self, **arguments: npt.ArrayLike | None) -> list[Array]:
+        """Return the arguments as arrays that broadcast."""
+        if arguments.get("base_velocity") is not None and not self.bodies.is_floating:
+            raise ValueError("'base_velocity' is given, but the base is fixed")
+        sizes = {"base_velocity": 6, "gravity": 3}
+        arrays = {
+            name: vectors(
+                name,
+                np.zeros(6) if values is None else values,
+                sizes.get(name, self.bodies.n_links),
+            )
+            for name, values in arguments.items()
+        }
+        common_batch_shape(arrays)
+        return list(arrays.values())
+
+    def _body_poses(self, q: npt.ArrayLike) -> list[Array]:
+        entries = self._evaluate("poses", q=q)
+        poses = np.moveaxis(entries.reshape((*entries.shape[:-1], -1, 4, 4)), -3, 0)
+        base = np.broadcast_to(np.eye(4), poses.shape[1:])
+        return [base, *poses[: self.bodies.n_links]]
+
+    def _body_of(self, name: str) -> int:
+        bodies = {frame.name: frame.body for frame in self.bodies.frames}
+        names = (self.bodies.base_name, *self.bodies.link_names)
+        bodies.update((link, index) for index, link in enumerate(names))
+        if name not in bodies:
+            raise unknown_name("link or frame", name, bodies)
+        return bodies[name]
+
+    def _check_mass(self) -> None:
+        if self.total_mass() == 0.0:
+            raise ValueError("the centre of mass is not defined: the total mass is zero")
