@@ -1,0 +1,28 @@
+"""A character that no document may hold.
+
+## What it does
+Reports a byte order mark, a no-break space, a form feed, bytes that are no UTF-8, and signs that
+the language does not know.
+
+## Why is this bad?
+Both generators reject them, and most of them cannot be seen: they come with text that is copied
+from a PDF file or a web page.
+
+## Example
+```kindsl
+link upper { id = 1; children {} }
+```
+
+## Fix
+Removes the character, or puts a blank in its place. Safe: such a character has no meaning.
+"""
+
+from kindsl.rules.base import Rule, Severity
+
+RULE = Rule(
+    "KD004",
+    "invalid-character",
+    Severity.ERROR,
+    good=("link upper { id = 1 children {} }",),
+    bad=("link upper {\xa0id = 1 children {} }",),
+)

@@ -1,0 +1,35 @@
+"""A number is not written as the language wants it.
+
+## What it does
+Reports a whole number where both generators want a decimal point, a decimal comma, hexadecimal
+digits, two points, and an `id` that is no natural number.
+
+## Why is this bad?
+`1` for `1.0` is the commonest slip of all: one generator rejects it with "no viable alternative",
+the other dies of it later, without a place.
+
+## Example
+```kindsl
+translation = (1, 0, 0)
+```
+
+## Fix
+Writes `1.0` for `1`. Safe: the value stays.
+"""
+
+from kindsl.rules.base import Rule, Severity
+
+RULE = Rule(
+    "KD005",
+    "invalid-number",
+    Severity.ERROR,
+    good=(
+        (
+            "r_joint elbow { ref_frame { translation = (1.0, 0.0, 0.0) rotation = (0.0, "
+            "0.0, 0.0) } }"
+        ),
+    ),
+    bad=(
+        ("r_joint elbow { ref_frame { translation = (1, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } }"),
+    ),
+)
