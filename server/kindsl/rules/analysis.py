@@ -21,7 +21,7 @@ from kindsl.syntax.tree import Island
 from kindsl.text.edits import TextEdit
 
 if TYPE_CHECKING:
-    from kindsl.mechanism import Mechanism
+    from kindsl.mechanism.build import Mechanism
 
 _NO_SETTINGS = Settings()
 
@@ -93,7 +93,7 @@ class Analysis:
             UnboundParameterError: A parameter has no value.
             ModelError: The document does not describe a kinematic tree.
         """
-        from kindsl.mechanism import mechanism_of
+        from kindsl.mechanism.build import mechanism_of
 
         return mechanism_of(self.model, {**self.context.values, **(parameters or {})})
 

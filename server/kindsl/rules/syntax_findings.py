@@ -21,7 +21,8 @@ def all_problems(document: SyntaxDocument) -> Iterator[tuple[Island, Problem]]:
     for island in document.islands:
         for problem in island.problems:
             yield island, problem
-    yield from document.problems
+    for placed in document.problems:
+        yield placed.island, placed.problem
 
 
 def _finding(island: Island, problem: Problem) -> Finding:

@@ -185,9 +185,7 @@ def _rounding(node: Node, bindings: Mapping[str, float]) -> float:
     return 0.0
 
 
-def _rounding_of_product(
-    node: Node, parts: list[Node], bindings: Mapping[str, float]
-) -> float:
+def _rounding_of_product(node: Node, parts: list[Node], bindings: Mapping[str, float]) -> float:
     left, right = (_value(part, bindings) or 0.0 for part in parts)
     left_error, right_error = (_rounding(part, bindings) for part in parts)
     if node.kind == "multiply":

@@ -92,9 +92,7 @@ class KinematicTree:
                 self._search_loops(start, done, loops)
         return loops
 
-    def _search_loops(
-        self, start: Link, done: set[Link], loops: list[tuple[Edge, ...]]
-    ) -> None:
+    def _search_loops(self, start: Link, done: set[Link], loops: list[tuple[Edge, ...]]) -> None:
         path: list[Edge] = []
         depth = {start: 0}
         stack = [iter(self.below.get(start, ()))]

@@ -16,9 +16,7 @@ from kindsl.semantics.expressions import Expression
 from kindsl.semantics.places import Name, Place
 from kindsl.syntax.tree import Island, Node, Token
 
-NAME_KINDS = frozenset(
-    ("NAME", "UNICODE_NAME", "ESCAPED_NAME", "KEYWORD_NAME", "PI", "LOWER_PI")
-)
+NAME_KINDS = frozenset(("NAME", "UNICODE_NAME", "ESCAPED_NAME", "KEYWORD_NAME", "PI", "LOWER_PI"))
 _KEY = "declarations"
 
 

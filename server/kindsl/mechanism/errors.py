@@ -1,0 +1,29 @@
+"""Why a document gives no mechanism."""
+
+from kindsl.semantics.places import Located
+
+
+class ModelError(ValueError):
+    """The document does not describe a kinematic tree.
+
+    Attributes:
+        at: The place that is to blame, None where there is none.
+    """
+
+    def __init__(self, message: str, at: Located | None = None) -> None:
+        super().__init__(message)
+        self.at = at
+
+
+class UnboundParameterError(ModelError):
+    """Parameters have no value.
+
+    Attributes:
+        names: The parameters, in the order of the document.
+    """
+
+    def __init__(self, names: tuple[str, ...], at: Located | None = None) -> None:
+        listed = ", ".join(f"'{name}'" for name in names)
+        plural = "s" if len(names) > 1 else ""
+        super().__init__(f"no value for the parameter{plural} {listed}", at)
+        self.names = names
