@@ -1,0 +1,99 @@
+// The language client: which documents it serves, and where it departs from the library's habits.
+import * as vscode from "vscode";
+import {
+  CloseAction,
+  ErrorAction,
+  LanguageClient,
+  RevealOutputChannelOn,
+  type ErrorHandler,
+  type LanguageClientOptions,
+  type Middleware,
+} from "vscode-languageclient/node";
+import type { Launch } from "./launch";
+import { showSource } from "./source";
+
+export const LANGUAGE = "kinematics-dsl";
+
+/** The server's notification `kindsl/status`; `state` is a word for the user, such as "broken model". */
+export interface DocumentStatus {
+  readonly uri: string;
+  readonly dof: number | null;
+  readonly state?: string;
+}
+
+/** What the server asks of the editor beyond the protocol. */
+export interface Requests {
+  /** A lens of the server was clicked. */
+  openPreview(uri: vscode.Uri | undefined): void;
+  showStatus(status: DocumentStatus): void;
+}
+
+export interface ClientHooks extends Requests {
+  /** The server's process has ended by itself; return whether to start it again. */
+  crashed(): boolean;
+}
+
+/** A client that logs its errors only: what the user must know is said once, by problems.ts. */
+class QuietClient extends LanguageClient {
+  override error(message: string, data?: unknown): void {
+    super.error(message, data, false);
+  }
+}
+
+export function createClient(launch: Launch, log: vscode.LogOutputChannel, hooks: ClientHooks): LanguageClient {
+  const { command, args, cwd } = launch;
+  const options = cwd === undefined ? {} : { cwd };
+  const server = { command, args: [...args], options };
+  const client = new QuietClient("kindsl", "Kinematics-DSL", server, clientOptions(log, hooks));
+  client.onNotification("kindsl/status", (status: DocumentStatus) => hooks.showStatus(status));
+  return client;
+}
+
+function clientOptions(log: vscode.LogOutputChannel, hooks: ClientHooks): LanguageClientOptions {
+  return {
+    documentSelector: [
+      { scheme: "file", language: LANGUAGE },
+      { scheme: "untitled", language: LANGUAGE },
+    ],
+    outputChannel: log,
+    traceOutputChannel: log,
+    revealOutputChannelOn: RevealOutputChannelOn.Never,
+    initializationOptions: { settings: vscode.workspace.getConfiguration("kindsl") },
+    initializationFailedHandler: () => false,
+    synchronize: { configurationSection: "kindsl" },
+    errorHandler: errorHandler(hooks),
+    middleware: middleware(hooks),
+  };
+}
+
+function errorHandler(hooks: ClientHooks): ErrorHandler {
+  return {
+    error: () => ({ action: ErrorAction.Continue, handled: true }),
+    closed: () => ({ action: hooks.crashed() ? CloseAction.Restart : CloseAction.DoNotRestart, handled: true }),
+  };
+}
+
+function middleware(hooks: ClientHooks): Middleware {
+  return {
+    executeCommand: (command, args: unknown[], next) => {
+      if (command !== "kindsl.preview") return next(command, args) as vscode.ProviderResult<unknown>;
+      hooks.openPreview(typeof args[0] === "string" ? vscode.Uri.parse(args[0], true) : undefined);
+      return undefined;
+    },
+    window: {
+      // The library would open the source in the active column, which is the preview's own.
+      showDocument: async (params, next) => {
+        if (params.external === true || params.selection === undefined) {
+          return (await next(params, cancellation())) as { success: boolean };
+        }
+        const { start, end } = params.selection;
+        const selection = new vscode.Range(start.line, start.character, end.line, end.character);
+        return { success: await showSource(vscode.Uri.parse(params.uri, true), selection) };
+      },
+    },
+  };
+}
+
+function cancellation(): vscode.CancellationToken {
+  return new vscode.CancellationTokenSource().token;
+}

@@ -1,0 +1,27 @@
+// Documents that the extension makes: a new robot, and a robot's URDF.
+import * as vscode from "vscode";
+import { ExecuteCommandRequest } from "vscode-languageclient/node";
+import { LANGUAGE } from "./client";
+import type { Server } from "./server";
+
+export async function newFile(): Promise<void> {
+  const document = await vscode.workspace.openTextDocument({ language: LANGUAGE });
+  await vscode.window.showTextDocument(document);
+}
+
+/** Open the document's URDF beside it, unsaved. */
+export async function showUrdf(uri: vscode.Uri, server: Server): Promise<void> {
+  const client = await server.client();
+  if (client === undefined) {
+    void vscode.window.showErrorMessage("The conversion needs the language server, which is not running");
+    return;
+  }
+  const parameters = { command: "kindsl.exportUrdf", arguments: [client.code2ProtocolConverter.asUri(uri)] };
+  try {
+    const content = (await client.sendRequest(ExecuteCommandRequest.type, parameters)) as string;
+    const urdf = await vscode.workspace.openTextDocument({ language: "xml", content });
+    await vscode.window.showTextDocument(urdf, { viewColumn: vscode.ViewColumn.Beside, preview: true });
+  } catch (error) {
+    void vscode.window.showErrorMessage(`No URDF: ${(error as Error).message}`);
+  }
+}

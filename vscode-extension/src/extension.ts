@@ -1,0 +1,124 @@
+// Finds Python, starts the language server, shows its preview. The language itself is the server's matter.
+import * as vscode from "vscode";
+import { LANGUAGE } from "./client";
+import { newFile, showUrdf } from "./documents";
+import { selectInterpreter } from "./interpreterChoice";
+import { onSelectionChange } from "./msPython";
+import { Previews } from "./preview";
+import { report, type Problem } from "./problems";
+import { Server, type ServerState } from "./server";
+import { needsRestart, previewOpensByItself, readSettings } from "./settings";
+import { StatusItems } from "./status";
+import { registerTasks } from "./tasks";
+import { KinematicTree, revealSymbol } from "./tree";
+
+/** What the extension tells others, its own tests among them. */
+export interface Api {
+  /** The server's state once everything asked so far is done. */
+  settled(): Promise<ServerState>;
+  /** The interpreter's command, if one was found. */
+  interpreter(): readonly string[] | undefined;
+  /** What the user was told to put right since the window was opened. */
+  readonly problems: readonly Problem[];
+}
+
+let server: Server | undefined;
+
+export function activate(context: vscode.ExtensionContext): Api {
+  const log = vscode.window.createOutputChannel("Kinematics-DSL", { log: true });
+  const own = (server = new Server(context.extensionUri, log, {
+    openPreview: (uri = activeDocument(previews)) => uri && previews.open(uri),
+    showStatus: (received) => status.receive(received),
+  }));
+  const previews = new Previews(own);
+  const status = new StatusItems(own);
+  const problems: Problem[] = [];
+
+  context.subscriptions.push(
+    log,
+    own,
+    previews,
+    status,
+    new KinematicTree(own),
+    registerTasks(context.extensionUri, own),
+    own.onProblem((problem) => {
+      problems.push(problem);
+      void report(problem, context.globalState);
+    }),
+    vscode.workspace.onDidChangeConfiguration((event) => needsRestart(event) && void own.restart()),
+    vscode.workspace.onDidGrantWorkspaceTrust(() => void own.restart()),
+    ...registerCommands(context.extensionUri, own, previews, log),
+  );
+  void followPythonExtension(context, own);
+  void own.restart();
+  openFirstPreview(context, previews);
+  return {
+    settled: async () => {
+      await own.client();
+      return own.state;
+    },
+    interpreter: () => own.interpreter?.command,
+    problems,
+  };
+}
+
+export async function deactivate(): Promise<void> {
+  await server?.stop();
+}
+
+function registerCommands(
+  extension: vscode.Uri,
+  own: Server,
+  previews: Previews,
+  log: vscode.LogOutputChannel,
+): vscode.Disposable[] {
+  const onDocument = (run: (uri: vscode.Uri) => unknown) => (uri?: vscode.Uri) => {
+    const chosen = uri instanceof vscode.Uri ? uri : activeDocument(previews);
+    return chosen && run(chosen);
+  };
+  const commands: Record<string, (...args: never[]) => unknown> = {
+    "kindsl.openPreview": onDocument((uri) => previews.open(uri)),
+    "kindsl.openPreviewInBrowser": onDocument((uri) => openInBrowser(previews, uri)),
+    "kindsl.pinPreview": () => previews.setPinned(true),
+    "kindsl.unpinPreview": () => previews.setPinned(false),
+    "kindsl.showSource": () => previews.showSourceOfActive(),
+    "kindsl.showUrdf": onDocument((uri) => showUrdf(uri, own)),
+    "kindsl.restart": () => own.restart(),
+    "kindsl.showLog": () => log.show(),
+    "kindsl.selectInterpreter": () => selectInterpreter(extension, log),
+    "kindsl.newFile": newFile,
+    "kindsl.revealSymbol": revealSymbol,
+  };
+  return Object.entries(commands).map(([name, run]) => vscode.commands.registerCommand(name, run));
+}
+
+async function openInBrowser(previews: Previews, uri: vscode.Uri): Promise<void> {
+  try {
+    await previews.openInBrowser(uri);
+  } catch (error) {
+    void vscode.window.showErrorMessage((error as Error).message);
+  }
+}
+
+async function followPythonExtension(context: vscode.ExtensionContext, own: Server): Promise<void> {
+  const subscription = await onSelectionChange(() => {
+    if (readSettings().interpreter.length === 0) void own.restart();
+  });
+  if (subscription !== undefined) context.subscriptions.push(subscription);
+}
+
+function openFirstPreview(context: vscode.ExtensionContext, previews: Previews): void {
+  const open = (editor: vscode.TextEditor | undefined) => {
+    if (editor?.document.languageId !== LANGUAGE) return;
+    listening.dispose();
+    if (previewOpensByItself()) previews.open(editor.document.uri);
+  };
+  const listening = vscode.window.onDidChangeActiveTextEditor(open);
+  context.subscriptions.push(listening);
+  open(vscode.window.activeTextEditor);
+}
+
+function activeDocument(previews: Previews): vscode.Uri | undefined {
+  const document = vscode.window.activeTextEditor?.document;
+  return document?.languageId === LANGUAGE ? document.uri : previews.activeUri();
+}

@@ -1,0 +1,70 @@
+// What is run to get a language server, or why nothing can be.
+import * as vscode from "vscode";
+import { selectedInterpreter } from "./msPython";
+import { candidates, probeWith, search, type Command, type Hints, type Interpreter } from "./python";
+import { readSettings, workspaceFolder, type Settings } from "./settings";
+
+export interface Launch {
+  readonly command: string;
+  readonly args: readonly string[];
+  readonly cwd: string | undefined;
+  /** Absent where the user's own `kindsl.path` is run. */
+  readonly interpreter?: Interpreter;
+}
+
+export interface NoPython {
+  readonly rejected: readonly string[];
+}
+
+export async function findLaunch(extension: vscode.Uri, log: vscode.LogOutputChannel): Promise<Launch | NoPython> {
+  const settings = readSettings();
+  const [program, ...options] = settings.path;
+  if (program !== undefined) {
+    return { command: program, args: [...options, ...settings.args], cwd: workspaceFolder() };
+  }
+  const result = await search(await allCandidates(settings, log), probeWith(script(extension, "probe.py")));
+  for (const line of result.rejected) log.warn(`Not used: ${line}`);
+  if (result.found === undefined) return { rejected: result.rejected };
+  log.info(`Using ${result.found.command.join(" ")}, Python ${result.found.version.join(".")}`);
+  return launchWith(result.found, extension, settings.importStrategy, ["language-server", ...settings.args]);
+}
+
+/** The command that runs a subcommand of kindsl in an interpreter. */
+export function launchWith(
+  interpreter: Interpreter,
+  extension: vscode.Uri,
+  importStrategy: Settings["importStrategy"],
+  args: readonly string[],
+): Launch {
+  const [program, ...options] = interpreter.command;
+  return {
+    command: program,
+    args: [...options, script(extension, "launch.py"), importStrategy, ...args],
+    cwd: workspaceFolder(),
+    interpreter,
+  };
+}
+
+/** The interpreters to choose from when the user has configured none. */
+export async function detectedCandidates(log: vscode.LogOutputChannel): Promise<Command[]> {
+  return candidates(await hints([], log));
+}
+
+async function allCandidates(settings: Settings, log: vscode.LogOutputChannel): Promise<Command[]> {
+  return candidates(await hints(settings.interpreter, log));
+}
+
+async function hints(configured: readonly string[], log: vscode.LogOutputChannel): Promise<Hints> {
+  const selected = configured.length > 0 ? undefined : await selectedInterpreter(log);
+  const folder = vscode.workspace.isTrusted ? workspaceFolder() : undefined;
+  return {
+    configured,
+    platform: process.platform,
+    ...(selected === undefined ? {} : { selected }),
+    ...(folder === undefined ? {} : { trustedFolder: folder }),
+  };
+}
+
+function script(extension: vscode.Uri, name: string): string {
+  return vscode.Uri.joinPath(extension, "python", name).fsPath;
+}

@@ -1,0 +1,55 @@
+// The HTML around the preview: the page of the language server in a frame, or a sentence why there is none.
+
+/** What a panel shows, kept by the editor across a reload of the window. */
+export interface PanelState {
+  readonly uri: string;
+  readonly isPinned: boolean;
+}
+
+export type PanelContent =
+  | { readonly kind: "frame"; readonly url: string }
+  | { readonly kind: "message"; readonly text: string };
+
+const STYLE = `
+html, body { height: 100%; margin: 0; padding: 0; overflow: hidden; }
+iframe { width: 100%; height: 100%; border: 0; display: block; }
+p { margin: 2em; color: var(--vscode-descriptionForeground); font-family: var(--vscode-font-family); }
+`;
+
+/** The whole page. `nonce` must be fresh for each page. */
+export function previewPage(content: PanelContent, state: PanelState, nonce: string): string {
+  const policy = [
+    "default-src 'none'",
+    `style-src 'nonce-${nonce}'`,
+    `script-src 'nonce-${nonce}'`,
+    ...(content.kind === "frame" ? [`frame-src ${new URL(content.url).origin}`] : []),
+  ];
+  return `<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="${escapeHtml(policy.join("; "))}">
+<title>Kinematics-DSL preview</title>
+<style nonce="${nonce}">${STYLE}</style>
+</head>
+<body>
+${body(content)}
+<script nonce="${nonce}">acquireVsCodeApi().setState(${scriptLiteral(state)});</script>
+</body>
+</html>
+`;
+}
+
+function body(content: PanelContent): string {
+  if (content.kind === "message") return `<p>${escapeHtml(content.text)}</p>`;
+  return `<iframe title="Robot" src="${escapeHtml(content.url)}" allow="fullscreen"></iframe>`;
+}
+
+function scriptLiteral(value: unknown): string {
+  return JSON.stringify(value).replace(/</g, "\\u003c");
+}
+
+function escapeHtml(text: string): string {
+  const entities: Record<string, string> = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;" };
+  return text.replace(/[&<>"']/g, (character) => entities[character] ?? character);
+}

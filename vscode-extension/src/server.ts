@@ -1,0 +1,134 @@
+// The life of the language server: one at a time, started, stopped and started again in order.
+import * as vscode from "vscode";
+import { State as ClientState, type LanguageClient } from "vscode-languageclient/node";
+import { createClient, type Requests } from "./client";
+import { findLaunch, type Launch } from "./launch";
+import type { Interpreter } from "./python";
+import type { Problem } from "./problems";
+
+export type ServerState = "stopped" | "starting" | "running" | "failed";
+
+/** A server that ends by itself more often than that within the window is left alone. */
+const CRASHES = { limit: 4, windowMilliseconds: 180_000 };
+
+export class Server implements vscode.Disposable {
+  readonly #changed = new vscode.EventEmitter<ServerState>();
+  readonly onDidChange = this.#changed.event;
+  readonly #failed = new vscode.EventEmitter<Problem>();
+  /** Something that the user must put right. */
+  readonly onProblem = this.#failed.event;
+
+  #state: ServerState = "stopped";
+  #client: LanguageClient | undefined;
+  #interpreter: Interpreter | undefined;
+  #queue: Promise<void> = Promise.resolve();
+  #crashes: number[] = [];
+
+  constructor(
+    private readonly extension: vscode.Uri,
+    private readonly log: vscode.LogOutputChannel,
+    private readonly requests: Requests,
+  ) {}
+
+  get state(): ServerState {
+    return this.#state;
+  }
+
+  /** The interpreter that was found last, whether or not the server could run in it. */
+  get interpreter(): Interpreter | undefined {
+    return this.#interpreter;
+  }
+
+  /** The running client, once all that was asked before is done. */
+  async client(): Promise<LanguageClient | undefined> {
+    await this.#queue;
+    return this.#state === "running" ? this.#client : undefined;
+  }
+
+  restart(): Promise<void> {
+    return this.#enqueue(async () => {
+      await this.#stop();
+      this.#crashes = [];
+      await this.#start();
+    });
+  }
+
+  stop(): Promise<void> {
+    return this.#enqueue(() => this.#stop());
+  }
+
+  dispose(): void {
+    this.#changed.dispose();
+    this.#failed.dispose();
+  }
+
+  #enqueue(step: () => Promise<void>): Promise<void> {
+    this.#queue = this.#queue.then(step).catch((error) => this.log.error(String(error)));
+    return this.#queue;
+  }
+
+  async #start(): Promise<void> {
+    this.#set("starting");
+    const launch = await findLaunch(this.extension, this.log);
+    if ("rejected" in launch) {
+      this.#interpreter = undefined;
+      this.#fail({ kind: "noPython", rejected: launch.rejected });
+      return;
+    }
+    this.#interpreter = launch.interpreter;
+    await this.#run(launch);
+    if (this.#state === "running" && launch.interpreter?.missing.includes("numpy") === true) {
+      this.#failed.fire({ kind: "noNumpy", interpreter: launch.interpreter });
+    }
+  }
+
+  async #run(launch: Launch): Promise<void> {
+    this.log.info(`Starting ${launch.command} ${launch.args.join(" ")}`);
+    const client = createClient(launch, this.log, { ...this.requests, crashed: () => this.#crashed() });
+    this.#client = client;
+    client.onDidChangeState(({ newState }) => this.#follow(client, newState));
+    try {
+      await client.start();
+    } catch (error) {
+      this.log.error(`The server did not start: ${String(error)}`);
+      this.#fail({ kind: "startFailed", launch });
+    }
+  }
+
+  async #stop(): Promise<void> {
+    const client = this.#client;
+    this.#client = undefined;
+    if (client?.needsStop() === true) {
+      await client.stop().catch((error) => this.log.warn(`The server did not stop in order: ${String(error)}`));
+    }
+    this.#set("stopped");
+  }
+
+  /** Take over the client's own transitions: a restart after a crash does not pass through here. */
+  #follow(client: LanguageClient, state: ClientState): void {
+    if (client !== this.#client) return;
+    if (state === ClientState.Running) this.#set("running");
+    if (state === ClientState.Starting) this.#set("starting");
+  }
+
+  #crashed(): boolean {
+    // The first start reports its own failure; one that follows a crash is the library's.
+    if (this.#state !== "running" && this.#crashes.length === 0) return false;
+    const now = Date.now();
+    this.#crashes = [...this.#crashes.filter((time) => now - time < CRASHES.windowMilliseconds), now];
+    if (this.#crashes.length <= CRASHES.limit) return true;
+    this.#fail({ kind: "crashed", times: this.#crashes.length });
+    return false;
+  }
+
+  #fail(problem: Problem): void {
+    this.#set("failed");
+    this.#failed.fire(problem);
+  }
+
+  #set(state: ServerState): void {
+    if (state === this.#state) return;
+    this.#state = state;
+    this.#changed.fire(state);
+  }
+}

@@ -1,0 +1,46 @@
+// Tasks that run kdsl-lint with the same interpreter and libraries as the server.
+import * as vscode from "vscode";
+import { launchWith } from "./launch";
+import type { Server } from "./server";
+import { readSettings } from "./settings";
+
+export const TASK_TYPE = "kindsl";
+
+interface LintDefinition extends vscode.TaskDefinition {
+  readonly paths: readonly string[];
+  readonly args?: readonly string[];
+}
+
+export function registerTasks(extension: vscode.Uri, server: Server): vscode.Disposable {
+  return vscode.tasks.registerTaskProvider(TASK_TYPE, {
+    provideTasks: async () => {
+      const tasks = await Promise.all(
+        (vscode.workspace.workspaceFolders ?? []).map((folder) =>
+          lintTask({ type: TASK_TYPE, paths: ["."] }, folder, `kdsl-lint ${folder.name}`, extension, server),
+        ),
+      );
+      return tasks.filter((task) => task !== undefined);
+    },
+    resolveTask: (task) => {
+      const scope = task.scope ?? vscode.TaskScope.Workspace;
+      return lintTask(task.definition as LintDefinition, scope, task.name, extension, server);
+    },
+  });
+}
+
+async function lintTask(
+  definition: LintDefinition,
+  scope: vscode.WorkspaceFolder | vscode.TaskScope,
+  name: string,
+  extension: vscode.Uri,
+  server: Server,
+): Promise<vscode.Task | undefined> {
+  await server.client();
+  if (server.interpreter === undefined) return undefined;
+  const lint = ["lint", ...(definition.args ?? []), ...definition.paths];
+  const { command, args } = launchWith(server.interpreter, extension, readSettings().importStrategy, lint);
+  const execution = new vscode.ProcessExecution(command, [...args]);
+  const task = new vscode.Task(definition, scope, name, "kindsl", execution, "$kdsl-lint");
+  task.group = vscode.TaskGroup.Test;
+  return task;
+}
