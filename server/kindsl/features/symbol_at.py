@@ -1,0 +1,160 @@
+"""What is named where: links, joints, frames, parameters, constants and the robot.
+
+One walk over an island finds all its names; the result lives as long as the island.
+"""
+
+from bisect import bisect_right
+from collections.abc import Iterator
+from enum import StrEnum
+from typing import NamedTuple, cast
+
+from kindsl.rules.analysis import Analysis
+from kindsl.semantics.lowering import NAME_KINDS
+from kindsl.syntax.tree import Island, Node, Token
+
+_KEY = "named places"
+
+
+class EntityKind(StrEnum):
+    """What kind of thing a name stands for."""
+
+    ROBOT = "robot"
+    LINK = "link"
+    JOINT = "joint"
+    FRAME = "frame"
+    PARAMETER = "parameter"
+    CONSTANT = "constant"
+
+
+class Role(StrEnum):
+    """What a name does where it stands."""
+
+    DECLARATION = "declaration"
+    READ = "read"
+    WRITE = "write"
+
+
+class Entity(NamedTuple):
+    """A named thing of the document.
+
+    Attributes:
+        kind: What it is; the base counts as a link.
+        name: Its name, without the escape `^`.
+        link: For a frame, the link that carries it.
+    """
+
+    kind: EntityKind
+    name: str
+    link: str = ""
+
+
+class Symbol(NamedTuple):
+    """One place of an entity; offsets in code points of the document or of an island."""
+
+    start: int
+    end: int
+    entity: Entity
+    role: Role
+
+
+class NamedPlaces(NamedTuple):
+    """The names in one island, in the order of the text, and the same by entity."""
+
+    symbols: tuple[Symbol, ...]
+    of: dict[Entity, tuple[Symbol, ...]]
+
+
+def symbol_at(analysis: Analysis, offset: int) -> Symbol | None:
+    """Return the name at an offset, or ending there, with absolute offsets."""
+    place = analysis.syntax.island_at(offset)
+    local = min(max(offset, 0), analysis.syntax.length) - place.start
+    symbols = named_places(place.island).symbols
+    index = bisect_right(symbols, local, key=_start)
+    for symbol in symbols[max(index - 2, 0) : index][::-1]:
+        if symbol.start <= local <= symbol.end:
+            return _moved(symbol, place.start)
+    return None
+
+
+def occurrences(analysis: Analysis, entity: Entity) -> tuple[Symbol, ...]:
+    """Return all places of an entity in the order of the text, with absolute offsets."""
+    syntax = analysis.syntax
+    return tuple(
+        _moved(symbol, start)
+        for island, start in zip(syntax.islands, syntax.starts, strict=False)
+        for symbol in named_places(island).of.get(entity, ())
+    )
+
+
+def named_places(island: Island) -> NamedPlaces:
+    """Return the names in an island, offsets from its start; computed once in its life."""
+    known = island.facts.get(_KEY)
+    if known is None:
+        symbols = sorted(s for node in island.nodes for s in _symbols(node, ""))
+        known = island.facts[_KEY] = NamedPlaces(tuple(symbols), _by_entity(symbols))
+    return cast(NamedPlaces, known)
+
+
+def _by_entity(symbols: list[Symbol]) -> dict[Entity, tuple[Symbol, ...]]:
+    found: dict[Entity, list[Symbol]] = {}
+    for symbol in symbols:
+        found.setdefault(symbol.entity, []).append(symbol)
+    return {entity: tuple(places) for entity, places in found.items()}
+
+
+_DECLARED = {
+    "head": EntityKind.ROBOT,
+    "base": EntityKind.LINK,
+    "link": EntityKind.LINK,
+    "joint": EntityKind.JOINT,
+    "frame": EntityKind.FRAME,
+}
+_VALUES = {
+    "parameter": (EntityKind.PARAMETER, Role.READ),
+    "juxtaposed_parameter": (EntityKind.PARAMETER, Role.READ),
+    "defaulted": (EntityKind.PARAMETER, Role.WRITE),
+    "constant_use": (EntityKind.CONSTANT, Role.READ),
+    "constant": (EntityKind.CONSTANT, Role.WRITE),
+}
+
+
+def _symbols(node: Node, link: str) -> Iterator[Symbol]:
+    """Yield the names below a node; `link` is the name of the link around it."""
+    kind = node.kind
+    if kind == "number" or kind == "pi":
+        return
+    names = [t for t in node.children if isinstance(t, Token) and t.kind in NAME_KINDS]
+    if kind in _DECLARED:
+        name = _text(names[0]) if names else ""
+        owner = link if kind == "frame" else ""
+        yield from _named(names[:1], Entity(_DECLARED[kind], name, owner), Role.DECLARATION)
+        link = name if kind in ("base", "link") else link
+    elif kind in _VALUES and names:
+        what, role = _VALUES[kind]
+        yield from _named(names[:1], Entity(what, _text(names[0])), role)
+    elif kind == "inertia_frame" and names:
+        yield from _named(names[:1], Entity(EntityKind.FRAME, _text(names[0]), link), Role.READ)
+    elif kind == "child":
+        for token, what in zip(names, (EntityKind.LINK, EntityKind.JOINT), strict=False):
+            yield from _named([token], Entity(what, _text(token)), Role.READ)
+    for child in node.children:
+        if isinstance(child, Node):
+            yield from _symbols(child, link)
+
+
+def _named(tokens: list[Token], entity: Entity, role: Role) -> Iterator[Symbol]:
+    for token in tokens:
+        if not token.is_missing:
+            yield Symbol(token.start, token.end, entity, role)
+
+
+def _text(token: Token) -> str:
+    return "" if token.is_missing else token.text.removeprefix("^")
+
+
+def _start(symbol: Symbol) -> int:
+    return symbol.start
+
+
+def _moved(symbol: Symbol, origin: int) -> Symbol:
+    return Symbol(origin + symbol.start, origin + symbol.end, symbol.entity, symbol.role)

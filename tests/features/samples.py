@@ -1,0 +1,106 @@
+"""Small documents that the tests of the features share."""
+
+ARM = """\
+Robot Arm {
+
+RobotBase base {
+    inertia_params {
+        mass = 0.0
+        CoM = (0.0, 0.0, 0.0)
+        Ix=0.0 Iy=0.0 Iz=0.0 Ixy=0.0 Ixz=0.0 Iyz=0.0
+    }
+    children {
+        upper via shoulder
+    }
+}
+
+link upper {
+    id = 1
+    inertia_params {
+        mass = 2.0
+        CoM = (0.25, 0.0, 0.0)
+        Ix=0.01 Iy=0.2 Iz=0.2 Ixy=0.0 Ixz=0.0 Iyz=0.0
+    }
+    children {
+        lower via elbow
+    }
+}
+
+link lower {
+    id = 2
+    inertia_params {
+        mass = 1.0
+        CoM = (0.25, 0.0, 0.0)
+        Ix=0.01 Iy=0.1 Iz=0.1 Ixy=0.0 Ixz=0.0 Iyz=0.0
+    }
+    children {}
+    frames {
+        tip {
+            translation = (reach, 0.0, 0.0)
+            rotation = (0.0, PI/2.0, 0.0)
+        }
+    }
+}
+
+r_joint shoulder {
+    ref_frame {
+        translation = (0.0, 0.0, 0.5)
+        rotation = (-PI/2.0, 0.0, 0.0)
+    }
+}
+
+p_joint elbow {
+    ref_frame {
+        translation = (0.5, 0.0, 0.0)
+        rotation = (0.0, 0.0, 0.0)
+    }
+}
+}
+"""
+
+PARAMETRIC = """\
+Robot Gripper {
+RobotBase palm floating {
+    inertia_params {
+        mass = m[1.5]
+        CoM = (0.0, 0.0, <offset=0.05>)
+        Ix=0.02 Iy=0.02 Iz=0.01 Ixy=0.0 Ixz=0.0 Iyz=0.0
+        ref_frame = grip
+    }
+    children { finger via slide }
+    frames { grip { translation = (0.0, 0.0, width) rotation = (0.0, -tilt, 0.0) } }
+}
+link finger {
+    id = 1
+    inertia_params {
+        mass = 0.1
+        CoM = (0.0, 0.0, 2.0*<offset>)
+        Ix=0.01 Iy=0.01 Iz=0.001 Ixy=0.0 Ixz=0.0 Iyz=0.0
+    }
+    children {}
+}
+p_joint slide { ref_frame { translation = (width/2.0, 0.0, 0.0) rotation = (0.0, 0.0, tilt) } }
+}
+"""
+
+BROKEN = """\
+Robot Half {
+RobotBase base { children { a via ja b via jb } }
+link a { id = 1 inertia_params { mass = 1.0 CoM = (0.0, 0.0 Ix=0.1
+link b { id = 2 children { a via jb c } frames { f {
+r_joint ja { ref_frame { translation = (x, ) rotation = (PI/, 0.0 } }
+r_joint { ref_frame { } }
+"""
+
+COMMENTED = """\
+Robot C { // see https://example.org/robot
+/* a block
+   comment */
+RobotBase base { /* one */ children { /* none */ } }
+// the first line
+// the second line
+link l { id = 1 children {} }
+}
+"""
+
+ALL = (ARM, PARAMETRIC, BROKEN, COMMENTED)
