@@ -106,12 +106,14 @@ def _symbols(node: Node, island: Island) -> Iterator[ParameterUse | ConstantUse]
                 yield from _symbols(child, island)
 
 
-_NAME_KINDS = frozenset(("NAME", "UNICODE_NAME", "ESCAPED_NAME", "KEYWORD_NAME"))
+_NAME_KINDS = frozenset(
+    ("NAME", "PI_PREFIXED", "UNICODE_NAME", "ESCAPED_NAME", "KEYWORD_NAME", "LOWER_PI")
+)
 
 
 def _name_in(node: Node, island: Island) -> Name:
     for token in node.children:
-        if isinstance(token, Token) and (token.kind in _NAME_KINDS or token.kind == "LOWER_PI"):
+        if isinstance(token, Token) and token.kind in _NAME_KINDS:
             return Name.at(token.text.lstrip("^"), island, token.start, token.end)
     return Name.at("", island, node.start, node.end)
 

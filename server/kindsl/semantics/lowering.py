@@ -16,7 +16,12 @@ from kindsl.semantics.expressions import Expression
 from kindsl.semantics.places import Name, Place
 from kindsl.syntax.tree import Island, Node, Token
 
-NAME_KINDS = frozenset(("NAME", "UNICODE_NAME", "ESCAPED_NAME", "KEYWORD_NAME", "PI", "LOWER_PI"))
+NAME_KINDS = frozenset(
+    (
+        "NAME", "PI_PREFIXED", "UNICODE_NAME", "ESCAPED_NAME", "KEYWORD_NAME",
+        "PI", "LOWER_PI", "PIPE_PI",
+    )
+)  # fmt: skip
 _KEY = "declarations"
 
 

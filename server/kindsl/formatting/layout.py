@@ -1,0 +1,104 @@
+"""The one style: what stands between two neighbouring tokens or comments.
+
+Blocks open on the line of their keyword and close on a line of their own; a section a line; one
+blank line between links and joints, at most one elsewhere; comments stay where they are.
+"""
+
+from collections.abc import Iterable, Iterator
+from typing import NamedTuple
+
+from kindsl.formatting.pieces import Piece
+
+_INDENT = "    "
+_BLOCKS = frozenset(("head", "base", "link", "joint"))
+_LINES = frozenset(
+    (
+        *_BLOCKS, "end", "id", "inertia", "children", "frames", "frame", "joint_frame", "mass",
+        "com", "moment", "inertia_frame", "child", "translation", "rotation",
+    )
+)  # fmt: skip
+_GLUED_AFTER = frozenset("(<[")
+_GLUED_BEFORE = frozenset(",)>]")
+_VALUES = frozenset(("multiply", "divide", "constant", "defaulted"))
+_COMMENTS = frozenset(("//", "/*"))
+_NUMBERS = frozenset(("FLOAT", "INT", "SCIENTIFIC", "POWER_FLOAT"))
+
+
+class Gap(NamedTuple):
+    """The blanks from `start` to `end` (absolute), and what should be there."""
+
+    start: int
+    end: int
+    blanks: str
+
+
+def gaps(pieces: Iterable[Piece], length: int, newline: str) -> Iterator[Gap]:
+    """Yield every gap of a document with its proper blanks.
+
+    Args:
+        pieces: All tokens and comments, in order.
+        length: Of the text, code points.
+        newline: The document's line end.
+    """
+    before: Piece | None = None
+    depth = 0
+    for piece in pieces:
+        if piece.kind == "}" and piece.parent != "end":
+            depth -= 1
+        start = before.end if before is not None else 0
+        yield Gap(start, piece.start, _blanks(before, piece, depth, newline))
+        if piece.kind == "{" and piece.parent != "head":
+            depth += 1
+        before = piece
+    yield Gap(before.end if before is not None else 0, length, newline if before else "")
+
+
+def _blanks(before: Piece | None, piece: Piece, depth: int, newline: str) -> str:
+    if before is None:
+        return ""
+    lines = _line_ends(before, piece)
+    if not lines:
+        return _space(before, piece)
+    is_continuation = not _begins_line(piece) and piece.kind not in _COMMENTS
+    return newline * lines + _INDENT * (depth + is_continuation)
+
+
+def _line_ends(before: Piece, piece: Piece) -> int:
+    """Return how many line ends separate two pieces."""
+    is_comment = piece.kind in _COMMENTS
+    if not piece.lines_before and (is_comment or before.kind == "/*"):
+        return 0
+    if before.kind == "{" and piece.kind == "}":
+        return 0
+    if not is_comment and not _begins_line(piece) and before.kind not in _COMMENTS:
+        return 0
+    if before.kind == "{" and before.parent == "head" and piece.parent != "end":
+        return 2
+    if before.kind == "}" and not _BLOCKS.isdisjoint(piece.path):
+        return 2
+    may_be_blank = before.kind != "{" and piece.kind != "}"
+    may_be_blank = may_be_blank and (is_comment or _begins_line(piece))
+    return 2 if piece.lines_before > 1 and may_be_blank else 1
+
+
+def _begins_line(piece: Piece) -> bool:
+    return piece.kind == "}" or not _LINES.isdisjoint(piece.path)
+
+
+def _space(before: Piece, piece: Piece) -> str:
+    """Return what separates two pieces on one line."""
+    if piece.kind == "//":
+        return "  "
+    if before.kind in _GLUED_AFTER or piece.kind in _GLUED_BEFORE:
+        return ""
+    if before.kind == "{" and piece.kind == "}":
+        return ""
+    if piece.kind == "[" or before.kind in ("*", "/") or piece.kind in ("*", "/"):
+        return ""
+    if piece.parent == "constant" and "=" in (before.kind, piece.kind):
+        return ""
+    if before.parent == "constant" and before.kind == "=":
+        return ""
+    if before.kind in ("-", "+") and before.parent in ("negate", "plus"):
+        return " " if piece.kind in _NUMBERS else ""
+    return " "
