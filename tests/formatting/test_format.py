@@ -17,7 +17,7 @@ DOCUMENTS = [*sorted((ROOT / "examples").glob("*.kindsl")), *sorted(CORPUS.glob(
 CORRECT = [path for path in DOCUMENTS if path.stem != "broken_arm"]
 
 LAYOUTS = """Robot R{RobotBase b{children{l via j}frames{f{translation=(1.0,2.0,3.0)
-rotation=(PI/2.0,-PI,- 1.0)}}{g{translation=(<k=1.0>,x[2],2.0*y) rotation=(2.0PI,- x,0.0)}}}}
+rotation=(PI/2.0,-PI,- 1.0)}}{g{translation=(<k=1.0>,x[2],2.0*y) rotation=(2.0PI,- x,0.0)}}}
 link l{id=1 // number one
 /* before */ inertia_params{mass=1.0/* inline */ CoM=(0.0, // x
 0.0,0.0)
