@@ -52,8 +52,7 @@ RobotBase b {
 
 link l {
     id = 1  // number one
-    /* before */
-    inertia_params {
+    /* before */ inertia_params {
         mass = 1.0 /* inline */
         CoM = (0.0,  // x
             0.0, 0.0)
