@@ -66,8 +66,10 @@ def _blanks(before: Piece | None, piece: Piece, depth: int, newline: str) -> str
 def _line_ends(before: Piece, piece: Piece) -> int:
     """Return how many line ends separate two pieces."""
     is_comment = piece.kind in _COMMENTS
-    if not piece.lines_before and (is_comment or before.kind == "/*"):
+    if not piece.lines_before and is_comment:
         return 0
+    if not piece.lines_before and before.kind == "/*":
+        return 1 if _begins_line(piece) and not before.lines_before else 0
     if before.kind == "{" and piece.kind == "}":
         return 0
     if not is_comment and not _begins_line(piece) and before.kind not in _COMMENTS:
