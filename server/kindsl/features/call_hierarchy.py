@@ -1,0 +1,94 @@
+"""The kinematic tree one step at a time: who carries a link, and whom it carries.
+
+Editors show it as a call hierarchy: the callers of a link are its predecessors, its callees the
+links that it carries, each with the place where `link via joint` is written.
+"""
+
+from typing import NamedTuple
+
+from kindsl.features.symbol_at import EntityKind, symbol_at
+from kindsl.rules.analysis import Analysis
+from kindsl.semantics.declarations import Link
+from kindsl.semantics.kinematic_tree import Edge
+from kindsl.text.span import Span
+
+
+class HierarchyItem(NamedTuple):
+    """A body of the tree.
+
+    Attributes:
+        name: Its name.
+        detail: What it is, and the joint that moves it.
+        kind: `base` or `link`.
+        start: Start of its block.
+        end: End of its block.
+        name_start: Start of its name, which finds it again.
+        name_end: End of its name.
+    """
+
+    name: str
+    detail: str
+    kind: str
+    start: int
+    end: int
+    name_start: int
+    name_end: int
+
+
+class HierarchyCall(NamedTuple):
+    """A neighbour in the tree, and where the connection is written."""
+
+    item: HierarchyItem
+    places: tuple[Span, ...]
+
+
+def hierarchy_items(analysis: Analysis, offset: int) -> tuple[HierarchyItem, ...]:
+    """Return the body named at an offset; for a joint, the link that it moves."""
+    symbol = symbol_at(analysis, offset)
+    if symbol is None:
+        return ()
+    model = analysis.model
+    body: Link | None = None
+    if symbol.entity.kind is EntityKind.LINK:
+        body = model.body_named.get(symbol.entity.name)
+    elif symbol.entity.kind is EntityKind.JOINT:
+        joint = model.joint_named.get(symbol.entity.name)
+        edges = model.tree.joint_uses.get(joint, []) if joint is not None else []
+        body = edges[0].link if edges else None
+    return () if body is None else (_item(analysis, body),)
+
+
+def predecessors(analysis: Analysis, name: str) -> tuple[HierarchyCall, ...]:
+    """Return the bodies that carry a body, more than one only in a broken tree."""
+    body = analysis.model.body_named.get(name)
+    edges = analysis.model.tree.above.get(body, []) if body is not None else []
+    return tuple(
+        HierarchyCall(_item(analysis, edge.predecessor), (_place(analysis, edge),))
+        for edge in edges
+    )
+
+
+def successors(analysis: Analysis, name: str) -> tuple[HierarchyCall, ...]:
+    """Return the links that a body carries."""
+    body = analysis.model.body_named.get(name)
+    edges = analysis.model.tree.successor_edges(body) if body is not None else []
+    return tuple(
+        HierarchyCall(_item(analysis, edge.link), (_place(analysis, edge),))
+        for edge in edges
+        if edge.link is not None
+    )
+
+
+def _item(analysis: Analysis, body: Link) -> HierarchyItem:
+    edge = analysis.model.tree.supporting_edge(body)
+    detail = "base" if body.is_base else "link"
+    if edge is not None and edge.joint is not None:
+        detail = f"via {edge.joint.name} ({edge.joint.kind})"
+    start, end = analysis.resolver.span(body)
+    name_start, name_end = analysis.resolver.span(body.name)
+    kind = "base" if body.is_base else "link"
+    return HierarchyItem(str(body.name), detail, kind, start, end, name_start, name_end)
+
+
+def _place(analysis: Analysis, edge: Edge) -> Span:
+    return Span(*analysis.resolver.span(edge.child))

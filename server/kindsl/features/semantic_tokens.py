@@ -1,0 +1,105 @@
+"""What each word means, for highlighting beyond the grammar's reach."""
+
+from typing import NamedTuple, cast
+
+from kindsl.features.symbol_at import EntityKind, Role, Symbol, named_places
+from kindsl.rules.analysis import Analysis
+from kindsl.syntax.tables import KEYWORDS
+from kindsl.syntax.tree import Island, Token
+
+TYPES = (
+    "namespace", "class", "method", "property", "parameter", "variable", "keyword", "number",
+    "comment", "operator",
+)  # fmt: skip
+MODIFIERS = ("declaration", "readonly", "modification", "defaultLibrary", "deprecated")
+
+_TYPE_OF = {
+    EntityKind.ROBOT: "namespace",
+    EntityKind.LINK: "class",
+    EntityKind.JOINT: "method",
+    EntityKind.FRAME: "property",
+    EntityKind.PARAMETER: "parameter",
+    EntityKind.CONSTANT: "variable",
+}
+_NUMBERS = frozenset(("FLOAT", "INT", "SCIENTIFIC", "POWER_FLOAT", "MALFORMED_NUMBER"))
+_PI = frozenset(("PI", "LOWER_PI", "PIPE_PI"))
+_OPERATORS = frozenset("+-*/=")
+_KEY = "semantic tokens"
+
+
+class SemanticToken(NamedTuple):
+    """A stretch of one line; the type is one of `TYPES`, the modifiers some of `MODIFIERS`."""
+
+    start: int
+    end: int
+    type: str
+    modifiers: tuple[str, ...] = ()
+
+
+def semantic_tokens(
+    analysis: Analysis, start: int = 0, end: int | None = None
+) -> tuple[SemanticToken, ...]:
+    """Return the tokens that touch a range, in the order of the text."""
+    syntax = analysis.syntax
+    end = syntax.length if end is None else end
+    found: list[SemanticToken] = []
+    if not len(syntax) or start > end:
+        return ()
+    for index in range(syntax.island_at(start).index, syntax.island_at(end).index + 1):
+        place = syntax.island(index)
+        found += [
+            SemanticToken(place.start + t.start, place.start + t.end, t.type, t.modifiers)
+            for t in island_tokens(place.island)
+            if place.start + t.end >= start and place.start + t.start <= end
+        ]
+    return tuple(found)
+
+
+def island_tokens(island: Island) -> tuple[SemanticToken, ...]:
+    """Return the tokens of an island, offsets from its start; computed once in its life."""
+    known = island.facts.get(_KEY)
+    if known is None:
+        names = {symbol.start: symbol for symbol in named_places(island).symbols}
+        found = [_token(token, names) for token in island.tokens if not token.is_missing]
+        found += _comments(island)
+        known = island.facts[_KEY] = tuple(sorted(token for token in found if token is not None))
+    return cast(tuple[SemanticToken, ...], known)
+
+
+def _token(token: Token, names: dict[int, Symbol]) -> SemanticToken | None:
+    symbol = names.get(token.start)
+    if symbol is not None:
+        return _name(symbol)
+    if token.kind in _NUMBERS:
+        return SemanticToken(token.start, token.end, "number")
+    if token.kind in _PI:
+        return SemanticToken(token.start, token.end, "number", ("readonly", "defaultLibrary"))
+    if token.text in KEYWORDS:
+        return SemanticToken(token.start, token.end, "keyword")
+    if token.kind in _OPERATORS:
+        return SemanticToken(token.start, token.end, "operator")
+    return None
+
+
+def _name(symbol: Symbol) -> SemanticToken:
+    kind = symbol.entity.kind
+    modifiers: tuple[str, ...] = ()
+    if symbol.role is Role.DECLARATION:
+        modifiers = ("declaration",)
+    elif symbol.role is Role.WRITE:
+        modifiers = ("modification",)
+    if kind is EntityKind.CONSTANT:
+        modifiers = (*modifiers, "readonly")
+    return SemanticToken(symbol.start, symbol.end, _TYPE_OF[kind], modifiers)
+
+
+def _comments(island: Island) -> list[SemanticToken]:
+    """Return the comments line by line, as not every editor takes a token of several lines."""
+    found = []
+    for start, end in island.comments:
+        for line in island.text[start:end].splitlines(keepends=True):
+            length = len(line.rstrip("\r\n"))
+            if length:
+                found.append(SemanticToken(start, start + length, "comment"))
+            start += len(line)
+    return found

@@ -1,0 +1,114 @@
+"""No feature fails, whatever the text and wherever the cursor."""
+
+from itertools import pairwise
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from kindsl.features.call_hierarchy import hierarchy_items, predecessors, successors
+from kindsl.features.definition import bound_parameter, definitions
+from kindsl.features.document_links import document_links
+from kindsl.features.document_symbols import document_symbols, flat_symbols
+from kindsl.features.folding import folds
+from kindsl.features.highlight import highlights
+from kindsl.features.linked_editing import linked_ranges
+from kindsl.features.references import references
+from kindsl.features.rename import Renaming, rename, rename_range
+from kindsl.features.selection_range import selection_ranges
+from kindsl.features.semantic_tokens import MODIFIERS, TYPES, semantic_tokens
+from kindsl.features.symbol_at import symbol_at
+from kindsl.features.tree_path import path_at, token_at
+from kindsl.features.workspace_symbols import workspace_symbols
+from kindsl.rules.analysis import analyse
+from kindsl.text.edits import apply_edits
+from tests.features.samples import ALL
+
+SMALL = (
+    "Robot R{RobotBase b floating{inertia_params{mass=m[1.0] CoM=(0.0,<k=1.0>,-x/2.0)Ix=2.0*<k>"
+    " ref_frame=f}children{l via j}frames{f{translation=(y,0.0,0.0)rotation=(PI/2.0,0.0,0.0)}}}"
+    "link l{id=1 children{}}r_joint j{ref_frame{translation=(0.0,0.0,x)}}}//e\n"
+)
+AT_OFFSET = (
+    symbol_at, definitions, bound_parameter, references, highlights, rename_range,
+    selection_ranges, linked_ranges, hierarchy_items,
+)  # fmt: skip
+WHOLE = (document_symbols, folds, semantic_tokens, document_links)
+
+
+def visit(text, offsets):
+    analysis = analyse(text)
+    for feature in WHOLE:
+        feature(analysis)
+    for offset in offsets:
+        for feature in AT_OFFSET:
+            feature(analysis, offset)
+        check_places(analysis, offset)
+    check_outline(analysis)
+    check_tokens(analysis)
+
+
+def check_places(analysis, offset):
+    symbol = symbol_at(analysis, offset)
+    if symbol is not None:
+        assert symbol in references(analysis, offset)
+        assert analysis.text[symbol.start : symbol.end].removeprefix("^") == symbol.entity.name
+    renaming = rename(analysis, offset, "a_new_name")
+    if isinstance(renaming, Renaming):
+        assert analyse(apply_edits(analysis.text, renaming.edits)) is not None
+    spans = selection_ranges(analysis, offset)
+    assert all(b.start <= a.start and a.end <= b.end for a, b in pairwise(spans))
+    assert spans[-1] == (0, len(analysis.text))
+    token_at(analysis.syntax, offset)
+    place = analysis.syntax.island_at(offset)
+    path_at(place.island, offset - place.start)
+
+
+def check_outline(analysis):
+    flat = list(flat_symbols(analysis))
+    for symbol in flat:
+        assert symbol.start <= symbol.name_start <= symbol.name_end <= symbol.end
+        assert symbol.name
+        predecessors(analysis, symbol.name)
+        successors(analysis, symbol.name)
+    nested = [*document_symbols(analysis)]
+    for symbol in nested:
+        nested += symbol.children
+    assert sorted(s[:7:3] for s in nested) == sorted(s[:7:3] for s in flat)
+    assert len(workspace_symbols(analysis, "")) <= len(flat) + 1
+
+
+def check_tokens(analysis):
+    tokens = semantic_tokens(analysis)
+    assert all(a.end <= b.start for a, b in pairwise(tokens))
+    for token in tokens:
+        assert token.type in TYPES
+        assert set(token.modifiers) <= set(MODIFIERS)
+        assert "\n" not in analysis.text[token.start : token.end]
+    for fold in folds(analysis):
+        assert fold.start <= fold.end
+
+
+def test_every_offset_of_every_prefix_of_a_small_document():
+    for length in range(len(SMALL) + 1):
+        visit(SMALL[:length], [*range(max(length - 12, 0), length + 2), *range(0, length, 9)])
+
+
+@pytest.mark.parametrize("text", ALL)
+def test_every_offset(text):
+    visit(text, range(-1, len(text) + 2, 2))
+
+
+@given(st.lists(st.tuples(st.integers(0, len(SMALL)), st.integers(0, 9)), max_size=4), st.data())
+@settings(max_examples=150, deadline=None, derandomize=True)
+def test_mutilated_documents(cuts, data):
+    text = SMALL
+    for at, length in cuts:
+        text = text[:at] + text[at + length :]
+    visit(text, [data.draw(st.integers(0, len(text)))])
+
+
+@given(st.text("{}()=,[]<>*/+-.1\n aΩ^|\"'\r/*\x00\u2028", max_size=60))
+@settings(max_examples=150, deadline=None, derandomize=True)
+def test_noise(text):
+    visit(text, range(0, len(text) + 1, 3))
