@@ -87,20 +87,15 @@ export class Server implements vscode.Disposable {
     const client = createClient(launch, this.log, { ...this.requests, crashed: () => this.#crashed() });
     this.#client = client;
     client.onDidChangeState(({ newState }) => this.#follow(client, newState));
-    try {
-      await client.start();
-    } catch (error) {
-      this.log.error(`The server did not start: ${String(error)}`);
-      this.#fail({ kind: "startFailed", launch });
-    }
+    // A server that ends while it is starting may leave the promise resolved: the client's state decides.
+    await client.start().catch((error) => this.log.error(`The server did not start: ${String(error)}`));
+    if (!client.isRunning()) this.#fail({ kind: "startFailed", launch });
   }
 
   async #stop(): Promise<void> {
     const client = this.#client;
     this.#client = undefined;
-    if (client?.needsStop() === true) {
-      await client.stop().catch((error) => this.log.warn(`The server did not stop in order: ${String(error)}`));
-    }
+    await client?.stop().catch((error) => this.log.warn(`The server did not stop in order: ${String(error)}`));
     this.#set("stopped");
   }
 

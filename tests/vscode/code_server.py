@@ -1,0 +1,184 @@
+"""A real VS Code: the npm package `code-server` carries one, which a browser can drive.
+
+The package is installed once into build/code-server; only its VS Code server is run, on the
+loopback interface, never code-server's own front end.
+"""
+
+import fcntl
+import json
+import shutil
+import socket
+import subprocess
+import time
+import urllib.error
+import urllib.request
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).parents[2]
+BUILD = ROOT / "build" / "code-server"
+EXTENSION = ROOT / "vscode-extension"
+VERSION = "4.100.3"
+START_SECONDS = 60
+
+QUIET_SETTINGS: Mapping[str, object] = {
+    "security.workspace.trust.enabled": False,
+    "workbench.startupEditor": "none",
+    "workbench.tips.enabled": False,
+    "workbench.colorTheme": "Default Dark Modern",
+    "workbench.secondarySideBar.defaultVisibility": "hidden",
+    "chat.commandCenter.enabled": False,
+    "telemetry.telemetryLevel": "off",
+    "extensions.autoUpdate": False,
+    "extensions.autoCheckUpdates": False,
+    "extensions.ignoreRecommendations": True,
+    "update.mode": "none",
+    "git.enabled": False,
+    "editor.minimap.enabled": False,
+    "editor.acceptSuggestionOnEnter": "on",
+    "breadcrumbs.enabled": True,
+    "task.autoDetect": "on",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class CodeServer:
+    """A running server.
+
+    Attributes:
+        port: Where it listens on 127.0.0.1.
+        data: Its data folder, with `user/User/settings.json`.
+    """
+
+    port: int
+    data: Path
+
+    def url(self, folder: Path, payload: Sequence[tuple[str, str]] = ()) -> str:
+        """Return the address that opens a folder, with startup options for the window."""
+        address = f"http://127.0.0.1:{self.port}/?folder={folder}"
+        return f"{address}&payload={json.dumps(payload)}" if payload else address
+
+    def remote(self, path: Path) -> str:
+        """Return a local path as the window names it."""
+        return f"vscode-remote://127.0.0.1:{self.port}{path}"
+
+
+def install() -> Path:
+    """Return the folder of VS Code's server, installed if it is not there yet."""
+    BUILD.mkdir(parents=True, exist_ok=True)
+    vscode = BUILD / "node_modules" / "code-server" / "lib" / "vscode"
+    with _locked(BUILD / "lock"):
+        stamp = BUILD / "installed"
+        if not stamp.exists() or stamp.read_text() != VERSION:
+            _install_into(BUILD, vscode)
+            stamp.write_text(VERSION)
+    return vscode
+
+
+def package_extension() -> Path:
+    """Build the extension's package and return it."""
+    with _locked(ROOT / "build" / "vsix.lock"):
+        if not (EXTENSION / "node_modules" / ".package-lock.json").exists():
+            _npm("ci", "--ignore-scripts", folder=EXTENSION)
+        _npm("run", "package", folder=EXTENSION)
+    version = json.loads((EXTENSION / "package.json").read_text())["version"]
+    return EXTENSION / f"kindsl-{version}.vsix"
+
+
+@contextmanager
+def running(
+    data: Path, settings: Mapping[str, object], packages: Sequence[Path]
+) -> Iterator[CodeServer]:
+    """Run a server with the given user settings and extension packages installed."""
+    vscode = install()
+    write_settings(data, settings)
+    options = [
+        *("--server-data-dir", str(data), "--user-data-dir", str(data / "user")),
+        *("--extensions-dir", str(data / "ext"), "--accept-server-license-terms"),
+        *("--telemetry-level", "off"),
+    ]
+    command = [_node(), str(vscode / "out" / "server-main.js"), *options]
+    for package in packages:
+        _check(subprocess.run([*command, "--install-extension", str(package)], **_CAPTURED))
+    port = _free_port()
+    listen = ["--host", "127.0.0.1", "--port", str(port), "--without-connection-token"]
+    with (data / "server.log").open("wb") as log:
+        process = subprocess.Popen(
+            [*command, *listen, "--enable-smoke-test-driver"], stdout=log, stderr=log
+        )
+        try:
+            _wait_until_up(port, process, data / "server.log")
+            yield CodeServer(port, data)
+        finally:
+            process.terminate()
+            process.wait(20)
+
+
+def write_settings(data: Path, settings: Mapping[str, object]) -> None:
+    """Write the user's settings over those that keep the window quiet."""
+    text = json.dumps({**QUIET_SETTINGS, **settings}, indent=1)
+    for folder in ("User", "Machine"):
+        (data / "user" / folder).mkdir(parents=True, exist_ok=True)
+        (data / "user" / folder / "settings.json").write_text(text)
+
+
+_CAPTURED = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True}
+
+
+def _install_into(folder: Path, vscode: Path) -> None:
+    (folder / "package.json").write_text('{"private": true}\n')
+    _npm("install", "--ignore-scripts", f"code-server@{VERSION}", folder=folder)
+    for part in (vscode, vscode / "extensions"):
+        _npm("install", "--ignore-scripts", "--omit=dev", folder=part)
+    asar = vscode / "node_modules.asar"
+    if not asar.exists():
+        asar.symlink_to("node_modules")
+
+
+def _npm(*arguments: str, folder: Path) -> None:
+    npm = shutil.which("npm")
+    if npm is None:
+        raise FileNotFoundError("npm is not installed")
+    command = [npm, *arguments, *(("--no-audit", "--no-fund") if arguments[0] != "run" else ())]
+    _check(subprocess.run(command, cwd=folder, **_CAPTURED))
+
+
+def _node() -> str:
+    node = shutil.which("node")
+    if node is None:
+        raise FileNotFoundError("node is not installed")
+    return node
+
+
+def _check(result: "subprocess.CompletedProcess[str]") -> None:
+    if result.returncode != 0:
+        raise RuntimeError(f"{result.args} failed:\n{result.stdout}")
+
+
+def _free_port() -> int:
+    with socket.socket() as listener:
+        listener.bind(("127.0.0.1", 0))
+        return int(listener.getsockname()[1])
+
+
+def _wait_until_up(port: int, process: "subprocess.Popen[bytes]", log: Path) -> None:
+    deadline = time.monotonic() + START_SECONDS
+    while time.monotonic() < deadline:
+        if process.poll() is not None:
+            break
+        try:
+            with urllib.request.urlopen(f"http://127.0.0.1:{port}/version", timeout=5):
+                return
+        except (urllib.error.URLError, ConnectionError):
+            time.sleep(0.1)
+    raise RuntimeError(f"VS Code's server did not come up:\n{log.read_text(errors='replace')}")
+
+
+@contextmanager
+def _locked(path: Path) -> Iterator[None]:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with path.open("w") as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        yield
