@@ -1,0 +1,87 @@
+"""The state of one document's preview, and the tabs that show it."""
+
+import asyncio
+from collections.abc import Awaitable, Callable
+
+from kindsl.preview.properties import changes
+from kindsl.preview.wire import Key, Message, Messages, encode, key_of
+
+
+class Tab:
+    """One open page. What it has not taken yet waits here, the last value of each property.
+
+    So a tab that stalls costs at most one state, and nobody waits for it.
+    """
+
+    def __init__(self, write: Callable[[bytes], Awaitable[None]]) -> None:
+        """Take the function that writes a frame and returns when the socket has taken it."""
+        self._write = write
+        self._waiting: dict[Key, Message] = {}
+        self._has_work = asyncio.Event()
+
+    def send(self, message: Message) -> None:
+        """Let the page have a message as soon as it takes it."""
+        key = key_of(message)
+        if key.type == "delete":
+            self._drop_below(key.path)
+        # A later place in the queue, so that what follows a deletion stays after it.
+        self._waiting.pop(key, None)
+        self._waiting[key] = message
+        self._has_work.set()
+
+    async def run(self) -> None:
+        """Write what waits, until cancelled."""
+        while True:
+            await self._has_work.wait()
+            while self._waiting:
+                key = next(iter(self._waiting))
+                await self._write(encode(self._waiting.pop(key)))
+            self._has_work.clear()
+
+    def _drop_below(self, path: str) -> None:
+        below = path + "/"
+        for key in [k for k in self._waiting if k.path == path or k.path.startswith(below)]:
+            del self._waiting[key]
+
+
+class Channel:
+    """Sends each change of a state to all tabs, and the whole state, once, to a new one.
+
+    The state is held in named parts, whose paths are disjoint.
+    """
+
+    def __init__(self) -> None:
+        self._parts: dict[str, Messages] = {}
+        self._tabs: set[Tab] = set()
+
+    @property
+    def state(self) -> list[Message]:
+        """One message for each property."""
+        return [message for part in self._parts.values() for message in part.values()]
+
+    def join(self, tab: Tab) -> None:
+        """Send a tab the whole state, and from now on its changes."""
+        for message in ({"type": "begin"}, *self.state, {"type": "end"}):
+            tab.send(message)
+        self._tabs.add(tab)
+
+    def leave(self, tab: Tab) -> None:
+        """Forget a tab."""
+        self._tabs.discard(tab)
+
+    def replace(self, part: str, messages: Messages) -> None:
+        """Make `messages` the state of a part; what is the same is not sent again."""
+        for message in changes(self._parts.get(part, {}), messages):
+            self.announce(message)
+        self._parts[part] = messages
+
+    def put(self, part: str, message: Message, sender: Tab | None = None) -> None:
+        """Set one property and tell all tabs but the one that it came from."""
+        self._parts.setdefault(part, {})[key_of(message)] = message
+        for tab in self._tabs - {sender}:
+            tab.send(message)
+
+    def announce(self, message: Message) -> None:
+        """Send a message that is no part of the state."""
+        for tab in self._tabs:
+            tab.send(message)

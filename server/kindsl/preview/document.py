@@ -1,0 +1,123 @@
+"""One document's preview: from an analysis and the sliders' values to the state of its pages."""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from kindsl.dynamics.bodies import Bodies
+from kindsl.preview.channel import Channel, Tab
+from kindsl.preview.parameters import parameter_messages
+from kindsl.preview.picture import State, picture
+from kindsl.preview.reports import finding_messages, status_message
+from kindsl.preview.scene import ghost_messages, robot_messages
+from kindsl.preview.wire import Message, keyed, path_of
+from kindsl.rules.analysis import Analysis
+from kindsl.rules.diagnostics import Diagnostic
+
+
+class DocumentPreview:
+    """What the pages of one document show.
+
+    Attributes:
+        channel: The state and the tabs.
+        analysis: The document as last shown, None before.
+        findings: What was found in it.
+    """
+
+    def __init__(self, label: str) -> None:
+        self.channel = Channel()
+        self.analysis: Analysis | None = None
+        self.findings: Sequence[Diagnostic] = ()
+        self._label = label
+        self._joints: dict[str, float] = {}
+        self._parameters: dict[str, float] = {}
+        self._last_good: Bodies | None = None
+        self._ghost: Bodies | None = None
+
+    def show(self, analysis: Analysis, findings: Sequence[Diagnostic]) -> None:
+        """Show a version; values that were set by sliders stay."""
+        self.analysis = analysis
+        self.findings = findings
+        self._draw()
+        self.channel.replace("findings", finding_messages(findings, analysis.text))
+
+    def keep_as_ghost(self) -> None:
+        """Make the version that is drawn the one that stands behind later ones."""
+        self._ghost = self._last_good
+        self._draw_ghost()
+
+    def compare(self, bodies: Bodies) -> None:
+        """Let another mechanism stand behind this one."""
+        self._ghost = bodies
+        self._draw_ghost()
+
+    def set_joint(self, name: str, value: float, sender: Tab | None = None) -> None:
+        """Move a joint to a position, radians or metres."""
+        if math.isfinite(value):
+            self._joints[name] = value
+            self.channel.put("joints", _joint_value(name, value), sender)
+
+    def set_parameter(self, name: str, value: float | None) -> None:
+        """Give a parameter a value, or its own back for None."""
+        if value is None:
+            self._parameters.pop(name, None)
+        elif math.isfinite(value):
+            self._parameters[name] = value
+        self._draw()
+
+    def adopt(self, joints: dict[str, float], parameters: dict[str, float]) -> None:
+        """Take over the values of a page that was there before this server, where none are set."""
+        for name, value in joints.items():
+            if name not in self._joints:
+                self.set_joint(name, value)
+        missing = {name: v for name, v in parameters.items() if name not in self._parameters}
+        if missing:
+            self._parameters.update(missing)
+            self._draw()
+
+    def highlight(self, kind: str, name: str) -> None:
+        """Light up a link, joint or frame; nothing for an empty name."""
+        message = {"type": "highlight", "path": path_of("highlight"), "kind": kind, "name": name}
+        self.channel.replace("highlight", keyed([message]))
+
+    def _draw(self) -> None:
+        if self.analysis is None:
+            return
+        model = self.analysis.model
+        given = {**self.analysis.context.values, **self._parameters}
+        drawn = picture(model, given, self._last_good)
+        if drawn.state is State.LIVE:
+            self._last_good = drawn.bodies
+        if drawn.bodies is not None:
+            self.channel.replace("robot", robot_messages(str(model.name), drawn.bodies))
+        bindings = self.analysis.settings.bindings
+        rows = parameter_messages(model, bindings, self._parameters)
+        self.channel.replace("parameters", rows)
+        status = status_message(drawn, len(self.findings), self._label)
+        self.channel.replace("status", keyed([status]))
+        self._draw_ghost()
+
+    def _draw_ghost(self) -> None:
+        ghost, present = self._ghost, self._last_good
+        is_apart = ghost is not None and (present is None or not _stand_alike(ghost, present))
+        self.channel.replace("ghost", ghost_messages(ghost) if ghost and is_apart else {})
+
+
+def _joint_value(name: str, value: float) -> Message:
+    return {"type": "value", "path": path_of("values", name), "name": name, "value": value}
+
+
+def _stand_alike(a: Bodies, b: Bodies) -> bool:
+    """Return whether the bodies of two mechanisms cover each other."""
+    return (
+        (a.link_names, a.joint_names, a.joint_kinds, a.parents)
+        == (b.link_names, b.joint_names, b.joint_kinds, b.parents)
+        and np.array_equal(a.p_R_j, b.p_R_j)
+        and np.array_equal(a.p_r_j, b.p_r_j)
+        and [f.name for f in a.frames] == [f.name for f in b.frames]
+        and all(
+            np.array_equal(f.body_r_frame, g.body_r_frame)
+            for f, g in zip(a.frames, b.frames, strict=True)
+        )
+    )

@@ -1,0 +1,123 @@
+"""HTTP and websocket requests: each is checked first, then answered from memory."""
+
+import asyncio
+from typing import TYPE_CHECKING, Any
+
+from tornado.web import Application, HTTPError, RequestHandler
+from tornado.websocket import WebSocketHandler
+
+from kindsl.preview.access import Access
+from kindsl.preview.assets import assets, live_page
+from kindsl.preview.channel import Tab
+from kindsl.preview.requests import MOST_BYTES, parse_request
+
+if TYPE_CHECKING:
+    from kindsl.preview.server import PreviewServer
+
+# The viewer and its control library set styles from scripts; nothing may evaluate text as code.
+# An editor shows the page in a frame: VS Code's own pages, or a local server's.
+POLICY = "; ".join((
+    "default-src 'none'", "script-src 'self'", "style-src 'self' 'unsafe-inline'",
+    "img-src 'self' data: blob:", "connect-src 'self' {sockets}", "base-uri 'none'",
+    "form-action 'none'",
+    "frame-ancestors vscode-webview: vscode-file: https://*.vscode-cdn.net "
+    "http://127.0.0.1:* http://localhost:*",
+))  # fmt: skip
+
+
+def application(access: Access, server: "PreviewServer") -> Application:
+    """Return what answers requests; there is nothing but the page, its parts and the socket."""
+    common = {"access": access, "server": server}
+    return Application(
+        [(r"/", PageHandler, common), (r"/live", LiveHandler, common), (r"/(.*)", AssetHandler, common)],
+        websocket_max_message_size=MOST_BYTES,
+        log_function=lambda handler: None,
+    )
+
+
+class CheckedHandler(RequestHandler):
+    """Refuses what is not ours before anything else."""
+
+    def initialize(self, access: Access, server: "PreviewServer") -> None:
+        """Take what all handlers share."""
+        self.access = access
+        self.server = server
+
+    def prepare(self) -> None:
+        """Check the request."""
+        headers = self.request.headers
+        token = self.get_query_argument("token", None)
+        reason = self.access.refusal(headers.get("Host"), headers.get("Origin"), token)
+        if reason is not None:
+            raise HTTPError(403, reason)
+
+    def set_default_headers(self) -> None:
+        """Keep the answer, and the token in its address, to ourselves."""
+        self.set_header("Cache-Control", "no-store")
+        self.set_header("Referrer-Policy", "no-referrer")
+        self.set_header("X-Content-Type-Options", "nosniff")
+        self.clear_header("Server")
+
+    def write_error(self, status_code: int, **details: Any) -> None:
+        """Answer with one line of plain text."""
+        error = details.get("exc_info", (None, None))[1]
+        reason = error.log_message if isinstance(error, HTTPError) else None
+        self.set_header("Content-Type", "text/plain; charset=utf-8")
+        self.finish(f"{status_code}: {reason or 'not here'}\n")
+
+
+class PageHandler(CheckedHandler):
+    """The page itself."""
+
+    def get(self) -> None:
+        """Answer with the page."""
+        sockets = " ".join(f"ws://{name}:{self.access.port}" for name in ("127.0.0.1", "localhost"))
+        self.set_header("Content-Security-Policy", POLICY.format(sockets=sockets))
+        self.set_header("Content-Type", "text/html; charset=utf-8")
+        self.finish(live_page(self.access.token))
+
+
+class AssetHandler(CheckedHandler):
+    """The page's scripts and style, by name."""
+
+    def get(self, name: str) -> None:
+        """Answer with a part of the page."""
+        asset = assets().get(name)
+        if asset is None:
+            raise HTTPError(404)
+        self.set_header("Content-Type", f"{asset.media_type}; charset=utf-8")
+        self.finish(asset.content)
+
+
+class LiveHandler(CheckedHandler, WebSocketHandler):
+    """The line to one tab."""
+
+    def check_origin(self, origin: str) -> bool:
+        """Leave it to `prepare`, which has checked it."""
+        return True
+
+    def open(self, *_: str) -> None:
+        """Send the state, and keep sending what changes."""
+        document = self.server.document(self.get_query_argument("document", None))
+        if document is None:
+            self.close(4404, "no such document")
+            return
+        self.document = document
+        self.tab = Tab(self._write)
+        document.channel.join(self.tab)
+        self.writer = asyncio.ensure_future(self.tab.run())
+
+    def on_message(self, message: str | bytes) -> None:
+        """Do what the page asks for; what is no request is passed over."""
+        request = parse_request(message) if isinstance(message, str) else None
+        if request is not None:
+            self.server.receive(self.document, self.tab, request)
+
+    def on_close(self) -> None:
+        """Forget the tab."""
+        if hasattr(self, "writer"):
+            self.document.channel.leave(self.tab)
+            self.writer.cancel()
+
+    async def _write(self, frame: bytes) -> None:
+        await self.write_message(frame, binary=True)

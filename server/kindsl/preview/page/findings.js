@@ -1,0 +1,56 @@
+// What the linter says, over the picture: the last good model stays behind it while the document is broken.
+"use strict";
+
+const KindslFindings = (() => {
+  const { make } = KindslPanel;
+  const RANK = { error: 0, warning: 1, info: 2, hint: 3 };
+
+  class Findings {
+    constructor(pane, actions) {
+      this.pane = pane;
+      this.actions = actions;
+      this.findings = new Map();
+      this.status = { state: "empty", message: "", total: 0 };
+      this.overlay = document.getElementById("overlay");
+      this.summary = document.getElementById("summary");
+      this.summary.addEventListener("click", () => { this.isOpen = !this.isOpen; this.show(); });
+      this.isOpen = false;
+    }
+
+    show() {
+      const { state, message } = this.status;
+      const list = [...this.findings.values()].sort((a, b) => RANK[a.severity] - RANK[b.severity] || a.index - b.index);
+      const isBroken = state === "broken" || state === "unbound";
+      this.pane.classList.toggle("stale", isBroken);
+      this.overlay.hidden = !(isBroken || message || (this.isOpen && list.length));
+      this.overlay.classList.toggle("broken", isBroken);
+      this.overlay.querySelector("h2").textContent = message || "Findings";
+      this.overlay.querySelector("ul").replaceChildren(...list.map((finding) => this.item(finding)));
+      const more = this.status.total - list.length;
+      this.overlay.querySelector("p").textContent = more > 0 ? `and ${more} more` : "";
+      this.summarise(list);
+    }
+
+    summarise(list) {
+      const count = (severity) => list.filter((finding) => finding.severity === severity).length;
+      const parts = [];
+      for (const [severity, word] of [["error", "error"], ["warning", "warning"], ["info", "note"], ["hint", "hint"]]) {
+        const n = count(severity);
+        if (n) parts.push(`${n} ${word}${n === 1 ? "" : "s"}`);
+      }
+      this.summary.textContent = parts.join(", ");
+      this.summary.hidden = parts.length === 0;
+      this.summary.className = list.length ? list[0].severity : "";
+    }
+
+    item(finding) {
+      const item = make("li"), link = make("button", finding.severity);
+      link.append(make("span", "place", `${finding.line}:${finding.column}`), make("span", "code", finding.code), make("span", "", finding.message));
+      link.addEventListener("click", () => this.actions.reveal({ kind: "finding", name: String(finding.index) }));
+      item.append(link);
+      return item;
+    }
+  }
+
+  return { Findings };
+})();

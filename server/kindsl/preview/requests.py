@@ -1,0 +1,78 @@
+"""What a page may ask for: its messages, checked."""
+
+import json
+import math
+from typing import Any, NamedTuple
+
+MOST_BYTES = 1 << 16
+_LONGEST_NAME = 200
+_REVEALED = frozenset(("link", "joint", "frame", "parameter", "finding"))
+
+
+class SetJoint(NamedTuple):
+    """Move a joint, radians or metres."""
+
+    name: str
+    value: float
+
+
+class SetParameter(NamedTuple):
+    """Give a parameter a value, or its own back for None."""
+
+    name: str
+    value: float | None
+
+
+class Reveal(NamedTuple):
+    """Show the source of a link, joint, frame, parameter or (by its number) finding."""
+
+    kind: str
+    name: str
+
+
+class Hello(NamedTuple):
+    """A page has come, maybe with values from before the server was restarted."""
+
+    joints: dict[str, float]
+    parameters: dict[str, float]
+
+
+Request = SetJoint | SetParameter | Reveal | Hello
+
+
+def parse_request(text: str) -> Request | None:
+    """Return what a page asks for, None for anything that is no request."""
+    try:
+        data = json.loads(text)
+    except (ValueError, RecursionError):
+        return None
+    if not isinstance(data, dict):
+        return None
+    if data.get("type") == "hello":
+        return Hello(_numbers(data.get("joints")), _numbers(data.get("parameters")))
+    name, value = data.get("name"), data.get("value")
+    if not isinstance(name, str) or not 0 < len(name) <= _LONGEST_NAME:
+        return None
+    return _named_request(data, name, value)
+
+
+def _named_request(data: dict[str, Any], name: str, value: object) -> Request | None:
+    kind = data.get("type")
+    if kind == "set-joint" and _is_number(value):
+        return SetJoint(name, float(value))  # type: ignore[arg-type]
+    if kind == "set-parameter" and (value is None or _is_number(value)):
+        return SetParameter(name, None if value is None else float(value))  # type: ignore[arg-type]
+    if kind == "reveal" and data.get("kind") in _REVEALED:
+        return Reveal(str(data["kind"]), name)
+    return None
+
+
+def _numbers(data: object) -> dict[str, float]:
+    if not isinstance(data, dict):
+        return {}
+    return {str(k): float(v) for k, v in data.items() if len(k) <= _LONGEST_NAME and _is_number(v)}
+
+
+def _is_number(value: object) -> bool:
+    is_real = isinstance(value, int | float) and not isinstance(value, bool)
+    return is_real and abs(value) < 1e12 and math.isfinite(value)  # type: ignore[arg-type, operator]

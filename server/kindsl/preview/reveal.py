@@ -1,0 +1,52 @@
+"""From what was clicked in a page to its place in the source."""
+
+from kindsl.preview.reports import listed
+from kindsl.preview.requests import Reveal
+from kindsl.rules.analysis import Analysis
+from kindsl.rules.diagnostics import Diagnostic
+from kindsl.semantics.model import Model
+from kindsl.semantics.places import Located
+from kindsl.text.span import Span
+
+
+def place_of(
+    chosen: Reveal, analysis: Analysis, findings: tuple[Diagnostic, ...] | list[Diagnostic]
+) -> Span | None:
+    """Return the place that a click means, None if the document has it no longer.
+
+    For a link, joint, frame or parameter that is its name; for a finding, what it marks.
+    """
+    if chosen.kind == "finding":
+        return _place_of_finding(chosen.name, findings)
+    located = _located(chosen, analysis.model)
+    return None if located is None else Span(*analysis.resolver.span(located))
+
+
+def _place_of_finding(
+    number: str, findings: tuple[Diagnostic, ...] | list[Diagnostic]
+) -> Span | None:
+    shown = listed(findings)
+    if not number.isdecimal() or int(number) >= len(shown):
+        return None
+    finding = shown[int(number)]
+    return Span(finding.start, finding.end)
+
+
+def _located(chosen: Reveal, model: Model) -> Located | None:
+    if chosen.kind == "link":
+        link = model.body_named.get(chosen.name)
+        return link.name if link else None
+    if chosen.kind == "joint":
+        joint = model.joint_named.get(chosen.name)
+        return joint.name if joint else None
+    if chosen.kind == "frame":
+        return _frame_name(chosen.name, model)
+    return next((p.name for p in model.parameters if p.name == chosen.name), None)
+
+
+def _frame_name(name: str, model: Model) -> Located | None:
+    """Return a frame's name; one whose name was taken is called `link.frame`."""
+    for frame in model.frames:
+        if name in (str(frame.name), f"{frame.link}.{frame.name}"):
+            return frame.name
+    return None

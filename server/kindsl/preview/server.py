@@ -1,0 +1,172 @@
+"""The live viewer's server: loopback only, in the caller's asyncio loop, without threads."""
+
+import hashlib
+from collections.abc import Callable, Sequence
+
+from tornado.httpserver import HTTPServer
+from tornado.netutil import bind_sockets
+
+from kindsl.preview.access import ADDRESS, Access, new_token
+from kindsl.preview.assets import assets
+from kindsl.preview.channel import Tab
+from kindsl.preview.document import DocumentPreview
+from kindsl.preview.geometry import PreviewUnavailableError
+from kindsl.preview.handlers import application
+from kindsl.preview.requests import Hello, Request, Reveal, SetJoint, SetParameter
+from kindsl.preview.reveal import place_of
+from kindsl.rules.analysis import Analysis
+from kindsl.rules.diagnostics import Diagnostic
+from kindsl.text.span import Span
+
+OnReveal = Callable[[str, Span, Reveal], None]
+
+
+class PreviewServer:
+    """Serves the previews of any number of documents, each to any number of tabs.
+
+    Documents are known by keys of the caller's choice: URIs, paths. All methods are to be called
+    in the loop that `start` was awaited in, and none of them waits for a tab.
+    """
+
+    def __init__(
+        self, on_reveal: OnReveal | None = None, *, port: int = 0, token: str | None = None
+    ) -> None:
+        """Prepare a server.
+
+        Args:
+            on_reveal: Called with the document's key, the place in its text (code points) and
+                what was clicked.
+            port: To listen on; 0 for a free one.
+            token: To ask for; None for a new one.
+        """
+        self._on_reveal = on_reveal or (lambda key, span, chosen: None)
+        self._access = Access(token or new_token(), port)
+        self._documents: dict[str, DocumentPreview] = {}
+        self._keys: dict[str, str] = {}
+        self._http: HTTPServer | None = None
+
+    @property
+    def token(self) -> str:
+        """What each request must show."""
+        return self._access.token
+
+    @property
+    def port(self) -> int:
+        """Where it listens, once started."""
+        return self._access.port
+
+    @property
+    def is_running(self) -> bool:
+        """Whether it was started and not stopped."""
+        return self._http is not None
+
+    async def start(self) -> str:
+        """Begin to listen and return the address of the first document's page.
+
+        Raises:
+            PreviewUnavailableError: meshcat is not installed, or the port is taken.
+        """
+        assets()
+        try:
+            sockets = bind_sockets(self._access.port, ADDRESS)
+        except OSError as error:
+            problem = f"cannot listen on {ADDRESS}:{self._access.port}: {error.strerror}"
+            raise PreviewUnavailableError(problem) from error
+        self._access = self._access._replace(port=sockets[0].getsockname()[1])
+        self._http = HTTPServer(application(self._access, self))
+        self._http.add_sockets(sockets)
+        return self._address()
+
+    async def stop(self) -> None:
+        """Close all connections and the port."""
+        if self._http is not None:
+            http, self._http = self._http, None
+            http.stop()
+            await http.close_all_connections()
+
+    def url(self, key: str) -> str:
+        """Return the address of a document's page."""
+        return f"{self._address()}&document={_identifier(key)}"
+
+    def shows(self, key: str) -> bool:
+        """Return whether a document has a preview."""
+        return key in self._documents
+
+    async def show(
+        self,
+        key: str,
+        analysis: Analysis,
+        findings: Sequence[Diagnostic] | None = None,
+        label: str = "",
+    ) -> None:
+        """Show a version of a document.
+
+        Args:
+            key: The document's.
+            analysis: The version.
+            findings: What to list; None for the analysis' own.
+            label: What to call the document; the first time counts.
+        """
+        found = analysis.findings if findings is None else findings
+        self._document(key, label).show(analysis, found)
+
+    def saved(self, key: str) -> None:
+        """Let the version that is shown stand as a ghost behind later ones."""
+        if key in self._documents:
+            self._documents[key].keep_as_ghost()
+
+    def compare(self, key: str, other: Analysis) -> None:
+        """Let another document stand as a ghost behind this one.
+
+        Raises:
+            ModelError: The other document has no bodies.
+        """
+        self._document(key, "").compare(other)
+
+    def highlight(self, key: str, kind: str, name: str) -> None:
+        """Light up a `"link"`, `"joint"` or `"frame"`; nothing for an empty name."""
+        if key in self._documents:
+            self._documents[key].highlight(kind, name)
+
+    def close(self, key: str) -> None:
+        """Forget a document."""
+        self._documents.pop(key, None)
+        self._keys.pop(_identifier(key), None)
+
+    def document(self, identifier: str | None) -> DocumentPreview | None:
+        """Return the document of a page's address, the first for None."""
+        key = next(iter(self._documents), None) if identifier is None else self._keys.get(identifier)
+        return None if key is None else self._documents[key]
+
+    def receive(self, document: DocumentPreview, tab: Tab, request: Request) -> None:
+        """Do what a page asks for."""
+        if isinstance(request, SetJoint):
+            document.set_joint(request.name, request.value, tab)
+        elif isinstance(request, SetParameter):
+            document.set_parameter(request.name, request.value)
+        elif isinstance(request, Hello):
+            document.adopt(request.joints, request.parameters)
+        else:
+            self._reveal(document, request)
+
+    def _reveal(self, document: DocumentPreview, chosen: Reveal) -> None:
+        key = next((key for key, known in self._documents.items() if known is document), None)
+        if key is None or document.analysis is None:
+            return
+        span = place_of(chosen, document.analysis, document.findings)
+        if span is not None:
+            self._on_reveal(key, span, chosen)
+
+    def _document(self, key: str, label: str) -> DocumentPreview:
+        if key not in self._documents:
+            self._documents[key] = DocumentPreview(label or key)
+            self._keys[_identifier(key)] = key
+        return self._documents[key]
+
+    def _address(self) -> str:
+        return f"http://{ADDRESS}:{self._access.port}/?token={self._access.token}"
+
+
+def _identifier(key: str) -> str:
+    """Return a short name of a document for its page's address, which tells nothing of its path."""
+    return hashlib.sha256(key.encode(errors="surrogatepass")).hexdigest()[:12]
