@@ -29,14 +29,14 @@ def vectors(quantity: str, values: npt.ArrayLike, components: int) -> Array:
     return array
 
 
-def common_batch_shape(arrays: dict[str, Array]) -> tuple[int, ...]:
-    """Return the leading dimensions that named arrays broadcast to.
+def check_batches(arrays: dict[str, Array]) -> None:
+    """Check that the leading dimensions of named arrays broadcast.
 
     Raises:
         ValueError: If they do not.
     """
     try:
-        return np.broadcast_shapes(*(array.shape[:-1] for array in arrays.values()))
+        np.broadcast_shapes(*(array.shape[:-1] for array in arrays.values()))
     except ValueError:
         shapes = ", ".join(f"'{name}' {array.shape}" for name, array in arrays.items())
         raise ValueError(f"the leading dimensions do not go together: {shapes}") from None

@@ -8,21 +8,24 @@ import numpy.typing as npt
 
 from kindsl.dynamics import center_of_mass as masses
 from kindsl.dynamics import energy, readable
-from kindsl.dynamics.arguments import common_batch_shape, unknown_name, vectors
+from kindsl.dynamics.arguments import check_batches, unknown_name, vectors
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.forward_kinematics import joint_poses
 from kindsl.dynamics.generation.generated import GeneratedForm
 from kindsl.dynamics.jacobian import jacobian
-from kindsl.dynamics.quantities import Quantity, SingularInertiaError
+from kindsl.dynamics.quantities import (
+    JOINT_VECTORS,
+    STANDARD_GRAVITY,
+    Quantity,
+    SingularInertiaError,
+)
 from kindsl.spatial.arrays import Array
 from kindsl.spatial.transforms import homogeneous
 
-STANDARD_GRAVITY = (0.0, 0.0, -9.81)
-
 # Longer code takes seconds to generate.
 MOST_LINKS_FOR_GENERATION = 30
-# The readable form holds some 6x6 matrices per body and configuration.
-READABLE_CHUNK = 4096
+
+FLOAT64 = np.dtype(np.float64)
 
 NOTHING_RESISTS = "the acceleration is not defined: nothing resists some motion"
 
@@ -64,16 +67,23 @@ class Mechanics:
     All methods raise ValueError for arguments of a wrong shape or with values that are not finite.
     """
 
-    __slots__ = ("_generated", "_pose_names", "bodies")
+    __slots__ = ("_form", "_generated", "_joint_shape", "_pose_names", "bodies")
 
     def __init__(self, bodies: Bodies) -> None:
         self.bodies = bodies
         self._generated = GeneratedForm(bodies)
         self._pose_names = (*bodies.link_names, *(frame.name for frame in bodies.frames))
+        self._joint_shape = (bodies.n_links,)
+        if bodies.n_links > MOST_LINKS_FOR_GENERATION:
+            self._form = partial(readable.evaluate, bodies)
+        else:
+            self._form = partial(self._generated.evaluate)
 
     def forward_kinematics(self, q: npt.ArrayLike) -> dict[str, Array]:
         """Return `base_T_x` (..., 4, 4) of each link and frame x by name, links first."""
-        entries = self._evaluate("poses", q=q)
+        entries = self._evaluate("poses", (q,))
+        if entries.ndim == 1:
+            return dict(zip(self._pose_names, entries.reshape((-1, 4, 4)), strict=True))
         poses = entries.reshape((*entries.shape[:-1], len(self._pose_names), 4, 4))
         return dict(zip(self._pose_names, np.moveaxis(poses, -3, 0), strict=True))
 
@@ -131,7 +141,7 @@ class Mechanics:
 
     def joint_space_inertia(self, q: npt.ArrayLike) -> Array:
         """Return the joint-space inertia (..., nv, nv)."""
-        entries = self._evaluate("joint_space_inertia", q=q)
+        entries = self._evaluate("joint_space_inertia", (q,))
         nv = self.bodies.n_velocities
         return entries.reshape((*entries.shape[:-1], nv, nv))
 
@@ -159,9 +169,7 @@ class Mechanics:
         Raises:
             SingularInertiaError: If nothing resists a floating base's motion.
         """
-        entries = self._evaluate(
-            "inverse_dynamics", q=q, qd=qd, qdd=qdd, base_velocity=base_velocity, gravity=gravity
-        )
+        entries = self._evaluate("inverse_dynamics", (q, qd, qdd), base_velocity, gravity)
         if not self.bodies.is_floating:
             return entries
         return FreeMotionTorque(entries[..., :-6], entries[..., -6:])
@@ -190,16 +198,14 @@ class Mechanics:
         Raises:
             SingularInertiaError: If nothing resists a motion.
         """
-        entries = self._evaluate(
-            "forward_dynamics", q=q, qd=qd, tau=tau, base_velocity=base_velocity, gravity=gravity
-        )
+        entries = self._evaluate("forward_dynamics", (q, qd, tau), base_velocity, gravity)
         if not self.bodies.is_floating:
             return entries
         return FreeMotion(entries[..., :-6], entries[..., -6:])
 
     def gravity_torque(self, q: npt.ArrayLike, gravity: npt.ArrayLike = STANDARD_GRAVITY) -> Array:
         """Return the forces (..., nv) that hold the mechanism at rest."""
-        return self._evaluate("gravity_torque", q=q, gravity=gravity)
+        return self._evaluate("gravity_torque", (q,), None, gravity)
 
     def bias_torque(
         self,
@@ -209,9 +215,7 @@ class Mechanics:
         gravity: npt.ArrayLike = STANDARD_GRAVITY,
     ) -> Array:
         """Return the forces (..., nv) at zero acceleration, gravity's included."""
-        return self._evaluate(
-            "bias_torque", q=q, qd=qd, base_velocity=base_velocity, gravity=gravity
-        )
+        return self._evaluate("bias_torque", (q, qd), base_velocity, gravity)
 
     def kinetic_energy(
         self, q: npt.ArrayLike, qd: npt.ArrayLike, base_velocity: npt.ArrayLike | None = None
@@ -227,20 +231,48 @@ class Mechanics:
         q, gravity = self._checked(q=q, gravity=gravity)
         return energy.potential_energy(self.bodies, self._body_poses(q), gravity)
 
-    def _evaluate(self, quantity: Quantity, **arguments: npt.ArrayLike | None) -> Array:
-        arrays = self._checked(**arguments)
-        if self.bodies.n_links > MOST_LINKS_FOR_GENERATION:
-            evaluate = partial(readable.evaluate, self.bodies)
-        else:
-            evaluate = self._generated.evaluate
-        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-            try:
-                entries = evaluate(quantity, arrays)
-            except (ZeroDivisionError, np.linalg.LinAlgError):
-                raise SingularInertiaError(NOTHING_RESISTS) from None
-        if quantity in ("inverse_dynamics", "forward_dynamics") and not np.isfinite(entries).all():
+    def _evaluate(
+        self,
+        quantity: Quantity,
+        joint_vectors: tuple[npt.ArrayLike, ...],
+        base_velocity: npt.ArrayLike | None = None,
+        gravity: npt.ArrayLike = STANDARD_GRAVITY,
+    ) -> Array:
+        if base_velocity is None and gravity is STANDARD_GRAVITY:
+            entries = self._quick_answer(quantity, joint_vectors)
+            if entries is not None:
+                return entries
+        arrays = self._checked(
+            **dict(zip(JOINT_VECTORS[quantity], joint_vectors, strict=True)),
+            base_velocity=base_velocity,
+            gravity=gravity,
+        )
+        try:
+            with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+                entries = self._form(quantity, arrays[:-2], arrays[-2], arrays[-1])
+        except (ZeroDivisionError, np.linalg.LinAlgError):
+            raise SingularInertiaError(NOTHING_RESISTS) from None
+        if "dynamics" in quantity and not np.isfinite(entries).all():
             raise SingularInertiaError(NOTHING_RESISTS)
         return entries
+
+    def _quick_answer(
+        self, quantity: Quantity, joint_vectors: tuple[npt.ArrayLike, ...]
+    ) -> Array | None:
+        """Return a single answer if code is ready and nothing is wrong, without a slow check."""
+        lists = []
+        for vector in joint_vectors:
+            if (
+                type(vector) is not np.ndarray
+                or vector.dtype is not FLOAT64
+                or vector.shape != self._joint_shape
+            ):
+                return None
+            lists.append(vector.tolist())
+        try:
+            return self._generated.at_rest[quantity](*lists)
+        except (KeyError, ValueError, ZeroDivisionError):
+            return None
 
     def _checked(self, **arguments: npt.ArrayLike | None) -> list[Array]:
         """Return the arguments as arrays that broadcast."""
@@ -255,11 +287,11 @@ class Mechanics:
             )
             for name, values in arguments.items()
         }
-        common_batch_shape(arrays)
+        check_batches(arrays)
         return list(arrays.values())
 
     def _body_poses(self, q: npt.ArrayLike) -> list[Array]:
-        entries = self._evaluate("poses", q=q)
+        entries = self._evaluate("poses", (q,))
         poses = np.moveaxis(entries.reshape((*entries.shape[:-1], -1, 4, 4)), -3, 0)
         base = np.broadcast_to(np.eye(4), poses.shape[1:])
         return [base, *poses[: self.bodies.n_links]]

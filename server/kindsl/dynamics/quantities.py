@@ -11,14 +11,17 @@ Quantity: TypeAlias = Literal[
     "bias_torque",
 ]
 
-ARGUMENTS: Final[dict[Quantity, tuple[str, ...]]] = {
+# What each depends on; besides, all may depend on the base's velocity and on gravity.
+JOINT_VECTORS: Final[dict[Quantity, tuple[str, ...]]] = {
     "poses": ("q",),
     "joint_space_inertia": ("q",),
-    "inverse_dynamics": ("q", "qd", "qdd", "base_velocity", "gravity"),
-    "forward_dynamics": ("q", "qd", "tau", "base_velocity", "gravity"),
-    "gravity_torque": ("q", "gravity"),
-    "bias_torque": ("q", "qd", "base_velocity", "gravity"),
+    "inverse_dynamics": ("q", "qd", "qdd"),
+    "forward_dynamics": ("q", "qd", "tau"),
+    "gravity_torque": ("q",),
+    "bias_torque": ("q", "qd"),
 }
+
+STANDARD_GRAVITY: Final = (0.0, 0.0, -9.81)
 
 
 class SingularInertiaError(ValueError):

@@ -12,53 +12,64 @@ from kindsl.dynamics.joint_space_inertia import joint_space_inertia
 from kindsl.dynamics.quantities import Quantity
 from kindsl.spatial.arrays import Array
 
+# The working set is some dozens of 6x6 matrices per body and configuration.
+BODIES_AT_A_TIME = 20_000
 
-def evaluate(bodies: Bodies, quantity: Quantity, arguments: list[Array]) -> Array:
+
+def evaluate(
+    bodies: Bodies,
+    quantity: Quantity,
+    joint_vectors: list[Array],
+    base_velocity: Array,
+    gravity: Array,
+) -> Array:
     """Return a quantity's entries in one row per configuration, shape (..., entries).
 
     Args:
         bodies: The mechanism.
         quantity: What to compute.
-        arguments: As `quantities.ARGUMENTS` lists them, all with the same leading dimensions.
+        joint_vectors: As `quantities.JOINT_VECTORS` lists them, shape (..., n).
+        base_velocity: Shape (..., 6), zero for a fixed base.
+        gravity: Shape (..., 3). All leading dimensions broadcast.
 
     Raises:
         numpy.linalg.LinAlgError: If a floating base's inertia is singular.
     """
-    evaluator = {
-        "poses": _poses,
-        "joint_space_inertia": _joint_space_inertia,
-        "inverse_dynamics": _inverse_dynamics,
-        "forward_dynamics": _forward_dynamics,
-        "gravity_torque": gravity_torque,
-        "bias_torque": bias_torque,
-    }[quantity]
-    entries: Array = evaluator(bodies, *arguments)
-    return entries
+    arguments = [*joint_vectors, base_velocity, gravity]
+    batch_shape = np.broadcast_shapes(*(argument.shape[:-1] for argument in arguments))
+    rows = [
+        np.broadcast_to(argument, (*batch_shape, argument.shape[-1])).reshape(
+            (-1, argument.shape[-1])
+        )
+        for argument in arguments
+    ]
+    chunk = max(1, BODIES_AT_A_TIME // bodies.n_links)
+    starts = range(0, max(1, len(rows[0])), chunk)
+    entries = [
+        _entries(bodies, quantity, *(row[start : start + chunk] for row in rows))
+        for start in starts
+    ]
+    joined = entries[0] if len(entries) == 1 else np.concatenate(entries)
+    return joined.reshape((*batch_shape, joined.shape[-1]))
 
 
-def _poses(bodies: Bodies, q: Array) -> Array:
-    poses = body_poses(bodies, q)
-    named = [*poses[1:], *frame_poses(bodies, poses)]
-    return np.stack(named, axis=-3).reshape((*q.shape[:-1], 16 * len(named)))
-
-
-def _joint_space_inertia(bodies: Bodies, q: Array) -> Array:
-    return joint_space_inertia(bodies, q).reshape((*q.shape[:-1], bodies.n_velocities**2))
-
-
-def _inverse_dynamics(
-    bodies: Bodies, q: Array, qd: Array, qdd: Array, base_velocity: Array, gravity: Array
-) -> Array:
-    if not bodies.is_floating:
-        return inverse_dynamics(bodies, q, qd, qdd, gravity)
-    results = floating_base_inverse_dynamics(bodies, q, qd, qdd, base_velocity, gravity)
-    return np.concatenate(results, axis=-1)
-
-
-def _forward_dynamics(
-    bodies: Bodies, q: Array, qd: Array, tau: Array, base_velocity: Array, gravity: Array
-) -> Array:
-    qdd, base_acceleration = forward_dynamics(bodies, q, qd, tau, base_velocity, gravity)
-    if not bodies.is_floating:
-        return qdd
-    return np.concatenate((qdd, base_acceleration), axis=-1)
+def _entries(bodies: Bodies, quantity: Quantity, q: Array, *arguments: Array) -> Array:
+    *joint_vectors, base_velocity, gravity = arguments
+    if quantity == "poses":
+        poses = body_poses(bodies, q)
+        named = [*poses[1:], *frame_poses(bodies, poses)]
+        return np.stack(named, axis=-3).reshape((len(q), 16 * len(named)))
+    if quantity == "joint_space_inertia":
+        return joint_space_inertia(bodies, q).reshape((len(q), bodies.n_velocities**2))
+    if quantity == "gravity_torque":
+        return gravity_torque(bodies, q, gravity)
+    if quantity == "bias_torque":
+        return bias_torque(bodies, q, *joint_vectors, base_velocity, gravity)
+    qd, qdd_or_tau = joint_vectors
+    if quantity == "inverse_dynamics" and not bodies.is_floating:
+        return inverse_dynamics(bodies, q, qd, qdd_or_tau, gravity)
+    algorithm = (
+        floating_base_inverse_dynamics if quantity == "inverse_dynamics" else forward_dynamics
+    )
+    joints, base = algorithm(bodies, q, qd, qdd_or_tau, base_velocity, gravity)
+    return np.concatenate((joints, base), axis=-1) if bodies.is_floating else joints

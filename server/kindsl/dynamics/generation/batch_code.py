@@ -4,6 +4,7 @@ Every value is a row with one entry per configuration. Results go to reused rows
 array, so that a chunk's working set stays in the processor's cache and nothing is allocated.
 """
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -21,6 +22,7 @@ UFUNCS = {
     "neg": ("neg", np.negative),
     "sin": ("sin", np.sin),
     "cos": ("cos", np.cos),
+    "tan": ("tan", np.tan),
 }
 
 
@@ -29,8 +31,8 @@ class BatchFunction:
     """A compiled trace.
 
     Attributes:
-        evaluate: Takes the arguments (each a sequence of rows or numbers), the output rows, which
-            hold zeros, and the scratch rows.
+        evaluate: Takes the arguments (each a sequence of rows or numbers), the output rows
+            and the scratch rows.
         n_scratch: Number of scratch rows that it needs.
         n_outputs: Number of output rows that it fills.
     """
@@ -53,7 +55,7 @@ def batch_source(trace: Trace) -> tuple[str, int]:
     """Return the source of a function `evaluate`, and the number of its scratch rows."""
     rows = _Rows(trace)
     lines: list[str] = []
-    for index in _depth_first(trace):
+    for index in trace.needed():
         operation, *operands = trace.graph.nodes[index]
         if operation == "input":
             continue
@@ -83,13 +85,12 @@ class _Rows:
         for number, output in enumerate(trace.outputs):
             if isinstance(output, Expression) and output.index not in self._inputs:
                 self._outputs.setdefault(output.index, number)
-        for index in _depth_first(trace):
+        for index in trace.needed():
             for operand in trace.operands(index):
                 self._last_use[operand] = index
         for number, argument in enumerate(trace.arguments):
             for position, component in enumerate(argument):
-                if isinstance(component, Expression):
-                    self._names[component.index] = f"a{number}_{position}"
+                self._names[component.index] = f"a{number}_{position}"
 
     def word(self, operand: Operand) -> str:
         return self._names[operand] if isinstance(operand, int) else repr(operand)
@@ -112,10 +113,10 @@ class _Rows:
                 self._free.append(name)
 
     def unpacked_inputs(self) -> list[str]:
-        used = set(self._last_use) | {o.index for o in self.trace.outputs if _is_expression(o)}
+        used = set(self.trace.needed())
         lines = []
         for number, argument in enumerate(self.trace.arguments):
-            indices = [c.index for c in argument if isinstance(c, Expression)]
+            indices = [component.index for component in argument]
             if not used.isdisjoint(indices):
                 lines.append(",".join(self._names[index] for index in indices) + f",=a{number}")
         return lines
@@ -127,34 +128,10 @@ class _Rows:
         lines = []
         for number, output in enumerate(self.trace.outputs):
             if not isinstance(output, Expression):
-                if output != 0.0:
-                    lines.append(f"out[{number}]={output!r}")
+                lines.append(f"out[{number}]={output!r}")
             elif self._outputs.get(output.index) != number:
                 lines.append(f"out[{number}]={self._names[output.index]}")
         return lines
-
-
-def _is_expression(value: object) -> bool:
-    return isinstance(value, Expression)
-
-
-def _depth_first(trace: Trace) -> list[int]:
-    """Return the needed nodes in an order in which values do not wait long for their use."""
-    order: list[int] = []
-    done: set[int] = set()
-    for output in trace.outputs:
-        stack = [output.index] if isinstance(output, Expression) else []
-        while stack:
-            index = stack[-1]
-            waiting = [operand for operand in trace.operands(index) if operand not in done]
-            if index in done or not waiting:
-                stack.pop()
-                if index not in done:
-                    done.add(index)
-                    order.append(index)
-            else:
-                stack.extend(waiting)
-    return order
 
 
 def run_in_chunks(
@@ -166,12 +143,13 @@ def run_in_chunks(
         function: The compiled trace.
         arguments: Each a vector of numbers, or an array (size, components).
         size: Number of configurations.
-        chunk: Number of configurations to work on at a time.
+        chunk: Greatest number of configurations to work on at a time.
 
     Returns:
         Shape (outputs, size).
     """
-    out = np.zeros((function.n_outputs, size))
+    out = np.empty((function.n_outputs, size))
+    chunk = max(1, math.ceil(size / max(1, math.ceil(size / chunk))))
     scratch = np.empty((function.n_scratch, min(chunk, size)))
     for start in range(0, size, chunk):
         stop = min(start + chunk, size)

@@ -4,104 +4,98 @@ import numpy as np
 
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.generation.batch_code import BatchFunction, batch_function, run_in_chunks
+from kindsl.dynamics.generation.expressions import (
+    Trigonometry,
+    by_cosine_and_sine,
+    by_half_angle,
+)
 from kindsl.dynamics.generation.scalar_code import ScalarFunction, scalar_function
-from kindsl.dynamics.generation.trace import Trace, trace
+from kindsl.dynamics.generation.trace import Conditions, Trace, trace
 from kindsl.dynamics.generation.tree import Tree, tree_of
-from kindsl.dynamics.quantities import ARGUMENTS, Quantity
+from kindsl.dynamics.quantities import STANDARD_GRAVITY, Quantity
 from kindsl.spatial.arrays import Array
 
-# Measured on arms and quadrupeds: rows of 8 kB, some 50 of them, fit a core's cache.
-CHUNK = 1024
+# A ufunc's call takes as long as a thousand additions; much longer rows leave the cache.
+CHUNK = 5120
 # Fewer configurations are computed one by one.
 SMALLEST_BATCH = 40
-
-_GRAVITY_AXES = ("gravity_x", "gravity_y", "gravity_z")
 
 
 class GeneratedForm:
     """Code for one mechanism; each quantity's is written on its first use.
 
     Two threads that ask for the same new code both write it, with the same result.
+
+    Attributes:
+        bodies: The mechanism.
+        at_rest: The functions that are ready for one configuration at rest.
     """
 
-    __slots__ = ("_batch", "_scalar", "_tree", "bodies")
+    __slots__ = ("_any_motion", "_batch", "_tree", "at_rest", "bodies")
 
     def __init__(self, bodies: Bodies) -> None:
         self.bodies = bodies
+        self.at_rest: dict[Quantity, ScalarFunction] = {}
+        self._any_motion: dict[Quantity, ScalarFunction] = {}
+        self._batch: dict[tuple[Quantity, Conditions], BatchFunction] = {}
         self._tree: Tree | None = None
-        self._scalar: dict[tuple[Quantity, frozenset[str]], ScalarFunction] = {}
-        self._batch: dict[tuple[Quantity, frozenset[str]], BatchFunction] = {}
 
-    def scalar(self, quantity: Quantity, vanishing: frozenset[str]) -> ScalarFunction:
-        """Return the function of lists of floats for one configuration."""
-        function = self._scalar.get((quantity, vanishing))
-        if function is None:
-            function = scalar_function(self._trace(quantity, vanishing))
-            self._scalar[quantity, vanishing] = function
-        return function
-
-    def batch(self, quantity: Quantity, vanishing: frozenset[str]) -> BatchFunction:
-        """Return the function of rows for many configurations."""
-        function = self._batch.get((quantity, vanishing))
-        if function is None:
-            function = batch_function(self._trace(quantity, vanishing))
-            self._batch[quantity, vanishing] = function
-        return function
-
-    def evaluate(self, quantity: Quantity, arguments: list[Array]) -> Array:
+    def evaluate(
+        self, quantity: Quantity, joint_vectors: list[Array], base_velocity: Array, gravity: Array
+    ) -> Array:
         """Return a quantity's entries in one row per configuration, shape (..., entries).
 
         Args:
             quantity: What to compute.
-            arguments: As `quantities.ARGUMENTS` lists them; leading dimensions broadcast.
+            joint_vectors: As `quantities.JOINT_VECTORS` lists them, shape (..., n).
+            base_velocity: Shape (..., 6), zero for a fixed base.
+            gravity: Shape (..., 3). All leading dimensions broadcast.
 
         Raises:
-            ZeroDivisionError: For one configuration, if nothing resists a motion; a batch holds
-                values that are not finite then.
+            ZeroDivisionError: For a few configurations, if nothing resists a motion; a batch
+                holds values that are not finite then.
             SingularInertiaError: If nothing resists a motion in any configuration.
         """
-        vanishing = _vanishing(quantity, arguments)
-        batch_shape = np.broadcast_shapes(*(argument.shape[:-1] for argument in arguments))
+        is_at_rest = not base_velocity.any() and (gravity == STANDARD_GRAVITY).all()
+        conditions: Conditions = "at_rest" if is_at_rest else "any"
+        arguments = joint_vectors if is_at_rest else [*joint_vectors, base_velocity, gravity]
+        batch_shape = np.broadcast_shapes(
+            *(vector.shape[:-1] for vector in (*joint_vectors, base_velocity, gravity))
+        )
         size = int(np.prod(batch_shape))
-        if size < SMALLEST_BATCH:
-            return self._one_by_one(quantity, vanishing, arguments, batch_shape)
-        rows: list[Array | list[float]] = [
+        if 0 < size < SMALLEST_BATCH:
+            rows = [_flattened(argument, batch_shape).tolist() for argument in arguments]
+            entries = self._one_by_one(quantity, conditions, rows)
+            return entries.reshape((*batch_shape, entries.shape[-1]))
+        function = self._batch_function(quantity, conditions)
+        columns = [
             argument.tolist() if argument.ndim == 1 else _flattened(argument, batch_shape)
             for argument in arguments
         ]
-        entries = run_in_chunks(self.batch(quantity, vanishing), rows, size, CHUNK)
-        return np.moveaxis(entries.reshape((-1, *batch_shape)), 0, -1)
+        by_entry = run_in_chunks(function, columns, size, CHUNK)
+        return np.moveaxis(by_entry.reshape((function.n_outputs, *batch_shape)), 0, -1)
 
     def _one_by_one(
-        self,
-        quantity: Quantity,
-        vanishing: frozenset[str],
-        arguments: list[Array],
-        batch_shape: tuple[int, ...],
+        self, quantity: Quantity, conditions: Conditions, arguments: list[list[list[float]]]
     ) -> Array:
-        function = self.scalar(quantity, vanishing)
-        if not batch_shape:
-            return np.array(function(*(argument.tolist() for argument in arguments)))
-        columns = [_flattened(argument, batch_shape).tolist() for argument in arguments]
-        rows = [function(*row) for row in zip(*columns, strict=True)]
-        entries = np.array(rows).reshape((len(rows), -1)) if rows else np.zeros((0, 0))
-        return entries
+        functions = self.at_rest if conditions == "at_rest" else self._any_motion
+        if quantity not in functions:
+            written = self._trace(quantity, conditions, by_cosine_and_sine)
+            functions[quantity] = scalar_function(written)
+        return np.stack([functions[quantity](*row) for row in zip(*arguments, strict=True)])
 
-    def _trace(self, quantity: Quantity, vanishing: frozenset[str]) -> Trace:
+    def _batch_function(self, quantity: Quantity, conditions: Conditions) -> BatchFunction:
+        key = (quantity, conditions)
+        if key not in self._batch:
+            self._batch[key] = batch_function(self._trace(quantity, conditions, by_half_angle))
+        return self._batch[key]
+
+    def _trace(
+        self, quantity: Quantity, conditions: Conditions, trigonometry: Trigonometry
+    ) -> Trace:
         if self._tree is None:
             self._tree = tree_of(self.bodies)
-        return trace(self._tree, self.bodies.frames, quantity, vanishing)
-
-
-def _vanishing(quantity: Quantity, arguments: list[Array]) -> frozenset[str]:
-    named = dict(zip(ARGUMENTS[quantity], arguments, strict=True))
-    vanishing = set()
-    if "base_velocity" in named and not named["base_velocity"].any():
-        vanishing.add("base_velocity")
-    if "gravity" in named:
-        is_used = named["gravity"].reshape((-1, 3)).any(axis=0).tolist()
-        vanishing |= {axis for axis, used in zip(_GRAVITY_AXES, is_used, strict=True) if not used}
-    return frozenset(vanishing)
+        return trace(self._tree, self.bodies.frames, quantity, conditions, trigonometry)
 
 
 def _flattened(argument: Array, batch_shape: tuple[int, ...]) -> Array:

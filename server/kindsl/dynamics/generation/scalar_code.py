@@ -1,22 +1,39 @@
 """Writes a trace as a Python function of floats, for one configuration."""
 
 import math
+import struct
 from collections import Counter
 from collections.abc import Callable
+from functools import partial
 from typing import TypeAlias
+
+import numpy as np
 
 from kindsl.dynamics.generation.expressions import Expression, Operand
 from kindsl.dynamics.generation.trace import Trace
+from kindsl.spatial.arrays import Array
 
-ScalarFunction: TypeAlias = Callable[..., list[float]]
+ScalarFunction: TypeAlias = Callable[..., Array]
 
 # A value used once is written where it is used, unless the line grows longer than this.
 LONGEST_INLINED = 160
 
 
 def scalar_function(trace: Trace) -> ScalarFunction:
-    """Compile a trace: the function takes the arguments as lists and returns the outputs."""
-    namespace: dict[str, object] = {"sin": math.sin, "cos": math.cos}
+    """Compile a trace.
+
+    The function takes the arguments as lists of floats and returns the outputs as an array. It
+    raises ValueError if a number is not finite, and ZeroDivisionError.
+    """
+    # Packing takes half the time that an array takes to convert a list.
+    n_outputs = len(trace.outputs)
+    namespace: dict[str, object] = {
+        "sin": math.sin,
+        "cos": math.cos,
+        "isfinite": math.isfinite,
+        "pack": struct.Struct(f"{n_outputs}d").pack_into,
+        "empty": partial(np.empty, n_outputs),
+    }
     exec(compile(scalar_source(trace), "<generated mechanics>", "exec"), namespace)
     function: ScalarFunction = namespace["evaluate"]  # type: ignore[assignment]
     return function
@@ -41,20 +58,18 @@ def scalar_source(trace: Trace) -> str:
         for output in trace.outputs
     ]
     names = ",".join(f"a{number}" for number in range(len(trace.arguments)))
-    body = "\n ".join([*lines, f"return [{','.join(outputs)}]"])
+    lines += ["out=empty()", f"pack(out,0,{','.join(outputs)})", "return out"]
+    body = "\n ".join(lines)
     return f"def evaluate({names}):\n {body}\n"
 
 
 def _unpacked_arguments(trace: Trace, texts: dict[int, str]) -> list[str]:
-    needed = set(trace.needed())
     lines = []
     for number, argument in enumerate(trace.arguments):
-        indices = [component.index for component in argument if isinstance(component, Expression)]
-        if needed.isdisjoint(indices):
-            continue
-        texts.update((index, f"v{index}") for index in indices)
-        lines.append(f"{','.join(texts[index] for index in indices)},=a{number}")
-    return lines
+        texts.update((component.index, f"v{component.index}") for component in argument)
+        lines.append(f"{','.join(texts[component.index] for component in argument)},=a{number}")
+    total = "+".join(texts.values())
+    return [*lines, f"if not isfinite({total}): raise ValueError"]
 
 
 def _uses(trace: Trace) -> Counter[int]:

@@ -1,11 +1,17 @@
 """Runs an algorithm on expressions and keeps what it computed."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Literal, TypeAlias
 
 from kindsl.dynamics.bodies import Frame
 from kindsl.dynamics.generation.composite_bodies import joint_space_inertia
-from kindsl.dynamics.generation.expressions import Expression, Graph, Scalar
+from kindsl.dynamics.generation.expressions import (
+    Expression,
+    Graph,
+    Scalar,
+    Trigonometry,
+    by_cosine_and_sine,
+)
 from kindsl.dynamics.generation.forward_dynamics import forward_dynamics
 from kindsl.dynamics.generation.forward_kinematics import poses
 from kindsl.dynamics.generation.inverse_dynamics import (
@@ -14,8 +20,11 @@ from kindsl.dynamics.generation.inverse_dynamics import (
     inverse_dynamics,
 )
 from kindsl.dynamics.generation.tree import Tree
-from kindsl.dynamics.generation.vectors import ZERO, Vector
-from kindsl.dynamics.quantities import ARGUMENTS, Quantity
+from kindsl.dynamics.generation.vectors import Vector
+from kindsl.dynamics.quantities import JOINT_VECTORS, STANDARD_GRAVITY, Quantity
+
+# At rest: the base does not move, gravity is the standard one; the code is shorter then.
+Conditions: TypeAlias = Literal["at_rest", "any"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,7 +38,7 @@ class Trace:
     """
 
     graph: Graph
-    arguments: list[Vector]
+    arguments: list[list[Expression]]
     outputs: list[Scalar]
 
     def needed(self) -> list[int]:
@@ -54,7 +63,11 @@ class Trace:
 
 
 def trace(
-    tree: Tree, frames: tuple[Frame, ...], quantity: Quantity, vanishing: frozenset[str]
+    tree: Tree,
+    frames: tuple[Frame, ...],
+    quantity: Quantity,
+    conditions: Conditions,
+    trigonometry: Trigonometry = by_cosine_and_sine,
 ) -> Trace:
     """Trace a quantity.
 
@@ -62,45 +75,48 @@ def trace(
         tree: The mechanism.
         frames: The frames whose poses follow those of the links.
         quantity: What to compute.
-        vanishing: What is known to be zero, of `base_velocity`, `gravity_x`, `gravity_y` and
-            `gravity_z`.
+        conditions: What is known beforehand. Under any conditions the base's velocity, if it
+            floats, and gravity are arguments too.
+        trigonometry: How to record a cosine and a sine.
 
     Raises:
         SingularInertiaError: If an acceleration is asked for that nothing resists.
     """
-    graph = Graph()
-    n = len(tree.links())
-    sizes = {"base_velocity": 6, "gravity": 3}
-    arguments = [graph.vector(sizes.get(name, n)) for name in ARGUMENTS[quantity]]
-    values = [
-        _without(vanishing, name, argument)
-        for name, argument in zip(ARGUMENTS[quantity], arguments, strict=True)
-    ]
-    return Trace(graph, arguments, _outputs(tree, frames, quantity, values))
-
-
-def _without(vanishing: frozenset[str], name: str, argument: Vector) -> Vector:
-    if name == "gravity":
-        axes = ("gravity_x", "gravity_y", "gravity_z")
-        return [0.0 if a in vanishing else x for a, x in zip(axes, argument, strict=True)]
-    return [0.0] * len(argument) if name in vanishing else argument
+    graph = Graph(trigonometry)
+    arguments = [graph.vector(len(tree.links())) for _ in JOINT_VECTORS[quantity]]
+    joint_vectors: list[Vector] = [[*argument] for argument in arguments]
+    base_velocity: Vector = [0.0] * 6
+    gravity: Vector = [*STANDARD_GRAVITY]
+    if conditions == "any":
+        arguments += [graph.vector(6), graph.vector(3)]
+        gravity = [*arguments[-1]]
+        if tree.is_floating:
+            base_velocity = [*arguments[-2]]
+    outputs = _outputs(tree, frames, quantity, joint_vectors, base_velocity, gravity)
+    return Trace(graph, arguments, outputs)
 
 
 def _outputs(
-    tree: Tree, frames: tuple[Frame, ...], quantity: Quantity, values: Sequence[Vector]
+    tree: Tree,
+    frames: tuple[Frame, ...],
+    quantity: Quantity,
+    joint_vectors: list[Vector],
+    base_velocity: Vector,
+    gravity: Vector,
 ) -> list[Scalar]:
-    if quantity == "poses":
-        return poses(tree, frames, *values)
-    if quantity == "joint_space_inertia":
-        return [entry for row in joint_space_inertia(tree, *values) for entry in row]
-    if quantity == "inverse_dynamics":
-        q, qd, qdd, base_velocity, gravity = values
-        if tree.is_floating:
-            return floating_base_inverse_dynamics(tree, q, qd, qdd, base_velocity, gravity)
-        return inverse_dynamics(tree, q, qd, qdd, gravity)
-    if quantity == "forward_dynamics":
-        return forward_dynamics(tree, *values)
-    if quantity == "gravity_torque":
-        q, gravity = values
-        return bias_torque(tree, q, [0.0] * len(q), [*ZERO, *ZERO], gravity)
-    return bias_torque(tree, *values)
+    q = joint_vectors[0]
+    match quantity:
+        case "poses":
+            return poses(tree, frames, q)
+        case "joint_space_inertia":
+            return [entry for row in joint_space_inertia(tree, q) for entry in row]
+        case "gravity_torque":
+            rest: Vector = [0.0] * len(q)
+            return bias_torque(tree, q, rest, [0.0] * 6, gravity)
+        case "bias_torque":
+            return bias_torque(tree, *joint_vectors, base_velocity, gravity)
+        case "forward_dynamics":
+            return forward_dynamics(tree, *joint_vectors, base_velocity, gravity)
+    if tree.is_floating:
+        return floating_base_inverse_dynamics(tree, *joint_vectors, base_velocity, gravity)
+    return inverse_dynamics(tree, *joint_vectors, gravity)

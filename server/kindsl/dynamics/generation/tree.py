@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from kindsl.dynamics.bodies import Bodies, JointKind
-from kindsl.dynamics.generation.expressions import Expression, Scalar, cosine, sine
+from kindsl.dynamics.generation.expressions import Scalar, cosine_and_sine
 from kindsl.dynamics.generation.mass_distribution import (
     MassDistribution,
     carried_by_predecessor,
@@ -82,8 +82,7 @@ class JointMotion:
         if self.kind == "prismatic":
             self.offset = add(self.offset, scale(q, [row[2] for row in self._R]))
         else:
-            assert isinstance(q, Expression)
-            self._cosine, self._sine = cosine(q), sine(q)
+            self._cosine, self._sine = cosine_and_sine(q)
 
     def to_link(self, v: Vector) -> Vector:
         """Rotate the parent's coordinates of a vector to the link's."""
