@@ -1,54 +1,86 @@
 """The analysis of each version of a document: made once, in the worker, while someone waits."""
 
 import asyncio
-from typing import TYPE_CHECKING
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
-from kindsl.lsp import uris
 from kindsl.lsp.document import Document
-from kindsl.lsp.worker import Worker
+from kindsl.lsp.worker import Urgency, Worker
 
 if TYPE_CHECKING:
     from kindsl.rules.analysis import Analysis
+    from kindsl.rules.diagnostics import Diagnostic
+    from kindsl.rules.settings import Settings
+
+T = TypeVar("T")
 
 
 class Analyses:
-    """What is known about each version, shared by all who ask for it."""
+    """What is known about each version, shared by all who ask for it.
 
-    __slots__ = ("_worker",)
+    Cancelling all who wait for something leaves it out, if it has not begun.
+    """
 
-    def __init__(self, worker: Worker) -> None:
+    __slots__ = ("_settings_of", "_worker")
+
+    def __init__(self, worker: Worker, settings_of: "Callable[[Document], Settings]") -> None:
         self._worker = worker
+        self._settings_of = settings_of
 
     async def of(self, document: Document) -> "Analysis":
-        """Return the analysis of a version; several who ask share one.
+        """Return the analysis of a version under the present settings, its model made."""
+        settings = self._settings_of(document)
+        jobs = _jobs(document, settings)
+        return await self._shared(jobs, "model", lambda: _model(document, settings), Urgency.ANSWER)
 
-        Cancelling all who wait leaves it out, if it has not begun.
-        """
-        job = document.facts.get(_Job)
-        if not isinstance(job, _Job):
-            job = document.facts[_Job] = _Job(self._start(document))
+    async def findings(
+        self, document: Document, urgency: Urgency = Urgency.ANSWER
+    ) -> "tuple[Diagnostic, ...]":
+        """Return what is wrong with a version."""
+        analysis = await self.of(document)
+        jobs = _jobs(document, analysis.settings)
+        return await self._shared(jobs, "findings", lambda: analysis.findings, urgency)
+
+    async def _shared(
+        self, jobs: "dict[str, _Job[Any]]", name: str, work: Callable[[], T], urgency: Urgency
+    ) -> T:
+        """Await a job that others may wait for, too."""
+        job = jobs.get(name)
+        if job is None:
+            job = jobs[name] = _Job(asyncio.ensure_future(self._worker.run(work, urgency)))
+        elif job.future.done():
+            return cast(T, job.future.result())
         job.waiters += 1
         try:
-            return await asyncio.shield(job.future)
+            return cast(T, await asyncio.shield(job.future))
         finally:
             job.waiters -= 1
             if not job.waiters and not job.future.done():
                 job.future.cancel()
-                document.facts.pop(_Job, None)
-
-    def _start(self, document: Document) -> "asyncio.Future[Analysis]":
-        return asyncio.ensure_future(self._worker.run(lambda: _analyse(document)))
+                jobs.pop(name, None)
 
 
-class _Job:
-    """An analysis under way, and how many wait for it."""
+class _Job(Generic[T]):
+    """Work under way, and how many wait for it."""
 
     __slots__ = ("future", "waiters")
 
-    def __init__(self, future: "asyncio.Future[Analysis]") -> None:
+    def __init__(self, future: "asyncio.Future[T]") -> None:
         self.future = future
         self.waiters = 0
 
 
-def _analyse(document: Document) -> "Analysis":
-    raise NotImplementedError(uris.key(document.uri))
+def _jobs(document: Document, settings: "Settings") -> "dict[str, _Job[Any]]":
+    """Return what has been asked of a version under these settings; other settings start anew."""
+    known = document.facts.get(_jobs)
+    if known is None or known[0] != settings:
+        known = document.facts[_jobs] = settings, {}
+    return cast("dict[str, _Job[Any]]", known[1])
+
+
+def _model(document: Document, settings: "Settings") -> "Analysis":
+    from kindsl.rules.analysis import Analysis
+
+    analysis = Analysis(document.tree, settings)
+    analysis.model  # noqa: B018
+    return analysis

@@ -6,6 +6,7 @@ one before it left. Here they become edits of one text, to be made at once.
 
 import re
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import TypeGuard
 
 from lsprotocol import types
@@ -31,7 +32,7 @@ def _are_independent(changes: Sequence[Change], last_line: int) -> bool:
     """Whether each change lies lines before the one made before it, so that none moves another."""
     if len(changes) == 1:
         return True
-    for earlier, later in zip(changes, changes[1:], strict=False):
+    for earlier, later in pairwise(changes):
         if not (_is_partial(earlier) and _is_partial(later)):
             return False
         if _last_line(later) >= min(_first_line(earlier), last_line):

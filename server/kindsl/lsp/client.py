@@ -1,9 +1,17 @@
 """What the editor at the other end can do."""
 
-from typing import Any
+from typing import Any, NamedTuple
 
 from lsprotocol import types
 from pygls.capabilities import get_capability
+
+
+class DiagnosticParts(NamedTuple):
+    """What of a diagnostic a client can show."""
+
+    links: bool
+    related: bool
+    tags: bool
 
 
 class Client:
@@ -22,11 +30,25 @@ class Client:
 
     def can(self, capability: str) -> bool:
         """Whether a capability, named like `text_document.hover.link_support`, is there."""
-        return bool(get_capability(self.capabilities, capability, False))  # type: ignore[call-overload]
+        return bool(get_capability(self.capabilities, capability, False))
 
     def values(self, capability: str) -> tuple[Any, ...]:
         """Return the list that a capability names, empty when it is missing."""
-        return tuple(get_capability(self.capabilities, capability, ()) or ())  # type: ignore[call-overload]
+        return tuple(get_capability(self.capabilities, capability, ()) or ())
+
+    @property
+    def shows_in_diagnostics(self) -> "DiagnosticParts":
+        """What it can show of a diagnostic; everything, if it does not speak of diagnostics."""
+        told = (
+            self.capabilities.text_document and self.capabilities.text_document.publish_diagnostics
+        )
+        if not told:
+            return DiagnosticParts(links=True, related=True, tags=True)
+        return DiagnosticParts(
+            links=bool(told.code_description_support),
+            related=bool(told.related_information),
+            tags=told.tag_support is not None,
+        )
 
     @property
     def wants_status(self) -> bool:

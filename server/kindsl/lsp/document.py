@@ -1,6 +1,7 @@
 """One version of a text that an editor shows or a file holds."""
 
 from collections.abc import Sequence
+from typing import Any
 
 from lsprotocol import types
 
@@ -29,7 +30,7 @@ class Document:
         self.uri = uri
         self.version = version
         self.encoding = encoding
-        self.facts: dict[object, object] = {}
+        self.facts: dict[object, Any] = {}
         self._content = content
         self._lines: Lines | None = None
 

@@ -78,5 +78,5 @@ def _on_server(server: "KindslLanguageServer", handler: Callable[..., Any]) -> C
 
 def _on_view(
     server: "KindslLanguageServer", handler: "Callable[[View, Any], Any]"
-) -> Callable[[Any], Awaitable[Any]]:
+) -> Callable[[Any], Awaitable[Any] | None]:
     return lambda params: server.answer(handler, params.text_document.uri, params)

@@ -1,4 +1,4 @@
-"""From `initialize` to `exit`."""
+"""The beginning: who is at the other end, and what it wants."""
 
 from typing import TYPE_CHECKING
 
@@ -6,6 +6,7 @@ from lsprotocol import types
 from pygls.capabilities import ServerCapabilitiesBuilder
 
 from kindsl.lsp.client import Client
+from kindsl.lsp.configuration import take_settings
 from kindsl.lsp.handlers import Handlers
 
 if TYPE_CHECKING:
@@ -17,8 +18,15 @@ handlers = Handlers()
 @handlers.server(types.INITIALIZE)
 def initialize(server: "KindslLanguageServer", params: types.InitializeParams) -> None:
     """Learn who is at the other end."""
-    server.client = Client(params.capabilities, params.initialization_options)
-    server.documents.encoding = ServerCapabilitiesBuilder.choose_position_encoding(
-        params.capabilities
-    )
+    capabilities = params.capabilities
+    server.client = Client(capabilities, params.initialization_options)
+    server.documents.encoding = ServerCapabilitiesBuilder.choose_position_encoding(capabilities)
+    folders = params.workspace_folders or _root(params)
+    server.settings.add_folders(folders)
+    take_settings(server, params.initialization_options)
     server.on_parent_known(params.process_id)
+
+
+def _root(params: types.InitializeParams) -> list[types.WorkspaceFolder]:
+    """Return the one folder of a client that knows no others."""
+    return [types.WorkspaceFolder(params.root_uri, "")] if params.root_uri else []

@@ -44,7 +44,7 @@ class Lines:
         self._pieces = pieces
         self._starts = starts
         self._ends_before = [0, *accumulate(map(_line_ends, pieces))]
-        self._is_ascii = all([piece.text.isascii() for piece in pieces])
+        self._is_ascii = all(piece.text.isascii() for piece in pieces)
         self._recent = (-1, 0, 0)
         self.last = self._ends_before[-1]
         self.length = starts[len(pieces) - 1] + len(pieces[-1].text) if pieces else 0

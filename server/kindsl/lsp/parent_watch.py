@@ -3,7 +3,6 @@
 import asyncio
 import os
 import sys
-from collections.abc import Callable
 
 _POLL_SECONDS = 2.0
 
@@ -40,19 +39,12 @@ def is_alive(process_id: int) -> bool:
     return True
 
 
-async def watch(process_id: int | None, on_exit: Callable[[], None]) -> None:
-    """Call `on_exit` when the process has ended; do nothing without an id."""
-    if process_id is not None and process_id > 0:
-        await wait_for_exit(process_id)
-        on_exit()
-
-
 async def _readable(descriptor: int) -> None:
     loop = asyncio.get_running_loop()
     done = loop.create_future()
-    loop.add_reader(descriptor, lambda: done.done() or done.set_result(None))
+    loop.add_reader(descriptor, done.cancel)
     try:
-        await done
+        await asyncio.wait((done,))
     finally:
         loop.remove_reader(descriptor)
         os.close(descriptor)

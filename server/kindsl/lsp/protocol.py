@@ -111,8 +111,8 @@ class KindslProtocol(LanguageServerProtocol):
             logger.warning("the client's answer to %s is malformed", data["id"])
             self._handle_response(data["id"], error=error.to_response_error())
         else:
-            error = getattr(message, "error", None)
-            self._handle_response(message.id, getattr(message, "result", None), error)
+            result, refusal = getattr(message, "result", None), getattr(message, "error", None)
+            self._handle_response(message.id, result, refusal)
 
     def _refuse(self, msg_id: Any, error: JsonRpcException) -> None:
         body = {"code": error.code, "message": error.message}
@@ -200,7 +200,7 @@ class KindslProtocol(LanguageServerProtocol):
         return (yield from super().lsp_initialize(params))
 
     @lsp_method(types.SHUTDOWN)
-    def lsp_shutdown(self, *_: object) -> None:
+    def lsp_shutdown(self, *_: object) -> None:  # type: ignore[override]
         """Cancel what runs; only `exit` is listened to from now on."""
         for future in tuple(self._request_futures.values()):
             future.cancel()
@@ -215,7 +215,7 @@ class KindslProtocol(LanguageServerProtocol):
         return command(*(params.arguments or ()))
 
     @lsp_method(types.EXIT)
-    def lsp_exit(self, *_: object) -> None:
+    def lsp_exit(self, *_: object) -> None:  # type: ignore[override]
         """End; the message loop stops after this message."""
 
     @lsp_method(types.TEXT_DOCUMENT_DID_OPEN)

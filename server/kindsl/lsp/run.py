@@ -6,7 +6,7 @@ import logging
 import signal
 import sys
 
-from kindsl.lsp import parent_watch
+from kindsl.lsp import parent_watch, tasks
 from kindsl.lsp.server import KindslLanguageServer
 from kindsl.lsp.transport import MessageWriter, TransportWriter, open_stdio, read_messages
 
@@ -50,8 +50,13 @@ async def _serve(
 
 
 def _watch_parent(process_id: int | None, reading: "asyncio.Future[None]") -> None:
-    async def watch() -> None:
-        await parent_watch.watch(process_id, reading.cancel)
+    """Stop reading when the process that started the server ends."""
+    if process_id is None or process_id <= 0:
+        return
 
-    task = asyncio.ensure_future(watch())
+    async def watch() -> None:
+        await parent_watch.wait_for_exit(process_id)
+        reading.cancel()
+
+    task = tasks.start(watch())
     reading.add_done_callback(lambda _: task.cancel())

@@ -7,20 +7,26 @@ from lsprotocol import types
 from pygls.lsp.server import LanguageServer
 
 import kindsl
-from kindsl.lsp import lifecycle
+from kindsl.lsp import configuration, diagnostics, lifecycle
 from kindsl.lsp.analyses import Analyses
 from kindsl.lsp.client import Client
 from kindsl.lsp.document import Document
 from kindsl.lsp.documents import Documents
 from kindsl.lsp.protocol import KindslProtocol
+from kindsl.lsp.publishing import Publisher
 from kindsl.lsp.view import View
 from kindsl.lsp.worker import Worker
+from kindsl.lsp.workspace import Workspace
 
 if TYPE_CHECKING:
     from kindsl.lsp.handlers import Handlers
 
 _LONG = 200_000
-_HANDLERS: "tuple[Handlers, ...]" = (lifecycle.handlers,)
+_HANDLERS: "tuple[Handlers, ...]" = (
+    lifecycle.handlers,
+    configuration.handlers,
+    diagnostics.handlers,
+)
 
 
 class KindslLanguageServer(LanguageServer):
@@ -30,7 +36,9 @@ class KindslLanguageServer(LanguageServer):
         client: What the editor can do.
         documents: What the editor shows.
         worker: The thread for long work.
+        settings: The folders and their settings.
         analyses: What is known about each version of a document.
+        publisher: Pushes diagnostics.
         on_parent_known: Called with the id of the process that started the server, if it says so.
     """
 
@@ -40,7 +48,9 @@ class KindslLanguageServer(LanguageServer):
         self.client = Client(types.ClientCapabilities(), {})
         self.documents = Documents()
         self.worker = Worker()
-        self.analyses = Analyses(self.worker)
+        self.settings = Workspace()
+        self.analyses = Analyses(self.worker, self.settings.settings)
+        self.publisher = Publisher(self)
         self.on_parent_known: Callable[[int | None], None] = lambda _: None
         super().__init__(
             "kindsl",

@@ -1,0 +1,115 @@
+"""Settings and files: what the client sends, and what it is asked for."""
+
+from typing import TYPE_CHECKING
+
+from lsprotocol import types
+
+from kindsl.lsp import uris
+from kindsl.lsp.handlers import Handlers
+from kindsl.lsp.workspace import CONFIGURATION_FILES
+
+if TYPE_CHECKING:
+    from kindsl.lsp.server import KindslLanguageServer
+
+handlers = Handlers()
+
+_SECTION = "kindsl"
+_WATCHED = ("**/*.kindsl", *(f"**/{name}" for name in CONFIGURATION_FILES))
+
+
+@handlers.server(types.INITIALIZED)
+async def initialized(server: "KindslLanguageServer", _: types.InitializedParams) -> None:
+    """Ask to be told of changes, then for the settings."""
+    registrations = []
+    if server.client.can("workspace.did_change_watched_files.dynamic_registration"):
+        watchers = [types.FileSystemWatcher(pattern) for pattern in _WATCHED]
+        options = types.DidChangeWatchedFilesRegistrationOptions(watchers)
+        method = types.WORKSPACE_DID_CHANGE_WATCHED_FILES
+        registrations.append(types.Registration("kindsl-files", method, options))
+    if server.client.can("workspace.did_change_configuration.dynamic_registration"):
+        section = {"section": _SECTION}
+        method = types.WORKSPACE_DID_CHANGE_CONFIGURATION
+        registrations.append(types.Registration("kindsl-settings", method, section))
+    if registrations:
+        await server.client_register_capability_async(types.RegistrationParams(registrations))
+    await ask_for_settings(server)
+
+
+@handlers.server(types.WORKSPACE_DID_CHANGE_CONFIGURATION)
+async def change_configuration(
+    server: "KindslLanguageServer", params: types.DidChangeConfigurationParams
+) -> None:
+    """Take new settings, or ask for them."""
+    if isinstance(params.settings, dict) and any(params.settings.values()):
+        take_settings(server, params.settings)
+    await ask_for_settings(server)
+    refresh(server)
+
+
+@handlers.server(types.WORKSPACE_DID_CHANGE_WORKSPACE_FOLDERS)
+async def change_folders(
+    server: "KindslLanguageServer", params: types.DidChangeWorkspaceFoldersParams
+) -> None:
+    """Open and close folders."""
+    server.settings.add_folders(params.event.added)
+    server.settings.remove_folders(params.event.removed)
+    await ask_for_settings(server)
+    refresh(server)
+
+
+@handlers.server(types.WORKSPACE_DID_CHANGE_WATCHED_FILES)
+def change_files(server: "KindslLanguageServer", params: types.DidChangeWatchedFilesParams) -> None:
+    """See what has changed outside the editor."""
+    for change in params.changes:
+        if change.type == types.FileChangeType.Deleted and not server.documents.is_open(change.uri):
+            server.publisher.clear(change.uri)
+    if any(uris.basename(change.uri) in CONFIGURATION_FILES for change in params.changes):
+        server.settings.forget()
+    refresh(server)
+
+
+@handlers.server(types.TEXT_DOCUMENT_DID_SAVE, types.SaveOptions(include_text=False))
+def save(server: "KindslLanguageServer", params: types.DidSaveTextDocumentParams) -> None:
+    """See a configuration file that was saved here, in case the client watches no files."""
+    if uris.basename(params.text_document.uri) in CONFIGURATION_FILES:
+        server.settings.forget()
+        refresh(server)
+
+
+async def ask_for_settings(server: "KindslLanguageServer") -> None:
+    """Ask for the section `kindsl`, once for all and once a folder."""
+    if not server.client.can("workspace.configuration"):
+        return
+    folders = list(server.settings.folders.values())
+    scopes = [None, *folders]
+    items = [types.ConfigurationItem(scope_uri=scope, section=_SECTION) for scope in scopes]
+    answers = await server.workspace_configuration_async(types.ConfigurationParams(items))
+    before = server.settings.snapshot()
+    for scope, answer in zip(scopes, answers, strict=False):
+        if answer:
+            take_settings(server, answer, scope)
+    if server.settings.snapshot() != before:
+        refresh(server)
+
+
+def take_settings(server: "KindslLanguageServer", raw: object, folder: str | None = None) -> None:
+    """Use settings from now on; say in the client's log which make no sense."""
+    settings = server.settings.set_editor_settings(raw, folder)
+    for problem in settings.problems:
+        server.window_log_message(types.LogMessageParams(types.MessageType.Warning, problem))
+
+
+def refresh(server: "KindslLanguageServer") -> None:
+    """Check all open documents again and let the client ask again for what it shows."""
+    server.publisher.refresh()
+    for capability, ask in (
+        ("workspace.diagnostics.refresh_support", server.workspace_diagnostic_refresh),
+        ("workspace.inlay_hint.refresh_support", server.workspace_inlay_hint_refresh),
+        ("workspace.code_lens.refresh_support", server.workspace_code_lens_refresh),
+        (
+            "workspace.semantic_tokens.refresh_support",
+            server.workspace_semantic_tokens_refresh,
+        ),
+    ):
+        if server.client.can(capability):
+            ask(None)

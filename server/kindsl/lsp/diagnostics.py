@@ -1,0 +1,135 @@
+"""Diagnostics as the client can show them, and those that it asks for."""
+
+import itertools
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from lsprotocol import types
+
+from kindsl.lsp import uris
+from kindsl.lsp.client import Client
+from kindsl.lsp.document import Document
+from kindsl.lsp.handlers import Handlers
+from kindsl.lsp.progress import Progress
+from kindsl.lsp.worker import Urgency
+
+if TYPE_CHECKING:
+    from kindsl.lsp.server import KindslLanguageServer
+    from kindsl.rules.diagnostics import Diagnostic
+
+handlers = Handlers()
+
+_SOURCE = "kindsl"
+_SEVERITIES = {
+    "error": types.DiagnosticSeverity.Error,
+    "warning": types.DiagnosticSeverity.Warning,
+    "info": types.DiagnosticSeverity.Information,
+    "hint": types.DiagnosticSeverity.Hint,
+}
+_TAGS = {
+    "unnecessary": types.DiagnosticTag.Unnecessary,
+    "deprecated": types.DiagnosticTag.Deprecated,
+}
+
+
+_SERIAL = itertools.count(1)
+_OPTIONS = types.DiagnosticOptions(
+    inter_file_dependencies=False, workspace_diagnostics=True, identifier=_SOURCE
+)
+
+
+@handlers.server(types.TEXT_DOCUMENT_DIAGNOSTIC, _OPTIONS)
+async def pull(
+    server: "KindslLanguageServer", params: types.DocumentDiagnosticParams
+) -> types.DocumentDiagnosticReport:
+    """Answer what is wrong with a document, or that nothing has changed."""
+    document = server.documents.get(params.text_document.uri)
+    if document is None:
+        return types.RelatedFullDocumentDiagnosticReport(items=[])
+    server.publisher.leave_to_pull(document)
+    findings = await server.analyses.findings(document)
+    result_id = result_id_of(document, findings)
+    if result_id == params.previous_result_id:
+        return types.RelatedUnchangedDocumentDiagnosticReport(result_id)
+    items = diagnostics(document, findings, server.client)
+    return types.RelatedFullDocumentDiagnosticReport(items, result_id=result_id)
+
+
+@handlers.server(types.WORKSPACE_DIAGNOSTIC)
+async def pull_all(
+    server: "KindslLanguageServer", params: types.WorkspaceDiagnosticParams
+) -> types.WorkspaceDiagnosticReport:
+    """Answer what is wrong with every robot in the workspace, whether open or not."""
+    known = {uris.key(each.uri): each.value for each in params.previous_result_ids}
+    reports = []
+    async with Progress(server, "Checking robots", params.work_done_token) as progress:
+        files = await server.worker.run(lambda: list(server.settings.files()), Urgency.BACKGROUND)
+        for number, uri in enumerate(open_and_closed(server, files)):
+            progress.report(number, len(files))
+            report = await _workspace_report(server, uri, known.get(uris.key(uri)))
+            reports += [report] if report is not None else []
+    return types.WorkspaceDiagnosticReport(reports)
+
+
+async def _workspace_report(
+    server: "KindslLanguageServer", uri: str, known: str | None
+) -> types.WorkspaceDocumentDiagnosticReport | None:
+    document = server.documents.get(uri)
+    if document is None:
+        return None
+    findings = await server.analyses.findings(document, Urgency.BACKGROUND)
+    result_id = result_id_of(document, findings)
+    version = document.version
+    if result_id == known:
+        return types.WorkspaceUnchangedDocumentDiagnosticReport(uri, result_id, version)
+    items = diagnostics(document, findings, server.client)
+    return types.WorkspaceFullDocumentDiagnosticReport(uri, items, version, result_id=result_id)
+
+
+def open_and_closed(server: "KindslLanguageServer", files: Iterable[Path]) -> Iterator[str]:
+    """Yield the URI of every robot that is open or lies in the workspace, each once."""
+    seen = set()
+    for document in server.documents:
+        seen.add(uris.key(document.uri))
+        yield document.uri
+    for file in files:
+        uri = uris.uri(file)
+        if uris.key(uri) not in seen:
+            yield uri
+
+
+def result_id_of(document: Document, findings: "tuple[Diagnostic, ...]") -> str:
+    """Return a name for these findings of this version."""
+    known = document.facts.get(result_id_of)
+    if known is None or known[0] is not findings:
+        known = document.facts[result_id_of] = findings, str(next(_SERIAL))
+    return str(known[1])
+
+
+def diagnostics(
+    document: Document, findings: "Iterable[Diagnostic]", client: Client
+) -> list[types.Diagnostic]:
+    """Return findings as the client can show them."""
+    return [_diagnostic(document, finding, client) for finding in findings]
+
+
+def _diagnostic(document: Document, finding: "Diagnostic", client: Client) -> types.Diagnostic:
+    shows = client.shows_in_diagnostics
+    return types.Diagnostic(
+        range=document.range(finding.start, finding.end),
+        message=finding.message,
+        severity=_SEVERITIES[finding.severity],
+        code=finding.code,
+        code_description=types.CodeDescription(finding.url) if shows.links else None,
+        source="kindsl",
+        tags=[_TAGS[finding.tag]] if finding.tag and shows.tags else None,
+        related_information=[
+            types.DiagnosticRelatedInformation(
+                types.Location(document.uri, document.range(place.start, place.end)), place.message
+            )
+            for place in finding.related
+        ]
+        if finding.related and shows.related
+        else None,
+    )

@@ -1,0 +1,84 @@
+"""Diagnostics pushed to the client while someone types."""
+
+import asyncio
+from typing import TYPE_CHECKING
+
+from lsprotocol import types
+
+from kindsl.lsp import tasks, uris
+from kindsl.lsp.diagnostics import diagnostics
+from kindsl.lsp.document import Document
+from kindsl.lsp.status import tell_status
+from kindsl.lsp.worker import Urgency
+
+if TYPE_CHECKING:
+    from kindsl.lsp.server import KindslLanguageServer
+
+
+class Publisher:
+    """Publishes what is wrong with each open document, a moment after the last keystroke.
+
+    Documents that the client pulls diagnostics for are left to it, lest each is shown twice.
+    """
+
+    __slots__ = ("_pulled", "_server", "_shown", "_tasks")
+
+    def __init__(self, server: "KindslLanguageServer") -> None:
+        self._server = server
+        self._tasks: dict[str, asyncio.Task[None]] = {}
+        self._pulled: set[str] = set()
+        self._shown: set[str] = set()
+        server.documents.on_open.append(lambda document: self.schedule(document, 0.0))
+        server.documents.on_change.append(self._changed)
+        server.documents.on_close.append(self._close)
+
+    def schedule(self, document: Document, delay: float) -> None:
+        """Publish for this version after some seconds, unless another one comes before."""
+        key = uris.key(document.uri)
+        if key in self._tasks:
+            self._tasks[key].cancel()
+        self._tasks[key] = tasks.start(self._publish_later(document, delay))
+
+    def leave_to_pull(self, document: Document) -> None:
+        """Push no more for a document that the client pulls for."""
+        key = uris.key(document.uri)
+        if self._server.client.can("text_document.diagnostic") and key not in self._pulled:
+            self._pulled.add(key)
+            if key in self._shown:
+                self._publish(document.uri, None, [])
+
+    def refresh(self) -> None:
+        """Publish for all open documents again."""
+        for document in self._server.documents:
+            self.schedule(document, 0.0)
+
+    def clear(self, uri: str) -> None:
+        """Show nothing any more for a document that is gone."""
+        self._publish(uri, None, [])
+
+    def _changed(self, document: Document) -> None:
+        settings = self._server.settings.editor_settings(document.uri)
+        self.schedule(document, settings.diagnostics_delay)
+
+    def _close(self, document: Document) -> None:
+        key = uris.key(document.uri)
+        if key in self._tasks:
+            self._tasks.pop(key).cancel()
+        self._pulled.discard(key)
+        self._publish(document.uri, None, [])
+
+    async def _publish_later(self, document: Document, delay: float) -> None:
+        if delay:
+            await asyncio.sleep(delay)
+        findings = await self._server.analyses.findings(document, Urgency.DIAGNOSTICS)
+        if self._server.documents.is_current(document):
+            if uris.key(document.uri) not in self._pulled:
+                shown = diagnostics(document, findings, self._server.client)
+                self._publish(document.uri, document.version, shown)
+            await tell_status(self._server, document, findings)
+
+    def _publish(self, uri: str, version: int | None, diagnostics: list[types.Diagnostic]) -> None:
+        (self._shown.add if diagnostics else self._shown.discard)(uris.key(uri))
+        self._server.text_document_publish_diagnostics(
+            types.PublishDiagnosticsParams(uri, diagnostics, version)
+        )
