@@ -1,0 +1,127 @@
+"""A robot description as a document of the Kinematics-DSL."""
+
+from collections.abc import Iterable, Sequence
+from math import asin, atan2, pi
+
+import numpy as np
+
+from kindsl.interchange.names import valid_name, valid_names
+from kindsl.interchange.robot_description import (
+    DescribedFrame,
+    DescribedLink,
+    MassProperties,
+    RobotDescription,
+)
+from kindsl.spatial.arrays import Array
+
+_DECIMALS = 15
+_ANGLE_TOLERANCE = 1e-14
+_QUARTER_TURNS = {0: "0.0", 1: "PI/2.0", -1: "-PI/2.0", 2: "PI", -2: "-PI"}
+
+
+_Names = dict[tuple[str, str], str]
+
+
+def kindsl_text(robot: RobotDescription) -> str:
+    """Return the document of a robot; its names made valid and unique."""
+    names = valid_names(_things(robot.links))
+    blocks = [_link(robot, index, names) for index in range(len(robot.links))]
+    blocks += [_joint(link, names) for link in robot.links if link.parent is not None]
+    head = f"Robot {valid_name(robot.name)} {{"
+    return "\n\n".join((head, *blocks)) + "\n}\n"
+
+
+def intrinsic_xyz(R: Array) -> tuple[float, float, float]:
+    """Return `(rx, ry, rz)` with `R = Rx @ Ry @ Rz`, radians."""
+    sin_y = min(1.0, max(-1.0, float(R[0, 2])))
+    cos_y = float(np.hypot(R[0, 0], R[0, 1]))
+    if cos_y > 1e-9:
+        return atan2(-R[1, 2], R[2, 2]), atan2(sin_y, cos_y), atan2(-R[0, 1], R[0, 0])
+    return atan2(R[2, 1], R[1, 1]), asin(sin_y), 0.0
+
+
+def _things(links: Sequence[DescribedLink]) -> Iterable[tuple[str, str]]:
+    """Yield kind and name of all that is named; a URDF may use one name for two kinds."""
+    yield from (("link", link.name) for link in links)
+    yield from (("joint", link.joint) for link in links if link.parent is not None)
+    for link in links:
+        yield from (("frame", frame.name) for frame in link.frames)
+
+
+def _link(robot: RobotDescription, index: int, names: _Names) -> str:
+    link = robot.links[index]
+    if link.parent is None:
+        floating = " floating" if robot.is_floating else ""
+        lines = [f"RobotBase {names['link', link.name]}{floating} {{"]
+    else:
+        lines = [f"link {names['link', link.name]} {{", f"    id = {index}"]
+    if link.mass_properties is not None:
+        lines += _inertia(link.mass_properties)
+    children = [child for child in robot.links if child.parent == index]
+    lines += _children(children, names)
+    if link.frames:
+        lines += ["    frames {", *_frames(link.frames, names), "    }"]
+    return "\n".join((*lines, "}"))
+
+
+def _children(children: Sequence[DescribedLink], names: _Names) -> list[str]:
+    if not children:
+        return ["    children {}"]
+    edges = [f"        {names['link', c.name]} via {names['joint', c.joint]}" for c in children]
+    return ["    children {", *edges, "    }"]
+
+
+def _inertia(body: MassProperties) -> list[str]:
+    tensor = body.inertia
+    moments = {
+        "Ix": tensor[0, 0],
+        "Iy": tensor[1, 1],
+        "Iz": tensor[2, 2],
+        "Ixy": -tensor[0, 1],
+        "Ixz": -tensor[0, 2],
+        "Iyz": -tensor[1, 2],
+    }
+    return [
+        "    inertia_params {",
+        f"        mass = {_number(body.mass)}",
+        f"        CoM = {_vector(map(_number, body.com))}",
+        *(f"        {name} = {_number(value)}" for name, value in moments.items()),
+        "    }",
+    ]
+
+
+def _frames(frames: Iterable[DescribedFrame], names: _Names) -> Iterable[str]:
+    for frame in frames:
+        yield f"        {names['frame', frame.name]} {{"
+        yield from _pose(frame.link_T_frame, " " * 12)
+        yield "        }"
+
+
+def _joint(link: DescribedLink, names: _Names) -> str:
+    word = "r_joint" if link.joint_kind == "revolute" else "p_joint"
+    lines = [f"{word} {names['joint', link.joint]} {{", "    ref_frame {"]
+    return "\n".join((*lines, *_pose(link.parent_T_joint, " " * 8), "    }", "}"))
+
+
+def _pose(T: Array, indent: str) -> list[str]:
+    return [
+        f"{indent}translation = {_vector(map(_number, T[:3, 3]))}",
+        f"{indent}rotation = {_vector(map(_angle, intrinsic_xyz(T[:3, :3])))}",
+    ]
+
+
+def _vector(components: Iterable[str]) -> str:
+    return f"({', '.join(components)})"
+
+
+def _angle(angle: float) -> str:
+    quarters = round(angle / (pi / 2.0))
+    is_exact = abs(angle - quarters * pi / 2.0) < _ANGLE_TOLERANCE
+    return _QUARTER_TURNS[quarters] if is_exact and quarters in _QUARTER_TURNS else _number(angle)
+
+
+def _number(value: float) -> str:
+    """Return a decimal without exponent, which both generators take."""
+    text = f"{float(value):.{_DECIMALS}f}".rstrip("0")
+    text += "0" if text.endswith(".") else ""
+    return "0.0" if text == "-0.0" else text

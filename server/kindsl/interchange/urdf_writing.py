@@ -1,0 +1,74 @@
+"""Numbered bodies to URDF: the same mechanics, frames as links on fixed joints."""
+
+from typing import Any
+
+import numpy as np
+
+from kindsl.dynamics.bodies import Bodies
+from kindsl.spatial.arrays import Array
+from kindsl.spatial.inertia import point_inertia
+
+# URDF wants limits of a sliding joint, and the language has none.
+_SLIDING_LIMITS = {"lower": -1.0, "upper": 1.0, "effort": 1000.0, "velocity": 10.0}
+
+
+def urdf_text(name: str, bodies: Bodies) -> str:
+    """Return the URDF of a mechanism; the root link is the base, floating or not.
+
+    Args:
+        name: The robot's name.
+        bodies: Its bodies.
+
+    Raises:
+        ModuleNotFoundError: yourdfpy is not installed.
+    """
+    from lxml import etree
+    from yourdfpy import URDF, Joint, Link, Robot
+    from yourdfpy.urdf import Limit
+
+    body_names = (bodies.base_name, *bodies.link_names)
+    robot = Robot(name=name)
+    robot.links = [Link(name=n, inertial=_inertial(bodies, i)) for i, n in enumerate(body_names)]
+    for link, parent in bodies.links():
+        i = link - 1
+        slides = bodies.joint_kinds[i] == "prismatic"
+        robot.joints.append(
+            Joint(
+                name=bodies.joint_names[i],
+                type="prismatic" if slides else "continuous",
+                parent=body_names[parent],
+                child=body_names[link],
+                origin=_transform(bodies.p_R_j[i], bodies.p_r_j[i]),
+                axis=np.array([0.0, 0.0, 1.0]),
+                limit=Limit(**_SLIDING_LIMITS) if slides else None,
+            )
+        )
+    for frame in bodies.frames:
+        robot.links.append(Link(name=frame.name))
+        origin = _transform(frame.body_R_frame, frame.body_r_frame)
+        fixed = f"{frame.name}_fixed"
+        carrier = body_names[frame.body]
+        robot.joints.append(Joint(fixed, "fixed", carrier, frame.name, origin))
+    document = URDF(robot, build_scene_graph=False, load_meshes=False).write_xml()
+    text: str = etree.tostring(
+        document, xml_declaration=True, pretty_print=True, encoding="utf-8"
+    ).decode()
+    return text
+
+
+def _inertial(bodies: Bodies, body: int) -> Any:
+    """Return URDF's inertial: about the centre of mass, along the link's axes."""
+    from yourdfpy.urdf import Inertial
+
+    mass, com = bodies.masses[body], bodies.coms[body]
+    if not mass and not bodies.inertias[body].any():
+        return None
+    about_com = bodies.inertias[body] - point_inertia(mass, com)
+    return Inertial(_transform(np.eye(3), com), float(mass), about_com)
+
+
+def _transform(R: Array, r: Array) -> Array:
+    T = np.eye(4)
+    T[:3, :3] = R
+    T[:3, 3] = r
+    return T
