@@ -30,10 +30,12 @@ class Model:
         bases: All bases.
         links: The links without the base, in the order of the document.
         joints: The joints in the order of the document.
+        facts: What later layers derived from it, kept as long as the model lives.
     """
 
     def __init__(self, islands: Sequence[Island]) -> None:
         self.islands = islands
+        self.facts: dict[object, object] = {}
         self.declared: list[Declarations] = [declarations(island) for island in islands]
         self.bases: list[Link] = []
         self.links: list[Link] = []
@@ -105,9 +107,16 @@ class Model:
         What such an island says of the word may be lost, so nothing is concluded from its absence.
         """
         return any(
-            island is not elsewhere_than and any(token.text == word for token in island.tokens)
-            for island in self.broken_islands
+            island is not elsewhere_than for island in self._islands_of_broken_words.get(word, ())
         )
+
+    @cached_property
+    def _islands_of_broken_words(self) -> dict[str, list[Island]]:
+        found: dict[str, list[Island]] = {}
+        for island in self.broken_islands:
+            for word in {token.text.removeprefix("^") for token in island.tokens}:
+                found.setdefault(word, []).append(island)
+        return found
 
 
 def _by_name(things: Iterable[_Named]) -> dict[str, _Named]:

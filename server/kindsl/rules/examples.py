@@ -1,0 +1,62 @@
+"""Short ways to write the documents that show a rule."""
+
+import re
+
+from kindsl.rules.base import Example
+
+STEEL_BALL = """inertia_params {
+        mass = 4.1
+        CoM = (0.0, 0.0, 0.0)
+        Ix=0.0041 Iy=0.0041 Iz=0.0041 Ixy=0.0 Ixz=0.0 Iyz=0.0
+    }"""
+_NAME_OF_BLOCK = re.compile(r"^\s*(?:link|RobotBase|[rp]_joint)\s+(\S+)", re.MULTILINE)
+_IS_DOCUMENT = re.compile(r"Robot\s")
+_EDGE = re.compile(r"(\w+)\s+via\s+(\w+)")
+
+
+def link(name: str, link_id: int, children: str = "", inertia: str = STEEL_BALL) -> str:
+    """Return a link; its `children` as `link via joint link via joint`."""
+    return f"link {name} {{\n    id = {link_id}\n    {inertia}\n    children {{ {children} }}\n}}\n"
+
+
+def joint(name: str, height: float = 0.3, rotation: str = "0.0, 0.0, 0.0") -> str:
+    """Return a revolute joint above its predecessor's origin."""
+    return (
+        f"r_joint {name} {{\n    ref_frame {{\n        translation = (0.0, 0.0, {height})\n"
+        f"        rotation = ({rotation})\n    }}\n}}\n"
+    )
+
+
+def robot(*links: str, base: str = "", joints: str = "", name: str = "Arm") -> str:
+    """Return a document.
+
+    Args:
+        links: Whole links.
+        base: What the base carries, as `link via joint`.
+        joints: Names of joints, with blanks between them.
+        name: The robot's name.
+    """
+    head = f"Robot {name} {{\nRobotBase ground {{\n    children {{ {base} }}\n}}\n"
+    return head + "".join(links) + "".join(joint(name) for name in joints.split()) + "}\n"
+
+
+def document_of(example: str | Example) -> str:
+    """Return the whole document of an example; single blocks are given a robot around them."""
+    text = example if isinstance(example, str) else example.text
+    if _IS_DOCUMENT.search(text):
+        return text
+    names = _NAME_OF_BLOCK.findall(text)
+    edges = _EDGE.findall(text)
+    links = "".join(
+        link(child, 90 + number) for number, (child, _) in enumerate(edges) if child not in names
+    )
+    carried = [name for name in re.findall(r"link\s+(\w+)", text) if name not in dict(edges)]
+    used = [name for _, name in edges]
+    moved = [name for name in re.findall(r"_joint\s+(\w+)", text) if name not in used]
+    pairs = [(name, f"to_{name}") for name in carried] + [(f"on_{name}", name) for name in moved]
+    links += "".join(link(f"on_{name}", 80 + number) for number, name in enumerate(moved))
+    joints = "".join(joint(name) for name in [*used, *(j for _, j in pairs)] if name not in names)
+    children = " ".join(f"{child} via {name}" for child, name in pairs)
+    is_joint = re.match(r"\s*[rp]_joint", text)
+    blocks = links + text + "\n" + joints if is_joint else text + "\n" + links + joints
+    return f"Robot Arm {{\nRobotBase ground {{\n    children {{ {children} }}\n}}\n{blocks}}}\n"

@@ -1,0 +1,51 @@
+"""Two links have the same number.
+
+## What it does
+Reports a link whose `id` an earlier link has already.
+
+## Why is this bad?
+A link's number is the index of its joint in every vector and matrix. RobCoGen accepts the document
+and generates code in which two joints share one column, without a word; RobCoGen2 stops with
+`KeyError` and names no place. Four published models carry this defect.
+
+## Example
+```kindsl
+link LF_hip { id = 1 children { LF_leg via LF_HFE } }
+link LF_leg { id = 1 children {} }
+```
+
+## Fix
+Renumbers the links: parents before children, otherwise in the present order, without gaps. Unsafe:
+programs that use the generated code know joints by their numbers.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Finding, Related, Rule, Severity
+from kindsl.rules.context import Context
+from kindsl.rules.duplicates import repeats
+from kindsl.rules.examples import link, robot
+from kindsl.rules.renumbering import renumbering
+from kindsl.semantics.model import Model
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each link whose number is taken."""
+    pairs = repeats(model.links, lambda link: link.id)
+    for first, again in pairs:
+        message = f"id {again.id} of link '{again.name}' belongs to link '{first.name}' already"
+        related = Related(first.id_place or first.name, f"id {first.id} of link '{first.name}'")
+        fix = renumbering(model, len(pairs))
+        yield Finding(again.id_place or again.name, message, (related,), fix)
+
+
+_UPPER = link("upper", 1, "lower via elbow")
+
+RULE = Rule(
+    "KD101",
+    "duplicate-link-id",
+    Severity.ERROR,
+    check_document=check_document,
+    good=(robot(_UPPER, link("lower", 2), base="upper via shoulder", joints="shoulder elbow"),),
+    bad=(robot(_UPPER, link("lower", 1), base="upper via shoulder", joints="shoulder elbow"),),
+)

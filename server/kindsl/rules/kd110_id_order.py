@@ -1,0 +1,68 @@
+"""A child's number is not greater than its parent's.
+
+## What it does
+Reports a link that has a smaller number than the link that carries it. For the target robcogen2
+this is an error.
+
+## Why is this bad?
+Regular numbering, parents before children, is what the recursions of Newton-Euler and the
+articulated-body algorithm run along (Featherstone 2008, sec. 4.1). RobCoGen2 stops with `KeyError`
+and names no place.
+
+## Example
+```kindsl
+link upper { id = 2 children { lower via elbow } }
+link lower { id = 1 children {} }
+```
+
+## Fix
+Renumbers the links: parents before children, otherwise in the present order. Unsafe: programs that
+use the generated code know joints by their numbers.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Finding, Related, Rule, Severity
+from kindsl.rules.context import ROBCOGEN2, Context
+from kindsl.rules.duplicates import repeats
+from kindsl.rules.examples import link, robot
+from kindsl.rules.renumbering import renumbering
+from kindsl.semantics.kinematic_tree import Edge
+from kindsl.semantics.model import Model
+
+
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each pair of links that is numbered the wrong way round."""
+    edges = [edge for edge in model.tree.edges if _is_reversed(edge)]
+    if not edges or model.tree.loops:
+        return
+    twice = {again.id for _, again in repeats(model.links, lambda link: link.id)}
+    severity = Severity.ERROR if ROBCOGEN2 in context.targets else Severity.WARNING
+    for edge in edges:
+        parent, child = edge.predecessor, edge.link
+        if child is not None and parent.id not in twice and child.id not in twice:
+            message = f"id {child.id} of '{child.name}' is below id {parent.id} of its parent"
+            message += f" '{parent.name}'"
+            related = Related(parent.id_place or parent.name, f"id {parent.id} of '{parent.name}'")
+            fix = renumbering(model, len(edges))
+            yield Finding(child.id_place or child.name, message, (related,), fix, severity)
+
+
+def _is_reversed(edge: Edge) -> bool:
+    parent, child = edge.predecessor.id, edge.link.id if edge.link is not None else None
+    return parent is not None and child is not None and 1 <= child < parent
+
+
+def _chain(first: int, second: int) -> str:
+    links = link("upper", first, "lower via elbow"), link("lower", second)
+    return robot(*links, base="upper via shoulder", joints="shoulder elbow")
+
+
+RULE = Rule(
+    "KD110",
+    "id-order",
+    Severity.WARNING,
+    check_document=check_document,
+    good=(_chain(1, 2),),
+    bad=(_chain(2, 1),),
+)

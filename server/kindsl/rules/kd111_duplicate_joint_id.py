@@ -1,0 +1,51 @@
+"""Two joints have the same number.
+
+## What it does
+Reports a joint whose `id` an earlier joint has already.
+
+## Why is this bad?
+It does no harm: numbers of joints are obsolete, and both generators ignore them. A joint has the
+number of the link that it moves. But who reads the number will believe it.
+
+## Example
+```kindsl
+r_joint shoulder { id = 1 ref_frame { translation = (0.0, 0.0, 0.1) rotation = (0.0, 0.0, 0.0) } }
+r_joint elbow    { id = 1 ref_frame { translation = (0.0, 0.0, 0.3) rotation = (0.0, 0.0, 0.0) } }
+```
+"""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Finding, Related, Rule, Severity
+from kindsl.rules.context import Context
+from kindsl.rules.duplicates import repeats
+from kindsl.rules.examples import joint, link, robot
+from kindsl.semantics.model import Model
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each joint whose number is taken."""
+    for first, again in repeats(model.joints, lambda joint: joint.id):
+        message = f"id {again.id} of joint '{again.name}' belongs to joint '{first.name}' already"
+        related = Related(first.id_place or first.name, f"id {first.id} of joint '{first.name}'")
+        yield Finding(again.id_place or again.name, message, (related,))
+
+
+def _numbered(name: str, number: int) -> str:
+    return joint(name).replace("{", f"{{ id = {number}", 1)
+
+
+def _arm(number: int) -> str:
+    links = link("upper", 1, "lower via elbow"), link("lower", 2)
+    joints = _numbered("shoulder", 1), _numbered("elbow", number)
+    return robot(*links, *joints, base="upper via shoulder")
+
+
+RULE = Rule(
+    "KD111",
+    "duplicate-joint-id",
+    Severity.INFORMATION,
+    check_document=check_document,
+    good=(_arm(2),),
+    bad=(_arm(1),),
+)

@@ -1,0 +1,65 @@
+"""Things of different kinds share a name, or two names differ by case only.
+
+## What it does
+Reports a link, joint or frame that has the name of something else, or the same name but for upper
+and lower case. A link with a joint's name is an error, because RobCoGen cannot generate it.
+
+## Why is this bad?
+The generators make files, classes and constants of names. On a file system that ignores case
+`Arm.h` and `arm.h` are one file, and RobCoGen stops with "loops not allowed" where a link and a
+joint share a name.
+
+## Example
+```kindsl
+children { wrist via wrist }
+```
+"""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Finding, Related, Rule, Severity
+from kindsl.rules.context import ROBCOGEN2, Context
+from kindsl.rules.examples import link, robot
+from kindsl.semantics.model import Model
+from kindsl.semantics.places import Name
+
+
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each name that something else has."""
+    first: dict[str, tuple[str, Name]] = {}
+    for what, name in _names(model):
+        known = first.setdefault(name.casefold(), (what, name))
+        if known[1] is not name and (what != known[0] or name != known[1]):
+            yield _finding(what, name, *known, context)
+
+
+def _names(model: Model) -> Iterator[tuple[str, Name]]:
+    for declared in model.declared:
+        if declared.robot:
+            yield "robot", declared.robot
+    yield from (("link", body.name) for body in model.bodies if body.name)
+    yield from (("joint", joint.name) for joint in model.joints if joint.name)
+    yield from (("frame", frame.name) for frame in model.frames if frame.name)
+
+
+def _finding(what: str, name: Name, other: str, known: Name, context: Context) -> Finding:
+    is_fatal = {what, other} == {"link", "joint"} and name == known
+    severity = Severity.ERROR if is_fatal and context.targets != {ROBCOGEN2} else Severity.WARNING
+    message = f"{what} '{name}' has the name of the {other} '{known}'"
+    if name != known:
+        message = f"{what} '{name}' differs by case only from the {other} '{known}'"
+    return Finding(name, message, (Related(known, f"{other} '{known}'"),), severity=severity)
+
+
+def _arm(joint: str) -> str:
+    return robot(link("wrist", 1), base=f"wrist via {joint}", joints=joint)
+
+
+RULE = Rule(
+    "KD112",
+    "name-clash",
+    Severity.WARNING,
+    check_document=check_document,
+    good=(_arm("wrist_roll"),),
+    bad=(_arm("wrist"), _arm("Wrist"), _arm("arm")),
+)

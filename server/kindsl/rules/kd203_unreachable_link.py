@@ -1,0 +1,58 @@
+"""Nothing carries a link.
+
+## What it does
+Reports a link that is nobody's child, once for all that it carries. It is not reported where a
+wrong name elsewhere can mean it.
+
+## Why is this bad?
+The link is no part of the robot. RobCoGen accepts the document and fails later with a
+`NullPointerException`; RobCoGen2 with "Inconsistent arguments"; neither names a place.
+
+## Example
+```kindsl
+RobotBase base { children {} }
+link upper { id = 1 children {} }
+```
+"""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Finding, Related, Rule, Severity
+from kindsl.rules.context import Context
+from kindsl.rules.examples import link, robot
+from kindsl.rules.reference_defects import reference_defects
+from kindsl.semantics.declarations import Link
+from kindsl.semantics.model import Model
+
+_MOST_RELATED = 20
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each link that nothing carries."""
+    for body in reference_defects(model).orphans:
+        below = _carried(model, body)
+        message = f"nothing carries link '{body.name}'"
+        if below:
+            message += f", which carries {len(below)} more link{'s' if len(below) > 1 else ''}"
+        related = (Related(b.name, f"'{b.name}' hangs on it") for b in below[:_MOST_RELATED])
+        yield Finding(body.name, message, tuple(related))
+
+
+def _carried(model: Model, body: Link) -> list[Link]:
+    return model.tree.in_topological_order(body)
+
+
+_ARM = link("upper", 1, "lower via elbow"), link("lower", 2)
+
+RULE = Rule(
+    "KD203",
+    "unreachable-link",
+    Severity.ERROR,
+    check_document=check_document,
+    good=(robot(*_ARM, base="upper via shoulder", joints="shoulder elbow"),),
+    bad=(
+        robot(*_ARM, joints="elbow"),
+        robot(*_ARM, joints="shoulder elbow"),
+        robot(*_ARM, link("camera", 3), base="upper via shoulder", joints="shoulder elbow"),
+    ),
+)

@@ -1,0 +1,54 @@
+"""Two links move by the same joint.
+
+## What it does
+Reports a `link via joint` whose joint another link has already.
+
+## Why is this bad?
+A joint supports one link: it is the link's degree of freedom. RobCoGen accepts the document and
+fails later; RobCoGen2 with "Inconsistent arguments"; neither names a place.
+
+## Example
+```kindsl
+children { left via finger right via finger }
+```
+"""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Finding, Related, Rule, Severity
+from kindsl.rules.context import Context
+from kindsl.rules.examples import link, robot
+from kindsl.rules.reference_defects import ReferenceDefects, reference_defects
+from kindsl.semantics.declarations import Joint
+from kindsl.semantics.model import Model
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each pair whose joint is taken."""
+    defects = reference_defects(model)
+    for first, again in defects.reused_joints:
+        name = again.child.joint
+        message = f"joint '{name}' supports link '{first.child.link}' already"
+        related = [Related(first.child, f"'{first.child.link}' moves by '{name}'")]
+        related += [Related(j.name, f"joint '{j.name}' moves nothing") for j in _spare(defects)]
+        yield Finding(name, message, tuple(related))
+
+
+def _spare(defects: ReferenceDefects) -> list[Joint]:
+    """Return the joint that may be meant, if just one is left."""
+    return defects.idle_joints if len(defects.idle_joints) == 1 else []
+
+
+def _hand(right: str) -> str:
+    base = f"left via finger right via {right}"
+    return robot(link("left", 1), link("right", 2), base=base, joints="finger thumb")
+
+
+RULE = Rule(
+    "KD205",
+    "reused-joint",
+    Severity.ERROR,
+    check_document=check_document,
+    good=(_hand("thumb"),),
+    bad=(_hand("finger"),),
+)

@@ -1,0 +1,205 @@
+"""Which references are wrong, each mistake counted once.
+
+A wrong reference leaves something else without a reference: who writes `foream via elbow` has an
+undefined link `foream`, and also a link `forearm` that nothing carries. Only the first is the
+mistake. So each wrong reference here excuses one orphan, the one with the most similar name first.
+"""
+
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple, TypeVar
+
+from kindsl.rules.did_you_mean import did_you_mean
+from kindsl.rules.duplicates import repeated_names
+from kindsl.semantics.declarations import Joint, Link
+from kindsl.semantics.kinematic_tree import Edge
+from kindsl.semantics.model import Model
+
+_KEY = "reference defects"
+_MOST_SUGGESTIONS = 20
+_Thing = TypeVar("_Thing", Link, Joint)
+
+
+class ReferenceDefects(NamedTuple):
+    """What is wrong with who carries whom.
+
+    Attributes:
+        undefined_links: Pairs whose link does not exist.
+        undefined_joints: Pairs whose joint does not exist.
+        swapped: Pairs that name a joint for the link and a link for the joint.
+        bases: Pairs that name the base as a child.
+        loops: Kinematic loops, each as the edges around it.
+        repeated: Pairs whose link the same body carries already, after the first such pair.
+        extra_parents: Pairs whose link another body carries already, after the first such pair.
+        reused_joints: Pairs whose joint another pair has already, after the first such pair.
+        unused_joints: Joints that no pair names, and no wrong pair can mean.
+        orphans: Links that no pair names, and no wrong pair can mean.
+        idle_joints: All joints that no pair names.
+        idle_links: All links that no pair names.
+    """
+
+    undefined_links: list[Edge]
+    undefined_joints: list[Edge]
+    swapped: list[Edge]
+    bases: list[Edge]
+    loops: list[tuple[Edge, ...]]
+    repeated: list[tuple[Edge, Edge]]
+    extra_parents: list[tuple[Edge, Edge]]
+    reused_joints: list[tuple[Edge, Edge]]
+    unused_joints: list[Joint]
+    orphans: list[Link]
+    idle_joints: list[Joint]
+    idle_links: list[Link]
+
+
+def reference_defects(model: Model) -> ReferenceDefects:
+    """Return the wrong references of a model; computed once in its life."""
+    known = model.facts.get(_KEY)
+    if not isinstance(known, ReferenceDefects):
+        known = model.facts[_KEY] = _defects(model)
+    return known
+
+
+def suggestion(name: str, position: int, idle: Iterable[str], others: Iterable[str]) -> str | None:
+    """Return what the undefined name number `position` probably means; idle things first.
+
+    From some number on there is none: a document in which so much is lost has no slips in names.
+    """
+    if position >= _MOST_SUGGESTIONS:
+        return None
+    return did_you_mean(name, idle) or did_you_mean(name, others)
+
+
+def _defects(model: Model) -> ReferenceDefects:
+    found = ReferenceDefects([], [], [], [], [], [], [], [], [], [], [], [])
+    for edge in model.tree.edges:
+        if edge.link is None or edge.joint is None or edge.link.is_base:
+            _classify(model, edge, found)
+    found.loops.extend(
+        loop for loop in model.tree.loops if not any(edge.link in model.bases for edge in loop)
+    )
+    if len(model.tree.above) < len(model.tree.edges):
+        _collect_repetitions(model, found)
+    if len(model.tree.joint_uses) < len(model.tree.edges):
+        _collect_reuses(model, found)
+    if model.base is not None:
+        _collect_orphans(model, found)
+    _excuse_duplicates(model, found)
+    return found
+
+
+def _classify(model: Model, edge: Edge, found: ReferenceDefects) -> None:
+    link, joint = edge.child.link, edge.child.joint
+    if edge.link is not None and edge.link.is_base and not any(t.name == link for t in model.links):
+        found.bases.append(edge)
+    is_unknown = edge.link is None and edge.joint is None
+    if is_unknown and link in model.joint_named and joint in model.body_named:
+        found.swapped.append(edge)
+        return
+    if edge.link is None and link and not _may_be_lost(model, link, edge, model.links):
+        found.undefined_links.append(edge)
+    if edge.joint is None and joint and not _may_be_lost(model, joint, edge, model.joints):
+        found.undefined_joints.append(edge)
+
+
+def _may_be_lost(model: Model, name: str, edge: Edge, things: Sequence[Link | Joint]) -> bool:
+    """Return whether the declaration that is meant may stand where the syntax is broken."""
+    return bool(model.broken_islands) and (
+        model.is_mentioned_in_broken_text(name, edge.child.island)
+        or any(not thing.name for thing in things)
+    )
+
+
+def _collect_repetitions(model: Model, found: ReferenceDefects) -> None:
+    on_loops = {id(edge.child) for loop in found.loops for edge in loop}
+    for link, edges in model.tree.above.items():
+        if link.is_base:
+            continue
+        first = next((edge for edge in edges if id(edge.child) not in on_loops), None)
+        carriers: dict[Link, Edge] = {}
+        for edge in edges:
+            known = carriers.setdefault(edge.predecessor, edge)
+            if known is not edge:
+                found.repeated.append((known, edge))
+            elif first is not None and edge is not first and id(edge.child) not in on_loops:
+                found.extra_parents.append((first, edge))
+
+
+def _collect_reuses(model: Model, found: ReferenceDefects) -> None:
+    told = {id(edge.child) for _, edge in (*found.repeated, *found.extra_parents)}
+    told |= {id(loop[-1].child) for loop in found.loops}
+    told |= {id(edge.child) for edge in found.bases}
+    ambiguous = {str(again.name) for _, again in repeated_names(model.joints)}
+    for edges in model.tree.joint_uses.values():
+        if len(edges) > 1 and edges[0].child.joint not in ambiguous:
+            found.reused_joints.extend(
+                (edges[0], edge) for edge in edges[1:] if id(edge.child) not in told
+            )
+
+
+def _collect_orphans(model: Model, found: ReferenceDefects) -> None:
+    tree = model.tree
+    if len(tree.above) < len(model.links):
+        found.idle_links.extend(
+            link
+            for link in model.links
+            if link.name and link not in tree.above and model.body_named[link.name] is link
+        )
+    if len(tree.joint_uses) < len(model.joints):
+        found.idle_joints.extend(
+            joint
+            for joint in model.joints
+            if joint.name
+            and joint not in tree.joint_uses
+            and model.joint_named[joint.name] is joint
+        )
+    if not found.idle_links and not found.idle_joints:
+        return
+    nameless = [edge.child for edge in tree.edges if not edge.child.link or not edge.child.joint]
+    wrong_links = [str(edge.child.link) for edge in found.undefined_links]
+    wrong_links += [str(edge.child.joint) for edge in found.swapped]
+    wrong = len(nameless) + len(found.bases) + len(found.loops)
+    wrong += len(found.repeated) + len(found.extra_parents)
+    links = [link for link in found.idle_links if not _is_mentioned(model, link)]
+    found.orphans.extend(_unexcused(links, wrong_links, wrong))
+    wrong_joints = [str(edge.child.joint) for edge in found.undefined_joints]
+    wrong_joints += [str(edge.child.link) for edge in found.swapped]
+    wrong += len(found.reused_joints) + len(found.orphans)
+    joints = [joint for joint in found.idle_joints if not _is_mentioned(model, joint)]
+    found.unused_joints.extend(_unexcused(joints, wrong_joints, wrong))
+
+
+def _is_mentioned(model: Model, thing: Link | Joint) -> bool:
+    return bool(model.broken_islands) and (
+        model.is_mentioned_in_broken_text(thing.name, thing.island)
+        or any(not edge.child.link or not edge.child.joint for edge in model.tree.edges)
+    )
+
+
+def _unexcused(things: list[_Thing], wrong: list[str], others: int) -> list[_Thing]:
+    """Return the things left when each wrong reference has excused one of them."""
+    left = dict.fromkeys(things)
+    by_name = {str(thing.name): thing for thing in things}
+    for name in wrong[:_MOST_SUGGESTIONS]:
+        meant = did_you_mean(name, by_name)
+        if meant is not None:
+            left.pop(by_name.pop(meant), None)
+    excused = max(0, len(wrong) + others - (len(things) - len(left)))
+    return list(left)[excused:]
+
+
+def _excuse_duplicates(model: Model, found: ReferenceDefects) -> None:
+    """Drop undefined names that a declaration with a repeated name can be meant to have."""
+    if found.undefined_links:
+        surplus = len(repeated_names(model.links))
+        names = dict.fromkeys(edge.child.link for edge in found.undefined_links)
+        excused = set(list(names)[:surplus])
+        found.undefined_links[:] = [
+            edge for edge in found.undefined_links if edge.child.link not in excused
+        ]
+    if found.undefined_joints:
+        surplus = len(repeated_names(model.joints))
+        names = dict.fromkeys(edge.child.joint for edge in found.undefined_joints)
+        excused = set(list(names)[:surplus])
+        found.undefined_joints[:] = [
+            edge for edge in found.undefined_joints if edge.child.joint not in excused
+        ]
