@@ -1,0 +1,79 @@
+"""Lints one document, mending it if that is wanted."""
+
+import os
+from enum import Enum
+from typing import NamedTuple
+
+from kindsl.cli.outcome import Failure, LintedFile
+from kindsl.cli.sources import STDIN, is_decodable, read_source
+from kindsl.rules.analysis import Analysis, analyse
+from kindsl.rules.settings import Settings
+
+
+class Mending(Enum):
+    """What becomes of fixes."""
+
+    NONE = "none"
+    SHOWN = "shown"
+    WRITTEN = "written"
+
+
+class Task(NamedTuple):
+    """One document to lint.
+
+    Attributes:
+        path: The file, or `-` for stdin.
+        shown: What to call it.
+        settings: What is decided for it.
+        mending: What becomes of fixes.
+        with_unsafe: Whether unsafe fixes are wanted too.
+    """
+
+    path: str
+    shown: str
+    settings: Settings
+    mending: Mending = Mending.NONE
+    with_unsafe: bool = False
+
+
+class Checked(NamedTuple):
+    """What became of a task: a linted file, a failure, or both if mending could not be written."""
+
+    file: LintedFile | None
+    failure: Failure | None
+
+
+def check(task: Task) -> Checked:
+    """Lint a document; whatever happens, the others can be linted after it."""
+    text = read_source(task.path, task.shown)
+    if isinstance(text, Failure):
+        return Checked(None, text)
+    try:
+        return _checked(task, text)
+    except Exception as error:
+        if os.environ.get("KINDSL_TRACEBACK"):
+            raise
+        what = f"{type(error).__name__}: {error}"
+        return Checked(None, Failure(task.shown, f"a defect of kindsl itself: {what}"))
+
+
+def _checked(task: Task, text: str) -> Checked:
+    analysis = analyse(text, task.settings)
+    if task.mending is Mending.NONE or not is_decodable(text):
+        return Checked(_file(task, analysis), None)
+    from kindsl.cli.fixing import mended
+    from kindsl.cli.writing import write_text
+
+    better, n_fixed = mended(analysis, task.with_unsafe)
+    if task.mending is Mending.WRITTEN and task.path != STDIN and better.text != text:
+        failure = write_text(task.path, task.shown, text, better.text)
+        if failure is not None:
+            return Checked(_file(task, analysis), failure)
+    return Checked(_file(task, better, text, n_fixed), None)
+
+
+def _file(
+    task: Task, analysis: Analysis, original: str | None = None, n_fixed: int = 0
+) -> LintedFile:
+    parameters = frozenset(str(parameter.name) for parameter in analysis.model.parameters)
+    return LintedFile(task.shown, analysis.text, analysis.findings, parameters, original, n_fixed)

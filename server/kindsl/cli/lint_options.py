@@ -1,0 +1,138 @@
+"""The options of `kindsl lint`."""
+
+import argparse
+import math
+from collections.abc import Sequence
+from typing import Any
+
+from kindsl.cli.output import FORMATS
+from kindsl.rules.context import TARGETS
+
+
+class VersionAction(argparse.Action):
+    """`--version`; asks for the version only when it is wanted, because that takes time."""
+
+    def __call__(
+        self,
+        parser: argparse.ArgumentParser,
+        namespace: argparse.Namespace,  # noqa: ARG002
+        values: str | Sequence[Any] | None,  # noqa: ARG002
+        option_string: str | None = None,  # noqa: ARG002
+    ) -> None:
+        """Print the version and leave."""
+        from kindsl.cli.version import version
+
+        print(f"{parser.prog.partition(' ')[0]} {version()}")
+        parser.exit(0)
+
+
+def add_lint_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.add_argument(
+        "paths",
+        nargs="*",
+        metavar="PATH",
+        help="documents, folders, or '-' for stdin (default: the current folder)",
+    )
+    parser.add_argument("--stdin-filename", metavar="NAME", help="what to call stdin's document")
+    parser.add_argument("--version", action=VersionAction, nargs=0, help="print the version")
+    _add_decisions(parser.add_argument_group("what is reported"))
+    add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
+    _add_fixes(parser.add_argument_group("fixes"))
+    _add_reporting(parser.add_argument_group("how it is reported"))
+    _add_pages(parser.add_argument_group("about the rules"))
+
+
+def add_parameter_arguments(group: Any) -> None:
+    """Declare the options that bind parameters and choose a configuration."""
+    group.add_argument(
+        "--param",
+        metavar="NAME=VALUE",
+        action="append",
+        default=[],
+        type=_binding,
+        help="give a parameter a value; repeatable",
+    )
+    group.add_argument("--params", metavar="FILE", help="a TOML file with values of parameters")
+    source = group.add_mutually_exclusive_group()
+    source.add_argument("--config", metavar="FILE", help="use this configuration file")
+    source.add_argument("--isolated", action="store_true", help="use no configuration file")
+
+
+def _add_decisions(group: Any) -> None:
+    group.add_argument(
+        "--select", metavar="CODES", action="extend", type=_codes,
+        help="only these rules: codes or prefixes, separated by commas",
+    )  # fmt: skip
+    group.add_argument(
+        "--ignore", metavar="CODES", action="extend", type=_codes, help="not these rules"
+    )
+    group.add_argument(
+        "--target", metavar="NAMES", action="extend", type=_targets,
+        help=f"generators that must accept the document: {', '.join(TARGETS)}",
+    )  # fmt: skip
+
+
+def _add_fixes(group: Any) -> None:
+    group.add_argument("--fix", action="store_true", help="apply the safe fixes")
+    group.add_argument("--unsafe-fixes", action="store_true", help="with --fix: unsafe ones too")
+    group.add_argument("--diff", action="store_true", help="show what --fix would change")
+
+
+def _add_reporting(group: Any) -> None:
+    group.add_argument("--output-format", choices=FORMATS, default="text")
+    group.add_argument(
+        "--max-warnings", metavar="N", type=_natural, help="exit with 1 for more warnings than N"
+    )
+    group.add_argument("--exit-zero", action="store_true", help="exit with 0 despite findings")
+    group.add_argument("--statistics", action="store_true", help="count the findings by rule")
+    group.add_argument("-q", "--quiet", action="store_true", help="findings only, no summary")
+    group.add_argument("--watch", action="store_true", help="lint again whenever a file changes")
+    group.add_argument(
+        "--jobs", metavar="N", type=_natural, default=0, help="processes (0: as many as pay)"
+    )
+
+
+def _add_pages(group: Any) -> None:
+    group.add_argument("--explain", metavar="CODE", help="the page of a rule")
+    group.add_argument("--list-rules", action="store_true", help="all rules")
+
+
+def _codes(text: str) -> list[str]:
+    from kindsl.config.tables import is_code
+
+    codes = [code.strip() for code in text.split(",") if code.strip()]
+    for code in codes:
+        if not is_code(code):
+            raise argparse.ArgumentTypeError(f"no rule has a code that begins with '{code}'")
+    return [code.upper() for code in codes]
+
+
+def _targets(text: str) -> list[str]:
+    targets = [target.strip() for target in text.split(",") if target.strip()]
+    for target in targets:
+        if target not in TARGETS:
+            from kindsl.config.tables import did_you_mean
+
+            hint = did_you_mean(target, TARGETS)
+            raise argparse.ArgumentTypeError(f"unknown target '{target}'{hint}")
+    return targets
+
+
+def _binding(text: str) -> tuple[str, float]:
+    name, equals, value = text.partition("=")
+    if not equals or not name.strip():
+        raise argparse.ArgumentTypeError(f"'{text}' is not NAME=VALUE")
+    try:
+        number = float(value)
+    except ValueError:
+        number = math.nan
+    if not math.isfinite(number):
+        raise argparse.ArgumentTypeError(f"'{value}', the value of '{name}', is not a number")
+    return name.strip(), number
+
+
+def _natural(text: str) -> int:
+    if not text.isdecimal():
+        raise argparse.ArgumentTypeError(f"'{text}' is not a natural number")
+    return int(text)

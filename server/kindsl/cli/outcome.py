@@ -1,0 +1,95 @@
+"""What a run of the linter found, and what it could not read."""
+
+from collections.abc import Sequence
+from functools import cached_property
+from typing import NamedTuple
+
+from kindsl.rules.base import Severity
+from kindsl.rules.diagnostics import Diagnostic
+from kindsl.text.lines import LineIndex
+
+
+class Failure(NamedTuple):
+    """Something that could not be linted.
+
+    Attributes:
+        path: The file or folder, as shown.
+        message: Why not: one sentence without final period.
+        line: From 1, None where no place is known.
+        column: From 1, code points.
+    """
+
+    path: str
+    message: str
+    line: int | None = None
+    column: int | None = None
+
+    def __str__(self) -> str:
+        place = "" if self.line is None else f":{self.line}:{self.column}"
+        return f"{self.path}{place}: error: {self.message}"
+
+
+class LintedFile:
+    """A text and what was found in it.
+
+    Attributes:
+        path: As shown.
+        text: The text that the findings' offsets refer to, after fixes if any were made.
+        findings: In the order of the text.
+        parameters: Names of the parameters that it uses.
+        configuration: The configuration file that held for it, if any.
+        n_fixed: How many findings were mended.
+        original: The text before fixes.
+    """
+
+    __slots__ = (
+        "__dict__", "configuration", "findings", "n_fixed", "original", "parameters", "path",
+        "text",
+    )  # fmt: skip
+
+    def __init__(
+        self,
+        path: str,
+        text: str,
+        findings: Sequence[Diagnostic],
+        parameters: frozenset[str] = frozenset(),
+        original: str | None = None,
+        n_fixed: int = 0,
+    ) -> None:
+        self.path = path
+        self.text = text
+        self.findings = findings
+        self.parameters = parameters
+        self.original = text if original is None else original
+        self.n_fixed = n_fixed
+        self.configuration: str | None = None
+
+    @cached_property
+    def lines(self) -> LineIndex:
+        """Where its lines begin."""
+        return LineIndex(self.text)
+
+    def place(self, offset: int) -> tuple[int, int]:
+        """Return line and column of an offset, both from 1."""
+        line, column = self.lines.position(offset)
+        return line + 1, column + 1
+
+    def count(self, severity: Severity) -> int:
+        """Return how many findings have a severity."""
+        return sum(finding.severity is severity for finding in self.findings)
+
+
+class Outcome(NamedTuple):
+    """A whole run.
+
+    Attributes:
+        files: What was linted, in the order asked for.
+        failures: What could not be.
+    """
+
+    files: Sequence[LintedFile]
+    failures: Sequence[Failure]
+
+    def count(self, severity: Severity) -> int:
+        """Return how many findings have a severity."""
+        return sum(file.count(severity) for file in self.files)

@@ -1,0 +1,87 @@
+"""Findings for people: a line that editors can jump to, and the source under it."""
+
+import sys
+from collections.abc import Callable, Iterator
+
+from kindsl.cli.console import coloured, plain, printable, wants_colour
+from kindsl.cli.outcome import LintedFile, Outcome
+from kindsl.rules.diagnostics import Diagnostic
+
+_WIDEST_EXCERPT = 120
+_BEFORE_CARET = 60
+_TAB = 4
+
+Paint = Callable[[str, str], str]
+
+
+def render(outcome: Outcome) -> str:
+    """Return all findings, coloured if stdout wants it."""
+    paint = coloured if wants_colour(sys.stdout) else plain
+    return "".join(
+        line + "\n"
+        for file in outcome.files
+        for finding in file.findings
+        for line in _lines(file, finding, paint)
+    )
+
+
+def _lines(file: LintedFile, finding: Diagnostic, paint: Paint) -> Iterator[str]:
+    level = finding.severity.value
+    yield (
+        f"{_place(file, finding.start, paint)} {paint(f'{level}[{finding.code}]', level)} "
+        f"{printable(finding.message)}"
+    )
+    yield from excerpt(file, finding.start, finding.end, paint, level)
+    for related in finding.related:
+        place = _place(file, related.start, paint)
+        yield f"{place} {paint('note:', 'note')} {printable(related.message)}"
+    if finding.fix is not None:
+        how = "--fix" if finding.fix.is_safe else "--fix --unsafe-fixes"
+        yield f"  {paint('fix:', 'fix')} {printable(finding.fix.title)} ({how})"
+
+
+def _place(file: LintedFile, offset: int, paint: Paint) -> str:
+    line, column = file.place(offset)
+    return f"{paint(printable(file.path), 'path')}:{line}:{column}:"
+
+
+def excerpt(file: LintedFile, start: int, end: int, paint: Paint, level: str) -> Iterator[str]:
+    """Yield the source line of a place, and carets under the place."""
+    number, column = file.lines.position(start)
+    first = file.lines.starts[number]
+    line = file.text[first : _line_end(file, number)]
+    last = min(max(end - first, column + 1), max(len(line), column + 1))
+    cut = max(column - _BEFORE_CARET, 0) if len(line) > _WIDEST_EXCERPT else 0
+    shown = line[cut : cut + _WIDEST_EXCERPT]
+    before, marked = line[cut:column], line[column : min(last, cut + _WIDEST_EXCERPT)]
+    dots = "…" if cut else ""
+    more = "…" if cut + _WIDEST_EXCERPT < len(line) else ""
+    label = str(number + 1)
+    blank = " " * len(label)
+    carets = "^" * max(_width(marked), 1)
+    frame = paint("|", "frame")
+    yield f" {paint(label, 'frame')} {frame} {dots}{_expanded(shown)}{more}"
+    yield f" {blank} {frame} {' ' * (len(dots) + _width(before))}{paint(carets, level)}"
+
+
+def _line_end(file: LintedFile, number: int) -> int:
+    starts = file.lines.starts
+    end = starts[number + 1] if number + 1 < len(starts) else len(file.text)
+    while end > starts[number] and file.text[end - 1] in "\r\n":
+        end -= 1
+    return end
+
+
+def _expanded(text: str) -> str:
+    return printable(text).replace("\t", " " * _TAB)
+
+
+def _width(text: str) -> int:
+    """Return how many columns of a terminal a text takes."""
+    if text.isascii():
+        return len(text) + text.count("\t") * (_TAB - 1)
+    from unicodedata import combining, east_asian_width
+
+    return sum(
+        0 if combining(c) else 2 if east_asian_width(c) in "WF" else 1 for c in _expanded(text)
+    )

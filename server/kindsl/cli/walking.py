@@ -1,0 +1,99 @@
+"""From the paths on the command line to the documents that are meant."""
+
+import os
+import stat
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from kindsl.cli.outcome import Failure
+from kindsl.cli.sources import STDIN, reason
+
+if TYPE_CHECKING:
+    from kindsl.cli.gitignore import Ignored
+
+SUFFIX = ".kindsl"
+_VERSION_CONTROL = frozenset((".git", ".hg", ".svn", ".jj"))
+
+
+def documents(paths: list[str]) -> Iterator[str | Failure]:
+    """Yield each document once: files as named, folders with all documents below.
+
+    `.gitignore` files hold for what a folder brings, not for files that are named.
+    """
+    seen: set[str] = set()
+    for path in paths:
+        for found in _documents_of(path):
+            key = str(found)
+            if key not in seen:
+                seen.add(key)
+                yield found
+
+
+def documents_below(folder: str) -> Iterator[str | Failure]:
+    """Yield the documents in a folder and the folders in it, those that git ignores left out."""
+    from kindsl.cli.gitignore import Ignored
+
+    yield from _walk(folder, Ignored.above(folder))
+
+
+def _documents_of(path: str) -> Iterator[str | Failure]:
+    if path == STDIN:
+        yield STDIN
+        return
+    try:
+        is_folder = stat.S_ISDIR(os.stat(path).st_mode)
+    except (OSError, ValueError) as error:
+        why = reason(path, error) if isinstance(error, OSError) else str(error)
+        yield Failure(path, why)
+        return
+    if not is_folder:
+        normal = os.path.normpath(path)
+        yield os.path.join(os.curdir, normal) if normal == STDIN else normal
+        return
+    is_empty = True
+    for found in documents_below(path):
+        is_empty = False
+        yield found
+    if is_empty and path.endswith(SUFFIX):
+        yield Failure(path, "is a folder, not a file")
+
+
+def _walk(folder: str, ignored: "Ignored") -> Iterator[str | Failure]:
+    try:
+        with os.scandir(folder) as listing:
+            entries = sorted(listing, key=lambda entry: entry.name)
+    except OSError as error:
+        yield Failure(folder, reason(folder, error).replace("read", "listed"))
+        return
+    ignored = ignored.below(folder)
+    for entry in entries:
+        is_folder = entry.is_dir(follow_symlinks=False)
+        if entry.name in _VERSION_CONTROL or not (is_folder or entry.name.endswith(SUFFIX)):
+            continue
+        if ignored.covers(entry.path, is_folder):
+            continue
+        yield from _walk_folder(entry.path, ignored) if is_folder else _document(entry)
+
+
+def _walk_folder(path: str, ignored: "Ignored") -> Iterator[str | Failure]:
+    is_empty = True
+    for found in _walk(path, ignored):
+        is_empty = False
+        yield found
+    if is_empty and path.endswith(SUFFIX):
+        yield Failure(os.path.normpath(path), "is a folder, not a file")
+
+
+def _document(entry: "os.DirEntry[str]") -> Iterator[str | Failure]:
+    path = os.path.normpath(entry.path)
+    try:
+        mode = entry.stat().st_mode
+    except OSError as error:
+        yield Failure(path, reason(path, error))
+        return
+    if stat.S_ISREG(mode):
+        yield path
+    elif stat.S_ISDIR(mode):
+        yield Failure(path, "is a link to a folder, not a file")
+    else:
+        yield Failure(path, "is not a regular file")

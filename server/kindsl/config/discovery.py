@@ -1,0 +1,100 @@
+"""Finds the configuration that holds for a document: the nearest above it."""
+
+import os
+from collections.abc import Iterator
+
+from kindsl.config.configuration import Configuration, ConfigurationError
+
+OWN_FILE = "kindsl.toml"
+PYTHON_FILE = "pyproject.toml"
+PYTHON_TABLE = ("tool", "kindsl")
+
+
+class Configurations:
+    """Configuration files, each found and read once.
+
+    Attributes:
+        fixed: The only file to use, None to look above each document.
+    """
+
+    __slots__ = ("_of_file", "_of_folder", "fixed")
+
+    def __init__(self, fixed: str | None = None) -> None:
+        self.fixed = fixed
+        self._of_folder: dict[str, str | None] = {}
+        self._of_file: dict[str, Configuration | ConfigurationError] = {}
+
+    def above(self, document: str) -> Configuration | None:
+        """Return the configuration that holds for a document, None if there is none.
+
+        Raises:
+            ConfigurationError: The file says something wrong, or cannot be read.
+        """
+        path = self.fixed or self._nearest(os.path.dirname(os.path.abspath(document)))
+        if path is None:
+            return None
+        known = self._of_file.get(path)
+        if known is None:
+            known = self._of_file[path] = _read(path)
+        if isinstance(known, ConfigurationError):
+            raise known
+        return known
+
+    def _nearest(self, folder: str) -> str | None:
+        if folder not in self._of_folder:
+            self._of_folder[folder] = nearest_configuration(folder)
+        return self._of_folder[folder]
+
+
+def nearest_configuration(folder: str) -> str | None:
+    """Return the path of the configuration file in a folder or the nearest one above."""
+    for above in _upwards(os.path.abspath(folder)):
+        own = os.path.join(above, OWN_FILE)
+        if os.path.isfile(own):
+            return _shown(own)
+        other = os.path.join(above, PYTHON_FILE)
+        if os.path.isfile(other) and has_python_table(other):
+            return _shown(other)
+    return None
+
+
+def has_python_table(path: str) -> bool:
+    """Return whether a pyproject.toml has our table."""
+    try:
+        with open(path, "rb") as file:
+            content = file.read()
+    except OSError:
+        return False
+    if b"kindsl" not in content:
+        return False
+    import tomllib
+
+    try:
+        tool = tomllib.loads(content.decode("utf-8")).get("tool")
+    except ValueError:
+        return b"[tool.kindsl" in content
+    return isinstance(tool, dict) and "kindsl" in tool
+
+
+def _read(path: str) -> Configuration | ConfigurationError:
+    from kindsl.config.reading import read_configuration
+
+    try:
+        return read_configuration(path)
+    except ConfigurationError as error:
+        return error
+
+
+def _upwards(folder: str) -> Iterator[str]:
+    while True:
+        yield folder
+        above = os.path.dirname(folder)
+        if above == folder:
+            return
+        folder = above
+
+
+def _shown(path: str) -> str:
+    """Return a path as people read it: from the working directory, if it lies below."""
+    relative = os.path.relpath(path)
+    return path if relative.startswith("..") else relative

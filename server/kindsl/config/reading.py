@@ -1,0 +1,114 @@
+"""Reads a configuration file into a configuration, or all that is wrong with it."""
+
+import os
+import re
+import tomllib
+from typing import Any
+
+from kindsl.config.configuration import (
+    Configuration,
+    ConfigurationError,
+    ConfigurationProblem,
+    DocumentTable,
+    Place,
+)
+from kindsl.config.discovery import PYTHON_FILE, PYTHON_TABLE
+from kindsl.config.tables import DOCUMENT_KEYS, KEYS, Checker, bindings, decisions
+from kindsl.config.toml_places import toml_places
+from kindsl.semantics.parameters import Binding
+from kindsl.text.lines import LineIndex
+
+_TOML_PLACE = re.compile(
+    r"^(?P<what>.*) \(at (?:line (?P<line>\d+), column (?P<column>\d+)|end.*)\)$"
+)
+_START = Place(1, 1, 0, 0)
+
+
+def read_configuration(path: str) -> Configuration:
+    """Return what a kindsl.toml, or our table of a pyproject.toml, says.
+
+    Raises:
+        ConfigurationError: It cannot be read, is no TOML, or has a wrong key or value.
+    """
+    return configuration_of(path, _text_of(path))
+
+
+def configuration_of(path: str, text: str) -> Configuration:
+    """Return what a configuration file's text says; `path` tells its kind.
+
+    Raises:
+        ConfigurationError: It is no TOML, or has a wrong key or value.
+    """
+    root = PYTHON_TABLE if os.path.basename(path) == PYTHON_FILE else ()
+    table, checker = _parsed(path, text, root)
+    for name in root:
+        table = table.get(name, {})
+    if not isinstance(table, dict):
+        checker.wrong_type((), table, "a table")
+        table = {}
+    checker.known_keys((), table, KEYS)
+    common = decisions(checker, (), table)
+    documents = tuple(
+        DocumentTable(pattern, decisions(checker, ("document", number), entry))
+        for number, entry in enumerate(checker.tables(("document",), table))
+        if checker.known_keys(("document", number), entry, DOCUMENT_KEYS)
+        and (pattern := checker.pattern(("document", number), entry))
+    )
+    checker.raise_if_wrong()
+    return Configuration(path, text, common, documents, checker.places, root)
+
+
+def read_parameters(path: str) -> dict[str, Binding]:
+    """Return the bindings of a `--params` file: names and values, or a `[parameters]` table.
+
+    Raises:
+        ConfigurationError: It cannot be read, is no TOML, or has a wrong value.
+    """
+    table, checker = _parsed(path, _text_of(path), ())
+    inner = table.get("parameters")
+    if isinstance(inner, dict) and "value" not in inner:
+        found = bindings(checker, ("parameters",), inner)
+    else:
+        found = bindings(checker, (), table)
+    checker.raise_if_wrong()
+    return found
+
+
+def _text_of(path: str) -> str:
+    try:
+        with open(path, "rb") as file:
+            return file.read().decode("utf-8-sig")
+    except OSError as error:
+        raise _error(path, _START, f"cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError as error:
+        line = error.object[: error.start].count(b"\n") + 1
+        place = Place(line, 1, 0, 0)
+        raise _error(path, place, "is not UTF-8, as TOML has to be") from None
+
+
+def _parsed(path: str, text: str, root: tuple[str, ...]) -> tuple[dict[str, Any], Checker]:
+    try:
+        table = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise _not_toml(path, text, str(error)) from None
+    except RecursionError:
+        raise _error(path, _START, "is nested too deeply") from None
+    return table, Checker(path, text, toml_places(text), root)
+
+
+def _not_toml(path: str, text: str, message: str) -> ConfigurationError:
+    match = _TOML_PLACE.match(message)
+    what = match["what"] if match else message
+    lines = LineIndex(text)
+    if match and match["line"]:
+        line, column = int(match["line"]), int(match["column"])
+        offset = lines.offset(line - 1, column - 1)
+        place = Place(line, column, offset, offset)
+    else:
+        line, column = lines.position(len(text))
+        place = Place(line + 1, column + 1, len(text), len(text))
+    return _error(path, place, f"not valid TOML: {what[:1].lower()}{what[1:]}")
+
+
+def _error(path: str, place: Place, message: str) -> ConfigurationError:
+    return ConfigurationError((ConfigurationProblem(path, place, "", message),))

@@ -1,0 +1,226 @@
+"""What may stand in the tables of a configuration file, and the check of it."""
+
+import math
+from collections.abc import Collection, Mapping
+from typing import Any
+
+from kindsl.config.configuration import (
+    ConfigurationError,
+    ConfigurationProblem,
+    Decisions,
+    Place,
+)
+from kindsl.config.toml_places import KeyPath, Places
+from kindsl.rules.base import Severity
+from kindsl.rules.context import TARGETS
+from kindsl.rules.registry import all_rules
+from kindsl.semantics.parameters import Binding
+from kindsl.text.lines import LineIndex
+
+KEYS = ("target", "select", "ignore", "severity", "parameters", "document")
+DOCUMENT_KEYS = ("path", "target", "select", "ignore", "severity", "parameters")
+BINDING_KEYS = ("value", "min", "max")
+
+_KINDS = {
+    bool: "a boolean", int: "a number", float: "a number", str: "a string", list: "a list",
+    dict: "a table",
+}  # fmt: skip
+
+
+class Checker:
+    """Notes what is wrong in one file, with the place.
+
+    Attributes:
+        path: The file.
+        places: Where its keys stand, by the whole path of keys.
+    """
+
+    __slots__ = ("_lines", "_problems", "_root", "path", "places")
+
+    def __init__(self, path: str, text: str, places: Places, root: tuple[str, ...]) -> None:
+        self.path = path
+        self.places = places
+        self._lines = LineIndex(text)
+        self._root = root
+        self._problems: list[ConfigurationProblem] = []
+
+    def wrong(self, keys: KeyPath, message: str) -> None:
+        """Note what is wrong with a key, or with the nearest key above that has a place."""
+        known = (*self._root, *keys)
+        while known and known not in self.places:
+            known = known[:-1]
+        start, end = self.places.get(known, (0, 0))
+        line, column = self._lines.position(start)
+        place = Place(line + 1, column + 1, start, end)
+        self._problems.append(ConfigurationProblem(self.path, place, dotted(keys), message))
+
+    def wrong_type(self, keys: KeyPath, value: object, expected: str) -> None:
+        """Note that a value is of another type than it should be."""
+        kind = _KINDS.get(type(value), "a date or time")
+        self.wrong(keys, f"'{dotted(keys) or 'tool.kindsl'}' must be {expected}, not {kind}")
+
+    def known_keys(self, keys: KeyPath, table: Mapping[str, Any], known: Collection[str]) -> bool:
+        """Note keys that nothing is known of; return True, for use in conditions."""
+        for key in table:
+            if key not in known:
+                hint = did_you_mean(key, known)
+                where = f" in '{dotted(keys)}'" if keys else ""
+                self.wrong((*keys, key), f"unknown key '{key}'{where}{hint}")
+        return True
+
+    def tables(self, keys: KeyPath, table: Mapping[str, Any]) -> list[dict[str, Any]]:
+        """Return a list of tables, what is no table left out and noted."""
+        value = table.get(str(keys[-1]), [])
+        if not isinstance(value, list):
+            self.wrong_type(keys, value, f"written as [[{dotted(keys)}]]")
+            return []
+        for number, entry in enumerate(value):
+            if not isinstance(entry, dict):
+                self.wrong_type((*keys, number), entry, "a table")
+        return [entry for entry in value if isinstance(entry, dict)]
+
+    def pattern(self, keys: KeyPath, table: Mapping[str, Any]) -> str:
+        """Return the `path` of a document's table; empty and noted if it is wrong."""
+        if "path" not in table:
+            self.wrong(keys, f"'{dotted(keys)}' has no 'path'")
+            return ""
+        value = table["path"]
+        if not isinstance(value, str):
+            self.wrong_type((*keys, "path"), value, "a string")
+            return ""
+        if not value.strip():
+            self.wrong((*keys, "path"), f"'{dotted((*keys, 'path'))}' is empty")
+        return value.strip().removeprefix("./")
+
+    def raise_if_wrong(self) -> None:
+        """Raise ConfigurationError if anything was noted."""
+        if self._problems:
+            problems = sorted(self._problems, key=lambda problem: problem.place.start)
+            raise ConfigurationError(tuple(problems))
+
+
+def decisions(checker: Checker, keys: KeyPath, table: Mapping[str, Any]) -> Decisions:
+    """Return what one table decides."""
+    targets = _strings(checker, (*keys, "target"), table)
+    for target in targets or ():
+        if target not in TARGETS:
+            hint = did_you_mean(target, TARGETS)
+            checker.wrong((*keys, "target"), f"unknown target '{target}'{hint}")
+    return Decisions(
+        None if targets is None else frozenset(targets),
+        _codes(checker, (*keys, "select"), table),
+        _codes(checker, (*keys, "ignore"), table),
+        _severities(checker, (*keys, "severity"), _table(checker, (*keys, "severity"), table)),
+        bindings(checker, (*keys, "parameters"), _table(checker, (*keys, "parameters"), table)),
+    )
+
+
+def bindings(checker: Checker, keys: KeyPath, table: Mapping[str, Any]) -> dict[str, Binding]:
+    """Return the bindings of a table of parameters."""
+    found: dict[str, Binding] = {}
+    for name, value in table.items():
+        binding = _binding(checker, (*keys, name), value)
+        if binding is not None:
+            found[name] = binding
+    return found
+
+
+def is_code(text: str) -> bool:
+    """Return whether a text is the code of a rule, or the beginning of some rule's code."""
+    return len(text) > 1 and any(rule.code.startswith(text.upper()) for rule in all_rules())
+
+
+def did_you_mean(word: str, known: Collection[str]) -> str:
+    """Return a hint at the nearest known word, empty if none is near."""
+    from difflib import get_close_matches
+
+    close = get_close_matches(word, list(known), n=1)
+    return f", did you mean '{close[0]}'?" if close else f" (known: {', '.join(known)})"
+
+
+def dotted(keys: KeyPath) -> str:
+    """Return a path of keys as people write it."""
+    text = ""
+    for key in keys:
+        text += f"[{key}]" if isinstance(key, int) else f".{key}" if text else key
+    return text
+
+
+def _binding(checker: Checker, keys: KeyPath, value: object) -> Binding | None:
+    if not isinstance(value, dict):
+        number = _number(checker, keys, value, "a number, or a table with 'value', 'min', 'max'")
+        return None if number is None else Binding(number, origin=checker.path)
+    checker.known_keys(keys, value, BINDING_KEYS)
+    if "value" not in value:
+        checker.wrong(keys, f"'{dotted(keys)}' has no 'value'")
+        return None
+    given = {
+        key: _number(checker, (*keys, key), value[key], "a number")
+        for key in BINDING_KEYS
+        if key in value
+    }
+    lowest, highest = given.get("min"), given.get("max")
+    if lowest is not None and highest is not None and lowest > highest:
+        checker.wrong((*keys, "min"), f"'{dotted((*keys, 'min'))}' is greater than 'max'")
+    number = given["value"]
+    return None if number is None else Binding(number, lowest, highest, checker.path)
+
+
+def _number(checker: Checker, keys: KeyPath, value: object, expected: str) -> float | None:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        checker.wrong_type(keys, value, expected)
+        return None
+    try:
+        number = float(value)
+    except OverflowError:
+        number = math.inf
+    if not math.isfinite(number):
+        checker.wrong(keys, f"'{dotted(keys)}' must be finite")
+        return None
+    return number
+
+
+def _table(checker: Checker, keys: KeyPath, table: Mapping[str, Any]) -> Mapping[str, Any]:
+    value = table.get(str(keys[-1]), {})
+    if isinstance(value, dict):
+        return value
+    checker.wrong_type(keys, value, "a table")
+    return {}
+
+
+def _strings(checker: Checker, keys: KeyPath, table: Mapping[str, Any]) -> list[str] | None:
+    """Return a list of strings; a single string counts as a list of one."""
+    value = table.get(str(keys[-1]))
+    if value is None or isinstance(value, str):
+        return None if value is None else [value]
+    if not isinstance(value, list):
+        checker.wrong_type(keys, value, "a list of strings")
+        return None
+    for number, entry in enumerate(value):
+        if not isinstance(entry, str):
+            checker.wrong_type((*keys, number), entry, "a string")
+    return [entry for entry in value if isinstance(entry, str)]
+
+
+def _codes(checker: Checker, keys: KeyPath, table: Mapping[str, Any]) -> tuple[str, ...] | None:
+    codes = _strings(checker, keys, table)
+    for number, code in enumerate(codes or ()):
+        if not is_code(code):
+            checker.wrong((*keys, number), f"no rule has a code that begins with '{code}'")
+    return None if codes is None else tuple(code.upper() for code in codes)
+
+
+def _severities(checker: Checker, keys: KeyPath, table: Mapping[str, Any]) -> dict[str, Severity]:
+    found: dict[str, Severity] = {}
+    levels = [level.value for level in Severity]
+    for code, level in table.items():
+        if not is_code(code):
+            checker.wrong((*keys, code), f"no rule has a code that begins with '{code}'")
+        if not isinstance(level, str):
+            checker.wrong_type((*keys, code), level, "a string")
+        elif level not in levels:
+            hint = did_you_mean(level, levels)
+            checker.wrong((*keys, code), f"unknown severity '{level}'{hint}")
+        else:
+            found[code.upper()] = Severity(level)
+    return found
