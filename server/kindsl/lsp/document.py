@@ -74,6 +74,10 @@ class Document:
         """Return the code point that a client's position means, clamped."""
         return self.lines.offset(position.line, position.character, self.encoding)
 
+    def line_start(self, line: int) -> int:
+        """Return the code point that a line begins with, clamped."""
+        return self.lines.start(line)
+
     def position(self, offset: int) -> types.Position:
         """Return the client's position of a code point."""
         return types.Position(*self.lines.position(offset, self.encoding))

@@ -5,19 +5,13 @@ there when the request came, however the editor goes on typing meanwhile.
 """
 
 from collections.abc import Awaitable, Callable
-from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeVar
-
-from lsprotocol import types
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 if TYPE_CHECKING:
     from kindsl.lsp.server import KindslLanguageServer
     from kindsl.lsp.view import View
 
 F = TypeVar("F", bound=Callable[..., Any])
-
-
-class _OfDocument(Protocol):
-    text_document: types.TextDocumentIdentifier
 
 
 class _Entry(NamedTuple):
@@ -40,6 +34,26 @@ class Handlers:
 
         def register(handler: F) -> F:
             self._entries.append(_Entry(method, options, lambda server: _on_view(server, handler)))
+            return handler
+
+        return register
+
+    def judged(self, method: str, options: Any = None) -> Callable[[F], F]:
+        """Register a handler `(view, params) -> result` that needs to know what is wrong."""
+
+        def register(handler: F) -> F:
+            self._entries.append(
+                _Entry(method, options, lambda server: _on_judged(server, handler))
+            )
+            return handler
+
+        return register
+
+    def item(self, method: str, options: Any = None) -> Callable[[F], F]:
+        """Register a handler `(view, params) -> result` of the document of `params.item`."""
+
+        def register(handler: F) -> F:
+            self._entries.append(_Entry(method, options, lambda server: _on_item(server, handler)))
             return handler
 
         return register
@@ -78,5 +92,17 @@ def _on_server(server: "KindslLanguageServer", handler: Callable[..., Any]) -> C
 
 def _on_view(
     server: "KindslLanguageServer", handler: "Callable[[View, Any], Any]"
-) -> Callable[[Any], Awaitable[Any] | None]:
-    return lambda params: server.answer(handler, params.text_document.uri, params)
+) -> Callable[[Any], Awaitable[Any]]:
+    return lambda params: server.ask(handler, params.text_document.uri, params)
+
+
+def _on_judged(
+    server: "KindslLanguageServer", handler: "Callable[[View, Any], Any]"
+) -> Callable[[Any], Awaitable[Any]]:
+    return lambda params: server.ask_judged(handler, params.text_document.uri, params)
+
+
+def _on_item(
+    server: "KindslLanguageServer", handler: "Callable[[View, Any], Any]"
+) -> Callable[[Any], Awaitable[Any]]:
+    return lambda params: server.ask(handler, params.item.uri, params)

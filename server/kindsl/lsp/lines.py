@@ -95,12 +95,12 @@ class Lines:
         offset = min(max(offset, 0), self.length)
         line = self.line(offset)
         start = self.start(line)
-        if self._is_ascii or encoding == enc.UTF32:
-            return line, offset - start
-        return line, self._units(start, offset, encoding)
+        return line, self.units(start, offset, encoding)
 
-    def _units(self, start: int, offset: int, encoding: str) -> int:
-        """Measure from the line's start, or from the place measured last on the same line."""
+    def units(self, start: int, offset: int, encoding: str) -> int:
+        """Return the width of a stretch, measured on from the last offset with the same start."""
+        if self._is_ascii or encoding == enc.UTF32:
+            return offset - start
         recent_start, recent_offset, units = self._recent
         if recent_start != start or recent_offset > offset:
             recent_offset, units = start, 0

@@ -12,7 +12,7 @@ import json
 import logging
 from collections.abc import Callable
 from concurrent.futures import Future
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from cattrs import transform_error
 from lsprotocol import types
@@ -31,6 +31,12 @@ if TYPE_CHECKING:
     from kindsl.lsp.server import KindslLanguageServer
 
 logger = logging.getLogger(__name__)
+
+
+class Encoded(NamedTuple):
+    """A result that is JSON already, made where it does not keep the message loop waiting."""
+
+    json: str
 
 
 class KindslProtocol(LanguageServerProtocol):
@@ -161,15 +167,23 @@ class KindslProtocol(LanguageServerProtocol):
 
     def _send_result(self, msg_id: Any, result: Any) -> None:
         try:
-            self._send_data({"jsonrpc": self.VERSION, "id": msg_id, "result": result})
+            answer = self.encoded(result).json
+            self._send_text(f'{{"jsonrpc":"2.0","id":{json.dumps(msg_id)},"result":{answer}}}')
         except (TypeError, ValueError) as error:
             logger.error("a result cannot be sent", exc_info=error)
             self._refuse(msg_id, JsonRpcInternalError(f"internal error: {_sentence(error)}"))
 
-    def _send_data(self, data: Any) -> None:
-        """Frame and send a message; only JSON that every client reads, so no NaN."""
+    def encoded(self, result: Any) -> "Encoded":
+        """Return a result as JSON that every client reads, so without NaN; from any thread."""
+        if isinstance(result, Encoded):
+            return result
         encode = self._serialize_message
-        text = json.dumps(data, default=encode, separators=(",", ":"), allow_nan=False)
+        return Encoded(json.dumps(result, default=encode, separators=(",", ":"), allow_nan=False))
+
+    def _send_data(self, data: Any) -> None:
+        self._send_text(self.encoded(data).json)
+
+    def _send_text(self, text: str) -> None:
         body = text.encode("ascii")
         if self.writer is not None:
             self.writer.write(b"Content-Length: %d\r\n\r\n%b" % (len(body), body))

@@ -36,6 +36,7 @@ async def serve_tcp(server: KindslLanguageServer, host: str, port: int) -> int:
 async def _serve(
     server: KindslLanguageServer, reader: asyncio.StreamReader, writer: MessageWriter
 ) -> int:
+    server.loop = asyncio.get_running_loop()
     server.protocol.set_writer(writer)
     reading = asyncio.ensure_future(read_messages(reader, server.protocol.receive))
     server.on_parent_known = lambda process_id: _watch_parent(process_id, reading)

@@ -1,5 +1,6 @@
 """The language server: documents, their analyses, and who answers what."""
 
+import asyncio
 from collections.abc import Awaitable, Callable
 from typing import TYPE_CHECKING, Any
 
@@ -7,7 +8,17 @@ from lsprotocol import types
 from pygls.lsp.server import LanguageServer
 
 import kindsl
-from kindsl.lsp import configuration, diagnostics, lifecycle
+from kindsl.lsp import (
+    actions,
+    configuration,
+    diagnostics,
+    formatting,
+    highlighting,
+    lifecycle,
+    navigation,
+    renaming,
+    structure,
+)
 from kindsl.lsp.analyses import Analyses
 from kindsl.lsp.client import Client
 from kindsl.lsp.document import Document
@@ -21,11 +32,19 @@ from kindsl.lsp.workspace import Workspace
 if TYPE_CHECKING:
     from kindsl.lsp.handlers import Handlers
 
+Handler = Callable[[View, Any], Any]
+
 _LONG = 200_000
 _HANDLERS: "tuple[Handlers, ...]" = (
     lifecycle.handlers,
     configuration.handlers,
     diagnostics.handlers,
+    navigation.handlers,
+    structure.handlers,
+    highlighting.handlers,
+    renaming.handlers,
+    formatting.handlers,
+    actions.handlers,
 )
 
 
@@ -39,6 +58,7 @@ class KindslLanguageServer(LanguageServer):
         settings: The folders and their settings.
         analyses: What is known about each version of a document.
         publisher: Pushes diagnostics.
+        tokens: The semantic tokens that the client knows.
         on_parent_known: Called with the id of the process that started the server, if it says so.
     """
 
@@ -51,6 +71,9 @@ class KindslLanguageServer(LanguageServer):
         self.settings = Workspace()
         self.analyses = Analyses(self.worker, self.settings.settings)
         self.publisher = Publisher(self)
+        self.tokens = highlighting.TokenMemory()
+        self.documents.on_close.append(self.tokens.forget)
+        self.loop: asyncio.AbstractEventLoop
         self.on_parent_known: Callable[[int | None], None] = lambda _: None
         super().__init__(
             "kindsl",
@@ -61,22 +84,32 @@ class KindslLanguageServer(LanguageServer):
         for handlers in _HANDLERS:
             handlers.register(self)
 
-    def answer(
-        self, handler: Callable[[View, Any], Any], uri: str, params: Any
-    ) -> Awaitable[Any] | None:
-        """Ask a handler about the document as it is now; None when there is none."""
-        document = self.documents.get(uri)
-        return None if document is None else self.view(document, handler, params)
+    def ask_judged(self, handler: Handler, uri: str, params: Any) -> Awaitable[Any]:
+        """Ask a handler that needs to know what is wrong with the document as it is now."""
+        return self._answer_judged(handler, self.documents.get(uri), params)
 
-    async def view(
-        self, document: Document, handler: Callable[[View, Any], Any], params: Any
-    ) -> Any:
+    def ask(self, handler: Handler, uri: str, params: Any) -> Awaitable[Any]:
+        """Ask a handler about the document as it is now; None when there is no such robot."""
+        return self._answer(handler, self.documents.get(uri), params)
+
+    async def _answer_judged(self, handler: Handler, document: Document | None, params: Any) -> Any:
+        if document is not None and not document.is_toml:
+            await self.analyses.findings(document)
+        return await self._answer(handler, document, params)
+
+    async def _answer(self, handler: Handler, document: Document | None, params: Any) -> Any:
         """Let a handler look at one version of a document, for a long one in the worker."""
-        analysis = await self.analyses.of(document)
-        view = View(document, analysis, self)
+        if document is None or document.is_toml:
+            return None
+        view = View(document, await self.analyses.of(document), self)
         if document.lines.length < _LONG:
             return handler(view, params)
-        return await self.worker.run(lambda: handler(view, params))
+        return await self.worker.run(lambda: self.protocol.encoded(handler(view, params)))
+
+    def show_warning(self, message: str) -> None:
+        """Tell the user why something that they asked for was not done; from any thread."""
+        params = types.ShowMessageParams(types.MessageType.Warning, message)
+        self.loop.call_soon_threadsafe(self.window_show_message, params)
 
     def report_server_error(self, error: Exception, source: Any) -> None:
         """Leave it at the log; a fault of ours never becomes a message box."""

@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING
 
 from lsprotocol import types
 
+from kindsl.lsp.client import Client
 from kindsl.lsp.document import Document
 
 if TYPE_CHECKING:
@@ -32,6 +33,19 @@ class View:
     def offset(self, position: types.Position) -> int:
         """Return the code point that a client's position means."""
         return self.document.offset(position)
+
+    @property
+    def client(self) -> Client:
+        """What the editor can do."""
+        return self.server.client
+
+    def show_warning(self, message: str) -> None:
+        """Tell the user why something that they asked for was not done."""
+        self.server.show_warning(message)
+
+    def location(self, start: int, end: int) -> types.Location:
+        """Return the client's place of a stretch of code points."""
+        return types.Location(self.document.uri, self.range(start, end))
 
     def range(self, start: int, end: int) -> types.Range:
         """Return the client's range of a stretch of code points."""

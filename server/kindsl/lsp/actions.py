@@ -1,0 +1,60 @@
+"""Fixes and refactorings."""
+
+from typing import TYPE_CHECKING
+
+from lsprotocol import types
+
+from kindsl.lsp.diagnostics import diagnostics
+from kindsl.lsp.edits import text_edits, workspace_edit
+from kindsl.lsp.handlers import Handlers
+from kindsl.lsp.view import View
+
+if TYPE_CHECKING:
+    from kindsl.features.action import CodeAction
+
+handlers = Handlers()
+
+FIX_ALL = "source.fixAll.kindsl"
+_KINDS = types.CodeActionOptions(
+    code_action_kinds=[
+        types.CodeActionKind.QuickFix,
+        types.CodeActionKind.RefactorExtract,
+        types.CodeActionKind.RefactorInline,
+        types.CodeActionKind.RefactorRewrite,
+        types.CodeActionKind.SourceFixAll,
+        FIX_ALL,
+    ]
+)
+
+
+@handlers.judged(types.TEXT_DOCUMENT_CODE_ACTION, _KINDS)
+def offer(view: View, params: types.CodeActionParams) -> list[types.CodeAction]:
+    """Offer what can be done about a selection, of the kinds that are asked for."""
+    from kindsl.features.code_actions import code_actions, fix_all_action
+
+    start, end = view.offset(params.range.start), view.offset(params.range.end)
+    found = [*code_actions(view.analysis, start, end), fix_all_action(view.analysis)]
+    only = params.context.only
+    return [_action(view, each) for each in found if each and _is_wanted(each.kind, only)]
+
+
+def _is_wanted(kind: str, only: object) -> bool:
+    """Whether a kind is one of those asked for, or below one."""
+    if not isinstance(only, list | tuple):
+        return True
+    return any(f"{kind}.".startswith(f"{wanted}.") or not wanted for wanted in map(_text, only))
+
+
+def _text(kind: object) -> str:
+    return str(getattr(kind, "value", kind))
+
+
+def _action(view: View, action: "CodeAction") -> types.CodeAction:
+    edits = text_edits(view.document, action.edits)
+    return types.CodeAction(
+        title=action.title,
+        kind=action.kind,
+        diagnostics=diagnostics(view.document, action.diagnostics, view.client) or None,
+        is_preferred=action.is_preferred or None,
+        edit=workspace_edit(view.client, [(view.document, edits)]),
+    )

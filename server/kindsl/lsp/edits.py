@@ -1,0 +1,30 @@
+"""Edits as the client takes them."""
+
+from collections.abc import Iterable, Sequence
+
+from lsprotocol import types
+
+from kindsl.lsp.client import Client
+from kindsl.lsp.document import Document
+from kindsl.text.edits import TextEdit
+
+
+def text_edits(document: Document, edits: Iterable[TextEdit]) -> list[types.TextEdit]:
+    """Return edits with the client's ranges."""
+    return [types.TextEdit(document.range(e.start, e.end), e.text) for e in edits]
+
+
+def workspace_edit(
+    client: Client, edits: Sequence[tuple[Document, list[types.TextEdit]]]
+) -> types.WorkspaceEdit:
+    """Return edits of documents, tied to their versions if the client can check them."""
+    if not client.can("workspace.workspace_edit.document_changes"):
+        return types.WorkspaceEdit(changes={document.uri: each for document, each in edits})
+    return types.WorkspaceEdit(
+        document_changes=[
+            types.TextDocumentEdit(
+                types.OptionalVersionedTextDocumentIdentifier(document.uri, document.version), each
+            )
+            for document, each in edits
+        ]
+    )

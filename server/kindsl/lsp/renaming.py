@@ -1,0 +1,36 @@
+"""Renaming, in the document and in the project's configuration."""
+
+from typing import Any
+
+from lsprotocol import types
+
+from kindsl.lsp.edits import text_edits, workspace_edit
+from kindsl.lsp.errors import RequestFailed
+from kindsl.lsp.handlers import Handlers
+from kindsl.lsp.view import View
+
+handlers = Handlers()
+
+
+@handlers.document(types.TEXT_DOCUMENT_PREPARE_RENAME)
+def prepare(view: View, params: types.PrepareRenameParams) -> types.Range | None:
+    """Find the name that would be renamed; None where there is none."""
+    from kindsl.features.rename import Refusal, rename_range
+
+    found = rename_range(view.analysis, view.offset(params.position))
+    return None if isinstance(found, Refusal) else view.range(*found)
+
+
+@handlers.document(types.TEXT_DOCUMENT_RENAME, types.RenameOptions(prepare_provider=True))
+def rename(view: View, params: types.RenameParams) -> types.WorkspaceEdit | None:
+    """Give something another name everywhere."""
+    from kindsl.features.rename import Refusal, rename, rename_range
+
+    if isinstance(rename_range(view.analysis, view.offset(params.position)), Refusal):
+        return None
+    found = rename(view.analysis, view.offset(params.position), params.new_name)
+    if isinstance(found, Refusal):
+        raise RequestFailed(found.message)
+    edits: list[tuple[Any, list[types.TextEdit]]]
+    edits = [(view.document, text_edits(view.document, found.edits))]
+    return workspace_edit(view.client, edits)
