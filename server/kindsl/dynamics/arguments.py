@@ -29,17 +29,20 @@ def vectors(quantity: str, values: npt.ArrayLike, components: int) -> Array:
     return array
 
 
-def check_batches(arrays: dict[str, Array]) -> None:
-    """Check that the leading dimensions of named arrays broadcast.
+def common_batch_shape(arrays: dict[str, Array]) -> tuple[int, ...]:
+    """Return what the leading dimensions of named arrays broadcast to.
 
     Raises:
         ValueError: If they do not.
     """
+    shapes = [array.shape[:-1] for array in arrays.values()]
+    if all(shape == shapes[0] for shape in shapes):
+        return shapes[0]
     try:
-        np.broadcast_shapes(*(array.shape[:-1] for array in arrays.values()))
+        return np.broadcast_shapes(*shapes)
     except ValueError:
-        shapes = ", ".join(f"'{name}' {array.shape}" for name, array in arrays.items())
-        raise ValueError(f"the leading dimensions do not go together: {shapes}") from None
+        listed = ", ".join(f"'{name}' {array.shape}" for name, array in arrays.items())
+        raise ValueError(f"the leading dimensions do not go together: {listed}") from None
 
 
 def unknown_name(kind: str, name: str, known: Iterable[str]) -> ValueError:

@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from kindsl.dynamics import center_of_mass as masses
 from kindsl.dynamics import energy, readable
-from kindsl.dynamics.arguments import check_batches, unknown_name, vectors
+from kindsl.dynamics.arguments import common_batch_shape, unknown_name, vectors
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.forward_kinematics import joint_poses
 from kindsl.dynamics.generation.generated import GeneratedForm
@@ -25,6 +25,8 @@ from kindsl.spatial.transforms import homogeneous
 # Longer code takes seconds to generate.
 MOST_LINKS_FOR_GENERATION = 30
 
+AT_REST = np.zeros(6)
+GRAVITY = np.array(STANDARD_GRAVITY)
 FLOAT64 = np.dtype(np.float64)
 
 NOTHING_RESISTS = "the acceleration is not defined: nothing resists some motion"
@@ -221,15 +223,23 @@ class Mechanics:
         self, q: npt.ArrayLike, qd: npt.ArrayLike, base_velocity: npt.ArrayLike | None = None
     ) -> Array:
         """Return the kinetic energy (...), joule."""
-        arrays = self._checked(q=q, qd=qd, base_velocity=base_velocity)
-        return energy.kinetic_energy(self.bodies, *arrays)
+        n = self.bodies.n_links
+        arrays = {"q": vectors("q", q, n), "qd": vectors("qd", qd, n)}
+        conditions = self._checked_conditions(base_velocity, STANDARD_GRAVITY)
+        common_batch_shape(arrays | conditions)
+        v_base = conditions.get("base_velocity", AT_REST)
+        return energy.kinetic_energy(self.bodies, *arrays.values(), v_base)
 
     def potential_energy(
         self, q: npt.ArrayLike, gravity: npt.ArrayLike = STANDARD_GRAVITY
     ) -> Array:
         """Return the potential energy (...), joule, zero for all mass at the base's origin."""
-        q, gravity = self._checked(q=q, gravity=gravity)
-        return energy.potential_energy(self.bodies, self._body_poses(q), gravity)
+        arrays = {
+            "q": vectors("q", q, self.bodies.n_links),
+            "gravity": vectors("gravity", gravity, 3),
+        }
+        common_batch_shape(arrays)
+        return energy.potential_energy(self.bodies, self._body_poses(q), arrays["gravity"])
 
     def _evaluate(
         self,
@@ -242,14 +252,21 @@ class Mechanics:
             entries = self._quick_answer(quantity, joint_vectors)
             if entries is not None:
                 return entries
-        arrays = self._checked(
-            **dict(zip(JOINT_VECTORS[quantity], joint_vectors, strict=True)),
-            base_velocity=base_velocity,
-            gravity=gravity,
-        )
+        arrays = {
+            name: vectors(name, values, self.bodies.n_links)
+            for name, values in zip(JOINT_VECTORS[quantity], joint_vectors, strict=True)
+        }
+        conditions = self._checked_conditions(base_velocity, gravity)
+        batch_shape = common_batch_shape(arrays | conditions)
         try:
             with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-                entries = self._form(quantity, arrays[:-2], arrays[-2], arrays[-1])
+                entries = self._form(
+                    quantity,
+                    batch_shape,
+                    list(arrays.values()),
+                    conditions.get("base_velocity", AT_REST),
+                    conditions.get("gravity", GRAVITY),
+                )
         except (ZeroDivisionError, np.linalg.LinAlgError):
             raise SingularInertiaError(NOTHING_RESISTS) from None
         if "dynamics" in quantity and not np.isfinite(entries).all():
@@ -260,35 +277,26 @@ class Mechanics:
         self, quantity: Quantity, joint_vectors: tuple[npt.ArrayLike, ...]
     ) -> Array | None:
         """Return a single answer if code is ready and nothing is wrong, without a slow check."""
-        lists = []
-        for vector in joint_vectors:
-            if (
-                type(vector) is not np.ndarray
-                or vector.dtype is not FLOAT64
-                or vector.shape != self._joint_shape
-            ):
-                return None
-            lists.append(vector.tolist())
         try:
-            return self._generated.at_rest[quantity](*lists)
-        except (KeyError, ValueError, ZeroDivisionError):
+            for vector in joint_vectors:
+                if vector.shape != self._joint_shape or vector.dtype is not FLOAT64:  # type: ignore[union-attr]
+                    return None
+            return self._generated.at_rest[quantity](*[v.tolist() for v in joint_vectors])  # type: ignore[union-attr]
+        except (AttributeError, KeyError, ValueError, ZeroDivisionError):
             return None
 
-    def _checked(self, **arguments: npt.ArrayLike | None) -> list[Array]:
-        """Return the arguments as arrays that broadcast."""
-        if arguments.get("base_velocity") is not None and not self.bodies.is_floating:
-            raise ValueError("'base_velocity' is given, but the base is fixed")
-        sizes = {"base_velocity": 6, "gravity": 3}
-        arrays = {
-            name: vectors(
-                name,
-                np.zeros(6) if values is None else values,
-                sizes.get(name, self.bodies.n_links),
-            )
-            for name, values in arguments.items()
-        }
-        check_batches(arrays)
-        return list(arrays.values())
+    def _checked_conditions(
+        self, base_velocity: npt.ArrayLike | None, gravity: npt.ArrayLike
+    ) -> dict[str, Array]:
+        """Return what is not standard of the base's velocity and gravity."""
+        conditions = {}
+        if base_velocity is not None:
+            if not self.bodies.is_floating:
+                raise ValueError("'base_velocity' is given, but the base is fixed")
+            conditions["base_velocity"] = vectors("base_velocity", base_velocity, 6)
+        if gravity is not STANDARD_GRAVITY:
+            conditions["gravity"] = vectors("gravity", gravity, 3)
+        return conditions
 
     def _body_poses(self, q: npt.ArrayLike) -> list[Array]:
         entries = self._evaluate("poses", (q,))

@@ -19,6 +19,7 @@ BODIES_AT_A_TIME = 20_000
 def evaluate(
     bodies: Bodies,
     quantity: Quantity,
+    batch_shape: tuple[int, ...],
     joint_vectors: list[Array],
     base_velocity: Array,
     gravity: Array,
@@ -28,20 +29,19 @@ def evaluate(
     Args:
         bodies: The mechanism.
         quantity: What to compute.
+        batch_shape: What the leading dimensions of all that follows broadcast to.
         joint_vectors: As `quantities.JOINT_VECTORS` lists them, shape (..., n).
         base_velocity: Shape (..., 6), zero for a fixed base.
-        gravity: Shape (..., 3). All leading dimensions broadcast.
+        gravity: Shape (..., 3).
 
     Raises:
         numpy.linalg.LinAlgError: If a floating base's inertia is singular.
     """
-    arguments = [*joint_vectors, base_velocity, gravity]
-    batch_shape = np.broadcast_shapes(*(argument.shape[:-1] for argument in arguments))
     rows = [
         np.broadcast_to(argument, (*batch_shape, argument.shape[-1])).reshape(
             (-1, argument.shape[-1])
         )
-        for argument in arguments
+        for argument in (*joint_vectors, base_velocity, gravity)
     ]
     chunk = max(1, BODIES_AT_A_TIME // bodies.n_links)
     starts = range(0, max(1, len(rows[0])), chunk)

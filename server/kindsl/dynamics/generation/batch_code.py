@@ -20,9 +20,6 @@ UFUNCS = {
     "*": ("mul", np.multiply),
     "/": ("div", np.divide),
     "neg": ("neg", np.negative),
-    "sin": ("sin", np.sin),
-    "cos": ("cos", np.cos),
-    "tan": ("tan", np.tan),
 }
 
 
@@ -31,8 +28,8 @@ class BatchFunction:
     """A compiled trace.
 
     Attributes:
-        evaluate: Takes the arguments (each a sequence of rows or numbers), the output rows
-            and the scratch rows.
+        evaluate: Takes the arguments, cosines and sines of the first one, the output rows and the
+            scratch rows. All are sequences of rows; arguments may hold numbers instead.
         n_scratch: Number of scratch rows that it needs.
         n_outputs: Number of output rows that it fills.
     """
@@ -57,81 +54,15 @@ def batch_source(trace: Trace) -> tuple[str, int]:
     lines: list[str] = []
     for index in trace.needed():
         operation, *operands = trace.graph.nodes[index]
-        if operation == "input":
+        if operation not in UFUNCS:
             continue
-        words = [rows.word(operand) for operand in operands if not isinstance(operand, str)]
+        words = ",".join(rows.word(operand) for operand in operands if not isinstance(operand, str))
+        # What is used for the last time may make place for the result.
         rows.release(index)
-        lines.append(f"{UFUNCS[operation][0]}({','.join(words)},{rows.claim(index)})")
-    names = [f"a{number}" for number in range(len(trace.arguments))]
-    scratch = ",".join(f"s{number}" for number in range(rows.n_scratch))
-    body = [f"{scratch},=scratch"] if scratch else []
-    body += rows.unpacked_inputs() + rows.named_outputs() + lines + rows.copied_outputs()
-    return f"def evaluate({','.join([*names, 'out', 'scratch'])}):\n " + "\n ".join(
-        [*body, "return"]
-    ) + "\n", rows.n_scratch
-
-
-class _Rows:
-    """Where each value lies: in an argument, an output or a scratch row."""
-
-    def __init__(self, trace: Trace) -> None:
-        self.trace = trace
-        self.n_scratch = 0
-        self._free: list[str] = []
-        self._names: dict[int, str] = {}
-        self._inputs = set(trace.graph.inputs)
-        self._outputs: dict[int, int] = {}
-        self._last_use: dict[int, int] = {}
-        for number, output in enumerate(trace.outputs):
-            if isinstance(output, Expression) and output.index not in self._inputs:
-                self._outputs.setdefault(output.index, number)
-        for index in trace.needed():
-            for operand in trace.operands(index):
-                self._last_use[operand] = index
-        for number, argument in enumerate(trace.arguments):
-            for position, component in enumerate(argument):
-                self._names[component.index] = f"a{number}_{position}"
-
-    def word(self, operand: Operand) -> str:
-        return self._names[operand] if isinstance(operand, int) else repr(operand)
-
-    def claim(self, index: int) -> str:
-        if index in self._outputs:
-            name = f"o{self._outputs[index]}"
-        elif self._free:
-            name = self._free.pop()
-        else:
-            name = f"s{self.n_scratch}"
-            self.n_scratch += 1
-        self._names[index] = name
-        return name
-
-    def release(self, index: int) -> None:
-        for operand in set(self.trace.operands(index)):
-            name = self._names[operand]
-            if self._last_use[operand] == index and name[0] == "s":
-                self._free.append(name)
-
-    def unpacked_inputs(self) -> list[str]:
-        used = set(self.trace.needed())
-        lines = []
-        for number, argument in enumerate(self.trace.arguments):
-            indices = [component.index for component in argument]
-            if not used.isdisjoint(indices):
-                lines.append(",".join(self._names[index] for index in indices) + f",=a{number}")
-        return lines
-
-    def named_outputs(self) -> list[str]:
-        return [f"o{number}=out[{number}]" for number in self._outputs.values()]
-
-    def copied_outputs(self) -> list[str]:
-        lines = []
-        for number, output in enumerate(self.trace.outputs):
-            if not isinstance(output, Expression):
-                lines.append(f"out[{number}]={output!r}")
-            elif self._outputs.get(output.index) != number:
-                lines.append(f"out[{number}]={self._names[output.index]}")
-        return lines
+        lines.append(f"{UFUNCS[operation][0]}({words},{rows.claim(index)})")
+    arguments = ",".join(f"a{number}" for number in range(len(trace.arguments)))
+    head = f"def evaluate({arguments},cosines,sines,out,scratch):"
+    return "\n ".join([head, *rows.unpacked(), *lines, *rows.copied(), "return\n"]), rows.n_scratch
 
 
 def run_in_chunks(
@@ -149,12 +80,14 @@ def run_in_chunks(
         Shape (outputs, size).
     """
     out = np.empty((function.n_outputs, size))
-    chunk = max(1, math.ceil(size / max(1, math.ceil(size / chunk))))
-    scratch = np.empty((function.n_scratch, min(chunk, size)))
-    for start in range(0, size, chunk):
+    n_chunks = max(1, math.ceil(size / chunk))
+    chunk = math.ceil(size / n_chunks)
+    scratch = np.empty((function.n_scratch, chunk))
+    for start in range(0, size, max(1, chunk)):
         stop = min(start + chunk, size)
         rows = [_rows(argument, start, stop) for argument in arguments]
-        function.evaluate(*rows, out[:, start:stop], scratch[:, : stop - start])
+        cosines, sines = _cosines_and_sines(np.asarray(rows[0]))
+        function.evaluate(*rows, cosines, sines, out[:, start:stop], scratch[:, : stop - start])
     return out
 
 
@@ -162,3 +95,97 @@ def _rows(argument: Array | list[float], start: int, stop: int) -> Array | list[
     if isinstance(argument, list):
         return argument
     return np.ascontiguousarray(argument[start:stop].T)
+
+
+def _cosines_and_sines(angles: Array) -> tuple[Array, Array]:
+    """Return both from `t = tan(angle / 2)`: `2 / (1 + t^2) - 1` and `2 t / (1 + t^2)`.
+
+    NumPy's tangent takes a third of the time of its sine. The error is some 2e-16.
+    """
+    sines = np.tan(0.5 * angles)
+    cosines = sines * sines
+    cosines += 1.0
+    np.divide(2.0, cosines, out=cosines)
+    sines *= cosines
+    cosines -= 1.0
+    return cosines, sines
+
+
+class _Rows:
+    """Where each value of a trace lies: in an argument, an output or a scratch row."""
+
+    def __init__(self, trace: Trace) -> None:
+        self._trace = trace
+        self._scratch: set[str] = set()
+        self._free: list[str] = []
+        self._names: dict[int, str] = {}
+        self._blocks = _blocks(trace)
+        for block, indices in self._blocks.items():
+            self._names.update((node, f"{block}_{row}") for row, node in enumerate(indices))
+        self._outputs: dict[int, int] = {}
+        for number, output in enumerate(trace.outputs):
+            if isinstance(output, Expression) and output.index not in self._names:
+                self._outputs.setdefault(output.index, number)
+        self._last_use = {
+            operand: index for index in trace.needed() for operand in trace.operands(index)
+        }
+
+    @property
+    def n_scratch(self) -> int:
+        """Number of scratch rows claimed so far."""
+        return len(self._scratch)
+
+    def word(self, operand: Operand) -> str:
+        """Return how to write an operand."""
+        return self._names[operand] if isinstance(operand, int) else repr(operand)
+
+    def claim(self, index: int) -> str:
+        """Return the row that a node's result goes to."""
+        if index in self._outputs:
+            name = f"o{self._outputs[index]}"
+        elif self._free:
+            name = self._free.pop()
+        else:
+            name = f"s{self.n_scratch}"
+            self._scratch.add(name)
+        self._names[index] = name
+        return name
+
+    def release(self, index: int) -> None:
+        """Free the scratch rows that no node after this one uses."""
+        for operand in set(self._trace.operands(index)):
+            if self._last_use[operand] == index and self._names[operand] in self._scratch:
+                self._free.append(self._names[operand])
+
+    def unpacked(self) -> list[str]:
+        """Return lines that give the rows their names."""
+        needed = set(self._trace.needed())
+        scratch = [f"s{number}" for number in range(self.n_scratch)]
+        lines = [f"{','.join(scratch)},=scratch"] if scratch else []
+        for block, indices in self._blocks.items():
+            if not needed.isdisjoint(indices):
+                names = ",".join(self._names[index] for index in indices)
+                lines.append(f"{names},={block}")
+        return lines + [f"o{number}=out[{number}]" for number in self._outputs.values()]
+
+    def copied(self) -> list[str]:
+        """Return lines that fill the output rows that are not computed in place."""
+        lines = []
+        for number, output in enumerate(self._trace.outputs):
+            if not isinstance(output, Expression):
+                lines.append(f"out[{number}]={output!r}")
+            elif self._outputs.get(output.index) != number:
+                lines.append(f"out[{number}]={self._names[output.index]}")
+        return lines
+
+
+def _blocks(trace: Trace) -> dict[str, list[int]]:
+    """Return the nodes that lie in the blocks of rows that `evaluate` is called with."""
+    blocks = {
+        f"a{number}": [component.index for component in argument]
+        for number, argument in enumerate(trace.arguments)
+    }
+    angles = trace.arguments[0]
+    blocks["cosines"] = [angle.graph.record("cos", angle.index).index for angle in angles]
+    blocks["sines"] = [angle.graph.record("sin", angle.index).index for angle in angles]
+    return blocks

@@ -7,11 +7,9 @@ of an earlier node, or a float.
 """
 
 import math
-from collections.abc import Callable
 from typing import TypeAlias, Union
 
 Scalar: TypeAlias = Union["Expression", float]
-Trigonometry: TypeAlias = Callable[["Expression"], tuple["Scalar", "Scalar"]]
 Operand: TypeAlias = int | float
 Node: TypeAlias = tuple[str, Operand] | tuple[str, Operand, Operand]
 
@@ -22,13 +20,11 @@ class Graph:
     Attributes:
         nodes: The operations.
         inputs: Indices of the nodes that are inputs.
-        trigonometry: How to record a cosine and a sine.
     """
 
-    __slots__ = ("_indices", "inputs", "nodes", "trigonometry")
+    __slots__ = ("_indices", "inputs", "nodes")
 
-    def __init__(self, trigonometry: "Trigonometry") -> None:
-        self.trigonometry = trigonometry
+    def __init__(self) -> None:
         self.nodes: list[Node] = []
         self.inputs: list[int] = []
         self._indices: dict[tuple[object, ...], int] = {}
@@ -147,21 +143,4 @@ def cosine_and_sine(angle: Scalar) -> tuple[Scalar, Scalar]:
     """Record the cosine and the sine of an angle, radians."""
     if isinstance(angle, float):
         return math.cos(angle), math.sin(angle)
-    return angle.graph.trigonometry(angle)
-
-
-def by_cosine_and_sine(angle: Expression) -> tuple[Scalar, Scalar]:
-    """Record two function calls."""
     return angle.graph.record("cos", angle.index), angle.graph.record("sin", angle.index)
-
-
-def by_half_angle(angle: Expression) -> tuple[Scalar, Scalar]:
-    """Record one function call, `t = tan(angle / 2)`, and `2 / (1 + t^2) - 1`, `2 t / (1 + t^2)`.
-
-    On rows NumPy's tangent takes a third of the time of its sine. The error is some 2e-16.
-    """
-    half = 0.5 * angle
-    assert isinstance(half, Expression)
-    t = angle.graph.record("tan", half.index)
-    ratio = 2.0 / (1.0 + t * t)
-    return ratio - 1.0, t * ratio

@@ -1,14 +1,11 @@
 """Evaluates quantities by code that is generated for a mechanism when first asked for."""
 
+import math
+
 import numpy as np
 
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.generation.batch_code import BatchFunction, batch_function, run_in_chunks
-from kindsl.dynamics.generation.expressions import (
-    Trigonometry,
-    by_cosine_and_sine,
-    by_half_angle,
-)
 from kindsl.dynamics.generation.scalar_code import ScalarFunction, scalar_function
 from kindsl.dynamics.generation.trace import Conditions, Trace, trace
 from kindsl.dynamics.generation.tree import Tree, tree_of
@@ -41,28 +38,31 @@ class GeneratedForm:
         self._tree: Tree | None = None
 
     def evaluate(
-        self, quantity: Quantity, joint_vectors: list[Array], base_velocity: Array, gravity: Array
+        self,
+        quantity: Quantity,
+        batch_shape: tuple[int, ...],
+        joint_vectors: list[Array],
+        base_velocity: Array,
+        gravity: Array,
     ) -> Array:
         """Return a quantity's entries in one row per configuration, shape (..., entries).
 
         Args:
             quantity: What to compute.
+            batch_shape: What the leading dimensions of all that follows broadcast to.
             joint_vectors: As `quantities.JOINT_VECTORS` lists them, shape (..., n).
             base_velocity: Shape (..., 6), zero for a fixed base.
-            gravity: Shape (..., 3). All leading dimensions broadcast.
+            gravity: Shape (..., 3).
 
         Raises:
             ZeroDivisionError: For a few configurations, if nothing resists a motion; a batch
                 holds values that are not finite then.
             SingularInertiaError: If nothing resists a motion in any configuration.
         """
-        is_at_rest = not base_velocity.any() and (gravity == STANDARD_GRAVITY).all()
+        is_at_rest = not base_velocity.any() and tuple(gravity.tolist()) == STANDARD_GRAVITY
         conditions: Conditions = "at_rest" if is_at_rest else "any"
         arguments = joint_vectors if is_at_rest else [*joint_vectors, base_velocity, gravity]
-        batch_shape = np.broadcast_shapes(
-            *(vector.shape[:-1] for vector in (*joint_vectors, base_velocity, gravity))
-        )
-        size = int(np.prod(batch_shape))
+        size = math.prod(batch_shape)
         if 0 < size < SMALLEST_BATCH:
             rows = [_flattened(argument, batch_shape).tolist() for argument in arguments]
             entries = self._one_by_one(quantity, conditions, rows)
@@ -80,24 +80,24 @@ class GeneratedForm:
     ) -> Array:
         functions = self.at_rest if conditions == "at_rest" else self._any_motion
         if quantity not in functions:
-            written = self._trace(quantity, conditions, by_cosine_and_sine)
+            written = self._trace(quantity, conditions)
             functions[quantity] = scalar_function(written)
         return np.stack([functions[quantity](*row) for row in zip(*arguments, strict=True)])
 
     def _batch_function(self, quantity: Quantity, conditions: Conditions) -> BatchFunction:
         key = (quantity, conditions)
         if key not in self._batch:
-            self._batch[key] = batch_function(self._trace(quantity, conditions, by_half_angle))
+            self._batch[key] = batch_function(self._trace(quantity, conditions))
         return self._batch[key]
 
-    def _trace(
-        self, quantity: Quantity, conditions: Conditions, trigonometry: Trigonometry
-    ) -> Trace:
+    def _trace(self, quantity: Quantity, conditions: Conditions) -> Trace:
         if self._tree is None:
             self._tree = tree_of(self.bodies)
-        return trace(self._tree, self.bodies.frames, quantity, conditions, trigonometry)
+        return trace(self._tree, self.bodies.frames, quantity, conditions)
 
 
 def _flattened(argument: Array, batch_shape: tuple[int, ...]) -> Array:
     components = argument.shape[-1]
+    if argument.shape[:-1] == batch_shape:
+        return argument.reshape((-1, components))
     return np.broadcast_to(argument, (*batch_shape, components)).reshape((-1, components))

@@ -5,13 +5,7 @@ from typing import Literal, TypeAlias
 
 from kindsl.dynamics.bodies import Frame
 from kindsl.dynamics.generation.composite_bodies import joint_space_inertia
-from kindsl.dynamics.generation.expressions import (
-    Expression,
-    Graph,
-    Scalar,
-    Trigonometry,
-    by_cosine_and_sine,
-)
+from kindsl.dynamics.generation.expressions import Expression, Graph, Scalar
 from kindsl.dynamics.generation.forward_dynamics import forward_dynamics
 from kindsl.dynamics.generation.forward_kinematics import poses
 from kindsl.dynamics.generation.inverse_dynamics import (
@@ -63,11 +57,7 @@ class Trace:
 
 
 def trace(
-    tree: Tree,
-    frames: tuple[Frame, ...],
-    quantity: Quantity,
-    conditions: Conditions,
-    trigonometry: Trigonometry = by_cosine_and_sine,
+    tree: Tree, frames: tuple[Frame, ...], quantity: Quantity, conditions: Conditions
 ) -> Trace:
     """Trace a quantity.
 
@@ -77,12 +67,11 @@ def trace(
         quantity: What to compute.
         conditions: What is known beforehand. Under any conditions the base's velocity, if it
             floats, and gravity are arguments too.
-        trigonometry: How to record a cosine and a sine.
 
     Raises:
         SingularInertiaError: If an acceleration is asked for that nothing resists.
     """
-    graph = Graph(trigonometry)
+    graph = Graph()
     arguments = [graph.vector(len(tree.links())) for _ in JOINT_VECTORS[quantity]]
     joint_vectors: list[Vector] = [[*argument] for argument in arguments]
     base_velocity: Vector = [0.0] * 6
