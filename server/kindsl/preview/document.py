@@ -6,6 +6,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from kindsl.dynamics.bodies import Bodies
+from kindsl.mechanism.build import drawable_bodies
 from kindsl.preview.channel import Channel, Tab
 from kindsl.preview.parameters import parameter_messages
 from kindsl.preview.picture import State, picture
@@ -47,9 +48,13 @@ class DocumentPreview:
         self._ghost = self._last_good
         self._draw_ghost()
 
-    def compare(self, bodies: Bodies) -> None:
-        """Let another mechanism stand behind this one."""
-        self._ghost = bodies
+    def compare(self, other: Analysis) -> None:
+        """Let another document stand behind this one.
+
+        Raises:
+            ModelError: It has no bodies.
+        """
+        self._ghost = drawable_bodies(other.model, other.context.values)
         self._draw_ghost()
 
     def set_joint(self, name: str, value: float, sender: Tab | None = None) -> None:

@@ -19,7 +19,7 @@ from kindsl.preview.meshes import Mesh, lathe, triad
 _ALIAS = "_kindsl_meshcat"
 
 # A joint's mark and its axis stand out of the bodies, whose radius is 1.
-ARROW_PROFILE = ((0.0, -4.0), (0.28, -4.0), (0.28, 6.0), (0.85, 6.0), (0.0, 8.4))
+ARROW_PROFILE = ((0.0, -3.0), (0.2, -3.0), (0.2, 5.0), (0.62, 5.0), (0.0, 7.0))
 FORCE_PROFILE = ((0.0, 0.0), (0.55, 0.0), (0.55, 0.8), (1.3, 0.8), (0.0, 1.0))
 
 
@@ -27,6 +27,7 @@ class Form(Enum):
     """The forms. Lengths are in radii of the bodies unless said otherwise."""
 
     BALL = "a sphere of radius 1"
+    POINT = "a centre of mass: a smaller sphere"
     CYLINDER = "a cylinder along y, radius 1, height 1"
     DRUM = "a revolute joint: a cylinder along y"
     BLOCK = "a prismatic joint: a cuboid along z"
@@ -77,9 +78,10 @@ def viewer_script() -> Path:
 def _meshcat_geometry(g: ModuleType, form: Form) -> Any:
     primitives = {
         Form.BALL: lambda: g.Sphere(1.0),
+        Form.POINT: lambda: g.Sphere(0.62),
         Form.CYLINDER: lambda: g.Cylinder(1.0, 1.0),
-        Form.DRUM: lambda: g.Cylinder(3.6, 1.75),
-        Form.BLOCK: lambda: g.Box([2.6, 2.6, 5.2]),
+        Form.DRUM: lambda: g.Cylinder(2.8, 1.42),
+        Form.BLOCK: lambda: g.Box([2.2, 2.2, 4.4]),
         Form.SLAB: lambda: g.Box([7.0, 7.0, 1.0]),
     }
     if form in primitives:
@@ -93,7 +95,7 @@ def _mesh(form: Form) -> Mesh:
         return lathe(ARROW_PROFILE)
     if form is Form.FORCE:
         return lathe(FORCE_PROFILE)
-    return triad(0.34, 5.5) if form is Form.TRIAD else triad(0.26, 4.0)
+    return triad(0.24, 5.0) if form is Form.TRIAD else triad(0.18, 3.6)
 
 
 @cache

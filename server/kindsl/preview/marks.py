@@ -59,7 +59,7 @@ def link_marks(link: str, com: Array, ellipsoids: InertiaEllipsoids, body: int) 
     if not semi_axes.any():
         return
     ball = path_of(*place, "com", "ball")
-    yield set_object(ball, Shape(Form.BALL, COM, on_top=True))
+    yield set_object(ball, Shape(Form.POINT, COM, on_top=True))
     yield set_transform(ball, _at(com))
     ellipsoid = path_of(*place, "inertia", "ellipsoid")
     color = INERTIA if ellipsoids.is_consistent[body] else BAD_INERTIA

@@ -6,6 +6,7 @@ from enum import StrEnum
 from kindsl.dynamics.bodies import Bodies
 from kindsl.mechanism.build import drawable_bodies
 from kindsl.mechanism.errors import ModelError
+from kindsl.preview.fragments import bodies_as_far_as_known
 from kindsl.semantics.declarations import ValueKind
 from kindsl.semantics.model import Model
 from kindsl.semantics.parameters import values_of
@@ -48,13 +49,15 @@ def picture(model: Model, given: dict[str, float], last_good: Bodies | None) -> 
     values = values_of(model.parameters, model.constants, given)
     unbound = [p for p in model.parameters if str(p.name) not in values]
     stand_ins = {str(p.name): 0.0 for p in unbound}
-    defect = _defect(model)
     try:
         bodies = drawable_bodies(model, {**stand_ins, **values})
+        defect = _defect(model)
     except ModelError as error:
-        return Picture(last_good, State.BROKEN, _sentence(str(error), last_good))
+        bodies = bodies_as_far_as_known(model, {**stand_ins, **values})
+        defect = str(error)
     if defect:
-        return Picture(last_good or bodies, State.BROKEN, _sentence(defect, last_good))
+        shown = last_good or bodies
+        return Picture(shown, State.BROKEN, _sentence(defect, last_good, shown))
     if any(p.kind is not ValueKind.DYNAMICS for p in unbound):
         return Picture(last_good or bodies, State.UNBOUND, _unbound_message(list(stand_ins)))
     return Picture(bodies, State.LIVE, _unbound_message(list(stand_ins)) if unbound else "")
@@ -76,9 +79,12 @@ def _defect(model: Model) -> str:
     return ""
 
 
-def _sentence(problem: str, last_good: Bodies | None) -> str:
-    shown = "the last complete version is shown" if last_good else "what there is is shown"
-    return f"{problem[:1].upper()}{problem[1:]}: {shown}"
+def _sentence(problem: str, last_good: Bodies | None, shown: Bodies | None) -> str:
+    if last_good is not None:
+        consequence = "the last complete version is shown"
+    else:
+        consequence = "what there is of it is shown" if shown else "nothing can be shown yet"
+    return f"{problem[:1].upper()}{problem[1:]}: {consequence}"
 
 
 def _unbound_message(names: list[str]) -> str:

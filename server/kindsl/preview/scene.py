@@ -81,6 +81,7 @@ def _numbers(
             "inertia": ellipsoids.about_com[body].ravel().tolist(),
             "is_consistent": ellipsoids.is_consistent[body] or not (body or bodies.is_floating),
             "anchor": _anchor(size.segments[body]),
+            "ends": [segment.end.tolist() for segment in size.segments[body]],
         }
     placements = homogeneous(bodies.p_R_j, bodies.p_r_j)
     for link_idx, parent in bodies.links():

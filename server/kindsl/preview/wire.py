@@ -63,5 +63,15 @@ def encode(message: Message) -> bytes:
     shape = message.get("object")
     if isinstance(shape, Shape):
         message = {**message, "object": lowered(shape)}
-    packed: bytes = umsgpack.packb(dict(message))
+    try:
+        packed: bytes = umsgpack.packb(dict(message))
+    except UnicodeEncodeError:
+        packed = umsgpack.packb(_printable(dict(message)))
     return packed
+
+
+def _printable(value: Any) -> Any:
+    """Return a message without the surrogates that undecodable bytes of a document leave."""
+    if isinstance(value, str):
+        return value.encode(errors="replace").decode()
+    return {key: _printable(v) for key, v in value.items()} if isinstance(value, dict) else value

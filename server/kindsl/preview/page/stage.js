@@ -2,9 +2,9 @@
 "use strict";
 
 const KindslStage = (() => {
-  const FIELD_OF_VIEW = 40; // degrees
+  const FIELD_OF_VIEW = 28; // degrees
   const FROM = [1.0, -1.35, 0.62]; // where the camera stands, seen from the robot
-  const MARGIN = 1.12;
+  const BORDER = 7; // around the robot, in radii of its bodies
 
   function toThree([x, y, z]) {
     return new MeshCat.THREE.Vector3(x, z, -y);
@@ -18,6 +18,7 @@ const KindslStage = (() => {
       viewer.hide_background();
       for (const path of [["Lights", "PointLightNegativeX"], ["Lights", "PointLightPositiveX"], ["Lights", "FillLight"],
         ["Lights", "SpotLight"], ["Grid"], ["Axes"]]) viewer.set_property(path, "visible", false);
+      viewer.set_property(["Lights", "AmbientLight", "<object>"], "intensity", 0.36);
       this.addLights();
       viewer.camera.fov = FIELD_OF_VIEW;
       this.ground = null;
@@ -27,13 +28,13 @@ const KindslStage = (() => {
     // Directional lights: unlike the viewer's own they do not depend on the robot's size.
     addLights() {
       const { DirectionalLight, HemisphereLight } = MeshCat.THREE;
-      const lights = [[0.55, [3, -4, 6]], [0.25, [-5, 2, 2]]];
+      const lights = [[0.5, [3, -4, 6]], [0.16, [-5, 2, 2]]];
       for (const [intensity, from] of lights) {
         const light = new DirectionalLight(0xffffff, intensity);
         light.position.set(...from);
         this.viewer.scene.add(light);
       }
-      const sky = new HemisphereLight(0xffffff, 0xb9c0c8, 0.28);
+      const sky = new HemisphereLight(0xffffff, 0xb9c0c8, 0.2);
       sky.position.set(0, 0, 1);
       this.viewer.scene.add(sky);
     }
@@ -46,22 +47,49 @@ const KindslStage = (() => {
     }
 
     frame() {
-      const { size, center, name } = this.scene.model;
+      const { size, name } = this.scene.model;
       const { camera, controls } = this.viewer;
       this.framedSize = size;
       this.framedName = name;
-      const half = Math.tan((FIELD_OF_VIEW * Math.PI) / 360) * Math.min(1, camera.aspect || 1);
-      const distance = (MARGIN * 0.5 * size) / half;
       const direction = toThree(FROM).normalize();
+      const { target, distance } = this.fit(direction);
       camera.near = distance / 200;
       camera.far = distance * 100;
-      controls.target.copy(toThree(center));
-      camera.position.copy(this.fromWorld(controls.target.clone().addScaledVector(direction, distance)));
+      controls.target.copy(target);
+      camera.position.copy(this.fromWorld(target.clone().addScaledVector(direction, distance)));
       controls.minDistance = distance / 100;
       controls.maxDistance = distance * 30;
       controls.update();
       this.drawGround();
       this.viewer.set_dirty();
+    }
+
+    // Where to look, and from how far, so that all points of the robot are in the picture.
+    fit(direction) {
+      const right = new MeshCat.THREE.Vector3(0, 1, 0).cross(direction).normalize();
+      const up = direction.clone().cross(right);
+      const seen = this.points().map((p) => [p.dot(right), p.dot(up), p.dot(direction)]);
+      const middle = [0, 1, 2].map((axis) => {
+        const values = seen.map((point) => point[axis]);
+        return (Math.min(...values) + Math.max(...values)) / 2;
+      });
+      const border = BORDER * this.scene.model.unit, tangent = Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
+      const aspect = this.viewer.camera.aspect || 1;
+      const needed = seen.map(([x, y, z]) => z - middle[2] + Math.max(
+        (Math.abs(x - middle[0]) + border) / (tangent * aspect), (Math.abs(y - middle[1]) + border) / tangent));
+      const target = right.multiplyScalar(middle[0]).addScaledVector(up, middle[1]).addScaledVector(direction, middle[2]);
+      return { target, distance: Math.max(...needed, 0.4 * this.scene.model.size) };
+    }
+
+    points() {
+      const { poses, trees, model } = this.scene;
+      const points = [[model.center[0], model.center[1], model.ground]];
+      for (const [name, pose] of poses.robot.links) {
+        points.push(KindslKinematics.origin(pose));
+        for (const end of trees.robot.links.get(name).ends) points.push(KindslKinematics.transformPoint(pose, end));
+      }
+      for (const pose of poses.robot.frames.values()) points.push(KindslKinematics.origin(pose));
+      return points.map(toThree);
     }
 
     // The camera hangs in nodes of the viewer's scene whose turns cancel out.

@@ -8,6 +8,7 @@ const kindsl = (() => {
   const stage = new KindslStage.Stage(viewer, scene);
   const embedded = document.getElementById("embedded-state");
   const parameters = new Map();
+  document.body.classList.toggle("picture", location.hash === "#picture");
   let connection = null, selected = null, hovered = null, cursor = null;
 
   const send = (message) => connection && connection.send(message);
@@ -79,8 +80,8 @@ const kindsl = (() => {
 
   const render = viewer.render.bind(viewer);
   function refresh() {
-    if (stale.camera && scene.trees.robot.links.size) { stage.follow(); stage.styleGround(); stale.camera = false; }
     scene.update();
+    if (stale.camera && scene.trees.robot.links.size) { stage.follow(); stage.styleGround(); stale.camera = false; }
     if (stale.joints) { panel.updateJoints(); stale.joints = false; }
     if (stale.parameters) { panel.updateParameters(parameters); stale.parameters = false; }
     if (stale.findings) { findings.show(); stale.findings = false; }

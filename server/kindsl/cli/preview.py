@@ -1,0 +1,130 @@
+"""`kindsl preview`: shows a robot in the browser while its document is edited."""
+
+import argparse
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from kindsl.cli.lint_options import add_parameter_arguments
+from kindsl.cli.outcome import Failure
+from kindsl.cli.run_choices import choices_of
+from kindsl.cli.sources import read_source
+from kindsl.config.configuration import ConfigurationError
+
+if TYPE_CHECKING:
+    from kindsl.preview.document import DocumentPreview
+    from kindsl.rules.analysis import Analysis
+
+PROBLEM = 2
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    add = parser.add_argument
+    add("file", metavar="FILE", help="the document to show")
+    add("--port", metavar="N", type=_port, default=0, help="listen here (default: a free port)")
+    add("--no-open", action="store_true", help="do not open a browser")
+    add("--compare", metavar="OLD.kindsl", help="show another document translucent behind it")
+    add("--export", metavar="FILE.html", type=Path, help="write one self-contained page and stop")
+    add("--screenshot", metavar="FILE.png", type=Path, help="write a picture and stop")
+    add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
+
+
+def run(args: argparse.Namespace) -> int:
+    """Serve until interrupted, or write what was asked for.
+
+    Returns:
+        0, or 2 when a file cannot be read or written, or something needed is missing.
+    """
+    try:
+        return _run(args)
+    except ImportError as error:
+        return _fail(f"{error.msg}; install the preview with: pip install 'kindsl[preview]'")
+    except (Unreadable, ConfigurationError) as error:
+        print(error, file=sys.stderr)
+    except OSError as error:
+        return _fail(f"{error.filename or args.file}: {error.strerror or error}")
+    except KeyboardInterrupt:
+        return 0
+    return PROBLEM
+
+
+class Unreadable(Exception):
+    """A document cannot be read; the text is what to print."""
+
+
+def _run(args: argparse.Namespace) -> int:
+    analysis = _read(args, args.file)
+    old = _read(args, args.compare) if args.compare else None
+    from kindsl.mechanism.errors import ModelError
+    from kindsl.preview.geometry import PreviewUnavailableError
+
+    try:
+        if args.export or args.screenshot:
+            _write(args, analysis, old)
+        else:
+            _serve(args, analysis, old)
+    except PreviewUnavailableError as error:
+        return _fail(str(error))
+    except ModelError as error:
+        return _fail(f"{args.compare}: {error}")
+    return 0
+
+
+def _read(args: argparse.Namespace, file: str) -> "Analysis":
+    from kindsl.rules.analysis import analyse
+
+    text = read_source(file, file)
+    if isinstance(text, Failure):
+        raise Unreadable(str(text))
+    return analyse(text, choices_of(args).settings_for(file))
+
+
+def _write(args: argparse.Namespace, analysis: "Analysis", old: "Analysis | None") -> None:
+    from kindsl.preview.export import exported_page
+
+    page = exported_page(_document(args.file, analysis, old).channel.state)
+    if args.export:
+        args.export.write_text(page, encoding="utf-8")
+    if args.screenshot:
+        from kindsl.preview.screenshot import take_screenshot
+
+        take_screenshot(page, args.screenshot)
+
+
+def _document(file: str, analysis: "Analysis", old: "Analysis | None") -> "DocumentPreview":
+    from kindsl.preview.document import DocumentPreview
+
+    preview = DocumentPreview(file)
+    preview.show(analysis, analysis.findings)
+    if old is not None:
+        preview.compare(old)
+    return preview
+
+
+def _serve(args: argparse.Namespace, analysis: "Analysis", old: "Analysis | None") -> None:
+    import asyncio
+
+    from kindsl.preview.command import Command, serve
+
+    def reread() -> "Analysis | str":
+        try:
+            return _read(args, args.file)
+        except (Unreadable, ConfigurationError) as error:
+            return str(error)
+
+    configuration = choices_of(args).configuration_for(args.file)
+    path = configuration.path if configuration else None
+    command = Command(args.file, reread, analysis, old, args.port, not args.no_open, path)
+    asyncio.run(serve(command))
+
+
+def _port(text: str) -> int:
+    if not text.isdecimal() or int(text) > 65535:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a port: 0 to 65535")
+    return int(text)
+
+
+def _fail(problem: str) -> int:
+    print(f"kindsl preview: {problem}", file=sys.stderr)
+    return PROBLEM

@@ -1,0 +1,121 @@
+"""The life of `kindsl preview`: serve, reload on save, print what is clicked, until stopped."""
+
+import asyncio
+import os
+import signal
+import sys
+import threading
+import webbrowser
+from collections.abc import Callable
+from contextlib import suppress
+from typing import NamedTuple
+
+from kindsl.preview.geometry import PreviewUnavailableError
+from kindsl.preview.requests import Reveal
+from kindsl.preview.server import PreviewServer
+from kindsl.preview.session import Session, last_session, remember
+from kindsl.preview.watch import saves
+from kindsl.rules.analysis import Analysis
+from kindsl.text.lines import LineIndex
+from kindsl.text.span import Span
+
+
+class Command(NamedTuple):
+    """What the command was told.
+
+    Attributes:
+        file: The document.
+        read: Reads it; returns why not if it cannot be read.
+        first: The document as it is at the start.
+        old: The document to stand behind it, if any.
+        port: To listen on; 0 for a free one.
+        opens_browser: Whether to open the page.
+        configuration: The configuration file that holds for it, if any.
+    """
+
+    file: str
+    read: Callable[[], Analysis | str]
+    first: Analysis
+    old: Analysis | None
+    port: int
+    opens_browser: bool
+    configuration: str | None
+
+
+async def serve(command: Command) -> None:
+    """Serve the document's preview until interrupted.
+
+    Raises:
+        PreviewUnavailableError: Something is not installed, or the port is taken.
+        ModelError: The document to compare with has no bodies.
+    """
+    texts = {"shown": command.first.text}
+
+    def print_place(key: str, span: Span, chosen: Reveal) -> None:
+        line, column = LineIndex(texts["shown"]).position(span.start)
+        what = "finding" if chosen.kind == "finding" else f"{chosen.kind} {chosen.name}"
+        print(f"{key}:{line + 1}:{column + 1}: {what}", flush=True)
+
+    server, address = await _started(command, print_place)
+    await server.show(command.file, command.first)
+    if command.old is not None:
+        server.compare(command.file, command.old)
+    print(address, flush=True)
+    if command.opens_browser:
+        _open_browser(address)
+    reloading = asyncio.ensure_future(_reload(command, server, texts))
+    try:
+        await _until_stopped(reloading)
+    finally:
+        reloading.cancel()
+        await server.stop()
+
+
+async def _started(
+    command: Command, print_place: Callable[[str, Span, Reveal], None]
+) -> tuple[PreviewServer, str]:
+    """Start where the document's last server listened, if that is possible, else elsewhere."""
+    name = os.path.abspath(command.file)  # noqa: PTH100 (a path may hold any bytes)
+    last = last_session(name)
+    server = PreviewServer(print_place, port=command.port)
+    if last is not None and command.port in (0, last.port):
+        again = PreviewServer(print_place, port=last.port, token=last.token)
+        with suppress(PreviewUnavailableError):
+            return again, await again.start()
+    address = await server.start()
+    remember(name, Session(server.port, server.token))
+    return server, address
+
+
+async def _reload(command: Command, server: PreviewServer, texts: dict[str, str]) -> None:
+    paths = [command.file, *([command.configuration] if command.configuration else [])]
+    async for _ in saves(paths):
+        analysis = command.read()
+        if isinstance(analysis, str):
+            print(analysis, file=sys.stderr, flush=True)
+            continue
+        texts["shown"] = analysis.text
+        await server.show(command.file, analysis)
+
+
+async def _until_stopped(reloading: "asyncio.Future[None]") -> None:
+    """Wait for Ctrl-C or a request to terminate, or for reloading to fail."""
+    stopped = asyncio.Event()
+    loop = asyncio.get_running_loop()
+    for number in (signal.SIGINT, signal.SIGTERM):
+        with suppress(NotImplementedError, RuntimeError):
+            loop.add_signal_handler(number, stopped.set)
+    waiting = asyncio.ensure_future(stopped.wait())
+    done, _ = await asyncio.wait((waiting, reloading), return_when=asyncio.FIRST_COMPLETED)
+    waiting.cancel()
+    if reloading in done:
+        reloading.result()
+
+
+def _open_browser(address: str) -> None:
+    """Open the page where there is a screen; a browser in the terminal would take it over."""
+    has_screen = sys.platform in ("darwin", "win32") or bool(
+        os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")
+    )
+    if has_screen:
+        threading.Thread(target=webbrowser.open, args=(address,), daemon=True).start()

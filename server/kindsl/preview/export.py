@@ -1,0 +1,47 @@
+"""One page that holds everything: the viewer, the state, working sliders, and no server."""
+
+import base64
+import hashlib
+import struct
+from collections.abc import Iterable
+
+from kindsl.preview.assets import SCRIPTS, STYLE, assets, page
+from kindsl.preview.wire import Message, encode
+
+_POLICY = (
+    "default-src 'none'; script-src {hashes}; style-src 'unsafe-inline'; img-src data: blob:; "
+    "base-uri 'none'; form-action 'none'"
+)
+
+
+def exported_page(state: Iterable[Message]) -> str:
+    """Return a page that shows a state from the file system.
+
+    Only its own scripts may run in it, told by their hashes, and it may not reach any address.
+
+    Args:
+        state: What a new tab would be sent.
+
+    Raises:
+        PreviewUnavailableError: If meshcat is not installed.
+    """
+    scripts = [assets()[name].content for name in SCRIPTS]
+    policy = _POLICY.format(hashes=" ".join(map(_hash, scripts)))
+    head = (
+        f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
+        f"<style>{assets()[STYLE].content}</style>"
+    )
+    frames = base64.b64encode(_joined(state)).decode("ascii")
+    data = f'<script id="embedded-state" type="text/plain">{frames}</script>'
+    return page(head, "\n".join([data, *(f"<script>{script}</script>" for script in scripts)]))
+
+
+def _joined(state: Iterable[Message]) -> bytes:
+    """Return the messages' frames one after the other, each after its length in four bytes."""
+    frames = (encode(message) for message in state)
+    return b"".join(struct.pack(">I", len(frame)) + frame for frame in frames)
+
+
+def _hash(script: str) -> str:
+    digest = hashlib.sha256(script.encode()).digest()
+    return f"'sha256-{base64.b64encode(digest).decode('ascii')}'"
