@@ -1,4 +1,6 @@
 import pytest
+from tests.features.samples import ARM, PARAMETRIC
+from tests.support.cursor import at_cursor
 
 from kindsl.features.definition import bound_parameter, definitions
 from kindsl.features.highlight import highlights
@@ -6,8 +8,6 @@ from kindsl.features.references import references, uses
 from kindsl.features.symbol_at import Entity, EntityKind, Role, symbol_at
 from kindsl.rules.settings import Settings
 from kindsl.semantics.parameters import Binding
-from tests.features.samples import ARM, PARAMETRIC
-from tests.support.cursor import at_cursor
 
 
 @pytest.mark.parametrize(

@@ -5,6 +5,7 @@ from itertools import pairwise
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.features.samples import ALL
 
 from kindsl.features.call_hierarchy import hierarchy_items, predecessors, successors
 from kindsl.features.definition import bound_parameter, definitions
@@ -12,6 +13,7 @@ from kindsl.features.document_links import document_links
 from kindsl.features.document_symbols import document_symbols, flat_symbols
 from kindsl.features.folding import folds
 from kindsl.features.highlight import highlights
+from kindsl.features.hover import hover
 from kindsl.features.linked_editing import linked_ranges
 from kindsl.features.references import references
 from kindsl.features.rename import Renaming, rename, rename_range
@@ -22,7 +24,6 @@ from kindsl.features.tree_path import path_at, token_at
 from kindsl.features.workspace_symbols import workspace_symbols
 from kindsl.rules.analysis import analyse
 from kindsl.text.edits import apply_edits
-from tests.features.samples import ALL
 
 SMALL = (
     "Robot R{RobotBase b floating{inertia_params{mass=m[1.0] CoM=(0.0,<k=1.0>,-x/2.0)Ix=2.0*<k>"
@@ -31,7 +32,7 @@ SMALL = (
 )
 AT_OFFSET = (
     symbol_at, definitions, bound_parameter, references, highlights, rename_range,
-    selection_ranges, linked_ranges, hierarchy_items,
+    selection_ranges, linked_ranges, hierarchy_items, hover,
 )  # fmt: skip
 WHOLE = (document_symbols, folds, semantic_tokens, document_links)
 

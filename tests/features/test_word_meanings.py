@@ -1,6 +1,7 @@
+from tests.features.samples import COMMENTED, PARAMETRIC
+
 from kindsl.features.semantic_tokens import semantic_tokens
 from kindsl.rules.analysis import analyse
-from tests.features.samples import COMMENTED, PARAMETRIC
 
 
 def meanings(text):

@@ -1,0 +1,59 @@
+"""What a link carries: how much it weighs, how many joints it has."""
+
+from typing import NamedTuple
+from weakref import WeakKeyDictionary
+
+from kindsl.features.unknown import Unknown, why_unknown
+from kindsl.rules.analysis import Analysis
+from kindsl.semantics.declarations import Link
+
+
+class Subtree(NamedTuple):
+    """A link with all that it carries.
+
+    Attributes:
+        mass: Of all of it, kilograms, or why it is not known.
+        dof: Joints in it, the supporting joint of the link left out.
+    """
+
+    mass: float | Unknown
+    dof: int
+
+
+_subtrees: "WeakKeyDictionary[Analysis, dict[Link, Subtree]]" = WeakKeyDictionary()
+
+
+def subtree_of(analysis: Analysis, body: Link) -> Subtree:
+    """Return what a body carries, itself included; every body is weighed once an analysis."""
+    known = _subtrees.setdefault(analysis, {})
+    if body not in known:
+        order = [body, *analysis.model.tree.in_topological_order(body)]
+        for link in reversed(order):
+            if link not in known:
+                known[link] = _sum(analysis, link, known)
+    return known[body]
+
+
+def own_mass(analysis: Analysis, body: Link) -> float | Unknown:
+    """Return a body's mass in kilograms, or why it is not known."""
+    if body.inertia is None or body.inertia.mass is None:
+        return Unknown(f"`{body.name}` has no mass")
+    mass = body.inertia.mass.value(analysis.context.values)
+    return why_unknown((body.inertia.mass,), analysis.context.values) if mass is None else mass
+
+
+def _sum(analysis: Analysis, body: Link, known: dict[Link, Subtree]) -> Subtree:
+    mass = own_mass(analysis, body)
+    dof = 0
+    for edge in analysis.model.tree.successor_edges(body):
+        below = known.get(edge.link) if edge.link is not None else None
+        if below is not None:
+            mass = _added(mass, below.mass)
+            dof += 1 + below.dof
+    return Subtree(mass, dof)
+
+
+def _added(a: float | Unknown, b: float | Unknown) -> float | Unknown:
+    if isinstance(a, Unknown):
+        return a
+    return b if isinstance(b, Unknown) else a + b

@@ -1,0 +1,39 @@
+"""What cannot be said of a model, and why."""
+
+from collections.abc import Iterable, Mapping
+from typing import NamedTuple
+
+from kindsl.semantics.declarations import Pose, Vector
+from kindsl.semantics.expressions import ConstantUse, Expression, symbols
+
+
+class Unknown(NamedTuple):
+    """Why a number is not known: a clause for people."""
+
+    reason: str
+
+
+def why_unknown(values: Iterable[Expression], bindings: Mapping[str, float]) -> Unknown:
+    """Return why some of these values are not known."""
+    for expression in values:
+        if expression.value(bindings) is not None:
+            continue
+        for symbol in symbols(expression):
+            if isinstance(symbol, ConstantUse):
+                if f"<{symbol.name}>" not in bindings:
+                    return Unknown(f"the constant `{symbol.name}` has no value")
+            elif str(symbol.name) not in bindings and symbol.default is None:
+                return Unknown(f"the parameter `{symbol.name}` has no value")
+        return Unknown(f"`{expression.text}` is no number")
+    return Unknown("a number is missing")
+
+
+def pose_expressions(pose: Pose) -> Iterable[Expression]:
+    """Yield the values of a pose."""
+    for vector in pose:
+        yield from vector_expressions(vector)
+
+
+def vector_expressions(vector: Vector | None) -> Iterable[Expression]:
+    """Yield the components of a vector, if there is one."""
+    return vector.components if vector is not None else ()

@@ -1,0 +1,102 @@
+"""What a value is for: the mass, the CoM's y, a rotation about the new y."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from kindsl.features.quantity_text import INERTIA, KILOGRAMS, METRES
+from kindsl.semantics.declarations import ValueKind
+from kindsl.semantics.expressions import Expression
+from kindsl.semantics.lowering import NAME_KINDS
+from kindsl.syntax.tree import Island, Node, Token
+
+_SECTIONS = frozenset(("mass", "com", "moment", "translation", "rotation"))
+_AXES = ("x", "y", "z")
+_TURNS = ("about x", "about the new y", "about the newest z")
+VALUE_NODES = frozenset((
+    "number", "pi", "parameter", "defaulted", "juxtaposed_pi", "juxtaposed_parameter", "constant",
+    "constant_use", "group", "add", "subtract", "multiply", "divide", "negate", "plus",
+))  # fmt: skip
+
+
+class ValuePlace(NamedTuple):
+    """The place of a value in a document.
+
+    Attributes:
+        section: `mass`, `CoM`, `translation`, `rotation`, or a moment's name.
+        component: 0 to 2 in a vector, None outside of one.
+        kind: The class of the parameters that may stand there.
+        unit: The unit of the number.
+        owner: What the value belongs to, for people: ``link `upper` ``.
+    """
+
+    section: str
+    component: int | None
+    kind: ValueKind
+    unit: str
+    owner: str
+
+    @property
+    def label(self) -> str:
+        """What the value is: `mass`, `CoM y`, `rotation about the new y`."""
+        if self.component is None or self.component > 2:
+            return self.section
+        names = _TURNS if self.kind is ValueKind.ANGLE else _AXES
+        return f"{self.section} {names[self.component]}"
+
+
+def value_place(path: Sequence[Node], local: int) -> ValuePlace | None:
+    """Return the place of the value at an offset of an island, None where no value stands.
+
+    Args:
+        path: The constructs around the offset, the outermost first.
+        local: The offset.
+    """
+    section = next((node for node in path if node.kind in _SECTIONS), None)
+    if section is None or not _is_behind_equals(section, local):
+        return None
+    vector = next((node for node in path if node.kind == "vector"), None)
+    component = None if vector is None else _component(vector, local)
+    kind, unit = _meaning(section)
+    return ValuePlace(_word(section), component, kind, unit, owner(path))
+
+
+def owner(path: Sequence[Node]) -> str:
+    """Return what the innermost link, joint or frame on a path is called, for people."""
+    for node in reversed(path):
+        if node.kind in ("frame", "link", "base", "joint"):
+            return f"{node.kind} `{_name(node)}`"
+    return ""
+
+
+def expression_at(island: Island, path: Sequence[Node]) -> Expression | None:
+    """Return the whole value on a path, not a part of it."""
+    node = next((node for node in path if node.kind in VALUE_NODES), None)
+    return Expression(node, island) if node is not None else None
+
+
+def _is_behind_equals(section: Node, local: int) -> bool:
+    equals = next((c for c in section.children if c.kind == "="), None)
+    return equals is not None and equals.end <= local
+
+
+def _component(vector: Node, local: int) -> int:
+    return sum(1 for c in vector.children if c.kind == "," and c.start < c.end <= local)
+
+
+def _meaning(section: Node) -> tuple[ValueKind, str]:
+    if section.kind == "rotation":
+        return ValueKind.ANGLE, "rad"
+    if section.kind == "translation":
+        return ValueKind.LENGTH, METRES
+    units = {"mass": KILOGRAMS, "com": METRES}
+    return ValueKind.DYNAMICS, units.get(section.kind, INERTIA)
+
+
+def _word(section: Node) -> str:
+    word = section.children[0]
+    return word.text if isinstance(word, Token) else section.kind
+
+
+def _name(node: Node) -> str:
+    names = (t for t in node.children if isinstance(t, Token) and t.kind in NAME_KINDS)
+    return next((t.text.removeprefix("^") for t in names if not t.is_missing), "")
