@@ -9,7 +9,6 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-
 from tests.support.lsp import RawClient, raw_client, ready_client
 
 FAULTY = (sys.executable, str(Path(__file__).with_name("faulty_server.py")))
@@ -75,12 +74,15 @@ class TestLifeCycle:
             assert "Traceback" not in client.stderr
 
     def test_the_server_ends_with_the_process_that_started_it(self) -> None:
-        with subprocess.Popen([sys.executable, "-c", "input()"], stdin=subprocess.PIPE) as editor:
-            with raw_client() as client:
-                client.initialize(processId=editor.pid)
-                assert client.refusal("kindsl/unknown")["code"] == -32601
-                editor.kill()
-                assert client.wait_for_end() == 1
+        waiting = [sys.executable, "-c", "input()"]
+        with (
+            subprocess.Popen(waiting, stdin=subprocess.PIPE) as editor,
+            raw_client() as client,
+        ):
+            client.initialize(processId=editor.pid)
+            assert client.refusal("kindsl/unknown")["code"] == -32601
+            editor.kill()
+            assert client.wait_for_end() == 1
 
     def test_the_server_ends_when_the_process_that_started_it_is_gone_already(self) -> None:
         gone = subprocess.Popen([sys.executable, "-c", ""])

@@ -151,7 +151,8 @@ class RawClient:
         assert stream is not None
         while header := stream.readline():
             assert header.lower().startswith(b"content-length:"), header
-            assert stream.readline() == b"\r\n"
+            while stream.readline() != b"\r\n":
+                continue
             self._arrived.put(json.loads(stream.read(int(header.split(b":")[1]))))
         self._arrived.put(None)
 

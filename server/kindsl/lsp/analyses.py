@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
 from kindsl.lsp.document import Document
 from kindsl.lsp.worker import Urgency, Worker
+from kindsl.lsp.workspace import Workspace
 
 if TYPE_CHECKING:
     from kindsl.rules.analysis import Analysis
@@ -21,15 +22,17 @@ class Analyses:
     Cancelling all who wait for something leaves it out, if it has not begun.
     """
 
-    __slots__ = ("_settings_of", "_worker")
+    __slots__ = ("_worker", "_workspace")
 
-    def __init__(self, worker: Worker, settings_of: "Callable[[Document], Settings]") -> None:
+    def __init__(self, worker: Worker, workspace: Workspace) -> None:
         self._worker = worker
-        self._settings_of = settings_of
+        self._workspace = workspace
 
     async def of(self, document: Document) -> "Analysis":
         """Return the analysis of a version under the present settings, its model made."""
-        settings = self._settings_of(document)
+        settings = self._workspace.known_settings(document)
+        if settings is None:
+            settings = await self._worker.run(lambda: self._workspace.read_settings(document))
         jobs = _jobs(document, settings)
         return await self._shared(jobs, "model", lambda: _model(document, settings), Urgency.ANSWER)
 

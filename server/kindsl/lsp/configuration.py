@@ -6,6 +6,7 @@ from lsprotocol import types
 
 from kindsl.lsp import uris
 from kindsl.lsp.handlers import Handlers
+from kindsl.lsp.warm_up import warm_up
 from kindsl.lsp.workspace import CONFIGURATION_FILES
 
 if TYPE_CHECKING:
@@ -19,7 +20,8 @@ _WATCHED = ("**/*.kindsl", *(f"**/{name}" for name in CONFIGURATION_FILES))
 
 @handlers.server(types.INITIALIZED)
 async def initialized(server: "KindslLanguageServer", _: types.InitializedParams) -> None:
-    """Ask to be told of changes, then for the settings."""
+    """Load what comes next, ask to be told of changes, then for the settings."""
+    warm_up(server.worker)
     registrations = []
     if server.client.can("workspace.did_change_watched_files.dynamic_registration"):
         watchers = [types.FileSystemWatcher(pattern) for pattern in _WATCHED]
@@ -41,7 +43,7 @@ async def change_configuration(
 ) -> None:
     """Take new settings, or ask for them."""
     if isinstance(params.settings, dict) and any(params.settings.values()):
-        take_settings(server, params.settings)
+        server.settings.set_editor_settings(params.settings)
     await ask_for_settings(server)
     refresh(server)
 
@@ -77,25 +79,16 @@ def save(server: "KindslLanguageServer", params: types.DidSaveTextDocumentParams
 
 
 async def ask_for_settings(server: "KindslLanguageServer") -> None:
-    """Ask for the section `kindsl`, once for all and once a folder."""
-    if not server.client.can("workspace.configuration"):
-        return
-    folders = list(server.settings.folders.values())
-    scopes = [None, *folders]
-    items = [types.ConfigurationItem(scope_uri=scope, section=_SECTION) for scope in scopes]
-    answers = await server.workspace_configuration_async(types.ConfigurationParams(items))
-    before = server.settings.snapshot()
-    for scope, answer in zip(scopes, answers, strict=False):
-        if answer:
-            take_settings(server, answer, scope)
-    if server.settings.snapshot() != before:
-        refresh(server)
-
-
-def take_settings(server: "KindslLanguageServer", raw: object, folder: str | None = None) -> None:
-    """Use settings from now on; say in the client's log which make no sense."""
-    settings = server.settings.set_editor_settings(raw, folder)
-    for problem in settings.problems:
+    """Ask for the section `kindsl`, once for all and once a folder; check again if it is new."""
+    if server.client.can("workspace.configuration"):
+        scopes = [None, *server.settings.folders.values()]
+        items = [types.ConfigurationItem(scope_uri=scope, section=_SECTION) for scope in scopes]
+        answers = await server.workspace_configuration_async(types.ConfigurationParams(items))
+        given = [(answer, s) for s, answer in zip(scopes, answers, strict=False) if answer]
+        news = [server.settings.set_editor_settings(*each) for each in given]
+        if any(news):
+            refresh(server)
+    for problem in server.settings.problems():
         server.window_log_message(types.LogMessageParams(types.MessageType.Warning, problem))
 
 

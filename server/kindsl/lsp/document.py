@@ -1,15 +1,17 @@
 """One version of a text that an editor shows or a file holds."""
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types
 
 from kindsl.lsp import uris
 from kindsl.lsp.changes import Change, edits_of
 from kindsl.lsp.lines import Lines, PlainPiece
-from kindsl.syntax.document import SyntaxDocument, parse
 from kindsl.text.edits import apply_edits
+
+if TYPE_CHECKING:
+    from kindsl.syntax.document import SyntaxDocument
 
 
 class Document:
@@ -25,7 +27,7 @@ class Document:
     __slots__ = ("_content", "_lines", "encoding", "facts", "uri", "version")
 
     def __init__(
-        self, uri: str, version: int | None, content: SyntaxDocument | str, encoding: str
+        self, uri: str, version: int | None, content: "SyntaxDocument | str", encoding: str
     ) -> None:
         self.uri = uri
         self.version = version
@@ -45,9 +47,11 @@ class Document:
         return self._content if isinstance(self._content, str) else self._content.text
 
     @property
-    def tree(self) -> SyntaxDocument:
+    def tree(self) -> "SyntaxDocument":
         """Its syntax; parsed when first asked for, which takes a while for a long text."""
         if isinstance(self._content, str):
+            from kindsl.syntax.document import parse
+
             self._content, self._lines = parse(self._content), None
         return self._content
 

@@ -6,7 +6,6 @@ from lsprotocol import types
 from pygls.capabilities import ServerCapabilitiesBuilder
 
 from kindsl.lsp.client import Client
-from kindsl.lsp.configuration import take_settings
 from kindsl.lsp.handlers import Handlers
 
 if TYPE_CHECKING:
@@ -23,7 +22,7 @@ def initialize(server: "KindslLanguageServer", params: types.InitializeParams) -
     server.documents.encoding = ServerCapabilitiesBuilder.choose_position_encoding(capabilities)
     folders = params.workspace_folders or _root(params)
     server.settings.add_folders(folders)
-    take_settings(server, params.initialization_options)
+    server.settings.set_editor_settings(params.initialization_options)
     server.on_parent_known(params.process_id)
 
 

@@ -69,7 +69,7 @@ class KindslLanguageServer(LanguageServer):
         self.documents = Documents()
         self.worker = Worker()
         self.settings = Workspace()
-        self.analyses = Analyses(self.worker, self.settings.settings)
+        self.analyses = Analyses(self.worker, self.settings)
         self.publisher = Publisher(self)
         self.tokens = highlighting.TokenMemory()
         self.documents.on_close.append(self.tokens.forget)

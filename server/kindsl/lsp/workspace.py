@@ -1,4 +1,8 @@
-"""Folders and their settings: what the editor says, merged with `kindsl.toml`."""
+"""Folders and their settings: what the editor says, merged with `kindsl.toml`.
+
+Settings are kept as they came until they are first asked for, since all that gives them a meaning
+loads only after the client has its answer to `initialize`.
+"""
 
 from collections.abc import Iterable, Iterator
 from pathlib import Path
@@ -6,14 +10,14 @@ from typing import TYPE_CHECKING
 
 from lsprotocol import types
 
-from kindsl.config.configuration import ConfigurationError, ConfigurationProblem
-from kindsl.config.discovery import Configurations
 from kindsl.lsp import uris
-from kindsl.lsp.settings import EditorSettings, editor_settings, merged
-from kindsl.rules.settings import Settings
 
 if TYPE_CHECKING:
+    from kindsl.config.configuration import ConfigurationProblem
+    from kindsl.config.discovery import Configurations
     from kindsl.lsp.document import Document
+    from kindsl.lsp.settings import EditorSettings
+    from kindsl.rules.settings import Settings
 
 CONFIGURATION_FILES = ("kindsl.toml", "pyproject.toml")
 
@@ -23,16 +27,13 @@ class Workspace:
 
     Attributes:
         folders: Their URIs.
-        broken: What is wrong with configuration files, by path.
     """
 
     def __init__(self) -> None:
         self.folders: dict[str, str] = {}
-        self._editor: dict[str, EditorSettings] = {}
-        self._default = EditorSettings()
-        self._merged: dict[str, Settings] = {}
-        self._configurations = Configurations()
-        self.broken: dict[str, tuple[ConfigurationProblem, ...]] = {}
+        self._raw: dict[str | None, object] = {}
+        self._understood: dict[str | None, EditorSettings] = {}
+        self._project = _Project()
 
     def add_folders(self, folders: Iterable[types.WorkspaceFolder]) -> None:
         """Open folders."""
@@ -44,59 +45,53 @@ class Workspace:
         """Close folders."""
         for folder in folders:
             self.folders.pop(uris.key(folder.uri), None)
-            self._editor.pop(uris.key(folder.uri), None)
+            self._raw.pop(uris.key(folder.uri), None)
         self.forget()
 
-    def set_editor_settings(self, raw: object, folder: str | None = None) -> EditorSettings:
-        """Take the section `kindsl` for all, or for one folder; return it as understood."""
-        settings = editor_settings(raw)
-        if folder is None:
-            self._default = settings
-        else:
-            self._editor[uris.key(folder)] = settings
-        self.forget()
-        return settings
+    def set_editor_settings(self, raw: object, folder: str | None = None) -> bool:
+        """Take the section `kindsl` for all, or for one folder; return whether it is new."""
+        scope = None if folder is None else uris.key(folder)
+        is_new = self._raw.get(scope) != raw
+        self._raw[scope] = raw
+        if is_new:
+            self.forget()
+        return is_new
 
-    def editor_settings(self, uri: str) -> EditorSettings:
+    def editor_settings(self, uri: str) -> "EditorSettings":
         """Return what the editor says for a document: its innermost folder's word."""
         key = uris.key(uri)
-        inside = [folder for folder in self._editor if key.startswith(folder.rstrip("/") + "/")]
-        return self._editor[max(inside, key=len)] if inside else self._default
+        inside = [scope for scope in self._raw if scope and _is_below(key, scope)]
+        return self._understand(max(inside, key=len) if inside else None)
 
-    def settings(self, document: "Document") -> "Settings":
-        """Return the decisions for a document."""
-        key = uris.key(document.uri)
-        if key not in self._merged:
+    def problems(self) -> list[str]:
+        """Return a sentence for each of the editor's settings that makes no sense."""
+        return [p for scope in self._raw for p in self._understand(scope).problems]
+
+    def known_settings(self, document: "Document") -> "Settings | None":
+        """Return the decisions for a document if they have been read already."""
+        return self._project.merged.get(uris.key(document.uri))
+
+    def read_settings(self, document: "Document") -> "Settings":
+        """Return the decisions for a document; reads files, so not for the message loop."""
+        from kindsl.lsp.settings import merged
+
+        project, key = self._project, uris.key(document.uri)
+        if key not in project.merged:
+            path = uris.path(document.uri)
+            place = path or next((f / "untitled.kindsl" for f in self.paths()), None)
             editor = self.editor_settings(document.uri).rules
-            self._merged[key] = merged(self._project_settings(document.uri), editor)
-        return self._merged[key]
+            project.merged[key] = merged(project.settings(place), editor)
+        return project.merged[key]
 
-    def snapshot(self) -> object:
-        """Return what the editor has said, to see later whether it says something else."""
-        return self._default, dict(self._editor)
-
-    def files(self) -> Iterator[Path]:
-        """Yield the robots in all folders."""
-        for folder in self.paths():
-            yield from folder.rglob("*.kindsl")
+    @property
+    def broken(self) -> "dict[Path, tuple[ConfigurationProblem, ...]]":
+        """What is wrong with configuration files that were read."""
+        return self._project.broken
 
     def forget(self) -> None:
         """Read and merge settings again when they are next asked for."""
-        self._merged.clear()
-        self._configurations = Configurations()
-        self.broken.clear()
-
-    def _project_settings(self, uri: str) -> Settings:
-        """Return what the nearest `kindsl.toml` says; nothing, if it says something wrong."""
-        path = uris.path(uri) or next((f / "untitled.kindsl" for f in self.paths()), None)
-        if path is None:
-            return Settings()
-        try:
-            found = self._configurations.above(str(path))
-        except ConfigurationError as error:
-            self.broken[str(Path(error.problems[0].path).absolute())] = error.problems
-            return Settings()
-        return Settings() if found is None else found.settings_for(str(path))
+        self._understood = {}
+        self._project = _Project()
 
     def paths(self) -> Iterator[Path]:
         """Yield the paths of the folders."""
@@ -104,3 +99,46 @@ class Workspace:
             path = uris.path(uri)
             if path is not None:
                 yield path
+
+    def files(self) -> Iterator[Path]:
+        """Yield the robots in all folders."""
+        for folder in self.paths():
+            yield from folder.rglob("*.kindsl")
+
+    def _understand(self, scope: str | None) -> "EditorSettings":
+        from kindsl.lsp.settings import editor_settings
+
+        if scope not in self._understood:
+            self._understood[scope] = editor_settings(self._raw.get(scope))
+        return self._understood[scope]
+
+
+class _Project:
+    """What the configuration files say, as of one moment."""
+
+    __slots__ = ("_configurations", "broken", "merged")
+
+    def __init__(self) -> None:
+        self._configurations: Configurations | None = None
+        self.broken: dict[Path, tuple[ConfigurationProblem, ...]] = {}
+        self.merged: dict[str, Settings] = {}
+
+    def settings(self, document: Path | None) -> "Settings":
+        """Return what the nearest `kindsl.toml` says; nothing, if it says something wrong."""
+        from kindsl.config.configuration import ConfigurationError
+        from kindsl.config.discovery import Configurations
+        from kindsl.rules.settings import Settings
+
+        if document is None:
+            return Settings()
+        self._configurations = self._configurations or Configurations()
+        try:
+            found = self._configurations.above(str(document))
+        except ConfigurationError as error:
+            self.broken[Path(error.problems[0].path).absolute()] = error.problems
+            return Settings()
+        return Settings() if found is None else found.settings_for(str(document))
+
+
+def _is_below(key: str, folder: str) -> bool:
+    return key.startswith(folder.rstrip("/") + "/")

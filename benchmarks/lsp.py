@@ -1,0 +1,248 @@
+"""What the language server costs, as ratios against a trivial pygls server in the same run.
+
+    python benchmarks/lsp.py [--quick]
+
+The trivial server is pygls as it comes: one hover that answers a constant, one check that looks
+for a word. Each figure is the median of alternating rounds, so that both see the same machine.
+"""
+
+import argparse
+import statistics
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, NamedTuple
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from tests.support.lsp import SERVER, RawClient
+
+TRIVIAL = (sys.executable, __file__, "--trivial-server")
+URI = "untitled:robot"
+NO_DELAY = {"kindsl": {"diagnostics": {"delay": 0}}}
+
+
+class Figure(NamedTuple):
+    """A measured ratio and what it may be."""
+
+    name: str
+    ours: float
+    other: float
+    limit: float
+    unit: str = "ms"
+
+    @property
+    def ratio(self) -> float:
+        return self.ours / self.other
+
+    def __str__(self) -> str:
+        verdict = "ok" if self.ratio <= self.limit else "TOO MUCH"
+        values = f"{self.ours:9.2f} {self.other:9.2f} {self.unit}"
+        return f"{self.name:58} {values} {self.ratio:7.2f} x (limit {self.limit:g}) {verdict}"
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--quick", action="store_true", help="fewer rounds, no 10,000 links")
+    parser.add_argument("--trivial-server", action="store_true", help=argparse.SUPPRESS)
+    options = parser.parse_args()
+    if options.trivial_server:
+        serve_trivially()
+        return 0
+    too_much = False
+    print(f"{'':58} {'ours':>9} {'other':>9}")
+    for figure in figures(options.quick):
+        print(figure, flush=True)
+        too_much |= figure.ratio > figure.limit
+    return int(too_much)
+
+
+def figures(is_quick: bool) -> Iterator[Figure]:
+    rounds = 5 if is_quick else 15
+    ours, trivial = alternating(rounds, lambda: starting(SERVER), lambda: starting(TRIVIAL))
+    yield Figure("process start to initialize result", ours, trivial, 1.25)
+    sizes = (12, 1000) if is_quick else (12, 1000, 10_000)
+    changes: dict[int, float] = {}
+    completions: dict[int, float] = {}
+    for links in sizes:
+        text = robot(links)
+        with ready(SERVER, text) as kindsl, ready(TRIVIAL, text) as other:
+            if links == 12:
+                yield Figure(
+                    "hover on a link, 12 links", *answering(kindsl, other, text, 40 * rounds), 1.5
+                )
+            changes[links], trivial = changing(kindsl, other, text, rounds)
+            name = f"didChange to published diagnostics, {links} links"
+            yield Figure(name, changes[links], trivial, 10.0)
+            completions[links] = completing(kindsl, text, 4 * rounds)
+            if links == 10_000:
+                memory = resident_megabytes(kindsl.process.pid)
+                yield Figure("memory, 10,000 links, against 400 MB", memory, 400, 1.0, "MB")
+    yield Figure("completion p95, 1,000 against 12 links", completions[1000], completions[12], 3.0)
+    if not is_quick:
+        growth = changes[10_000] / 10
+        yield Figure("didChange, 10,000 links / 10 against 1,000", growth, changes[1000], 1.0)
+
+
+def alternating(
+    rounds: int, one: Callable[[], float], other: Callable[[], float]
+) -> tuple[float, float]:
+    """Return the medians of two measurements that take turns."""
+    pairs = [(one(), other()) for _ in range(rounds)]
+    return statistics.median(a for a, _ in pairs), statistics.median(b for _, b in pairs)
+
+
+def starting(command: tuple[str, ...]) -> float:
+    begin = time.perf_counter()
+    client = RawClient(command)
+    client.request("initialize", {"processId": None, "rootUri": None, "capabilities": {}})
+    took = milliseconds(begin)
+    client.kill()
+    return took
+
+
+def answering(kindsl: RawClient, other: RawClient, text: str, rounds: int) -> tuple[float, float]:
+    position = place(text, text.index("link link_5 {") + 6)
+
+    def hover(client: RawClient) -> float:
+        begin = time.perf_counter()
+        assert client.request(
+            "textDocument/hover", {"textDocument": {"uri": URI}, "position": position}
+        )
+        return milliseconds(begin)
+
+    return alternating(rounds, lambda: hover(kindsl), lambda: hover(other))
+
+
+def changing(kindsl: RawClient, other: RawClient, text: str, rounds: int) -> tuple[float, float]:
+    """Turn one digit in the middle and wait for the diagnostics of that version."""
+    start = place(text, text.index("mass = ", len(text) // 2) + len("mass = "))
+    end = {**start, "character": start["character"] + 1}
+    versions = {id(kindsl): 1, id(other): 1}
+
+    def change(client: RawClient) -> float:
+        versions[id(client)] = version = versions[id(client)] + 1
+        begin = time.perf_counter()
+        digit = str(1 + version % 9)
+        client.change(URI, version, {"range": {"start": start, "end": end}, "text": digit})
+        wait_for_version(client, version)
+        return milliseconds(begin)
+
+    change(kindsl), change(other)
+    return alternating(rounds, lambda: change(kindsl), lambda: change(other))
+
+
+def completing(kindsl: RawClient, text: str, rounds: int) -> float:
+    """Return the 95th percentile of completions, each after a keystroke."""
+    position = place(text, text.index("children {", len(text) // 2) + len("children {"))
+    version, took = 10_000, []
+    for count in range(rounds):
+        version += 1
+        span = {"start": position, "end": {**position, "character": position["character"]}}
+        if count % 2:
+            span["end"] = {**position, "character": position["character"] + 2}
+        kindsl.change(URI, version, {"range": span, "text": "" if count % 2 else " l"})
+        begin = time.perf_counter()
+        where = {"textDocument": {"uri": URI}, "position": position}
+        assert kindsl.request("textDocument/completion", where)
+        took.append(milliseconds(begin))
+        wait_for_version(kindsl, version)
+    return sorted(took)[int(0.95 * len(took))]
+
+
+def wait_for_version(client: RawClient, version: int) -> None:
+    client.wait(lambda message: message.get("params", {}).get("version") == version)
+
+
+@contextmanager
+def ready(command: tuple[str, ...], text: str) -> Iterator[RawClient]:
+    client = RawClient(command)
+    try:
+        client.initialize(initializationOptions=NO_DELAY)
+        client.open(URI, text)
+        client.diagnostics(URI)
+        yield client
+    finally:
+        client.kill()
+
+
+def robot(links: int) -> str:
+    """Return a binary tree of links, twelve lines each."""
+    children: dict[int, list[int]] = {}
+    for number in range(1, links + 1):
+        children.setdefault((number - 1) // 2, []).append(number)
+
+    def child_list(parent: int) -> str:
+        row = (f"        link_{c} via joint_{c}\n" for c in children.get(parent, []))
+        return "    children {\n" + "".join(row) + "    }\n"
+
+    base = f"RobotBase base {{\n{child_list(0)}}}\n"
+    blocks = [
+        f"link link_{n} {{\n    id = {n}\n    inertia_params {{\n"
+        f"        mass = {1 + n % 9}.0 CoM = (0.01, 0.0, 0.1)\n"
+        "        Ix = 0.4 Iy = 0.4 Iz = 0.1 Ixy = 0.0 Ixz = 0.0 Iyz = 0.0\n    }\n"
+        f"{child_list(n)}}}\n"
+        for n in range(1, links + 1)
+    ]
+    joints = [
+        f"r_joint joint_{n} {{\n    ref_frame {{\n        translation = (0.0, 0.0, 0.3)\n"
+        "        rotation = (PI/2.0, 0.0, 0.0)\n    }\n}\n"
+        for n in range(1, links + 1)
+    ]
+    return "\n".join(("Robot Tree {", base, *blocks, *joints, "}\n"))
+
+
+def place(text: str, offset: int) -> dict[str, int]:
+    line = text.count("\n", 0, offset)
+    return {"line": line, "character": offset - text.rfind("\n", 0, offset) - 1}
+
+
+def resident_megabytes(process: int) -> float:
+    for line in Path(f"/proc/{process}/status").read_text().splitlines():
+        if line.startswith("VmRSS"):
+            return int(line.split()[1]) / 1024
+    raise OSError("the system does not tell a process' memory")
+
+
+def milliseconds(begin: float) -> float:
+    return 1e3 * (time.perf_counter() - begin)
+
+
+def serve_trivially() -> None:
+    from lsprotocol import types
+    from pygls.lsp.server import LanguageServer
+
+    server = LanguageServer("trivial", "1")
+
+    @server.feature(types.TEXT_DOCUMENT_HOVER)
+    def hover(_: types.HoverParams) -> types.Hover:
+        return types.Hover("text")
+
+    def check(ls: LanguageServer, params: Any) -> None:
+        document = ls.workspace.get_text_document(params.text_document.uri)
+        found = [
+            types.Diagnostic(
+                types.Range(types.Position(number, 0), types.Position(number, 4)), "left over"
+            )
+            for number, line in enumerate(document.lines)
+            if "TODO" in line
+        ]
+        ls.text_document_publish_diagnostics(
+            types.PublishDiagnosticsParams(document.uri, found, document.version)
+        )
+
+    @server.feature(types.TEXT_DOCUMENT_DID_OPEN)
+    def opened(ls: LanguageServer, params: types.DidOpenTextDocumentParams) -> None:
+        check(ls, params)
+
+    @server.feature(types.TEXT_DOCUMENT_DID_CHANGE)
+    def changed(ls: LanguageServer, params: types.DidChangeTextDocumentParams) -> None:
+        check(ls, params)
+
+    server.start_io()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
