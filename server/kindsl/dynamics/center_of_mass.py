@@ -4,7 +4,7 @@ import numpy as np
 
 from kindsl.dynamics.bodies import Bodies
 from kindsl.spatial.arrays import Array
-from kindsl.spatial.cross_products import skew
+from kindsl.spatial.cross_products import cross, skew
 
 
 def subtree_masses(bodies: Bodies) -> Array:
@@ -66,7 +66,7 @@ def center_of_mass_jacobian(bodies: Bodies, poses: list[Array]) -> Array:
     for i, kind in enumerate(bodies.joint_kinds, start=1):
         axis, origin = poses[i][..., :3, 2], poses[i][..., :3, 3]
         if kind == "revolute":
-            moved = np.cross(axis, moments[i] - masses[i] * origin)
+            moved = cross(axis, moments[i] - masses[i] * origin)
         else:
             moved = masses[i] * axis
         J[..., first + i - 1] = moved / masses[0]

@@ -11,6 +11,7 @@ from kindsl.dynamics.joints import (
     motion_cross_product,
     motion_subspaces,
     rigid_body_force,
+    solve,
     uniform_acceleration,
 )
 from kindsl.spatial.arrays import Array
@@ -62,7 +63,7 @@ def forward_dynamics(
     # Outward: accelerations, relative to gravity.
     free_fall = uniform_acceleration(gravity)
     if bodies.is_floating:
-        a = [-np.linalg.solve(I_A[0], p_A[0][..., None])[..., 0]]
+        a = [-solve(I_A[0], p_A[0])]
     else:
         a = [-free_fall]
     joint_accelerations = []

@@ -12,6 +12,7 @@ from kindsl.dynamics.joints import (
     motion_cross_product,
     motion_subspaces,
     rigid_body_force,
+    solve,
     uniform_acceleration,
 )
 from kindsl.spatial.arrays import Array
@@ -46,7 +47,7 @@ def newton_euler(
         a.append(apply(X[i], a[parent]) + a_joint)
         f.append(rigid_body_force(inertias[i], v[i], a[i]))
     # Inward: each joint carries its whole subtree.
-    tau = np.zeros(np.broadcast_shapes(q.shape, base_acceleration.shape[:-1] + (1,)))
+    tau = np.zeros(np.broadcast_shapes(q.shape, (*base_acceleration.shape[:-1], 1)))
     for i, parent in bodies.links_leaves_first():
         tau[..., i - 1] = f[i] @ S[i]
         f[parent] = f[parent] + apply_transposed(X[i], f[i])
@@ -92,7 +93,7 @@ def floating_base_inverse_dynamics(
     tau, wrench = newton_euler(bodies, q, qd, qdd, base_velocity, np.zeros(6))
     # A free base takes the acceleration, relative to gravity, at which its wrench vanishes.
     composite = composite_inertias(bodies, X)
-    a = [-np.linalg.solve(composite[0], wrench[..., None])[..., 0]]
+    a = [-solve(composite[0], wrench)]
     for i, parent in bodies.links():
         a.append(apply(X[i], a[parent]))
         tau[..., i - 1] += apply(composite[i], a[i]) @ S[i]

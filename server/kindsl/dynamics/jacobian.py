@@ -4,7 +4,7 @@ import numpy as np
 
 from kindsl.dynamics.bodies import Bodies
 from kindsl.spatial.arrays import Array
-from kindsl.spatial.cross_products import skew
+from kindsl.spatial.cross_products import cross, skew
 
 
 def jacobian(bodies: Bodies, poses: list[Array], body: int, base_T_frame: Array) -> Array:
@@ -34,7 +34,7 @@ def jacobian(bodies: Bodies, poses: list[Array], body: int, base_T_frame: Array)
         column = J[..., first + joint - 1]
         if bodies.joint_kinds[joint - 1] == "revolute":
             column[..., :3] = _rotate(frame_E_base, axis)
-            column[..., 3:] = _rotate(frame_E_base, np.cross(axis, r - origin))
+            column[..., 3:] = _rotate(frame_E_base, cross(axis, r - origin))
         else:
             column[..., 3:] = _rotate(frame_E_base, axis)
     return J

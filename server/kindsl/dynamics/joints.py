@@ -4,6 +4,7 @@ import numpy as np
 
 from kindsl.dynamics.bodies import Bodies
 from kindsl.spatial.arrays import Array
+from kindsl.spatial.cross_products import cross
 from kindsl.spatial.inertia import spatial_inertia
 from kindsl.spatial.transforms import plucker, rotation_about_z
 
@@ -66,6 +67,15 @@ def apply_transposed(matrix: Array, vector: Array) -> Array:
     return apply(np.swapaxes(matrix, -1, -2), vector)
 
 
+def solve(matrix: Array, vector: Array) -> Array:
+    """Return `x` of `matrix @ x = vector` for batches of both.
+
+    Raises:
+        numpy.linalg.LinAlgError: If a matrix is singular.
+    """
+    return np.asarray(np.linalg.solve(matrix, vector[..., None])[..., 0], dtype=np.float64)
+
+
 def rigid_body_force(inertia: Array, v: Array, a: Array) -> Array:
     """Return the net force `I a + v x* I v` on a body, shape (..., 6).
 
@@ -74,9 +84,7 @@ def rigid_body_force(inertia: Array, v: Array, a: Array) -> Array:
     momentum = apply(inertia, v)
     angular, linear = momentum[..., :3], momentum[..., 3:]
     w, v_linear = v[..., :3], v[..., 3:]
-    rate = np.concatenate(
-        (np.cross(w, angular) + np.cross(v_linear, linear), np.cross(w, linear)), axis=-1
-    )
+    rate = np.concatenate((cross(w, angular) + cross(v_linear, linear), cross(w, linear)), axis=-1)
     total: Array = apply(inertia, a) + rate
     return total
 
@@ -86,8 +94,8 @@ def motion_cross_product(v: Array, m: Array) -> Array:
 
     Source: Featherstone 2008, eq. 2.33.
     """
-    angular = np.cross(v[..., :3], m[..., :3])
-    linear = np.cross(v[..., :3], m[..., 3:]) + np.cross(v[..., 3:], m[..., :3])
+    angular = cross(v[..., :3], m[..., :3])
+    linear = cross(v[..., :3], m[..., 3:]) + cross(v[..., 3:], m[..., :3])
     return np.concatenate((angular, linear), axis=-1)
 
 

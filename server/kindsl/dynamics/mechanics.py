@@ -228,7 +228,7 @@ class Mechanics:
         conditions = self._checked_conditions(base_velocity, STANDARD_GRAVITY)
         common_batch_shape(arrays | conditions)
         v_base = conditions.get("base_velocity", AT_REST)
-        return energy.kinetic_energy(self.bodies, *arrays.values(), v_base)
+        return energy.kinetic_energy(self.bodies, arrays["q"], arrays["qd"], v_base)
 
     def potential_energy(
         self, q: npt.ArrayLike, gravity: npt.ArrayLike = STANDARD_GRAVITY

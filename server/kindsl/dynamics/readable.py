@@ -45,16 +45,22 @@ def evaluate(
     ]
     chunk = max(1, BODIES_AT_A_TIME // bodies.n_links)
     starts = range(0, max(1, len(rows[0])), chunk)
-    entries = [
-        _entries(bodies, quantity, *(row[start : start + chunk] for row in rows))
-        for start in starts
-    ]
+    entries = []
+    for start in starts:
+        *vectors, v_base, g = (row[start : start + chunk] for row in rows)
+        entries.append(_entries(bodies, quantity, vectors, v_base, g))
     joined = entries[0] if len(entries) == 1 else np.concatenate(entries)
     return joined.reshape((*batch_shape, joined.shape[-1]))
 
 
-def _entries(bodies: Bodies, quantity: Quantity, q: Array, *arguments: Array) -> Array:
-    *joint_vectors, base_velocity, gravity = arguments
+def _entries(
+    bodies: Bodies,
+    quantity: Quantity,
+    joint_vectors: list[Array],
+    base_velocity: Array,
+    gravity: Array,
+) -> Array:
+    q = joint_vectors[0]
     if quantity == "poses":
         poses = body_poses(bodies, q)
         named = [*poses[1:], *frame_poses(bodies, poses)]
@@ -64,8 +70,8 @@ def _entries(bodies: Bodies, quantity: Quantity, q: Array, *arguments: Array) ->
     if quantity == "gravity_torque":
         return gravity_torque(bodies, q, gravity)
     if quantity == "bias_torque":
-        return bias_torque(bodies, q, *joint_vectors, base_velocity, gravity)
-    qd, qdd_or_tau = joint_vectors
+        return bias_torque(bodies, q, joint_vectors[1], base_velocity, gravity)
+    _, qd, qdd_or_tau = joint_vectors
     if quantity == "inverse_dynamics" and not bodies.is_floating:
         return inverse_dynamics(bodies, q, qd, qdd_or_tau, gravity)
     algorithm = (

@@ -5,6 +5,16 @@ import numpy as np
 from kindsl.spatial.arrays import Array
 
 
+_NEXT = np.array([1, 2, 0])
+_AFTER_NEXT = np.array([2, 0, 1])
+
+
+def cross(a: Array, b: Array) -> Array:
+    """Return `a x b`, shape (..., 3), in a fraction of the time of `numpy.cross`."""
+    product: Array = a[..., _NEXT] * b[..., _AFTER_NEXT] - a[..., _AFTER_NEXT] * b[..., _NEXT]
+    return product
+
+
 def skew(v: Array) -> Array:
     """Return the matrix `V` with `V @ u = cross(v, u)`, shape (..., 3, 3), for `v` (..., 3)."""
     V = np.zeros((*v.shape, 3))

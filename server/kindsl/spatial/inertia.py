@@ -33,7 +33,8 @@ def point_inertia(mass: Array, position: Array) -> Array:
     """Return the inertia about the origin of point masses at `position`: (..., 3, 3), kg m^2."""
     square = np.sum(position * position, axis=-1)[..., None, None] * np.eye(3)
     outer = position[..., :, None] * position[..., None, :]
-    return np.asarray(mass)[..., None, None] * (square - outer)
+    inertia: Array = np.asarray(mass)[..., None, None] * (square - outer)
+    return inertia
 
 
 def move_inertia(
@@ -62,7 +63,8 @@ def second_moment(inertia: Array) -> Array:
     Source: Wensing, Kim, Slotine 2018, eq. 11.
     """
     trace = np.trace(inertia, axis1=-2, axis2=-1)
-    return 0.5 * trace[..., None, None] * np.eye(3) - inertia
+    second: Array = 0.5 * trace[..., None, None] * np.eye(3) - inertia
+    return second
 
 
 def pseudo_inertia(mass: Array, com: Array, inertia: Array) -> Array:

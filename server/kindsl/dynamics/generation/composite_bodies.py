@@ -52,11 +52,11 @@ def joint_space_inertia(tree: Tree, q: Vector) -> Matrix:
 
 def rigid_body_inertia(body: MassDistribution) -> Matrix:
     """Return the 6x6 inertia of a body, angular part first."""
-    I, (x, y, z), m = body.inertia(), body.first, body.mass
+    inertia, (x, y, z), m = body.inertia(), body.first, body.mass
     return [
-        [*I[0], 0.0, 0.0 - z, y],
-        [*I[1], z, 0.0, 0.0 - x],
-        [*I[2], 0.0 - y, x, 0.0],
+        [*inertia[0], 0.0, 0.0 - z, y],
+        [*inertia[1], z, 0.0, 0.0 - x],
+        [*inertia[2], 0.0 - y, x, 0.0],
         [0.0, z, 0.0 - y, m, 0.0, 0.0],
         [0.0 - z, 0.0, x, 0.0, m, 0.0],
         [y, 0.0 - x, 0.0, 0.0, 0.0, m],

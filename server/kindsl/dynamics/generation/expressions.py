@@ -11,7 +11,7 @@ from typing import TypeAlias, Union
 
 Scalar: TypeAlias = Union["Expression", float]
 Operand: TypeAlias = int | float
-Node: TypeAlias = tuple[str, Operand] | tuple[str, Operand, Operand]
+Node: TypeAlias = tuple[str, *tuple[Operand, ...]]
 
 
 class Graph:
@@ -110,33 +110,36 @@ class Expression:
         return self.graph.record("/", other, self.index)
 
     def __neg__(self) -> "Expression":
-        node = self.graph.nodes[self.index]
-        if node[0] == "neg":
-            return Expression(self.graph, int(node[1]))
-        if node[0] == "-":
-            return self.graph.record("-", node[2], node[1])
-        if node[0] == "*" and isinstance(node[2], float):
-            return self.graph.record("*", node[1], -node[2])
+        operation, *operands = self.graph.nodes[self.index]
+        if operation == "neg":
+            return self._operand(operands[0])
+        if operation == "-":
+            return self.graph.record("-", operands[1], operands[0])
+        if operation == "*" and isinstance(operands[1], float):
+            return self.graph.record("*", operands[0], -operands[1])
         return self.graph.record("neg", self.index)
 
     def _scaled(self, factor: float) -> Scalar:
-        node = self.graph.nodes[self.index]
         if factor == 0.0:
             return 0.0
         if factor == 1.0:
             return self
         if factor == -1.0:
             return -self
-        if node[0] == "neg":
-            return Expression(self.graph, int(node[1]))._scaled(-factor)
-        if node[0] == "*" and isinstance(node[2], float):
-            return Expression(self.graph, int(node[1]))._scaled(node[2] * factor)
+        operation, *operands = self.graph.nodes[self.index]
+        if operation == "neg":
+            return self._operand(operands[0])._scaled(-factor)
+        if operation == "*" and isinstance(operands[1], float):
+            return self._operand(operands[0])._scaled(operands[1] * factor)
         return self.graph.record("*", self.index, factor)
 
     def _negated(self) -> "Expression | None":
         """Return what this is the negative of, if it is recorded so."""
-        node = self.graph.nodes[self.index]
-        return Expression(self.graph, int(node[1])) if node[0] == "neg" else None
+        operation, *operands = self.graph.nodes[self.index]
+        return self._operand(operands[0]) if operation == "neg" else None
+
+    def _operand(self, operand: Operand) -> "Expression":
+        return Expression(self.graph, int(operand))
 
 
 def cosine_and_sine(angle: Scalar) -> tuple[Scalar, Scalar]:

@@ -12,7 +12,7 @@ def forward_dynamics(
     tree: Tree, q: Vector, qd: Vector, tau: Vector, base_velocity: Vector, gravity: Vector
 ) -> list[Scalar]:
     """Return the joint accelerations, then a floating base's spatial acceleration."""
-    rest = [0.0] * len(q)
+    rest: Vector = [0.0] * len(q)
     M = joint_space_inertia(tree, q)
     if not tree.is_floating:
         bias, _ = newton_euler(tree, q, qd, rest, ZERO, subtract(ZERO, gravity))

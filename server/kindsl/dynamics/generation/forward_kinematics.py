@@ -27,5 +27,6 @@ def poses(tree: Tree, frames: tuple[Frame, ...], q: Vector) -> list[Scalar]:
 
 
 def _homogeneous(R: Matrix, r: Vector) -> list[Scalar]:
-    rows = [[*row, component] for row, component in zip(R, r, strict=True)]
-    return [entry for row in (*rows, [0.0, 0.0, 0.0, 1.0]) for entry in row]
+    rows: Matrix = [[*row, component] for row, component in zip(R, r, strict=True)]
+    rows.append([0.0, 0.0, 0.0, 1.0])
+    return [entry for row in rows for entry in row]

@@ -94,18 +94,19 @@ def _outputs(
     gravity: Vector,
 ) -> list[Scalar]:
     q = joint_vectors[0]
-    match quantity:
-        case "poses":
-            return poses(tree, frames, q)
-        case "joint_space_inertia":
-            return [entry for row in joint_space_inertia(tree, q) for entry in row]
-        case "gravity_torque":
-            rest: Vector = [0.0] * len(q)
-            return bias_torque(tree, q, rest, [0.0] * 6, gravity)
-        case "bias_torque":
-            return bias_torque(tree, *joint_vectors, base_velocity, gravity)
-        case "forward_dynamics":
-            return forward_dynamics(tree, *joint_vectors, base_velocity, gravity)
+    rest: Vector = [0.0] * len(q)
+    if quantity == "poses":
+        return poses(tree, frames, q)
+    if quantity == "joint_space_inertia":
+        return [entry for row in joint_space_inertia(tree, q) for entry in row]
+    if quantity == "gravity_torque":
+        return bias_torque(tree, q, rest, [0.0] * 6, gravity)
+    qd = joint_vectors[1]
+    if quantity == "bias_torque":
+        return bias_torque(tree, q, qd, base_velocity, gravity)
+    if quantity == "forward_dynamics":
+        return forward_dynamics(tree, q, qd, joint_vectors[2], base_velocity, gravity)
+    qdd = joint_vectors[2]
     if tree.is_floating:
-        return floating_base_inverse_dynamics(tree, *joint_vectors, base_velocity, gravity)
-    return inverse_dynamics(tree, *joint_vectors, gravity)
+        return floating_base_inverse_dynamics(tree, q, qd, qdd, base_velocity, gravity)
+    return inverse_dynamics(tree, q, qd, qdd, gravity)
