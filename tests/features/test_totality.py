@@ -8,17 +8,21 @@ from hypothesis import strategies as st
 from tests.features.samples import ALL
 
 from kindsl.features.call_hierarchy import hierarchy_items, predecessors, successors
+from kindsl.features.code_actions import code_actions, fix_all_action
+from kindsl.features.code_lenses import code_lenses
 from kindsl.features.definition import bound_parameter, definitions
 from kindsl.features.document_links import document_links
 from kindsl.features.document_symbols import document_symbols, flat_symbols
 from kindsl.features.folding import folds
 from kindsl.features.highlight import highlights
 from kindsl.features.hover import hover
+from kindsl.features.inlay_hints import ALL_HINTS, inlay_hints
 from kindsl.features.linked_editing import linked_ranges
 from kindsl.features.references import references
 from kindsl.features.rename import Renaming, rename, rename_range
 from kindsl.features.selection_range import selection_ranges
 from kindsl.features.semantic_tokens import MODIFIERS, TYPES, semantic_tokens
+from kindsl.features.signature_help import signature_help
 from kindsl.features.symbol_at import symbol_at
 from kindsl.features.tree_path import path_at, token_at
 from kindsl.features.workspace_symbols import workspace_symbols
@@ -32,19 +36,23 @@ SMALL = (
 )
 AT_OFFSET = (
     symbol_at, definitions, bound_parameter, references, highlights, rename_range,
-    selection_ranges, linked_ranges, hierarchy_items, hover,
+    selection_ranges, linked_ranges, hierarchy_items, hover, signature_help,
 )  # fmt: skip
-WHOLE = (document_symbols, folds, semantic_tokens, document_links)
+WHOLE = (document_symbols, folds, semantic_tokens, document_links, code_lenses, fix_all_action)
 
 
 def visit(text, offsets):
     analysis = analyse(text)
     for feature in WHOLE:
         feature(analysis)
+    inlay_hints(analysis, 0, len(text), ALL_HINTS)
     for offset in offsets:
         for feature in AT_OFFSET:
             feature(analysis, offset)
         check_places(analysis, offset)
+        for action in code_actions(analysis, offset, offset):
+            assert action.title
+            analysis.edited(action.edits)
     check_outline(analysis)
     check_tokens(analysis)
 

@@ -4,9 +4,8 @@ from collections.abc import Iterator
 
 from kindsl.features.hover_text import paragraph
 from kindsl.features.inertia_verdict import inertia_verdict
-from kindsl.features.principal import principal_moments
 from kindsl.features.quantity_text import INERTIA, KILOGRAMS, number, vector
-from kindsl.features.rigid_inertia import link_inertia
+from kindsl.features.rigid_inertia import link_inertia, principal_moments_about_com
 from kindsl.features.subtree import own_mass, subtree_of
 from kindsl.features.unknown import Unknown
 from kindsl.features.wording import counted, listed, pose_text
@@ -56,7 +55,7 @@ def _mass_lines(analysis: Analysis, body: Link) -> Iterator[str]:
         yield f"mass properties are not known: {inertia.reason}"
         return
     yield f"CoM {vector(inertia.com)} m in the link frame"
-    moments = (number(moment) for moment in principal_moments(inertia.about_com))
+    moments = (number(moment) for moment in principal_moments_about_com(inertia))
     yield f"principal moments about the CoM {', '.join(moments)} {INERTIA}"
     if body.is_base and not body.is_floating:
         yield "the inertia of a fixed base does not matter"

@@ -1,0 +1,75 @@
+"""Lines above blocks: open the preview, what a link carries, how often a joint is used."""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from kindsl.features.quantity_text import KILOGRAMS, number
+from kindsl.features.subtree import Subtree, subtree_of
+from kindsl.features.unknown import Unknown
+from kindsl.features.wording import counted
+from kindsl.rules.analysis import Analysis
+from kindsl.semantics.declarations import Joint, Link
+from kindsl.semantics.places import Name
+from kindsl.text.span import Span
+
+
+class CodeLens(NamedTuple):
+    """A line above a block.
+
+    Attributes:
+        start: Start of the name that the lens belongs to.
+        end: End of that name.
+        title: What to show.
+        kind: `preview`, `subtree` or `references`.
+        places: For `references`, the places to show.
+    """
+
+    start: int
+    end: int
+    title: str
+    kind: str
+    places: tuple[Span, ...] = ()
+
+
+def code_lenses(analysis: Analysis) -> tuple[CodeLens, ...]:
+    """Return the lenses in the order of the text."""
+    return tuple(sorted(_lenses(analysis)))
+
+
+def _lenses(analysis: Analysis) -> Iterator[CodeLens]:
+    model = analysis.model
+    for declared in model.declared:
+        if declared.robot:
+            yield CodeLens(*analysis.resolver.span(declared.robot), "▶ Preview", "preview")
+    for body in model.bodies:
+        title = _subtree_title(subtree_of(analysis, body))
+        if title:
+            yield CodeLens(*analysis.resolver.span(body.name), title, "subtree")
+        if not body.is_base:
+            yield _references(analysis, body.name, _places_of_link(analysis, body))
+    for joint in model.joints:
+        yield _references(analysis, joint.name, _places_of_joint(analysis, joint))
+
+
+def _subtree_title(subtree: Subtree) -> str:
+    if not subtree.dof:
+        return ""
+    joints = counted(subtree.dof, "joint")
+    if isinstance(subtree.mass, Unknown):
+        return f"carries {joints}"
+    return f"carries {joints}, {number(subtree.mass)} {KILOGRAMS} with itself"
+
+
+def _places_of_link(analysis: Analysis, body: Link) -> tuple[Span, ...]:
+    edges = analysis.model.tree.above.get(body, ())
+    return tuple(Span(*analysis.resolver.span(edge.child.link)) for edge in edges)
+
+
+def _places_of_joint(analysis: Analysis, joint: Joint) -> tuple[Span, ...]:
+    edges = analysis.model.tree.joint_uses.get(joint, ())
+    return tuple(Span(*analysis.resolver.span(edge.child.joint)) for edge in edges)
+
+
+def _references(analysis: Analysis, name: Name, places: tuple[Span, ...]) -> CodeLens:
+    title = counted(len(places), "reference")
+    return CodeLens(*analysis.resolver.span(name), title, "references", places)

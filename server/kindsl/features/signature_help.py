@@ -1,0 +1,101 @@
+"""What the number that is being typed means, and in which unit.
+
+In a vector it tells the three components, in an inertia section the one value.
+"""
+
+from typing import NamedTuple
+
+from kindsl.features.tree_path import index_after
+from kindsl.rules.analysis import Analysis
+from kindsl.syntax.tree import Island, Token
+
+_WHAT = {
+    "translation": "origin of the frame, in metres",
+    "rotation": "intrinsic angles, in radians: about x, then the new y, then the newest z",
+    "CoM": "centre of mass in the link frame (or in ref_frame), in metres",
+}
+_PARAMETERS = {
+    "translation": (("x", "metres"), ("y", "metres"), ("z", "metres")),
+    "rotation": (
+        ("rx", "radians, about x"),
+        ("ry", "radians, about the new y"),
+        ("rz", "radians, about the newest z"),
+    ),
+    "CoM": (("x", "metres"), ("y", "metres"), ("z", "metres")),
+}
+_BEGINS = frozenset((*_PARAMETERS, "{", "}"))
+
+
+class SignatureParameter(NamedTuple):
+    """One component; `start` and `end` are its place in the signature's label."""
+
+    start: int
+    end: int
+    documentation: str
+
+
+class Signature(NamedTuple):
+    """A vector as it is to be filled in.
+
+    Attributes:
+        label: `translation = (x, y, z)`.
+        documentation: What the vector is.
+        parameters: Its components.
+        active: The number of the component at the cursor.
+    """
+
+    label: str
+    documentation: str
+    parameters: tuple[SignatureParameter, ...]
+    active: int
+
+
+def signature_help(analysis: Analysis, offset: int) -> Signature | None:
+    """Return the signature of the vector around an offset, None outside of one.
+
+    It is read from the signs before the offset, so that it works while the vector is being typed.
+    """
+    place = analysis.syntax.island_at(min(max(offset, 0), analysis.syntax.length))
+    found = _vector_before(place.island, offset - place.start)
+    if found is None:
+        return None
+    word, active = found
+    if word not in _PARAMETERS:
+        return None
+    return _signature(word, min(active, 2))
+
+
+def _vector_before(island: Island, local: int) -> tuple[str, int] | None:
+    """Return the word that an open parenthesis belongs to, and the commas behind it."""
+    commas = depth = 0
+    before = [t for t in island.tokens[: index_after(island, local)] if t.end <= local]
+    tokens = [token for token in before if not token.is_missing]
+    for index in range(len(tokens) - 1, -1, -1):
+        kind = tokens[index].kind
+        if kind in _BEGINS:
+            return None
+        if kind == "(" and not depth and _is_vector(tokens, index):
+            return _word_before(tokens, index), commas
+        depth += {")": 1, "(": -1}.get(kind, 0)
+        commas += kind == "," and depth == 0
+    return None
+
+
+def _is_vector(tokens: list[Token], index: int) -> bool:
+    return index >= 1 and tokens[index - 1].text in ("=", *_PARAMETERS)
+
+
+def _word_before(tokens: list[Token], index: int) -> str:
+    """Return the word before `= (`, the equals sign perhaps forgotten."""
+    index -= 1
+    return tokens[index - 1].text if tokens[index].text == "=" and index else tokens[index].text
+
+
+def _signature(word: str, active: int) -> Signature:
+    label = f"{word} = ("
+    parameters: list[SignatureParameter] = []
+    for name, documentation in _PARAMETERS[word]:
+        label += ", " if parameters else ""
+        parameters.append(SignatureParameter(len(label), len(label) + len(name), documentation))
+        label += name
+    return Signature(f"{label})", _WHAT[word], tuple(parameters), active)
