@@ -40,7 +40,7 @@ def run(args: argparse.Namespace) -> int:
         return _run(args)
     except ImportError as error:
         return _fail(f"{error.msg}; install the preview with: pip install 'kindsl[preview]'")
-    except (Unreadable, ConfigurationError) as error:
+    except (UnreadableError, ConfigurationError) as error:
         print(error, file=sys.stderr)
     except OSError as error:
         return _fail(f"{error.filename or args.file}: {error.strerror or error}")
@@ -49,7 +49,7 @@ def run(args: argparse.Namespace) -> int:
     return PROBLEM
 
 
-class Unreadable(Exception):
+class UnreadableError(Exception):
     """A document cannot be read; the text is what to print."""
 
 
@@ -76,7 +76,7 @@ def _read(args: argparse.Namespace, file: str) -> "Analysis":
 
     text = read_source(file, file)
     if isinstance(text, Failure):
-        raise Unreadable(str(text))
+        raise UnreadableError(str(text))
     return analyse(text, choices_of(args).settings_for(file))
 
 
@@ -110,7 +110,7 @@ def _serve(args: argparse.Namespace, analysis: "Analysis", old: "Analysis | None
     def reread() -> "Analysis | str":
         try:
             return _read(args, args.file)
-        except (Unreadable, ConfigurationError) as error:
+        except (UnreadableError, ConfigurationError) as error:
             return str(error)
 
     configuration = choices_of(args).configuration_for(args.file)

@@ -1,4 +1,4 @@
-"""Bodies of a document that is not whole: what is missing counts as zero, what is lost is left out."""
+"""Bodies of a document that is not whole: what is missing is zero, what is lost is left out."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence

@@ -28,11 +28,16 @@ POLICY = "; ".join((
 def application(access: Access, server: "PreviewServer") -> Application:
     """Return what answers requests; there is nothing but the page, its parts and the socket."""
     common = {"access": access, "server": server}
+    routes = [(r"/", PageHandler), (r"/live", LiveHandler), (r"/(.*)", AssetHandler)]
     return Application(
-        [(r"/", PageHandler, common), (r"/live", LiveHandler, common), (r"/(.*)", AssetHandler, common)],
+        [(pattern, handler, common) for pattern, handler in routes],
         websocket_max_message_size=MOST_BYTES,
-        log_function=lambda handler: None,
+        log_function=_log_nothing,
     )
+
+
+def _log_nothing(_handler: RequestHandler) -> None:
+    """Keep addresses, which have the token in them, out of logs."""
 
 
 class CheckedHandler(RequestHandler):
@@ -92,7 +97,7 @@ class AssetHandler(CheckedHandler):
 class LiveHandler(CheckedHandler, WebSocketHandler):
     """The line to one tab."""
 
-    def check_origin(self, origin: str) -> bool:
+    def check_origin(self, origin: str) -> bool:  # noqa: ARG002
         """Leave it to `prepare`, which has checked it."""
         return True
 

@@ -4,7 +4,6 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from kindsl.dynamics.bodies import Bodies
 from kindsl.preview.geometry import Form, Shape
 from kindsl.preview.inertia import InertiaEllipsoids
 from kindsl.preview.size import Segment
@@ -33,13 +32,16 @@ def column_major(T: Array) -> tuple[float, ...]:
     return tuple(T.ravel(order="F").tolist())
 
 
-def body_marks(tree: str, link: str, segments: tuple[Segment, ...], category: str) -> Iterator[Message]:
+def body_marks(
+    tree: str, link: str, segments: tuple[Segment, ...], category: str
+) -> Iterator[Message]:
     """Yield a body: a ball at its frame's origin and a capsule along each of its segments."""
     color = GHOST if tree == "ghost" else {"base": BASE, "body": LINK}[category]
     place = (tree, "links", link, category)
     yield set_object(path_of(*place, "ball"), Shape(Form.BALL, color))
     for segment in segments:
-        rod, end = path_of(*place, f"segment-{segment.name}"), path_of(*place, f"end-{segment.name}")
+        rod = path_of(*place, f"segment-{segment.name}")
+        end = path_of(*place, f"end-{segment.name}")
         yield set_object(rod, Shape(Form.CYLINDER, color))
         yield set_transform(rod, _along(segment.end))
         yield set_object(end, Shape(Form.BALL, color))
@@ -51,7 +53,9 @@ def base_mark(link: str) -> Iterator[Message]:
     yield set_object(path_of("robot", "links", link, "base", "slab"), Shape(Form.SLAB, BASE))
 
 
-def link_marks(link: str, com: Array, ellipsoids: InertiaEllipsoids, body: int) -> Iterator[Message]:
+def link_marks(
+    link: str, com: Array, ellipsoids: InertiaEllipsoids, body: int
+) -> Iterator[Message]:
     """Yield a link's frame, and if it has mass its centre of mass and inertia ellipsoid."""
     place = ("robot", "links", link)
     yield set_object(path_of(*place, "link-frame", "triad"), Shape(Form.TRIAD, WHITE))

@@ -1,6 +1,7 @@
 """Triangle meshes that meshcat has no primitive for."""
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -8,6 +9,7 @@ import numpy as np
 from kindsl.spatial.arrays import Array
 
 SIDES = 20
+AXIS_COLORS = ((0.80, 0.20, 0.20), (0.18, 0.58, 0.30), (0.18, 0.38, 0.82))
 
 
 class Mesh(NamedTuple):
@@ -26,7 +28,7 @@ def lathe(profile: Sequence[tuple[float, float]]) -> Mesh:
     angles = np.linspace(0.0, 2.0 * np.pi, SIDES, endpoint=False)
     circle = np.column_stack((np.cos(angles), np.sin(angles)))
     rings, faces = [], []
-    for piece, ends in enumerate(zip(profile, profile[1:], strict=False)):
+    for piece, ends in enumerate(pairwise(profile)):
         for radius, height in ends:
             rings.append(np.column_stack((radius * circle, np.full(SIDES, height))))
         faces.append(_band(2 * SIDES * piece))
@@ -40,7 +42,7 @@ def triad(width: float, length: float) -> Mesh:
     sides = np.array([[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [0, 2, 1], [0, 3, 2]])
     axes = [np.roll(needle, axis, axis=1) for axis in range(3)]
     faces = [sides + 5 * axis for axis in range(3)]
-    colors = np.repeat(np.array([[0.80, 0.20, 0.20], [0.18, 0.58, 0.30], [0.18, 0.38, 0.82]]), 5, axis=0)
+    colors = np.repeat(np.array(AXIS_COLORS), len(needle), axis=0)
     return Mesh(np.vstack(axes), np.vstack(faces), colors)
 
 

@@ -9,7 +9,11 @@ from kindsl.semantics.model import Model
 from kindsl.semantics.parameters import Binding, Parameter
 
 # Ranges of parameters that have no value to take one from.
-_USUAL = {ValueKind.LENGTH: (-1.0, 1.0), ValueKind.ANGLE: (-math.pi, math.pi), ValueKind.DYNAMICS: (0.0, 10.0)}
+_USUAL = {
+    ValueKind.LENGTH: (-1.0, 1.0),
+    ValueKind.ANGLE: (-math.pi, math.pi),
+    ValueKind.DYNAMICS: (0.0, 10.0),
+}
 
 
 def parameter_messages(

@@ -12,6 +12,9 @@ from kindsl.semantics.model import Model
 from kindsl.semantics.parameters import values_of
 
 
+MOST_NAMED = 3
+
+
 class State(StrEnum):
     """How what is drawn stands to the document."""
 
@@ -49,6 +52,7 @@ def picture(model: Model, given: dict[str, float], last_good: Bodies | None) -> 
     values = values_of(model.parameters, model.constants, given)
     unbound = [p for p in model.parameters if str(p.name) not in values]
     stand_ins = {str(p.name): 0.0 for p in unbound}
+    bodies: Bodies | None
     try:
         bodies = drawable_bodies(model, {**stand_ins, **values})
         defect = _defect(model)
@@ -90,5 +94,7 @@ def _sentence(problem: str, last_good: Bodies | None, shown: Bodies | None) -> s
 def _unbound_message(names: list[str]) -> str:
     if len(names) == 1:
         return f"The parameter '{names[0]}' has no value: it counts as zero until you type one"
-    listed = ", ".join(f"'{name}'" for name in names)
+    listed = ", ".join(f"'{name}'" for name in names[:MOST_NAMED])
+    if len(names) > MOST_NAMED:
+        listed += f" and {len(names) - MOST_NAMED} more"
     return f"The parameters {listed} have no value: they count as zero until you type one"

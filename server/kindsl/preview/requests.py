@@ -75,4 +75,4 @@ def _numbers(data: object) -> dict[str, float]:
 
 def _is_number(value: object) -> bool:
     is_real = isinstance(value, int | float) and not isinstance(value, bool)
-    return is_real and abs(value) < 1e12 and math.isfinite(value)  # type: ignore[arg-type, operator]
+    return is_real and abs(value) < 1e12 and math.isfinite(value)  # type: ignore[arg-type]

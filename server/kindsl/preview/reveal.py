@@ -1,5 +1,7 @@
 """From what was clicked in a page to its place in the source."""
 
+from collections.abc import Sequence
+
 from kindsl.preview.reports import listed
 from kindsl.preview.requests import Reveal
 from kindsl.rules.analysis import Analysis
@@ -9,9 +11,7 @@ from kindsl.semantics.places import Located
 from kindsl.text.span import Span
 
 
-def place_of(
-    chosen: Reveal, analysis: Analysis, findings: tuple[Diagnostic, ...] | list[Diagnostic]
-) -> Span | None:
+def place_of(chosen: Reveal, analysis: Analysis, findings: Sequence[Diagnostic]) -> Span | None:
     """Return the place that a click means, None if the document has it no longer.
 
     For a link, joint, frame or parameter that is its name; for a finding, what it marks.
@@ -22,9 +22,7 @@ def place_of(
     return None if located is None else Span(*analysis.resolver.span(located))
 
 
-def _place_of_finding(
-    number: str, findings: tuple[Diagnostic, ...] | list[Diagnostic]
-) -> Span | None:
+def _place_of_finding(number: str, findings: Sequence[Diagnostic]) -> Span | None:
     shown = listed(findings)
     if not number.isdecimal() or int(number) >= len(shown):
         return None

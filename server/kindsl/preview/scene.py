@@ -9,11 +9,17 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from kindsl.dynamics.bodies import Bodies
+from kindsl.dynamics.bodies import Bodies, Frame
 from kindsl.preview.inertia import InertiaEllipsoids, inertia_ellipsoids
 from kindsl.preview.marks import (
-    base_mark, body_marks, column_major, frame_marks, joint_marks, link_marks, robot_com_marks,
-)  # fmt: skip
+    base_mark,
+    body_marks,
+    column_major,
+    frame_marks,
+    joint_marks,
+    link_marks,
+    robot_com_marks,
+)
 from kindsl.preview.size import Extent, Segment, extent
 from kindsl.preview.wire import Message, Messages, keyed, path_of
 from kindsl.spatial.transforms import homogeneous
@@ -68,42 +74,60 @@ def _numbers(
     tree: str, bodies: Bodies, size: Extent, ellipsoids: InertiaEllipsoids
 ) -> Iterator[Message]:
     """Yield what the page needs for kinematics, gravity torques and its panel."""
-    names = _names(bodies)
-    for body, link in enumerate(names):
-        yield {
-            "type": "link",
-            "path": path_of(tree, "links", link),
-            "name": link,
-            "index": body,
-            "joint": bodies.joint_names[body - 1] if body else "",
-            "mass": float(bodies.masses[body]),
-            "com": bodies.coms[body].tolist(),
-            "inertia": ellipsoids.about_com[body].ravel().tolist(),
-            "is_consistent": ellipsoids.is_consistent[body] or not (body or bodies.is_floating),
-            "anchor": _anchor(size.segments[body]),
-            "ends": [segment.end.tolist() for segment in size.segments[body]],
-        }
-    placements = homogeneous(bodies.p_R_j, bodies.p_r_j)
-    for link_idx, parent in bodies.links():
-        joint = bodies.joint_names[link_idx - 1]
-        yield {
-            "type": "joint",
-            "path": path_of(tree, "joints", joint),
-            "name": joint,
-            "index": link_idx,
-            "kind": bodies.joint_kinds[link_idx - 1],
-            "predecessor": names[parent],
-            "successor": names[link_idx],
-            "placement": column_major(placements[link_idx - 1]),
-        }
+    for body in range(bodies.n_links + 1):
+        yield _link(tree, bodies, body, size.segments[body], ellipsoids)
+    for link, parent in bodies.links():
+        yield _joint(tree, bodies, link, parent)
     for frame in bodies.frames:
-        yield {
-            "type": "frame",
-            "path": path_of(tree, "frames", frame.name),
-            "name": frame.name,
-            "link": names[frame.body],
-            "placement": column_major(homogeneous(frame.body_R_frame, frame.body_r_frame)),
-        }
+        yield _frame(tree, frame, _names(bodies)[frame.body])
+
+
+def _link(
+    tree: str,
+    bodies: Bodies,
+    body: int,
+    segments: tuple[Segment, ...],
+    ellipsoids: InertiaEllipsoids,
+) -> Message:
+    name = _names(bodies)[body]
+    is_at_rest = body == 0 and not bodies.is_floating
+    return {
+        "type": "link",
+        "path": path_of(tree, "links", name),
+        "name": name,
+        "index": body,
+        "joint": bodies.joint_names[body - 1] if body else "",
+        "mass": float(bodies.masses[body]),
+        "com": bodies.coms[body].tolist(),
+        "inertia": ellipsoids.about_com[body].ravel().tolist(),
+        "is_consistent": is_at_rest or ellipsoids.is_consistent[body],
+        "anchor": _anchor(segments),
+        "ends": [segment.end.tolist() for segment in segments],
+    }
+
+
+def _joint(tree: str, bodies: Bodies, link: int, parent: int) -> Message:
+    name = bodies.joint_names[link - 1]
+    return {
+        "type": "joint",
+        "path": path_of(tree, "joints", name),
+        "name": name,
+        "index": link,
+        "kind": bodies.joint_kinds[link - 1],
+        "predecessor": _names(bodies)[parent],
+        "successor": _names(bodies)[link],
+        "placement": column_major(homogeneous(bodies.p_R_j[link - 1], bodies.p_r_j[link - 1])),
+    }
+
+
+def _frame(tree: str, frame: Frame, link: str) -> Message:
+    return {
+        "type": "frame",
+        "path": path_of(tree, "frames", frame.name),
+        "name": frame.name,
+        "link": link,
+        "placement": column_major(homogeneous(frame.body_R_frame, frame.body_r_frame)),
+    }
 
 
 def _names(bodies: Bodies) -> tuple[str, ...]:

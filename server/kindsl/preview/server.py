@@ -39,7 +39,7 @@ class PreviewServer:
             port: To listen on; 0 for a free one.
             token: To ask for; None for a new one.
         """
-        self._on_reveal = on_reveal or (lambda key, span, chosen: None)
+        self._on_reveal = on_reveal or _reveal_nowhere
         self._access = Access(token or new_token(), port)
         self._documents: dict[str, DocumentPreview] = {}
         self._keys: dict[str, str] = {}
@@ -135,7 +135,8 @@ class PreviewServer:
 
     def document(self, identifier: str | None) -> DocumentPreview | None:
         """Return the document of a page's address, the first for None."""
-        key = next(iter(self._documents), None) if identifier is None else self._keys.get(identifier)
+        first = next(iter(self._documents), None)
+        key = first if identifier is None else self._keys.get(identifier)
         return None if key is None else self._documents[key]
 
     def receive(self, document: DocumentPreview, tab: Tab, request: Request) -> None:
@@ -165,6 +166,10 @@ class PreviewServer:
 
     def _address(self) -> str:
         return f"http://{ADDRESS}:{self._access.port}/?token={self._access.token}"
+
+
+def _reveal_nowhere(_key: str, _span: Span, _chosen: Reveal) -> None:
+    """Stand in for a callback."""
 
 
 def _identifier(key: str) -> str:

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple, TypeAlias
 from urllib.parse import quote
 
-import umsgpack
+import umsgpack  # type: ignore[import-untyped]
 
 from kindsl.preview.geometry import Shape, lowered
 

@@ -23,6 +23,13 @@ const KindslStage = (() => {
       viewer.camera.fov = FIELD_OF_VIEW;
       this.ground = null;
       this.framedSize = null;
+      this.isUsersView = false;
+      viewer.controls.addEventListener("start", () => { this.isUsersView = true; });
+    }
+
+    // The pane has another shape: frame the robot anew unless the user has turned it.
+    resized() {
+      if (this.framedSize !== null && !this.isUsersView) this.frame();
     }
 
     // Directional lights: unlike the viewer's own they do not depend on the robot's size.
@@ -51,6 +58,7 @@ const KindslStage = (() => {
       const { camera, controls } = this.viewer;
       this.framedSize = size;
       this.framedName = name;
+      this.isUsersView = false;
       const direction = toThree(FROM).normalize();
       const { target, distance } = this.fit(direction);
       camera.near = distance / 200;

@@ -75,6 +75,7 @@ const kindsl = (() => {
     viewer.camera.aspect = pane.clientWidth / Math.max(1, pane.clientHeight);
     viewer.camera.updateProjectionMatrix();
     viewer.renderer.setSize(pane.clientWidth, pane.clientHeight);
+    stage.resized();
     viewer.set_dirty();
   };
 
