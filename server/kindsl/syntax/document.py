@@ -11,9 +11,10 @@ from functools import cached_property
 from itertools import accumulate, chain
 from typing import NamedTuple
 
+from kindsl.syntax.block_order import IN_ORDER, PlacedProblem, letters, order_problems
 from kindsl.syntax.parser import parse_island
 from kindsl.syntax.splitter import LOOKAHEAD, split
-from kindsl.syntax.tree import Island, Problem
+from kindsl.syntax.tree import Island
 from kindsl.text.edits import TextEdit, apply_edits
 
 _CHUNK = 96
@@ -28,24 +29,24 @@ class PlacedIsland(NamedTuple):
     start: int
 
 
-class PlacedProblem(NamedTuple):
-    """A problem of the document as a whole, told by a place in one of its islands."""
-
-    index: int
-    island: Island
-    problem: Problem
-
-
 class Chunk:
     """Some neighbouring islands; never changed once made."""
 
-    __slots__ = ("islands", "length", "offsets", "open_comments")
+    __slots__ = ("_letters", "islands", "length", "offsets", "open_comments")
 
     def __init__(self, islands: tuple[Island, ...]) -> None:
         self.islands = islands
         self.offsets = [0, *accumulate(len(island.text) for island in islands)]
         self.length = self.offsets.pop()
+        self._letters: str | None = None
         self.open_comments = sum(has_open_comment(island) for island in islands)
+
+    @property
+    def letters(self) -> str:
+        """A letter for each block."""
+        if self._letters is None:
+            self._letters = letters(self.islands)
+        return self._letters
 
 
 class SyntaxDocument:
@@ -106,6 +107,13 @@ class SyntaxDocument:
         local = bisect_right(chunk.offsets, offset - start) - 1
         index = self._chunk_indices[number] + local
         return PlacedIsland(index, chunk.islands[local], start + chunk.offsets[local])
+
+    @cached_property
+    def problems(self) -> tuple[PlacedProblem, ...]:
+        """What is wrong with the row of blocks as a whole; each island has its own problems."""
+        if IN_ORDER.fullmatch("".join([chunk.letters for chunk in self.chunks])):
+            return ()
+        return order_problems(self.islands, self.starts)
 
     def edited(self, edits: Sequence[TextEdit]) -> "SyntaxDocument":
         """Return the document after edits that are made at once.
@@ -184,7 +192,9 @@ def _edited_once(document: SyntaxDocument, start: int, end: int, new: str) -> Sy
             if found.has_open_comment and _closes_later(document, stop):
                 reach *= 2
                 continue
-            kept = _first_kept(document, last + 1, stop, origin + len(text) - len(old), found.starts)
+            kept = _first_kept(
+                document, last + 1, stop, origin + len(text) - len(old), found.starts
+            )
             if kept is None:
                 reach *= 2
                 continue

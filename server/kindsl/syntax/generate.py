@@ -12,7 +12,9 @@ from typing import Any
 TABLES = Path(__file__).with_name("tables.py")
 STARTS = ("head", "base", "link", "joint", "end", "value")
 
-_HEADER = '"""Generated from grammar/kindsl.lark by `python -m kindsl.syntax.generate`; do not edit."""\n'
+_HEADER = (
+    '"""Generated from grammar/kindsl.lark by `python -m kindsl.syntax.generate`; do not edit."""\n'
+)
 _ROWS = "tuple[tuple[tuple[str, ...], tuple[int, ...]], ...]"
 _TYPES = {
     "KEYWORDS": "dict[str, str]",
@@ -80,8 +82,12 @@ def tables(grammar: str) -> str:
         "ONLY": _remarks(grammar, "only"),
         "NEITHER": _remarks(grammar, "neither"),
     }
-    return _HEADER + "\n# ruff: noqa\n# fmt: off\n" + "".join(
-        f"\n{name}: {_TYPES[name]} = {_literal(value)}\n" for name, value in sections.items()
+    return (
+        _HEADER
+        + "\n# ruff: noqa\n# fmt: off\n"
+        + "".join(
+            f"\n{name}: {_TYPES[name]} = {_literal(value)}\n" for name, value in sections.items()
+        )
     )
 
 

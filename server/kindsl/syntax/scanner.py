@@ -6,6 +6,7 @@ from kindsl.syntax.tables import KEYWORDS, PATTERNS
 from kindsl.syntax.tree import Token
 
 BAD = "BAD"
+_MOST_BAD = 2000
 TRIVIA = r"(?:[ \t\r\n]++|//[^\r\n]*+|/\*(?:[^*]|\*(?!/))*+(?:\*/|\Z))*+"
 COMMENT = re.compile(r"//[^\r\n]*|/\*(?:[^*]|\*(?!/))*+(?:\*/)?")
 
@@ -29,7 +30,7 @@ _TOKEN = re.compile(
     rf"|({'|'.join(_PATTERN[kind] for kind in _ODD_KINDS)})"
     r"|([-+])"
     r"|(\Z)"
-    r"|([^ \t\r\n]))"
+    r"|([^\x21-\x7e\w \t\r\n]+|[^ \t\r\n]))"
 )
 _WORD, _FLOAT, _SIGN, _INT, _ODD_GROUP, _OPERATOR, _END = 1, 2, 3, 4, 5, 6, 7
 _PI_PREFIXED = re.compile(_PATTERN["PI_PREFIXED"])
@@ -47,10 +48,13 @@ _WORD_KINDS = _WordKinds(KEYWORDS)
 
 
 def scan(text: str) -> list[Token]:
-    """Return the tokens of a text; together with what lies between them they are the text."""
+    """Return the tokens of a text; together with what lies between them they are the text.
+
+    Where there are thousands of characters that belong to no token, the rest is one token.
+    """
     tokens: list[Token] = []
     append = tokens.append
-    done = 0
+    done = bad = 0
     for match in _TOKEN.finditer(text):
         group = match.lastindex or 0
         start, end = match.span(group)
@@ -69,6 +73,11 @@ def scan(text: str) -> list[Token]:
             break
         else:
             kind = BAD
+            bad += 1
+            if bad > _MOST_BAD:
+                end = len(text.rstrip(" \t\r\n"))
+                append(Token(BAD, text[start:end], done, start, end))
+                break
         append(Token(kind, word, done, start, end))
         done = end
     return tokens

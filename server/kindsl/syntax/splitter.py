@@ -14,7 +14,9 @@ _SECTIONS = frozenset(
     "id inertia_params inertia_properties children frames ref_frame via floating "
     "mass CoM Ix Iy Iz Ixy Ixz Iyz translation rotation".split()
 )
-_FIRST_SECTIONS = frozenset("id inertia_params inertia_properties children frames ref_frame".split())
+_FIRST_SECTIONS = frozenset(
+    "id inertia_params inertia_properties children frames ref_frame".split()
+)
 _POSE = frozenset({"translation", "rotation"})
 _CANDIDATE = re.compile(r"//[^\r\n]*|/\*|(?<![\w^])(RobotBase|Robot|link|r_joint|p_joint)(\w*)")
 _BLOCK_LINE = re.compile(r"(?:^|(?<=\r))[ \t]*(?:RobotBase|link|r_joint|p_joint)\b", re.M)

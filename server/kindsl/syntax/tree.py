@@ -55,12 +55,18 @@ class Node:
     @property
     def start(self) -> int:
         """Where its first token begins."""
-        return self.children[0].start
+        child = self.children[0]
+        while isinstance(child, Node):
+            child = child.children[0]
+        return child.start
 
     @property
     def end(self) -> int:
         """Where its last token ends."""
-        return self.children[-1].end
+        child = self.children[-1]
+        while isinstance(child, Node):
+            child = child.children[-1]
+        return child.end
 
     def nodes(self, kind: str) -> "Iterator[Node]":
         """Yield the children that are nodes of that kind."""
@@ -70,11 +76,13 @@ class Node:
 
     def tokens(self) -> Iterator[Token]:
         """Yield all tokens below, in order."""
-        for child in self.children:
+        pending = self.children[::-1]
+        while pending:
+            child = pending.pop()
             if isinstance(child, Token):
                 yield child
             else:
-                yield from child.tokens()
+                pending += child.children[::-1]
 
     def __repr__(self) -> str:
         return f"Node({self.kind}, {self.children!r})"
@@ -127,7 +135,16 @@ class Island:
         facts: What later layers derived from it alone, kept as long as the island lives.
     """
 
-    __slots__ = ("__weakref__", "comments", "facts", "nodes", "problems", "skipped", "text", "tokens")
+    __slots__ = (
+        "__weakref__",
+        "comments",
+        "facts",
+        "nodes",
+        "problems",
+        "skipped",
+        "text",
+        "tokens",
+    )
 
     def __init__(
         self,

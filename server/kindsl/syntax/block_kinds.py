@@ -1,0 +1,189 @@
+"""Which block begins at a token, also where its keyword is lost, misspelt or wrong."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from kindsl.syntax.scanner import word_kind
+from kindsl.syntax.spelling import nearest
+from kindsl.syntax.tree import Edit, Problem, Repair, Token
+from kindsl.syntax.words import (
+    BLOCK_KINDS,
+    BLOCK_STARTS,
+    SPELLINGS,
+    called,
+    shown,
+    spelled,
+    supplied,
+)
+
+_BLOCK_WORDS = ("Robot", "RobotBase", "link", "r_joint", "p_joint")
+_NAME_KINDS = frozenset({"NAME", "PI_PREFIXED", "UNICODE_NAME", "ESCAPED_NAME", "LOWER_PI"})
+_BODY = frozenset({"{", "FLOATING"})
+_LINK_SECTIONS = frozenset({"INERTIA", "children", "frames"})
+_POSE = frozenset({"translation", "rotation"})
+_REACH = 200
+
+
+class Opening(NamedTuple):
+    """How a block begins.
+
+    Attributes:
+        start: The construct it begins.
+        replaces: The tokens that stand there and are not as they should be.
+        tokens: What is read in their place.
+        problem: What is to be said about it.
+    """
+
+    start: str
+    replaces: tuple[Token, ...] = ()
+    tokens: tuple[Token, ...] = ()
+    problem: Problem | None = None
+
+
+def opening(tokens: Sequence[Token], index: int, previous: str = "") -> Opening | None:
+    """Return how a block begins at a token, None where none does.
+
+    Args:
+        tokens: The island's tokens.
+        index: Where the block would begin.
+        previous: The kind of the block before.
+    """
+    token = tokens[index]
+    start = BLOCK_STARTS.get(token.kind)
+    if start is not None:
+        return _checked(tokens, index, start)
+    if not token.text[0].isidentifier():
+        return _in_place_of_junk(tokens, index, previous)
+    following = tokens[index + 1] if index + 1 < len(tokens) else None
+    if following is None:
+        return None
+    if following.kind in _BODY and _is_word(token):
+        return _unglued(token) or _without_keyword(tokens, index, previous)
+    behind = tokens[index + 2] if index + 2 < len(tokens) else None
+    if _is_word(following) and behind is not None and behind.kind in _BODY:
+        return _misspelt(tokens, index, previous)
+    return None
+
+
+def _is_word(token: Token) -> bool:
+    return token.kind in _NAME_KINDS
+
+
+def _checked(tokens: Sequence[Token], index: int, start: str) -> Opening:
+    """Return the opening of a keyword, another one where the block's content says so."""
+    if start in ("head", "end"):
+        return Opening(start)
+    content = _content(tokens, index)
+    is_joint = start == "joint"
+    if content not in ("link", "joint") or is_joint == (content == "joint"):
+        return Opening(start)
+    kind, token = BLOCK_KINDS[content], tokens[index]
+    message = f"expected {called(kind)} instead of '{token.text}'"
+    return _replaced(token, content, Problem("KD001", message, token.start, token.end))
+
+
+def _replaced(token: Token, start: str, problem: Problem, text: str | None = None) -> Opening:
+    kind = BLOCK_KINDS[start]
+    text = text or spelled(kind)
+    title = f"Replace '{shown(token.text)}' by '{text}'"
+    repair = Repair(title, (Edit(token.start, token.end, text),), False)
+    read = Token(kind, text, token.lead, token.start, token.end)
+    return Opening(start, (token,), (read,), problem._replace(repair=repair))
+
+
+def _unglued(token: Token) -> Opening | None:
+    """Return the opening of `linkl1 {`, which robcogen2 reads as `link l1 {`."""
+    for word in ("RobotBase", "Robot", "link", "r_joint", "p_joint"):
+        if token.text.startswith(word) and len(token.text) > len(word):
+            pair = unglue(token, word)
+            if pair is not None:
+                return Opening(BLOCK_STARTS[pair[0].kind], (token,), pair)
+    return None
+
+
+def unglue(token: Token, word: str) -> tuple[Token, Token] | None:
+    """Return a keyword and the name glued to it, None where the rest is no name."""
+    rest = token.text[len(word) :]
+    if not rest.isidentifier():
+        return None
+    middle = token.start + len(word)
+    return (
+        Token(word_kind(word), word, token.lead, token.start, middle),
+        Token(word_kind(rest), rest, middle, middle, token.end),
+    )
+
+
+def _without_keyword(tokens: Sequence[Token], index: int, previous: str) -> Opening | None:
+    start = _guess(tokens, index, previous)
+    if start is None:
+        return None
+    name = tokens[index]
+    kind = BLOCK_KINDS[start]
+    title = f"Insert '{spelled(kind)}'"
+    repair = Repair(title, (Edit(name.start, name.start, spelled(kind) + " "),), False)
+    message = f"expected {called(kind)} before '{shown(name.text)}'"
+    problem = Problem("KD001", message, name.start, name.start, repair)
+    keyword = supplied(kind, name.lead)
+    return Opening(start, (name,), (keyword, name), problem)
+
+
+def _misspelt(tokens: Sequence[Token], index: int, previous: str) -> Opening | None:
+    token = tokens[index]
+    meant = nearest(token.text, _BLOCK_WORDS)
+    start = BLOCK_STARTS[word_kind(meant)] if meant else _guess(tokens, index, previous)
+    if start is None:
+        return None
+    content = _content(tokens, index)
+    if content is not None and (content == "joint") != (start == "joint"):
+        start, meant = content, None
+    kind = BLOCK_KINDS[start]
+    if meant is None:
+        message = f"expected {called(kind)} instead of '{shown(token.text)}'"
+        return _replaced(token, start, Problem("KD010", message, token.start, token.end))
+    near = called(kind) if kind == "JOINT_KIND" else f"'{meant}'"
+    message = f"unknown keyword '{shown(token.text)}', did you mean {near}"
+    text = meant if meant in SPELLINGS[kind] else None
+    return _replaced(token, start, Problem("KD010", message, token.start, token.end), text)
+
+
+def _in_place_of_junk(tokens: Sequence[Token], index: int, previous: str) -> Opening | None:
+    """Return the opening of a block whose keyword is a number or a sign."""
+    behind = tokens[index + 1 : index + 3]
+    if len(behind) < 2 or not _is_word(behind[0]) or behind[1].kind not in _BODY:
+        return None
+    start = _guess(tokens, index + 1, previous)
+    if start is None:
+        return None
+    token = tokens[index]
+    message = f"expected {called(BLOCK_KINDS[start])} instead of '{shown(token.text)}'"
+    problem = Problem("KD001", message, token.start, token.end)
+    return _replaced(token, start, problem)
+
+
+def _guess(tokens: Sequence[Token], index: int, previous: str) -> str | None:
+    """Return the construct of a block without a keyword, by its content."""
+    content = _content(tokens, index)
+    if content == "link":
+        kinds = [token.kind for token in tokens[index : index + 6]]
+        if "FLOATING" in kinds or (previous == "head" and "id" not in kinds):
+            return "base"
+    if content is None and index <= 1 and tokens[-1].kind == "{" and len(tokens) <= 3:
+        return "head"
+    return content
+
+
+def _content(tokens: Sequence[Token], index: int) -> str | None:
+    """Return `link` or `joint`, whichever the sections up to the next block speak for."""
+    scores = {"link": 0, "joint": 0}
+    previous = ""
+    for token in tokens[index + 1 : index + _REACH]:
+        if token.kind in BLOCK_STARTS and token.kind != "}":
+            break
+        if token.kind in _LINK_SECTIONS:
+            scores["link"] += 1 if token.kind == "frames" else 2
+        elif previous == "ref_frame" and (token.kind == "{" or token.kind in _POSE):
+            scores["joint"] += 3
+        previous = token.kind
+    if scores["link"] == scores["joint"]:
+        return None
+    return max(scores, key=lambda kind: scores[kind])

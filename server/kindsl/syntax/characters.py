@@ -1,0 +1,91 @@
+"""Characters that belong to no token, and comments without an end."""
+
+from collections.abc import Sequence
+
+from kindsl.syntax.scanner import BAD
+from kindsl.syntax.tree import Edit, Problem, Repair, Token
+
+_MOST_PROBLEMS = 20
+_BLANKS = frozenset(
+    "\x0b\x0c\x85\xa0\u1680\u2000\u2001\u2002\u2003\u2004\u2005\u2006\u2007\u2008"
+    "\u2009\u200a\u2028\u2029\u202f\u205f\u3000"
+)
+_NAMED = {
+    "\ufeff": "byte order mark",
+    "\xa0": "no-break space",
+    "\x0c": "form feed",
+    "\x0b": "vertical tab",
+    "\x00": "null character",
+    "\u200b": "zero-width space",
+    "\u2028": "line separator",
+    "\u2029": "paragraph separator",
+    "\ufffd": "undecodable byte",
+}
+
+
+def without_invalid(
+    tokens: Sequence[Token],
+) -> tuple[list[Token], list[Token], tuple[Problem, ...]]:
+    """Return the tokens that can be read, the others, and what to say about these."""
+    good: list[Token] = []
+    invalid: list[Token] = []
+    problems: list[Problem] = []
+    end = -1
+    for token in tokens:
+        if token.kind != BAD or _is_visible(token.text[0]):
+            is_rest_of_name = token.start == end and good and good[-1].end < end
+            if is_rest_of_name and good[-1].text[0].isidentifier() and token.text[0].isalnum():
+                invalid.append(token)
+                end = token.end
+            else:
+                good.append(token)
+            continue
+        is_glued = bool(good) and good[-1].end == token.start
+        end = token.end if is_glued else -1
+        invalid.append(token)
+        problems.append(_problem(token))
+    return good, invalid, _summary(problems)
+
+
+def comment_problem(text: str, spans: Sequence[tuple[int, int]]) -> Problem | None:
+    """Return the problem of a comment without an end, which can only be the last."""
+    if not spans:
+        return None
+    start, end = spans[-1]
+    comment = text[start:end]
+    if not comment.startswith("/*") or (len(comment) >= 4 and comment.endswith("*/")):
+        return None
+    line_end = len(comment.splitlines()[0].rstrip()) + start
+    repair = Repair("Insert '*/'", (Edit(line_end, line_end, " */"),), False)
+    return Problem("KD003", "comment is not closed by '*/'", start, start + 2, repair)
+
+
+def _is_visible(character: str) -> bool:
+    return " " < character < "\x7f"
+
+
+def _problem(token: Token) -> Problem:
+    character = token.text[0]
+    name = _NAMED.get(character)
+    if name is None and "\ud800" <= character <= "\udfff":
+        name = "undecodable byte"
+    code = f"U+{ord(character):04X}"
+    text = f"{name} ({code})" if name else code
+    if name is None and character.isprintable():
+        text = f"'{character}' ({code})"
+    new = "".join(" " if c in _BLANKS else "" for c in token.text)
+    title = "Replace by a blank" if new else "Remove the invalid character"
+    repair = Repair(title, (Edit(token.start, token.end, new),), True)
+    return Problem("KD004", f"invalid character {text}", token.start, token.end, repair)
+
+
+def _summary(problems: list[Problem]) -> tuple[Problem, ...]:
+    """Return the problems, the last ones as one where they are many."""
+    if len(problems) <= _MOST_PROBLEMS:
+        return tuple(problems)
+    rest = problems[_MOST_PROBLEMS - 1 :]
+    edits = tuple(edit for problem in rest if problem.repair for edit in problem.repair.edits)
+    message = f"{len(rest)} more invalid characters"
+    repair = Repair("Remove the invalid characters", edits, True)
+    last = Problem("KD004", message, rest[0].start, rest[0].end, repair)
+    return (*problems[: _MOST_PROBLEMS - 1], last)

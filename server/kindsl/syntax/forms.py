@@ -1,0 +1,76 @@
+"""Which generators take a value, by the grammar's rule `value`."""
+
+from collections.abc import Sequence
+
+from kindsl.syntax.automaton import ROWS, TARGETS
+from kindsl.syntax.scanner import word_kind
+from kindsl.syntax.tables import NEITHER, ONLY, RULES, STARTS
+from kindsl.syntax.tree import Token
+
+TARGETS_OF_ALL = frozenset({"robcogen", "robcogen2"})
+
+_LONGEST = 12
+_MOST_KNOWN = 4096
+_known: dict[tuple[str, ...], frozenset[str]] = {}
+
+
+def accepted_by(tokens: Sequence[Token]) -> frozenset[str]:
+    """Return the targets that take an expression of these tokens.
+
+    An integer that stands where both targets need a decimal point is taken by none.
+    """
+    if len(tokens) > _LONGEST:
+        return frozenset()
+    return kinds_accepted_by(tuple(form_kind(token) for token in tokens))
+
+
+def kinds_accepted_by(kinds: tuple[str, ...]) -> frozenset[str]:
+    """Return the targets that take an expression of tokens of these kinds."""
+    targets = _known.get(kinds)
+    if targets is None:
+        if len(_known) > _MOST_KNOWN:
+            _known.clear()
+        targets = _known[kinds] = _run(kinds)
+    return targets
+
+
+def form_kind(token: Token) -> str:
+    """Return the terminal of the grammar that a token of an expression is, names told apart."""
+    if token.kind != "NAME":
+        return token.kind
+    if token.text.startswith("^"):
+        return "ESCAPED_NAME"
+    kind = word_kind(token.text)
+    if kind in ("NAME", "PI_PREFIXED", "UNICODE_NAME", "LOWER_PI"):
+        return kind
+    return "KEYWORD_NAME"
+
+
+def _run(kinds: tuple[str, ...]) -> frozenset[str]:
+    """Return the targets that no rule and no terminal on the way excludes."""
+    state, end = STARTS["value"]
+    states = [state]
+    targets = TARGETS_OF_ALL
+    for kind in (*kinds, "$END"):
+        targets &= _targets_of(kind)
+        while True:
+            action = ROWS[states[-1]].get(kind)
+            if action is None:
+                return frozenset()
+            if action >= 0:
+                states.append(action)
+                break
+            size, name, _, alias = RULES[~action]
+            targets &= _targets_of(alias)
+            del states[-size:]
+            state = TARGETS[states[-1]][name]
+            if state == end:
+                return targets
+            states.append(state)
+    return frozenset()
+
+
+def _targets_of(name: str) -> frozenset[str]:
+    if name in NEITHER:
+        return frozenset()
+    return frozenset({ONLY[name]}) if name in ONLY else TARGETS_OF_ALL

@@ -1,0 +1,56 @@
+"""What the layout tells about a lost brace."""
+
+from collections.abc import Sequence
+
+from kindsl.syntax.tree import Token
+
+
+def indentation(text: str, position: int) -> str:
+    """Return the blanks at the beginning of the line that holds a position."""
+    start = max(text.rfind("\n", 0, position), text.rfind("\r", 0, position)) + 1
+    end = start
+    while end < len(text) and text[end] in " \t":
+        end += 1
+    return text[start:end]
+
+
+def lost_closing(text: str, tokens: Sequence[Token]) -> int | None:
+    """Return the index of the first `}` that stands further left than the block it would close.
+
+    The brace of that block is the lost one. None where the layout tells nothing.
+    """
+    openings: list[int] = []
+    for index, token in enumerate(tokens):
+        if token.kind == "{":
+            openings.append(len(indentation(text, token.start)))
+        elif token.kind == "}" and openings:
+            indent = openings.pop()
+            column = len(indentation(text, token.start))
+            if column < indent and _is_first_on_line(text, token.start):
+                return index
+    return None
+
+
+def surplus_closing(text: str, tokens: Sequence[Token]) -> int | None:
+    """Return the index of the `}` that closes too much, as the layout shows it.
+
+    It is the one before the first that stands further right than the block it closes.
+    """
+    openings: list[int] = []
+    previous: int | None = None
+    for index, token in enumerate(tokens):
+        if token.kind == "{":
+            openings.append(len(indentation(text, token.start)))
+        elif token.kind == "}":
+            column = len(indentation(text, token.start))
+            indent = openings.pop() if openings else -1
+            if column > indent and _is_first_on_line(text, token.start):
+                return index if indent < 0 and previous is None else previous
+            previous = index
+    return None
+
+
+def _is_first_on_line(text: str, position: int) -> bool:
+    while position > 0 and text[position - 1] in " \t":
+        position -= 1
+    return position == 0 or text[position - 1] in "\r\n"

@@ -1,0 +1,192 @@
+"""One repair in one sentence."""
+
+from collections.abc import Sequence
+
+from kindsl.syntax.indentation import indentation
+from kindsl.syntax.repair import Change
+from kindsl.syntax.spelling import nearest
+from kindsl.syntax.tables import KEYWORDS
+from kindsl.syntax.tree import Edit, Problem, Repair, Token
+from kindsl.syntax.words import SPELLINGS, called, shown, spelled
+
+_WRITTEN = frozenset("{}()=,]>")
+_TITLED = frozenset({"link", "Robot", "RobotBase", "JOINT_KIND"})
+
+
+def repair_problem(
+    text: str,
+    read: Sequence[Token],
+    tokens: Sequence[Token],
+    changes: Sequence[Change],
+    moment: str,
+) -> Problem:
+    """Return what to say about a group of changes.
+
+    Args:
+        text: The island's text.
+        read: What is read of the block up to the first change.
+        tokens: All tokens of the island, which the changes count.
+        changes: The repair.
+        moment: The moment of inertia that an inserted one would be.
+    """
+    start, end = _span(tokens, changes)
+    gone = [tokens[c.index] for c in changes if c.action != "insert"]
+    added = [c for c in changes if c.action != "delete"]
+    code, message = "KD001", ""
+    if not added:
+        message = f"unexpected '{shown(text[start:end])}'"
+    elif gone:
+        code, message = _instead(added[0], gone, text[start:end], moment)
+    else:
+        code, message = _lost(text, read, tokens, added[0], moment)
+    return Problem(code, message, start, end, _repair(text, read, tokens, changes, moment))
+
+
+def closing_problem(text: str, read: Sequence[Token], kinds: Sequence[str], place: int) -> Problem:
+    """Return what to say about a block that ends too early; `place` is the index in `read`."""
+    position = read[place - 1].end if place else 0
+    if kinds[0] != "}":
+        what, before = called(kinds[0]), read[place - 1]
+        message = f"expected {what} after '{shown(before.text)}'"
+        return Problem("KD001", message, position, position)
+    edits = _closing_edit(text, read[:place], position)
+    opened = opened_block(read[:place])
+    repair = Repair("Insert '}'", (edits,), False) if len(kinds) == 1 else None
+    return Problem("KD002", f"expected '}}' to close {opened}", position, position, repair)
+
+
+def leftover_problem(read: Sequence[Token], rest: Sequence[Token], text: str) -> Problem:
+    """Return what to say about text that belongs to no block."""
+    start, end = rest[0].start, rest[-1].end
+    what = shown(text[start : min(end, start + 400)])
+    if read:
+        return Problem("KD001", f"unexpected '{what}'", start, end)
+    message = f"expected a robot, a link or a joint instead of '{what}'"
+    return Problem("KD001", message, start, end)
+
+
+def opened_block(read: Sequence[Token]) -> str:
+    """Return the innermost block that is open, as a message names it."""
+    opened: list[int] = []
+    for index, token in enumerate(read):
+        if token.kind == "{":
+            opened.append(index)
+        elif token.kind == "}" and opened:
+            opened.pop()
+    return _titled(read, opened[-1]) if opened else "the block"
+
+
+def _titled(read: Sequence[Token], brace: int) -> str:
+    before = list(read[max(brace - 3, 0) : brace])
+    if before and before[-1].kind == "FLOATING":
+        before.pop()
+    if not before:
+        return "the block"
+    if len(before) > 1 and before[-2].kind in _TITLED:
+        title = {"JOINT_KIND": "joint", "RobotBase": "base", "Robot": "robot"}
+        return f"{title.get(before[-2].kind, before[-2].kind)} '{before[-1].text}'"
+    if before[-1].text in KEYWORDS:
+        return f"'{before[-1].text}'"
+    return f"frame '{before[-1].text}'" if before[-1].kind == "NAME" else "'frames'"
+
+
+def _span(tokens: Sequence[Token], changes: Sequence[Change]) -> tuple[int, int]:
+    starts, ends = [], []
+    for change in changes:
+        if change.action == "insert":
+            position = tokens[change.index - 1].end if change.index > 0 else 0
+            starts.append(position)
+            ends.append(position)
+        else:
+            starts.append(tokens[change.index].start)
+            ends.append(tokens[change.index].end)
+    if all(change.action != "insert" for change in changes):
+        return min(starts), max(ends)
+    first = changes[0]
+    if first.action == "insert" and len(changes) == 1:
+        return starts[0], ends[0]
+    gone = [i for i, change in enumerate(changes) if change.action != "insert"]
+    if not gone:
+        return starts[0], ends[0]
+    return min(starts[i] for i in gone), max(ends[i] for i in gone)
+
+
+def _instead(change: Change, gone: Sequence[Token], text: str, moment: str) -> tuple[str, str]:
+    word = gone[0].text
+    near = None
+    if word not in KEYWORDS and word[0].isidentifier():
+        near = nearest(word, SPELLINGS.get(change.kind, ()))
+    if near is not None:
+        return "KD010", f"unknown keyword '{shown(word)}', did you mean '{near}'"
+    return "KD001", f"expected {_called(change.kind, moment)} instead of '{shown(text)}'"
+
+
+def _lost(
+    text: str, read: Sequence[Token], tokens: Sequence[Token], change: Change, moment: str
+) -> tuple[str, str]:
+    if change.kind == "}":
+        return "KD002", f"expected '}}' to close {opened_block(read)}"
+    what = _called(change.kind, moment)
+    if change.index > 0:
+        before = tokens[change.index - 1].text
+        return "KD001", f"expected {what} after '{shown(before)}'"
+    return "KD001", f"expected {what} before '{shown(tokens[0].text)}'"
+
+
+def _called(kind: str, moment: str) -> str:
+    return f"'{moment}'" if kind == "MOMENT" else called(kind)
+
+
+def _repair(
+    text: str,
+    read: Sequence[Token],
+    tokens: Sequence[Token],
+    changes: Sequence[Change],
+    moment: str,
+) -> Repair | None:
+    """Return the change of the text, None where what to insert is not known."""
+    edits = []
+    for change in changes:
+        edit = _edit(text, read, tokens, change, moment)
+        if edit is None:
+            return None
+        edits.append(edit)
+    inserted = [c for c in changes if c.action != "delete"]
+    verb = "Remove what is unexpected"
+    if inserted:
+        verb = f"Insert {_called(inserted[0].kind, moment)}"
+    return Repair(verb, tuple(edits), False)
+
+
+def _edit(
+    text: str, read: Sequence[Token], tokens: Sequence[Token], change: Change, moment: str
+) -> Edit | None:
+    if change.action == "delete":
+        token = tokens[change.index]
+        return Edit(token.start, token.end, "")
+    new = moment if change.kind == "MOMENT" else spelled(change.kind)
+    if not new:
+        return None
+    if change.action == "replace":
+        token = tokens[change.index]
+        near = nearest(token.text, SPELLINGS.get(change.kind, ()))
+        return Edit(token.start, token.end, near or new)
+    position = tokens[change.index - 1].end if change.index > 0 else 0
+    if change.kind == "}":
+        return _closing_edit(text, read, position)
+    if change.kind in _WRITTEN:
+        return Edit(position, position, new if change.kind in "),]>" else " " + new)
+    behind = "" if change.index < len(tokens) and tokens[change.index].start > position else " "
+    return Edit(position, position, " " + new + behind)
+
+
+def _closing_edit(text: str, read: Sequence[Token], position: int) -> Edit:
+    """Return the insertion of `}`, on its own line where the block has several."""
+    depth = 0
+    for token in reversed(read):
+        depth += (token.kind == "}") - (token.kind == "{")
+        if depth < 0:
+            if "\n" not in text[token.start : position]:
+                break
+            return Edit(position, position, "\n" + indentation(text, token.start) + "}")
+    return Edit(position, position, " }")

@@ -1,0 +1,85 @@
+"""What speaks for and against a repair at a place: its surroundings and its spelling."""
+
+from collections.abc import Sequence
+
+from kindsl.syntax.repair import Preferences
+from kindsl.syntax.spelling import is_near
+from kindsl.syntax.tables import KEYWORDS
+from kindsl.syntax.tree import Token
+from kindsl.syntax.words import SPELLINGS
+
+_SECTIONS = frozenset(
+    "id INERTIA children frames mass CoM MOMENT ref_frame translation rotation".split()
+)
+_OPEN, _CLOSED = frozenset("{("), frozenset("})")
+_REACH = 400
+
+
+def preferences(
+    text: str, read: Sequence[Token], tokens: Sequence[Token], index: int
+) -> Preferences:
+    """Return the extra costs of changes at a place.
+
+    Args:
+        text: The island's text.
+        read: What is read of the block so far.
+        tokens: All tokens of the island.
+        index: The first token that does not fit.
+    """
+    present = _present(read, tokens, index)
+
+    def insertion(kind: str, place: int) -> float:
+        if kind in _SECTIONS and kind in present:
+            return 0.5
+        if kind in ("NAME", "FLOAT", "INT") and _is_at_line_end(text, tokens, place):
+            return -0.2
+        return 0.0
+
+    def replacement(kind: str, place: int) -> float:
+        old = tokens[place]
+        cost = 0.5 if kind in _SECTIONS and kind in present else 0.0
+        words = SPELLINGS.get(kind)
+        is_word = old.text[0].isidentifier()
+        if words and is_word and old.text not in KEYWORDS:
+            return cost - (0.6 if any(is_near(old.text, word) for word in words) else 0.0)
+        if kind == "NAME" or bool(words) == is_word:
+            return cost
+        return cost + 0.3
+
+    return Preferences(insertion, replacement)
+
+
+def moments_around(read: Sequence[Token], tokens: Sequence[Token], index: int) -> set[str]:
+    """Return the moments that the inertia around a place has already."""
+    near = [*read[-_REACH:], *tokens[index : index + _REACH]]
+    return {token.text for token in near if token.kind == "MOMENT"}
+
+
+def _present(read: Sequence[Token], tokens: Sequence[Token], index: int) -> set[str]:
+    """Return the sections that the block around a place has, before and behind it."""
+    present: set[str] = set()
+    moments = 0
+    for near, inward in (
+        (reversed(read[-_REACH:]), _CLOSED),
+        (tokens[index : index + _REACH], _OPEN),
+    ):
+        depth = 0
+        for token in near:
+            if token.kind in _OPEN or token.kind in _CLOSED:
+                depth += 1 if token.kind in inward else -1
+                if depth < 0:
+                    break
+            elif depth == 0 and token.kind in _SECTIONS:
+                present.add(token.kind)
+                moments += token.kind == "MOMENT"
+    if moments < 6:
+        present.discard("MOMENT")
+    return present
+
+
+def _is_at_line_end(text: str, tokens: Sequence[Token], place: int) -> bool:
+    """Return whether the token at a place is the first on its line."""
+    if not 0 < place < len(tokens):
+        return place > 0
+    between = text[tokens[place - 1].end : tokens[place].start]
+    return "\n" in between or "\r" in between

@@ -1,0 +1,311 @@
+"""An island that does not fit the grammar: repaired tokens, the nodes they make, and what to say.
+
+Each block of the island is read along the automaton. Where a token does not fit, a keyword or a
+word that begins with one is tried as robcogen2 reads it; then a least-cost repair is searched, and
+becomes one problem.
+"""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from kindsl.syntax.automaton import Stack, initial, is_complete, step
+from kindsl.syntax.block_kinds import Opening, opening, unglue
+from kindsl.syntax.builder import build
+from kindsl.syntax.indentation import lost_closing
+from kindsl.syntax.messages import closing_problem, leftover_problem, repair_problem
+from kindsl.syntax.preferences import moments_around, preferences
+from kindsl.syntax.repair import Change, Found, completion, search
+from kindsl.syntax.tables import KEYWORDS
+from kindsl.syntax.tree import Node, Problem, Token
+from kindsl.syntax.words import SPELLINGS, supplied
+from kindsl.syntax.spelling import nearest
+
+MOST_PROBLEMS = 12
+_BACK = 3
+_GOES_ON = 3
+_GLUED = ("RobotBase", "Robot", "link", "r_joint", "p_joint", "via")
+
+
+class Recovered(NamedTuple):
+    """What became of an island's tokens.
+
+    Attributes:
+        nodes: The blocks.
+        tokens: All tokens in order: read, supplied and skipped.
+        skipped: Those that are in no node.
+        problems: One for each repair.
+    """
+
+    nodes: tuple[Node, ...]
+    tokens: tuple[Token, ...]
+    skipped: tuple[Token, ...]
+    problems: tuple[Problem, ...]
+
+
+def recover(text: str, tokens: Sequence[Token], *, is_cut: bool) -> Recovered:
+    """Return the nodes and problems of tokens that the grammar does not take as they are.
+
+    Args:
+        text: The island's text.
+        tokens: Its tokens.
+        is_cut: Whether a comment without an end hides the rest of it.
+    """
+    island = _Island(text, list(tokens), is_cut)
+    while island.index < len(island.tokens):
+        previous = island.nodes[-1].kind if island.nodes else ""
+        block = opening(island.tokens, island.index, previous)
+        if block is None or len(island.problems) >= MOST_PROBLEMS:
+            island.skip_rest()
+        else:
+            island.open(block)
+            _Block(island, block.start).read()
+    return Recovered(
+        tuple(island.nodes), tuple(island.written), tuple(island.skipped), tuple(island.problems)
+    )
+
+
+class _Island:
+    """How far an island is read."""
+
+    def __init__(self, text: str, tokens: list[Token], is_cut: bool) -> None:
+        self.text = text
+        self.tokens = tokens
+        self.is_cut = is_cut
+        self.index = 0
+        self.nodes: list[Node] = []
+        self.written: list[Token] = []
+        self.skipped: list[Token] = []
+        self.problems: list[Problem] = []
+
+    def skip(self, tokens: Sequence[Token]) -> None:
+        """Leave tokens out."""
+        self.skipped += tokens
+        self.written += tokens
+
+    def skip_rest(self) -> None:
+        """Leave out what is left, with one message."""
+        rest = self.tokens[self.index :]
+        self.problems.append(leftover_problem(self.written, rest, self.text))
+        self.skip(rest)
+        self.index = len(self.tokens)
+
+    def open(self, block: Opening) -> None:
+        """Put the block's proper beginning in place of the written one."""
+        if block.problem is not None:
+            self.problems.append(block.problem)
+        self.tokens[self.index : self.index + len(block.replaces)] = block.tokens
+
+
+class _Block:
+    """How far a block is read."""
+
+    def __init__(self, island: _Island, start: str) -> None:
+        self.island = island
+        self.start = start
+        self.stack = initial(start)
+        self.read_tokens: list[Token] = []
+        self.history: list[Stack] = []
+
+    def read(self) -> None:
+        """Read to the end of the block or of the island; add the block's node."""
+        island = self.island
+        while island.index < len(island.tokens):
+            if self._shift() or self._shift_dialect():
+                continue
+            if is_complete(self.stack, self.start) and opening(island.tokens, island.index):
+                break
+            if len(island.problems) >= MOST_PROBLEMS or not self._mend():
+                island.skip_rest()
+        if not is_complete(self.stack, self.start):
+            self._close()
+        node = build(self.read_tokens, self.start).node
+        if node is None:
+            island.skipped += self.read_tokens
+        else:
+            island.nodes.append(node)
+
+    def _shift(self) -> bool:
+        token = self.island.tokens[self.island.index]
+        after = step(self.stack, token.kind)
+        if after is None:
+            return False
+        self._take(token, after)
+        self.island.index += 1
+        return True
+
+    def _take(self, token: Token, after: Stack) -> None:
+        self.history.append(self.stack)
+        self.stack = after
+        self.read_tokens.append(token)
+        self.island.written.append(token)
+
+    def _shift_dialect(self) -> bool:
+        """Read on as robcogen2 does: a keyword as a name, or glued to the name behind it."""
+        tokens, index = self.island.tokens, self.island.index
+        token = tokens[index]
+        behind = tokens[index + 1 : index + 1 + _GOES_ON]
+        if token.text in KEYWORDS and token.kind != "KEYWORD_NAME":
+            after = step(self.stack, "KEYWORD_NAME")
+            if after is None or not _goes_on(after, behind):
+                return False
+            token.kind = "KEYWORD_NAME"
+            return self._shift()
+        pair = _unglued(self.stack, token)
+        if pair is None:
+            return False
+        after = step(self.stack, pair[0].kind)
+        if after is None or not _goes_on(after, [pair[1], *behind]):
+            return False
+        tokens[index : index + 1] = pair
+        return self._shift()
+
+    def _mend(self) -> bool:
+        """Find a repair and apply it; return whether there was one."""
+        island = self.island
+        stacks = [self.stack, *self.history[: -_BACK - 1 : -1]]
+        costs = preferences(island.text, self.read_tokens, island.tokens, island.index)
+        found = search(stacks, island.tokens, island.index, self.start, costs)
+        if found is None:
+            return self._skip_to_fit()
+        self._apply(found)
+        return True
+
+    def _apply(self, found: Found) -> None:
+        island = self.island
+        moment = _lost_moment(self.read_tokens, island.tokens, island.index)
+        self._unread(found.first)
+        read = len(self.read_tokens)
+        for change in found.changes:
+            while island.index < change.index:
+                self._shift()
+            if change is found.changes[0]:
+                read = len(self.read_tokens)
+            self._change(change, moment)
+        before = self.read_tokens[:read]
+        island.problems.append(
+            repair_problem(island.text, before, island.tokens, found.changes, moment)
+        )
+        self.history.clear()
+
+    def _unread(self, index: int) -> None:
+        """Go back to before the token `index`."""
+        count = self.island.index - index
+        if count > 0:
+            self.stack = self.history[-count]
+            del self.history[-count:]
+            del self.read_tokens[-count:]
+            del self.island.written[-count:]
+            self.island.index = index
+
+    def _change(self, change: Change, moment: str) -> None:
+        island = self.island
+        token = island.tokens[change.index] if change.action != "insert" else None
+        if token is not None:
+            island.index += 1
+        if change.action == "delete":
+            island.skip([island.tokens[change.index]])
+            return
+        after = step(self.stack, change.kind)
+        assert after is not None
+        new = self._new_token(change, token, moment)
+        if token is not None and new.start == new.end:
+            island.skip([token])
+        self._take(new, after)
+
+    def _new_token(self, change: Change, token: Token | None, moment: str) -> Token:
+        """Return the token that a change puts in."""
+        text = moment if change.kind == "MOMENT" else None
+        if token is None or not _is_alike(token, change.kind):
+            end = token.end if token is not None else self._end()
+            return supplied(change.kind, end, text)
+        if change.kind in SPELLINGS:
+            text = nearest(token.text, SPELLINGS[change.kind]) or text
+            new = supplied(change.kind, 0, text)
+            return Token(change.kind, new.text, token.lead, token.start, token.end)
+        return Token(change.kind, token.text, token.lead, token.start, token.end)
+
+    def _end(self) -> int:
+        return self.island.written[-1].end if self.island.written else 0
+
+    def _skip_to_fit(self) -> bool:
+        """Leave out tokens up to one that fits; return whether one did."""
+        island = self.island
+        for index in range(island.index + 1, len(island.tokens)):
+            after = step(self.stack, island.tokens[index].kind)
+            if after is not None and _goes_on(after, island.tokens[index + 1 : index + 3]):
+                rest = island.tokens[island.index : index]
+                island.problems.append(leftover_problem(island.written, rest, island.text))
+                island.skip(rest)
+                island.index = index
+                self.history.clear()
+                return True
+        return False
+
+    def _close(self) -> None:
+        """Supply what lacks at the end, where the layout shows its place there."""
+        kinds = completion(self.stack, self.start)
+        island = self.island
+        place = len(self.read_tokens)
+        if kinds == ["}"]:
+            place = self._closing_place()
+        if not island.is_cut and len(island.problems) < MOST_PROBLEMS and kinds != []:
+            island.problems.append(
+                closing_problem(island.text, self.read_tokens, kinds or ["}"], place)
+            )
+        if place < len(self.read_tokens):
+            token = supplied("}", self.read_tokens[place - 1].end)
+            at = island.written.index(self.read_tokens[place])
+            island.written.insert(at, token)
+            self.read_tokens.insert(place, token)
+            return
+        for kind in kinds or []:
+            token = supplied(kind, self._end())
+            self.read_tokens.append(token)
+            island.written.append(token)
+
+    def _closing_place(self) -> int:
+        """Return before which token the lost brace belongs."""
+        place = lost_closing(self.island.text, self.read_tokens)
+        if place is None or place == 0:
+            return len(self.read_tokens)
+        trial = [*self.read_tokens]
+        trial.insert(place, supplied("}", self.read_tokens[place - 1].end))
+        return place if build(trial, self.start).node is not None else len(self.read_tokens)
+
+
+def _goes_on(stack: Stack, tokens: Sequence[Token]) -> bool:
+    """Return whether tokens fit, a keyword also where a name is."""
+    following: Stack | None = stack
+    for token in tokens:
+        assert following is not None
+        after = step(following, token.kind)
+        if after is None and token.text in KEYWORDS:
+            after = step(following, "KEYWORD_NAME")
+        if after is None:
+            return False
+        following = after
+    return True
+
+
+def _unglued(stack: Stack, token: Token) -> tuple[Token, Token] | None:
+    for word in _GLUED:
+        if token.text.startswith(word) and len(token.text) > len(word):
+            pair = unglue(token, word)
+            if pair is not None and step(stack, pair[0].kind) is not None:
+                return pair
+    return None
+
+
+def _is_alike(token: Token, kind: str) -> bool:
+    """Return whether a written token may stand in the tree for one of another kind."""
+    if kind in SPELLINGS or kind == "NAME":
+        return token.text[0].isidentifier()
+    if kind in ("FLOAT", "INT"):
+        return False
+    return len(token.text) == 1
+
+
+def _lost_moment(read: Sequence[Token], tokens: Sequence[Token], index: int) -> str:
+    present = moments_around(read, tokens, index)
+    names = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")
+    return next((name for name in names if name not in present), "Ix")

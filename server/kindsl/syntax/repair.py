@@ -1,0 +1,245 @@
+"""Least-cost repair: what to insert, delete or replace so that reading goes on.
+
+A best-first search over the states of the automaton (after CPCT+: Diekmann and Tratt 2020). A repair
+is good when four more tokens fit behind it; among the good ones of nearly equal cost the one that
+reads furthest wins.
+"""
+
+import heapq
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+from kindsl.syntax.automaton import ROWS, Stack, is_complete, step
+from kindsl.syntax.tree import Token
+from kindsl.syntax.words import BLOCK_STARTS
+
+INSERTABLE = frozenset(
+    "Robot RobotBase link JOINT_KIND id INERTIA mass CoM MOMENT ref_frame children via frames "
+    "translation rotation NAME FLOAT INT { } ( ) = , ] >".split()
+)
+_SIGNS = frozenset("{}()=,]>")
+_VALUES = frozenset({"NAME", "FLOAT", "INT"})
+_BRACES = frozenset("{}")
+
+_SHIFTS_TO_SUCCEED = 4
+_MOST_EXPANSIONS = 1200
+_MOST_GOALS = 30
+_MOST_COST = 4.2
+_SLACK = 0.65
+_RUN = 14
+
+
+class Change(NamedTuple):
+    """One step of a repair.
+
+    Attributes:
+        action: `insert` before, `delete` or `replace` the token `index`.
+        index: The token's number.
+        kind: The kind of what is inserted, or takes the token's place.
+    """
+
+    action: str
+    index: int
+    kind: str
+
+
+class Found(NamedTuple):
+    """A repair: from which token on, what, and where reading goes on."""
+
+    first: int
+    changes: tuple[Change, ...]
+    stack: Stack
+    next: int
+
+
+class _Candidate(NamedTuple):
+    cost: float
+    order: int
+    stack: Stack
+    index: int
+    changes: tuple[Change, ...]
+    shifts: int
+    first: int
+
+
+class Preferences(NamedTuple):
+    """What speaks for and against a change at a place, beyond its kind.
+
+    Attributes:
+        insertion: Extra cost of inserting a kind before the token `index`.
+        replacement: Extra cost of taking the token `index` for a kind.
+    """
+
+    insertion: Callable[[str, int], float]
+    replacement: Callable[[str, int], float]
+
+
+def search(
+    stacks: Sequence[Stack],
+    tokens: Sequence[Token],
+    index: int,
+    start: str,
+    preferences: Preferences,
+) -> Found | None:
+    """Return the best repair where the token `index` does not fit.
+
+    Args:
+        stacks: The stacks before the tokens at and before `index`, the last one first; a repair
+            may begin at any of them.
+        tokens: All tokens of the island.
+        index: The first token that does not fit; the number of tokens at the end.
+        start: The construct being read.
+        preferences: Extra costs.
+    """
+    queue = [
+        _Candidate(0.12 * back, back, stack, index - back, (), 0, index - back)
+        for back, stack in enumerate(stacks)
+    ]
+    goals: list[_Candidate] = []
+    seen: dict[object, float] = {}
+    order = len(queue)
+    for _ in range(_MOST_EXPANSIONS):
+        if not queue or len(goals) > _MOST_GOALS:
+            break
+        candidate = heapq.heappop(queue)
+        if candidate.cost > _MOST_COST or (goals and candidate.cost > goals[0].cost + _SLACK):
+            break
+        if candidate.changes and _is_goal(candidate, tokens, index, start):
+            goals.append(candidate)
+            continue
+        key = _key(candidate)
+        if seen.get(key, _MOST_COST + 1) <= candidate.cost:
+            continue
+        seen[key] = candidate.cost
+        for following in _following(candidate, tokens, index, preferences):
+            order += 1
+            heapq.heappush(queue, following._replace(order=order))
+    if not goals:
+        return None
+    best = min(goals, key=lambda goal: (-_run(goal, tokens, start), goal.cost))
+    return Found(best.first, best.changes, best.stack, best.index)
+
+
+def completion(stack: Stack, start: str) -> list[str] | None:
+    """Return the kinds of the fewest tokens that end a construct, None where there are too many."""
+    queue: list[tuple[float, int, Stack, tuple[str, ...]]] = [(0.0, 0, stack, ())]
+    seen: set[object] = set()
+    order = 0
+    for _ in range(400):
+        if not queue:
+            return None
+        cost, _, stack, kinds = heapq.heappop(queue)
+        if is_complete(stack, start):
+            return list(kinds)
+        key = (_top(stack), len(kinds))
+        if key in seen:
+            continue
+        seen.add(key)
+        for kind in ROWS[stack.state]:
+            following = step(stack, kind) if kind in INSERTABLE else None
+            if following is not None:
+                order += 1
+                step_cost = 0.3 if kind in "})" else insertion_cost(kind)
+                heapq.heappush(queue, (cost + step_cost, order, following, (*kinds, kind)))
+    return None
+
+
+def insertion_cost(kind: str) -> float:
+    """Return how dear it is to suppose a lost token of that kind."""
+    if kind in _SIGNS:
+        return 1.0
+    return 1.1 if kind in _VALUES else 1.2
+
+
+def _deletion_cost(kind: str) -> float:
+    if kind == "BAD":
+        return 0.5
+    if kind == "=":
+        return 1.8
+    return 1.3 if kind in _BRACES else 1.0
+
+
+def _replacement_cost(old: str, new: str) -> float:
+    cost = 0.8 if old == "BAD" else 1.25
+    if old in _BRACES:
+        cost = 1.5
+    elif old == "=" and new in _VALUES:
+        cost = 1.9
+    return cost if new in _VALUES else cost + 0.1
+
+
+def _is_goal(candidate: _Candidate, tokens: Sequence[Token], failed: int, start: str) -> bool:
+    if candidate.shifts >= _SHIFTS_TO_SUCCEED:
+        return True
+    index = candidate.index
+    if index < len(tokens):
+        is_behind = index > failed and candidate.shifts > 0
+        if not is_behind or tokens[index].kind not in BLOCK_STARTS:
+            return False
+    return is_complete(candidate.stack, start)
+
+
+def _following(
+    candidate: _Candidate, tokens: Sequence[Token], failed: int, preferences: Preferences
+) -> list[_Candidate]:
+    """Return what can come of a candidate in one step."""
+    cost, _, stack, index, changes, shifts, first = candidate
+    followers: list[_Candidate] = []
+
+    def follow(extra: float, after: Stack, at: int, change: Change | None) -> None:
+        done = (*changes, change) if change else changes
+        kept = 0 if change else shifts + 1
+        followers.append(_Candidate(cost + extra, 0, after, at, done, kept, first))
+
+    at_end = index >= len(tokens)
+    kind = "$END" if at_end else tokens[index].kind
+    if not at_end:
+        after = step(stack, kind)
+        if after is not None and (changes or index < failed):
+            follow(0.0, after, index + 1, None)
+        is_continued = bool(changes) and changes[-1][:2] == ("delete", index - 1)
+        price = 0.35 if is_continued else _deletion_cost(kind)
+        follow(price, stack, index + 1, Change("delete", index, kind))
+    for new in ROWS[stack.state]:
+        if new not in INSERTABLE:
+            continue
+        after = step(stack, new)
+        if after is None:
+            continue
+        price = insertion_cost(new) + preferences.insertion(new, index)
+        follow(price, after, index, Change("insert", index, new))
+        if not at_end and new != kind:
+            price = _replacement_cost(kind, new) + preferences.replacement(new, index)
+            follow(price, after, index + 1, Change("replace", index, new))
+    return followers
+
+
+def _run(goal: _Candidate, tokens: Sequence[Token], start: str) -> int:
+    """Return how many more tokens fit; many where they fit to the end."""
+    stack, count = goal.stack, 0
+    for token in tokens[goal.index : goal.index + _RUN]:
+        after = step(stack, token.kind)
+        if after is None:
+            return _RUN if token.kind in BLOCK_STARTS and is_complete(stack, start) else count
+        stack = after
+        count += 1
+    if goal.index + count >= len(tokens) and not is_complete(stack, start):
+        return count
+    return _RUN
+
+
+def _key(candidate: _Candidate) -> object:
+    deleted = bool(candidate.changes) and candidate.changes[-1].action == "delete"
+    return (_top(candidate.stack), candidate.index, min(candidate.shifts, 1), deleted)
+
+
+def _top(stack: Stack) -> tuple[int, ...]:
+    """Return the innermost states, enough to tell stacks apart that matter."""
+    states = []
+    level: Stack | None = stack
+    for _ in range(5):
+        if level is None:
+            break
+        states.append(level.state)
+        level = level.below
+    return tuple(states)

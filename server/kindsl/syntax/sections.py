@@ -1,0 +1,191 @@
+"""The sections of a block: each that must be there, once, in the order of the grammar."""
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from kindsl.syntax.moving import moved_behind
+from kindsl.syntax.tables import ORDERS
+from kindsl.syntax.tree import Edit, Node, Problem, Repair, Token
+
+_MOMENTS = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")
+_WORDS = {
+    "inertia": "inertia_params",
+    "com": "CoM",
+    "inertia_frame": "ref_frame",
+    "joint_frame": "ref_frame",
+}
+_TITLES = {"base": "base", "link": "link", "joint": "joint", "frame": "frame"}
+_fine: set[tuple[str, ...]] = set()
+
+
+class Place(NamedTuple):
+    """Where a section stands in the order: its rank, and whether it must be, and may be repeated."""
+
+    rank: int
+    is_needed: bool
+    is_repeatable: bool
+
+
+ORDER: dict[str, dict[str, Place]] = {
+    kind: {
+        section.rstrip("?+"): Place(rank, not section.endswith("?"), section.endswith("+"))
+        for rank, section in enumerate(order)
+    }
+    for kind, order in ORDERS.items()
+}
+
+
+def section_problems(text: str, block: Node, touched: frozenset[int]) -> Iterator[Problem]:
+    """Yield what is wrong with the sections of a block and of the blocks in it.
+
+    Args:
+        text: The island's text.
+        block: A link, a joint, a base.
+        touched: `id` of the nodes that a repair has changed; they are taken as they are.
+    """
+    for node in _blocks(block):
+        names = tuple(_name(child) for child in node.children if isinstance(child, Node))
+        key = (node.kind, *names)
+        if key in _fine:
+            continue
+        if id(node) in touched:
+            continue
+        problems = _problems(text, node)
+        if problems:
+            yield from problems
+        elif len(key) < 32:
+            _fine.add(key)
+
+
+def misplaced(ranks: Sequence[int]) -> list[int]:
+    """Return the indices that spoil an ascending order, as few and as late as can be."""
+    best: dict[int, tuple[int, list[int]]] = {}
+    for index, rank in enumerate(ranks):
+        count, kept = max(
+            (entry for last, entry in best.items() if last <= rank),
+            key=lambda entry: entry[0],
+            default=(0, []),
+        )
+        if rank not in best or best[rank][0] < count + 1:
+            best[rank] = (count + 1, [*kept, index])
+    kept_indices = max(best.values(), key=lambda entry: entry[0], default=(0, []))[1]
+    return sorted(set(range(len(ranks))) - set(kept_indices))
+
+
+def title(node: Node) -> str:
+    """Return how a message names a block."""
+    word = _TITLES.get(node.kind)
+    head = [child for child in node.children[:2] if isinstance(child, Token)]
+    if word == "frame":
+        return f"frame '{head[0].text}'"
+    return f"{word} '{head[1].text}'" if word else f"'{head[0].text}'"
+
+
+def _blocks(block: Node) -> Iterator[Node]:
+    for node in (block, *(child for child in block.children if isinstance(child, Node))):
+        if node.kind in ORDER:
+            yield node
+        elif node.kind == "frames":
+            for group in node.nodes("frame_group"):
+                yield from group.nodes("frame")
+
+
+def _name(section: Node) -> str:
+    """Return what tells a section apart from its neighbours."""
+    first = section.children[0]
+    return first.text if section.kind == "moment" and isinstance(first, Token) else section.kind
+
+
+def _problems(text: str, node: Node) -> list[Problem]:
+    sections = [child for child in node.children if isinstance(child, Node)]
+    known = [child for child in sections if child.kind in ORDER[node.kind]]
+    problems = [_foreign(node, child) for child in sections if child not in known]
+    first_ones: list[Node] = []
+    seen: set[str] = set()
+    for section in known:
+        if _name(section) in seen:
+            problems.append(_repeated(node, section))
+        else:
+            seen.add(_name(section))
+            first_ones.append(section)
+    problems += _misplaced(text, node, first_ones)
+    missing = _missing(node, seen)
+    if missing:
+        problems.append(_lacking(node, missing))
+    return problems
+
+
+def _foreign(node: Node, section: Node) -> Problem:
+    repair = Repair(f"Remove '{_word(section)}'", (_removal(section),), False)
+    message = f"{title(node)} has an '{_word(section)}', which only links and joints have"
+    return Problem("KD001", message, section.start, section.end, repair)
+
+
+def _repeated(node: Node, section: Node) -> Problem:
+    word, keyword = _word(section), section.children[0]
+    repair = Repair(f"Remove the second '{word}'", (_removal(section),), False)
+    message = f"{title(node)} has a second '{word}'"
+    return Problem("KD009", message, keyword.start, keyword.end, repair)
+
+
+def _removal(section: Node) -> Edit:
+    first = section.children[0]
+    lead = first.lead if isinstance(first, Token) else section.start
+    return Edit(lead, section.end, "")
+
+
+def _misplaced(text: str, node: Node, sections: list[Node]) -> Iterator[Problem]:
+    """Yield one problem for each run of misplaced neighbours."""
+    order = ORDER[node.kind]
+    ranks = [order[section.kind].rank for section in sections]
+    wrong = misplaced(ranks)
+    while wrong:
+        run = [wrong.pop(0)]
+        while wrong and wrong[0] == run[-1] + 1:
+            run.append(wrong.pop(0))
+        yield _misplaced_run(text, node, sections, ranks, run)
+
+
+def _misplaced_run(
+    text: str, node: Node, sections: list[Node], ranks: list[int], run: list[int]
+) -> Problem:
+    moved = [sections[i] for i in run]
+    words = " and ".join(f"'{_word(section)}'" for section in moved)
+    verb = "stands" if len(moved) == 1 else "stand"
+    others = [i for i in range(len(sections)) if i not in run]
+    above = [i for i in others if i < run[0] and ranks[i] > ranks[run[0]]]
+    below = [i for i in others if i > run[-1] and ranks[i] < ranks[run[-1]]]
+    side, other = ("after", above[0]) if above else ("before", (below or others)[-1])
+    keyword = moved[0].children[0]
+    target = [sections[i] for i in others if ranks[i] <= ranks[run[0]]]
+    anchor = target[-1].end if target else _body_start(node)
+    repair = Repair(f"Move {words}", moved_behind(text, moved[0], moved[-1], anchor), False)
+    message = f"{words} {verb} {side} '{_word(sections[other])}'"
+    return Problem("KD007", message, keyword.start, keyword.end, repair)
+
+
+def _body_start(node: Node) -> int:
+    """Return the place behind a block's opening brace."""
+    return next(child.end for child in node.children if child.kind == "{")
+
+
+def _missing(node: Node, seen: set[str]) -> list[str]:
+    missing = []
+    for section, place in ORDER[node.kind].items():
+        if section == "moment":
+            missing += [name for name in _MOMENTS if name not in seen]
+        elif place.is_needed and section not in seen:
+            missing.append(_WORDS.get(section, section))
+    return missing
+
+
+def _lacking(node: Node, missing: list[str]) -> Problem:
+    words = ", ".join(f"'{word}'" for word in missing)
+    head = [child for child in node.children[:2] if isinstance(child, Token) and child.kind != "{"]
+    message = f"{title(node)} has no {words}"
+    return Problem("KD008", message, head[0].start, head[-1].end)
+
+
+def _word(section: Node) -> str:
+    first = section.children[0]
+    return first.text if isinstance(first, Token) else section.kind

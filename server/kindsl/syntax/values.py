@@ -1,0 +1,175 @@
+"""Numbers, expressions and vectors that no generator takes."""
+
+import math
+from collections.abc import Iterator, Sequence
+
+from kindsl.syntax.forms import accepted_by, form_kind, kinds_accepted_by
+from kindsl.syntax.tree import Edit, Node, Problem, Repair, Token
+from kindsl.syntax.words import shown
+
+DEEPEST = 60
+
+_LARGEST_ID = 2**31 - 1
+_SCALARS = frozenset({"mass", "moment"})
+_HOLDERS = frozenset({"mass", "moment", "vector", "id"})
+_SUMS = frozenset({"add", "subtract"})
+
+
+def value_problems(text: str, block: Node, touched: frozenset[int]) -> Iterator[Problem]:
+    """Yield what is wrong with the numbers, expressions and vectors of a block.
+
+    An expression of more tokens than any generator takes by far is made a flat node `unsupported`.
+    """
+    pending: list[Node] = [block]
+    while pending:
+        node = pending.pop()
+        if id(node) in touched and node.kind in _HOLDERS:
+            continue
+        if node.kind == "vector":
+            for place in (1, 3, 5):
+                yield from _expression_problems(text, node, place)
+        elif node.kind in _SCALARS:
+            yield from _expression_problems(text, node, 2)
+        elif node.kind == "id":
+            yield from _id_problems(node, block.kind)
+        else:
+            pending += [child for child in node.children if isinstance(child, Node)]
+
+
+def _expression_problems(text: str, parent: Node, place: int) -> Iterator[Problem]:
+    node = parent.children[place]
+    if not isinstance(node, Node):
+        return
+    if node.kind == "number" and node.children[0].kind == "FLOAT":
+        return
+    tokens = list(node.tokens())
+    if len(tokens) > DEEPEST:
+        parent.children[place] = Node("unsupported", [*tokens])
+    if any(token.is_missing for token in tokens) or accepted_by(tokens):
+        return
+    yield (_malformed(tokens) or _integer(tokens) or _unsupported(text, node, tokens))
+
+
+def _malformed(tokens: Sequence[Token]) -> Problem | None:
+    token = next((t for t in tokens if t.kind == "MALFORMED_NUMBER"), None)
+    if token is None:
+        return None
+    meant = _meant(token.text)
+    repair = None
+    if meant is not None:
+        repair = Repair(f"Write {meant}", (Edit(token.start, token.end, meant),), False)
+    message = f"'{shown(token.text)}' is not a number"
+    return Problem("KD005", message, token.start, token.end, repair)
+
+
+def _meant(text: str) -> str | None:
+    """Return the number that a malformed one was meant to be, where that is plain."""
+    plain = text.replace("_", "").replace(",", ".")
+    if plain.lower().lstrip("+-").startswith("0x"):
+        return f"{float(int(plain, 16)):.1f}" if len(plain) < 16 else None
+    if plain.count(".") > 1:
+        return None
+    return plain if "." in plain and not plain.endswith(".") else plain.rstrip(".") + ".0"
+
+
+def _integer(tokens: Sequence[Token]) -> Problem | None:
+    """Return the problem of a whole number where both targets need a decimal point."""
+    kinds = [form_kind(token) for token in tokens]
+    whole = [index for index, kind in enumerate(kinds) if kind == "INT"]
+    for chosen in (*([index] for index in whole), whole):
+        trial = tuple("FLOAT" if i in chosen else kind for i, kind in enumerate(kinds))
+        if chosen and len(trial) <= 12 and kinds_accepted_by(trial):
+            edits = tuple(Edit(tokens[i].end, tokens[i].end, ".0") for i in chosen)
+            token = tokens[chosen[0]]
+            message = f"number '{shown(token.text)}' has no decimal point"
+            repair = Repair(f"Write {shown(token.text)}.0", edits, True)
+            return Problem("KD005", message, token.start, token.end, repair)
+    return None
+
+
+def _unsupported(text: str, node: Node, tokens: Sequence[Token]) -> Problem:
+    written = shown(text[tokens[0].start : tokens[-1].end])
+    if node.kind in _SUMS:
+        message = f"sum '{written}' where the language has no sums"
+    elif node.kind == "group":
+        message = f"parentheses in '{written}' where the language has none"
+    else:
+        message = f"expression '{written}' is of a form that no generator takes"
+    start, end = tokens[0].start, tokens[-1].end
+    return Problem("KD006", message, start, end, _evaluated(node, tokens, start, end))
+
+
+def _evaluated(node: Node, tokens: Sequence[Token], start: int, end: int) -> Repair | None:
+    """Return the replacement of a constant expression by its value."""
+    if node.kind == "group" and accepted_by(tokens[1:-1]):
+        edits = (Edit(start, tokens[0].end, ""), Edit(tokens[-1].start, end, ""))
+        return Repair("Remove the parentheses", edits, True)
+    value = _constant(node) if len(tokens) <= DEEPEST else None
+    if value is None or not math.isfinite(value):
+        return None
+    number = f"{value:.15g}"
+    if "e" in number:
+        number = f"{value:.18f}".rstrip("0")
+    if "." not in number:
+        number += ".0"
+    elif number.endswith("."):
+        number += "0"
+    return Repair(f"Write {number}", (Edit(start, end, number),), False)
+
+
+def _constant(node: Node | Token) -> float | None:
+    """Return the value of an expression of numbers and pi, None for any other."""
+    if isinstance(node, Token):
+        return None
+    first = node.children[0]
+    if node.kind == "number" and isinstance(first, Token):
+        return _number(first)
+    if node.kind == "pi":
+        return math.pi
+    values = [_constant(child) for child in node.children if isinstance(child, Node)]
+    if node.kind == "juxtaposed_pi" and isinstance(first, Token):
+        number = _number(first)
+        return None if number is None else number * math.pi
+    known = [value for value in values if value is not None]
+    if not known or len(known) != len(values):
+        return None
+    return _combined(node.kind, known)
+
+
+def _combined(kind: str, values: Sequence[float]) -> float | None:
+    left, right = values[0], values[-1]
+    if kind == "divide":
+        return left / right if right else None
+    results = {
+        "add": left + right,
+        "subtract": left - right,
+        "multiply": left * right,
+        "negate": -left,
+        "plus": left,
+        "group": left,
+    }
+    return results.get(kind)
+
+
+def _number(token: Token) -> float | None:
+    if token.kind == "MALFORMED_NUMBER" or token.is_missing:
+        return None
+    return float(token.text)
+
+
+def _id_problems(node: Node, block: str) -> Iterator[Problem]:
+    token = node.children[-1]
+    if not isinstance(token, Token) or token.is_missing or block != "link":
+        return
+    digits = token.text.lstrip("+")
+    if token.kind == "INT" and not digits.startswith("-") and 0 < _size(digits) <= _LARGEST_ID:
+        return
+    message = f"id '{shown(token.text)}' is not a natural number"
+    if token.kind == "INT" and _size(digits) > _LARGEST_ID:
+        message = f"id '{shown(token.text)}' is larger than {_LARGEST_ID}"
+    yield Problem("KD005", message, token.start, token.end)
+
+
+def _size(digits: str) -> int:
+    """Return the number, or one too large where it has more digits than are worth reading."""
+    return int(digits) if len(digits) < 20 else _LARGEST_ID + 1

@@ -1,0 +1,50 @@
+"""What the kinds of tokens are called, and the words they stand for."""
+
+from kindsl.syntax.tables import KEYWORDS
+from kindsl.syntax.tree import Token
+
+BLOCK_STARTS = {
+    "Robot": "head",
+    "RobotBase": "base",
+    "link": "link",
+    "JOINT_KIND": "joint",
+    "}": "end",
+}
+BLOCK_KINDS = {start: kind for kind, start in BLOCK_STARTS.items()}
+
+SPELLINGS: dict[str, tuple[str, ...]] = {}
+for _word, _kind in KEYWORDS.items():
+    SPELLINGS[_kind] = (*SPELLINGS.get(_kind, ()), _word)
+
+_NAMES = {
+    "NAME": "a name",
+    "FLOAT": "a number",
+    "INT": "a whole number",
+    "JOINT_KIND": "'r_joint' or 'p_joint'",
+    "INERTIA": "'inertia_params'",
+    "MOMENT": "'Ix'",
+}
+_TEXTS = {"JOINT_KIND": "r_joint", "INERTIA": "inertia_params", "NAME": "", "FLOAT": "", "INT": ""}
+
+
+def called(kind: str) -> str:
+    """Return how a message names a kind of token."""
+    return _NAMES.get(kind) or f"'{kind}'"
+
+
+def spelled(kind: str) -> str:
+    """Return the text that stands for a kind, empty where it may be anything."""
+    text = _TEXTS.get(kind)
+    return text if text is not None else SPELLINGS.get(kind, (kind,))[0]
+
+
+def supplied(kind: str, position: int, text: str | None = None) -> Token:
+    """Return a token that the text lacks, put at a position."""
+    return Token(kind, spelled(kind) if text is None else text, position, position, position)
+
+
+def shown(text: str) -> str:
+    """Return text as a message quotes it: short, on one line."""
+    line = " ".join(text.split())
+    line = "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in line)
+    return line if len(line) <= 40 else line[:37] + "..."
