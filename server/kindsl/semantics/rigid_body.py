@@ -1,0 +1,192 @@
+"""Mass distribution of a rigid body in plain floats: moments, their bounds, what is possible.
+
+A symmetric matrix is written as its six entries `xx yy zz xy xz yz`. Two matrices describe how mass
+is spread:
+
+- the inertia `I`, with the DSL's moments on the diagonal and its products negated beside it;
+- the second moments `S`, the sums `m x x`, `m x y`, ...: `S = tr(I)/2 1 - I`, so that the products
+  are its off-diagonal entries as written.
+
+A body is possible if its mass is positive and `S` about the CoM is positive semidefinite. With the
+eigenvalues `s1 <= s2 <= s3` of that `S` the principal moments are `s1+s2 <= s1+s3 <= s2+s3`, so
+`s1 >= 0` says both that they are positive and that they obey the triangle inequality.
+
+Source: Wensing, Kim, Slotine 2018, Linear matrix inequalities for physically consistent inertial
+parameter identification; Traversaro et al. 2016.
+"""
+
+from math import copysign, hypot, sqrt
+from typing import NamedTuple
+
+Vector3 = tuple[float, float, float]
+Symmetric = tuple[float, float, float, float, float, float]
+
+_SWEEPS = 30
+
+
+class MassDistribution(NamedTuple):
+    """A rigid body as the DSL gives it.
+
+    Attributes:
+        mass: kg.
+        com: Centre of mass in some frame, m.
+        moments: `Ix Iy Iz Ixy Ixz Iyz` about that frame's origin and axes, kg·m².
+    """
+
+    mass: float
+    com: Vector3
+    moments: Symmetric
+
+
+class Eigenpair(NamedTuple):
+    """An eigenvalue and its unit eigenvector."""
+
+    value: float
+    axis: Vector3
+
+
+def second_moments_about_com(body: MassDistribution) -> Symmetric:
+    """Return `S` about the CoM, axes as given."""
+    m, (x, y, z), (ix, iy, iz, ixy, ixz, iyz) = body
+    half = 0.5 * (ix + iy + iz)
+    return (
+        half - ix - m * x * x,
+        half - iy - m * y * y,
+        half - iz - m * z * z,
+        ixy - m * x * y,
+        ixz - m * x * z,
+        iyz - m * y * z,
+    )
+
+
+def moments_of(second_moments: Symmetric) -> Symmetric:
+    """Return the moments and products, as the DSL writes them, of second moments."""
+    xx, yy, zz, xy, xz, yz = second_moments
+    return (yy + zz, xx + zz, xx + yy, xy, xz, yz)
+
+
+def shifted(body: MassDistribution, sign: float = 1.0) -> MassDistribution:
+    """Return the body with `m (c.c 1 - c c')` added to its moments, or subtracted with sign -1.
+
+    The sum is what the moments are about the frame's origin if they were given about the CoM.
+    """
+    m, (x, y, z), (ix, iy, iz, ixy, ixz, iyz) = body
+    m *= sign
+    return body._replace(
+        moments=(
+            ix + m * (y * y + z * z),
+            iy + m * (x * x + z * z),
+            iz + m * (x * x + y * y),
+            ixy + m * x * y,
+            ixz + m * x * z,
+            iyz + m * y * z,
+        )
+    )
+
+
+def principal_moments(pairs: tuple[Eigenpair, Eigenpair, Eigenpair]) -> Vector3:
+    """Return the ascending principal moments of the ascending eigenvalues of `S`."""
+    a, b, c = (pair.value for pair in pairs)
+    return a + b, a + c, b + c
+
+
+def is_clearly_positive(matrix: Symmetric) -> bool:
+    """Return whether a matrix is positive definite far beyond the rounding of arithmetic.
+
+    Source: Sylvester's criterion, with a margin.
+    """
+    xx, yy, zz, xy, xz, yz = matrix
+    trace = xx + yy + zz
+    if xx <= 0.0 or yy <= 0.0 or zz <= 0.0:
+        return False
+    minor = xx * yy - xy * xy
+    if minor <= 1e-12 * trace * trace:
+        return False
+    determinant = zz * minor - xx * yz * yz - yy * xz * xz + 2.0 * xy * xz * yz
+    return determinant > 1e-12 * trace * trace * trace
+
+
+def eigensystem(matrix: Symmetric) -> tuple[Eigenpair, Eigenpair, Eigenpair]:
+    """Return the eigenpairs of a symmetric matrix, ascending.
+
+    Exact to rounding also for equal eigenvalues. Source: the cyclic Jacobi method, Golub and Van
+    Loan 2013, sec. 8.5.
+    """
+    xx, yy, zz, xy, xz, yz = matrix
+    a = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
+    v = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+    scale = max(map(abs, matrix))
+    for _ in range(_SWEEPS):
+        if hypot(a[0][1], a[0][2], a[1][2]) <= 1e-17 * scale:
+            break
+        for p, q in ((0, 1), (0, 2), (1, 2)):
+            _rotate(a, v, p, q)
+    pairs = [Eigenpair(a[i][i], (v[0][i], v[1][i], v[2][i])) for i in range(3)]
+    pairs.sort(key=lambda pair: pair.value)
+    return pairs[0], pairs[1], pairs[2]
+
+
+def _rotate(a: list[list[float]], v: list[list[float]], p: int, q: int) -> None:
+    """Turn in the plane of p and q so that `a[p][q]` vanishes."""
+    if a[p][q] == 0.0:
+        return
+    theta = (a[q][q] - a[p][p]) / (2.0 * a[p][q])
+    t = copysign(1.0, theta) / (abs(theta) + sqrt(theta * theta + 1.0))
+    c = 1.0 / sqrt(t * t + 1.0)
+    s = t * c
+    r = 3 - p - q
+    apq, arp, arq = a[p][q], a[r][p], a[r][q]
+    a[p][p] -= t * apq
+    a[q][q] += t * apq
+    a[p][q] = a[q][p] = 0.0
+    a[r][p] = a[p][r] = c * arp - s * arq
+    a[r][q] = a[q][r] = s * arp + c * arq
+    for row in v:
+        row[p], row[q] = c * row[p] - s * row[q], s * row[p] + c * row[q]
+
+
+def greatest_second_moment(
+    body: MassDistribution, half: MassDistribution, axis: Vector3
+) -> float:
+    """Return an upper bound of `axis' S axis` about the CoM over all bodies within half-widths.
+
+    If it is negative, no choice of the numbers within their rounding makes the body possible.
+
+    Args:
+        body: As written.
+        half: How far each number may be from what is written.
+        axis: A unit vector; the eigenvector of the smallest eigenvalue gives the sharpest bound.
+    """
+    x, y, z = axis
+    weights = (
+        0.5 - x * x,
+        0.5 - y * y,
+        0.5 - z * z,
+        2.0 * x * y,
+        2.0 * x * z,
+        2.0 * y * z,
+    )
+    about_origin = _greatest_sum(weights, body.moments, half.moments)
+    along = abs(x * body.com[0] + y * body.com[1] + z * body.com[2])
+    least = along - abs(x) * half.com[0] - abs(y) * half.com[1] - abs(z) * half.com[2]
+    return about_origin - max(0.0, body.mass - half.mass) * max(0.0, least) ** 2
+
+
+def greatest_moment(body: MassDistribution, half: MassDistribution, axis: Vector3) -> float:
+    """Return an upper bound of the moment of inertia about an axis through the CoM.
+
+    The arguments are those of `greatest_second_moment`, the axis that of the smallest moment.
+    """
+    x, y, z = axis
+    weights = (x * x, y * y, z * z, -2.0 * x * y, -2.0 * x * z, -2.0 * y * z)
+    about_origin = _greatest_sum(weights, body.moments, half.moments)
+    cx, cy, cz = body.com
+    distance = hypot(y * cz - z * cy, z * cx - x * cz, x * cy - y * cx)
+    least = max(0.0, distance - hypot(*half.com))
+    return about_origin - max(0.0, body.mass - half.mass) * least * least
+
+
+def _greatest_sum(weights: Symmetric, values: Symmetric, halves: Symmetric) -> float:
+    return sum(
+        w * value + abs(w) * half for w, value, half in zip(weights, values, halves, strict=True)
+    )
