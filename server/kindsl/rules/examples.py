@@ -43,20 +43,24 @@ def robot(*links: str, base: str = "", joints: str = "", name: str = "Arm") -> s
 def document_of(example: str | Example) -> str:
     """Return the whole document of an example; single blocks are given a robot around them."""
     text = example if isinstance(example, str) else example.text
-    if _IS_DOCUMENT.search(text):
-        return text
+    return text if _IS_DOCUMENT.search(text) else _around(text)
+
+
+def _around(text: str) -> str:
+    """Return a document with the given blocks and whatever they want besides."""
     names = _NAME_OF_BLOCK.findall(text)
     edges = _EDGE.findall(text)
-    links = "".join(
-        link(child, 90 + number) for number, (child, _) in enumerate(edges) if child not in names
-    )
+    missing = [child for child, _ in edges if child not in names]
     carried = [name for name in re.findall(r"link\s+(\w+)", text) if name not in dict(edges)]
     used = [name for _, name in edges]
-    moved = [name for name in re.findall(r"_joint\s+(\w+)", text) if name not in used]
-    pairs = [(name, f"to_{name}") for name in carried] + [(f"on_{name}", name) for name in moved]
-    links += "".join(link(f"on_{name}", 80 + number) for number, name in enumerate(moved))
-    joints = "".join(joint(name) for name in [*used, *(j for _, j in pairs)] if name not in names)
+    moving = [name for name in re.findall(r"_joint\s+(\w+)", text) if name not in used]
+    missing += [f"on_{name}" for name in moving]
+    pairs = [(name, f"to_{name}") for name in carried] + [(f"on_{name}", name) for name in moving]
+    first = 1 + len(re.findall(r"\bid\s*=\s*\d", text.split("_joint")[0]))
+    links = "".join(link(name, number) for number, name in enumerate(missing, first))
+    wanted = [name for name in [*used, *(name for _, name in pairs)] if name not in names]
+    joints = "".join(joint(name, 0.3 + 0.1 * number) for number, name in enumerate(wanted))
     children = " ".join(f"{child} via {name}" for child, name in pairs)
     is_joint = re.match(r"\s*[rp]_joint", text)
-    blocks = links + text + "\n" + joints if is_joint else text + "\n" + links + joints
+    blocks = f"{links}{text}\n{joints}" if is_joint else f"{text}\n{links}{joints}"
     return f"Robot Arm {{\nRobotBase ground {{\n    children {{ {children} }}\n}}\n{blocks}}}\n"

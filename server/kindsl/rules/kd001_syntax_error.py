@@ -19,11 +19,12 @@ Where one small change makes the block whole, the fix makes it. Unsafe: it is a 
 """
 
 from kindsl.rules.base import Rule, Severity
+from kindsl.rules.examples import link
 
 RULE = Rule(
     "KD001",
     "syntax-error",
     Severity.ERROR,
-    good=("link upper { id = 1 children { lower via elbow wrist via roll } }",),
-    bad=("link upper { id = 1 children { lower via elbow, wrist via roll } }",),
+    good=(link("upper", 1, "lower via elbow wrist via roll"),),
+    bad=(link("upper", 1, "lower via elbow, wrist via roll"),),
 )

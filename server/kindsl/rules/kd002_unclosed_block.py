@@ -19,11 +19,12 @@ Inserts the brace where the indentation says that the block ends. Unsafe: it is 
 """
 
 from kindsl.rules.base import Rule, Severity
+from kindsl.rules.examples import link
 
 RULE = Rule(
     "KD002",
     "unclosed-block",
     Severity.ERROR,
-    good=("link upper {\n    id = 1\n    children {}\n}\n",),
-    bad=("link upper {\n    id = 1\n    children { lower via elbow\n}\n",),
+    good=(link("upper", 1, "lower via elbow"),),
+    bad=(link("upper", 1, "lower via elbow").removesuffix("}\n"),),
 )

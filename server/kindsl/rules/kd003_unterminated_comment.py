@@ -18,11 +18,12 @@ Writes the `*/`. Unsafe: the comment may be meant to end elsewhere.
 """
 
 from kindsl.rules.base import Rule, Severity
+from kindsl.rules.examples import link
 
 RULE = Rule(
     "KD003",
     "unterminated-comment",
     Severity.ERROR,
-    good=("/* the first link */\nlink upper {\n    id = 1\n    children {}\n}\n",),
-    bad=("/* the first link\nlink upper {\n    id = 1\n    children {}\n}\n",),
+    good=("/* the first link */\n" + link("upper", 1),),
+    bad=("/* the first link\n" + link("upper", 1),),
 )

@@ -18,11 +18,12 @@ Removes the character, or puts a blank in its place. Safe: such a character has 
 """
 
 from kindsl.rules.base import Rule, Severity
+from kindsl.rules.examples import link
 
 RULE = Rule(
     "KD004",
     "invalid-character",
     Severity.ERROR,
-    good=("link upper { id = 1 children {} }",),
-    bad=("link upper {\xa0id = 1 children {} }",),
+    good=(link("upper", 1),),
+    bad=(link("upper", 1).replace("id = 1", "\xa0id = 1"),),
 )

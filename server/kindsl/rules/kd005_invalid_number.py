@@ -18,18 +18,12 @@ Writes `1.0` for `1`. Safe: the value stays.
 """
 
 from kindsl.rules.base import Rule, Severity
+from kindsl.rules.examples import joint
 
 RULE = Rule(
     "KD005",
     "invalid-number",
     Severity.ERROR,
-    good=(
-        (
-            "r_joint elbow { ref_frame { translation = (1.0, 0.0, 0.0) rotation = (0.0, "
-            "0.0, 0.0) } }"
-        ),
-    ),
-    bad=(
-        ("r_joint elbow { ref_frame { translation = (1, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } }"),
-    ),
+    good=(joint("elbow", 1.0),),
+    bad=(joint("elbow", 1),),
 )

@@ -17,21 +17,12 @@ Writes the number, where no name is in it. Safe: the value stays, to all digits 
 """
 
 from kindsl.rules.base import Rule, Severity
+from kindsl.rules.examples import joint
 
 RULE = Rule(
     "KD006",
     "unsupported-expression",
     Severity.ERROR,
-    good=(
-        (
-            "r_joint elbow { ref_frame { translation = (1.0, 0.0, 0.0) rotation = (PI/4.0, "
-            "0.0, 0.0) } }"
-        ),
-    ),
-    bad=(
-        (
-            "r_joint elbow { ref_frame { translation = (1.0, 0.0, 0.0) rotation = "
-            "(3.0*PI/4.0, 0.0, 0.0) } }"
-        ),
-    ),
+    good=(joint("elbow", rotation="PI/4.0, 0.0, 0.0"),),
+    bad=(joint("elbow", rotation="3.0*PI/4.0, 0.0, 0.0"),),
 )

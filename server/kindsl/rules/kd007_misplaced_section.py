@@ -20,21 +20,12 @@ Moves the section. Safe: the order means nothing.
 """
 
 from kindsl.rules.base import Rule, Severity
+from kindsl.rules.examples import link
 
 RULE = Rule(
     "KD007",
     "misplaced-section",
     Severity.ERROR,
-    good=(
-        (
-            "r_joint elbow { ref_frame { translation = (1.0, 0.0, 0.0) rotation = (0.0, "
-            "0.0, 0.0) } }"
-        ),
-    ),
-    bad=(
-        (
-            "r_joint elbow { ref_frame { rotation = (0.0, 0.0, 0.0) translation = (1.0, "
-            "0.0, 0.0) } }"
-        ),
-    ),
+    good=(link("upper", 1),),
+    bad=(link("upper", 1).replace("mass = 4.1", "").replace("Ix=", "mass = 4.1 Ix="),),
 )

@@ -17,11 +17,12 @@ Inserts the section where it belongs, with zeros. Unsafe: zeros are seldom what 
 """
 
 from kindsl.rules.base import Rule, Severity
+from kindsl.rules.examples import link
 
 RULE = Rule(
     "KD008",
     "missing-section",
     Severity.ERROR,
-    good=("link upper { id = 1 children {} }",),
-    bad=("link upper { id = 1 }",),
+    good=(link("upper", 1),),
+    bad=(link("upper", 1).replace("id = 1", ""),),
 )

@@ -20,11 +20,12 @@ Removes the repetition if it says the same, which is safe.
 """
 
 from kindsl.rules.base import Rule, Severity
+from kindsl.rules.examples import link
 
 RULE = Rule(
     "KD009",
     "repeated-section",
     Severity.ERROR,
-    good=("link upper { id = 1 children {} }",),
-    bad=("link upper { id = 1 id = 1 children {} }",),
+    good=(link("upper", 1),),
+    bad=(link("upper", 1).replace("id = 1", "id = 1 id = 1"),),
 )

@@ -18,11 +18,12 @@ Writes the keyword that is meant. Unsafe: it is a guess.
 """
 
 from kindsl.rules.base import Rule, Severity
+from kindsl.rules.examples import link
 
 RULE = Rule(
     "KD010",
     "unknown-keyword",
     Severity.ERROR,
-    good=("link upper { id = 1 children {} }",),
-    bad=("link upper { id = 1 childrn {} }",),
+    good=(link("upper", 1),),
+    bad=(link("upper", 1).replace("children", "childrn"),),
 )

@@ -36,7 +36,8 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
 
 def _arm(last: str) -> str:
     links = link("upper", 1, "lower via elbow"), link("lower", 2, last)
-    return robot(*links, base="upper via shoulder", joints="shoulder elbow wrist")
+    joints = "shoulder elbow" + last.partition(" via")[2]
+    return robot(*links, base="upper via shoulder", joints=joints)
 
 
 RULE = Rule(

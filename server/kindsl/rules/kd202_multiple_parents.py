@@ -39,7 +39,7 @@ def _linkage(right: str) -> str:
         link("right", 2, right),
         link("coupler", 3),
     )
-    joints = "to_left to_right pin_left pin_right"
+    joints = "to_left to_right pin_left" + right.partition(" via")[2]
     return robot(*links, base="left via to_left right via to_right", joints=joints)
 
 

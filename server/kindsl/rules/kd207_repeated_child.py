@@ -21,13 +21,13 @@ Removes the repetition if it names the same joint. Safe: it says nothing new.
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Change, Finding, Fix, Related, Rule, Severity, Tag
+from kindsl.rules.base import Finding, Fix, Related, Rule, Severity, Tag
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.reference_defects import reference_defects
+from kindsl.rules.removal import removal
 from kindsl.semantics.declarations import Child
 from kindsl.semantics.model import Model
-from kindsl.semantics.places import Place
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
@@ -41,9 +41,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
 
 
 def _removal(child: Child) -> Fix:
-    start = len(child.island.text[: child.start].rstrip())
-    removed = Change(Place(child.island, start, child.end), "")
-    return Fix("Remove the repetition", (removed,), is_safe=True)
+    return Fix("Remove the repetition", (removal(child),), is_safe=True)
 
 
 def _arm(children: str) -> str:

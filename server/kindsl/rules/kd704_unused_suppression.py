@@ -20,6 +20,7 @@ Removes the code, or the comment with its last code. Safe: a comment means nothi
 from collections.abc import Iterable, Iterator
 
 from kindsl.rules.base import Change, Finding, Fix, Rule, Severity, Tag
+from kindsl.rules.examples import link
 from kindsl.rules.suppression import Suppression
 from kindsl.semantics.places import Place
 
@@ -63,4 +64,12 @@ def _fix(comment: Place, suppression: Suppression) -> Fix:
     return Fix(_TITLE, (Change(Place(comment.island, start, comment.end), ""),), is_safe=True)
 
 
-RULE = Rule("KD704", "unused-suppression", Severity.WARNING)
+_LINK = link("upper", 1, inertia="").replace("{", "{ // kindsl: ignore[%s]", 1)
+
+RULE = Rule(
+    "KD704",
+    "unused-suppression",
+    Severity.WARNING,
+    good=(_LINK % "KD304",),
+    bad=(_LINK % "KD301", _LINK % "KD304, KD301"),
+)

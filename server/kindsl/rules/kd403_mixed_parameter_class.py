@@ -1,0 +1,57 @@
+"""One parameter stands for quantities of different kinds.
+
+## What it does
+Reports a parameter that is a length in one place and an angle or a mass, centre of mass or moment
+in another.
+
+## Why is this bad?
+The generators sort parameters into lengths, angles and dynamics, one structure each, and put this
+one into several: who sets one of them leaves the other as it was. Metres and radians are seldom the
+same number by intention.
+
+## Example
+```kindsl
+translation = (offset, 0.0, 0.0)
+rotation    = (offset, 0.0, 0.0)
+```
+"""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Finding, Related, Rule, Severity
+from kindsl.rules.context import Context
+from kindsl.rules.examples import joint
+from kindsl.semantics.declarations import ValueKind
+from kindsl.semantics.model import Model
+
+_WORDS = {
+    ValueKind.LENGTH: "a length",
+    ValueKind.ANGLE: "an angle",
+    ValueKind.DYNAMICS: "a property of inertia",
+}
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each further class of a parameter, at its first place."""
+    for parameter in model.parameters:
+        known = {parameter.kind}
+        for use in parameter.uses:
+            if use.kind not in known:
+                known.add(use.kind)
+                here, first = _WORDS[use.kind], _WORDS[parameter.kind]
+                message = f"parameter '{parameter.name}' is {here} here and {first} elsewhere"
+                yield Finding(use.name, message, (Related(parameter.name, f"{first} here"),))
+
+
+def _joint(angle: str) -> str:
+    return joint("elbow", rotation=f"{angle}, 0.0, 0.0").replace("0.3", "offset")
+
+
+RULE = Rule(
+    "KD403",
+    "mixed-parameter-class",
+    Severity.WARNING,
+    check_document=check_document,
+    good=(_joint("tilt"),),
+    bad=(_joint("offset"),),
+)

@@ -1,0 +1,69 @@
+"""A name in a value that is easily taken for something else.
+
+## What it does
+Reports `pi`, `Pi` and `pI`, a parameter that is called like a link or a joint, and a parameter
+whose name begins with `pi` where the document is not for one target alone.
+
+## Why is this bad?
+`pi` is a parameter of that name for RobCoGen and the number for RobCoGen2: one text with two
+meanings. Of `pitch` RobCoGen2 reads `pi` and stops at `tch`.
+
+## Example
+```kindsl
+rotation = (pi/2.0, 0.0, 0.0)
+```
+
+## Fix
+Writes `PI`. Unsafe: for RobCoGen the parameter ceases to be.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Change, Finding, Fix, Related, Rule, Severity
+from kindsl.rules.context import Context
+from kindsl.rules.examples import joint
+from kindsl.semantics.model import Model
+from kindsl.semantics.places import Place
+
+
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each confusing name."""
+    yield from _small_pi(model)
+    for parameter in model.parameters:
+        name = str(parameter.name)
+        other = model.body_named.get(name) or model.joint_named.get(name)
+        if other is not None:
+            what = "link" if name in model.body_named else "joint"
+            related = Related(other.name, f"{what} '{name}'")
+            yield Finding(parameter.name, f"parameter '{name}' is called like a {what}", (related,))
+        elif name[:2].lower() == "pi" and not context.targets:
+            message = f"robcogen2 reads parameter '{name}' as '{name[:2]}' and stops"
+            yield Finding(parameter.name, message)
+
+
+def _small_pi(model: Model) -> Iterator[Finding]:
+    for island in model.islands:
+        text = island.text
+        if "pi" in text or "Pi" in text or "pI" in text:
+            for token in island.tokens:
+                if token.kind == "LOWER_PI":
+                    yield _ambiguous(Place(island, token.start, token.end), token.text)
+
+
+def _ambiguous(place: Place, text: str) -> Finding:
+    message = f"'{text}' is a parameter for robcogen and the number for robcogen2"
+    return Finding(place, message, fix=Fix("Change to 'PI'", (Change(place, "PI"),)))
+
+
+RULE = Rule(
+    "KD408",
+    "confusing-name",
+    Severity.WARNING,
+    check_document=check_document,
+    good=(joint("elbow", rotation="PI/2.0, tilt, 0.0"),),
+    bad=(
+        joint("elbow", rotation="pi/2.0, 0.0, 0.0"),
+        joint("elbow", rotation="elbow, 0.0, 0.0"),
+        joint("elbow", rotation="0.0, pitch, 0.0"),
+    ),
+)

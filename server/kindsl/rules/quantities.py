@@ -1,0 +1,19 @@
+"""Quantities as people read them."""
+
+from collections.abc import Sequence
+
+
+def with_unit(value: float, unit: str) -> str:
+    """Return a value with three digits and its unit: `-0.165 kg·m²`."""
+    return f"{value:.3g} {unit}".lstrip()
+
+
+def sum_below(left: Sequence[float], right: float, sign: str = "<") -> str:
+    """Return `0.1 + 0.2 < 0.31`, with as many digits as show that it is so."""
+    texts, whole = [], ""
+    for digits in range(3, 17):
+        texts = [f"{value:.{digits}g}" for value in left]
+        whole = f"{right:.{digits}g}"
+        if sum(map(float, texts)) < float(whole):
+            break
+    return f"{' + '.join(texts)} {sign} {whole}"
