@@ -1,1 +1,71 @@
-"""Language tools and mechanics for the Kinematics-DSL."""
+"""Language tools and mechanics for the Kinematics-DSL.
+
+`load` and `parse` read documents; everything else is asked of what they return. Importing this
+package imports nothing else: NumPy comes with the first mechanism, the parser with the first text.
+"""
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    import os
+
+    from kindsl.mechanism.errors import ModelError, UnboundParameterError
+    from kindsl.rules.analysis import Analysis
+    from kindsl.rules.settings import Settings
+
+__all__ = ["ModelError", "UnboundParameterError", "load", "parse"]
+
+_ERRORS = ("ModelError", "UnboundParameterError")
+
+
+def load(path: "str | os.PathLike[str]", settings: "Settings | None" = None) -> "Analysis":
+    """Return the document in a file; bad text gives findings, never an error.
+
+    Args:
+        path: The file. Bytes that are no UTF-8 become findings.
+        settings: Rules, targets and bindings; None for what the nearest kindsl.toml says.
+
+    Raises:
+        OSError: The file cannot be read.
+        kindsl.config.configuration.ConfigurationError: The kindsl.toml is wrong.
+    """
+    with open(path, "rb") as file:
+        text = file.read().decode("utf-8", "surrogateescape")
+    if settings is None:
+        settings = _settings_for(path)
+    return parse(text, settings)
+
+
+def parse(text: str, settings: "Settings | None" = None) -> "Analysis":
+    """Return the document of a text; never raises, whatever the text.
+
+    Args:
+        text: The source.
+        settings: Rules, targets and bindings; None for the default ones.
+    """
+    from kindsl.rules.analysis import analyse
+
+    return analyse(text) if settings is None else analyse(text, settings)
+
+
+def _settings_for(path: "str | os.PathLike[str]") -> "Settings":
+    import os
+
+    from kindsl.config.discovery import Configurations
+    from kindsl.rules.settings import Settings
+
+    document = os.fspath(path)
+    configuration = Configurations().above(document)
+    return configuration.settings_for(document) if configuration else Settings()
+
+
+def __getattr__(name: str) -> Any:
+    if name in _ERRORS:
+        from kindsl.mechanism import errors
+
+        return getattr(errors, name)
+    if name == "__version__":
+        from kindsl.cli.version import version
+
+        return version()
+    raise AttributeError(f"module 'kindsl' has no attribute '{name}'")

@@ -8,9 +8,7 @@ from kindsl.cli.console import printable
 def unified_diff(path: str, old: str, new: str) -> str:
     """Return the difference of two texts; empty if there is none."""
     shown = printable(path)
-    lines = difflib.unified_diff(
-        _lines(old), _lines(new), f"a/{shown}", f"b/{shown}", lineterm="\n"
-    )
+    lines = difflib.unified_diff(_lines(old), _lines(new), shown, shown, lineterm="\n")
     return "".join(
         line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in lines
     )

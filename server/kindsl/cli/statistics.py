@@ -12,8 +12,8 @@ class RuleCount(NamedTuple):
     code: str
     name: str
     severity: str
-    count: int
-    fixable: int
+    n_found: int
+    n_fixable: int
 
 
 def rule_counts(outcome: Outcome) -> list[RuleCount]:
@@ -24,15 +24,15 @@ def rule_counts(outcome: Outcome) -> list[RuleCount]:
         (f.code, f.name, f.severity.value) for f in findings if f.fix and f.fix.is_safe
     )
     found = [RuleCount(*key, count, fixable[key]) for key, count in counts.items()]
-    return sorted(found, key=lambda row: (-row.count, row.code))
+    return sorted(found, key=lambda row: (-row.n_found, row.code))
 
 
 def render_text(outcome: Outcome) -> str:
     """Return a table; a star marks what `--fix` would mend."""
     rows = rule_counts(outcome)
-    width = max((len(str(row.count)) for row in rows), default=0)
+    width = max((len(str(row.n_found)) for row in rows), default=0)
     return "".join(
-        f"{row.count:{width}}  {row.code}  {'[*]' if row.fixable else '[ ]'} {row.name}\n"
+        f"{row.n_found:{width}}  {row.code}  {'[*]' if row.n_fixable else '[ ]'} {row.name}\n"
         for row in rows
     )
 
@@ -41,4 +41,14 @@ def render_json(outcome: Outcome) -> str:
     """Return a JSON array."""
     import json
 
-    return json.dumps([row._asdict() for row in rule_counts(outcome)], indent=2) + "\n"
+    rows = [
+        {
+            "code": row.code,
+            "name": row.name,
+            "severity": row.severity,
+            "count": row.n_found,
+            "fixable": row.n_fixable,
+        }
+        for row in rule_counts(outcome)
+    ]
+    return json.dumps(rows, indent=2) + "\n"

@@ -1,0 +1,7 @@
+"""`python -m kindsl`, for where the command is not on the path."""
+
+import sys
+
+from kindsl.cli.main import main
+
+sys.exit(main())

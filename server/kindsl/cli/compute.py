@@ -1,0 +1,156 @@
+"""Computes poses, inertia and forces of a robot in one or many configurations.
+
+A LIST is numbers separated by commas, one a joint in the order of the links' ids; or NAME=NUMBER
+pairs with the names of joints, the others zero. Angles are in radians, lengths in metres.
+"""
+
+import argparse
+import math
+import sys
+from typing import TYPE_CHECKING
+
+from kindsl.cli.configurations import motions_of
+from kindsl.cli.console import write
+from kindsl.cli.lint_options import add_parameter_arguments
+from kindsl.cli.linting import as_failures
+from kindsl.cli.outcome import Failure
+from kindsl.cli.reading import (
+    CommandError,
+    defect,
+    read_document,
+    require_syntax,
+    shown_name,
+)
+from kindsl.cli.run_choices import choices_of
+from kindsl.config.configuration import ConfigurationError
+from kindsl.features.motions import Motion, MotionError, Robot
+
+if TYPE_CHECKING:
+    from kindsl.mechanism.build import Mechanism
+    from kindsl.rules.analysis import Analysis
+
+UNUSABLE = 2
+FORMATS = ("json", "text", "npz")
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    add = parser.add_argument
+    add("file", metavar="FILE", help="the document, or '-' for stdin")
+    add("--q", metavar="LIST", help="joint positions (default: zero)")
+    add("--qd", metavar="LIST", help="joint velocities")
+    add("--qdd", metavar="LIST", help="joint accelerations")
+    add("--base-velocity", metavar="LIST", help="of a floating base: three angular, three linear")
+    add("--q-file", metavar="JSON", help="an object with q, qd, ..., or an array of them")
+    add("--gravity", metavar="X,Y,Z", type=_gravity, default=(0.0, 0.0, -9.81))
+    add("--forward", action="store_true", help="from forces to accelerations")
+    add("--tau", metavar="LIST", help="with --forward: the joints' forces")
+    add("--output-format", choices=FORMATS, default="json")
+    add("-o", "--output", metavar="FILE", help="write here, not on stdout")
+    add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
+
+
+def run(args: argparse.Namespace) -> int:
+    """Compute and show.
+
+    Returns:
+        0; 1 if the document gives no mechanism; 2 for wrong usage or what cannot be read.
+    """
+    try:
+        analysis = read_document(args.file, choices_of(args))
+        require_syntax(args.file, analysis)
+        mechanism = _mechanism(args.file, analysis)
+        robot = Robot(mechanism.bodies.joint_names, mechanism.bodies.is_floating)
+        return _show(args, analysis, mechanism, motions_of(args, robot))
+    except CommandError as error:
+        return error.tell()
+    except ConfigurationError as error:
+        return CommandError(as_failures(error)).tell()
+    except MotionError as error:
+        write(sys.stderr, f"kindsl compute: error: {error}\n")
+        return UNUSABLE
+    except ModuleNotFoundError as error:
+        if error.name != "numpy":
+            raise
+        needs = "needs NumPy; install it with: pip install 'kindsl[numpy]'"
+        write(sys.stderr, f"kindsl compute: error: {needs}\n")
+        return UNUSABLE
+
+
+def _mechanism(path: str, analysis: "Analysis") -> "Mechanism":
+    from kindsl.mechanism.errors import ModelError, UnboundParameterError
+
+    _check_names(path, analysis)
+    try:
+        return analysis.mechanism()
+    except UnboundParameterError as error:
+        how = " ".join(f"--param {name}=VALUE" for name in error.names)
+        bind = f"{error}; bind with {how}, or under [parameters] in kindsl.toml"
+        raise defect(path, analysis, bind, error.at) from None
+    except ModelError as error:
+        raise defect(path, analysis, str(error), error.at) from None
+
+
+def _check_names(path: str, analysis: "Analysis") -> None:
+    """Raise CommandError for a value given on the command line to what is no parameter."""
+    known = [str(parameter.name) for parameter in analysis.model.parameters]
+    for name, binding in analysis.settings.bindings.items():
+        if binding.origin == "--param" and name not in known:
+            from difflib import get_close_matches
+
+            close = get_close_matches(name, known, n=1)
+            hint = f", did you mean '{close[0]}'?" if close else ""
+            message = f"there is no parameter '{name}'{hint}"
+            raise CommandError([Failure(shown_name(path), message)])
+
+
+def _show(
+    args: argparse.Namespace, analysis: "Analysis", mechanism: "Mechanism", motions: list[Motion]
+) -> int:
+    from kindsl.features.computation import Request, compute
+
+    request = Request(tuple(motions), args.gravity, args.forward)
+    try:
+        results = compute(analysis, mechanism, request)
+    except ValueError as error:
+        raise CommandError([Failure(shown_name(args.file), str(error))], status=1) from None
+    if args.output_format == "npz":
+        return _write_bytes(args, results.as_npz())
+    if args.output_format == "json":
+        import json
+
+        text = json.dumps(results.as_json()) + "\n"
+    else:
+        from kindsl.cli.computed_text import computed_text
+
+        text = computed_text(results)
+    if args.output is None:
+        write(sys.stdout, text)
+        return 0
+    return _write_bytes(args, text.encode("utf-8"))
+
+
+def _write_bytes(args: argparse.Namespace, content: bytes) -> int:
+    if args.output is None:
+        if sys.stdout.isatty():
+            write(sys.stderr, "kindsl compute: error: npz is for a file: --output FILE\n")
+            return UNUSABLE
+        sys.stdout.buffer.write(content)
+        sys.stdout.buffer.flush()
+        return 0
+    try:
+        with open(args.output, "wb") as file:
+            file.write(content)
+    except OSError as error:
+        raise CommandError([Failure(args.output, f"cannot be written: {error.strerror}")]) from None
+    return 0
+
+
+def _gravity(text: str) -> tuple[float, float, float]:
+    try:
+        numbers = [float(part) for part in text.strip("[]() ").split(",")]
+    except ValueError:
+        numbers = []
+    if len(numbers) != 3 or not all(map(math.isfinite, numbers)):
+        raise argparse.ArgumentTypeError(f"'{text}' is not three numbers X,Y,Z")
+    return numbers[0], numbers[1], numbers[2]

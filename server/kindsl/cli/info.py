@@ -1,0 +1,47 @@
+"""Shows what a document describes: tree, degrees of freedom, masses, parameters."""
+
+import argparse
+import sys
+
+from kindsl.cli.console import write
+from kindsl.cli.lint_options import add_parameter_arguments
+from kindsl.cli.linting import as_failures
+from kindsl.cli.reading import CommandError, read_document, shown_name
+from kindsl.cli.robot_facts import robot_facts
+from kindsl.cli.run_choices import choices_of
+from kindsl.config.configuration import ConfigurationError
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.add_argument("file", metavar="FILE", help="the document, or '-' for stdin")
+    parser.add_argument("--output-format", choices=("text", "json"), default="text")
+    add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
+
+
+def run(args: argparse.Namespace) -> int:
+    """Show what is there, of broken documents too.
+
+    Returns:
+        0, or 2 if the document cannot be read.
+    """
+    try:
+        analysis = read_document(args.file, choices_of(args))
+    except CommandError as error:
+        return error.tell()
+    except ConfigurationError as error:
+        return CommandError(as_failures(error)).tell()
+    facts = robot_facts(analysis)
+    if args.output_format == "json":
+        import json
+
+        write(sys.stdout, json.dumps({"path": shown_name(args.file), **facts}, indent=2) + "\n")
+    else:
+        from kindsl.cli.robot_text import robot_text
+
+        write(sys.stdout, robot_text(facts))
+    n_errors = facts["findings"]["error"]
+    if n_errors:
+        told = f"{n_errors} errors" if n_errors > 1 else "an error"
+        write(sys.stderr, f"{shown_name(args.file)}: note: has {told}, see kindsl lint\n")
+    return 0

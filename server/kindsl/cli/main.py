@@ -1,0 +1,104 @@
+"""`kindsl`: one command, each subcommand imported only when it is asked for."""
+
+import argparse
+import os
+import sys
+from importlib import import_module
+
+from kindsl.cli.console import write
+
+COMMANDS = {
+    "lint": "tell what is wrong with documents",
+    "format": "lay documents out in the one style",
+    "info": "show the tree, masses and parameters of a document",
+    "compute": "compute poses, inertia and forces",
+    "preview": "show the robot in 3D while its document is edited",
+    "convert": "convert from and to URDF",
+    "diff": "tell what changed mechanically between two documents",
+    "language-server": "serve an editor",
+}
+USAGE_ERROR = 2
+INTERRUPTED = 130
+_DIGITS = tuple("0123456789.")
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the subcommand that the arguments name."""
+    given = sys.argv[1:] if arguments is None else arguments
+    command = given[0] if given else "--help"
+    if command in ("-h", "--help", "help"):
+        write(sys.stdout if given else sys.stderr, overview())
+        return 0 if given else USAGE_ERROR
+    if command in ("-V", "--version"):
+        from kindsl.cli.version import version
+
+        write(sys.stdout, f"kindsl {version()}\n")
+        return 0
+    if command not in available():
+        write(sys.stderr, f"kindsl: error: {_unknown(command)}\n")
+        return USAGE_ERROR
+    return _run(command, given[1:])
+
+
+def available() -> dict[str, str]:
+    """Return the subcommands that are installed, with what they do."""
+    folder = os.path.dirname(__file__)
+    return {
+        name: what
+        for name, what in COMMANDS.items()
+        if os.path.isfile(os.path.join(folder, f"{_module(name)}.py"))
+    }
+
+
+def overview() -> str:
+    """Return the help of the command as a whole."""
+    rows = "".join(f"  {name:17}{what}\n" for name, what in available().items())
+    return (
+        "usage: kindsl COMMAND ...\n\nTools for the Kinematics-DSL of RobCoGen.\n\n"
+        f"commands:\n{rows}\noptions:\n  -h, --help       show this help\n"
+        "  --version        print the version\n\n'kindsl COMMAND --help' tells more.\n"
+    )
+
+
+def with_joined_negatives(arguments: list[str]) -> list[str]:
+    """Return arguments with `--q -1,2` as `--q=-1,2`, which argparse would take for an option."""
+    joined: list[str] = []
+    for argument in arguments:
+        is_number = argument[:1] == "-" and argument[1:2] in _DIGITS
+        if is_number and joined and joined[-1].startswith("--") and "=" not in joined[-1]:
+            joined[-1] = f"{joined[-1]}={argument}"
+        else:
+            joined.append(argument)
+    return joined
+
+
+def _run(command: str, arguments: list[str]) -> int:
+    module = import_module(f"kindsl.cli.{_module(command)}")
+    parser = argparse.ArgumentParser(
+        prog=f"kindsl {command}",
+        description=module.__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    module.add_arguments(parser)
+    try:
+        return int(module.run(parser.parse_args(with_joined_negatives(arguments))))
+    except KeyboardInterrupt:
+        return INTERRUPTED
+
+
+def _module(command: str) -> str:
+    return command.replace("-", "_")
+
+
+def _unknown(command: str) -> str:
+    from difflib import get_close_matches
+
+    if command.startswith("-"):
+        return f"unknown option '{command}'; 'kindsl --help' tells all"
+    close = get_close_matches(command, list(available()), n=1)
+    hint = f", did you mean '{close[0]}'?" if close else "; 'kindsl --help' tells all"
+    return f"unknown command '{command}'{hint}"
+
+
+if __name__ == "__main__":
+    sys.exit(main())
