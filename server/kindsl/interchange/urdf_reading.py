@@ -84,6 +84,8 @@ def _load(path: Path) -> Any:
         )
     except OSError:
         raise
+    except KeyError as error:
+        raise UrdfError(f"not a readable URDF: an element has no attribute {error}") from error
     except Exception as error:
         raise UrdfError(f"not a readable URDF: {error}") from error
     if not urdf.robot.links:

@@ -1,5 +1,6 @@
 """Numbered bodies to URDF: the same mechanics, frames as links on fixed joints."""
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -54,6 +55,15 @@ def urdf_text(name: str, bodies: Bodies) -> str:
         document, xml_declaration=True, pretty_print=True, encoding="utf-8"
     ).decode()
     return text
+
+
+def urdf_remarks(bodies: Bodies) -> Iterator[str]:
+    """Yield what the URDF says that the document did not."""
+    for name, kind in zip(bodies.joint_names, bodies.joint_kinds, strict=True):
+        if kind == "prismatic":
+            yield f"the joint '{name}' got limits of -1 m and 1 m, which a URDF must give"
+    if bodies.is_floating:
+        yield f"the floating base '{bodies.base_name}' became the root link, which tools may fix"
 
 
 def _inertial(bodies: Bodies, body: int) -> Any:

@@ -1,0 +1,168 @@
+"""URDF and back keeps the mechanics; other libraries read the same robot from our URDF."""
+
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pinocchio
+import pytest
+from tests.interchange.random_robots import random_robot
+
+import kindsl
+from kindsl.dynamics.mechanics import Mechanics
+from kindsl.interchange.kindsl_text import intrinsic_xyz, kindsl_text
+from kindsl.interchange.urdf_reading import UrdfError, read_urdf
+from kindsl.interchange.urdf_writing import urdf_text
+from kindsl.rules.settings import Settings
+from kindsl.spatial.arrays import Array
+from kindsl.spatial.transforms import rotation_from_intrinsic_xyz
+
+TOLERANCE = 1e-9  # what the issue of a round trip promises, absolute, at dimensions near one
+SEEDS = range(200)
+
+
+def mechanism_of(text: str) -> Mechanics:
+    document = kindsl.parse(text, Settings())
+    assert not [f for f in document.findings if f.severity == "error"]
+    return document.mechanism()
+
+
+def written_and_read(robot: Mechanics, folder: Path) -> Mechanics:
+    path = folder / "robot.urdf"
+    path.write_text(urdf_text("robot", robot.bodies))
+    return mechanism_of(kindsl_text(read_urdf(path, floating=robot.bodies.is_floating).robot))
+
+
+def by_name(mechanics: Mechanics, values: dict[str, float]) -> Array:
+    return np.array([values[name] for name in mechanics.bodies.joint_names])
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_round_trip_keeps_poses_inertia_and_forces(seed: int, tmp_path: Path) -> None:
+    before = mechanism_of(kindsl_text(random_robot(seed)))
+    after = written_and_read(before, tmp_path)
+    chance = np.random.default_rng(seed)
+    names = before.bodies.joint_names
+    state = [dict(zip(names, chance.uniform(-1, 1, len(names)), strict=True)) for _ in range(3)]
+    q_before, q_after = (by_name(m, state[0]) for m in (before, after))
+    poses = before.forward_kinematics(q_before), after.forward_kinematics(q_after)
+    assert poses[0].keys() == poses[1].keys()
+    for name, pose in poses[0].items():
+        np.testing.assert_allclose(poses[1][name], pose, rtol=0, atol=TOLERANCE)
+    order = [after.bodies.joint_names.index(name) for name in names]
+    n_base = 6 if before.bodies.is_floating else 0
+    rows = [*range(n_base), *(n_base + i for i in order)]
+    M = before.joint_space_inertia(q_before), after.joint_space_inertia(q_after)[np.ix_(rows, rows)]
+    np.testing.assert_allclose(M[1], M[0], rtol=0, atol=TOLERANCE)
+    forces = [_joint_forces(m, [by_name(m, part) for part in state]) for m in (before, after)]
+    np.testing.assert_allclose(forces[1][order], forces[0], rtol=0, atol=TOLERANCE * 10)
+
+
+def _joint_forces(mechanics: Mechanics, state: list[Array]) -> Array:
+    result = mechanics.inverse_dynamics(*state)
+    return np.asarray(result[0] if mechanics.bodies.is_floating else result)
+
+
+@pytest.mark.parametrize("seed", range(0, 200, 10))
+def test_pinocchio_reads_the_same_inertia(seed: int) -> None:
+    ours = mechanism_of(kindsl_text(random_robot(seed)))
+    model = pinocchio.buildModelFromXML(urdf_text("robot", ours.bodies))
+    values = dict.fromkeys(ours.bodies.joint_names, 0.0)
+    chance = np.random.default_rng(seed)
+    values |= {name: float(chance.uniform(-1, 1)) for name in values}
+    M = pinocchio.crba(model, model.createData(), _configuration(model, values))
+    M = np.triu(M) + np.triu(M, 1).T
+    n_base = 6 if ours.bodies.is_floating else 0
+    order = [model.joints[model.getJointId(n)].idx_v for n in ours.bodies.joint_names]
+    mine = ours.joint_space_inertia(by_name(ours, values))[n_base:, n_base:]
+    np.testing.assert_allclose(M[np.ix_(order, order)], mine, rtol=0, atol=TOLERANCE)
+
+
+def _configuration(model: pinocchio.Model, values: dict[str, float]) -> Array:
+    q = pinocchio.neutral(model)
+    for name, value in values.items():
+        joint = model.joints[model.getJointId(name)]
+        if joint.nq == 2:  # an endless joint is a point on the circle there
+            q[joint.idx_q : joint.idx_q + 2] = np.cos(value), np.sin(value)
+        else:
+            q[joint.idx_q] = value
+    return np.asarray(q)
+
+
+@pytest.mark.parametrize("seed", range(5, 200, 20))
+def test_mujoco_reads_the_same_inertia(seed: int) -> None:
+    ours = mechanism_of(kindsl_text(random_robot(seed)))
+    model = mujoco.MjModel.from_xml_string(urdf_text("robot", ours.bodies))
+    data = mujoco.MjData(model)
+    chance = np.random.default_rng(seed)
+    values = {name: float(chance.uniform(-1, 1)) for name in ours.bodies.joint_names}
+    for name, value in values.items():
+        data.joint(name).qpos[0] = value
+    mujoco.mj_forward(model, data)
+    M = np.zeros((model.nv, model.nv))
+    mujoco.mj_fullM(model, data, M)
+    order = [model.joint(name).dofadr[0] for name in ours.bodies.joint_names]
+    n_base = 6 if ours.bodies.is_floating else 0
+    mine = ours.joint_space_inertia(by_name(ours, values))[n_base:, n_base:]
+    np.testing.assert_allclose(M[np.ix_(order, order)], mine, rtol=0, atol=1e-8)
+
+
+@pytest.mark.parametrize("ry", [np.pi / 2, -np.pi / 2, np.pi / 2 - 1e-9, 0.3])
+def test_angles_come_back_near_gimbal_lock(ry: float) -> None:
+    R = rotation_from_intrinsic_xyz(np.array([0.4, ry, -1.1]))
+    again = rotation_from_intrinsic_xyz(np.array(intrinsic_xyz(R)))
+    np.testing.assert_allclose(again, R, atol=1e-8)
+
+
+URDF = """<robot name="my-robot 1"><link name="world"/><link name="link"/><link name="2nd">
+<inertial><origin xyz="0 0 0.1"/><mass value="2"/>
+<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link><link name="tip"/>
+<joint name="world_fixed" type="fixed"><parent link="world"/><child link="link"/></joint>
+<joint name="2nd" type="{kind}"><parent link="link"/><child link="2nd"/>
+<origin xyz="0 0 1" rpy="0 0.5 0"/><axis xyz="{axis}"/>
+<limit lower="-1" upper="1" effort="1" velocity="1"/></joint>
+<joint name="tip_fixed" type="fixed"><parent link="2nd"/><child link="tip"/>
+<origin xyz="1 0 0"/></joint></robot>"""
+
+
+def read(tmp_path: Path, kind: str = "revolute", axis: str = "0 1 0") -> tuple[str, str]:
+    path = tmp_path / "robot.urdf"
+    path.write_text(URDF.format(kind=kind, axis=axis))
+    found = read_urdf(path)
+    return kindsl_text(found.robot), "\n".join(found.remarks)
+
+
+def test_fixed_links_become_frames_and_names_become_valid(tmp_path: Path) -> None:
+    text, remarks = read(tmp_path)
+    document = kindsl.parse(text, Settings())
+    assert document.model.name == "my_robot_1"
+    assert [str(link.name) for link in document.model.links] == ["_2nd"]
+    assert [str(joint.name) for joint in document.model.joints] == ["_2nd_joint"]
+    assert [str(frame.name) for frame in document.model.frames] == ["link_", "tip"]
+    assert "limits of 1 joints dropped" in remarks
+    assert "'tip', fixed to '2nd'" in remarks
+
+
+@pytest.mark.parametrize("axis", ["0 1 0", "0 0 -1", "0.6 0 -0.8", "1e-5 0 -1", "-2 1 0.5"])
+def test_axis_turns_to_z(axis: str, tmp_path: Path) -> None:
+    text, _ = read(tmp_path, axis=axis)
+    mechanics = mechanism_of(text)
+    model = pinocchio.buildModelFromXML(URDF.format(kind="revolute", axis=axis))
+    data = model.createData()
+    pinocchio.framesForwardKinematics(model, data, np.array([0.7]))
+    theirs = data.oMf[model.getFrameId("tip")].homogeneous
+    np.testing.assert_allclose(mechanics.forward_kinematics([0.7])["tip"], theirs, atol=1e-12)
+
+
+def test_what_the_language_has_not_is_refused_by_name(tmp_path: Path) -> None:
+    with pytest.raises(UrdfError, match="'2nd' is planar"):
+        read(tmp_path, kind="planar")
+    (tmp_path / "bad.urdf").write_text("<robot name='r'><link name='a'/><link name='b'/></robot>")
+    with pytest.raises(UrdfError, match="one root link"):
+        read_urdf(tmp_path / "bad.urdf")
+    (tmp_path / "nameless.urdf").write_text("<robot><link name='a'/></robot>")
+    with pytest.raises(UrdfError, match="no attribute 'name'"):
+        read_urdf(tmp_path / "nameless.urdf")
+    (tmp_path / "noise.urdf").write_text("no xml")
+    with pytest.raises(UrdfError, match="not a readable URDF"):
+        read_urdf(tmp_path / "noise.urdf")
