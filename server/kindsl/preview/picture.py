@@ -11,7 +11,6 @@ from kindsl.semantics.declarations import ValueKind
 from kindsl.semantics.model import Model
 from kindsl.semantics.parameters import values_of
 
-
 MOST_NAMED = 3
 
 

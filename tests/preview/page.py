@@ -1,0 +1,33 @@
+"""What a page makes of messages, without a browser."""
+
+from collections.abc import Iterable
+from typing import Any
+
+from kindsl.preview.wire import Key, Message, key_of
+
+
+class Page:
+    """Keeps the last value of each property, as the page does."""
+
+    def __init__(self, messages: Iterable[Message] = ()) -> None:
+        self.state: dict[Key, Message] = {}
+        for message in messages:
+            self.take(message)
+
+    def take(self, message: Message) -> None:
+        if message["type"] in ("begin", "end"):
+            return
+        if message["type"] == "delete":
+            path = message["path"]
+            below = path + "/"
+            self.state = {
+                key: value
+                for key, value in self.state.items()
+                if key.path != path and not key.path.startswith(below)
+            }
+            return
+        self.state[key_of(message)] = message
+
+    def at(self, path: str) -> dict[str, Any]:
+        """Return the properties of a path by type."""
+        return {key.type: dict(value) for key, value in self.state.items() if key.path == path}

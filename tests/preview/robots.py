@@ -1,0 +1,106 @@
+"""Documents for the preview's tests."""
+
+import os
+import shutil
+from pathlib import Path
+
+import pytest
+from tests.support.models import Style, random_model
+
+from kindsl.dynamics.bodies import Bodies
+from kindsl.mechanism.build import drawable_bodies
+from kindsl.rules.analysis import Analysis, analyse
+
+ROOT = Path(__file__).parents[2]
+EXAMPLES = ROOT / "examples"
+CORPUS = ROOT / ".." / "shared" / "corpus"
+
+PLAIN = Style(has_expressions=False)
+
+ARM = """\
+Robot Arm {
+
+RobotBase base {
+    children {
+        upper via shoulder
+    }
+}
+
+link upper {
+    id = 1
+    inertia_params {
+        mass = 2.0
+        CoM = (0.2, 0.0, 0.0)
+        Ix = 0.01
+        Iy = 0.12
+        Iz = 0.12
+        Ixy = 0.0
+        Ixz = 0.0
+        Iyz = 0.0
+    }
+    children {
+        slider via lift
+    }
+}
+
+link slider {
+    id = 2
+    inertia_params {
+        mass = 1.0
+        CoM = (0.0, 0.0, 0.1)
+        Ix = 0.02
+        Iy = 0.02
+        Iz = 0.005
+        Ixy = 0.0
+        Ixz = 0.0
+        Iyz = 0.0
+    }
+    children {}
+    frames {
+        tool {
+            translation = (0.0, 0.0, 0.3)
+            rotation = (0.0, 0.0, 0.0)
+        }
+    }
+}
+
+r_joint shoulder {
+    ref_frame {
+        translation = (0.0, 0.0, 0.5)
+        rotation = (PI/2.0, 0.0, 0.0)
+    }
+}
+
+p_joint lift {
+    ref_frame {
+        translation = (0.4, 0.0, 0.0)
+        rotation = (-PI/2.0, 0.0, 0.0)
+    }
+}
+
+}
+"""
+
+PARAMETRIC_ARM = ARM.replace("translation = (0.4, 0.0, 0.0)", "translation = (reach, 0.0, 0.0)")
+BROKEN_ARM = ARM.replace("slider via lift", "slider via", 1)
+
+
+def bodies_of(text: str) -> Bodies:
+    """Return the bodies of a document without unbound parameters."""
+    analysis = analyse(text)
+    return drawable_bodies(analysis.model, analysis.context.values)
+
+
+def plain_robot(links: int, seed: int = 0) -> Analysis:
+    """Return a random robot without parameters."""
+    return analyse(random_model(links, seed, PLAIN))
+
+
+def require(*programs: str) -> str:
+    """Return the first program found; else skip the test, or fail where everything must run."""
+    found = next((path for path in map(shutil.which, programs) if path), None)
+    if found is not None:
+        return found
+    if os.environ.get("CI") == "true":
+        pytest.fail(f"{programs[0]} is not installed")
+    pytest.skip(f"{programs[0]} is not installed")
