@@ -4,7 +4,6 @@ import numpy as np
 
 from kindsl.spatial.arrays import Array
 
-
 _NEXT = np.array([1, 2, 0])
 _AFTER_NEXT = np.array([2, 0, 1])
 

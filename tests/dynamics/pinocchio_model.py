@@ -1,0 +1,122 @@
+"""The same mechanism and quantities in pinocchio, in our order: angular part first."""
+
+import numpy as np
+import pinocchio as pin
+
+from kindsl.dynamics.bodies import Bodies
+from kindsl.spatial.arrays import Array
+from kindsl.spatial.inertia import point_inertia
+
+ANGULAR_FIRST = [3, 4, 5, 0, 1, 2]
+
+
+class PinocchioModel:
+    """Evaluates one configuration at a time."""
+
+    def __init__(self, bodies: Bodies, gravity: Array) -> None:
+        self.bodies = bodies
+        self.model = pin.Model()
+        self.model.gravity.linear = gravity
+        root = 0
+        if bodies.is_floating:
+            root = self.model.addJoint(0, pin.JointModelFreeFlyer(), pin.SE3.Identity(), "root")
+            self.model.appendBodyToJoint(root, self._inertia(0), pin.SE3.Identity())
+        joints = {0: root}
+        depth_first = _depth_first(bodies)
+        for link in depth_first:
+            parent = bodies.parents[link - 1]
+            is_revolute = bodies.joint_kinds[link - 1] == "revolute"
+            joint = pin.JointModelRZ() if is_revolute else pin.JointModelPZ()
+            placement = pin.SE3(bodies.p_R_j[link - 1], bodies.p_r_j[link - 1])
+            name = bodies.joint_names[link - 1]
+            joints[link] = self.model.addJoint(joints[parent], joint, placement, name)
+            self.model.appendBodyToJoint(joints[link], self._inertia(link), pin.SE3.Identity())
+        self._joints = joints
+        for frame in bodies.frames:
+            placement = pin.SE3(frame.body_R_frame, frame.body_r_frame)
+            added = pin.Frame(frame.name, joints[frame.body], 0, placement, pin.FrameType.OP_FRAME)
+            self.model.addFrame(added)
+        self.data = self.model.createData()
+        first = 6 if bodies.is_floating else 0
+        # Where each of our velocities is among pinocchio's, and the reverse for joints.
+        places = [first + depth_first.index(link) for link, _ in bodies.links()]
+        self._order = [*ANGULAR_FIRST[:first], *places]
+        self._joint_order = [link - 1 for link in depth_first]
+
+    def poses(self, q: Array) -> dict[str, Array]:
+        pin.framesForwardKinematics(self.model, self.data, self._q(q))
+        poses = {
+            name: self.data.oMi[self._joints[joint]].homogeneous
+            for joint, name in enumerate(self.bodies.link_names, start=1)
+        }
+        for frame in self.bodies.frames:
+            poses[frame.name] = self.data.oMf[self.model.getFrameId(frame.name)].homogeneous
+        return poses
+
+    def frame_jacobian(self, q: Array, name: str) -> Array:
+        frame = self.model.getFrameId(name)
+        J = pin.computeFrameJacobian(self.model, self.data, self._q(q), frame, pin.LOCAL)
+        return np.reshape(J, (6, -1))[ANGULAR_FIRST][:, self._order]
+
+    def joint_space_inertia(self, q: Array) -> Array:
+        upper = np.triu(pin.crba(self.model, self.data, self._q(q)))
+        M = upper + np.triu(upper, 1).T
+        return M[np.ix_(self._order, self._order)]
+
+    def bias_torque(self, q: Array, qd: Array, base_velocity: Array) -> Array:
+        v = self._v(base_velocity, qd)
+        return pin.nonLinearEffects(self.model, self.data, self._q(q), v)[self._order]
+
+    def inverse_dynamics(
+        self, q: Array, qd: Array, qdd: Array, base_velocity: Array
+    ) -> tuple[Array, Array]:
+        """Return joint forces and base acceleration (zero for a fixed base)."""
+        first = len(self._order) - len(q)
+        M, bias = self.joint_space_inertia(q), self.bias_torque(q, qd, base_velocity)
+        wrench = bias[:first] + M[:first, first:] @ qdd
+        base_acceleration = -np.linalg.solve(M[:first, :first], wrench) if first else np.zeros(6)
+        a = self._v(base_acceleration, qdd)
+        v = self._v(base_velocity, qd)
+        return pin.rnea(self.model, self.data, self._q(q), v, a)[self._order][first:], base_acceleration
+
+    def forward_dynamics(
+        self, q: Array, qd: Array, tau: Array, base_velocity: Array
+    ) -> tuple[Array, Array]:
+        v, force = self._v(base_velocity, qd), self._v(np.zeros(6), tau)
+        a = pin.aba(self.model, self.data, self._q(q), v, force)[self._order]
+        first = len(self._order) - len(q)
+        return a[first:], a[:first] if first else np.zeros(6)
+
+    def center_of_mass(self, q: Array) -> Array:
+        """Return that of the moving bodies only if the base is fixed."""
+        return pin.centerOfMass(self.model, self.data, self._q(q)).copy()
+
+    def center_of_mass_jacobian(self, q: Array) -> Array:
+        return pin.jacobianCenterOfMass(self.model, self.data, self._q(q))[:, self._order]
+
+    def kinetic_energy(self, q: Array, qd: Array, base_velocity: Array) -> float:
+        v = self._v(base_velocity, qd)
+        return float(pin.computeKineticEnergy(self.model, self.data, self._q(q), v))
+
+    def _inertia(self, body: int) -> pin.Inertia:
+        mass, com = self.bodies.masses[body], self.bodies.coms[body]
+        return pin.Inertia(mass, com, self.bodies.inertias[body] - point_inertia(mass, com))
+
+    def _q(self, q: Array) -> Array:
+        base = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0] if self.bodies.is_floating else []
+        return np.concatenate((base, q[self._joint_order]))
+
+    def _v(self, base: Array, joints: Array) -> Array:
+        ordered = joints[self._joint_order]
+        return np.concatenate((base[ANGULAR_FIRST], ordered)) if self.bodies.is_floating else ordered
+
+
+def _depth_first(bodies: Bodies) -> list[int]:
+    """Return the links in the order that pinocchio's algorithms rely on."""
+    order: list[int] = []
+    waiting = [0]
+    while waiting:
+        body = waiting.pop()
+        waiting += [link for link, parent in bodies.links() if parent == body]
+        order += [body] if body else []
+    return order

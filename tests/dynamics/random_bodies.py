@@ -1,0 +1,61 @@
+"""Random trees of physically consistent bodies."""
+
+import numpy as np
+
+from kindsl.dynamics.bodies import Bodies, Frame, JointKind
+from kindsl.spatial.arrays import Array
+from kindsl.spatial.transforms import rotation_from_intrinsic_xyz
+
+QUARTER_TURNS = (-np.pi / 2, 0.0, np.pi / 2, np.pi)
+
+
+def random_bodies(
+    generator: np.random.Generator, n_links: int, is_floating: bool, frames_per_link: float = 0.3
+) -> Bodies:
+    """Return a tree in which half of the joint frames are turned by right angles, as usual."""
+    names = tuple(f"link{i}" for i in range(1, n_links + 1))
+    kinds: list[JointKind] = ["revolute", "revolute", "prismatic"]
+    inertias = [random_inertia(generator) for _ in range(n_links + 1)]
+    return Bodies(
+        base_name="base",
+        link_names=names,
+        joint_names=tuple(f"joint{i}" for i in range(1, n_links + 1)),
+        joint_kinds=tuple(kinds[k] for k in generator.integers(3, size=n_links)),
+        parents=tuple(_parent(generator, i) for i in range(1, n_links + 1)),
+        p_R_j=np.array([random_rotation(generator) for _ in names]),
+        p_r_j=generator.uniform(-0.5, 0.5, (n_links, 3)),
+        masses=np.array([mass for mass, _, _ in inertias]),
+        coms=np.array([com for _, com, _ in inertias]),
+        inertias=np.array([inertia for _, _, inertia in inertias]),
+        is_floating=is_floating,
+        frames=tuple(
+            Frame(
+                f"frame{k}",
+                int(generator.integers(n_links + 1)),
+                random_rotation(generator),
+                generator.uniform(-1.0, 1.0, 3),
+            )
+            for k in range(int(frames_per_link * n_links) + 1)
+        ),
+    )
+
+
+def random_rotation(generator: np.random.Generator) -> Array:
+    """Return a rotation, by right angles or by any."""
+    if generator.random() < 0.5:
+        return rotation_from_intrinsic_xyz(generator.choice(QUARTER_TURNS, 3))
+    return rotation_from_intrinsic_xyz(generator.uniform(-np.pi, np.pi, 3))
+
+
+def random_inertia(generator: np.random.Generator) -> tuple[float, Array, Array]:
+    """Return mass, centre of mass and inertia about the origin of a cloud of masses."""
+    masses = generator.uniform(0.1, 2.0, 6)
+    points = generator.uniform(-0.2, 0.2, (6, 3)) + generator.uniform(-0.2, 0.2, 3)
+    second = (points.T * masses) @ points
+    inertia = np.trace(second) * np.eye(3) - second
+    return float(masses.sum()), masses @ points / masses.sum(), inertia
+
+
+def _parent(generator: np.random.Generator, link: int) -> int:
+    """Return mostly the link before, so that trees are deep."""
+    return link - 1 if generator.random() < 0.6 else int(generator.integers(link))

@@ -1,0 +1,93 @@
+"""Random trees give pinocchio's numbers, in both forms.
+
+Tolerance: both sides round; forward dynamics loses the digits of the inertia's condition, some
+1e6 for the deepest of these trees, so 1e-9 of a quantity's greatest entry leaves a margin of ten.
+"""
+
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+
+from kindsl.dynamics import readable
+from kindsl.dynamics.bodies import Bodies
+from kindsl.dynamics.mechanics import Mechanics
+from kindsl.dynamics.quantities import JOINT_VECTORS, Quantity
+from tests.dynamics.pinocchio_model import PinocchioModel
+from tests.dynamics.random_bodies import random_bodies
+
+TREES_PER_BLOCK = 30
+GRAVITY = np.array([1.2, -3.4, -9.0])
+TOLERANCE = 1e-9
+
+
+@pytest.mark.parametrize("block", range(10))
+def test_300_random_trees_agree_with_pinocchio(block: int) -> None:
+    for seed in range(block * TREES_PER_BLOCK, (block + 1) * TREES_PER_BLOCK):
+        generator = np.random.default_rng(seed)
+        n_links = int(generator.choice([*range(1, 9)] * 4 + [*range(1, 41)]))
+        bodies = random_bodies(generator, n_links, is_floating=bool(seed % 2))
+        _check_tree(seed, bodies, generator)
+
+
+def _check_tree(seed: int, bodies: Bodies, generator: np.random.Generator) -> None:
+    q, qd, x = generator.uniform(-2.0, 2.0, (3, bodies.n_links))
+    base_velocity = generator.uniform(-1.0, 1.0, 6) * bodies.is_floating
+    expected = _expected(bodies, q, qd, x, base_velocity)
+    mechanics = Mechanics(bodies)
+    for label, quantity, got in _evaluated(mechanics, q, qd, x, base_velocity):
+        _assert_close(f"seed {seed}, {label}, {quantity}", got, expected[quantity])
+
+
+def _expected(
+    bodies: Bodies, q: np.ndarray, qd: np.ndarray, x: np.ndarray, base_velocity: np.ndarray
+) -> dict[str, np.ndarray]:
+    model = PinocchioModel(bodies, GRAVITY)
+    name = bodies.frames[0].name
+    expected = {
+        "poses": np.array(list(model.poses(q).values())).ravel(),
+        "joint_space_inertia": model.joint_space_inertia(q).ravel(),
+        "gravity_torque": model.bias_torque(q, 0.0 * q, np.zeros(6)),
+        "bias_torque": model.bias_torque(q, qd, base_velocity),
+        "jacobian": model.frame_jacobian(q, name),
+        "kinetic_energy": np.array(model.kinetic_energy(q, qd, base_velocity)),
+    }
+    for quantity in ("inverse_dynamics", "forward_dynamics"):
+        joints, base = getattr(model, quantity)(q, qd, x, base_velocity)
+        both = np.concatenate((joints, base))
+        expected[quantity] = both if bodies.is_floating else joints
+    if bodies.is_floating:
+        expected["center_of_mass"] = model.center_of_mass(q)
+        expected["center_of_mass_jacobian"] = model.center_of_mass_jacobian(q)
+    return expected
+
+
+def _evaluated(
+    mechanics: Mechanics, q: np.ndarray, qd: np.ndarray, x: np.ndarray, base_velocity: np.ndarray
+) -> Iterator[tuple[str, str, np.ndarray]]:
+    bodies = mechanics.bodies
+    v = base_velocity if bodies.is_floating else None
+    yield "api", "poses", np.array(list(mechanics.forward_kinematics(q).values())).ravel()
+    yield "api", "jacobian", mechanics.jacobian(q, bodies.frames[0].name)
+    yield "api", "joint_space_inertia", mechanics.joint_space_inertia(q).ravel()
+    yield "api", "gravity_torque", mechanics.gravity_torque(q, GRAVITY)
+    yield "api", "bias_torque", mechanics.bias_torque(q, qd, v, GRAVITY)
+    yield "api", "kinetic_energy", mechanics.kinetic_energy(q, qd, v)
+    for quantity in ("inverse_dynamics", "forward_dynamics"):
+        result = getattr(mechanics, quantity)(q, qd, x, v, GRAVITY)
+        yield "api", quantity, np.concatenate(result) if bodies.is_floating else result
+    if bodies.is_floating:
+        yield "api", "center_of_mass", mechanics.center_of_mass(q)
+        yield "api", "center_of_mass_jacobian", mechanics.center_of_mass_jacobian(q)
+    quantities: list[Quantity] = list(JOINT_VECTORS)
+    for quantity in quantities:
+        vectors = [q, qd, x][: len(JOINT_VECTORS[quantity])]
+        got = readable.evaluate(bodies, quantity, (), vectors, base_velocity, GRAVITY)
+        yield "readable", quantity, got
+
+
+def _assert_close(label: str, got: np.ndarray, expected: np.ndarray) -> None:
+    assert got.shape == expected.shape, label
+    scale = max(1e-3, float(abs(expected).max()))
+    error = float(abs(got - expected).max()) / scale
+    assert error < TOLERANCE, f"{label}: {error:.1e}"
