@@ -50,12 +50,11 @@ class Client:
             tags=told.tag_support is not None,
         )
 
-    @property
-    def wants_status(self) -> bool:
-        """Whether it listens to `kindsl/status`."""
-        experimental = self.capabilities.experimental
-        return any(
-            isinstance(place, dict) and bool(place.get(name))
-            for place in (experimental, self.options)
-            for name in ("kindsl/status", "kindslStatus", "status")
-        )
+    def announces(self, name: str) -> bool:
+        """Whether it says that it knows something of ours.
+
+        It says so by a true value of that name in its experimental capabilities or in its
+        initialization options.
+        """
+        places = self.capabilities.experimental, self.options
+        return any(isinstance(place, dict) and bool(place.get(name)) for place in places)

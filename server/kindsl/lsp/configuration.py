@@ -73,6 +73,7 @@ def change_files(server: "KindslLanguageServer", params: types.DidChangeWatchedF
 @handlers.server(types.TEXT_DOCUMENT_DID_SAVE, types.SaveOptions(include_text=False))
 def save(server: "KindslLanguageServer", params: types.DidSaveTextDocumentParams) -> None:
     """See a configuration file that was saved here, in case the client watches no files."""
+    server.previews.saved(params.text_document.uri)
     if uris.basename(params.text_document.uri) in CONFIGURATION_FILES:
         server.settings.forget()
         refresh(server)

@@ -9,6 +9,7 @@ from lsprotocol import types
 
 from kindsl.lsp import uris
 from kindsl.lsp.client import Client
+from kindsl.lsp.configuration_files import configuration_problems
 from kindsl.lsp.document import Document
 from kindsl.lsp.handlers import Handlers
 from kindsl.lsp.progress import Progress
@@ -48,6 +49,9 @@ async def pull(
     if document is None:
         return types.RelatedFullDocumentDiagnosticReport(items=[])
     server.publisher.leave_to_pull(document)
+    if document.is_toml:
+        problems = await server.worker.run(lambda: configuration_problems(document))
+        return types.RelatedFullDocumentDiagnosticReport(problems)
     findings = await server.analyses.findings(document)
     result_id = result_id_of(document, findings)
     if result_id == params.previous_result_id:
@@ -76,7 +80,7 @@ async def _workspace_report(
     server: "KindslLanguageServer", uri: str, known: str | None
 ) -> types.WorkspaceDocumentDiagnosticReport | None:
     document = server.documents.get(uri)
-    if document is None:
+    if document is None or document.is_toml:
         return None
     findings = await server.analyses.findings(document, Urgency.BACKGROUND)
     result_id = result_id_of(document, findings)

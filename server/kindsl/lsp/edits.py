@@ -18,13 +18,16 @@ def workspace_edit(
     client: Client, edits: Sequence[tuple[Document, list[types.TextEdit]]]
 ) -> types.WorkspaceEdit:
     """Return edits of documents, tied to their versions if the client can check them."""
+    merged: dict[str, tuple[Document, list[types.TextEdit]]] = {}
+    for document, each in edits:
+        merged.setdefault(document.uri, (document, []))[1].extend(each)
     if not client.can("workspace.workspace_edit.document_changes"):
-        return types.WorkspaceEdit(changes={document.uri: each for document, each in edits})
+        return types.WorkspaceEdit(changes={uri: each for uri, (_, each) in merged.items()})
     return types.WorkspaceEdit(
         document_changes=[
             types.TextDocumentEdit(
                 types.OptionalVersionedTextDocumentIdentifier(document.uri, document.version), each
             )
-            for document, each in edits
+            for document, each in merged.values()
         ]
     )

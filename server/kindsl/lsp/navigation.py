@@ -4,6 +4,7 @@ from typing import Any
 
 from lsprotocol import types
 
+from kindsl.lsp.configuration_files import bound_places
 from kindsl.lsp.handlers import Handlers
 from kindsl.lsp.view import View
 
@@ -47,6 +48,7 @@ def highlight(view: View, params: types.DocumentHighlightParams) -> list[types.D
     """Light up all places of a name."""
     from kindsl.features.highlight import highlights
 
+    view.follow_cursor(params.position)
     return [
         types.DocumentHighlight(view.range(found.start, found.end), _HIGHLIGHTS[found.kind])
         for found in highlights(view.analysis, view.offset(params.position))
@@ -91,19 +93,24 @@ def outgoing(
 
 
 def _definitions(view: View, position: types.Position, capability: str) -> Definitions:
-    from kindsl.features.definition import definitions
+    from kindsl.features.definition import bound_parameter, definitions
 
-    found = definitions(view.analysis, view.offset(position))
-    if not view.client.can(capability):
-        return [view.location(place.name_start, place.name_end) for place in found]
-    return [
+    offset = view.offset(position)
+    links = [
         types.LocationLink(
             target_uri=view.document.uri,
             target_range=view.range(place.start, place.end),
             target_selection_range=view.range(place.name_start, place.name_end),
         )
-        for place in found
+        for place in definitions(view.analysis, offset)
     ]
+    parameter = bound_parameter(view.analysis, offset)
+    for bound in bound_places(view, parameter) if parameter is not None else ():
+        span = bound.document.range(bound.start, bound.end)
+        links.append(types.LocationLink(bound.document.uri, span, span))
+    if view.client.can(capability):
+        return links
+    return [types.Location(link.target_uri, link.target_selection_range) for link in links]
 
 
 def _item(view: View, item: Any) -> types.CallHierarchyItem:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from lsprotocol import types
 
 from kindsl.lsp import tasks, uris
+from kindsl.lsp.configuration_files import configuration_problems
 from kindsl.lsp.diagnostics import diagnostics
 from kindsl.lsp.document import Document
 from kindsl.lsp.status import tell_status
@@ -21,13 +22,14 @@ class Publisher:
     Documents that the client pulls diagnostics for are left to it, lest each is shown twice.
     """
 
-    __slots__ = ("_pulled", "_server", "_shown", "_tasks")
+    __slots__ = ("_broken", "_pulled", "_server", "_shown", "_tasks")
 
     def __init__(self, server: "KindslLanguageServer") -> None:
         self._server = server
         self._tasks: dict[str, asyncio.Task[None]] = {}
         self._pulled: set[str] = set()
         self._shown: set[str] = set()
+        self._broken: set[str] = set()
         server.documents.on_open.append(lambda document: self.schedule(document, 0.0))
         server.documents.on_change.append(self._changed)
         server.documents.on_close.append(self._close)
@@ -70,12 +72,33 @@ class Publisher:
     async def _publish_later(self, document: Document, delay: float) -> None:
         if delay:
             await asyncio.sleep(delay)
+        if document.is_toml:
+            await self._publish_configuration(document)
+            return
         findings = await self._server.analyses.findings(document, Urgency.DIAGNOSTICS)
         if self._server.documents.is_current(document):
             if uris.key(document.uri) not in self._pulled:
                 shown = diagnostics(document, findings, self._server.client)
                 self._publish(document.uri, document.version, shown)
+            self._publish_broken_files()
             await tell_status(self._server, document, findings)
+            await self._server.previews.update(document)
+
+    async def _publish_configuration(self, document: Document) -> None:
+        """Publish what is wrong with a configuration file as it is in the editor."""
+        problems = configuration_problems
+        shown = await self._server.worker.run(lambda: problems(document), Urgency.DIAGNOSTICS)
+        if self._server.documents.is_current(document):
+            self._publish(document.uri, document.version, shown)
+
+    def _publish_broken_files(self) -> None:
+        """Publish what is wrong with configuration files that no editor shows."""
+        broken = {uris.uri(path) for path in self._server.settings.broken}
+        for uri in broken ^ self._broken:
+            document = self._server.documents.get(uri)
+            if document is not None and document.version is None:
+                self._publish(uri, None, configuration_problems(document))
+        self._broken = broken
 
     def _publish(self, uri: str, version: int | None, diagnostics: list[types.Diagnostic]) -> None:
         (self._shown.add if diagnostics else self._shown.discard)(uris.key(uri))

@@ -1,9 +1,8 @@
 """Renaming, in the document and in the project's configuration."""
 
-from typing import Any
-
 from lsprotocol import types
 
+from kindsl.lsp.configuration_files import bound_places, rename_binding
 from kindsl.lsp.edits import text_edits, workspace_edit
 from kindsl.lsp.errors import RequestFailed
 from kindsl.lsp.handlers import Handlers
@@ -31,6 +30,9 @@ def rename(view: View, params: types.RenameParams) -> types.WorkspaceEdit | None
     found = rename(view.analysis, view.offset(params.position), params.new_name)
     if isinstance(found, Refusal):
         raise RequestFailed(found.message)
-    edits: list[tuple[Any, list[types.TextEdit]]]
     edits = [(view.document, text_edits(view.document, found.edits))]
+    if found.bound_parameter is not None:
+        for place in bound_places(view, found.bound_parameter):
+            binding = rename_binding(place, params.new_name)
+            edits.append((place.document, text_edits(place.document, [binding])))
     return workspace_edit(view.client, edits)

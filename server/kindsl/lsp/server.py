@@ -10,12 +10,14 @@ from pygls.lsp.server import LanguageServer
 import kindsl
 from kindsl.lsp import (
     actions,
+    commands,
     configuration,
     diagnostics,
     formatting,
     highlighting,
     lifecycle,
     navigation,
+    presentation,
     renaming,
     structure,
 )
@@ -23,6 +25,7 @@ from kindsl.lsp.analyses import Analyses
 from kindsl.lsp.client import Client
 from kindsl.lsp.document import Document
 from kindsl.lsp.documents import Documents
+from kindsl.lsp.previews import Previews
 from kindsl.lsp.protocol import KindslProtocol
 from kindsl.lsp.publishing import Publisher
 from kindsl.lsp.view import View
@@ -45,6 +48,8 @@ _HANDLERS: "tuple[Handlers, ...]" = (
     renaming.handlers,
     formatting.handlers,
     actions.handlers,
+    presentation.handlers,
+    commands.handlers,
 )
 
 
@@ -58,6 +63,7 @@ class KindslLanguageServer(LanguageServer):
         settings: The folders and their settings.
         analyses: What is known about each version of a document.
         publisher: Pushes diagnostics.
+        previews: The live previews.
         tokens: The semantic tokens that the client knows.
         on_parent_known: Called with the id of the process that started the server, if it says so.
     """
@@ -73,6 +79,7 @@ class KindslLanguageServer(LanguageServer):
         self.publisher = Publisher(self)
         self.tokens = highlighting.TokenMemory()
         self.documents.on_close.append(self.tokens.forget)
+        self.previews = Previews(self)
         self.loop: asyncio.AbstractEventLoop
         self.on_parent_known: Callable[[int | None], None] = lambda _: None
         super().__init__(
@@ -116,3 +123,4 @@ class KindslLanguageServer(LanguageServer):
 
     async def close(self) -> None:
         """Stop what runs beside the message loop."""
+        await self.previews.stop()

@@ -19,7 +19,7 @@ async def tell_status(
     server: "KindslLanguageServer", document: Document, findings: "tuple[Diagnostic, ...]"
 ) -> None:
     """Send a status to a client that listens to it."""
-    if server.client.wants_status:
+    if server.client.announces(METHOD):
         analysis = await server.analyses.of(document)
         status = await server.worker.run(lambda: _status(analysis), Urgency.DIAGNOSTICS)
         found = {"uri": document.uri, "findings": len(findings)}

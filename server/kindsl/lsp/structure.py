@@ -1,9 +1,10 @@
 """The shape of a document: outline, folds, growing selections, links."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types
 
+from kindsl.lsp.configuration_files import configuration_links
 from kindsl.lsp.diagnostics import open_and_closed
 from kindsl.lsp.handlers import Handlers
 from kindsl.lsp.progress import Progress
@@ -108,9 +109,16 @@ def linked_editing(
     return types.LinkedEditingRanges([view.range(*span) for span in found]) if found else None
 
 
-@handlers.document(types.TEXT_DOCUMENT_DOCUMENT_LINK, types.DocumentLinkOptions())
-def links(view: View, _: types.DocumentLinkParams) -> list[types.DocumentLink]:
-    """Find addresses in comments."""
+@handlers.server(types.TEXT_DOCUMENT_DOCUMENT_LINK, types.DocumentLinkOptions())
+def links(server: "KindslLanguageServer", params: types.DocumentLinkParams) -> Any:
+    """Find addresses in comments, and documents that a configuration file names."""
+    document = server.documents.get(params.text_document.uri)
+    if document is not None and document.is_toml:
+        return configuration_links(document)
+    return server.ask(_links, params.text_document.uri, params)
+
+
+def _links(view: View, _: types.DocumentLinkParams) -> list[types.DocumentLink]:
     from kindsl.features.document_links import document_links
 
     return [

@@ -1,5 +1,6 @@
 """What a handler sees: one version of a document, what is known about it, and the settings."""
 
+import re
 from typing import TYPE_CHECKING
 
 from lsprotocol import types
@@ -9,7 +10,11 @@ from kindsl.lsp.document import Document
 
 if TYPE_CHECKING:
     from kindsl.lsp.server import KindslLanguageServer
+    from kindsl.lsp.settings import EditorSettings
     from kindsl.rules.analysis import Analysis
+
+
+_MARKS = re.compile(r"\*\*|`|\\(?=[^\w\s])")
 
 
 class View:
@@ -39,6 +44,26 @@ class View:
         """What the editor can do."""
         return self.server.client
 
+    @property
+    def editor_settings(self) -> "EditorSettings":
+        """What the user decided in the editor."""
+        return self.server.settings.editor_settings(self.document.uri)
+
+    def markup(self, markdown: str, capability: str) -> types.MarkupContent:
+        """Return a text as Markdown, or plain to a client that lists other formats only."""
+        formats = self.client.values(capability)
+        is_known = not formats or types.MarkupKind.Markdown in formats
+        kind = types.MarkupKind.Markdown if is_known else types.MarkupKind.PlainText
+        return types.MarkupContent(kind, markdown if is_known else plain(markdown))
+
+    def follow_cursor(self, position: types.Position) -> None:
+        """Light up in the preview what the cursor is on."""
+        from kindsl.features.symbol_at import symbol_at
+
+        symbol = symbol_at(self.analysis, self.offset(position))
+        kind, name = (symbol.entity.kind, symbol.entity.name) if symbol else ("", "")
+        self.server.previews.highlight(self.document.uri, kind, name)
+
     def show_warning(self, message: str) -> None:
         """Tell the user why something that they asked for was not done."""
         self.server.show_warning(message)
@@ -50,3 +75,8 @@ class View:
     def range(self, start: int, end: int) -> types.Range:
         """Return the client's range of a stretch of code points."""
         return self.document.range(start, end)
+
+
+def plain(markdown: str) -> str:
+    """Return Markdown without its marks."""
+    return _MARKS.sub("", markdown)

@@ -6,6 +6,7 @@ One job a module, so that a first question waits for one import at most.
 import logging
 import pkgutil
 from collections.abc import Iterator
+from functools import partial
 from importlib import import_module
 
 from kindsl.lsp.worker import Urgency, Worker
@@ -19,10 +20,10 @@ _LATER = ("kindsl.formatting.format", "numpy", "kindsl.mechanism.build")
 def warm_up(worker: Worker) -> None:
     """Queue the imports: first what any answer needs, the rest when nobody waits."""
     for module in _FIRST:
-        worker.submit(lambda module=module: _load(module))
+        worker.submit(partial(_load, module))
     worker.submit(_load_rules, Urgency.DIAGNOSTICS)
     for module in (*_features(), *_LATER):
-        worker.submit(lambda module=module: _load(module), Urgency.BACKGROUND)
+        worker.submit(partial(_load, module), Urgency.BACKGROUND)
 
 
 def _load(module: str) -> None:

@@ -13,7 +13,7 @@ from lsprotocol import types
 from kindsl.lsp import uris
 
 if TYPE_CHECKING:
-    from kindsl.config.configuration import ConfigurationProblem
+    from kindsl.config.configuration import Configuration, ConfigurationProblem
     from kindsl.config.discovery import Configurations
     from kindsl.lsp.document import Document
     from kindsl.lsp.settings import EditorSettings
@@ -83,6 +83,10 @@ class Workspace:
             project.merged[key] = merged(project.settings(place), editor)
         return project.merged[key]
 
+    def configuration_file(self, document: "Document") -> Path | None:
+        """Return the file that decides for a document besides the editor, if it is valid."""
+        return self._project.file(uris.path(document.uri))
+
     @property
     def broken(self) -> "dict[Path, tuple[ConfigurationProblem, ...]]":
         """What is wrong with configuration files that were read."""
@@ -125,19 +129,28 @@ class _Project:
 
     def settings(self, document: Path | None) -> "Settings":
         """Return what the nearest `kindsl.toml` says; nothing, if it says something wrong."""
-        from kindsl.config.configuration import ConfigurationError
-        from kindsl.config.discovery import Configurations
         from kindsl.rules.settings import Settings
 
         if document is None:
             return Settings()
+        found = self._above(document)
+        return Settings() if found is None else found.settings_for(str(document))
+
+    def file(self, document: Path | None) -> Path | None:
+        """Return the nearest configuration file above a document, if it is valid."""
+        found = self._above(document) if document is not None else None
+        return Path(found.path).absolute() if found is not None else None
+
+    def _above(self, document: Path) -> "Configuration | None":
+        from kindsl.config.configuration import ConfigurationError
+        from kindsl.config.discovery import Configurations
+
         self._configurations = self._configurations or Configurations()
         try:
-            found = self._configurations.above(str(document))
+            return self._configurations.above(str(document))
         except ConfigurationError as error:
             self.broken[Path(error.problems[0].path).absolute()] = error.problems
-            return Settings()
-        return Settings() if found is None else found.settings_for(str(document))
+            return None
 
 
 def _is_below(key: str, folder: str) -> bool:
