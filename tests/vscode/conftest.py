@@ -6,7 +6,6 @@ from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser
-
 from tests.vscode import browser as browser_module
 from tests.vscode import code_server
 from tests.vscode.code_server import CodeServer

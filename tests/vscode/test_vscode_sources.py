@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-
 from tests.vscode.code_server import EXTENSION, ROOT
 
 GRAMMAR = ROOT / "grammar"

@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import Any
 
 from playwright.sync_api import Frame, Locator, Page, expect
-
 from tests.vscode.code_server import ROOT, CodeServer
 
 SHOTS = ROOT / "artifacts" / "vscode"
@@ -41,12 +40,8 @@ class Workbench:
         path = self.folder / name
         if text is not None:
             path.write_text(text, encoding="utf-8")
-        quick_input = self.page.locator(".quick-input-widget input")
-        self.press("Control+p")
-        quick_input.fill(name)
-        row = self.page.locator(".quick-input-list .monaco-list-row", has_text=name).first
-        row.wait_for()
-        row.click()
+        self.run("File: Open File...")
+        self.page.locator(".quick-input-list .monaco-list-row", has_text=name).first.click()
         self.active_tab(name).wait_for()
         self.page.wait_for_selector(".editor-instance .view-line")
         return path

@@ -7,12 +7,16 @@ an old pygls there cannot break the server; with fromEnvironment they only fill 
 meshcat are not bundled and always come from the environment.
 """
 
+# Without pathlib, whose import would delay the start.
+# ruff: noqa: PTH100, PTH118, PTH120
+
 import os
 import runpy
 import sys
 
 
 def main():
+    """Rearrange the module path and run the subcommand."""
     strategy = sys.argv[1]
     extension = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
     libraries = os.path.join(extension, "bundled", "libs")

@@ -8,6 +8,7 @@ import sys
 
 
 def is_installed(name):
+    """Whether a module can be found, without importing it."""
     try:
         from importlib.util import find_spec
     except ImportError:
@@ -16,6 +17,7 @@ def is_installed(name):
 
 
 def main():
+    """Print the answer."""
     # The folder of this file, which Python put there, must not hide an installed package.
     del sys.path[0]
     answer = {

@@ -63,9 +63,8 @@ function clientOptions(log: vscode.LogOutputChannel, hooks: ClientHooks): Langua
     outputChannel: log,
     traceOutputChannel: log,
     revealOutputChannelOn: RevealOutputChannelOn.Never,
-    initializationOptions: { settings: vscode.workspace.getConfiguration("kindsl") },
+    initializationOptions: { settings: vscode.workspace.getConfiguration("kindsl"), status: true },
     initializationFailedHandler: () => false,
-    synchronize: { configurationSection: "kindsl" },
     errorHandler: errorHandler(hooks),
     middleware: middleware(hooks),
   };

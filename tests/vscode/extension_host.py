@@ -1,0 +1,98 @@
+"""Runs test modules inside the extension host of a real VS Code."""
+
+import json
+import re
+import sys
+import venv
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from playwright.sync_api import Browser
+from tests.vscode.code_server import CodeServer
+
+HOST = Path(__file__).parent / "host"
+TIMEOUT = 180_000
+
+OLD_PYTHON = """#!/bin/sh
+echo '{"executable": "python3", "version": [3, 8, 10], "missing": []}'
+"""
+OLD_PYGLS = """__version__ = "0.13.1"
+"""
+
+
+@dataclass(slots=True)
+class Outcome:
+    """What a run in the extension host said."""
+
+    code: int | None = None
+    log: list[str] = field(default_factory=list)
+
+    def __str__(self) -> str:
+        results = [line for line in self.log if "TEST " in line]
+        return "\n".join(results or self.log)
+
+
+def run_suite(
+    browser: Browser,
+    server: CodeServer,
+    folder: Path,
+    suite: str,
+    others: Sequence[Path] = (),
+) -> Outcome:
+    """Run `host/SUITE.js` in a window on a folder.
+
+    Args:
+        others: Folders of further extensions, taken as they are.
+    """
+    outcome = Outcome()
+    page = browser.new_page()
+    page.expose_function(
+        "codeAutomationLog", lambda kind, arguments: outcome.log.append(_line(kind, arguments))
+    )
+    page.expose_function("codeAutomationExit", lambda code, logs: _finish(outcome, code))
+    payload = [
+        *(("extensionDevelopmentPath", server.remote(path)) for path in (HOST, *others)),
+        ("extensionTestsPath", server.remote(HOST / f"{suite}.js")),
+        ("skipWelcome", "true"),
+    ]
+    page.goto(server.url(folder, payload))
+    waited = 0
+    while outcome.code is None and waited < TIMEOUT:
+        page.wait_for_timeout(100)
+        waited += 100
+    if outcome.code is None:
+        page.screenshot(path=f"artifacts/vscode/{suite}-timeout.png")
+    page.close()
+    return outcome
+
+
+def write_interpreters(folder: Path, work: Path) -> None:
+    """Make interpreters good and bad, and tell the tests in the folder where they are."""
+    bare = _environment(work / "bare")
+    spoilt = _environment(work / "spoilt")
+    packages = next((work / "spoilt").glob("lib/python*/site-packages"))
+    for name in ("pygls", "lsprotocol", "cattrs"):
+        (packages / name).mkdir()
+        (packages / name / "__init__.py").write_text(OLD_PYGLS)
+    old = work / "old-python"
+    old.write_text(OLD_PYTHON)
+    old.chmod(0o755)
+    stub = Path(__file__).parent / "stub_server.py"
+    places = {"good": sys.executable, "bare": bare, "spoilt": spoilt, "old": old, "stub": stub}
+    text = json.dumps({name: str(path) for name, path in places.items()})
+    (folder / "interpreters.json").write_text(text)
+
+
+def _environment(folder: Path) -> Path:
+    venv.create(folder, with_pip=False, symlinks=True)
+    return folder / "bin" / "python"
+
+
+def _line(kind: str, arguments: object) -> str:
+    parts = arguments if isinstance(arguments, list) else [arguments]
+    return re.sub(r"color: \w*", "", " ".join([f"[{kind}]", *map(str, parts)]))
+
+
+def _finish(outcome: Outcome, code: int) -> None:
+    outcome.code = code

@@ -1,0 +1,96 @@
+// What becomes of a missing, bare, old or spoilt Python, and of a server that ends by itself.
+"use strict";
+const assert = require("node:assert/strict");
+const vscode = require("vscode");
+const { runAll, eventually, settledApi, open, readJson, messages, codes, configure } = require("./harness");
+
+exports.run = async () => {
+  const places = await readJson("interpreters.json");
+  const { uri } = await open("broken.kindsl");
+  const api = await settledApi();
+
+  /** The problems that a change of a setting brings. */
+  const problemsOf = async (change) => {
+    const before = api.problems.length;
+    await change();
+    return api.problems.slice(before);
+  };
+
+  await runAll({
+    "no Python: one message that names what was tried": async () => {
+      const problems = await problemsOf(() => configure("interpreter", ["/nowhere/python3"]));
+      assert.equal(await api.settled(), "failed");
+      assert.deepEqual(problems, [{ kind: "noPython", rejected: ["/nowhere/python3: not found"] }]);
+    },
+
+    "no Python: the document is still one of the language": async () => {
+      assert.equal((await vscode.workspace.openTextDocument(uri)).languageId, "kinematics-dsl");
+    },
+
+    "an old Python is told from none": async () => {
+      const problems = await problemsOf(() => configure("interpreter", [places.old]));
+      assert.equal(problems.length, 1);
+      assert.match(problems[0].rejected[0], /Python 3\.8\.10 is too old$/);
+    },
+
+    "Python without NumPy: one message, and the findings come": async () => {
+      const problems = await problemsOf(() => configure("interpreter", [places.bare]));
+      assert.equal(await api.settled(), "running");
+      assert.deepEqual(problems.map(({ kind }) => kind), ["noNumpy"]);
+      assert.deepEqual(problems[0].interpreter.missing, ["numpy", "meshcat", "tornado"]);
+      await eventually(() => codes(uri).includes("KD106"), "KD106");
+    },
+
+    "Python without NumPy: completion works": async () => {
+      const place = new vscode.Position(1, 4);
+      const list = await vscode.commands.executeCommand("vscode.executeCompletionItemProvider", uri, place);
+      assert.ok(list.items.length > 0);
+    },
+
+    "an old pygls in the environment does not win": async () => {
+      await configure("interpreter", [places.spoilt]);
+      assert.equal(await api.settled(), "running");
+      await eventually(() => codes(uri).includes("KD106"), "KD106");
+    },
+
+    "an old pygls that is asked for is reported once": async () => {
+      const problems = await problemsOf(() => configure("importStrategy", "fromEnvironment"));
+      assert.equal(await api.settled(), "failed");
+      assert.deepEqual(problems.map(({ kind }) => kind), ["startFailed"]);
+      await configure("importStrategy", undefined);
+    },
+
+    "libraries of a good environment may be asked for": async () => {
+      await configure("interpreter", [places.good]);
+      await configure("importStrategy", "fromEnvironment");
+      assert.equal(await api.settled(), "running");
+      await configure("importStrategy", undefined);
+    },
+
+    "a server of one's own": async () => {
+      await configure("path", [places.good, places.stub]);
+      assert.equal(await api.settled(), "running");
+      assert.equal(api.interpreter(), undefined);
+      await eventually(() => codes(uri).includes("STUB"), "a finding of the stub");
+    },
+
+    "a server that ends by itself is started again": async () => {
+      const problems = await problemsOf(async () => {
+        const first = messages(uri);
+        await vscode.commands.executeCommand("stub.crash").then(undefined, () => undefined);
+        await eventually(() => messages(uri) !== first, "a finding of another process");
+      });
+      assert.deepEqual(problems, []);
+    },
+
+    "a server that ends again and again is left alone, with one message": async () => {
+      const problems = await problemsOf(async () => {
+        await configure("path", [places.good, places.stub, "--crash-when-initialized"]);
+        await eventually(async () => (await api.settled()) === "failed", "giving up");
+      });
+      assert.equal(problems.length, 1);
+      await configure("path", undefined);
+      assert.equal(await api.settled(), "running");
+    },
+  });
+};

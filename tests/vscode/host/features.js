@@ -1,0 +1,99 @@
+// The extension in its host: activation, settings, commands, tasks.
+"use strict";
+const assert = require("node:assert/strict");
+const vscode = require("vscode");
+const { runAll, eventually, extension, settledApi, fileUri, open, codes, configure } = require("./harness");
+
+const BROKEN = "broken.kindsl";
+
+exports.run = () =>
+  runAll({
+    "sleeps until there is a document": () => {
+      assert.equal(extension().isActive, false);
+    },
+
+    "a document of the language wakes it": async () => {
+      const document = await open("arm.kindsl");
+      assert.equal(document.languageId, "kinematics-dsl");
+      await eventually(() => extension().isActive, "activation");
+      const api = await settledApi();
+      assert.equal(await api.settled(), "running");
+      assert.deepEqual(api.problems, []);
+    },
+
+    "runs in the configured interpreter": async () => {
+      const configured = vscode.workspace.getConfiguration("kindsl").get("interpreter");
+      assert.deepEqual((await settledApi()).interpreter(), configured);
+    },
+
+    "all its commands are there": async () => {
+      const known = new Set(await vscode.commands.getCommands(true));
+      const promised = extension().packageJSON.contributes.commands.map(({ command }) => command);
+      assert.deepEqual(promised.filter((command) => !known.has(command)), []);
+    },
+
+    "the server's findings arrive": async () => {
+      const { uri } = await open(BROKEN);
+      await eventually(() => codes(uri).includes("KD106"), "KD106");
+    },
+
+    "a clean document has no errors": async () => {
+      const { uri } = await open("arm.kindsl");
+      await eventually(async () => (await symbols(uri)).length > 0, "an outline");
+      const errors = vscode.languages.getDiagnostics(uri).filter(({ severity }) => severity === 0);
+      assert.deepEqual(errors, []);
+    },
+
+    "a setting of the language takes effect without a restart": async () => {
+      const { uri } = await open(BROKEN);
+      await configure("ignore", ["KD106"]);
+      await eventually(() => codes(uri).length > 0 && !codes(uri).includes("KD106"), "KD106 gone");
+      await configure("ignore", undefined);
+      await eventually(() => codes(uri).includes("KD106"), "KD106 back");
+    },
+
+    "a restart brings the findings back": async () => {
+      const { uri } = await open(BROKEN);
+      await vscode.commands.executeCommand("kindsl.restart");
+      assert.equal(await (await settledApi()).settled(), "running");
+      await eventually(() => codes(uri).includes("KD106"), "KD106");
+    },
+
+    "two restarts at once leave one server": async () => {
+      const restart = () => vscode.commands.executeCommand("kindsl.restart");
+      await Promise.all([restart(), restart(), restart()]);
+      assert.equal(await (await settledApi()).settled(), "running");
+    },
+
+    "an untitled document is served": async () => {
+      await vscode.commands.executeCommand("kindsl.newFile");
+      const { document } = vscode.window.activeTextEditor;
+      assert.equal(document.uri.scheme, "untitled");
+      assert.equal(document.languageId, "kinematics-dsl");
+      const edit = new vscode.WorkspaceEdit();
+      edit.insert(document.uri, new vscode.Position(0, 0), "Robot r { RobotBase b { } nonsense }");
+      await vscode.workspace.applyEdit(edit);
+      await eventually(() => codes(document.uri).length > 0, "findings in the untitled document");
+    },
+
+    "a closed document keeps no findings": async () => {
+      const { uri } = await open(BROKEN);
+      await eventually(() => codes(uri).length > 0, "findings");
+      await vscode.commands.executeCommand("workbench.action.closeActiveEditor");
+      await eventually(() => codes(uri).length === 0, "no findings");
+    },
+
+    "the linter's task reports through its problem matcher": async () => {
+      await vscode.commands.executeCommand("workbench.action.closeAllEditors");
+      const [task] = await vscode.tasks.fetchTasks({ type: "kindsl" });
+      assert.ok(task, "a task");
+      const ended = new Promise((resolve) => vscode.tasks.onDidEndTaskProcess(({ exitCode }) => resolve(exitCode)));
+      await vscode.tasks.executeTask(task);
+      assert.equal(await ended, 1);
+      await eventually(() => codes(fileUri(BROKEN)).includes("KD106"), "a problem of the task");
+    },
+  });
+
+async function symbols(uri) {
+  return (await vscode.commands.executeCommand("vscode.executeDocumentSymbolProvider", uri)) ?? [];
+}

@@ -1,0 +1,80 @@
+// The least of a test runner: named tests in order, and waiting for what comes about.
+"use strict";
+const vscode = require("vscode");
+
+const TIMEOUT = 30_000;
+
+/** Run the tests in order; reject with the names of those that fail. */
+async function runAll(tests) {
+  const failed = [];
+  for (const [name, test] of Object.entries(tests)) {
+    try {
+      await test();
+      console.log(`TEST ok: ${name}`);
+    } catch (error) {
+      failed.push(name);
+      console.log(`TEST FAILED: ${name}: ${error.stack ?? error}`);
+    }
+  }
+  if (failed.length > 0) throw new Error(`failed: ${failed.join("; ")}`);
+}
+
+/** Return what `see` gives once it is truthy. */
+async function eventually(see, what) {
+  const deadline = Date.now() + TIMEOUT;
+  for (;;) {
+    const seen = await see();
+    if (seen) return seen;
+    if (Date.now() > deadline) throw new Error(`not seen: ${what}`);
+    await new Promise((resolve) => setTimeout(resolve, 50));
+  }
+}
+
+function extension() {
+  const found = vscode.extensions.getExtension("kindsl.kindsl");
+  if (found === undefined) throw new Error("the extension is not installed");
+  return found;
+}
+
+/** What the extension exports, once its server has settled. */
+async function settledApi() {
+  const api = await extension().activate();
+  await api.settled();
+  return api;
+}
+
+function fileUri(name) {
+  return vscode.Uri.joinPath(vscode.workspace.workspaceFolders[0].uri, name);
+}
+
+async function open(name) {
+  const document = await vscode.workspace.openTextDocument(fileUri(name));
+  await vscode.window.showTextDocument(document);
+  return document;
+}
+
+async function readJson(name) {
+  return JSON.parse(new TextDecoder().decode(await vscode.workspace.fs.readFile(fileUri(name))));
+}
+
+/** The messages of a document's findings, in one line. */
+function messages(uri) {
+  return vscode.languages.getDiagnostics(uri).map(({ message }) => message).join("; ");
+}
+
+function codes(uri) {
+  return vscode.languages
+    .getDiagnostics(uri)
+    .map(({ code }) => (typeof code === "object" ? code.value : code))
+    .filter(Boolean);
+}
+
+/** Change a setting of the user's and wait until the server has settled again. */
+async function configure(key, value) {
+  const configuration = vscode.workspace.getConfiguration("kindsl");
+  await configuration.update(key, value, vscode.ConfigurationTarget.Global);
+  await new Promise((resolve) => setTimeout(resolve, 200));
+  return settledApi();
+}
+
+module.exports = { runAll, eventually, extension, settledApi, fileUri, open, readJson, messages, codes, configure };

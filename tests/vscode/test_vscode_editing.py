@@ -1,0 +1,155 @@
+"""What a user sees and does in a document, in a real VS Code."""
+
+import re
+
+from playwright.sync_api import expect
+from tests.vscode import models
+from tests.vscode.workbench import Workbench
+
+
+def test_findings_are_underlined_and_listed(workbench: Workbench) -> None:
+    workbench.open("listed.kindsl", models.BROKEN)
+    expect(workbench.squiggles("error")).to_have_count(2)
+    row = workbench.problems().filter(has_text="KD106")
+    expect(row).to_contain_text("elbov")
+    expect(row).to_contain_text("Ln 12")
+    workbench.screenshot("problems")
+    workbench.run("View: Toggle Panel Visibility")
+
+
+def test_hover_tells_about_a_link(workbench: Workbench) -> None:
+    path = workbench.open("hover.kindsl", models.ARM)
+    workbench.go_to("lower via", path)
+    expect(workbench.hover()).to_contain_text("lower")
+    workbench.screenshot("hover")
+    workbench.press("Escape")
+
+
+def test_completion_offers_what_fits_the_place(workbench: Workbench) -> None:
+    text = models.ARM.replace("        children { }\n", "        children {\n        }\n")
+    path = workbench.open("completion.kindsl", text)
+    workbench.go_to("children {\n        }", path, len("children {"))
+    workbench.press("Enter")
+    workbench.press("Control+Space")
+    expect(workbench.suggestions().first).to_be_visible()
+    workbench.screenshot("completion")
+    workbench.press("Escape")
+    workbench.save()
+
+
+def test_a_snippet_writes_a_section(workbench: Workbench) -> None:
+    path = workbench.open("snippet.kindsl", models.ARM)
+    workbench.go_to("    r_joint shoulder", path)
+    workbench.type("p_joi")
+    workbench.suggestions().filter(has_text="p_joint").first.click()
+    workbench.press("Escape")
+    assert re.search(r"p_joint \w+ \{\s+ref_frame \{", workbench.text_of(path))
+
+
+def test_rename_reaches_every_place(workbench: Workbench) -> None:
+    path = workbench.open("rename.kindsl", models.ARM)
+    workbench.go_to("elbow {", path)
+    workbench.press("F2")
+    field = workbench.page.locator(".rename-box input")
+    expect(field).to_have_value("elbow")
+    field.fill("knee")
+    workbench.press("Enter")
+    expect(workbench.page.locator(".tab.active.dirty")).to_have_count(1)
+    assert workbench.text_of(path) == models.ARM.replace("elbow", "knee")
+
+
+def test_format_lays_the_document_out(workbench: Workbench) -> None:
+    crooked = models.ARM.replace("            mass = 2.0", "  mass=2.0").replace("{ }", "{}")
+    path = workbench.open("format.kindsl", crooked)
+    workbench.run("Format Document")
+    expect(workbench.page.locator(".tab.active.dirty")).to_have_count(1)
+    formatted = workbench.text_of(path)
+    assert "            mass = 2.0\n" in formatted
+    assert formatted.split() != crooked.split()
+
+
+def test_format_leaves_alone_what_does_not_parse(workbench: Workbench) -> None:
+    broken = models.ARM.replace("CoM = (0.2, 0.0, 0.0)", "CoM = (0.2, 0.0,")
+    path = workbench.open("unformatted.kindsl", broken)
+    expect(workbench.squiggles("error").first).to_be_visible()
+    workbench.run("Format Document")
+    workbench.page.wait_for_timeout(1000)
+    assert workbench.text_of(path) == broken
+
+
+def test_a_quick_fix_mends_the_place(workbench: Workbench) -> None:
+    path = workbench.open("fix.kindsl", models.BROKEN)
+    expect(workbench.squiggles("error")).to_have_count(2)
+    workbench.go_to("elbov", path, 1)
+    workbench.press("Control+.")
+    action = workbench.page.locator(".action-widget .monaco-list-row").filter(has_text="elbow")
+    action.first.wait_for()
+    workbench.screenshot("quick-fix")
+    action.first.click()
+    expect(workbench.squiggles("error")).to_have_count(1)
+    assert "lower via elbow" in workbench.text_of(path)
+
+
+def test_colours_come_from_the_meaning(workbench: Workbench) -> None:
+    path = workbench.open("colours.kindsl", models.ARM)
+    workbench.go_to("upper via", path)
+    workbench.run("Developer: Inspect Editor Tokens and Scopes")
+    inspection = workbench.page.locator(".token-inspect-widget")
+    expect(inspection).to_contain_text("semantic token type")
+    expect(inspection).to_contain_text("class")
+    expect(inspection).to_contain_text("entity.name.type.link.kindsl")
+    workbench.press("Escape")
+
+
+def test_inlay_hints_stand_beside_values(workbench: Workbench) -> None:
+    path = workbench.open("hints.kindsl", models.ARM)
+    workbench.go_to("r_joint elbow", path)
+    written = set(re.sub(r"\s", "", models.ARM))
+    shown = workbench.eventually(
+        lambda: [line for line in workbench.lines() if set(re.sub(r"\s", "", line)) - written],
+        "an inlay hint",
+    )
+    assert shown
+    workbench.screenshot("inlay-hints")
+
+
+def test_the_outline_is_the_kinematic_tree(workbench: Workbench) -> None:
+    workbench.open("outline.kindsl", models.ARM)
+    workbench.run("Explorer: Focus on Outline View")
+    rows = workbench.page.locator(".outline-pane .monaco-list-row")
+    levels = {"pedestal": "1", "upper": "2", "lower": "3", "tip": "4"}
+    for name, level in levels.items():
+        row = rows.filter(has=workbench.page.locator(f'.label-name:text-is("{name}")'))
+        expect(row).to_have_attribute("aria-level", level)
+    workbench.screenshot("outline")
+
+
+def test_the_tree_view_leads_to_the_source(workbench: Workbench) -> None:
+    path = workbench.open("tree.kindsl", models.ARM)
+    workbench.run("Explorer: Focus on Kinematic Tree View")
+    row = workbench.page.get_by_role("treeitem").filter(has_text="lower").last
+    row.click()
+    line = path.read_text().partition("link lower")[0].count("\n") + 1
+    workbench.expect_cursor(line)
+    workbench.screenshot("kinematic-tree")
+
+
+def test_the_status_bar_counts_the_degrees_of_freedom(workbench: Workbench) -> None:
+    workbench.open("status.kindsl", models.ARM)
+    expect(workbench.status("2 dof")).to_be_visible()
+
+
+def test_findings_come_back_after_a_restart(workbench: Workbench) -> None:
+    workbench.open("restart.kindsl", models.BROKEN)
+    expect(workbench.squiggles("error")).to_have_count(2)
+    workbench.run("Kinematics-DSL: Restart Server")
+    expect(workbench.squiggles("error")).to_have_count(2)
+    expect(workbench.notifications()).to_have_count(0)
+
+
+def test_an_untitled_document_is_checked(workbench: Workbench) -> None:
+    workbench.run("Kinematics-DSL: New Robot")
+    workbench.page.locator(".tab.active", has_text="Untitled").wait_for()
+    workbench.type("Robot r {\nnonsense\n")
+    expect(workbench.squiggles("error").first).to_be_visible()
+    workbench.screenshot("untitled")

@@ -1,0 +1,29 @@
+"""The extension, installed from its package, tested from inside the extension host."""
+
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser
+from tests.vscode import models
+from tests.vscode.code_server import CodeServer
+from tests.vscode.extension_host import run_suite, write_interpreters
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    robots = tmp_path / "robots"
+    robots.mkdir()
+    (robots / "arm.kindsl").write_text(models.ARM)
+    (robots / "broken.kindsl").write_text(models.BROKEN)
+    return robots
+
+
+def test_features(browser: Browser, server: CodeServer, folder: Path) -> None:
+    outcome = run_suite(browser, server, folder, "features")
+    assert outcome.code == 0, str(outcome)
+
+
+def test_discovery(browser: Browser, server: CodeServer, folder: Path, tmp_path: Path) -> None:
+    write_interpreters(folder, tmp_path)
+    outcome = run_suite(browser, server, folder, "discovery")
+    assert outcome.code == 0, str(outcome)
