@@ -1,9 +1,7 @@
 """A robot description as a document of the Kinematics-DSL."""
 
 from collections.abc import Iterable, Sequence
-from math import asin, atan2, pi
-
-import numpy as np
+from math import atan2, cos, pi, sin
 
 from kindsl.interchange.names import valid_name, valid_names
 from kindsl.interchange.robot_description import (
@@ -32,12 +30,16 @@ def kindsl_text(robot: RobotDescription) -> str:
 
 
 def intrinsic_xyz(R: Array) -> tuple[float, float, float]:
-    """Return `(rx, ry, rz)` with `R = Rx @ Ry @ Rz`, radians."""
-    sin_y = min(1.0, max(-1.0, float(R[0, 2])))
-    cos_y = float(np.hypot(R[0, 0], R[0, 1]))
-    if cos_y > 1e-9:
-        return atan2(-R[1, 2], R[2, 2]), atan2(sin_y, cos_y), atan2(-R[0, 1], R[0, 0])
-    return atan2(R[2, 1], R[1, 1]), asin(sin_y), 0.0
+    """Return `(rx, ry, rz)` with `R = Rx @ Ry @ Rz`, radians.
+
+    rx is ill-defined near ry = +-pi/2; the other two are read off what rx leaves, so that the
+    product is R all the same.
+    """
+    rx = atan2(-R[1, 2], R[2, 2])
+    cos_x, sin_x = cos(rx), sin(rx)
+    row_y = cos_x * R[1] + sin_x * R[2]
+    z_z = cos_x * R[2, 2] - sin_x * R[1, 2]
+    return rx, atan2(R[0, 2], z_z), atan2(row_y[0], row_y[1])
 
 
 def _things(links: Sequence[DescribedLink]) -> Iterable[tuple[str, str]]:

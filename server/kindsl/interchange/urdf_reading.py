@@ -65,6 +65,8 @@ def read_urdf(path: Path, *, floating: bool = False) -> UrdfRobot:
     if len(floats) == 1 and len(children[root]) == 1:
         root, floating = floats[0].child, True
     bodies = _bodies(robot, root, children)
+    if len(bodies) == 1:
+        raise UrdfError("the URDF has no joint that moves, and a document needs one")
     links = tuple(_described(body) for body in bodies)
     remarks = tuple(_remarks(robot, bodies))
     return UrdfRobot(RobotDescription(robot.name or path.stem, floating, links), remarks)

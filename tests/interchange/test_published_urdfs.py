@@ -1,0 +1,66 @@
+"""Robots that others publish: converted, they move and weigh as pinocchio reads the original."""
+
+from importlib.metadata import files
+from pathlib import Path
+
+import numpy as np
+import pinocchio
+import pytest
+from tests.interchange.configurations import configuration, velocity_order
+
+import kindsl
+from kindsl.interchange.kindsl_text import kindsl_text
+from kindsl.interchange.urdf_reading import UrdfError, read_urdf
+from kindsl.rules.settings import Settings
+
+URDFS = sorted(
+    Path(str(file.locate())) for file in files("example-robot-data") or () if file.suffix == ".urdf"
+)
+# What the language has not, or no tree: each with the reason that is told.
+REFUSED = {
+    "quadrotor_base": "no joint that moves",
+    "iris_simple": "no joint that moves",
+    "ur3": "no attribute 'name'",
+}
+# The files write rotations and inertias with six digits; what differs is how they are multiplied.
+TOLERANCE = 1e-9
+
+
+def body_frame(model: pinocchio.Model, link: str) -> int:
+    return int(model.getFrameId(link, pinocchio.FrameType.BODY))
+
+
+def test_there_are_enough_of_them() -> None:
+    assert len(URDFS) >= 10
+
+
+@pytest.mark.parametrize("path", URDFS, ids=lambda path: path.stem)
+def test_converted_robot_is_the_published_one(path: Path) -> None:
+    if path.stem in REFUSED:
+        with pytest.raises(UrdfError, match=REFUSED[path.stem]):
+            read_urdf(path)
+        return
+    found = read_urdf(path)
+    document = kindsl.parse(kindsl_text(found.robot), Settings())
+    assert not [f for f in document.findings if f.code.startswith(("KD0", "KD1", "KD2"))]
+    ours = document.mechanism()
+    model = pinocchio.buildModelFromUrdf(str(path))
+    data = model.createData()
+    joints = [link.joint for link in found.robot.links[1:]]
+    chance = np.random.default_rng(len(joints))
+    values = {joint: float(chance.uniform(-0.5, 0.5)) for joint in joints}
+    q = configuration(model, values)
+    M = pinocchio.crba(model, data, q)
+    M = np.triu(M) + np.triu(M, 1).T
+    order = velocity_order(model, joints)
+    mine = ours.joint_space_inertia(list(values.values()))
+    n_base = 6 if found.robot.is_floating else 0
+    np.testing.assert_allclose(mine[n_base:, n_base:], M[np.ix_(order, order)], atol=TOLERANCE)
+    pinocchio.framesForwardKinematics(model, data, q)
+    poses = ours.forward_kinematics(list(values.values()))
+    base = data.oMf[body_frame(model, found.robot.links[0].name)].inverse()
+    for link in found.robot.links:
+        for frame in link.frames:
+            theirs = (base * data.oMf[body_frame(model, frame.name)]).homogeneous
+            names = [n for n in poses if n.lower().startswith(frame.name[:1].lower())]
+            assert any(np.allclose(poses[n], theirs, rtol=0, atol=1e-9) for n in names), frame.name
