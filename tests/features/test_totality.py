@@ -10,6 +10,7 @@ from tests.features.samples import ALL
 from kindsl.features.call_hierarchy import hierarchy_items, predecessors, successors
 from kindsl.features.code_actions import code_actions, fix_all_action
 from kindsl.features.code_lenses import code_lenses
+from kindsl.features.completion import completions
 from kindsl.features.definition import bound_parameter, definitions
 from kindsl.features.document_links import document_links
 from kindsl.features.document_symbols import document_symbols, flat_symbols
@@ -36,7 +37,7 @@ SMALL = (
 )
 AT_OFFSET = (
     symbol_at, definitions, bound_parameter, references, highlights, rename_range,
-    selection_ranges, linked_ranges, hierarchy_items, hover, signature_help,
+    selection_ranges, linked_ranges, hierarchy_items, hover, signature_help, completions,
 )  # fmt: skip
 WHOLE = (document_symbols, folds, semantic_tokens, document_links, code_lenses, fix_all_action)
 

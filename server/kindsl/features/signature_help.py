@@ -71,13 +71,13 @@ def _vector_before(island: Island, local: int) -> tuple[str, int] | None:
     before = [t for t in island.tokens[: index_after(island, local)] if t.end <= local]
     tokens = [token for token in before if not token.is_missing]
     for index in range(len(tokens) - 1, -1, -1):
-        kind = tokens[index].kind
-        if kind in _BEGINS:
+        sign = tokens[index].text
+        if sign in _BEGINS:
             return None
-        if kind == "(" and not depth and _is_vector(tokens, index):
+        if sign == "(" and not depth and _is_vector(tokens, index):
             return _word_before(tokens, index), commas
-        depth += {")": 1, "(": -1}.get(kind, 0)
-        commas += kind == "," and depth == 0
+        depth += {")": 1, "(": -1}.get(sign, 0)
+        commas += sign == "," and depth == 0
     return None
 
 
