@@ -60,9 +60,23 @@ def order_problems(islands: Sequence[Island], starts: Sequence[int]) -> tuple[Pl
     ]
     if not blocks:
         return () if any(island.problems for island in islands) else (_empty(islands),)
-    problems = [*_surplus(blocks), *_wrong_order(blocks)]
-    problems += _lacking(islands, blocks, {problem.index for problem in problems})
+    first, problems = _first_robot(blocks)
+    problems += [*_surplus(first), *_wrong_order(first)]
+    shown = islands if len(first) == len(blocks) else islands[: first[-1].index + 1]
+    problems += _lacking(shown, first, {problem.index for problem in problems})
     return tuple(sorted(problems, key=lambda p: (p.index, p.problem.start)))
+
+
+def _first_robot(blocks: Sequence[Block]) -> tuple[Sequence[Block], list[PlacedProblem]]:
+    """Return the blocks of the first robot, and the problem of a second one."""
+    heads = [i for i, block in enumerate(blocks) if block.node.kind == "head"]
+    if len(heads) < 2 or heads[1] == heads[0] + 1:
+        return blocks, []
+    second = blocks[heads[1]]
+    name = second.node.children[1]
+    message = f"second {title_of(second.node)} in one document"
+    problem = Problem("KD009", message, second.node.start, name.end)
+    return blocks[: heads[1]], [_placed(second, problem)]
 
 
 def _empty(islands: Sequence[Island]) -> PlacedProblem:
@@ -115,7 +129,8 @@ def _wrong_order(blocks: Sequence[Block]) -> list[PlacedProblem]:
     """Return one problem for each run of blocks that stand where others belong."""
     known = [block for block in _first_ones(blocks) if block.node.kind != "end"]
     ranks = [_RANKS[block.node.kind] for block in known]
-    wrong = misplaced(ranks)
+    count = len(ranks)
+    wrong = sorted(count - 1 - i for i in misplaced([-rank for rank in reversed(ranks)]))
     problems = []
     while wrong:
         run = [wrong.pop(0)]

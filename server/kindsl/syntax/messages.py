@@ -94,7 +94,7 @@ def _span(tokens: Sequence[Token], changes: Sequence[Change]) -> tuple[int, int]
     starts, ends = [], []
     for change in changes:
         if change.action == "insert":
-            position = tokens[change.index - 1].end if change.index > 0 else 0
+            position = insertion_place(tokens, change)
             starts.append(position)
             ends.append(position)
         else:
@@ -109,6 +109,14 @@ def _span(tokens: Sequence[Token], changes: Sequence[Change]) -> tuple[int, int]
     if not gone:
         return starts[0], ends[0]
     return min(starts[i] for i in gone), max(ends[i] for i in gone)
+
+
+def insertion_place(tokens: Sequence[Token], change: Change) -> int:
+    """Return where something lacks: a keyword before its `{` or `=`, all else behind what is."""
+    index = change.index
+    if change.kind in SPELLINGS and index < len(tokens) and tokens[index].kind in ("{", "="):
+        return tokens[index].start
+    return tokens[index - 1].end if index > 0 else 0
 
 
 def _instead(change: Change, gone: Sequence[Token], text: str, moment: str) -> tuple[str, str]:

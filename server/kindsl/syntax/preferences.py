@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from kindsl.syntax.repair import Preferences
+from kindsl.syntax.scanner import word_kind
 from kindsl.syntax.spelling import is_near
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Token
@@ -26,7 +27,10 @@ def preferences(
         tokens: All tokens of the island.
         index: The first token that does not fit.
     """
-    present = _present(read, tokens, index)
+    words = _section_words(read, tokens, index)
+    present = {word_kind(word) for word in words}
+    if sum(count for word, count in words.items() if word_kind(word) == "MOMENT") < 6:
+        present.discard("MOMENT")
 
     def insertion(kind: str, place: int) -> float:
         if kind in _SECTIONS and kind in present:
@@ -37,16 +41,21 @@ def preferences(
 
     def replacement(kind: str, place: int) -> float:
         old = tokens[place]
-        cost = 0.5 if kind in _SECTIONS and kind in present else 0.0
-        words = SPELLINGS.get(kind)
+        cost = 0.0
+        if kind in _SECTIONS:
+            cost = 0.5 if kind in present else -0.4
+        spellings = SPELLINGS.get(kind)
         is_word = old.text[0].isidentifier()
-        if words and is_word and old.text not in KEYWORDS:
-            return cost - (0.6 if any(is_near(old.text, word) for word in words) else 0.0)
-        if kind == "NAME" or bool(words) == is_word:
+        if spellings and is_word and old.text not in KEYWORDS:
+            return cost - (0.6 if any(is_near(old.text, word) for word in spellings) else 0.0)
+        if kind == "NAME" or bool(spellings) == is_word:
             return cost
         return cost + 0.3
 
-    return Preferences(insertion, replacement)
+    def deletion(place: int) -> float:
+        return 0.5 if words.get(tokens[place].text) == 1 else 0.0
+
+    return Preferences(insertion, replacement, deletion)
 
 
 def moments_around(read: Sequence[Token], tokens: Sequence[Token], index: int) -> set[str]:
@@ -55,10 +64,9 @@ def moments_around(read: Sequence[Token], tokens: Sequence[Token], index: int) -
     return {token.text for token in near if token.kind == "MOMENT"}
 
 
-def _present(read: Sequence[Token], tokens: Sequence[Token], index: int) -> set[str]:
-    """Return the sections that the block around a place has, before and behind it."""
-    present: set[str] = set()
-    moments = 0
+def _section_words(read: Sequence[Token], tokens: Sequence[Token], index: int) -> dict[str, int]:
+    """Return how often the block around a place has the keyword of each section."""
+    words: dict[str, int] = {}
     for near, inward in (
         (reversed(read[-_REACH:]), _CLOSED),
         (tokens[index : index + _REACH], _OPEN),
@@ -70,11 +78,8 @@ def _present(read: Sequence[Token], tokens: Sequence[Token], index: int) -> set[
                 if depth < 0:
                     break
             elif depth == 0 and token.kind in _SECTIONS:
-                present.add(token.kind)
-                moments += token.kind == "MOMENT"
-    if moments < 6:
-        present.discard("MOMENT")
-    return present
+                words[token.text] = words.get(token.text, 0) + 1
+    return words
 
 
 def _is_at_line_end(text: str, tokens: Sequence[Token], place: int) -> bool:

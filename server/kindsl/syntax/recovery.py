@@ -21,7 +21,7 @@ from kindsl.syntax.words import SPELLINGS, supplied
 from kindsl.syntax.spelling import nearest
 
 MOST_PROBLEMS = 12
-_BACK = 3
+_BACK = 4
 _GOES_ON = 3
 _GLUED = ("RobotBase", "Robot", "link", "r_joint", "p_joint", "via")
 

@@ -68,10 +68,12 @@ class Preferences(NamedTuple):
     Attributes:
         insertion: Extra cost of inserting a kind before the token `index`.
         replacement: Extra cost of taking the token `index` for a kind.
+        deletion: Extra cost of leaving out the token `index`.
     """
 
     insertion: Callable[[str, int], float]
     replacement: Callable[[str, int], float]
+    deletion: Callable[[int], float]
 
 
 def search(
@@ -199,6 +201,7 @@ def _following(
             follow(0.0, after, index + 1, None)
         is_continued = bool(changes) and changes[-1][:2] == ("delete", index - 1)
         price = 0.35 if is_continued else _deletion_cost(kind)
+        price += preferences.deletion(index)
         follow(price, stack, index + 1, Change("delete", index, kind))
     for new in ROWS[stack.state]:
         if new not in INSERTABLE:

@@ -43,6 +43,7 @@ def section_problems(text: str, block: Node, touched: frozenset[int]) -> Iterato
         block: A link, a joint, a base.
         touched: `id` of the nodes that a repair has changed; they are taken as they are.
     """
+    yield from _empty_frames(block, touched)
     for node in _blocks(block):
         names = tuple(_name(child) for child in node.children if isinstance(child, Node))
         key = (node.kind, *names)
@@ -58,18 +59,27 @@ def section_problems(text: str, block: Node, touched: frozenset[int]) -> Iterato
 
 
 def misplaced(ranks: Sequence[int]) -> list[int]:
-    """Return the indices that spoil an ascending order, as few and as late as can be."""
-    best: dict[int, tuple[int, list[int]]] = {}
+    """Return the indices that spoil an ascending order, as few and as late as can be.
+
+    Linear in the number of ranks as long as these have few values.
+    """
+    best: dict[int, tuple[int, int]] = {}
+    before: list[int] = []
     for index, rank in enumerate(ranks):
-        count, kept = max(
+        count, previous = max(
             (entry for last, entry in best.items() if last <= rank),
             key=lambda entry: entry[0],
-            default=(0, []),
+            default=(0, -1),
         )
+        before.append(previous)
         if rank not in best or best[rank][0] < count + 1:
-            best[rank] = (count + 1, [*kept, index])
-    kept_indices = max(best.values(), key=lambda entry: entry[0], default=(0, []))[1]
-    return sorted(set(range(len(ranks))) - set(kept_indices))
+            best[rank] = (count + 1, index)
+    index = max(best.values(), key=lambda entry: entry[0], default=(0, -1))[1]
+    wrong = set(range(len(ranks)))
+    while index >= 0:
+        wrong.discard(index)
+        index = before[index]
+    return sorted(wrong)
 
 
 def title(node: Node) -> str:
@@ -90,6 +100,16 @@ def _blocks(block: Node) -> Iterator[Node]:
                 yield from group.nodes("frame")
 
 
+def _empty_frames(block: Node, touched: frozenset[int]) -> Iterator[Problem]:
+    for frames in block.nodes("frames"):
+        for group in frames.nodes("frame_group"):
+            if len(group.children) == 2 and id(group) not in touched:
+                message = f"'frames' of {title(block)} has no frame"
+                lone = frames if len(frames.children) == 2 else group
+                repair = Repair("Remove it", (Edit(lone.start, lone.end, ""),), False)
+                yield Problem("KD008", message, group.start, group.end, repair)
+
+
 def _name(section: Node) -> str:
     """Return what tells a section apart from its neighbours."""
     first = section.children[0]
@@ -102,14 +122,18 @@ def _problems(text: str, node: Node) -> list[Problem]:
     problems = [_foreign(node, child) for child in sections if child not in known]
     first_ones: list[Node] = []
     seen: set[str] = set()
+    repeated: list[Node] = []
     for section in known:
         if _name(section) in seen:
-            problems.append(_repeated(node, section))
+            repeated.append(section)
         else:
             seen.add(_name(section))
             first_ones.append(section)
-    problems += _misplaced(text, node, first_ones)
     missing = _missing(node, seen)
+    if len(repeated) == 1 and len(missing) == 1:
+        return [*problems, _in_place_of(node, known, repeated[0], missing[0])]
+    problems += [_repeated(node, section) for section in repeated]
+    problems += _misplaced(text, node, first_ones)
     if missing:
         problems.append(_lacking(node, missing))
     return problems
@@ -125,6 +149,23 @@ def _repeated(node: Node, section: Node) -> Problem:
     word, keyword = _word(section), section.children[0]
     repair = Repair(f"Remove the second '{word}'", (_removal(section),), False)
     message = f"{title(node)} has a second '{word}'"
+    return Problem("KD009", message, keyword.start, keyword.end, repair)
+
+
+def _in_place_of(node: Node, known: list[Node], section: Node, missing: str) -> Problem:
+    """Return the problem of a section that stands twice, once in place of another."""
+    name = _name(section)
+    same = [index for index, other in enumerate(known) if _name(other) == name]
+    names = [_word(other) for other in known]
+    order = _missing(node, set())
+    for index in same:
+        trial = [missing if i == index else word for i, word in enumerate(names)]
+        if [word for word in trial if word in order] == order:
+            section = known[index]
+            break
+    keyword = section.children[0]
+    message = f"{title(node)} has two '{_word(section)}' and no '{missing}'"
+    repair = Repair(f"Write '{missing}'", (Edit(keyword.start, keyword.end, missing),), False)
     return Problem("KD009", message, keyword.start, keyword.end, repair)
 
 

@@ -70,7 +70,7 @@ def _begins_block(
         is_same_line = "\n" not in text[match.end() : match.end() + 80].split(ahead[0])[0]
         return _begins_named_block(ahead, is_first, is_same_line)
     if ahead[0] == "{":
-        return is_first and ahead[1] not in _POSE
+        return is_first and (not ahead[1] or ahead[1] in _FIRST_SECTIONS)
     return is_first and ahead[0] not in tuple("}),=/*[]<>+-")
 
 
@@ -83,7 +83,7 @@ def _begins_named_block(ahead: list[str], is_first: bool, is_same_line: bool) ->
     if name in _SECTIONS:
         return sign == "{" and inner in _FIRST_SECTIONS
     if name in BLOCK_KEYWORDS:
-        return is_first
+        return is_first and not _WORD.fullmatch(sign)
     if sign == "{":
         return inner not in _POSE or (is_first and is_same_line)
     return is_first
