@@ -64,8 +64,14 @@ def test_no_mass_no_ellipsoid():
 
 
 def test_ref_frame_turns_and_moves_the_ellipsoid():
-    turned = ARM.replace("Iyz = 0.0\n    }\n    children {}", "Iyz = 0.0\n        ref_frame = tool\n    }\n    children {}")
-    turned = turned.replace("rotation = (0.0, 0.0, 0.0)\n        }\n    }\n}", "rotation = (0.0, PI/2.0, 0.0)\n        }\n    }\n}")
+    turned = ARM.replace(
+        "Iyz = 0.0\n    }\n    children {}",
+        "Iyz = 0.0\n        ref_frame = tool\n    }\n    children {}",
+    )
+    turned = turned.replace(
+        "rotation = (0.0, 0.0, 0.0)\n        }\n    }\n}",
+        "rotation = (0.0, PI/2.0, 0.0)\n        }\n    }\n}",
+    )
     plain, moved = (inertia_ellipsoids(bodies_of(text)) for text in (ARM, turned))
     R = rotation_from_intrinsic_xyz(np.array([0.0, np.pi / 2.0, 0.0]))
     np.testing.assert_allclose(moved.about_com[2], R @ plain.about_com[2] @ R.T, atol=1e-12)

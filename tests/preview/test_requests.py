@@ -10,7 +10,9 @@ from kindsl.preview.requests import Hello, Reveal, SetJoint, SetParameter, parse
 
 json_values = st.recursive(
     st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=20),
-    lambda children: st.lists(children, max_size=4) | st.dictionaries(st.text(max_size=8), children, max_size=4),
+    lambda children: (
+        st.lists(children, max_size=4) | st.dictionaries(st.text(max_size=8), children, max_size=4)
+    ),
     max_leaves=12,
 )
 kinds = st.sampled_from(["set-joint", "set-parameter", "reveal", "hello", "eval", None, 3])

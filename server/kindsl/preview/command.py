@@ -10,10 +10,8 @@ from collections.abc import Callable
 from contextlib import suppress
 from typing import NamedTuple
 
-from kindsl.preview.geometry import PreviewUnavailableError
 from kindsl.preview.requests import Reveal
 from kindsl.preview.server import PreviewServer
-from kindsl.preview.session import Session, last_session, remember
 from kindsl.preview.watch import saves
 from kindsl.rules.analysis import Analysis
 from kindsl.text.lines import LineIndex
@@ -56,7 +54,9 @@ async def serve(command: Command) -> None:
         what = "finding" if chosen.kind == "finding" else f"{chosen.kind} {chosen.name}"
         print(f"{key}:{line + 1}:{column + 1}: {what}", flush=True)
 
-    server, address = await _started(command, print_place)
+    session = os.path.abspath(command.file)  # noqa: PTH100 (a path may hold any bytes)
+    server = PreviewServer(print_place, port=command.port, session=session)
+    address = await server.start()
     await server.show(command.file, command.first)
     if command.old is not None:
         server.compare(command.file, command.old)
@@ -69,22 +69,6 @@ async def serve(command: Command) -> None:
     finally:
         reloading.cancel()
         await server.stop()
-
-
-async def _started(
-    command: Command, print_place: Callable[[str, Span, Reveal], None]
-) -> tuple[PreviewServer, str]:
-    """Start where the document's last server listened, if that is possible, else elsewhere."""
-    name = os.path.abspath(command.file)  # noqa: PTH100 (a path may hold any bytes)
-    last = last_session(name)
-    server = PreviewServer(print_place, port=command.port)
-    if last is not None and command.port in (0, last.port):
-        again = PreviewServer(print_place, port=last.port, token=last.token)
-        with suppress(PreviewUnavailableError):
-            return again, await again.start()
-    address = await server.start()
-    remember(name, Session(server.port, server.token))
-    return server, address
 
 
 async def _reload(command: Command, server: PreviewServer, texts: dict[str, str]) -> None:

@@ -46,7 +46,7 @@ class Shape(NamedTuple):
     on_top: bool = False
 
 
-class PreviewUnavailableError(Exception):
+class PreviewUnavailableError(RuntimeError):
     """Something that the preview needs is not installed; the message says what."""
 
 

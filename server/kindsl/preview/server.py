@@ -1,10 +1,12 @@
 """The live viewer's server: loopback only, in the caller's asyncio loop, without threads."""
 
 import hashlib
+import os
+import socket
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 
 from tornado.httpserver import HTTPServer
-from tornado.netutil import bind_sockets
 
 from kindsl.preview.access import ADDRESS, Access, new_token
 from kindsl.preview.assets import assets
@@ -14,6 +16,7 @@ from kindsl.preview.geometry import PreviewUnavailableError
 from kindsl.preview.handlers import application
 from kindsl.preview.requests import Hello, Request, Reveal, SetJoint, SetParameter
 from kindsl.preview.reveal import place_of
+from kindsl.preview.session import Session, last_session, remember
 from kindsl.rules.analysis import Analysis
 from kindsl.rules.diagnostics import Diagnostic
 from kindsl.text.span import Span
@@ -29,7 +32,12 @@ class PreviewServer:
     """
 
     def __init__(
-        self, on_reveal: OnReveal | None = None, *, port: int = 0, token: str | None = None
+        self,
+        on_reveal: OnReveal | None = None,
+        *,
+        port: int = 0,
+        token: str | None = None,
+        session: str | None = None,
     ) -> None:
         """Prepare a server.
 
@@ -38,7 +46,10 @@ class PreviewServer:
                 what was clicked.
             port: To listen on; 0 for a free one.
             token: To ask for; None for a new one.
+            session: A name (of a document, a workspace). A server of the same name listens where
+                the last one did, if it can, so that pages which are still open find it.
         """
+        self._session = session
         self._on_reveal = on_reveal or _reveal_nowhere
         self._access = Access(token or new_token(), port)
         self._documents: dict[str, DocumentPreview] = {}
@@ -67,15 +78,14 @@ class PreviewServer:
             PreviewUnavailableError: meshcat is not installed, or the port is taken.
         """
         assets()
-        try:
-            sockets = bind_sockets(self._access.port, ADDRESS)
-        except OSError as error:
-            problem = f"cannot listen on {ADDRESS}:{self._access.port}: {error.strerror}"
-            raise PreviewUnavailableError(problem) from error
-        self._access = self._access._replace(port=sockets[0].getsockname()[1])
-        self._http = HTTPServer(application(self._access, self))
-        self._http.add_sockets(sockets)
-        return self._address()
+        last = last_session(self._session) if self._session else None
+        if last is not None and self._access.port in (0, last.port):
+            with suppress(PreviewUnavailableError):
+                return self._listen(Access(last.token, last.port))
+        address = self._listen(self._access)
+        if self._session:
+            remember(self._session, Session(self.port, self.token))
+        return address
 
     async def stop(self) -> None:
         """Close all connections and the port."""
@@ -150,6 +160,13 @@ class PreviewServer:
         else:
             self._reveal(document, request)
 
+    def _listen(self, access: Access) -> str:
+        listening = _listening_socket(access.port)
+        self._access = access._replace(port=listening.getsockname()[1])
+        self._http = HTTPServer(application(self._access, self))
+        self._http.add_sockets([listening])
+        return self._address()
+
     def _reveal(self, document: DocumentPreview, chosen: Reveal) -> None:
         key = next((key for key, known in self._documents.items() if known is document), None)
         if key is None or document.analysis is None:
@@ -166,6 +183,22 @@ class PreviewServer:
 
     def _address(self) -> str:
         return f"http://{ADDRESS}:{self._access.port}/?token={self._access.token}"
+
+
+def _listening_socket(port: int) -> socket.socket:
+    listening = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+    try:
+        if os.name == "posix":
+            # A port is free again as soon as its last server is gone.
+            listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        listening.setblocking(False)
+        listening.bind((ADDRESS, port))
+        listening.listen()
+    except OSError as error:
+        listening.close()
+        problem = f"cannot listen on {ADDRESS}:{port}: {error.strerror}"
+        raise PreviewUnavailableError(problem) from error
+    return listening
 
 
 def _reveal_nowhere(_key: str, _span: Span, _chosen: Reveal) -> None:

@@ -1,0 +1,98 @@
+"""The page's kinematics, run by Node, against ours."""
+
+import json
+import subprocess
+
+import numpy as np
+import pytest
+from tests.preview.robots import ARM, ROOT, bodies_of, plain_robot, require
+
+from kindsl.dynamics.mechanics import Mechanics
+from kindsl.mechanism.build import drawable_bodies
+from kindsl.preview.scene import robot_messages
+
+SCRIPT = ROOT / "server" / "kindsl" / "preview" / "page" / "kinematics.js"
+DRIVER = """
+const kinematics = require(process.argv[1]);
+const cases = JSON.parse(require("fs").readFileSync(0, "utf8"));
+const byName = (list) => new Map(list.map((item) => [item.name, item]));
+console.log(JSON.stringify(cases.map(({ links, joints, frames, q }) => {
+  const robot = { links: byName(links), joints: byName(joints), frames: byName(frames) };
+  const poses = kinematics.forwardKinematics(robot, new Map(Object.entries(q)));
+  return {
+    links: Object.fromEntries(poses.links), joints: Object.fromEntries(poses.joints),
+    frames: Object.fromEntries(poses.frames), com: kinematics.centerOfMass(robot, poses).com,
+    torques: Object.fromEntries(kinematics.gravityTorques(robot, poses)),
+    angles: Object.fromEntries(
+      [...poses.links].map(([name, T]) => [name, kinematics.intrinsicXyz(T)])),
+  };
+})));
+"""
+
+
+@pytest.fixture(scope="module")
+def cases():
+    rng = np.random.default_rng(7)
+    robots = [bodies_of(ARM), bodies_of(ARM.replace("base {", "base floating {"))]
+    robots += [drawable_bodies(plain_robot(links, links).model, {}) for links in (1, 2, 7, 14, 40)]
+    return [
+        (bodies, q)
+        for bodies in robots
+        for q in [np.zeros(bodies.n_links), *rng.uniform(-3, 3, (2, bodies.n_links))]
+    ]
+
+
+@pytest.fixture(scope="module")
+def answers(cases):
+    node = require("node", "nodejs")
+    given = json.dumps([page_input(bodies, q) for bodies, q in cases])
+    command = [node, "-e", DRIVER, str(SCRIPT)]
+    run = subprocess.run(
+        command, input=given, capture_output=True, text=True, timeout=60, check=True
+    )
+    return json.loads(run.stdout)
+
+
+def page_input(bodies, q):
+    messages = robot_messages("robot", bodies).values()
+    groups = {
+        kind + "s": [m for m in messages if m["type"] == kind]
+        for kind in ("link", "joint", "frame")
+    }
+    return {**groups, "q": dict(zip(bodies.joint_names, q.tolist(), strict=True))}
+
+
+def matrix(numbers):
+    return np.reshape(numbers, (4, 4)).T
+
+
+def test_poses_are_ours(cases, answers):
+    for (bodies, q), answer in zip(cases, answers, strict=True):
+        ours = Mechanics(bodies).forward_kinematics(q)
+        theirs = {**answer["links"], **answer["frames"]}
+        assert set(ours) == set(theirs) - {bodies.base_name}
+        for name, pose in ours.items():
+            np.testing.assert_allclose(matrix(theirs[name]), pose, atol=1e-10)
+        for name, pose in Mechanics(bodies).joint_poses(q).items():
+            np.testing.assert_allclose(matrix(answer["joints"][name]), pose, atol=1e-10)
+
+
+def test_centres_of_mass_are_ours(cases, answers):
+    for (bodies, q), answer in zip(cases, answers, strict=True):
+        np.testing.assert_allclose(answer["com"], Mechanics(bodies).center_of_mass(q), atol=1e-9)
+
+
+def test_gravity_torques_are_ours(cases, answers):
+    for (bodies, q), answer in zip(cases, answers, strict=True):
+        ours = np.asarray(Mechanics(bodies).gravity_torque(q))[-bodies.n_links :]
+        theirs = [answer["torques"][name] for name in bodies.joint_names]
+        np.testing.assert_allclose(theirs, ours, atol=1e-7, rtol=1e-9)
+
+
+def test_angles_are_the_languages(cases, answers):
+    from kindsl.spatial.transforms import rotation_from_intrinsic_xyz
+
+    for answer in answers:
+        for name, angles in answer["angles"].items():
+            R = rotation_from_intrinsic_xyz(np.array(angles))
+            np.testing.assert_allclose(R, matrix(answer["links"][name])[:3, :3], atol=1e-6)
