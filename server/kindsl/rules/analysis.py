@@ -15,7 +15,6 @@ from kindsl.rules.suppression import suppressions
 from kindsl.rules.syntax_findings import syntax_findings
 from kindsl.semantics.declarations import Declarations
 from kindsl.semantics.model import Model
-from kindsl.semantics.parameters import island_symbols
 from kindsl.syntax.document import SyntaxDocument, parse
 from kindsl.syntax.tree import Island
 from kindsl.text.edits import TextEdit
@@ -24,6 +23,8 @@ if TYPE_CHECKING:
     from kindsl.mechanism.build import Mechanism
 
 _NO_SETTINGS = Settings()
+# What the findings of an island depend on besides it: the rules, and what they may see.
+_Key = tuple[tuple[Rule, ...], object]
 
 
 class Analysis:
@@ -109,8 +110,12 @@ class Analysis:
                 for finding in rule.check_document(self.model, self.context):
                     yield rule, finding
         local = tuple(rule for rule in rules if rule.check_island is not None)
-        for island, declared in zip(self.model.islands, self.model.declared, strict=True):
-            yield from _island_findings(island, declared, local, self.context)
+        for island, declared, symbols in zip(
+            self.model.islands, self.model.declared, self.model.symbols, strict=True
+        ):
+            uses_values = bool(symbols.parameters or symbols.constants)
+            key = (local, self.context.key if uses_values else self.context.targets)
+            yield from _island_findings(island, declared, key, self.context)
 
 
 def analyse(text: str, settings: Settings = _NO_SETTINGS) -> Analysis:
@@ -119,18 +124,15 @@ def analyse(text: str, settings: Settings = _NO_SETTINGS) -> Analysis:
 
 
 def _island_findings(
-    island: Island, declared: Declarations, rules: tuple[Rule, ...], context: Context
+    island: Island, declared: Declarations, key: _Key, context: Context
 ) -> list[tuple[Rule, Finding]]:
     """Return what the island rules find, from the island's memory where nothing changed."""
-    symbols = island_symbols(island, declared)
-    uses_values = bool(symbols.parameters or symbols.constants)
-    key = (rules, context.key if uses_values else context.targets)
     known = island.facts.get("findings")
     if isinstance(known, tuple) and known[0] == key:
         return known[1]  # type: ignore[no-any-return]
     found = [
         (rule, finding)
-        for rule in rules
+        for rule in key[0]
         if rule.check_island is not None
         for finding in rule.check_island(declared, context)
     ]

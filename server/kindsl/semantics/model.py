@@ -10,6 +10,7 @@ from kindsl.semantics.lowering import declarations
 from kindsl.semantics.parameters import (
     Constant,
     Parameter,
+    Symbols,
     constants_of,
     island_symbols,
     parameters_of,
@@ -79,22 +80,19 @@ class Model:
         return KinematicTree(self.bodies, self.body_named, self.joint_named, self.base)
 
     @cached_property
+    def symbols(self) -> list[Symbols]:
+        """The parameters and constants that each island uses."""
+        return list(map(island_symbols, self.islands, self.declared))
+
+    @cached_property
     def parameters(self) -> tuple[Parameter, ...]:
         """The parameters in the order of their first places."""
-        return parameters_of(
-            use
-            for island, declared in zip(self.islands, self.declared, strict=True)
-            for use in island_symbols(island, declared).parameters
-        )
+        return parameters_of(use for symbols in self.symbols for use in symbols.parameters)
 
     @cached_property
     def constants(self) -> tuple[Constant, ...]:
         """The named constants in the order of their first places."""
-        return constants_of(
-            use
-            for island, declared in zip(self.islands, self.declared, strict=True)
-            for use in island_symbols(island, declared).constants
-        )
+        return constants_of(use for symbols in self.symbols for use in symbols.constants)
 
     @cached_property
     def broken_islands(self) -> list[Island]:
