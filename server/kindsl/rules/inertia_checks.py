@@ -13,6 +13,7 @@ from collections.abc import Mapping, Sequence
 from enum import Enum
 from typing import NamedTuple
 
+from kindsl.rules.broken_text import has_problem_within
 from kindsl.rules.context import Context
 from kindsl.semantics.declarations import MOMENTS, Declarations, Inertia, Link
 from kindsl.semantics.expressions import Expression, half_unit
@@ -160,8 +161,10 @@ def verdict_of(
 
 def _judge(link: Link, values: Mapping[str, float]) -> Judgement | None:
     inertia = link.inertia
-    body = mass_distribution(inertia, values) if inertia is not None else None
-    if inertia is None or body is None or body.mass <= 0.0:
+    if inertia is None or has_problem_within(inertia):
+        return None
+    body = mass_distribution(inertia, values)
+    if body is None or body.mass <= 0.0:
         return None
     second_moments = second_moments_about_com(body)
     if is_clearly_positive(second_moments):

@@ -1,7 +1,8 @@
 """Two links have the same number.
 
 ## What it does
-Reports a link whose `id` an earlier link has already.
+Reports a link whose `id` an earlier link has already. If it has the same name too, that is reported
+instead (KD102).
 
 ## Why is this bad?
 A link's number is the index of its joint in every vector and matrix. RobCoGen accepts the document
@@ -31,7 +32,8 @@ from kindsl.semantics.model import Model
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each link whose number is taken."""
-    pairs = repeats(model.links, lambda link: link.id)
+    same_id = repeats(model.links, lambda link: link.id)
+    pairs = [(first, again) for first, again in same_id if first.name != again.name]
     for first, again in pairs:
         message = f"id {again.id} of link '{again.name}' belongs to link '{first.name}' already"
         related = Related(first.id_place or first.name, f"id {first.id} of link '{first.name}'")

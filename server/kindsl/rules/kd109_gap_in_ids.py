@@ -1,8 +1,8 @@
 """A link number is left out.
 
 ## What it does
-Reports numbers that no link has though a later link has a greater one. Where another link has a
-number twice, that is reported instead (KD101).
+Reports numbers that no link has though another link has a greater one. Where a link has a number
+that another has, or is missing altogether, that is reported instead (KD101, KD105).
 
 ## Why is this bad?
 The links must be numbered from 1 without gaps: a number is an index. RobCoGen accepts the document
@@ -25,38 +25,43 @@ from itertools import pairwise
 from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
+from kindsl.rules.reference_defects import reference_defects
 from kindsl.rules.renumbering import renumbering
-from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each run of missing numbers."""
-    by_id: dict[int, Link] = {}
-    unknown = 0
-    for body in model.links:
-        if body.id is None or body.id < 1:
-            unknown += 1
-        else:
-            by_id.setdefault(body.id, body)
-    duplicates = len(model.links) - unknown - len(by_id)
-    used = [0, *sorted(by_id)]
-    if used[-1] == len(by_id):
+    by_id = {link.id: link for link in reversed(model.links) if link.id is not None and link.id > 0}
+    count = len(by_id)
+    if not by_id or max(by_id) == count:
         return
-    gaps = [(low, high) for low, high in pairwise(used) if high > low + 1]
-    missing = sum(high - low - 1 for low, high in gaps)
+    gaps = _gaps(sorted(number for number in by_id if number <= count), count)
+    unknown = sum(link.id is None or link.id < 1 for link in model.links)
+    unknown += len(reference_defects(model).undefined_links)
+    missing = sum(high - low + 1 for low, high in gaps)
+    has_explanation = len(model.links) - unknown - count >= missing
+    strays = [number for number in sorted(by_id) if number > count and number - 1 not in by_id]
     for low, high in gaps:
-        is_explained = low > 0 and duplicates >= missing
-        if not is_explained and unknown < missing and not _is_lost(model, low + 1):
-            place = by_id[high].id_place or by_id[high].name
-            yield Finding(place, _message(low, high), fix=renumbering(model, len(gaps)))
+        if unknown >= missing or (has_explanation and low > 1) or _is_lost(model, low):
+            continue
+        number = strays.pop() if strays else high + 1
+        link = by_id[number]
+        message = _message(low, high, number)
+        yield Finding(link.id_place or link.name, message, fix=renumbering(model, len(gaps)))
 
 
-def _message(low: int, high: int) -> str:
-    if low == 0:
-        return f"the links are numbered from {high}, not from 1"
-    which = f"id {low + 1} is" if high == low + 2 else f"ids {low + 1} to {high - 1} are"
-    return f"{which} missing before id {high}"
+def _gaps(used: list[int], count: int) -> list[tuple[int, int]]:
+    """Return the first and last of each run of numbers up to `count` that are not used."""
+    pairs = pairwise([0, *used, count + 1])
+    return [(low + 1, high - 1) for low, high in pairs if high > low + 1]
+
+
+def _message(low: int, high: int, number: int) -> str:
+    if low == 1 and number == high + 1:
+        return f"the links are numbered from {number}, not from 1"
+    which = f"id {low} is" if high == low else f"ids {low} to {high} are"
+    return f"{which} missing, and id {number} is out of sequence"
 
 
 def _is_lost(model: Model, number: int) -> bool:

@@ -22,10 +22,11 @@ use the generated code know joints by their numbers.
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Finding, Related, Rule, Severity
+from kindsl.rules.base import Finding, Fix, Related, Rule, Severity
 from kindsl.rules.context import ROBCOGEN2, Context
 from kindsl.rules.duplicates import repeats
 from kindsl.rules.examples import link, robot
+from kindsl.rules.reference_defects import reference_defects
 from kindsl.rules.renumbering import renumbering
 from kindsl.semantics.kinematic_tree import Edge
 from kindsl.semantics.model import Model
@@ -36,21 +37,27 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     edges = [edge for edge in model.tree.edges if _is_reversed(edge)]
     if not edges or model.tree.loops:
         return
-    twice = {again.id for _, again in repeats(model.links, lambda link: link.id)}
+    taken = {again.id for _, again in repeats(model.links, lambda link: link.id)}
+    count = len(model.links) + len(reference_defects(model).undefined_links)
     severity = Severity.ERROR if ROBCOGEN2 in context.targets else Severity.WARNING
     for edge in edges:
-        parent, child = edge.predecessor, edge.link
-        if child is not None and parent.id not in twice and child.id not in twice:
-            message = f"id {child.id} of '{child.name}' is below id {parent.id} of its parent"
-            message += f" '{parent.name}'"
-            related = Related(parent.id_place or parent.name, f"id {parent.id} of '{parent.name}'")
-            fix = renumbering(model, len(edges))
-            yield Finding(child.id_place or child.name, message, (related,), fix, severity)
+        numbers = {edge.predecessor.id, edge.link.id if edge.link is not None else None}
+        is_in_tree = edge.link is not None and len(model.tree.above[edge.link]) == 1
+        if is_in_tree and not numbers & taken and (edge.predecessor.id or 0) <= count:
+            yield _finding(edge, severity, renumbering(model, len(edges)))
 
 
 def _is_reversed(edge: Edge) -> bool:
     parent, child = edge.predecessor.id, edge.link.id if edge.link is not None else None
     return parent is not None and child is not None and 1 <= child < parent
+
+
+def _finding(edge: Edge, severity: Severity, fix: Fix | None) -> Finding:
+    parent, child = edge.predecessor, edge.link or edge.predecessor
+    message = f"id {child.id} of '{child.name}' is below id {parent.id} of its parent"
+    message += f" '{parent.name}'"
+    related = Related(parent.id_place or parent.name, f"id {parent.id} of '{parent.name}'")
+    return Finding(child.id_place or child.name, message, (related,), fix, severity)
 
 
 def _chain(first: int, second: int) -> str:

@@ -26,6 +26,8 @@ from kindsl.semantics.model import Model
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each joint whose number is taken."""
     for first, again in repeats(model.joints, lambda joint: joint.id):
+        if first.name == again.name:
+            continue
         message = f"id {again.id} of joint '{again.name}' belongs to joint '{first.name}' already"
         related = Related(first.id_place or first.name, f"id {first.id} of joint '{first.name}'")
         yield Finding(again.id_place or again.name, message, (related,))

@@ -17,6 +17,7 @@ mass = -1.5
 from collections.abc import Iterator
 
 from kindsl.rules.base import Finding, Rule, Severity
+from kindsl.rules.broken_text import has_problem_within
 from kindsl.rules.context import Context
 from kindsl.rules.examples import STEEL_BALL, link
 from kindsl.rules.inertia_checks import is_moving
@@ -29,7 +30,7 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
     for body in declared.bodies():
         mass = body.inertia.mass if body.inertia is not None else None
         value = mass.value(context.values) if mass is not None else None
-        if mass is None or value is None or value > 0.0:
+        if mass is None or value is None or value > 0.0 or has_problem_within(mass):
             continue
         if value < 0.0:
             message = f"mass of '{body.name}' is negative: {with_unit(value, 'kg')}"

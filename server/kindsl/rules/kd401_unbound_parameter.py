@@ -2,7 +2,8 @@
 
 ## What it does
 Reports each parameter that has neither a default in the document nor a value from outside: from
-`kindsl.toml`, from `--param`, or from the editor's settings.
+`kindsl.toml`, from `--param`, or from the editor's settings. One that is called like a link or a
+joint is left to KD408.
 
 ## Why is this bad?
 The document is right, and RobCoGen generates code that asks for the value at run time. But nothing
@@ -27,6 +28,7 @@ number is to be replaced by the right one.
 from collections.abc import Iterator
 
 from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
+from kindsl.rules.broken_text import is_doubtful
 from kindsl.rules.context import ROBCOGEN2, Context
 from kindsl.rules.examples import joint
 from kindsl.semantics.model import Model
@@ -37,7 +39,9 @@ from kindsl.semantics.places import Place
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each parameter without a value, at its first place."""
     for parameter in model.parameters:
-        if parameter.name not in context.values:
+        name = str(parameter.name)
+        is_known = name in context.values or name in model.body_named or name in model.joint_named
+        if not is_known and not is_doubtful(parameter):
             message = f"parameter '{parameter.name}' ({parameter.kind}) has no value"
             fix = _default(parameter) if context.targets == {ROBCOGEN2} else None
             yield Finding(parameter.name, message, fix=fix)

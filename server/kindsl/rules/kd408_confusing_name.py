@@ -20,6 +20,7 @@ Writes `PI`. Unsafe: for RobCoGen the parameter ceases to be.
 from collections.abc import Iterator
 
 from kindsl.rules.base import Change, Finding, Fix, Related, Rule, Severity
+from kindsl.rules.broken_text import is_doubtful
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint
 from kindsl.semantics.model import Model
@@ -30,6 +31,8 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each confusing name."""
     yield from _small_pi(model)
     for parameter in model.parameters:
+        if is_doubtful(parameter):
+            continue
         name = str(parameter.name)
         other = model.body_named.get(name) or model.joint_named.get(name)
         if other is not None:

@@ -2,12 +2,14 @@
 
 A wrong reference leaves something else without a reference: who writes `foream via elbow` has an
 undefined link `foream`, and also a link `forearm` that nothing carries. Only the first is the
-mistake. So each wrong reference here excuses one orphan, the one with the most similar name first.
+mistake. So each wrong reference here excuses one orphan, the one with the most similar name first,
+and a link that is missing altogether excuses all: it may carry them.
 """
 
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple, TypeVar
 
+from kindsl.rules.broken_text import has_problem_within, is_cut_off
 from kindsl.rules.did_you_mean import did_you_mean
 from kindsl.rules.duplicates import repeated_names
 from kindsl.semantics.declarations import Joint, Link
@@ -95,14 +97,18 @@ def _classify(model: Model, edge: Edge, found: ReferenceDefects) -> None:
     if is_unknown and link in model.joint_named and joint in model.body_named:
         found.swapped.append(edge)
         return
-    if edge.link is None and link and not _may_be_lost(model, link, edge, model.links):
+    if not link or not joint or has_problem_within(edge.child):
+        return
+    if edge.link is None and not _may_be_lost(model, link, edge, model.links):
         found.undefined_links.append(edge)
-    if edge.joint is None and joint and not _may_be_lost(model, joint, edge, model.joints):
+    if edge.joint is None and not _may_be_lost(model, joint, edge, model.joints):
         found.undefined_joints.append(edge)
 
 
 def _may_be_lost(model: Model, name: str, edge: Edge, things: Sequence[Link | Joint]) -> bool:
     """Return whether the declaration that is meant may stand where the syntax is broken."""
+    if not things or is_cut_off(model):
+        return True
     return bool(model.broken_islands) and (
         model.is_mentioned_in_broken_text(name, edge.child.island)
         or any(not thing.name for thing in things)
@@ -117,6 +123,8 @@ def _collect_repetitions(model: Model, found: ReferenceDefects) -> None:
         first = next((edge for edge in edges if id(edge.child) not in on_loops), None)
         carriers: dict[Link, Edge] = {}
         for edge in edges:
+            if model.body_named.get(edge.predecessor.name) is not edge.predecessor:
+                continue
             known = carriers.setdefault(edge.predecessor, edge)
             if known is not edge:
                 found.repeated.append((known, edge))
@@ -128,11 +136,14 @@ def _collect_reuses(model: Model, found: ReferenceDefects) -> None:
     told = {id(edge.child) for _, edge in (*found.repeated, *found.extra_parents)}
     told |= {id(loop[-1].child) for loop in found.loops}
     told |= {id(edge.child) for edge in found.bases}
+    twins = {again for _, again in repeated_names(model.bodies)}
     ambiguous = {str(again.name) for _, again in repeated_names(model.joints)}
     for edges in model.tree.joint_uses.values():
         if len(edges) > 1 and edges[0].child.joint not in ambiguous:
             found.reused_joints.extend(
-                (edges[0], edge) for edge in edges[1:] if id(edge.child) not in told
+                (edges[0], edge)
+                for edge in edges[1:]
+                if id(edge.child) not in told and edge.predecessor not in twins
             )
 
 
@@ -152,11 +163,10 @@ def _collect_orphans(model: Model, found: ReferenceDefects) -> None:
             and joint not in tree.joint_uses
             and model.joint_named[joint.name] is joint
         )
-    if not found.idle_links and not found.idle_joints:
+    if found.undefined_links or not (found.idle_links or found.idle_joints):
         return
     nameless = [edge.child for edge in tree.edges if not edge.child.link or not edge.child.joint]
-    wrong_links = [str(edge.child.link) for edge in found.undefined_links]
-    wrong_links += [str(edge.child.joint) for edge in found.swapped]
+    wrong_links = [str(edge.child.joint) for edge in found.swapped]
     wrong = len(nameless) + len(found.bases) + len(found.loops)
     wrong += len(found.repeated) + len(found.extra_parents)
     links = [link for link in found.idle_links if not _is_mentioned(model, link)]

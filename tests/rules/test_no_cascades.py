@@ -1,0 +1,113 @@
+"""One mistake gives one message: every single slip of some kind in a good model."""
+
+import random
+import re
+from collections.abc import Iterator
+
+import pytest
+from tests.support.models import Style, random_model
+from tests.support.mutants import mutants
+
+from kindsl.rules.analysis import analyse
+from kindsl.rules.diagnostics import Diagnostic
+from kindsl.rules.settings import Settings
+from kindsl.semantics.parameters import Binding
+from kindsl.syntax.document import parse
+
+MODEL = random_model(12, 3, Style(has_expressions=True))
+SETTINGS = Settings(bindings={"offset": Binding(0.1)})
+EDGE = re.compile(r"(segment_\d+) via (joint_\d+)")
+BLOCK = re.compile(r"^(?:link|r_joint|p_joint) (\w+) \{", re.MULTILINE)
+
+
+def remarks(text: str) -> list[Diagnostic]:
+    found = analyse(text, SETTINGS).findings
+    return [finding for finding in found if finding.severity in ("error", "warning")]
+
+
+def replaced(pattern: re.Pattern[str], group: int, new: str) -> Iterator[str]:
+    for match in pattern.finditer(MODEL):
+        start, end = match.span(group)
+        yield MODEL[:start] + match.expand(new) + MODEL[end:]
+
+
+def blocks() -> Iterator[tuple[str, int, int]]:
+    document = parse(MODEL)
+    for start, island in zip(document.starts, document.islands, strict=True):
+        if BLOCK.match(island.text):
+            node = island.nodes[0]
+            yield node.kind, start + node.start, start + node.end
+
+
+def test_model_is_good() -> None:
+    assert remarks(MODEL) == []
+
+
+@pytest.mark.parametrize(
+    ("pattern", "group", "new", "codes"),
+    [
+        pytest.param(EDGE, 1, r"segmnt_\1", {"KD105"}, id="unknown link in a pair"),
+        pytest.param(EDGE, 1, r"gripper", {"KD105"}, id="quite unknown link in a pair"),
+        pytest.param(EDGE, 2, r"x\2", {"KD106"}, id="unknown joint in a pair"),
+        pytest.param(EDGE, 0, r"\2 via \1", {"KD105"}, id="pair the wrong way round"),
+        pytest.param(EDGE, 0, r"\1 via \2 \1 via \2", {"KD207"}, id="pair twice"),
+        pytest.param(EDGE, 1, r"trunk", {"KD206"}, id="base in a pair"),
+        pytest.param(EDGE, 0, r"", {"KD203"}, id="pair left out"),
+        pytest.param(BLOCK, 1, r"x\1", {"KD105", "KD106"}, id="block renamed"),
+        pytest.param(BLOCK, 1, r"other", {"KD105", "KD106"}, id="block named quite differently"),
+        pytest.param(re.compile(r"id = (\d+)\n    inertia"), 1, "70", {"KD109"}, id="id too great"),
+    ],
+)
+def test_slip_gives_one_message(
+    pattern: re.Pattern[str], group: int, new: str, codes: set[str]
+) -> None:
+    for text in replaced(pattern, group, new):
+        found = remarks(text)
+        assert len(found) == 1, [(f.code, f.message) for f in found]
+        assert found[0].code in codes
+
+
+def test_wrong_but_known_name_in_a_pair_gives_one_message() -> None:
+    generator = random.Random(7)
+    names = [f"segment_{number}" for number in range(1, 13)]
+    joints = [f"joint_{number}" for number in range(1, 13)]
+    for group, choice in ((1, names), (2, joints)):
+        for match in EDGE.finditer(MODEL):
+            new = generator.choice([name for name in choice if name != match[group]])
+            text = MODEL[: match.start(group)] + new + MODEL[match.end(group) :]
+            found = remarks(text)
+            assert len(found) == 1, [(f.code, f.message) for f in found]
+            assert found[0].code in {"KD201", "KD202", "KD205", "KD207"}
+
+
+def test_duplicate_id_gives_one_message() -> None:
+    for number in range(2, 13):
+        text = MODEL.replace(f"id = {number}\n    inertia", f"id = {number - 1}\n    inertia")
+        assert [finding.code for finding in remarks(text)] == ["KD101"]
+
+
+def test_block_left_out_gives_one_message() -> None:
+    for kind, start, end in blocks():
+        found = remarks(MODEL[:start] + MODEL[end:])
+        assert [f.code for f in found] == [{"link": "KD105", "joint": "KD106"}[kind]]
+
+
+def test_block_written_twice_gives_one_message() -> None:
+    for kind, start, end in blocks():
+        found = remarks(f"{MODEL[:end]}\n{MODEL[start:]}")
+        assert [f.code for f in found] == [{"link": "KD102", "joint": "KD103"}[kind]]
+
+
+def test_syntax_error_invents_nothing_elsewhere() -> None:
+    for mutant in random.Random(11).sample(list(mutants(MODEL)), 250):
+        found = remarks(mutant.text)
+        syntax = [f for f in found if f.code.startswith("KD0")]
+        assert not syntax or found == syntax, (mutant, found)
+
+
+def test_syntax_error_silences_nothing_elsewhere() -> None:
+    seeded = MODEL.replace("id = 12\n", "id = 11\n", 1)
+    names = {"segment_11", "segment_12"}
+    for mutant in random.Random(13).sample(list(mutants(seeded)), 250):
+        if not names & mutant.touched and mutant.kind != "truncate":
+            assert any(f.code in ("KD101", "KD102", "KD105") for f in remarks(mutant.text)), mutant
