@@ -11,6 +11,7 @@ import kindsl
 from kindsl.lsp import (
     actions,
     commands,
+    completing,
     configuration,
     diagnostics,
     formatting,
@@ -49,6 +50,7 @@ _HANDLERS: "tuple[Handlers, ...]" = (
     formatting.handlers,
     actions.handlers,
     presentation.handlers,
+    completing.handlers,
     commands.handlers,
 )
 
