@@ -15,6 +15,7 @@ from kindsl.rules.suppression import suppressions
 from kindsl.rules.syntax_findings import syntax_findings
 from kindsl.semantics.declarations import Declarations
 from kindsl.semantics.model import Model
+from kindsl.syntax.collector import paused_collector
 from kindsl.syntax.document import SyntaxDocument, parse
 from kindsl.syntax.tree import Island
 from kindsl.text.edits import TextEdit
@@ -62,7 +63,8 @@ class Analysis:
     @cached_property
     def findings(self) -> tuple[Diagnostic, ...]:
         """What is wrong, in the order of the text, silenced findings left out."""
-        found = [self._resolve(rule, finding) for rule, finding in self._raw_findings()]
+        with paused_collector():
+            found = [self._resolve(rule, finding) for rule, finding in self._raw_findings()]
         silenced = suppressions(self.syntax.islands, self.syntax.starts, len(self.text))
         if silenced:
             kept = [d for d in found if not any(s.covers(d) for s in silenced)]

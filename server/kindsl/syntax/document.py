@@ -4,7 +4,6 @@ An edit makes a new document that shares all untouched islands, and all chunks o
 one or two it falls into, with the old one.
 """
 
-import gc
 from bisect import bisect_right
 from collections.abc import Iterable, Sequence
 from functools import cached_property
@@ -12,6 +11,7 @@ from itertools import accumulate, chain
 from typing import NamedTuple
 
 from kindsl.syntax.block_order import IN_ORDER, PlacedProblem, letters, order_problems
+from kindsl.syntax.collector import paused_collector
 from kindsl.syntax.parser import parse_island
 from kindsl.syntax.splitter import LOOKAHEAD, split
 from kindsl.syntax.tree import Island
@@ -156,18 +156,13 @@ def _islands(text: str, starts: list[int], known: Iterable[Island]) -> list[Isla
     pool: dict[str, list[Island]] = {}
     for island in known:
         pool.setdefault(island.text, []).append(island)
-    was_enabled = gc.isenabled()
-    gc.disable()
-    try:
-        islands = []
+    islands = []
+    with paused_collector():
         for start, end in zip(starts, [*starts[1:], len(text)], strict=True):
             piece = text[start:end]
             same = pool.get(piece)
             islands.append(same.pop(0) if same else parse_island(piece))
-        return islands
-    finally:
-        if was_enabled:
-            gc.enable()
+    return islands
 
 
 def _chunks(islands: Sequence[Island]) -> tuple[Chunk, ...]:
