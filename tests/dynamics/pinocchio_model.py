@@ -77,7 +77,9 @@ class PinocchioModel:
         base_acceleration = -np.linalg.solve(M[:first, :first], wrench) if first else np.zeros(6)
         a = self._v(base_acceleration, qdd)
         v = self._v(base_velocity, qd)
-        return pin.rnea(self.model, self.data, self._q(q), v, a)[self._order][first:], base_acceleration
+        return pin.rnea(self.model, self.data, self._q(q), v, a)[self._order][
+            first:
+        ], base_acceleration
 
     def forward_dynamics(
         self, q: Array, qd: Array, tau: Array, base_velocity: Array
@@ -108,7 +110,9 @@ class PinocchioModel:
 
     def _v(self, base: Array, joints: Array) -> Array:
         ordered = joints[self._joint_order]
-        return np.concatenate((base[ANGULAR_FIRST], ordered)) if self.bodies.is_floating else ordered
+        return (
+            np.concatenate((base[ANGULAR_FIRST], ordered)) if self.bodies.is_floating else ordered
+        )
 
 
 def _depth_first(bodies: Bodies) -> list[int]:

@@ -40,6 +40,13 @@ def random_bodies(
     )
 
 
+def tree_of_seed(seed: int) -> tuple[Bodies, np.random.Generator]:
+    """Return a tree of 1 to 40 links, with a floating base for odd seeds, and its generator."""
+    generator = np.random.default_rng(seed)
+    n_links = int(generator.choice([*range(1, 9)] * 4 + [*range(1, 41)]))
+    return random_bodies(generator, n_links, is_floating=bool(seed % 2)), generator
+
+
 def random_rotation(generator: np.random.Generator) -> Array:
     """Return a rotation, by right angles or by any."""
     if generator.random() < 0.5:

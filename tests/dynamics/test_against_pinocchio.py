@@ -8,13 +8,13 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
+from tests.dynamics.pinocchio_model import PinocchioModel
+from tests.dynamics.random_bodies import tree_of_seed
 
 from kindsl.dynamics import readable
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.mechanics import Mechanics
 from kindsl.dynamics.quantities import JOINT_VECTORS, Quantity
-from tests.dynamics.pinocchio_model import PinocchioModel
-from tests.dynamics.random_bodies import random_bodies
 
 TREES_PER_BLOCK = 30
 GRAVITY = np.array([1.2, -3.4, -9.0])
@@ -24,9 +24,7 @@ TOLERANCE = 1e-9
 @pytest.mark.parametrize("block", range(10))
 def test_300_random_trees_agree_with_pinocchio(block: int) -> None:
     for seed in range(block * TREES_PER_BLOCK, (block + 1) * TREES_PER_BLOCK):
-        generator = np.random.default_rng(seed)
-        n_links = int(generator.choice([*range(1, 9)] * 4 + [*range(1, 41)]))
-        bodies = random_bodies(generator, n_links, is_floating=bool(seed % 2))
+        bodies, generator = tree_of_seed(seed)
         _check_tree(seed, bodies, generator)
 
 

@@ -29,8 +29,6 @@ AT_REST = np.zeros(6)
 GRAVITY = np.array(STANDARD_GRAVITY)
 FLOAT64 = np.dtype(np.float64)
 
-NOTHING_RESISTS = "the acceleration is not defined: nothing resists some motion"
-
 
 class FreeMotionTorque(NamedTuple):
     """Inverse dynamics with a floating base on which no wrench acts.
@@ -268,9 +266,9 @@ class Mechanics:
                     conditions.get("gravity", GRAVITY),
                 )
         except (ZeroDivisionError, np.linalg.LinAlgError):
-            raise SingularInertiaError(NOTHING_RESISTS) from None
+            raise SingularInertiaError from None
         if "dynamics" in quantity and not np.isfinite(entries).all():
-            raise SingularInertiaError(NOTHING_RESISTS)
+            raise SingularInertiaError
         return entries
 
     def _quick_answer(
@@ -300,7 +298,8 @@ class Mechanics:
 
     def _body_poses(self, q: npt.ArrayLike) -> list[Array]:
         entries = self._evaluate("poses", (q,))
-        poses = np.moveaxis(entries.reshape((*entries.shape[:-1], -1, 4, 4)), -3, 0)
+        n_poses = len(self._pose_names)
+        poses = np.moveaxis(entries.reshape((*entries.shape[:-1], n_poses, 4, 4)), -3, 0)
         base = np.broadcast_to(np.eye(4), poses.shape[1:])
         return [base, *poses[: self.bodies.n_links]]
 

@@ -25,4 +25,7 @@ STANDARD_GRAVITY: Final = (0.0, 0.0, -9.81)
 
 
 class SingularInertiaError(ValueError):
-    """The inertia that resists a motion is zero, so the acceleration is not defined."""
+    """Some motion meets no inertia, so its acceleration is not defined."""
+
+    def __init__(self) -> None:
+        super().__init__("the acceleration is not defined: nothing resists some motion")

@@ -52,5 +52,5 @@ def _substitute(L: Matrix, inverse_pivots: Vector, b: Vector) -> Vector:
 
 def _inverse(pivot: Scalar) -> Scalar:
     if is_zero(pivot):
-        raise SingularInertiaError("nothing resists a motion: the inertia there is zero")
+        raise SingularInertiaError
     return 1.0 / pivot

@@ -1,0 +1,147 @@
+"""Recorded arithmetic is folded, shared and written out without loss."""
+
+import math
+import operator
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from tests.dynamics.random_bodies import random_bodies, random_inertia, random_rotation
+
+from kindsl.dynamics.generation.batch_code import batch_function, run_in_chunks
+from kindsl.dynamics.generation.expressions import Expression, Graph, cosine_and_sine
+from kindsl.dynamics.generation.factorization import solve_symmetric
+from kindsl.dynamics.generation.mass_distribution import MassDistribution
+from kindsl.dynamics.generation.scalar_code import scalar_function, scalar_source
+from kindsl.dynamics.generation.trace import Trace, trace
+from kindsl.dynamics.generation.tree import tree_of
+from kindsl.dynamics.quantities import SingularInertiaError
+from kindsl.spatial.inertia import pseudo_inertia
+
+numbers = st.one_of(
+    st.sampled_from([0.0, 1.0, -1.0, 2.0]), st.floats(-3.0, 3.0, allow_subnormal=False)
+)
+# A program is a list of operations, each on two earlier values or constants.
+steps = st.lists(
+    st.tuples(
+        st.sampled_from("+-*n"),
+        st.one_of(st.integers(0, 8), numbers),
+        st.one_of(st.integers(0, 8), numbers),
+    ),
+    min_size=1,
+    max_size=25,
+)
+
+
+OPERATIONS = {
+    "+": operator.add,
+    "-": operator.sub,
+    "*": operator.mul,
+    "n": lambda a, _: -a,
+}
+
+
+def _run(program: list[tuple[str, object, object]], values: list[object]) -> list[object]:
+    for operation, *places in program:
+        a, b = (
+            values[place % len(values)] if isinstance(place, int) else place for place in places
+        )
+        values.append(OPERATIONS[operation](a, b))
+    return values[-4:]
+
+
+@settings(max_examples=150, deadline=None, derandomize=True)
+@given(steps, st.lists(st.floats(-2.0, 2.0), min_size=3, max_size=3))
+def test_code_computes_what_was_recorded(
+    program: list[tuple[str, object, object]], inputs: list[float]
+) -> None:
+    graph = Graph()
+    argument = graph.vector(3)
+    outputs = _run(program, [*argument])
+    recorded = Trace(graph, [argument], outputs)  # type: ignore[arg-type]
+    expected = _run(program, [*inputs])
+    scale = max(1.0, *(abs(value) for value in _run(program, [2.0, 2.0, 2.0])), *map(abs, expected))
+    single = scalar_function(recorded)(inputs)
+    batch = run_in_chunks(batch_function(recorded), [np.array([inputs] * 5)], 5, 2)
+    tolerance = 1e-9 * scale
+    assert single == pytest.approx(expected, abs=tolerance)
+    for column in batch.T:
+        assert column == pytest.approx(expected, abs=tolerance)
+
+
+def test_constants_are_folded() -> None:
+    graph = Graph()
+    x, y = graph.vector(2)
+    assert x * 0.0 == 0.0
+    assert x - x == 0.0
+    for same in (
+        x + 0.0,
+        x * 1.0,
+        -(-x),  # noqa: B002
+        0.0 + x,
+        (x * 2.0) * 0.5,
+        (x * -1.0) * -1.0,
+    ):
+        assert isinstance(same, Expression)
+        assert same.index == x.index
+    assert (x + y).index == (y + x).index
+    assert (-(x - y)).index == (y - x).index
+    assert cosine_and_sine(0.0) == (1.0, 0.0)
+
+
+def test_what_no_output_needs_is_left_out() -> None:
+    graph = Graph()
+    argument = graph.vector(2)
+    x, y = argument
+    x * y + 3.0
+    assert "*" not in scalar_source(Trace(graph, [argument], [x + y]))
+
+
+def test_fixed_base_costs_less_than_floating() -> None:
+    generator = np.random.default_rng(0)
+    sizes = []
+    for is_floating in (False, True):
+        tree = tree_of(random_bodies(generator, 3, is_floating))
+        sizes.append(len(trace(tree, (), "bias_torque", "at_rest").needed()))
+    assert sizes[0] < sizes[1]
+
+
+def test_scalar_code_refuses_what_is_not_finite() -> None:
+    tree = tree_of(random_bodies(np.random.default_rng(0), 2, is_floating=False))
+    function = scalar_function(trace(tree, (), "joint_space_inertia", "at_rest"))
+    for value in (math.nan, math.inf, -math.inf):
+        with pytest.raises(ValueError, match=r"^$"):
+            function([0.0, value])
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_mass_distributions_move_as_pseudo_inertias(seed: int) -> None:
+    generator = np.random.default_rng(seed)
+    mass, com, inertia = random_inertia(generator)
+    P = pseudo_inertia(np.asarray(mass), com, inertia)
+    body = MassDistribution(P[:3, :3].tolist(), P[:3, 3].tolist(), mass)
+    R, r, angle = random_rotation(generator), generator.uniform(-1.0, 1.0, 3), 0.7
+    T = np.eye(4)
+    T[:3, :3], T[:3, 3] = R, r
+    Z = np.eye(4)
+    Z[:2, :2] = [[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]]
+    moved = body.rotated_about_z(math.cos(angle), math.sin(angle))
+    moved = moved.rotated(R.tolist()).displaced(r.tolist())
+    expected = T @ Z @ P @ Z.T @ T.T
+    assert np.array(moved.second) == pytest.approx(expected[:3, :3])
+    assert moved.first == pytest.approx(expected[:3, 3].tolist())
+    assert np.array(body.inertia()) == pytest.approx(inertia)
+
+
+@pytest.mark.parametrize("size", [1, 2, 6])
+def test_symmetric_systems_are_solved(size: int) -> None:
+    generator = np.random.default_rng(size)
+    root = generator.normal(size=(size, size))
+    A, b = root @ root.T + np.eye(size), generator.normal(size=size)
+    assert A @ solve_symmetric(A.tolist(), b.tolist()) == pytest.approx(b)
+
+
+def test_a_singular_system_is_an_error() -> None:
+    with pytest.raises(SingularInertiaError):
+        solve_symmetric([[0.0]], [1.0])
