@@ -55,6 +55,7 @@ vsix: $(STAMP)
 	cd vscode-extension && npm ci --ignore-scripts --no-audit --no-fund --silent && PYTHON=$(abspath $(BIN))/python npm run --silent package
 
 screenshots: $(STAMP)
+	$(BIN)/python docs/pictures/lint_output.py
 	$(BIN)/python -m tests.preview.screenshots
 
 clean:
