@@ -1,9 +1,25 @@
 """What the editor at the other end can do."""
 
-from typing import Any, NamedTuple
+import logging
+from collections.abc import Awaitable
+from typing import Any, NamedTuple, TypeVar
 
 from lsprotocol import types
 from pygls.capabilities import get_capability
+from pygls.exceptions import JsonRpcException
+
+T = TypeVar("T")
+
+logger = logging.getLogger(__name__)
+
+
+async def asked(request: Awaitable[T]) -> T | None:
+    """Await the client's answer; None if it refuses what it said it can do."""
+    try:
+        return await request
+    except JsonRpcException as error:
+        logger.info("the client refuses: %s", error)
+        return None
 
 
 class DiagnosticParts(NamedTuple):

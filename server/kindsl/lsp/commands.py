@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 from lsprotocol import types
 from pygls.exceptions import JsonRpcInvalidParams
 
+from kindsl.lsp.client import asked
 from kindsl.lsp.computing import computed
 from kindsl.lsp.edits import text_edits, workspace_edit
 from kindsl.lsp.errors import RequestFailed
@@ -44,7 +45,8 @@ async def apply_fix_all(server: "KindslLanguageServer", uri: object = None, *_: 
     if edit is None:
         return False
     params = types.ApplyWorkspaceEditParams(edit, label="Fix all that is safe to fix")
-    return (await server.workspace_apply_edit_async(params)).applied
+    answer = await asked(server.workspace_apply_edit_async(params))
+    return answer is not None and answer.applied
 
 
 async def _of_document(server: "KindslLanguageServer", uri: object, handler: Any) -> Any:

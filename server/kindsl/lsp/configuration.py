@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 from lsprotocol import types
 
 from kindsl.lsp import uris
+from kindsl.lsp.client import asked
 from kindsl.lsp.handlers import Handlers
 from kindsl.lsp.warm_up import warm_up
 from kindsl.lsp.workspace import CONFIGURATION_FILES
@@ -33,7 +34,8 @@ async def initialized(server: "KindslLanguageServer", _: types.InitializedParams
         method = types.WORKSPACE_DID_CHANGE_CONFIGURATION
         registrations.append(types.Registration("kindsl-settings", method, section))
     if registrations:
-        await server.client_register_capability_async(types.RegistrationParams(registrations))
+        params = types.RegistrationParams(registrations)
+        await asked(server.client_register_capability_async(params))
     await ask_for_settings(server)
 
 
@@ -84,7 +86,8 @@ async def ask_for_settings(server: "KindslLanguageServer") -> None:
     if server.client.can("workspace.configuration"):
         scopes = [None, *server.settings.folders.values()]
         items = [types.ConfigurationItem(scope_uri=scope, section=_SECTION) for scope in scopes]
-        answers = await server.workspace_configuration_async(types.ConfigurationParams(items))
+        params = types.ConfigurationParams(items)
+        answers = await asked(server.workspace_configuration_async(params)) or ()
         given = [(answer, s) for s, answer in zip(scopes, answers, strict=False) if answer]
         news = [server.settings.set_editor_settings(*each) for each in given]
         if any(news):

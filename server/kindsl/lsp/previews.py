@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 from lsprotocol import types
 
 from kindsl.lsp import tasks, uris
+from kindsl.lsp.client import asked
 from kindsl.lsp.document import Document
 from kindsl.lsp.errors import RequestFailed
 
@@ -89,4 +90,4 @@ class Previews:
         if document is not None and self._server.client.can("window.show_document.support"):
             selection = document.range(*span)
             shown = types.ShowDocumentParams(document.uri, False, True, selection)
-            tasks.start(self._server.window_show_document_async(shown))
+            tasks.start(asked(self._server.window_show_document_async(shown)))

@@ -4,6 +4,7 @@ import uuid
 from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types
+from pygls.exceptions import JsonRpcException
 
 if TYPE_CHECKING:
     from kindsl.lsp.server import KindslLanguageServer
@@ -30,11 +31,17 @@ class Progress:
 
     async def __aenter__(self) -> "Progress":
         if self._token is None and self._server.client.can("window.work_done_progress"):
-            self._token = str(uuid.uuid4())
-            created = types.WorkDoneProgressCreateParams(self._token)
-            await self._server.window_work_done_progress_create_async(created)
+            self._token = await self._created(str(uuid.uuid4()))
         self._send(types.WorkDoneProgressBegin(self._title, percentage=0))
         return self
+
+    async def _created(self, token: str) -> str | None:
+        params = types.WorkDoneProgressCreateParams(token)
+        try:
+            await self._server.window_work_done_progress_create_async(params)
+        except JsonRpcException:
+            return None
+        return token
 
     def report(self, done: int, total: int) -> None:
         """Tell how much is done, when that is a per cent more than told before."""
