@@ -5,8 +5,9 @@ axis no choice of its numbers within these intervals gives a second moment that 
 that axis then proves it, whatever the other numbers are. The axis tried is that of the smallest
 second moment about the CoM.
 
-Zeros need care. A writer who drops trailing digits prints `0.0` for whatever is below his last
-digit, so a zero is taken to be as exact as the most exact number beside it.
+Two kinds of numbers need care. A writer who drops trailing digits prints `0.0` for whatever is
+below his last digit, so a zero is taken to be as exact as the most exact number beside it. And the
+language wants a decimal point, so of `55.0` and `120.0` two digits are believed.
 """
 
 from collections.abc import Mapping, Sequence
@@ -122,7 +123,7 @@ def half_widths(inertia: Inertia, values: Mapping[str, float]) -> MassDistributi
     assert inertia.mass is not None and inertia.com is not None
     com = _half_widths(inertia.com.components, values)
     moments = _half_widths([inertia.moments[name] for name in MOMENTS], values)
-    mass = inertia.mass.rounding(values)
+    mass = _half_width(inertia.mass, values)
     return MassDistribution(mass, tuple(com), tuple(moments))  # type: ignore[arg-type]
 
 
@@ -177,9 +178,18 @@ def _judge(link: Link, values: Mapping[str, float]) -> Judgement | None:
 
 
 def _half_widths(group: Sequence[Expression], values: Mapping[str, float]) -> list[float]:
-    halves = [value.rounding(values) for value in group]
+    halves = [_half_width(value, values) for value in group]
     finest = min((half for half in halves if half > 0.0), default=float("inf"))
     return [
         min(finest, half_unit(value.text)) if value.literal == 0.0 else half
         for value, half in zip(group, halves, strict=True)
     ]
+
+
+def _half_width(value: Expression, values: Mapping[str, float]) -> float:
+    if value.literal is None or abs(value.literal) < 10.0 or not value.text.endswith(".0"):
+        return value.rounding(values)
+    whole, unit = int(abs(value.literal)), 1
+    while whole % 10 == 0 and whole >= 100:
+        whole, unit = whole // 10, unit * 10
+    return 0.5 * unit
