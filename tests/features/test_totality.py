@@ -39,7 +39,7 @@ AT_OFFSET = (
     symbol_at, definitions, bound_parameter, references, highlights, rename_range,
     selection_ranges, linked_ranges, hierarchy_items, hover, signature_help, completions,
 )  # fmt: skip
-WHOLE = (document_symbols, folds, semantic_tokens, document_links, code_lenses, fix_all_action)
+WHOLE = (document_symbols, folds, semantic_tokens, document_links, code_lenses)
 
 
 def visit(text, offsets):
@@ -101,16 +101,16 @@ def check_tokens(analysis):
 
 def test_every_offset_of_every_prefix_of_a_small_document():
     for length in range(len(SMALL) + 1):
-        visit(SMALL[:length], [*range(max(length - 12, 0), length + 2), *range(0, length, 9)])
+        visit(SMALL[:length], [*range(max(length - 3, 0), length + 2), length // 2])
 
 
 @pytest.mark.parametrize("text", ALL)
 def test_every_offset(text):
-    visit(text, range(-1, len(text) + 2, 2))
+    visit(text, range(-1, len(text) + 2, 3))
 
 
 @given(st.lists(st.tuples(st.integers(0, len(SMALL)), st.integers(0, 9)), max_size=4), st.data())
-@settings(max_examples=150, deadline=None, derandomize=True)
+@settings(max_examples=60, deadline=None, derandomize=True)
 def test_mutilated_documents(cuts, data):
     text = SMALL
     for at, length in cuts:
@@ -121,4 +121,5 @@ def test_mutilated_documents(cuts, data):
 @given(st.text("{}()=,[]<>*/+-.1\n aΩ^|\"'\r/*\x00\u2028", max_size=60))
 @settings(max_examples=150, deadline=None, derandomize=True)
 def test_noise(text):
+    fix_all_action(analyse(text))
     visit(text, range(0, len(text) + 1, 3))

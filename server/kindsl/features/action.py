@@ -17,6 +17,8 @@ class CodeAction(NamedTuple):
         diagnostics: The findings that it mends.
         is_preferred: Whether an editor may do it unasked, by one key.
         cursor: Where to put the cursor in the new text, to rename what was made; None for nowhere.
+        bindings: Values to give to parameters in `kindsl.toml` along with the change; without
+            them the document does not mean the same.
     """
 
     title: str
@@ -25,3 +27,4 @@ class CodeAction(NamedTuple):
     diagnostics: tuple[Diagnostic, ...] = ()
     is_preferred: bool = False
     cursor: int | None = None
+    bindings: tuple[tuple[str, float], ...] = ()

@@ -1,10 +1,11 @@
 """What an editor offers at a selection: fixes, fixes of all like it, suppressions, refactorings."""
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 from kindsl.features.action import CodeAction
 from kindsl.features.fix_all import disjoint_fixes, fix_all
+from kindsl.features.refactorings import refactorings
 from kindsl.rules.analysis import Analysis
 from kindsl.rules.diagnostics import Diagnostic
 from kindsl.text.edits import TextEdit
@@ -12,9 +13,6 @@ from kindsl.text.edits import TextEdit
 FIX_ALL = "source.fixAll.kindsl"
 QUICK_FIX = "quickfix"
 _BLANKS = re.compile(r"[ \t]*")
-
-Refactoring = Callable[[Analysis, int, int], Iterator[CodeAction]]
-_REFACTORINGS: tuple[Refactoring, ...] = ()
 
 
 def code_actions(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, ...]:
@@ -33,11 +31,6 @@ def fix_all_action(analysis: Analysis) -> CodeAction | None:
     """Return the action that applies every safe fix, or None if there is nothing to fix."""
     edits = fix_all(analysis)
     return CodeAction("Fix all that is safe to fix", FIX_ALL, edits) if edits else None
-
-
-def refactorings(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, ...]:
-    """Return the refactorings that make sense at a range."""
-    return tuple(action for offer in _REFACTORINGS for action in offer(analysis, start, end))
 
 
 def _fix(finding: Diagnostic) -> CodeAction:
