@@ -1,12 +1,14 @@
 """Lints one document, mending it if that is wanted."""
 
 import os
+from collections.abc import Sequence
 from enum import Enum
 from typing import NamedTuple
 
 from kindsl.cli.outcome import Failure, LintedFile
 from kindsl.cli.sources import STDIN, is_decodable, read_source
 from kindsl.rules.analysis import Analysis, analyse
+from kindsl.rules.diagnostics import Diagnostic
 from kindsl.rules.settings import Settings
 
 
@@ -59,8 +61,12 @@ def check(task: Task) -> Checked:
 
 def _checked(task: Task, text: str) -> Checked:
     analysis = analyse(text, task.settings)
-    if task.mending is Mending.NONE or not is_decodable(text):
-        return Checked(_file(task, analysis), None)
+    if not is_decodable(text):
+        from kindsl.cli.undecodable import with_undecodable
+
+        return Checked(_file(task, analysis, with_undecodable(text, analysis.findings)), None)
+    if task.mending is Mending.NONE:
+        return Checked(_file(task, analysis, analysis.findings), None)
     from kindsl.cli.fixing import mended
     from kindsl.cli.writing import write_text
 
@@ -68,12 +74,16 @@ def _checked(task: Task, text: str) -> Checked:
     if task.mending is Mending.WRITTEN and task.path != STDIN and better.text != text:
         failure = write_text(task.path, task.shown, text, better.text)
         if failure is not None:
-            return Checked(_file(task, analysis), failure)
-    return Checked(_file(task, better, text, n_fixed), None)
+            return Checked(_file(task, analysis, analysis.findings), failure)
+    return Checked(_file(task, better, better.findings, text, n_fixed), None)
 
 
 def _file(
-    task: Task, analysis: Analysis, original: str | None = None, n_fixed: int = 0
+    task: Task,
+    analysis: Analysis,
+    findings: Sequence[Diagnostic],
+    original: str | None = None,
+    n_fixed: int = 0,
 ) -> LintedFile:
     parameters = frozenset(str(parameter.name) for parameter in analysis.model.parameters)
-    return LintedFile(task.shown, analysis.text, analysis.findings, parameters, original, n_fixed)
+    return LintedFile(task.shown, analysis.text, findings, parameters, original, n_fixed)

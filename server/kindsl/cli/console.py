@@ -1,7 +1,6 @@
 """What a terminal can show."""
 
 import os
-import re
 from io import TextIOWrapper
 from typing import TextIO
 
@@ -9,10 +8,7 @@ _COLOURS = {
     "error": "1;31", "warning": "1;33", "info": "1;34", "hint": "1;36", "note": "1;36",
     "path": "1", "frame": "34", "fix": "32",
 }  # fmt: skip
-# Control characters, and undecodable bytes as `surrogateescape` leaves them.
-_UNPRINTABLE = re.compile(
-    r"[\x00-\x08\x0a-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069\ud800-\udfff\ufeff]"
-)
+_BLANKS = "\t\u00a0\u3000"
 
 
 def wants_colour(stream: TextIO) -> bool:
@@ -35,8 +31,17 @@ def plain(text: str, _kind: str) -> str:
 
 
 def printable(text: str) -> str:
-    """Return a text that moves no cursor, each strange character replaced by one sign."""
-    return _UNPRINTABLE.sub("\ufffd", text)
+    """Return a text that moves no cursor, each strange character replaced by one sign.
+
+    Strange are control and format characters but the tab, and undecodable bytes as
+    `surrogateescape` leaves them.
+    """
+    if text.isprintable():
+        return text
+    return "".join(
+        character if character.isprintable() or character in _BLANKS else "\ufffd"
+        for character in text
+    )
 
 
 def write(stream: TextIO, text: str) -> None:

@@ -1,11 +1,12 @@
 """`kindsl`: one command, each subcommand imported only when it is asked for."""
 
-import argparse
+import gc
 import os
 import sys
 from importlib import import_module
 
 from kindsl.cli.console import write
+from kindsl.cli.process import run_and_exit
 
 COMMANDS = {
     "lint": "tell what is wrong with documents",
@@ -17,27 +18,22 @@ COMMANDS = {
     "diff": "tell what changed mechanically between two documents",
     "language-server": "serve an editor",
 }
+LONG_RUNNING = ("preview", "language-server")
 USAGE_ERROR = 2
 INTERRUPTED = 130
 _DIGITS = tuple("0123456789.")
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Run the subcommand that the arguments name."""
-    given = sys.argv[1:] if arguments is None else arguments
-    command = given[0] if given else "--help"
-    if command in ("-h", "--help", "help"):
-        write(sys.stdout if given else sys.stderr, overview())
-        return 0 if given else USAGE_ERROR
-    if command in ("-V", "--version"):
-        from kindsl.cli.version import version
+    """Run the subcommand that the arguments name.
 
-        write(sys.stdout, f"kindsl {version()}\n")
-        return 0
-    if command not in available():
-        write(sys.stderr, f"kindsl: error: {_unknown(command)}\n")
-        return USAGE_ERROR
-    return _run(command, given[1:])
+    Ends the process if the arguments are the process's, but for subcommands that run for long.
+    """
+    if arguments is None:
+        arguments = sys.argv[1:]
+        if not set(arguments[:1]) <= set(LONG_RUNNING):
+            run_and_exit(lambda: _dispatched(sys.argv[1:]))
+    return _dispatched(arguments)
 
 
 def available() -> dict[str, str]:
@@ -60,6 +56,22 @@ def overview() -> str:
     )
 
 
+def _dispatched(given: list[str]) -> int:
+    command = given[0] if given else "--help"
+    if command in ("-h", "--help", "help"):
+        write(sys.stdout if given else sys.stderr, overview())
+        return 0 if given else USAGE_ERROR
+    if command in ("-V", "--version"):
+        from kindsl.cli.version import version
+
+        write(sys.stdout, f"kindsl {version()}\n")
+        return 0
+    if command not in available():
+        write(sys.stderr, f"kindsl: error: {_unknown(command)}\n")
+        return USAGE_ERROR
+    return _run(command, given[1:])
+
+
 def with_joined_negatives(arguments: list[str]) -> list[str]:
     """Return arguments with `--q -1,2` as `--q=-1,2`, which argparse would take for an option."""
     joined: list[str] = []
@@ -73,11 +85,15 @@ def with_joined_negatives(arguments: list[str]) -> list[str]:
 
 
 def _run(command: str, arguments: list[str]) -> int:
+    import argparse
+
+    from kindsl.cli.help_formatter import HelpFormatter
+
     module = import_module(f"kindsl.cli.{_module(command)}")
+    if command != "lint":
+        gc.enable()
     parser = argparse.ArgumentParser(
-        prog=f"kindsl {command}",
-        description=module.__doc__,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+        prog=f"kindsl {command}", description=module.__doc__, formatter_class=HelpFormatter
     )
     module.add_arguments(parser)
     try:

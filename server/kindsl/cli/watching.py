@@ -1,5 +1,6 @@
 """`--watch`: lints again whenever a document or a configuration changes."""
 
+import gc
 import os
 import sys
 import time
@@ -18,6 +19,7 @@ Stamp = tuple[int, int, int]
 
 def watch(plan: Plan, report: Callable[[Outcome], int]) -> int:
     """Lint and report until interrupted; return the last report's status."""
+    gc.enable()
     status = 0
     seen: dict[str, Stamp | None] = {}
     is_first = True

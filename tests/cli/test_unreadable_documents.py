@@ -1,0 +1,175 @@
+"""Whatever lies in a folder: a clear message with the place, and the others are linted."""
+
+import os
+import pwd
+import random
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+from tests.cli.conftest import Runner
+from tests.cli.samples import GOOD, INTEGER
+
+STRANGE = {
+    "utf16.kindsl": GOOD.encode("utf-16"),
+    "utf16le.kindsl": GOOD.encode("utf-16-le"),
+    "utf16be.kindsl": GOOD.encode("utf-16-be"),
+    "utf32.kindsl": GOOD.encode("utf-32"),
+    "noise.kindsl": random.Random(1).randbytes(10_000),
+}
+
+
+@pytest.mark.parametrize("name", STRANGE)
+def test_no_text_is_told_and_exits_with_2(kdsl_lint: Runner, folder: Path, name: str) -> None:
+    (folder / name).write_bytes(STRANGE[name])
+    (folder / "other.kindsl").write_text(INTEGER)
+    told = kdsl_lint()
+    expected = name[:5].upper().replace("UTF", "UTF-") if name.startswith("utf") else "not a text"
+    assert told.err.startswith(f"{name}:1:")
+    assert expected in told.err.splitlines()[0]
+    assert told.out.startswith("other.kindsl:21:32: error[KD005]")
+    assert told.status == 2
+
+
+def test_ten_megabytes_of_noise(kdsl_lint: Runner, folder: Path) -> None:
+    (folder / "noise.kindsl").write_bytes(random.Random(2).randbytes(10_000_000))
+    told = kdsl_lint("noise.kindsl")
+    assert told.status == 2
+    assert "noise.kindsl:1:" in told.err
+
+
+def test_latin_1_is_found_at_its_place(kdsl_lint: Runner, folder: Path) -> None:
+    text = GOOD.replace("Robot arm {", "Robot arm { // Länge der Beine")
+    (folder / "latin.kindsl").write_bytes(text.encode("latin-1"))
+    told = kdsl_lint("latin.kindsl")
+    assert told.out.startswith("latin.kindsl:1:17: error[KD004]")
+    assert told.status == 1
+
+
+def test_a_document_that_did_not_decode_is_never_written(kdsl_lint: Runner, folder: Path) -> None:
+    content = INTEGER.replace("Robot arm {", "Robot arm { // Länge").encode("latin-1")
+    (folder / "latin.kindsl").write_bytes(content)
+    kdsl_lint("latin.kindsl", "--fix")
+    assert (folder / "latin.kindsl").read_bytes() == content
+
+
+def test_byte_order_mark_is_found_and_removed(kdsl_lint: Runner, folder: Path) -> None:
+    (folder / "bom.kindsl").write_text(GOOD, encoding="utf-8-sig")
+    told = kdsl_lint("bom.kindsl")
+    assert told.out.startswith("bom.kindsl:1:1: error[KD004]")
+    assert kdsl_lint("bom.kindsl", "--fix").status == 0
+    assert (folder / "bom.kindsl").read_bytes() == GOOD.encode()
+
+
+@pytest.mark.parametrize("line_end", ["\r\n", "\r"])
+def test_other_line_ends_are_lines(kdsl_lint: Runner, folder: Path, line_end: str) -> None:
+    (folder / "a.kindsl").write_bytes(INTEGER.replace("\n", line_end).encode())
+    told = kdsl_lint("a.kindsl")
+    assert told.out.startswith("a.kindsl:21:32: error[KD005]")
+    assert len(told.out.splitlines()) == 4
+
+
+def test_a_line_of_a_megabyte_is_shown_in_part(kdsl_lint: Runner, folder: Path) -> None:
+    one_line = INTEGER.replace("\n", " ").replace(
+        "{ upper via", "{" + " " * 1_000_000 + "upper via"
+    )
+    (folder / "long.kindsl").write_text(one_line)
+    told = kdsl_lint("long.kindsl")
+    lines = told.out.splitlines()
+    assert lines[0].startswith("long.kindsl:1:1000")
+    assert max(map(len, lines)) < 200
+    assert lines[2].index("^") == lines[1].index("(1, ") + 1
+
+
+def test_broken_link(kdsl_lint: Runner, folder: Path) -> None:
+    (folder / "gone.kindsl").symlink_to("nowhere.kindsl")
+    (folder / "other.kindsl").write_text(INTEGER)
+    told = kdsl_lint()
+    assert "gone.kindsl: error: broken symbolic link to 'nowhere.kindsl'" in told.err
+    assert told.out.startswith("other.kindsl:21:32:")
+    assert told.status == 2
+
+
+def test_folder_with_the_name_of_a_document(kdsl_lint: Runner, folder: Path) -> None:
+    (folder / "x.kindsl").mkdir()
+    (folder / "other.kindsl").write_text(INTEGER)
+    for paths in ([], ["x.kindsl", "other.kindsl"]):
+        told = kdsl_lint(*paths)
+        assert "x.kindsl: error: is a folder, not a file" in told.err
+        assert told.out.startswith("other.kindsl:21:32:")
+        assert told.status == 2
+
+
+def test_folder_with_such_a_name_and_documents_is_a_folder(kdsl_lint: Runner, folder: Path) -> None:
+    (folder / "x.kindsl").mkdir()
+    (folder / "x.kindsl" / "good.kindsl").write_text(GOOD)
+    assert kdsl_lint().status == 0
+
+
+def test_missing_file(kdsl_lint: Runner, folder: Path) -> None:
+    (folder / "other.kindsl").write_text(INTEGER)
+    told = kdsl_lint("missing.kindsl", "other.kindsl")
+    assert told.err.startswith("missing.kindsl: error: no such file or folder\n")
+    assert told.out.startswith("other.kindsl:21:32:")
+    assert told.status == 2
+
+
+def test_pipe_in_a_folder_does_not_block(kdsl_lint: Runner, folder: Path) -> None:
+    os.mkfifo(folder / "pipe.kindsl")
+    told = kdsl_lint()
+    assert told.err.startswith("pipe.kindsl: error: is not a regular file\n")
+    assert told.status == 2
+
+
+def test_no_permission(kdsl_lint: Runner) -> None:
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        folder.chmod(0o755)
+        secret, other = folder / "secret.kindsl", folder / "other.kindsl"
+        secret.write_text(GOOD)
+        secret.chmod(0)
+        other.write_text(INTEGER)
+        other.chmod(0o644)
+        kdsl_lint(other)  # imports what is needed
+        with without_privileges():
+            told = kdsl_lint(secret, other)
+    assert f"{secret}: error: cannot be read: permission denied" in told.err
+    assert f"{other}:21:32: error[KD005]" in told.out
+    assert told.status == 2
+
+
+@contextmanager
+def without_privileges() -> Iterator[None]:
+    """Be somebody else for a while if we are root, who may read everything."""
+    user = os.geteuid()
+    if user != 0:
+        yield
+        return
+    os.seteuid(pwd.getpwnam("nobody").pw_uid)
+    try:
+        yield
+    finally:
+        os.seteuid(user)
+
+
+def test_defect_of_a_rule_does_not_stop_the_others(
+    kdsl_lint: Runner, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from kindsl.cli import checking
+
+    def broken(text: str, settings: object) -> object:
+        if "arm" in text:
+            raise KeyError("oh")
+        return analyse(text, settings)  # type: ignore[arg-type]
+
+    analyse = checking.analyse
+    monkeypatch.setattr(checking, "analyse", broken)
+    monkeypatch.delenv("KINDSL_TRACEBACK")
+    (folder / "arm.kindsl").write_text(GOOD)
+    (folder / "leg.kindsl").write_text(INTEGER.replace("arm", "leg"))
+    told = kdsl_lint()
+    assert told.err.startswith("arm.kindsl: error: a defect of kindsl itself: KeyError: 'oh'\n")
+    assert told.out.startswith("leg.kindsl:21:32:")
+    assert told.status == 2
