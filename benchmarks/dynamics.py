@@ -209,14 +209,13 @@ def _print_robot_model_tools(rounds: int) -> None:
     import robmodel.jposes
 
     path = ROOT / "examples" / "industrial_arm.kindsl"
-    connectivity, _, frames, geometry, *_ = rmt.rmt.getmodels(str(path))
-    kinematics = rmt.kinematics.RobotKinematics(
-        geometry, robmodel.jposes.JointPoses(connectivity, frames)
-    )
+    robot, frames, geometry = rmt.rmt.getmodels(str(path))[1:4]
+    joints = robmodel.jposes.JointPoses(robot, frames, geometry.jointAxes)
+    kinematics = rmt.kinematics.RobotKinematics(geometry, joints)
     mechanics = _mechanics_of(path)
     transforms = []
     for name in mechanics.bodies.link_names:
-        link = frames.framesByName[name]
+        link = frames.linkFrames[robot.links[name]]
         pose = kinematics.framesConnectivity.getPoseSpec(link, kinematics.baseFrame)
         transforms.append(matrices.hCoordinatesSymbolic(from_motions.toCoordinateTransform(pose)))
     q = np.linspace(0.1, 0.6, mechanics.bodies.n_links)
@@ -238,7 +237,8 @@ def _mechanics_of(path: Path) -> Mechanics:
     from kindsl.semantics.model import Model
     from kindsl.syntax.document import parse
 
-    return mechanism_of(Model(parse(path.read_text()).islands), {})
+    model = Model(parse(path.read_text()).islands)
+    return mechanism_of(model, {str(parameter.name): 0.1 for parameter in model.parameters})
 
 
 def _print_first_answers(rounds: int) -> None:
