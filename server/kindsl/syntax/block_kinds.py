@@ -52,7 +52,7 @@ def opening(tokens: Sequence[Token], index: int, previous: str = "") -> Opening 
     start = BLOCK_STARTS.get(token.kind)
     if start is not None:
         return _checked(tokens, index, start)
-    if not token.text[0].isidentifier():
+    if not token.text[:1].isidentifier():
         return _in_place_of_junk(tokens, index, previous)
     following = tokens[index + 1] if index + 1 < len(tokens) else None
     if following is None:

@@ -98,7 +98,9 @@ def _surplus(blocks: Sequence[Block]) -> list[PlacedProblem]:
                 problem = Problem("KD009", message, keyword.start, name.end)
                 problems.append(_placed(block, problem))
         elif kind == "end" and position < len(blocks) - 1:
-            problems += _early_end(blocks, position)
+            before = blocks[position - 1] if position else None
+            if before is None or before.node.kind != "end" or before.index != block.index:
+                problems += _early_end(blocks, position)
     return problems
 
 

@@ -34,7 +34,7 @@ def without_invalid(
     for token in tokens:
         if token.kind != BAD or _is_visible(token.text[0]):
             is_rest_of_name = token.start == end and good and good[-1].end < end
-            if is_rest_of_name and good[-1].text[0].isidentifier() and token.text[0].isalnum():
+            if is_rest_of_name and good[-1].text[:1].isidentifier() and token.text[0].isalnum():
                 invalid.append(token)
                 end = token.end
             else:
@@ -83,9 +83,10 @@ def _summary(problems: list[Problem]) -> tuple[Problem, ...]:
     """Return the problems, the last ones as one where they are many."""
     if len(problems) <= _MOST_PROBLEMS:
         return tuple(problems)
-    rest = problems[_MOST_PROBLEMS - 1 :]
+    shown = 1 if len(problems) > 5 * _MOST_PROBLEMS else _MOST_PROBLEMS - 1
+    rest = problems[shown:]
     edits = tuple(edit for problem in rest if problem.repair for edit in problem.repair.edits)
     message = f"{len(rest)} more invalid characters"
     repair = Repair("Remove the invalid characters", edits, True)
     last = Problem("KD004", message, rest[0].start, rest[0].end, repair)
-    return (*problems[: _MOST_PROBLEMS - 1], last)
+    return (*problems[:shown], last)

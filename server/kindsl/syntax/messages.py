@@ -29,16 +29,17 @@ def repair_problem(
         changes: The repair.
         moment: The moment of inertia that an inserted one would be.
     """
-    start, end = _span(tokens, changes)
-    gone = [tokens[c.index] for c in changes if c.action != "insert"]
-    added = [c for c in changes if c.action != "delete"]
-    code, message = "KD001", ""
+    group = _first_group(changes)
+    start, end = _span(tokens, group)
+    gone = [tokens[c.index] for c in group if c.action != "insert"]
+    added = [c for c in group if c.action != "delete"]
+    code = "KD001"
     if not added:
-        message = f"unexpected '{shown(text[start:end])}'"
+        message = _left_out(text, tokens, gone)
     elif gone:
         code, message = _instead(added[0], gone, text[start:end], moment)
     else:
-        code, message = _lost(text, read, tokens, added[0], moment)
+        code, message = _lost(read, tokens, added[0], moment)
     return Problem(code, message, start, end, _repair(text, read, tokens, changes, moment))
 
 
@@ -90,25 +91,33 @@ def _titled(read: Sequence[Token], brace: int) -> str:
     return f"frame '{before[-1].text}'" if before[-1].kind == "NAME" else "'frames'"
 
 
-def _span(tokens: Sequence[Token], changes: Sequence[Change]) -> tuple[int, int]:
-    starts, ends = [], []
-    for change in changes:
-        if change.action == "insert":
-            position = insertion_place(tokens, change)
-            starts.append(position)
-            ends.append(position)
-        else:
-            starts.append(tokens[change.index].start)
-            ends.append(tokens[change.index].end)
-    if all(change.action != "insert" for change in changes):
-        return min(starts), max(ends)
-    first = changes[0]
-    if first.action == "insert" and len(changes) == 1:
-        return starts[0], ends[0]
-    gone = [i for i, change in enumerate(changes) if change.action != "insert"]
-    if not gone:
-        return starts[0], ends[0]
-    return min(starts[i] for i in gone), max(ends[i] for i in gone)
+def _first_group(changes: Sequence[Change]) -> list[Change]:
+    """Return the changes that are made in one place with the first."""
+    group = [changes[0]]
+    for change in changes[1:]:
+        if change.index > group[-1].index + 1:
+            break
+        group.append(change)
+    return group
+
+
+def _span(tokens: Sequence[Token], group: Sequence[Change]) -> tuple[int, int]:
+    gone = [tokens[change.index] for change in group if change.action != "insert"]
+    if gone:
+        return gone[0].start, gone[-1].end
+    place = insertion_place(tokens, group[0])
+    return place, place
+
+
+def _left_out(text: str, tokens: Sequence[Token], gone: Sequence[Token]) -> str:
+    """Return what to say about tokens that are too much; glued to a name they spoil it."""
+    for token in tokens:
+        if token.end == gone[0].start and token.text[:1].isidentifier():
+            return f"'{shown(text[token.start : gone[-1].end])}' is not a name"
+        if token.start == gone[-1].end and token.text[:1].isidentifier():
+            if gone[0].text[0].isdigit():
+                return f"'{shown(text[gone[0].start : token.end])}' is not a name"
+    return f"unexpected '{shown(text[gone[0].start : gone[-1].end])}'"
 
 
 def insertion_place(tokens: Sequence[Token], change: Change) -> int:
@@ -121,6 +130,8 @@ def insertion_place(tokens: Sequence[Token], change: Change) -> int:
 
 def _instead(change: Change, gone: Sequence[Token], text: str, moment: str) -> tuple[str, str]:
     word = gone[0].text
+    if change.kind == "INT":
+        return "KD005", f"id '{shown(word)}' is not a natural number"
     near = None
     if word not in KEYWORDS and word[0].isidentifier():
         near = nearest(word, SPELLINGS.get(change.kind, ()))
@@ -130,7 +141,7 @@ def _instead(change: Change, gone: Sequence[Token], text: str, moment: str) -> t
 
 
 def _lost(
-    text: str, read: Sequence[Token], tokens: Sequence[Token], change: Change, moment: str
+    read: Sequence[Token], tokens: Sequence[Token], change: Change, moment: str
 ) -> tuple[str, str]:
     if change.kind == "}":
         return "KD002", f"expected '}}' to close {opened_block(read)}"

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from kindsl.syntax.builder import build
 from kindsl.syntax.characters import comment_problem, without_invalid
-from kindsl.syntax.decimal_commas import with_decimal_commas
+from kindsl.syntax.foreign_forms import adapted
 from kindsl.syntax.recovery import recover
 from kindsl.syntax.scanner import comments, scan
 from kindsl.syntax.sections import section_problems
@@ -59,13 +59,15 @@ def _recovered(
     text: str, tokens: list[Token], spans: tuple[tuple[int, int], ...], cut: Problem | None
 ) -> Island:
     good, invalid, problems = without_invalid(tokens)
-    recovered = recover(text, with_decimal_commas(good), is_cut=cut is not None)
+    usual = adapted(text, good)
+    recovered = recover(text, usual.tokens, is_cut=cut is not None)
     written, skipped = recovered.tokens, recovered.skipped
+    invalid += usual.skipped
     if invalid:
         written = tuple(sorted((*written, *invalid), key=lambda t: (t.start, t.end)))
         skipped = (*skipped, *invalid)
     touched = touched_nodes(recovered.nodes, recovered.skipped)
-    said = [*problems, *recovered.problems, *((cut,) if cut else ())]
+    said = [*problems, *usual.problems, *recovered.problems, *((cut,) if cut else ())]
     said += _not_explained(_meaning_problems(text, recovered.nodes, touched), said)
     said.sort(key=lambda problem: problem.start)
     return Island(text, recovered.nodes, _with_leads(written), skipped, spans, tuple(said))

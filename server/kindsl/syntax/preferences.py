@@ -45,7 +45,7 @@ def preferences(
         if kind in _SECTIONS:
             cost = 0.5 if kind in present else -0.4
         spellings = SPELLINGS.get(kind)
-        is_word = old.text[0].isidentifier()
+        is_word = old.text[:1].isidentifier()
         if spellings and is_word and old.text not in KEYWORDS:
             return cost - (0.6 if any(is_near(old.text, word) for word in spellings) else 0.0)
         if kind == "NAME" or bool(spellings) == is_word:

@@ -254,8 +254,8 @@ class _Block:
             )
         if place < len(self.read_tokens):
             token = supplied("}", self.read_tokens[place - 1].end)
-            at = island.written.index(self.read_tokens[place])
-            island.written.insert(at, token)
+            at = island.written.index(self.read_tokens[place - 1])
+            island.written.insert(at + 1, token)
             self.read_tokens.insert(place, token)
             return
         for kind in kinds or []:
@@ -270,7 +270,8 @@ class _Block:
             return len(self.read_tokens)
         trial = [*self.read_tokens]
         trial.insert(place, supplied("}", self.read_tokens[place - 1].end))
-        return place if build(trial, self.start).node is not None else len(self.read_tokens)
+        is_whole = build(trial, self.start).count == len(trial)
+        return place if is_whole else len(self.read_tokens)
 
 
 def _goes_on(stack: Stack, tokens: Sequence[Token]) -> bool:
@@ -299,7 +300,7 @@ def _unglued(stack: Stack, token: Token) -> tuple[Token, Token] | None:
 def _is_alike(token: Token, kind: str) -> bool:
     """Return whether a written token may stand in the tree for one of another kind."""
     if kind in SPELLINGS or kind == "NAME":
-        return token.text[0].isidentifier()
+        return token.text[:1].isidentifier()
     if kind in ("FLOAT", "INT"):
         return False
     return len(token.text) == 1

@@ -7,16 +7,15 @@ _MOST_LETTERS = 40
 
 def nearest(word: str, words: Iterable[str]) -> str | None:
     """Return the word that is a slip or two away, None where none is."""
-    scored = [(distance(word, other), other) for other in words]
-    best = min(scored, default=None)
-    if best is None or best[0] > _most_slips(best[1]):
-        return None
-    return best[1]
+    near = [(distance(word, other), other) for other in words if is_near(word, other)]
+    return min(near)[1] if near else None
 
 
 def is_near(word: str, other: str) -> bool:
     """Return whether one word may be a slip of the other."""
-    return distance(word, other) <= _most_slips(other)
+    if len(word) > 3 and (other.startswith(word) or other.endswith(word)):
+        return True
+    return word.lower() == other.lower() or distance(word, other) <= _most_slips(other)
 
 
 def distance(left: str, right: str) -> float:

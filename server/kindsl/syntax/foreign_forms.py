@@ -1,0 +1,252 @@
+"""Habits from other languages, read for what they mean: `0,5`, `[1.0, 0.0, 0.0]`, `x-1.0`, `# text`.
+
+They are put right before the search for repairs, which would see several mistakes in them.
+"""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from kindsl.syntax.forms import form_kind, kinds_accepted_by
+from kindsl.syntax.tree import Edit, Problem, Repair, Token
+from kindsl.syntax.words import SPELLINGS, supplied
+
+_REACH = 40
+_COMPONENTS = 3
+_VECTORS = frozenset({"CoM", "translation", "rotation"})
+_EMPTY_VECTOR = ("(", "FLOAT", ",", "FLOAT", ",", "FLOAT", ")")
+_SCALARS = frozenset({"mass", "MOMENT"})
+_NUMBERS = frozenset({"FLOAT", "INT", "SCIENTIFIC", "POWER_FLOAT"})
+_OPERANDS = _NUMBERS | frozenset({"NAME", "PI_PREFIXED", "PI", "LOWER_PI", ")", "]", ">"})
+_KEYWORD_KINDS = frozenset(SPELLINGS) - {"PI", "LOWER_PI"}
+_CLOSING = {"[": "]", "{": "}"}
+_CODE_SIGNS = frozenset("={}(")
+
+
+class Adapted(NamedTuple):
+    """Tokens put right.
+
+    Attributes:
+        tokens: What is to be read.
+        skipped: What is left out.
+        problems: What there is to say; malformed numbers are told of later.
+    """
+
+    tokens: list[Token]
+    skipped: list[Token]
+    problems: list[Problem]
+
+
+def adapted(text: str, tokens: Sequence[Token]) -> Adapted:
+    """Return the tokens of an island with the habits of other languages put right."""
+    result = Adapted([], [], [])
+    index = 0
+    while index < len(tokens):
+        token = tokens[index]
+        previous = tokens[index - 1] if index else None
+        if token.text == "#" and _is_comment(text, tokens, index):
+            end = _line_end(text, tokens, index)
+            _leave_out(result, tokens[index:end])
+            index = end
+        elif previous is None or previous.kind != "=":
+            result.tokens.append(token)
+            index += 1
+        else:
+            word = tokens[index - 2].kind if index > 1 else ""
+            end = _value_end(tokens, index)
+            following = tokens[end].kind if end < len(tokens) else ""
+            if word in _VECTORS:
+                _put_vector(text, result, tokens[index:end], following, tokens[index - 1])
+            else:
+                result.tokens.extend(
+                    _with_points_or_signs(text, tokens[index:end], word in _SCALARS)
+                )
+            index = end
+    return result
+
+
+def _is_comment(text: str, tokens: Sequence[Token], index: int) -> bool:
+    """Return whether `#` begins a comment: words behind it on its line, no code."""
+    words = tokens[index + 1 : _line_end(text, tokens, index)]
+    if not words or any(word.kind in _CODE_SIGNS for word in words):
+        return False
+    start = max(text.rfind("\n", 0, tokens[index].start), text.rfind("\r", 0, tokens[index].start))
+    is_first = not text[start + 1 : tokens[index].start].strip(" \t")
+    return (
+        is_first
+        and words[0].text[:1].isidentifier()
+        and words[1:2] != []
+        or len(words) > 3
+        or (is_first and len(words) == 1 and words[0].kind == "NAME")
+    )
+
+
+def _line_end(text: str, tokens: Sequence[Token], index: int) -> int:
+    end = index + 1
+    while end < len(tokens):
+        between = text[tokens[end - 1].end : tokens[end].start]
+        if "\n" in between or "\r" in between:
+            break
+        end += 1
+    return end
+
+
+def _leave_out(result: Adapted, comment: Sequence[Token]) -> None:
+    first = comment[0]
+    repair = Repair("Write '//'", (Edit(first.start, first.end, "//"),), True)
+    message = "'#' does not begin a comment"
+    result.problems.append(Problem("KD001", message, first.start, first.end, repair))
+    result.skipped.extend(comment)
+
+
+def _value_end(tokens: Sequence[Token], index: int) -> int:
+    """Return the index behind a bracketed value, or behind the operands of a bare one."""
+    first = tokens[index].kind
+    if first in ("(", "[", "{"):
+        closing = _CLOSING.get(first, ")")
+        for end in range(index + 1, min(index + _REACH, len(tokens))):
+            if tokens[end].kind in (closing, ")"):
+                return end + 1
+            if tokens[end].kind in ("=", "{", "}"):
+                break
+        return index + 1
+    end = index + 1
+    while end < min(index + _REACH, len(tokens)) and tokens[end].kind in ("INT", "FLOAT", ","):
+        end += 1
+    return end
+
+
+def _put_vector(
+    text: str, result: Adapted, tokens: Sequence[Token], following: str, equals: Token
+) -> None:
+    """Add the tokens of a vector, of three components where their number is plain."""
+    first = tokens[0]
+    if first.kind in _KEYWORD_KINDS or first.kind == "}":
+        if first.kind == "}" or following == "=":
+            message = "expected a vector '(x, y, z)' after '='"
+            result.problems.append(Problem("KD001", message, equals.end, equals.end))
+            result.tokens.extend(supplied(kind, equals.end) for kind in _EMPTY_VECTOR)
+        result.tokens.extend(tokens)
+        return
+    if first.kind in _NUMBERS:
+        tokens = _with_parentheses(tokens, following, result.problems)
+    tokens = _with_round_brackets(tokens, result.problems)
+    tokens = _with_points_or_signs(text, tokens, False)
+    result.tokens.extend(_of_three(tokens, result))
+
+
+def _with_parentheses(
+    tokens: Sequence[Token], following: str, problems: list[Problem]
+) -> Sequence[Token]:
+    """Return three bare numbers as a vector."""
+    if [token.kind for token in tokens[1::2]] != [",", ","] or len(tokens) != 5 or following == ")":
+        return tokens
+    start, end = tokens[0].start, tokens[-1].end
+    repair = Repair("Insert '()'", (Edit(start, start, "("), Edit(end, end, ")")), True)
+    problems.append(Problem("KD001", "vector stands without '()'", start, end, repair))
+    return [supplied("(", tokens[0].lead), *tokens, supplied(")", end)]
+
+
+def _of_three(tokens: Sequence[Token], result: Adapted) -> Sequence[Token]:
+    """Return a well-formed vector of fewer or more components as one of three."""
+    if tokens[0].kind != "(" or tokens[-1].kind != ")":
+        return tokens
+    parts = _components(tokens[1:-1])
+    if len(parts) == _COMPONENTS or not all(_is_form(part) for part in parts):
+        return tokens
+    noun = "component" if len(parts) == 1 else "components"
+    start, end = tokens[0].start, tokens[-1].end
+    message = f"vector has {len(parts)} {noun} instead of 3"
+    if len(parts) > _COMPONENTS:
+        count = sum(len(part) for part in parts[:_COMPONENTS]) + _COMPONENTS
+        surplus = tokens[count:-1]
+        edit = Edit(surplus[0].start, surplus[-1].end, "")
+        repair = Repair("Remove the surplus components", (edit,), False)
+        result.problems.append(Problem("KD001", message, start, end, repair))
+        result.skipped.extend(surplus)
+        return [*tokens[:count], tokens[-1]]
+    result.problems.append(Problem("KD001", message, start, end))
+    return [*tokens[:-1], *_padding(len(parts), tokens[-2].end), tokens[-1]]
+
+
+def _padding(count: int, position: int) -> list[Token]:
+    kinds = ["FLOAT", ",", "FLOAT", ",", "FLOAT"][2 * count - 1 if count else 0 :]
+    return [supplied(kind, position) for kind in kinds]
+
+
+def _components(tokens: Sequence[Token]) -> list[list[Token]]:
+    parts: list[list[Token]] = [[]] if tokens else []
+    for token in tokens:
+        if token.kind == ",":
+            parts.append([])
+        else:
+            parts[-1].append(token)
+    return parts
+
+
+def _is_form(tokens: Sequence[Token]) -> bool:
+    """Return whether tokens are a value, a whole number for a decimal one included."""
+    kinds = tuple("FLOAT" if token.kind == "INT" else form_kind(token) for token in tokens)
+    return len(kinds) <= 12 and bool(kinds_accepted_by(kinds))
+
+
+def _with_points_or_signs(text: str, tokens: Sequence[Token], is_scalar: bool) -> list[Token]:
+    merged = _with_points(tokens)
+    commas = sum(token.kind == "," for token in merged)
+    is_vector = bool(merged) and merged[0].kind == "("
+    if not (is_vector and commas == _COMPONENTS - 1) and not (is_scalar and commas == 0):
+        merged = list(tokens)
+    commas = sum(token.kind == "," for token in merged)
+    is_whole = is_scalar or commas == _COMPONENTS - 1
+    return [part for i, token in enumerate(merged) for part in _unsigned(text, merged, i, is_whole)]
+
+
+def _with_round_brackets(tokens: Sequence[Token], problems: list[Problem]) -> list[Token]:
+    """Return the tokens of a vector in `[]` or `{}` as one in `()`."""
+    first, last = tokens[0], tokens[-1]
+    if _CLOSING.get(first.kind) != last.kind or not any(t.kind == "," for t in tokens):
+        return list(tokens)
+    edits = (Edit(first.start, first.end, "("), Edit(last.start, last.end, ")"))
+    message = f"vector stands in '{first.text}{last.text}' instead of '()'"
+    repair = Repair("Write '()'", edits, True)
+    problems.append(Problem("KD001", message, first.start, last.end, repair))
+    opening = Token("(", first.text, first.lead, first.start, first.end)
+    closing = Token(")", last.text, last.lead, last.start, last.end)
+    return [opening, *tokens[1:-1], closing]
+
+
+def _with_points(tokens: Sequence[Token]) -> list[Token]:
+    """Return the tokens with `0,5` as one malformed number wherever no blank is in it."""
+    merged: list[Token] = []
+    index = 0
+    while index < len(tokens):
+        three = tokens[index : index + 3]
+        if _is_decimal_comma(three):
+            text = "".join(token.text for token in three)
+            left = three[0]
+            merged.append(Token("MALFORMED_NUMBER", text, left.lead, left.start, three[2].end))
+            index += 3
+        else:
+            merged.append(tokens[index])
+            index += 1
+    return merged
+
+
+def _is_decimal_comma(tokens: Sequence[Token]) -> bool:
+    if [token.kind for token in tokens] != ["INT", ",", "INT"]:
+        return False
+    left, comma, right = tokens
+    return left.end == comma.start and comma.end == right.start and right.text.isdigit()
+
+
+def _unsigned(text: str, tokens: Sequence[Token], index: int, is_whole: bool) -> tuple[Token, ...]:
+    """Return a signed number behind an operand as an operator and a number: `x-1.0`."""
+    token = tokens[index]
+    if token.kind not in _NUMBERS or token.text[0] not in "+-" or index == 0:
+        return (token,)
+    before = tokens[index - 1]
+    between = text[before.end : token.start]
+    if before.kind not in _OPERANDS or "\n" in between or (between and not is_whole):
+        return (token,)
+    middle = token.start + 1
+    sign = Token(token.text[0], token.text[0], token.lead, token.start, middle)
+    return sign, Token(token.kind, token.text[1:], middle, middle, token.end)
