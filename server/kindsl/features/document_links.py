@@ -1,11 +1,13 @@
 """Addresses in comments that an editor can open."""
 
 import re
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from kindsl.rules.analysis import Analysis
 
 _ADDRESS = re.compile(r"https?://[^\s<>\"'`]+")
+_PATH = re.compile(r"^\s*path\s*=\s*[\"']([^\"'*?\[\]\r\n]+)[\"']", re.M)
 _TRAILING = ".,;:!?)*]}"
 
 
@@ -20,20 +22,28 @@ class DocumentLink(NamedTuple):
 def document_links(analysis: Analysis) -> tuple[DocumentLink, ...]:
     """Return the addresses in the comments, in the order of the text."""
     syntax = analysis.syntax
-    found = []
-    for island, origin in zip(syntax.islands, syntax.starts, strict=False):
-        for start, end in island.comments:
-            for match in _ADDRESS.finditer(island.text, start, end):
-                target = match[0].rstrip(_TRAILING)
-                begin = origin + match.start()
-                found.append(DocumentLink(begin, begin + len(target), target))
-    return tuple(found)
+    return tuple(
+        DocumentLink(origin + link.start, origin + link.end, link.target)
+        for island, origin in zip(syntax.islands, syntax.starts, strict=False)
+        for start, end in island.comments
+        for link in _addresses(island.text, start, end)
+    )
 
 
 def links_in_text(text: str) -> tuple[DocumentLink, ...]:
     """Return the addresses in any text, such as a `kindsl.toml`."""
-    found = []
-    for match in _ADDRESS.finditer(text):
+    return tuple(_addresses(text, 0, len(text)))
+
+
+def documents_in_toml(text: str) -> tuple[DocumentLink, ...]:
+    """Return the documents that a `kindsl.toml` names without wildcards.
+
+    The target is the path as written, relative to that file.
+    """
+    return tuple(DocumentLink(*match.span(1), match[1]) for match in _PATH.finditer(text))
+
+
+def _addresses(text: str, start: int, end: int) -> Iterator[DocumentLink]:
+    for match in _ADDRESS.finditer(text, start, end):
         target = match[0].rstrip(_TRAILING)
-        found.append(DocumentLink(match.start(), match.start() + len(target), target))
-    return tuple(found)
+        yield DocumentLink(match.start(), match.start() + len(target), target)

@@ -26,10 +26,10 @@ def fix_all(
     for done in range(_ROUNDS):
         edits = disjoint_fixes(current, wanted, with_unsafe=with_unsafe)
         if not edits:
-            return first if done < 2 else _line_edits(analysis.text, current.text)
+            return first if done < 2 else line_edits(analysis.text, current.text)
         first = first or edits
         current = current.edited(edits)
-    return _line_edits(analysis.text, current.text)
+    return line_edits(analysis.text, current.text)
 
 
 def disjoint_fixes(
@@ -58,8 +58,8 @@ def _is_apart(one: TextEdit, other: TextEdit) -> bool:
     return one.end < other.start or other.end < one.start
 
 
-def _line_edits(old: str, new: str) -> tuple[TextEdit, ...]:
-    """Return edits that replace whole lines."""
+def line_edits(old: str, new: str) -> tuple[TextEdit, ...]:
+    """Return the edits that turn one text into another, line by line."""
     before, after = old.splitlines(keepends=True), new.splitlines(keepends=True)
     starts = [0]
     for line in before:

@@ -9,6 +9,7 @@ from kindsl.syntax.tree import Island, Node, Token
 _BLOCKS = frozenset(
     ("base", "link", "joint", "inertia", "children", "frame_group", "frame", "joint_frame")
 )
+_HOLDERS = _BLOCKS | {"frames"}
 
 
 class Fold(NamedTuple):
@@ -52,7 +53,7 @@ def _blocks(node: Node) -> Iterator[Fold]:
         if opening is not None and closing is not None:
             yield Fold(opening.end, closing.start, "block")
     for child in node.children:
-        if isinstance(child, Node):
+        if child.kind in _HOLDERS and isinstance(child, Node):
             yield from _blocks(child)
 
 

@@ -48,7 +48,8 @@ def _named(analysis: Analysis, found: TokenAt, symbol: Symbol) -> str:
 
 
 def _keyword(analysis: Analysis, found: TokenAt) -> Hover | None:
-    text = keyword_hover(found.token.text)
+    is_number_of_link = bool(found.path) and found.path[-1].kind == "id"
+    text = keyword_hover("id" if is_number_of_link else found.token.text)
     if text is None:
         return None
     value = _value(analysis, found)

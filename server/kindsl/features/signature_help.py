@@ -1,7 +1,4 @@
-"""What the number that is being typed means, and in which unit.
-
-In a vector it tells the three components, in an inertia section the one value.
-"""
+"""Which component of a vector is being typed, and in which unit."""
 
 from typing import NamedTuple
 
@@ -23,6 +20,7 @@ _PARAMETERS = {
     ),
     "CoM": (("x", "metres"), ("y", "metres"), ("z", "metres")),
 }
+_FARTHEST = 400
 _BEGINS = frozenset((*_PARAMETERS, "{", "}"))
 
 
@@ -68,7 +66,8 @@ def signature_help(analysis: Analysis, offset: int) -> Signature | None:
 def _vector_before(island: Island, local: int) -> tuple[str, int] | None:
     """Return the word that an open parenthesis belongs to, and the commas behind it."""
     commas = depth = 0
-    before = [t for t in island.tokens[: index_after(island, local)] if t.end <= local]
+    end = index_after(island, local)
+    before = [t for t in island.tokens[max(end - _FARTHEST, 0) : end] if t.end <= local]
     tokens = [token for token in before if not token.is_missing]
     for index in range(len(tokens) - 1, -1, -1):
         sign = tokens[index].text

@@ -109,6 +109,7 @@ _DECLARED = {
     "joint": EntityKind.JOINT,
     "frame": EntityKind.FRAME,
 }
+_NAMELESS = frozenset(("number", "pi", "id"))
 _VALUES = {
     "parameter": (EntityKind.PARAMETER, Role.READ),
     "juxtaposed_parameter": (EntityKind.PARAMETER, Role.READ),
@@ -121,8 +122,6 @@ _VALUES = {
 def _symbols(node: Node, link: str) -> Iterator[Symbol]:
     """Yield the names below a node; `link` is the name of the link around it."""
     kind = node.kind
-    if kind == "number" or kind == "pi":
-        return
     names = [t for t in node.children if isinstance(t, Token) and t.kind in NAME_KINDS]
     if kind in _DECLARED:
         name = _text(names[0]) if names else ""
@@ -138,7 +137,7 @@ def _symbols(node: Node, link: str) -> Iterator[Symbol]:
         for token, what in zip(names, (EntityKind.LINK, EntityKind.JOINT), strict=False):
             yield from _named([token], Entity(what, _text(token)), Role.READ)
     for child in node.children:
-        if isinstance(child, Node):
+        if isinstance(child, Node) and child.kind not in _NAMELESS:
             yield from _symbols(child, link)
 
 

@@ -1,0 +1,78 @@
+from tests.features.samples import ARM
+from tests.support.cursor import at_cursor
+
+from kindsl.features.code_actions import code_actions, fix_all_action, quick_fixes
+from kindsl.features.fix_all import disjoint_fixes, fix_all, line_edits
+from kindsl.rules.analysis import analyse
+from kindsl.text.edits import TextEdit, apply_edits
+
+BAD = ARM.replace("mass = 2.0", "mass = 2").replace("(0.5, 0.0, 0.0)", "(1, 2, 3)")
+
+
+def codes(text):
+    return [finding.code for finding in analyse(text).findings]
+
+
+def titles(marked):
+    analysis, offset = at_cursor(marked)
+    return [(a.title, a.kind, a.is_preferred) for a in code_actions(analysis, offset, offset)]
+
+
+def test_a_fix_is_offered_where_its_finding_is():
+    analysis, offset = at_cursor(BAD.replace("mass = 2\n", "mass = $02\n"))
+    first = quick_fixes(analysis, offset, offset)[0]
+    assert (first.kind, first.is_preferred) == ("quickfix", True)
+    assert [d.code for d in first.diagnostics] == ["KD005"]
+    assert apply_edits(analysis.text, first.edits) == BAD.replace("mass = 2\n", "mass = 2.0\n")
+
+
+def test_all_of_a_kind_are_fixed_at_once():
+    marked = BAD.replace("mass = 2\n", "mass = $02\n")
+    analysis, offset = at_cursor(marked)
+    (action,) = [a for a in quick_fixes(analysis, offset, offset) if "all" in a.title]
+    assert action.title == "Fix all 4 findings of KD005"
+    text = apply_edits(analysis.text, action.edits)
+    assert "(1.0, 2.0, 3.0)" in text
+    assert "KD005" not in codes(text)
+
+
+def test_everything_safe_is_fixed_by_one_action():
+    analysis = analyse(BAD)
+    action = fix_all_action(analysis)
+    assert action is not None
+    assert action.kind == "source.fixAll.kindsl"
+    assert "KD005" not in codes(apply_edits(BAD, action.edits))
+    assert fix_all_action(analyse(ARM)) is None
+
+
+def test_fixes_that_need_several_rounds_come_to_an_end():
+    analysis = analyse(BAD)
+    edits = fix_all(analysis, with_unsafe=True)
+    assert not fix_all(analyse(apply_edits(BAD, edits)), with_unsafe=True)
+
+
+def test_only_the_rules_asked_for():
+    assert fix_all(analyse(BAD), ("KD101",)) == ()
+    assert disjoint_fixes(analyse(BAD), frozenset({"KD005"}), with_unsafe=False)
+
+
+def test_a_finding_can_be_ignored_in_a_comment_above_it():
+    text = ARM.replace(
+        "CoM = (0.25, 0.0, 0.0)\n        Ix=0.01 Iy=0.2",
+        "CoM = (9.0, 0.0, 0.0)\n        Ix=0.01 Iy=0.2",
+    )
+    (found,) = [d for d in analyse(text).findings if d.code == "KD301"]
+    actions = quick_fixes(analyse(text), found.start, found.start)
+    (action,) = [a for a in actions if a.title == "Ignore KD301 here"]
+    assert action.edits[0].text == "    // kindsl: ignore[KD301]\n"
+    silenced = apply_edits(text, action.edits)
+    assert "KD301" not in codes(silenced)
+    assert "KD704" not in codes(silenced)
+
+
+def test_errors_of_syntax_cannot_be_ignored():
+    assert not [t for t, _, _ in titles(BAD.replace("mass = 2\n", "mass = $02\n")) if "Ignore" in t]
+
+
+def test_edits_of_several_rounds_replace_whole_lines():
+    assert line_edits("a\nb\nc\n", "a\nB\nc\n") == (TextEdit(2, 4, "B\n"),)
