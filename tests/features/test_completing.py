@@ -7,6 +7,7 @@ from kindsl.features.completion_item import without_placeholders
 from kindsl.rules.analysis import analyse
 from kindsl.rules.settings import Settings
 from kindsl.semantics.parameters import Binding
+from kindsl.syntax.tables import KEYWORDS
 from kindsl.text.edits import TextEdit, apply_edits
 
 
@@ -143,3 +144,24 @@ def test_many_names_are_cut_and_said_to_be():
     found = completions(*at_cursor(f"Robot R {{ RobotBase b {{ children {{ $0 }} }}\n{links}}}"))
     assert len(found.items) == 100
     assert found.is_incomplete
+
+
+@pytest.mark.parametrize("text", [ARM, PARAMETRIC])
+def test_whatever_is_offered_the_grammar_takes(text):
+    for offset in [k for k in range(len(text) + 1) if text[k - 1 : k] in "{}(),= \n"]:
+        found = completions(analyse(text[:offset]), offset)
+        for item in found.items:
+            new = analyse(text[: found.start] + item.plain_text + " ").syntax
+            problems = [p.message for island in new.islands for p in island.problems]
+            assert not [p for p in problems if p.startswith("unexpected")], (offset, item.label)
+
+
+@pytest.mark.parametrize("text", [ARM, PARAMETRIC])
+def test_every_keyword_is_offered_where_it_stands(text):
+    syntax = analyse(text).syntax
+    for island, start in zip(syntax.islands, syntax.starts, strict=True):
+        for token in island.tokens:
+            if token.text in KEYWORDS:
+                offset = start + token.start
+                items = completions(analyse(text[:offset]), offset).items
+                assert [i for i in items if token.text in i.text.split()], (token, offset)

@@ -123,3 +123,13 @@ def test_a_loop_has_no_pose_but_a_hover():
 
 def test_blanks_tell_nothing():
     assert hover(*at_cursor(ARM.replace("\n\nlink upper", "\n$0\nlink upper"))) is None
+
+
+def test_what_is_below_a_loop_is_not_weighed():
+    text = ARM.replace("children {}", "children { upper via elbow }")
+    text = shown(text.replace("link upper", "link up$0per"))
+    assert "mass of the subtree with 2 joints is not known: the links below it are no tree" in text
+
+
+def test_the_number_of_a_link_tells_what_it_is_for():
+    assert "without gaps" in shown(ARM.replace("id = 1", "id = $01"))

@@ -93,3 +93,8 @@ def test_places_of_a_name_are_linked_at_its_declaration_only():
     assert len(linked_ranges(*at_cursor(ARM.replace("link upper", "link up$0per")))) == 2
     assert linked_ranges(*at_cursor(ARM.replace("upper via", "up$0per via"))) == ()
     assert linked_ranges(*at_cursor(ARM.replace("reach", "re$0ach"))) == ()
+
+
+def test_an_escaped_name_is_renamed_with_its_escape():
+    text = ARM.replace("upper via", "^link via").replace("link upper", "link ^li$0nk")
+    assert renamed(text, "thigh") == ARM.replace("upper", "thigh")

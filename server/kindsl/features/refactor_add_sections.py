@@ -27,7 +27,7 @@ class _Section(NamedTuple):
 
 
 def add_sections(analysis: Analysis, start: int, _end: int) -> Iterator[CodeAction]:
-    """Offer what the innermost block at a range must have and has not, then what it may have."""
+    """Offer what the innermost block at a range must have; at its head also what it may have."""
     place = analysis.syntax.island_at(start)
     path = path_at(place.island, start - place.start)
     block = next((node for node in reversed(path) if node.kind in _BLOCKS), None)
@@ -39,8 +39,9 @@ def add_sections(analysis: Analysis, start: int, _end: int) -> Iterator[CodeActi
     if needed:
         words = " and ".join(dict.fromkeys(_called(s.lines) for s in needed))
         yield from _action(f"Add the missing {words}", text, block, needed, place.start)
+    is_head = any(c.start <= start - place.start <= c.end for c in block.children[:2])
     for section in missing:
-        if section.kind in _OFFERED:
+        if is_head and section.kind in _OFFERED:
             yield from _action(_TITLES[section.kind], text, block, [section], place.start)
 
 

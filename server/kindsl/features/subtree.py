@@ -20,6 +20,7 @@ class Subtree(NamedTuple):
     dof: int
 
 
+_NO_TREE = Subtree(Unknown("the links below it are no tree"), 0)
 _subtrees: "WeakKeyDictionary[Analysis, dict[Link, Subtree]]" = WeakKeyDictionary()
 
 
@@ -46,10 +47,11 @@ def _sum(analysis: Analysis, body: Link, known: dict[Link, Subtree]) -> Subtree:
     mass = own_mass(analysis, body)
     dof = 0
     for edge in analysis.model.tree.successor_edges(body):
-        below = known.get(edge.link) if edge.link is not None else None
-        if below is not None:
-            mass = _added(mass, below.mass)
-            dof += 1 + below.dof
+        if edge.link is None:
+            continue
+        below = known.get(edge.link, _NO_TREE)
+        mass = _added(mass, below.mass)
+        dof += 1 + below.dof
     return Subtree(mass, dof)
 
 
