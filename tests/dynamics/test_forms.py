@@ -1,12 +1,20 @@
-"""The readable and the generated form are equal: single, batched, in chunks, at rest or moving."""
+"""All forms are equal: single, batched, in chunks, at rest or moving."""
 
 import numpy as np
 import pytest
 from tests.dynamics.random_bodies import random_bodies
 
 from kindsl.dynamics import readable
+from kindsl.dynamics.forms import (
+    MOST_LINKS_TO_GENERATE_FOR,
+    WORTH_GENERATING,
+    WORTH_READABLE,
+    Forms,
+)
+from kindsl.dynamics.generation import generated
 from kindsl.dynamics.generation.generated import CHUNK, SMALLEST_BATCH, GeneratedForm
-from kindsl.dynamics.mechanics import MOST_LINKS_FOR_GENERATION, Mechanics
+from kindsl.dynamics.mechanics import Mechanics
+from kindsl.dynamics.path_form import PathForm
 from kindsl.dynamics.quantities import JOINT_VECTORS, STANDARD_GRAVITY, Quantity
 
 # Rounding only; forward dynamics loses the digits of the inertia's condition.
@@ -22,7 +30,7 @@ def test_forms_are_equal(quantity: Quantity, is_floating: bool, is_at_rest: bool
     for seed, n_links in enumerate((1, 2, 5, 9)):
         generator = np.random.default_rng(seed)
         bodies = random_bodies(generator, n_links, is_floating)
-        generated = GeneratedForm(bodies)
+        form = GeneratedForm(bodies)
         for shape in SHAPES:
             n_vectors = len(JOINT_VECTORS[quantity])
             vectors = list(generator.uniform(-3.0, 3.0, (n_vectors, *shape, n_links)))
@@ -30,7 +38,7 @@ def test_forms_are_equal(quantity: Quantity, is_floating: bool, is_at_rest: bool
             if not is_at_rest:
                 v = generator.uniform(-1.0, 1.0, (*shape, 6)) * is_floating
                 gravity = generator.uniform(-9.0, 9.0, 3)
-            got = generated.evaluate(quantity, shape, vectors, v, gravity)
+            got = form.evaluate(quantity, shape, vectors, v, gravity)
             expected = readable.evaluate(bodies, quantity, shape, vectors, v, gravity)
             assert got.shape == expected.shape
             scale = abs(expected).max(initial=1e-3)
@@ -61,12 +69,43 @@ def test_angles_of_all_sizes_keep_their_digits() -> None:
     assert abs(batch - singles).max() < 1e-15 * 4
 
 
-def test_chains_too_long_to_generate_for_are_computed() -> None:
-    n_links = MOST_LINKS_FOR_GENERATION + 1
+@pytest.mark.parametrize("quantity", QUANTITIES)
+@pytest.mark.parametrize("is_floating", [False, True])
+def test_the_path_form_is_equal_too(quantity: Quantity, is_floating: bool) -> None:
+    for seed, n_links in enumerate((1, 9, 35)):
+        generator = np.random.default_rng(seed)
+        bodies = random_bodies(generator, n_links, is_floating)
+        for shape in ((), (3, 2), (0,)):
+            n_vectors = len(JOINT_VECTORS[quantity])
+            vectors = list(generator.uniform(-3.0, 3.0, (n_vectors, *shape, n_links)))
+            v, gravity = generator.uniform(-9.0, 9.0, 6) * is_floating, np.array([1.0, 2.0, 3.0])
+            got = PathForm(bodies).evaluate(quantity, shape, vectors, v, gravity)
+            expected = readable.evaluate(bodies, quantity, shape, vectors, v, gravity)
+            assert got.shape == expected.shape
+            scale = abs(expected).max(initial=1e-3)
+            assert abs(got - expected).max(initial=0.0) <= TOLERANCE * scale
+
+
+@pytest.mark.parametrize("quantity", QUANTITIES)
+def test_long_chains_never_wait_for_code(
+    quantity: Quantity, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Unless the batch is so large that waiting for code is the shortest wait."""
+    n_links = MOST_LINKS_TO_GENERATE_FOR + 1
+    forms = Forms(random_bodies(np.random.default_rng(0), n_links, is_floating=True))
+    traced = []
+    monkeypatch.setattr(generated, "trace", lambda *_: traced.append(1))
+    vectors = [np.zeros(n_links) for _ in JOINT_VECTORS[quantity]]
+    for size in (1, WORTH_READABLE, WORTH_READABLE + 1):
+        forms.evaluate(quantity, (size,), vectors, np.zeros(6), np.array(STANDARD_GRAVITY))
+    assert not traced
+
+
+def test_large_batches_of_long_chains_are_worth_code() -> None:
+    n_links = MOST_LINKS_TO_GENERATE_FOR + 1
     bodies = random_bodies(np.random.default_rng(0), n_links, is_floating=False)
-    q, qd, qdd = np.random.default_rng(1).uniform(-1.0, 1.0, (3, 2, n_links))
-    tau = Mechanics(bodies).inverse_dynamics(q, qd, qdd)
-    generated = GeneratedForm(bodies).evaluate(
-        "inverse_dynamics", (2,), [q, qd, qdd], np.zeros(6), np.array(STANDARD_GRAVITY)
-    )
-    assert tau == pytest.approx(generated, rel=1e-9, abs=1e-9)
+    q = np.random.default_rng(1).uniform(-1.0, 1.0, (WORTH_GENERATING, n_links))
+    mechanics = Mechanics(bodies)
+    for rows in (slice(1), slice(WORTH_READABLE)):
+        torque = mechanics.gravity_torque(q[rows])
+        assert mechanics.gravity_torque(q)[rows] == pytest.approx(torque, rel=1e-9, abs=1e-9)

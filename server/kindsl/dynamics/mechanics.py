@@ -1,17 +1,16 @@
 """The one interface to all quantities of a mechanism."""
 
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from kindsl.dynamics import center_of_mass as masses
-from kindsl.dynamics import energy, readable
+from kindsl.dynamics import energy
 from kindsl.dynamics.arguments import common_batch_shape, unknown_name, vectors
 from kindsl.dynamics.bodies import Bodies
+from kindsl.dynamics.forms import Forms
 from kindsl.dynamics.forward_kinematics import joint_poses
-from kindsl.dynamics.generation.generated import GeneratedForm
 from kindsl.dynamics.jacobian import jacobian
 from kindsl.dynamics.quantities import (
     JOINT_VECTORS,
@@ -21,9 +20,6 @@ from kindsl.dynamics.quantities import (
 )
 from kindsl.spatial.arrays import Array
 from kindsl.spatial.transforms import homogeneous
-
-# Longer code takes seconds to generate.
-MOST_LINKS_FOR_GENERATION = 30
 
 AT_REST = np.zeros(6)
 GRAVITY = np.array(STANDARD_GRAVITY)
@@ -67,17 +63,14 @@ class Mechanics:
     All methods raise ValueError for arguments of a wrong shape or with values that are not finite.
     """
 
-    __slots__ = ("_form", "_generated", "_joint_shape", "_pose_names", "bodies")
+    __slots__ = ("_forms", "_joint_shape", "_pose_names", "_ready", "bodies")
 
     def __init__(self, bodies: Bodies) -> None:
         self.bodies = bodies
-        self._generated = GeneratedForm(bodies)
+        self._forms = Forms(bodies)
+        self._ready = self._forms.generated.at_rest
         self._pose_names = (*bodies.link_names, *(frame.name for frame in bodies.frames))
         self._joint_shape = (bodies.n_links,)
-        if bodies.n_links > MOST_LINKS_FOR_GENERATION:
-            self._form = partial(readable.evaluate, bodies)
-        else:
-            self._form = partial(self._generated.evaluate)
 
     def forward_kinematics(self, q: npt.ArrayLike) -> dict[str, Array]:
         """Return `base_T_x` (..., 4, 4) of each link and frame x by name, links first."""
@@ -258,7 +251,7 @@ class Mechanics:
         batch_shape = common_batch_shape(arrays | conditions)
         try:
             with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-                entries = self._form(
+                entries = self._forms.evaluate(
                     quantity,
                     batch_shape,
                     list(arrays.values()),
@@ -279,7 +272,7 @@ class Mechanics:
             for vector in joint_vectors:
                 if vector.shape != self._joint_shape or vector.dtype is not FLOAT64:  # type: ignore[union-attr]
                     return None
-            return self._generated.at_rest[quantity](*[v.tolist() for v in joint_vectors])  # type: ignore[union-attr]
+            return self._ready[quantity](*[v.tolist() for v in joint_vectors])  # type: ignore[union-attr]
         except (AttributeError, KeyError, ValueError, ZeroDivisionError):
             return None
 

@@ -1,9 +1,12 @@
 """Evaluates quantities by the readable algorithms."""
 
+from functools import partial
+
 import numpy as np
 
 from kindsl.dynamics.bias_torque import bias_torque
 from kindsl.dynamics.bodies import Bodies
+from kindsl.dynamics.chunks import evaluate_in_chunks
 from kindsl.dynamics.forward_dynamics import forward_dynamics
 from kindsl.dynamics.forward_kinematics import body_poses, frame_poses
 from kindsl.dynamics.gravity_torque import gravity_torque
@@ -37,20 +40,15 @@ def evaluate(
     Raises:
         numpy.linalg.LinAlgError: If a floating base's inertia is singular.
     """
-    rows = [
-        np.broadcast_to(argument, (*batch_shape, argument.shape[-1])).reshape(
-            (-1, argument.shape[-1])
-        )
-        for argument in (*joint_vectors, base_velocity, gravity)
-    ]
-    chunk = max(1, BODIES_AT_A_TIME // bodies.n_links)
-    starts = range(0, max(1, len(rows[0])), chunk)
-    entries = []
-    for start in starts:
-        *vectors, v_base, g = (row[start : start + chunk] for row in rows)
-        entries.append(_entries(bodies, quantity, vectors, v_base, g))
-    joined = entries[0] if len(entries) == 1 else np.concatenate(entries)
-    return joined.reshape((*batch_shape, joined.shape[-1]))
+    return evaluate_in_chunks(
+        partial(_entries, bodies),
+        max(1, BODIES_AT_A_TIME // bodies.n_links),
+        quantity,
+        batch_shape,
+        joint_vectors,
+        base_velocity,
+        gravity,
+    )
 
 
 def _entries(
