@@ -148,7 +148,7 @@ def test_many_names_are_cut_and_said_to_be():
 
 @pytest.mark.parametrize("text", [ARM, PARAMETRIC])
 def test_whatever_is_offered_the_grammar_takes(text):
-    for offset in [k for k in range(len(text) + 1) if text[k - 1 : k] in "{}(),= \n"]:
+    for offset in [k for k in range(len(text) + 1) if text[k - 1 : k] in "{}(,="]:
         found = completions(analyse(text[:offset]), offset)
         for item in found.items:
             new = analyse(text[: found.start] + item.plain_text + " ").syntax

@@ -30,10 +30,10 @@ _KIND = {"inertia_params": "INERTIA"}
 def block_items(analysis: Analysis, context: CompletionContext) -> Iterator[CompletionItem]:
     """Yield the blocks that may come next at the document's top."""
     model = analysis.model
-    before = [n.kind for island in _islands_before(analysis, context) for n in island]
+    before = {n.kind for nodes in _blocks_before(analysis, context) for n in nodes}
     if "head" not in before and not model.name:
         yield _snippet("Robot", snippets.robot(), "a whole document", 1)
-    elif model.base is None and not ({"link", "joint"} & set(before)):
+    elif model.base is None and not (before & {"link", "joint"}):
         yield _snippet("RobotBase", snippets.base(""), "fixed base", 1)
         yield _snippet("RobotBase floating", snippets.base("floating"), "floating base", 2)
     if "base" in before and "joint" not in before:
@@ -138,7 +138,7 @@ def _sections_behind(context: CompletionContext) -> list[Node]:
     return [node for node in nodes if end <= node.start < node.end]
 
 
-def _islands_before(analysis: Analysis, context: CompletionContext) -> Iterator[tuple[Node, ...]]:
+def _blocks_before(analysis: Analysis, context: CompletionContext) -> Iterator[tuple[Node, ...]]:
     """Yield the blocks that begin before the cursor, island by island."""
     for island in analysis.syntax.islands[: context.place.index]:
         yield island.nodes

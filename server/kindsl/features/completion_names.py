@@ -1,6 +1,6 @@
 """Names that fit a place: children not yet attached, joints not yet used, own frames, new ones."""
 
-from collections.abc import Iterator
+from collections.abc import Container, Iterable, Iterator
 
 from kindsl.features.completion_context import CompletionContext
 from kindsl.features.completion_item import CompletionItem
@@ -12,32 +12,33 @@ from kindsl.semantics.lowering import declarations
 
 def child_items(analysis: Analysis) -> Iterator[CompletionItem]:
     """Yield links to carry: those that nothing carries first, with a joint that is free."""
-    tree = analysis.model.tree
-    joint = next((j for j in analysis.model.joints if j not in tree.joint_uses and j.name), None)
-    via = str(joint.name) if joint is not None else "joint"
-    for link in analysis.model.links:
-        if link.name and link not in tree.above:
-            text, label = f"{link.name} via ${{1:{via}}}", f"{link.name} via …"
+    model = analysis.model
+    parents = {str(child.link): body for body in model.bodies for child in body.children}
+    used = {str(child.joint) for body in model.bodies for child in body.children}
+    free = next((str(j.name) for j in model.joints if j.name and j.name not in used), "joint")
+    names = [str(link.name) for link in model.links if link.name]
+    for name in names:
+        if name not in parents:
+            text, label = f"{name} via ${{1:{free}}}", f"{name} via …"
             yield CompletionItem(label, "snippet", text, "not yet attached", 1, is_snippet=True)
-            yield CompletionItem(str(link.name), "link", str(link.name), "not yet attached", 2)
-    for link in analysis.model.links:
-        if link.name and link in tree.above:
-            parent = tree.above[link][0].predecessor.name
-            yield CompletionItem(str(link.name), "link", str(link.name), f"child of {parent}", 7)
+            yield CompletionItem(name, "link", name, "not yet attached", 2)
+    for name in names:
+        if name in parents:
+            yield CompletionItem(name, "link", name, f"child of {parents[name].name}", 7)
 
 
 def joint_items(analysis: Analysis) -> Iterator[CompletionItem]:
     """Yield joints: those that connect nothing yet first."""
-    uses = analysis.model.tree.joint_uses
+    moved = {str(c.joint): str(c.link) for body in analysis.model.bodies for c in body.children}
     joints = [joint for joint in analysis.model.joints if joint.name]
     for joint in joints:
-        if joint not in uses:
-            detail = f"{joint.kind}, free"
-            yield CompletionItem(str(joint.name), "joint", str(joint.name), detail, 1)
+        if joint.name not in moved:
+            name, detail = str(joint.name), f"{joint.kind}, free"
+            yield CompletionItem(name, "joint", name, detail, 1)
     for joint in joints:
-        if joint in uses:
-            detail = f"{joint.kind}, moves {uses[joint][0].child.link}"
-            yield CompletionItem(str(joint.name), "joint", str(joint.name), detail, 7)
+        if joint.name in moved:
+            name, detail = str(joint.name), f"{joint.kind}, moves {moved[joint.name]}"
+            yield CompletionItem(name, "joint", name, detail, 7)
 
 
 def own_frame_items(context: CompletionContext) -> Iterator[CompletionItem]:
@@ -74,16 +75,18 @@ def next_id(analysis: Analysis, own: Link | None = None) -> int:
 
 def undeclared_links(analysis: Analysis) -> Iterator[str]:
     """Yield the names of children that no link declares, each once."""
-    edges = analysis.model.tree.edges
-    names = [str(edge.child.link) for edge in edges if edge.link is None and edge.child.link]
-    yield from dict.fromkeys(names)
+    names = (str(child.link) for body in analysis.model.bodies for child in body.children)
+    yield from _missing(names, analysis.model.body_named)
 
 
 def undeclared_joints(analysis: Analysis) -> Iterator[str]:
     """Yield the names behind `via` that no joint declares, each once."""
-    edges = analysis.model.tree.edges
-    names = [str(edge.child.joint) for edge in edges if edge.joint is None and edge.child.joint]
-    yield from dict.fromkeys(names)
+    names = (str(child.joint) for body in analysis.model.bodies for child in body.children)
+    yield from _missing(names, analysis.model.joint_named)
+
+
+def _missing(names: Iterable[str], declared: Container[str]) -> Iterator[str]:
+    yield from dict.fromkeys(name for name in names if name and name not in declared)
 
 
 def _body_at(context: CompletionContext) -> Link | None:
