@@ -173,36 +173,36 @@ def _chunks(islands: Sequence[Island]) -> tuple[Chunk, ...]:
 
 def _edited_once(document: SyntaxDocument, start: int, end: int, new: str) -> SyntaxDocument:
     """Return the document after one edit: split anew around it, parse what is new."""
-    first = _safe_start(document, document.island_at(start).index, new)
-    last = document.island_at(end).index
+    first = _safe_start(document, document.island_at(start).index)
+    touched = document.island_at(end).index
     origin = document.island(first).start
     reach = 1
     while True:
-        stop = _safe_stop(document, last + reach)
+        stop = _safe_stop(document, touched + reach)
         region = [document.island(index).island for index in range(first, stop)]
         old = "".join([island.text for island in region])
         text = old[: start - origin] + new + old[end - origin :]
         found = split(text)
-        if stop < len(document):
-            if found.has_open_comment and _closes_later(document, stop):
-                reach *= 2
-                continue
-            kept = _first_kept(
-                document, last + 1, stop, origin + len(text) - len(old), found.starts
-            )
-            if kept is None:
-                reach *= 2
-                continue
-            cut = document.island(kept).start - origin + len(text) - len(old)
-        else:
-            kept, cut = len(document), len(text)
-        starts = [begin for begin in found.starts if begin < cut] or [0]
-        islands = _islands(text[:cut], starts, region)
-        return _replaced(document, first, kept, islands)
+        if stop == len(document):
+            kept, cut = stop, len(text)
+            break
+        is_closed = not (found.has_open_comment and _closes_later(document, stop))
+        place = _first_kept(
+            document, touched + 1, stop, len(text) - len(old) - origin, found.starts
+        )
+        if is_closed and place is not None:
+            kept, cut = place
+            break
+        reach *= 2
+    starts = [begin for begin in found.starts if begin < cut] or [0]
+    return _replaced(document, first, kept, _islands(text[:cut], starts, region))
 
 
-def _safe_start(document: SyntaxDocument, index: int, new: str) -> int:
-    """Return an island before the edit whose beginning the edit cannot put in question."""
+def _safe_start(document: SyntaxDocument, index: int) -> int:
+    """Return an island before the edit whose beginning the edit cannot put in question.
+
+    A comment without an end may get one by any edit behind it.
+    """
     if any(chunk.open_comments for chunk in document.chunks):
         for number, island in enumerate(document.islands[:index]):
             if has_open_comment(island):
@@ -226,13 +226,14 @@ def _closes_later(document: SyntaxDocument, first: int) -> bool:
 
 
 def _first_kept(
-    document: SyntaxDocument, first: int, stop: int, shifted: int, starts: list[int]
-) -> int | None:
-    """Return the first old island whose beginning is found again behind the edit."""
+    document: SyntaxDocument, first: int, stop: int, shift: int, starts: list[int]
+) -> tuple[int, int] | None:
+    """Return the first old island whose beginning is found again behind the edit, and where."""
     found = set(starts)
     for index in range(first, stop):
-        if document.island(index).start - shifted in found:
-            return index
+        start = document.island(index).start + shift
+        if start in found:
+            return index, start
     return None
 
 

@@ -54,12 +54,11 @@ def adapted(text: str, tokens: Sequence[Token]) -> Adapted:
             word = tokens[index - 2].kind if index > 1 else ""
             end = _value_end(tokens, index)
             following = tokens[end].kind if end < len(tokens) else ""
+            is_scalar = word in _SCALARS and following != "="
             if word in _VECTORS:
                 _put_vector(text, result, tokens[index:end], following, tokens[index - 1])
             else:
-                result.tokens.extend(
-                    _with_points_or_signs(text, tokens[index:end], word in _SCALARS)
-                )
+                result.tokens.extend(_with_points_or_signs(text, tokens[index:end], is_scalar))
             index = end
     return result
 

@@ -1,0 +1,92 @@
+"""What the grammar allows at a place, also in half-typed text."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from kindsl.syntax.automaton import ROWS, Stack, initial, is_complete, step
+from kindsl.syntax.tables import CONSTRUCTS
+from kindsl.syntax.tree import Island, Token
+from kindsl.syntax.words import BLOCK_STARTS
+
+_OTHER_NAMES = frozenset(
+    {"PI_PREFIXED", "UNICODE_NAME", "ESCAPED_NAME", "KEYWORD_NAME", "PIPE_PI", "MALFORMED_NUMBER"}
+)
+
+
+class Expected(NamedTuple):
+    """What may come next.
+
+    Attributes:
+        kinds: Token kinds; any name is `NAME`. Sections that the block has already are among them.
+        constructs: Kinds of the nodes that the place is in, outermost first; empty between blocks.
+        prefix: The word that is being typed up to the place, maybe empty.
+        start: Where that word begins, code points from the island's start.
+    """
+
+    kinds: frozenset[str]
+    constructs: tuple[str, ...]
+    prefix: str
+    start: int
+
+
+def expected_at(island: Island, offset: int) -> Expected:
+    """Return what the grammar allows at an offset of an island.
+
+    Args:
+        island: The island.
+        offset: Code points from the island's start; a word that ends there is being typed.
+    """
+    before = _before(island, offset)
+    prefix, start = "", offset
+    if before and before[-1].end >= offset and before[-1].text[:1].isidentifier():
+        typed = before.pop()
+        start = typed.start
+        prefix = island.text[start:offset]
+        while before and before[-1].is_missing:
+            before.pop()
+    stack, block = _read(before)
+    if stack is None:
+        return Expected(frozenset(BLOCK_STARTS), (), prefix, start)
+    kinds = {kind for kind in ROWS[stack.state] if kind != "$END" and step(stack, kind)}
+    if is_complete(stack, block):
+        kinds |= set(BLOCK_STARTS)
+    return Expected(frozenset(kinds - _OTHER_NAMES), _constructs(stack), prefix, start)
+
+
+def _before(island: Island, offset: int) -> list[Token]:
+    """Return the tokens in the tree before an offset, without supplied ones at the end."""
+    skipped = {id(token) for token in island.skipped}
+    tokens = [token for token in island.tokens if token.start < offset and id(token) not in skipped]
+    typed = [token for token in island.skipped if token.start < offset <= token.end]
+    tokens += typed
+    while tokens and tokens[-1].is_missing:
+        tokens.pop()
+    return tokens
+
+
+def _read(tokens: Sequence[Token]) -> tuple[Stack | None, str]:
+    """Return the stack behind tokens and the construct it belongs to, None behind a whole block."""
+    stack: Stack | None = None
+    block = ""
+    for token in tokens:
+        after = step(stack, token.kind) if stack is not None else None
+        if after is None and token.kind in BLOCK_STARTS:
+            if stack is None or is_complete(stack, block):
+                block = BLOCK_STARTS[token.kind]
+                after = step(initial(block), token.kind)
+        stack = after if after is not None else stack
+    if stack is not None and is_complete(stack, block):
+        return None, block
+    return stack, block
+
+
+def _constructs(stack: Stack) -> tuple[str, ...]:
+    """Return the constructs that the states are in the middle of, outermost first."""
+    found: list[str] = []
+    level: Stack | None = stack
+    while level is not None:
+        construct = CONSTRUCTS[level.state]
+        if construct and (not found or found[-1] != construct):
+            found.append(construct)
+        level = level.below
+    return tuple(reversed(found))

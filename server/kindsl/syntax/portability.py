@@ -1,0 +1,191 @@
+"""What only one of the two generators takes, island by island.
+
+Nothing here is an error of the language; a project that names its target is told of it.
+"""
+
+import re
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from kindsl.syntax.forms import TARGETS_OF_ALL, accepted_by
+from kindsl.syntax.rewriting import rewritten
+from kindsl.syntax.tables import KEYWORDS
+from kindsl.syntax.tree import Edit, Island, Node, Repair, Token
+from kindsl.syntax.words import shown
+
+ROBCOGEN, ROBCOGEN2 = "robcogen", "robcogen2"
+
+_LARGEST = 2**31 - 1
+_PLAIN_ID = re.compile(r"[1-9][0-9]*")
+_BLOCKS = frozenset({"head", "base", "link", "joint"})
+_REASONS = {
+    ROBCOGEN: "robcogen does not take the form of '{}'",
+    ROBCOGEN2: "robcogen2 does not take the form of '{}'",
+}
+
+
+class PortabilityNote(NamedTuple):
+    """A construct that one target refuses.
+
+    Attributes:
+        target: The target that refuses it, `robcogen` or `robcogen2`.
+        kind: What it is, in kebab case; `missing-inertia` is also a rule of its own.
+        message: One sentence.
+        start: Code points from the island's start.
+        end: End, exclusive.
+        repair: A rewrite that both targets take, where there is one.
+    """
+
+    target: str
+    kind: str
+    message: str
+    start: int
+    end: int
+    repair: Repair | None = None
+
+
+def portability(island: Island) -> tuple[PortabilityNote, ...]:
+    """Return what one of the targets refuses in an island, in order; kept with the island."""
+    known = island.facts.get(portability)
+    if isinstance(known, tuple):
+        return known
+    notes = tuple(sorted(_notes(island), key=lambda note: (note.start, note.end, note.target)))
+    island.facts[portability] = notes
+    return notes
+
+
+def _notes(island: Island) -> Iterator[PortabilityNote]:
+    yield from _comment_notes(island)
+    for block in island.nodes:
+        if block.kind in _BLOCKS:
+            yield from _token_notes(list(block.tokens()))
+            yield from _value_notes(island.text, block)
+            yield from _id_notes(block)
+            yield from _inertia_notes(block)
+
+
+def _comment_notes(island: Island) -> Iterator[PortabilityNote]:
+    text = island.text
+    for start, end in island.comments:
+        if text.startswith("/*", start):
+            if end - start < 4 or not text.endswith("*/", start, end):
+                continue
+            message = "robcogen2 does not take the comment '/* */'"
+            repair = _line_comments(text, start, end)
+            yield PortabilityNote(ROBCOGEN2, "block-comment", message, start, end, repair)
+        elif text[end : end + 1] == "\r" and text[end + 1 : end + 2] != "\n":
+            message = "robcogen does not end a comment at a lone carriage return"
+            repair = Repair("Write a line feed", (Edit(end, end + 1, "\n"),), True)
+            yield PortabilityNote(ROBCOGEN, "comment-end", message, start, end, repair)
+
+
+def _line_comments(text: str, start: int, end: int) -> Repair | None:
+    """Return the rewrite to `//`, None where code follows on the comment's last line."""
+    if text[end : end + 200].split("\n")[0].strip() or not text.endswith("*/", start, end):
+        return None
+    lines = text[start + 2 : end - 2].replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    indent = " " * (start - text.rfind("\n", 0, start) - 1)
+    bodies = [re.sub(r"^\s*\*?\s?", "", line) if i else line for i, line in enumerate(lines)]
+    kept = [body.rstrip() for body in bodies]
+    if len(kept) > 1 and not kept[-1]:
+        kept.pop()
+    new = f"\n{indent}".join(f"// {body.strip()}".rstrip() for body in kept)
+    return Repair("Write '//' comments", (Edit(start, end, new),), True)
+
+
+def _token_notes(tokens: Sequence[Token]) -> Iterator[PortabilityNote]:
+    previous: Token | None = None
+    for token in tokens:
+        if token.is_missing:
+            continue
+        yield from _name_notes(token)
+        if previous is not None and previous.end == token.start and token.text[:1].isidentifier():
+            yield from _glue_notes(previous, token)
+        previous = token
+
+
+def _name_notes(token: Token) -> Iterator[PortabilityNote]:
+    if token.kind != "NAME":
+        return
+    name = shown(token.text)
+    if token.text.startswith("^"):
+        message = f"robcogen2 does not take the escaped name '{name}'"
+        yield PortabilityNote(ROBCOGEN2, "escaped-name", message, token.start, token.end)
+    elif KEYWORDS.get(token.text, "LOWER_PI") != "LOWER_PI":
+        message = f"robcogen does not take the keyword '{name}' as a name"
+        yield PortabilityNote(ROBCOGEN, "keyword-as-name", message, token.start, token.end)
+    elif not token.text.isascii():
+        message = f"robcogen does not take the letters of the name '{name}'"
+        yield PortabilityNote(ROBCOGEN, "non-ascii-name", message, token.start, token.end)
+
+
+def _glue_notes(left: Token, right: Token) -> Iterator[PortabilityNote]:
+    place = right.start
+    repair = Repair("Insert a blank", (Edit(place, place, " "),), True)
+    if left.text[:1].isidentifier():
+        message = f"robcogen reads '{shown(left.text + right.text)}' as one name"
+        yield PortabilityNote(ROBCOGEN, "glued-keyword", message, left.start, right.end, repair)
+    elif left.kind == "FLOAT" and right.kind != "NAME" and not right.kind.endswith("PI"):
+        message = f"robcogen2 does not take '{shown(right.text)}' right behind a number"
+        yield PortabilityNote(ROBCOGEN2, "glued-number", message, left.start, right.end, repair)
+
+
+def _value_notes(text: str, block: Node) -> Iterator[PortabilityNote]:
+    for node in _expressions(block):
+        if node.kind == "number" and node.children[0].kind == "FLOAT":
+            continue
+        tokens = list(node.tokens())
+        targets = accepted_by(tokens)
+        if len(targets) != 1 or any(token.is_missing for token in tokens):
+            continue
+        (target,) = TARGETS_OF_ALL - targets
+        if any(note.target == target for token in tokens for note in _name_notes(token)):
+            continue
+        start, end = node.start, node.end
+        message = _REASONS[target].format(shown(text[start:end]))
+        if node.kind == "parameter" and target == ROBCOGEN2:
+            message = f"robcogen2 reads '{shown(text[start:end])}' as 'pi' and stops"
+        new = rewritten(node)
+        repair = Repair(f"Write {new}", (Edit(start, end, new),), True) if new else None
+        yield PortabilityNote(target, "value-form", message, start, end, repair)
+
+
+def _expressions(block: Node) -> Iterator[Node]:
+    pending = [block]
+    while pending:
+        node = pending.pop()
+        nodes = [child for child in node.children if isinstance(child, Node)]
+        if node.kind in ("vector", "mass", "moment"):
+            yield from nodes
+        else:
+            pending += nodes
+
+
+def _id_notes(block: Node) -> Iterator[PortabilityNote]:
+    for node in block.nodes("id") if block.kind != "base" else ():
+        token = node.children[-1]
+        if not isinstance(token, Token) or token.is_missing or token.kind != "INT":
+            continue
+        size = int(token.text) if len(token.text) < 20 else _LARGEST + 1
+        if block.kind == "link" and not 0 < size <= _LARGEST:
+            continue
+        message = f"robcogen does not take the id '{shown(token.text)}'"
+        repair = None
+        if 0 < size <= _LARGEST:
+            if _PLAIN_ID.fullmatch(token.text):
+                continue
+            new = str(size)
+            repair = Repair(f"Write {new}", (Edit(token.start, token.end, new),), True)
+        yield PortabilityNote(ROBCOGEN, "id-form", message, token.start, token.end, repair)
+
+
+def _inertia_notes(block: Node) -> Iterator[PortabilityNote]:
+    if block.kind not in ("base", "link") or any(block.nodes("inertia")):
+        return
+    keyword, name = block.children[0], block.children[1]
+    message = f"robcogen does not take {block.kind} '{_text(name)}' without 'inertia_params'"
+    yield PortabilityNote(ROBCOGEN, "missing-inertia", message, keyword.start, name.end)
+
+
+def _text(child: Node | Token) -> str:
+    return child.text if isinstance(child, Token) else ""
