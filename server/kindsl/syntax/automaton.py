@@ -43,6 +43,16 @@ def is_complete(stack: Stack, start: str) -> bool:
     return True
 
 
+def settled(stack: Stack) -> Stack:
+    """Return the stack after the reductions that any next token would bring."""
+    while True:
+        actions = set(ROWS[stack.state].values())
+        action = actions.pop()
+        if actions or action >= 0:
+            return stack
+        stack = _reduce(stack, ~action)
+
+
 def accepts(start: str, kinds: Iterable[str]) -> bool:
     """Return whether these token kinds are the whole of a construct."""
     stack: Stack | None = initial(start)

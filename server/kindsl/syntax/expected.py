@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from kindsl.syntax.automaton import ROWS, Stack, initial, is_complete, step
+from kindsl.syntax.automaton import ROWS, Stack, initial, is_complete, settled, step
 from kindsl.syntax.tables import CONSTRUCTS
 from kindsl.syntax.tree import Island, Token
 from kindsl.syntax.words import BLOCK_STARTS
@@ -54,18 +54,18 @@ def expected_at(island: Island, offset: int) -> Expected:
 
 
 def _before(island: Island, offset: int) -> list[Token]:
-    """Return the tokens in the tree before an offset, without supplied ones at the end."""
-    skipped = {id(token) for token in island.skipped}
-    tokens = [token for token in island.tokens if token.start < offset and id(token) not in skipped]
-    typed = [token for token in island.skipped if token.start < offset <= token.end]
-    tokens += typed
+    """Return the tokens before an offset, without supplied ones at the end."""
+    tokens = [token for token in island.tokens if token.start < offset]
     while tokens and tokens[-1].is_missing:
         tokens.pop()
     return tokens
 
 
 def _read(tokens: Sequence[Token]) -> tuple[Stack | None, str]:
-    """Return the stack behind tokens and the construct it belongs to, None behind a whole block."""
+    """Return the stack behind tokens and the construct it belongs to, None behind a whole block.
+
+    Tokens that do not fit are passed over.
+    """
     stack: Stack | None = None
     block = ""
     for token in tokens:
@@ -82,6 +82,7 @@ def _read(tokens: Sequence[Token]) -> tuple[Stack | None, str]:
 
 def _constructs(stack: Stack) -> tuple[str, ...]:
     """Return the constructs that the states are in the middle of, outermost first."""
+    stack = settled(stack)
     found: list[str] = []
     level: Stack | None = stack
     while level is not None:

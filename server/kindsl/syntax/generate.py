@@ -209,7 +209,7 @@ def _construct(state: Any) -> str:
     kinds = {
         str(pointer.rule.alias or pointer.rule.origin.name)
         for pointer in state
-        if not pointer.rule.origin.name.startswith(("_", "$"))
+        if pointer.index > 0 and not pointer.rule.origin.name.startswith(("_", "$"))
     }
     return kinds.pop() if len(kinds) == 1 else ""
 
