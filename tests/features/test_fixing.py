@@ -4,6 +4,8 @@ from tests.support.cursor import at_cursor
 from kindsl.features.code_actions import code_actions, fix_all_action, quick_fixes
 from kindsl.features.fix_all import disjoint_fixes, fix_all, line_edits
 from kindsl.rules.analysis import analyse
+from kindsl.rules.settings import Settings
+from kindsl.semantics.parameters import Binding
 from kindsl.text.edits import TextEdit, apply_edits
 
 BAD = ARM.replace("mass = 2.0", "mass = 2").replace("(0.5, 0.0, 0.0)", "(1, 2, 3)")
@@ -76,3 +78,13 @@ def test_errors_of_syntax_cannot_be_ignored():
 
 def test_edits_of_several_rounds_replace_whole_lines():
     assert line_edits("a\nb\nc\n", "a\nB\nc\n") == (TextEdit(2, 4, "B\n"),)
+
+
+def test_an_unbound_parameter_can_be_bound_outside():
+    analysis, offset = at_cursor(ARM.replace("reach", "re$0ach"))
+    (action,) = [a for a in code_actions(analysis, offset, offset) if a.bindings]
+    assert action.title == "Bind 'reach' in kindsl.toml"
+    assert (action.edits, action.bindings) == ((), (("reach", 0.0),))
+    assert [d.code for d in action.diagnostics] == ["KD401"]
+    bound = analysis.with_settings(Settings(bindings={"reach": Binding(0.5)}))
+    assert not [a for a in code_actions(bound, offset, offset) if a.bindings]

@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterator
 
 from kindsl.features.action import CodeAction
+from kindsl.features.bind_parameter import bind_parameter
 from kindsl.features.fix_all import disjoint_fixes, fix_all
 from kindsl.features.refactorings import refactorings
 from kindsl.rules.analysis import Analysis
@@ -17,7 +18,11 @@ _BLANKS = re.compile(r"[ \t]*")
 
 def code_actions(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, ...]:
     """Return what can be done about a range: fixes first, then refactorings."""
-    return (*quick_fixes(analysis, start, end), *refactorings(analysis, start, end))
+    return (
+        *quick_fixes(analysis, start, end),
+        *bind_parameter(analysis, start, end),
+        *refactorings(analysis, start, end),
+    )
 
 
 def quick_fixes(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, ...]:

@@ -49,7 +49,8 @@ def completions(analysis: Analysis, offset: int) -> Completions:
     context = completion_context(analysis, offset)
     if context is None:
         return Completions((), offset, offset)
-    fitting = (i for i in _items(analysis, context) if is_match(context.word, i.label))
+    word = context.word.removeprefix("^")
+    fitting = (i for i in _items(analysis, context) if is_match(word, i.label))
     found = list(islice(fitting, _MOST + 1))
     best = sorted(dict.fromkeys(found[:_MOST]), key=lambda item: item.rank)
     return Completions(tuple(best), context.start, context.end, len(found) > _MOST)
