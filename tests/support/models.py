@@ -69,7 +69,7 @@ def _name(number: int) -> str:
 def _body(number: int, children: list[int], generator: random.Random, style: Style) -> list[str]:
     mass = round(generator.uniform(0.5, 9.0), 3)
     com = [round(generator.uniform(-0.2, 0.2), 3) for _ in range(3)]
-    about_com = [round(generator.uniform(0.2, 0.3) * mass, 4) for _ in range(3)]
+    about_com = [round(generator.uniform(0.010, 0.015) * mass, 4) for _ in range(3)]
     squares = [c * c for c in com]
     moments = [about_com[i] + mass * (sum(squares) - squares[i]) for i in range(3)]
     products = [mass * com[0] * com[1], mass * com[0] * com[2], mass * com[1] * com[2]]

@@ -12,10 +12,19 @@ language wants a decimal point, so of `55.0` and `120.0` two digits are believed
 
 from collections.abc import Mapping, Sequence
 from enum import Enum
+from math import sqrt
+from operator import mul
 from typing import NamedTuple
 
 from kindsl.rules.broken_text import has_problem_within
 from kindsl.rules.context import Context
+from kindsl.rules.plausible_bodies import (
+    GREATEST_DENSITY,
+    GREATEST_LENGTH,
+    density_of,
+    is_dense_as_matter,
+    is_plainly_dense_as_matter,
+)
 from kindsl.semantics.declarations import MOMENTS, Declarations, Inertia, Link
 from kindsl.semantics.expressions import Expression, half_unit
 from kindsl.semantics.places import Place
@@ -41,6 +50,7 @@ class Verdict(Enum):
     POSSIBLE = "possible"
     SINGULAR = "singular"
     WITHIN_ROUNDING = "impossible as written, possible within its digits"
+    IMPLAUSIBLE = "possible, but of no material"
     TRIANGLE = "triangle inequality"
     INDEFINITE = "not positive definite"
 
@@ -66,6 +76,12 @@ class Judgement(NamedTuple):
     def moments(self) -> tuple[float, float, float]:
         """Principal moments about the CoM, ascending, kg·m²."""
         return principal_moments(self.second_moments)
+
+    @property
+    def radius_of_gyration(self) -> float:
+        """Root of the mean squared distance of the mass from the CoM, metres."""
+        total = sum(pair.value for pair in self.second_moments)
+        return sqrt(max(total, 0.0) / self.body.mass)
 
     @property
     def is_impossible(self) -> bool:
@@ -169,12 +185,30 @@ def _judge(link: Link, values: Mapping[str, float]) -> Judgement | None:
         return None
     second_moments = second_moments_about_com(body)
     if is_clearly_positive(second_moments):
+        if is_plainly_dense_as_matter(body.mass, second_moments):
+            return None
+    elif max(map(abs, body.com)) > GREATEST_LENGTH:
         return None
     pairs = eigensystem(second_moments)
-    verdict = verdict_of(body, half_widths(inertia, values), pairs)
+    half = half_widths(inertia, values)
+    verdict = verdict_of(body, half, pairs)
     if verdict is Verdict.POSSIBLE:
-        return None
+        if is_dense_as_matter(body.mass, _widened(body, half, pairs)):
+            return None
+        verdict = Verdict.IMPLAUSIBLE
     return Judgement(link, inertia, body, pairs, verdict)
+
+
+def _widened(
+    body: MassDistribution, half: MassDistribution, pairs: tuple[Eigenpair, Eigenpair, Eigenpair]
+) -> tuple[Eigenpair, Eigenpair, Eigenpair]:
+    """Return the eigenpairs with values moved towards a plausible density, within the digits."""
+    reach = sum(half.moments) + 2.0 * body.mass * sum(map(mul, map(abs, body.com), half.com))
+    is_heavy = density_of(body.mass, pairs) > GREATEST_DENSITY
+    first, second, third = (
+        Eigenpair(max(value + (reach if is_heavy else -reach), 0.0), axis) for value, axis in pairs
+    )
+    return first, second, third
 
 
 def _half_widths(group: Sequence[Expression], values: Mapping[str, float]) -> list[float]:

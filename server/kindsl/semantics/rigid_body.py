@@ -15,7 +15,7 @@ Source: Wensing, Kim, Slotine 2018, Linear matrix inequalities for physically co
 parameter identification; Traversaro et al. 2016.
 """
 
-from math import copysign, hypot, sqrt
+from math import copysign, hypot, pi, sqrt
 from typing import NamedTuple
 
 Vector3 = tuple[float, float, float]
@@ -95,15 +95,19 @@ def is_clearly_positive(matrix: Symmetric) -> bool:
 
     Source: Sylvester's criterion, with a margin.
     """
-    xx, yy, zz, xy, xz, yz = matrix
+    xx, yy, zz, xy, _, _ = matrix
     trace = xx + yy + zz
     if xx <= 0.0 or yy <= 0.0 or zz <= 0.0:
         return False
-    minor = xx * yy - xy * xy
-    if minor <= 1e-12 * trace * trace:
+    if xx * yy - xy * xy <= 1e-12 * trace * trace:
         return False
-    determinant = zz * minor - xx * yz * yz - yy * xz * xz + 2.0 * xy * xz * yz
-    return determinant > 1e-12 * trace * trace * trace
+    return determinant(matrix) > 1e-12 * trace * trace * trace
+
+
+def determinant(matrix: Symmetric) -> float:
+    """Return the determinant."""
+    xx, yy, zz, xy, xz, yz = matrix
+    return zz * (xx * yy - xy * xy) - xx * yz * yz - yy * xz * xz + 2.0 * xy * xz * yz
 
 
 def eigensystem(matrix: Symmetric) -> tuple[Eigenpair, Eigenpair, Eigenpair]:
@@ -145,9 +149,7 @@ def _rotate(a: list[list[float]], v: list[list[float]], p: int, q: int) -> None:
         row[p], row[q] = c * row[p] - s * row[q], s * row[p] + c * row[q]
 
 
-def greatest_second_moment(
-    body: MassDistribution, half: MassDistribution, axis: Vector3
-) -> float:
+def greatest_second_moment(body: MassDistribution, half: MassDistribution, axis: Vector3) -> float:
     """Return an upper bound of `axis' S axis` about the CoM over all bodies within half-widths.
 
     If it is negative, no choice of the numbers within their rounding makes the body possible.
@@ -190,3 +192,20 @@ def _greatest_sum(weights: Symmetric, values: Symmetric, halves: Symmetric) -> f
     return sum(
         w * value + abs(w) * half for w, value, half in zip(weights, values, halves, strict=True)
     )
+
+
+def equivalent_density(mass: float, eigenvalues: Vector3) -> float:
+    """Return the density of the homogeneous ellipsoid with these second moments, kg/m³.
+
+    A body thinner than a tenth of its length is taken to be that thick, so that rods and plates
+    whose thickness is lost in rounding are not dense without bound.
+
+    Args:
+        mass: kg, positive.
+        eigenvalues: Of the second moments about the CoM, ascending, the last one positive.
+    """
+    least = 0.01 * eigenvalues[2]
+    volume = 4.0 / 3.0 * pi
+    for value in eigenvalues:
+        volume *= sqrt(5.0 * max(value, least) / mass)
+    return mass / volume

@@ -1,0 +1,62 @@
+"""New numbers in the hand of the author: his precision, his zeros."""
+
+from collections.abc import Sequence
+
+from kindsl.rules.base import Change
+from kindsl.semantics.expressions import Expression
+
+
+def rewritten(group: Sequence[Expression], values: Sequence[float]) -> list[Change] | None:
+    """Return the changes that give literal numbers new values, None where one is no literal.
+
+    A group is written with the greatest number of decimals in it; where its numbers differ in that,
+    the author drops trailing zeros, and so do we. Numbers that keep their value keep their text.
+    """
+    if any(expression.literal is None for expression in group):
+        return None
+    counts = [decimals(expression.text) for expression in group]
+    has_exponents = any("e" in expression.text.lower() for expression in group)
+    changes = []
+    for expression, value in zip(group, values, strict=True):
+        if value != expression.literal:
+            text = f"{value:.{max(counts)}f}"
+            if has_exponents:
+                text = plain(value, 6)
+            elif min(counts) != max(counts):
+                text = text.rstrip("0")
+                text += "0" if text.endswith(".") else ""
+            changes.append(Change(expression, _without_minus_zero(text)))
+    return changes
+
+
+def rescaled(group: Sequence[Expression], values: Sequence[float]) -> list[Change] | None:
+    """Return the changes that give literal numbers values of another order of magnitude.
+
+    They keep as many significant digits as the group has. None where one is no literal.
+    """
+    if any(expression.literal is None for expression in group):
+        return None
+    digits = max(significant_digits(expression.text) for expression in group)
+    pairs = zip(group, values, strict=True)
+    return [Change(expression, plain(value, digits)) for expression, value in pairs if value]
+
+
+def significant_digits(text: str) -> int:
+    """Return how many digits a number has from the first that is not zero, at least one."""
+    mantissa = text.lower().partition("e")[0]
+    return max(1, len("".join(c for c in mantissa if c.isdigit()).lstrip("0")))
+
+
+def decimals(text: str) -> int:
+    """Return how many digits stand behind the point."""
+    return len(text.lower().partition("e")[0].partition(".")[2])
+
+
+def plain(value: float, digits: int) -> str:
+    """Return a value with significant digits and a decimal point, without exponent."""
+    text = f"{float(f'{value:.{digits - 1}e}'):.17f}".rstrip("0")
+    return text + "0" if text.endswith(".") else text
+
+
+def _without_minus_zero(text: str) -> str:
+    return text.lstrip("-") if not float(text) else text
