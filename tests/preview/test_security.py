@@ -173,8 +173,9 @@ async def test_what_is_no_request_does_no_harm(server):
         await connection.write_message(message)
     await connection.write_message(b"\x00\xff", binary=True)
     await connection.write_message(json.dumps({"type": "set-joint", "name": "lift", "value": 0.2}))
-    while not server._documents["arm.kindsl"]._joints:
-        await asyncio.sleep(0.01)
+    async with asyncio.timeout(15.0):
+        while not server._documents["arm.kindsl"]._joints:
+            await asyncio.sleep(0.01)
     connection.close()
 
 

@@ -111,6 +111,7 @@ class LiveHandler(CheckedHandler, WebSocketHandler):
         self.tab = Tab(self._write)
         document.channel.join(self.tab)
         self.writer = asyncio.ensure_future(self.tab.run())
+        self.server.connected(self)
 
     def on_message(self, message: str | bytes) -> None:
         """Do what the page asks for; what is no request is passed over."""
@@ -123,6 +124,7 @@ class LiveHandler(CheckedHandler, WebSocketHandler):
         if hasattr(self, "writer"):
             self.document.channel.leave(self.tab)
             self.writer.cancel()
+            self.server.disconnected(self)
 
     async def _write(self, frame: bytes) -> None:
         await self.write_message(frame, binary=True)

@@ -1,5 +1,6 @@
 """The live viewer's server: loopback only, in the caller's asyncio loop, without threads."""
 
+import asyncio
 import hashlib
 import os
 import socket
@@ -13,13 +14,16 @@ from kindsl.preview.assets import assets
 from kindsl.preview.channel import Tab
 from kindsl.preview.document import DocumentPreview
 from kindsl.preview.geometry import PreviewUnavailableError
-from kindsl.preview.handlers import application
+from kindsl.preview.handlers import LiveHandler, application
 from kindsl.preview.requests import Hello, Request, Reveal, SetJoint, SetParameter
 from kindsl.preview.reveal import place_of
 from kindsl.preview.session import Session, last_session, remember
 from kindsl.rules.analysis import Analysis
 from kindsl.rules.diagnostics import Diagnostic
 from kindsl.text.span import Span
+
+GOING_AWAY = 1001
+PATIENCE = 1.0  # seconds, for tabs to say goodbye
 
 OnReveal = Callable[[str, Span, Reveal], None]
 
@@ -54,6 +58,7 @@ class PreviewServer:
         self._access = Access(token or new_token(), port)
         self._documents: dict[str, DocumentPreview] = {}
         self._keys: dict[str, str] = {}
+        self._lines: set[LiveHandler] = set()
         self._http: HTTPServer | None = None
 
     @property
@@ -92,7 +97,19 @@ class PreviewServer:
         if self._http is not None:
             http, self._http = self._http, None
             http.stop()
+            for line in list(self._lines):
+                line.close(GOING_AWAY)
+            with suppress(TimeoutError):
+                await asyncio.wait_for(self._all_gone(), PATIENCE)
             await http.close_all_connections()
+
+    def connected(self, line: LiveHandler) -> None:
+        """Know a tab's line, to close it in the end."""
+        self._lines.add(line)
+
+    def disconnected(self, line: LiveHandler) -> None:
+        """Forget a line that is closed."""
+        self._lines.discard(line)
 
     def url(self, key: str) -> str:
         """Return the address of a document's page."""
@@ -159,6 +176,10 @@ class PreviewServer:
             document.adopt(request.joints, request.parameters)
         else:
             self._reveal(document, request)
+
+    async def _all_gone(self) -> None:
+        while self._lines:
+            await asyncio.sleep(0.01)
 
     def _listen(self, access: Access) -> str:
         listening = _listening_socket(access.port)

@@ -12,6 +12,7 @@ const KindslFindings = (() => {
       this.findings = new Map();
       this.status = { state: "empty", message: "", total: 0 };
       this.overlay = document.getElementById("overlay");
+      for (const type of ["pointerdown", "wheel"]) this.overlay.addEventListener(type, (event) => event.stopPropagation());
       this.summary = document.getElementById("summary");
       this.summary.addEventListener("click", () => { this.isOpen = !this.isOpen; this.show(); });
       this.isOpen = false;

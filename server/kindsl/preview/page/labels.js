@@ -12,6 +12,8 @@ const KindslLabels = (() => {
       this.layer = document.createElement("div");
       this.layer.className = "labels";
       pane.append(this.layer);
+      // The viewer's controls would take a press for the start of a turn, and the click with it.
+      this.layer.addEventListener("pointerdown", (event) => event.stopPropagation());
       this.elements = new Map();
     }
 

@@ -118,7 +118,8 @@ const KindslPanel = (() => {
         row.setRange(parameter.minimum, parameter.maximum);
         row.setValue(parameter.value);
         row.reset.hidden = !parameter.is_overridden;
-        row.number.readOnly = row.slider.disabled = this.actions.isStatic || parameter.value === null && row.slider.disabled;
+        row.number.readOnly = this.actions.isStatic;
+        row.slider.disabled = this.actions.isStatic || parameter.value === null;
       }
     }
 

@@ -16,7 +16,8 @@ const KindslPicking = (() => {
       this.canvas.addEventListener("pointermove", (event) => this.hover(event));
       this.canvas.addEventListener("pointerleave", () => this.show(null));
       this.canvas.addEventListener("pointerdown", (event) => { this.pressed = [event.clientX, event.clientY]; });
-      this.canvas.addEventListener("pointerup", (event) => this.release(event));
+      // The viewer's controls capture the pointer, so its release comes to the pane.
+      pane.addEventListener("pointerup", (event) => this.release(event));
     }
 
     hover(event) {
@@ -36,6 +37,7 @@ const KindslPicking = (() => {
 
     release(event) {
       const [x, y] = this.pressed || [NaN, NaN];
+      this.pressed = null;
       const isClick = Math.hypot(event.clientX - x, event.clientY - y) <= CLICK_TOLERANCE;
       const found = isClick && event.button === 0 ? this.at(event) : null;
       if (found) this.actions.reveal({ kind: found.kind, name: found.name });

@@ -1,0 +1,106 @@
+"""A real browser on the preview's page."""
+
+import asyncio
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager
+
+from playwright.async_api import Browser, Page, async_playwright
+from tests.preview.robots import require
+
+ARGUMENTS = (
+    "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic",
+    "--no-first-run", "--disable-background-networking", "--disable-component-update",
+    "--disable-sync",
+)  # fmt: skip
+SIZE = {"width": 960, "height": 640}
+
+# Of each category, shown alone: how many pixels it paints.
+PAINTED = """() => {
+  const { viewer, scene, stage } = kindsl, gl = viewer.renderer.getContext();
+  const paint = () => {
+    viewer.render();
+    const [w, h] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
+    const pixels = new Uint8Array(4 * w * h);
+    gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    let count = 0;
+    for (let i = 3; i < pixels.length; i += 4) if (pixels[i]) count++;
+    return count;
+  };
+  const views = new Map(scene.view), keys = [...views.keys()].filter((key) => key !== "names");
+  const show = (key, visible) => {
+    kindsl.actions.setView(key, visible, Math.max(0.3, views.get(key).opacity));
+  };
+  keys.forEach((key) => show(key, false));
+  const counts = { nothing: paint() };
+  for (const key of keys) { show(key, true); counts[key] = paint(); show(key, false); }
+  for (const [key, view] of views) kindsl.actions.setView(key, view.visible, view.opacity);
+  return counts;
+}"""
+
+# base_T_x of every link, as three.js will draw it, row by row.
+WORLD_POSES = """() => {
+  kindsl.scene.update();
+  kindsl.viewer.scene.updateMatrixWorld(true);
+  const toBase = kindsl.viewer.scene.matrixWorld.clone().invert(), poses = {};
+  for (const group of ["links", "joints", "frames"]) {
+    for (const name of kindsl.scene.trees.robot[group].keys()) {
+      const path = ["kindsl", "robot", group, encodeURIComponent(name)];
+      const world = kindsl.viewer.scene_tree.find(path).object.matrixWorld;
+      poses[group + " " + name] = toBase.clone().multiply(world).transpose().toArray();
+    }
+  }
+  return poses;
+}"""
+
+# Where on the page the origin of a link, joint or frame is.
+PLACE = """([group, name]) => {
+  kindsl.scene.update();
+  const pose = kindsl.scene.poses.robot[group].get(name);
+  const box = kindsl.viewer.renderer.domElement.getBoundingClientRect();
+  const [x, y] = kindsl.labels.project(KindslKinematics.origin(pose));
+  return [box.left + x, box.top + y];
+}"""
+
+
+@asynccontextmanager
+async def chromium() -> AsyncIterator[Browser]:
+    path = require("chromium", "chromium-browser", "google-chrome")
+    async with async_playwright() as playwright:
+        browser = await playwright.chromium.launch(executable_path=path, args=list(ARGUMENTS))
+        yield browser
+        await browser.close()
+
+
+@asynccontextmanager
+async def opened(browser: Browser, url: str) -> AsyncIterator[Page]:
+    """Open a page; any error in it fails the test."""
+    page = await browser.new_page(viewport=SIZE)
+    errors: list[str] = []
+    page.set_default_timeout(15_000)
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    await page.goto(url)
+    await until(page, "typeof kindsl !== 'undefined'")
+    yield page
+    await page.close()
+    assert errors == []
+
+
+async def until(page: Page, condition: str, argument: object = None) -> None:
+    """Wait until a condition holds; with an argument it is a function of it.
+
+    As a function always: the page's policy forbids what evaluates an expression again and again.
+    """
+    function = condition if argument is not None else f"() => ({condition})"
+    await page.wait_for_function(function, arg=argument, timeout=15_000)
+
+
+async def until_shown(page: Page, robot: str) -> None:
+    """Wait until a robot is drawn."""
+    await until(page, "name => kindsl.scene.model.name === name && kindsl.scene.poses.robot", robot)
+
+
+async def eventually(condition: Callable[[], object]) -> None:
+    """Wait until a condition holds on our side."""
+    async with asyncio.timeout(15.0):
+        while not condition():
+            await asyncio.sleep(0.01)

@@ -1,0 +1,380 @@
+"""The page in a real browser: what is drawn, moved, clicked, and kept."""
+
+import numpy as np
+import pytest
+from tests.preview.browser import (
+    PAINTED,
+    PLACE,
+    WORLD_POSES,
+    chromium,
+    eventually,
+    opened,
+    until,
+    until_shown,
+)
+from tests.preview.robots import (
+    ARM,
+    BROKEN_ARM,
+    CORPUS,
+    EXAMPLES,
+    PARAMETRIC_ARM,
+    bodies_of,
+    plain_robot,
+)
+
+from kindsl.dynamics.mechanics import Mechanics
+from kindsl.mechanism.build import drawable_bodies
+from kindsl.preview.picture import picture
+from kindsl.preview.server import PreviewServer
+from kindsl.rules.analysis import analyse
+from kindsl.rules.base import Severity
+from kindsl.rules.diagnostics import Diagnostic
+
+LONGER_ARM = ARM.replace("(0.4, 0.0, 0.0)", "(0.6, 0.0, 0.0)")
+
+
+@pytest.fixture(scope="module")
+async def browser():
+    async with chromium() as running:
+        yield running
+
+
+@pytest.fixture
+async def revealed():
+    return []
+
+
+@pytest.fixture
+async def server(revealed):
+    running = PreviewServer(lambda key, span, chosen: revealed.append((key, span, chosen)))
+    await running.start()
+    yield running
+    await running.stop()
+
+
+async def show(server, text, findings=(), key="arm.kindsl"):
+    await server.show(key, analyse(text), findings)
+    return server.url(key)
+
+
+def documents():
+    files = sorted(EXAMPLES.glob("*.kindsl")) + sorted(CORPUS.glob("*.kindsl"))
+    return [pytest.param(file, id=file.stem) for file in files]
+
+
+@pytest.mark.parametrize("file", documents())
+async def test_every_category_is_in_the_picture(browser, server, file):
+    text = file.read_text()
+    analysis = analyse(text)
+    bodies = picture(analysis.model, analysis.context.values, None).bodies
+    kinds = set(bodies.joint_kinds)
+    async with opened(browser, await show(server, text)) as page:
+        await until_shown(page, str(analysis.model.name))
+        painted = await page.evaluate(PAINTED)
+        visible = await page.evaluate("[...kindsl.scene.marks.values()].map((m) => m.category)")
+    assert painted.pop("nothing") == 0
+    absent = {"revolute", "prismatic"} - kinds
+    absent |= {"ghost"} | (set() if bodies.frames else {"optional-frame"})
+    empty = {category for category, count in painted.items() if count < 10}
+    assert empty - {"torque"} == absent
+    assert set(visible) == set(painted) - absent - {"ground"}
+
+
+async def test_gravity_torques_are_in_the_picture(browser, server):
+    async with opened(browser, await show(server, ARM)) as page:
+        await until_shown(page, "Arm")
+        await page.locator("[data-category=torque]").check()
+        bars = page.locator("#joints .torque .amount")
+        expected = Mechanics(bodies_of(ARM)).gravity_torque(np.zeros(2))
+        await until(page, "document.querySelector('#joints .amount').textContent !== ''")
+        assert [float(text.split()[0]) for text in await bars.all_text_contents()] == pytest.approx(
+            np.asarray(expected).tolist(), abs=1e-3
+        )
+        assert (await page.evaluate(PAINTED))["torque"] > 20
+
+
+async def test_sliders_move_links_by_our_kinematics(browser, server):
+    analysis = plain_robot(9, 4)
+    mechanics = Mechanics(drawable_bodies(analysis.model, {}))
+    rng = np.random.default_rng(3)
+    await server.show("robot", analysis, ())
+    async with opened(browser, server.url("robot")) as page:
+        await until_shown(page, str(analysis.model.name))
+        await until(page, "document.querySelectorAll('#joints .number').length === 9")
+        numbers = page.locator("#joints .number")
+        for q in (np.zeros(9), *rng.uniform(-2.0, 2.0, (3, 9))):
+            for index, value in enumerate(q.tolist()):
+                await numbers.nth(index).fill(repr(value))
+                await numbers.nth(index).press("Enter")
+            drawn = await page.evaluate(WORLD_POSES)
+            ours = mechanics.forward_kinematics(q) | {
+                f"joint {name}": pose for name, pose in mechanics.joint_poses(q).items()
+            }
+            for name, pose in drawn.items():
+                group, _, thing = name.partition(" ")
+                wanted = ours.get(f"joint {thing}" if group == "joints" else thing, np.eye(4))
+                np.testing.assert_allclose(np.reshape(pose, (4, 4)), wanted, atol=1e-6)
+        server_side = server._documents["robot"]._joints
+        assert [server_side[name] for name in mechanics.bodies.joint_names] == q.tolist()
+
+
+async def test_dragging_a_slider_moves_its_link_alone(browser, server):
+    async with opened(browser, await show(server, ARM)) as page:
+        await until_shown(page, "Arm")
+        before = await page.evaluate(WORLD_POSES)
+        slider = page.get_by_label("lift", exact=True)
+        box = await slider.bounding_box()
+        await page.mouse.click(box["x"] + 0.8 * box["width"], box["y"] + box["height"] / 2)
+        after = await page.evaluate(WORLD_POSES)
+        moved = {name for name in before if not np.allclose(before[name], after[name])}
+        assert moved == {"links slider", "frames tool"}
+        await page.get_by_text("Zero joints").click()
+        assert await page.evaluate(WORLD_POSES) == before
+
+
+async def test_an_edit_moves_things_without_drawing_them_anew(browser, server):
+    meshes = "[...kindsl.scene.marks.values()].map((mark) => mark.mesh.uuid)"
+    async with opened(browser, await show(server, ARM)) as page:
+        await until_shown(page, "Arm")
+        await page.get_by_label("shoulder, typed").fill("0.5")
+        await page.get_by_label("shoulder, typed").press("Enter")
+        before = await page.evaluate(meshes)
+        await show(server, LONGER_ARM)
+        await until(page, "kindsl.scene.trees.robot.joints.get('lift').placement[12] === 0.6")
+        assert await page.evaluate(meshes) == before
+        pose = Mechanics(bodies_of(LONGER_ARM)).forward_kinematics([0.5, 0.0])["slider"]
+        drawn = (await page.evaluate(WORLD_POSES))["links slider"]
+        np.testing.assert_allclose(np.reshape(drawn, (4, 4)), pose, atol=1e-9)
+
+
+async def test_a_broken_edit_dims_the_last_good_model_under_the_findings(browser, server, revealed):
+    finding = Diagnostic("KD001", "syntax-error", Severity.ERROR, "a name is missing", 70, 75)
+    async with opened(browser, await show(server, ARM)) as page:
+        await until_shown(page, "Arm")
+        before = await page.evaluate(WORLD_POSES)
+        bright = await page.locator("#pane").screenshot()
+        await show(server, BROKEN_ARM, [finding])
+        await page.locator("#overlay.broken").wait_for()
+        assert (
+            "the last complete version is shown" in await page.locator("#overlay h2").inner_text()
+        )
+        assert await page.evaluate(WORLD_POSES) == before
+        assert await page.locator("#pane.stale").count() == 1
+        assert await page.locator("#pane").screenshot() != bright
+        await page.get_by_text("a name is missing").click()
+        await eventually(lambda: revealed)
+        assert revealed[0][1] == (70, 75)
+        await show(server, LONGER_ARM)
+        await page.locator("#overlay").wait_for(state="hidden")
+        assert await page.locator("#pane.stale").count() == 0
+        await until(page, "kindsl.scene.trees.robot.joints.get('lift').placement[12] === 0.6")
+
+
+@pytest.mark.parametrize(
+    ("group", "name", "kind"),
+    [("joints", "shoulder", "joint"), ("frames", "tool", "frame"), ("links", "upper", "link")],
+)
+async def test_a_click_in_the_picture_means_a_place_in_the_text(
+    browser, server, revealed, group, name, kind
+):
+    async with opened(browser, await show(server, ARM)) as page:
+        await until_shown(page, "Arm")
+        for category in ("names", "inertia", "com", "link-frame", "axis", "joint-frame", "base"):
+            await page.locator(f"[data-category={category}]").uncheck()
+        if group != "joints":
+            await page.locator("[data-category=revolute]").uncheck()
+            await page.locator("[data-category=prismatic]").uncheck()
+        place = await page.evaluate(PLACE, [group, name])
+        await page.mouse.move(*place)
+        await page.locator(".tip").wait_for()
+        assert await page.locator(".tip").inner_text() == f"{kind} {name}"
+        await page.mouse.click(*place)
+        await eventually(lambda: revealed)
+        key, span, chosen = revealed[0]
+        assert (key, ARM[slice(*span)], chosen.kind) == ("arm.kindsl", name, kind)
+        await page.locator("#selection h2", has_text=f"{kind} {name}").wait_for()
+
+
+async def test_turning_the_view_is_no_click(browser, server, revealed):
+    async with opened(browser, await show(server, ARM)) as page:
+        await until_shown(page, "Arm")
+        await page.locator("[data-category=names]").uncheck()
+        x, y = await page.evaluate(PLACE, ["joints", "shoulder"])
+        before = await page.evaluate("kindsl.viewer.camera.position.toArray()")
+        await page.mouse.move(x, y)
+        await page.mouse.down()
+        await page.mouse.move(x + 80, y + 10, steps=4)
+        await page.mouse.up()
+        await until(page, "b => kindsl.viewer.camera.position.toArray()[0] !== b[0]", before)
+        assert revealed == []
+
+
+async def test_a_label_is_a_link_too(browser, server, revealed):
+    async with opened(browser, await show(server, ARM)) as page:
+        await until_shown(page, "Arm")
+        await page.locator(".label.link", has_text="upper").click()
+        await eventually(lambda: revealed)
+        assert ARM[slice(*revealed[0][1])] == "upper"
+        await page.locator("#selection dl", has_text="shoulder (revolute)").wait_for()
+        rows = await page.locator("#selection dl").inner_text()
+        assert "2 kg" in rows
+        assert "shoulder (revolute)" in rows
+
+
+async def test_the_cursor_lights_up_what_it_is_on(browser, server):
+    lit = """[...kindsl.scene.marks.values()].filter((m) => m.mesh.material.emissive
+             && m.mesh.material.emissive.getHex()).map((m) => m.name)"""
+    async with opened(browser, await show(server, ARM)) as page:
+        await until_shown(page, "Arm")
+        server.highlight("arm.kindsl", "link", "slider")
+        await until(page, f"{lit}.length > 0")
+        assert set(await page.evaluate(lit)) == {"slider"}
+        assert await page.locator(".label.highlighted").inner_text() == "slider"
+        server.highlight("arm.kindsl", "joint", "shoulder")
+        await until(page, f"{lit}.includes('shoulder')")
+        server.highlight("arm.kindsl", "", "")
+        await until(page, f"{lit}.length === 0")
+
+
+async def test_two_tabs_agree(browser, server):
+    url = await show(server, PARAMETRIC_ARM)
+    async with opened(browser, url) as one, opened(browser, url) as other:
+        await until_shown(one, "Arm")
+        await until_shown(other, "Arm")
+        await one.bring_to_front()
+        await one.get_by_label("shoulder, typed").fill("0.7")
+        await one.get_by_label("shoulder, typed").press("Enter")
+        await one.get_by_label("reach, typed").fill("0.25")
+        await one.get_by_label("reach, typed").press("Enter")
+        for page in (other, one):
+            await page.bring_to_front()
+            await until(page, "kindsl.scene.trees.robot.joints.get('lift').placement[12] === 0.25")
+            await until(page, "kindsl.scene.q.get('shoulder') === 0.7")
+            await until(
+                page, "document.querySelector('[aria-label=\"shoulder, typed\"]').value === '0.7'"
+            )
+        assert await one.evaluate(WORLD_POSES) == await other.evaluate(WORLD_POSES)
+
+
+async def test_documents_have_pages_of_their_own(browser, server):
+    first = await show(server, ARM, key="a")
+    second = await show(server, ARM.replace("Robot Arm", "Robot Leg"), key="b")
+    async with opened(browser, first) as one, opened(browser, second) as other:
+        await until_shown(one, "Arm")
+        await until_shown(other, "Leg")
+
+
+async def test_an_unbound_parameter_has_a_place_to_type_it(browser, server):
+    async with opened(browser, await show(server, PARAMETRIC_ARM)) as page:
+        await until_shown(page, "Arm")
+        await page.locator("#parameters .unbound").wait_for()
+        assert "'reach'" in await page.locator("#overlay").inner_text()
+        await page.get_by_label("reach, typed").fill("0.35")
+        await page.get_by_label("reach, typed").press("Enter")
+        await page.locator("#overlay").wait_for(state="hidden")
+        await until(page, "kindsl.scene.trees.robot.joints.get('lift').placement[12] === 0.35")
+        assert await page.locator("#parameters .unbound").count() == 0
+        assert await page.get_by_label("reach", exact=True).is_enabled()
+
+
+async def test_the_page_comes_back_after_a_restart_and_brings_its_values(browser, server):
+    async with opened(browser, await show(server, ARM)) as page:
+        await until_shown(page, "Arm")
+        await page.get_by_label("shoulder, typed").fill("0.7")
+        await page.get_by_label("shoulder, typed").press("Enter")
+        await eventually(lambda: server._documents["arm.kindsl"]._joints)
+        await server.stop()
+        await page.locator("[data-state=reconnecting]").wait_for()
+        again = PreviewServer(port=server.port, token=server.token)
+        await again.start()
+        await show(again, LONGER_ARM.replace("tool {", "gripper {"))
+        await page.locator("[data-state=live]").wait_for()
+        await until(page, "kindsl.scene.trees.robot.joints.get('lift').placement[12] === 0.6")
+        await until(page, "kindsl.scene.trees.robot.frames.has('gripper')")
+        assert not await page.evaluate("kindsl.scene.trees.robot.frames.has('tool')")
+        assert not await page.evaluate("[...kindsl.scene.paths].some((p) => p.includes('tool'))")
+        await eventually(lambda: again._documents["arm.kindsl"]._joints)
+        assert again._documents["arm.kindsl"]._joints == {"shoulder": 0.7}
+        await again.stop()
+
+
+async def test_the_saved_version_is_a_ghost_behind_the_edited_one(browser, server):
+    async with opened(browser, await show(server, ARM)) as page:
+        await until_shown(page, "Arm")
+        server.saved("arm.kindsl")
+        await show(server, LONGER_ARM)
+        await until(page, "kindsl.scene.trees.ghost.links.size === 3")
+        assert (await page.evaluate(PAINTED))["ghost"] > 50
+        ghost = await page.evaluate("kindsl.scene.poses.ghost.links.get('slider')[12]")
+        assert ghost == pytest.approx(0.4)
+        server.saved("arm.kindsl")
+        await until(page, "kindsl.scene.trees.ghost.links.size === 0")
+        assert (await page.evaluate(PAINTED))["ghost"] == 0
+
+
+MARKUP = "<img src=x onerror='window.hacked=1'><script>window.hacked=1</script>"
+
+
+PARAMETER = {
+    "type": "parameter",
+    "path": "/kindsl/parameters/x",
+    "index": 0,
+    "name": MARKUP,
+    "kind": "length",
+    "value": 1.0,
+    "minimum": 0.0,
+    "maximum": 2.0,
+    "is_overridden": False,
+}
+
+
+async def test_names_and_messages_with_markup_do_nothing(browser, server):
+    finding = Diagnostic("KD001", MARKUP, Severity.ERROR, MARKUP, 0, 1)
+    async with opened(browser, await show(server, BROKEN_ARM, [finding])) as page:
+        await until_shown(page, "Arm")
+        channel = server._documents["arm.kindsl"].channel
+        link = {**next(m for m in channel.state if m["type"] == "link" and m["index"] == 1)}
+        joint = {**next(m for m in channel.state if m["type"] == "joint" and m["index"] == 1)}
+        channel.put("x", {**link, "name": MARKUP, "path": "/kindsl/robot/links/x"})
+        channel.put(
+            "x", {**joint, "name": MARKUP, "successor": MARKUP, "path": "/kindsl/robot/joints/x"}
+        )
+        channel.put("x", PARAMETER)
+        channel.put("x", {**next(m for m in channel.state if m["type"] == "model"), "name": MARKUP})
+        await page.locator("#robot", has_text=MARKUP).wait_for()
+        await page.locator("#joints", has_text=MARKUP).wait_for()
+        await page.locator("#parameters", has_text=MARKUP).wait_for()
+        await page.locator("#overlay", has_text=MARKUP).wait_for()
+        await page.locator("#joints .name", has_text=MARKUP).click()
+        assert await page.locator("img, #pane script, #panel script").count() == 0
+        assert await page.evaluate("window.hacked") is None
+
+
+# In a turn of its own: what the driver itself runs is not bound by the page's policy.
+EVALUATES = """() => new Promise((done) => setTimeout(() => {
+  try { done((0, eval)("1")) } catch (error) { done(error.name) }
+}))"""
+
+
+async def test_no_text_is_ever_evaluated(browser, server):
+    async with opened(browser, await show(server, ARM)) as page:
+        await until_shown(page, "Arm")
+        channel = server._documents["arm.kindsl"].channel
+        channel.announce({"type": "set_control", "name": "x", "callback": "window.hacked = 1"})
+        channel.announce({"type": "set_object", "path": "/Elsewhere", "object": {}})
+        channel.put(
+            "x", {"type": "value", "path": "/kindsl/values/lift", "name": "lift", "value": 0.1}
+        )
+        await until(page, "kindsl.scene.q.get('lift') === 0.1")
+        assert await page.evaluate("window.hacked") is None
+        assert await page.evaluate(EVALUATES) == "EvalError"
+        assert await page.evaluate("'Elsewhere' in kindsl.viewer.scene_tree.children") is False
+
+
+async def test_long_robots_are_drawn(browser, server):
+    analysis = plain_robot(120, 5)
+    await server.show("robot", analysis, ())
+    async with opened(browser, server.url("robot")) as page:
+        await until_shown(page, str(analysis.model.name))
+        await until(page, "kindsl.scene.trees.robot.links.size === 121")
+        await until(page, "document.querySelectorAll('#joints .row').length === 120")

@@ -1,0 +1,191 @@
+"""`kindsl preview` as a process: address first, reload on save, clicks printed, clean end."""
+
+import asyncio
+import os
+import signal
+import struct
+import sys
+from contextlib import asynccontextmanager
+
+import pytest
+import umsgpack
+from tests.preview.robots import ARM, BROKEN_ARM, PARAMETRIC_ARM, require
+from tornado.websocket import websocket_connect
+
+DRIVER = (
+    "import argparse, sys; from kindsl.cli import preview; parser = argparse.ArgumentParser();"
+    "preview.add_arguments(parser); sys.exit(preview.run(parser.parse_args()))"
+)
+PATIENCE = 30.0
+
+
+@pytest.fixture
+def file(tmp_path):
+    path = tmp_path / "arm.kindsl"
+    path.write_text(ARM)
+    return path
+
+
+async def start(tmp_path, *arguments):
+    environment = {**os.environ, "XDG_RUNTIME_DIR": str(tmp_path)}
+    return await asyncio.create_subprocess_exec(
+        sys.executable, "-W", "error", "-c", DRIVER, *map(str, arguments), env=environment,
+        stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.PIPE,
+    )  # fmt: skip
+
+
+async def run(tmp_path, *arguments):
+    process = await start(tmp_path, *arguments)
+    async with asyncio.timeout(2 * PATIENCE):
+        out, err = await process.communicate()
+    return process.returncode, out.decode(), err.decode()
+
+
+async def line_of(stream):
+    async with asyncio.timeout(PATIENCE):
+        return (await stream.readline()).decode().rstrip("\n")
+
+
+@asynccontextmanager
+async def running(tmp_path, *arguments):
+    """Yield the process and its address; it must end well on SIGINT."""
+    process = await start(tmp_path, *arguments, "--no-open")
+    yield process, await line_of(process.stdout)
+    process.send_signal(signal.SIGINT)
+    async with asyncio.timeout(PATIENCE):
+        _, err = await process.communicate()
+    assert (process.returncode, err) == (0, b"")
+
+
+@asynccontextmanager
+async def tab(address):
+    connection = await websocket_connect(address.replace("http:", "ws:").replace("/?", "/live?"))
+    yield connection
+    connection.close()
+
+
+async def message(connection, is_wanted):
+    async with asyncio.timeout(PATIENCE):
+        while True:
+            frame = umsgpack.unpackb(await connection.read_message())
+            if is_wanted(frame):
+                return frame
+
+
+async def test_the_first_line_is_the_address(tmp_path, file):
+    async with running(tmp_path, file) as (_, address):
+        assert address.startswith("http://127.0.0.1:")
+        assert "/?token=" in address
+
+
+async def test_saving_reloads_and_a_click_prints_the_place(tmp_path, file):
+    async with running(tmp_path, file) as (process, address), tab(address) as connection:
+        await message(connection, lambda m: m["type"] == "end")
+        file.write_text("\n\n" + ARM.replace("(0.4, 0.0", "(0.6, 0.0"))
+        joint = await message(connection, lambda m: m["type"] == "joint")
+        assert joint["placement"][12] == 0.6
+        await connection.write_message('{"type": "reveal", "kind": "joint", "name": "lift"}')
+        line = ("\n\n" + ARM).partition("p_joint lift")[0].count("\n") + 1
+        assert await line_of(process.stdout) == f"{file}:{line}:9: joint lift"
+
+
+async def test_a_broken_save_keeps_the_model(tmp_path, file):
+    async with running(tmp_path, file) as (_, address), tab(address) as connection:
+        await message(connection, lambda m: m["type"] == "end")
+        file.write_text(BROKEN_ARM)
+        status = await message(connection, lambda m: m["type"] == "status")
+        assert status["state"] == "broken"
+
+
+async def test_a_save_that_replaces_the_file_is_noticed(tmp_path, file):
+    async with running(tmp_path, file) as (_, address), tab(address) as connection:
+        await message(connection, lambda m: m["type"] == "end")
+        new = tmp_path / "new"
+        new.write_text(ARM.replace("tool {", "gripper {"))
+        file.unlink()
+        await asyncio.sleep(0.25)
+        new.rename(file)
+        frame = await message(connection, lambda m: m["type"] == "frame")
+        assert frame["name"] == "gripper"
+
+
+async def test_a_killed_server_is_found_again_at_the_same_address(tmp_path, file):
+    process = await start(tmp_path, file, "--no-open")
+    first = await line_of(process.stdout)
+    process.kill()
+    await process.communicate()
+    async with running(tmp_path, file) as (_, second):
+        assert second == first
+        async with running(tmp_path, file) as (_, third):
+            assert third not in (first, second)
+    modes = [path.stat().st_mode & 0o777 for path in (tmp_path / "kindsl").rglob("*")]
+    assert modes == [0o600]
+
+
+async def test_an_old_version_stands_behind(tmp_path, file):
+    old = tmp_path / "old.kindsl"
+    old.write_text(ARM.replace("(0.4, 0.0", "(0.6, 0.0"))
+    async with (
+        running(tmp_path, file, "--compare", old) as (_, address),
+        tab(address) as connection,
+    ):
+        await message(connection, lambda m: m.get("path") == "/kindsl/ghost/joints/lift")
+
+
+async def test_a_parameter_is_bound(tmp_path, file):
+    file.write_text(PARAMETRIC_ARM)
+    async with (
+        running(tmp_path, file, "--param", "reach=0.25") as (_, address),
+        tab(address) as connection,
+    ):
+        joint = await message(connection, lambda m: m.get("name") == "lift")
+        assert joint["placement"][12] == 0.25
+
+
+async def test_export_writes_a_page_and_ends(tmp_path, file):
+    page = tmp_path / "arm.html"
+    assert await run(tmp_path, file, "--export", page) == (0, "", "")
+    assert page.read_text().startswith("<!DOCTYPE html>")
+
+
+async def test_screenshot_writes_a_picture(tmp_path, file):
+    require("chromium", "chromium-browser", "google-chrome")
+    picture = tmp_path / "arm.png"
+    assert await run(tmp_path, file, "--screenshot", picture) == (0, "", "")
+    header = picture.read_bytes()[:24]
+    assert header[:8] == b"\x89PNG\r\n\x1a\n"
+    assert struct.unpack(">II", header[16:]) == (1200, 800)
+    assert picture.stat().st_size > 20_000
+
+
+async def test_without_a_browser_a_screenshot_says_so(tmp_path, file, monkeypatch):
+    monkeypatch.setenv("PATH", str(tmp_path))
+    code, out, err = await run(tmp_path, file, "--screenshot", tmp_path / "arm.png")
+    assert (code, out) == (2, "")
+    assert err == "kindsl preview: a screenshot needs Chromium or Chrome, and there is none\n"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "problem"),
+    [
+        (["nowhere.kindsl"], "nowhere.kindsl: error: no such file or folder"),
+        (["{file}", "--compare", "nowhere.kindsl"], "nowhere.kindsl: error: no such file"),
+        (["{file}", "--export", "/nowhere/x.html"], "/nowhere/x.html: No such file or directory"),
+        (["{file}", "--config", "nowhere.toml"], "nowhere.toml"),
+        (["{file}", "--port", "70000"], "'70000' is not a port"),
+    ],
+)
+async def test_what_is_wrong_is_said_in_one_line(tmp_path, file, arguments, problem):
+    arguments = [argument.replace("{file}", str(file)) for argument in arguments]
+    code, out, err = await run(tmp_path, *arguments)
+    assert (code, out) == (2, "")
+    assert problem in err
+    assert "Traceback" not in err
+
+
+async def test_a_document_without_bodies_cannot_stand_behind(tmp_path, file):
+    empty = tmp_path / "empty.kindsl"
+    empty.write_text("")
+    code, _, err = await run(tmp_path, file, "--compare", empty, "--export", tmp_path / "x.html")
+    assert code == 2
+    assert err.startswith(f"kindsl preview: {empty}: the document has no")

@@ -1,0 +1,84 @@
+"""The exported page works from the file system, without a server and without a network."""
+
+import base64
+import hashlib
+import re
+
+import numpy as np
+import pytest
+import umsgpack
+from tests.preview.browser import PAINTED, WORLD_POSES, chromium, opened, until_shown
+from tests.preview.robots import ARM, bodies_of, plain_robot
+
+from kindsl.dynamics.mechanics import Mechanics
+from kindsl.mechanism.build import drawable_bodies
+from kindsl.preview.document import DocumentPreview
+from kindsl.preview.export import exported_page
+from kindsl.rules.analysis import analyse
+
+
+def exported(analysis):
+    preview = DocumentPreview("robot")
+    preview.show(analysis, ())
+    return exported_page(preview.channel.state)
+
+
+@pytest.fixture(scope="module")
+async def browser():
+    async with chromium() as running:
+        yield running
+
+
+async def test_it_works_from_the_file_system(browser, tmp_path):
+    analysis = plain_robot(7, 2)
+    file = tmp_path / "robot.html"
+    file.write_text(exported(analysis), encoding="utf-8")
+    mechanics = Mechanics(drawable_bodies(analysis.model, {}))
+    q = np.random.default_rng(1).uniform(-2.0, 2.0, 7)
+    async with opened(browser, file.as_uri()) as page:
+        requests = []
+        page.on("request", lambda request: requests.append(request.url))
+        await until_shown(page, str(analysis.model.name))
+        numbers = page.locator("#joints .number")
+        await numbers.nth(6).wait_for()
+        for index, value in enumerate(q.tolist()):
+            await numbers.nth(index).fill(repr(value))
+            await numbers.nth(index).press("Enter")
+        drawn = await page.evaluate(WORLD_POSES)
+        for name, pose in mechanics.forward_kinematics(q).items():
+            found = drawn.get(f"links {name}", drawn.get(f"frames {name}"))
+            np.testing.assert_allclose(np.reshape(found, (4, 4)), pose, atol=1e-6)
+        assert (await page.evaluate(PAINTED))["body"] > 100
+        assert requests == []
+
+
+def test_only_its_own_scripts_may_run():
+    page = exported(analyse(ARM))
+    policy = re.search(r'Content-Security-Policy" content="([^"]*)"', page).group(1)
+    scripts = re.findall(r"<script>(.*?)</script>", page, re.DOTALL)
+    digests = [hashlib.sha256(script.encode()).digest() for script in scripts]
+    hashes = {f"'sha256-{base64.b64encode(digest).decode()}'" for digest in digests}
+    directives = dict(part.strip().split(" ", 1) for part in policy.split(";"))
+    assert set(directives["script-src"].split()) == hashes
+    assert directives["default-src"] == "'none'"
+    assert "connect-src" not in directives
+
+
+def test_it_reaches_for_nothing_outside():
+    page = exported(analyse(ARM))
+    outside = re.sub(r"<script.*?</script>|<style>.*?</style>", "", page, flags=re.DOTALL)
+    assert not re.search(r"(?:src|href)=\"(?!data:,)", outside)
+
+
+def test_the_state_is_in_it_once():
+    page = exported(analyse(ARM))
+    data = base64.b64decode(re.search(r'id="embedded-state"[^>]*>([^<]*)<', page).group(1))
+    messages = []
+    while data:
+        length = int.from_bytes(data[:4], "big")
+        messages.append(umsgpack.unpackb(data[4 : 4 + length]))
+        data = data[4 + length :]
+    keys = [(message["path"], message["type"]) for message in messages]
+    assert len(keys) == len(set(keys))
+    joints = [message["name"] for message in messages if message["type"] == "joint"]
+    assert joints == list(bodies_of(ARM).joint_names)
