@@ -7,6 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kindsl.lsp.lines import Lines, PlainPiece
+from kindsl.text.edits import TextEdit, apply_edits
 from kindsl.text.lines import LineIndex
 
 ALPHABET = "ab \r\n\x0c\x85\u2028é😀"
@@ -62,3 +63,20 @@ def cut(text: str, cuts: list[int]) -> Lines:
     places = sorted({0, *(c for c in cuts if c < len(text) and text[c - 1 : c + 1] != "\r\n")})
     pieces = [text[a:b] for a, b in zip(places, [*places[1:], len(text)], strict=True)]
     return Lines([PlainPiece(piece) for piece in pieces], [0, *accumulate(map(len, pieces))])
+
+
+@given(texts, cuts, st.lists(st.tuples(st.integers(0, 60), st.integers(0, 9), texts), max_size=4))
+def test_lines_after_edits_are_those_of_the_edited_text(
+    text: str, cuts: list[int], wanted: list[tuple[int, int, str]]
+) -> None:
+    edits: list[TextEdit] = []
+    for start, length, new in sorted(wanted):
+        if start <= len(text) and (not edits or start > edits[-1].end):
+            edits.append(TextEdit(start, min(start + length, len(text)), new))
+    lines, whole = cut(text, cuts).edited(edits), apply_edits(text, edits)
+    assert lines.text(0, lines.length) == whole
+    assert lines.length == len(whole)
+    expected = LineIndex(whole)
+    assert [lines.start(line) for line in range(lines.last + 1)] == expected.starts
+    for offset in range(len(whole) + 1):
+        assert lines.position(offset, "utf-32") == expected.position(offset)

@@ -7,7 +7,7 @@ from lsprotocol import types
 from pygls.exceptions import JsonRpcInvalidParams
 
 from kindsl.lsp import uris
-from kindsl.lsp.document import Document
+from kindsl.lsp.document import Document, document
 
 
 class Documents:
@@ -32,7 +32,7 @@ class Documents:
 
     def open(self, item: types.TextDocumentItem) -> None:
         """Follow a document from now on."""
-        opened = Document(item.uri, item.version, item.text, self.encoding)
+        opened = document(item.uri, item.version, item.text, self.encoding)
         self._open[uris.key(item.uri)] = opened
         for listener in self.on_open:
             listener(opened)
@@ -87,7 +87,7 @@ class Documents:
             known = self._files.get(path)
             if known is None or known[0] != stamp:
                 text = path.read_bytes().decode("utf-8", "surrogateescape")
-                known = self._files[path] = (stamp, Document(uri, None, text, self.encoding))
+                known = self._files[path] = (stamp, document(uri, None, text, self.encoding))
         except OSError:
             self._files.pop(path, None)
             return None

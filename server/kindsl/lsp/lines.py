@@ -10,6 +10,7 @@ from itertools import accumulate
 from typing import Protocol
 
 from kindsl.lsp import encoding as enc
+from kindsl.text.edits import TextEdit
 from kindsl.text.lines import LineIndex
 
 
@@ -48,6 +49,17 @@ class Lines:
         self._recent = (-1, 0, 0)
         self.last = self._ends_before[-1]
         self.length = starts[len(pieces) - 1] + len(pieces[-1].text) if pieces else 0
+
+    def edited(self, edits: Sequence[TextEdit]) -> "Lines":
+        """Return the lines after disjoint edits, in the order of the text, made at once."""
+        pieces, starts = list(self._pieces), list(self._starts[: len(self._pieces)])
+        first = len(pieces)
+        for edit in reversed(edits):
+            first = _splice(pieces, starts, edit)
+        del starts[first + 1 :]
+        lengths = (len(piece.text) for piece in pieces[first:-1])
+        starts[first:] = accumulate(lengths, initial=starts[first] if first < len(starts) else 0)
+        return Lines(pieces, starts)
 
     def start(self, line: int) -> int:
         """Return the offset at which a line begins; the text's end for a line past it."""
@@ -107,6 +119,28 @@ class Lines:
         units += enc.width(self.text(recent_offset, offset), encoding)
         self._recent = (start, offset, units)
         return units
+
+
+def _splice(pieces: list[Piece], starts: list[int], edit: TextEdit) -> int:
+    """Put one piece for those that an edit touches; return its number.
+
+    No two pieces share a CR LF, and none is empty but the only one.
+    """
+    first = max(bisect_right(starts, edit.start) - 1, 0)
+    last = max(bisect_right(starts, max(edit.end - 1, edit.start)) - 1, first)
+    origin = starts[first] if starts else 0
+    old = "".join([piece.text for piece in pieces[first : last + 1]])
+    text = old[: edit.start - origin] + edit.text + old[edit.end - origin :]
+    if first and (not text or (text[0] == "\n" and pieces[first - 1].text.endswith("\r"))):
+        first -= 1
+        text = pieces[first].text + text
+    following = pieces[last + 1].text if last + 1 < len(pieces) else ""
+    if following and (not text or (text[-1] == "\r" and following[0] == "\n")):
+        last += 1
+        text += following
+    pieces[first : last + 1] = [PlainPiece(text)]
+    starts[first : last + 1] = starts[first : first + 1] or [0]
+    return first
 
 
 def without_end(line: str) -> str:

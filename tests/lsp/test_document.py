@@ -1,0 +1,60 @@
+"""Versions of a document: whichever are parsed, each has the syntax of its text."""
+
+from hypothesis import given
+from hypothesis import strategies as st
+from lsprotocol import types
+
+from kindsl.lsp.document import document
+from kindsl.syntax.document import parse
+
+TEXT = """\
+Robot R {
+RobotBase base { children { one via first } }
+link one { id = 1 children { two via second } }
+link two { id = 2 children {} }
+r_joint first { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } }
+r_joint second { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } }
+}
+"""
+pieces = st.sampled_from(
+    ["", "{", "}", "link ", "\n", "x", "/*", "*/", "1.0", "link z { id = 3 }\n"]
+)
+positions = st.builds(types.Position, st.integers(0, 8), st.integers(0, 60))
+notifications = st.lists(
+    st.tuples(
+        st.lists(
+            st.builds(
+                types.TextDocumentContentChangePartial,
+                range=st.builds(types.Range, positions, positions),
+                text=pieces,
+            ),
+            min_size=1,
+            max_size=3,
+        ),
+        st.booleans(),
+    ),
+    max_size=6,
+)
+
+
+@given(notifications)
+def test_each_version_has_the_syntax_of_its_text(
+    notifications: list[tuple[list[types.TextDocumentContentChangePartial], bool]],
+) -> None:
+    shown = document("untitled:r", 0, TEXT, "utf-16")
+    for version, (changes, is_looked_at) in enumerate(notifications, 1):
+        shown = shown.changed(changes, version)
+        if is_looked_at:
+            assert shown.tree.text == shown.text
+    text = shown.text
+    assert shown.tree.text == text
+    assert [i.text for i in shown.tree.islands] == [i.text for i in parse(text).islands]
+
+
+def test_a_version_stays_as_it_was() -> None:
+    first = document("untitled:r", 0, TEXT, "utf-16")
+    everything = types.TextDocumentContentChangeWholeDocument("Robot S {")
+    second = first.changed([everything], 1)
+    assert (first.text, second.text) == (TEXT, "Robot S {")
+    assert second.tree.text == "Robot S {"
+    assert first.tree.text == TEXT
