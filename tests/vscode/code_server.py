@@ -38,6 +38,7 @@ QUIET_SETTINGS: Mapping[str, object] = {
     "git.enabled": False,
     "editor.minimap.enabled": False,
     "editor.acceptSuggestionOnEnter": "on",
+    "files.autoSave": "off",
     "breadcrumbs.enabled": True,
     "task.autoDetect": "on",
 }

@@ -124,6 +124,11 @@ class Workbench:
         self.run("Show or Focus Hover")
         return self.page.locator(".monaco-hover:visible .monaco-hover-content").first
 
+    def pane(self, title: str) -> Locator:
+        """A part of the side bar, by its title."""
+        header = self.page.locator(f'.pane-header[aria-label^="{title}"]')
+        return self.page.locator(".pane", has=header)
+
     def suggestions(self) -> Locator:
         """The rows of the completion list."""
         self.page.wait_for_selector(".suggest-widget.visible")

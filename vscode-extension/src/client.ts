@@ -63,7 +63,12 @@ function clientOptions(log: vscode.LogOutputChannel, hooks: ClientHooks): Langua
     outputChannel: log,
     traceOutputChannel: log,
     revealOutputChannelOn: RevealOutputChannelOn.Never,
-    initializationOptions: { settings: vscode.workspace.getConfiguration("kindsl"), status: true },
+    initializationOptions: {
+      settings: vscode.workspace.getConfiguration("kindsl"),
+      // What this client knows beyond the protocol.
+      "kindsl/status": true,
+      "kindsl.showReferences": true,
+    },
     initializationFailedHandler: () => false,
     errorHandler: errorHandler(hooks),
     middleware: middleware(hooks),

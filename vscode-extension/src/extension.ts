@@ -1,11 +1,13 @@
 // Finds Python, starts the language server, shows its preview. The language itself is the server's matter.
 import * as vscode from "vscode";
+import type { Location, Position } from "vscode-languageclient/node";
 import { LANGUAGE } from "./client";
 import { newFile, showUrdf } from "./documents";
 import { selectInterpreter } from "./interpreterChoice";
 import { onSelectionChange } from "./msPython";
 import { Previews } from "./preview";
 import { report, type Problem } from "./problems";
+import { showReferences } from "./references";
 import { Server, type ServerState } from "./server";
 import { needsRestart, previewOpensByItself, readSettings } from "./settings";
 import { StatusItems } from "./status";
@@ -88,6 +90,8 @@ function registerCommands(
     "kindsl.selectInterpreter": () => selectInterpreter(extension, log),
     "kindsl.newFile": newFile,
     "kindsl.revealSymbol": revealSymbol,
+    "kindsl.showReferences": (uri: string, position: Position, places: Location[]) =>
+      showReferences(uri, position, places, own),
   };
   return Object.entries(commands).map(([name, run]) => vscode.commands.registerCommand(name, run));
 }
