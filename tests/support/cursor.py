@@ -1,8 +1,9 @@
 """What a feature is asked: a document and the cursor in it."""
 
+from tests.support.markers import marked
+
 from kindsl.rules.analysis import Analysis, analyse
 from kindsl.rules.settings import Settings
-from tests.support.markers import marked
 
 
 def at_cursor(source: str, settings: Settings | None = None) -> tuple[Analysis, int]:
