@@ -16,6 +16,7 @@ from kindsl.syntax.document import PlacedIsland
 from kindsl.syntax.parser import parse_island
 from kindsl.syntax.tree import Island, Node, Token
 from kindsl.syntax.words import BLOCK_STARTS
+from kindsl.text.span import Span
 
 _WORD_BEFORE = re.compile(r"\^?[^\W\d]\w*\Z")
 _WORD_AFTER = re.compile(r"\w*")
@@ -67,31 +68,29 @@ def completion_context(analysis: Analysis, offset: int) -> CompletionContext | N
     offset = min(max(offset, 0), analysis.syntax.length)
     place = analysis.syntax.island_at(offset)
     local = offset - place.start
-    if _is_in_comment(place.island, local):
-        return None
+    word = None if _is_in_comment(place.island, local) else _word_at(place.island.text, local)
+    return None if word is None else _context(place, local, word)
+
+
+def _context(place: PlacedIsland, local: int, word: Span) -> CompletionContext:
+    """Return what the text of an island before a word allows."""
     text = place.island.text
-    word = _word_before(text[max(local - _LONGEST_WORD, 0) : local])
-    if word is None:
-        return None
-    begin = local - len(word)
-    after = _WORD_AFTER.match(text, local)
-    end = after.end() if after is not None else local
-    before = parse_island(text[:begin])
+    before = parse_island(text[: word.start])
     tokens = _without_supplied_end(before.tokens, before.skipped)
     last = tokens[-1] if tokens else None
     path = path_to(before, last) if last is not None else ()
     block = _open_block(tokens)
     return CompletionContext(
-        place.start + begin,
-        place.start + end,
-        word,
+        place.start + word.start,
+        place.start + word.end,
+        text[word.start : local],
         _expected(tokens),
         block,
         last,
         value_place(path, last.end) if last is not None else None,
         _sections(path, block),
         place,
-        text[begin:end],
+        text[word.start : word.end],
     )
 
 
@@ -103,12 +102,15 @@ def _is_in_comment(island: Island, local: int) -> bool:
     return False
 
 
-def _word_before(text: str) -> str | None:
-    """Return the word that ends a text, empty if none does, None for a number."""
-    word = _WORD_BEFORE.search(text)
-    if word is not None and not _NUMBER_BEFORE.search(text[: word.start()]):
-        return word[0]
-    return None if _NUMBER_BEFORE.search(text) else ""
+def _word_at(text: str, local: int) -> Span | None:
+    """Return the word around an offset, empty where none is, None where a number is."""
+    before = text[max(local - _LONGEST_WORD, 0) : local]
+    word = _WORD_BEFORE.search(before)
+    if _NUMBER_BEFORE.search(before[: word.start()] if word is not None else before):
+        return None
+    after = _WORD_AFTER.match(text, local)
+    start = local if word is None else local - len(word[0])
+    return Span(start, local if after is None else after.end())
 
 
 def _without_supplied_end(tokens: tuple[Token, ...], skipped: tuple[Token, ...]) -> list[Token]:
