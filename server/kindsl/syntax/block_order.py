@@ -1,6 +1,5 @@
 """The blocks of a whole document: which must be there, once, in the order of the grammar."""
 
-import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -10,15 +9,12 @@ from kindsl.syntax.sections import misplaced, title
 from kindsl.syntax.tables import ORDERS
 from kindsl.syntax.tree import Edit, Island, Node, Problem, Repair, Token
 
-LETTERS = {"head": "h", "base": "b", "link": "l", "joint": "j", "end": "e"}
-IN_ORDER = re.compile("hbl+j+e")
-
 _RANKS = {name.rstrip("?+"): rank for rank, name in enumerate(ORDERS["document"])}
 _ENDINGS = frozenset({"KD002", "KD003"})
 _PLURALS = {"link": "links", "joint": "joints"}
 
 
-class PlacedProblem(NamedTuple):
+class PlacedProblem:
     """A problem of the document as a whole, told by a place in one of its islands.
 
     Attributes:
@@ -27,23 +23,21 @@ class PlacedProblem(NamedTuple):
         problem: The problem; offsets count from the island's start, a repair may reach beyond it.
     """
 
-    index: int
-    island: Island
-    problem: Problem
+    __slots__ = ("index", "island", "problem")
+
+    def __init__(self, index: int, island: Island, problem: Problem) -> None:
+        self.index = index
+        self.island = island
+        self.problem = problem
 
 
 class Block(NamedTuple):
-    """A block with its island."""
+    """A block with its island, the island's number and absolute start."""
 
-    index: int
+    number: int
     island: Island
     start: int
     node: Node
-
-
-def letters(islands: Sequence[Island]) -> str:
-    """Return a letter for each block of some islands, in order."""
-    return "".join([LETTERS[node.kind] for island in islands for node in island.nodes])
 
 
 def order_problems(islands: Sequence[Island], starts: Sequence[int]) -> tuple[PlacedProblem, ...]:
@@ -62,7 +56,7 @@ def order_problems(islands: Sequence[Island], starts: Sequence[int]) -> tuple[Pl
         return () if any(island.problems for island in islands) else (_empty(islands),)
     first, problems = _first_robot(blocks)
     problems += [*_surplus(first), *_wrong_order(first)]
-    shown = islands if len(first) == len(blocks) else islands[: first[-1].index + 1]
+    shown = islands if len(first) == len(blocks) else islands[: first[-1].number + 1]
     problems += _lacking(shown, first, {problem.index for problem in problems})
     return tuple(sorted(problems, key=lambda p: (p.index, p.problem.start)))
 
@@ -99,7 +93,7 @@ def _surplus(blocks: Sequence[Block]) -> list[PlacedProblem]:
                 problems.append(_placed(block, problem))
         elif kind == "end" and position < len(blocks) - 1:
             before = blocks[position - 1] if position else None
-            if before is None or before.node.kind != "end" or before.index != block.index:
+            if before is None or before.node.kind != "end" or before.number != block.number:
                 problems += _early_end(blocks, position)
     return problems
 
@@ -107,7 +101,7 @@ def _surplus(blocks: Sequence[Block]) -> list[PlacedProblem]:
 def _early_end(blocks: Sequence[Block], position: int) -> list[PlacedProblem]:
     """Return the problem of a `}` with blocks behind it."""
     block = blocks[position]
-    is_last_island = block.index == blocks[-1].index
+    is_last_island = block.number == blocks[-1].number
     if block.island.problems and not is_last_island:
         return []
     start, end = _surplus_brace(block)
@@ -202,7 +196,7 @@ def _lacking(
     kinds = {block.node.kind for block in blocks}
     first, last = blocks[0], blocks[-1]
     if "head" not in kinds:
-        if any(island.problems for island in islands[: first.index + 1]):
+        if any(island.problems for island in islands[: first.number + 1]):
             return []
         start = first.node.start
         message = f"robot's opening 'Robot NAME {{' lacks before {title_of(first.node)}"
@@ -258,4 +252,4 @@ def _name(node: Node) -> str:
 
 
 def _placed(block: Block, problem: Problem) -> PlacedProblem:
-    return PlacedProblem(block.index, block.island, problem)
+    return PlacedProblem(block.number, block.island, problem)

@@ -20,11 +20,11 @@ class Built(NamedTuple):
 
     Attributes:
         node: The construct, None where a token did not fit.
-        count: How many tokens it has; else the index of the first that did not fit.
+        read: The index behind its last token; else that of the first that did not fit.
     """
 
     node: Node | None
-    count: int
+    read: int
 
 
 def build(tokens: Sequence[Token], start: str, first: int = 0) -> Built:

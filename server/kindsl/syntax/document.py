@@ -4,29 +4,37 @@ An edit makes a new document that shares all untouched islands, and all chunks o
 one or two it falls into, with the old one.
 """
 
+import re
 from bisect import bisect_right
 from collections.abc import Iterable, Sequence
 from functools import cached_property
 from itertools import accumulate, chain
-from typing import NamedTuple
+from typing import TYPE_CHECKING
 
-from kindsl.syntax.block_order import IN_ORDER, PlacedProblem, letters, order_problems
 from kindsl.syntax.collector import paused_collector
 from kindsl.syntax.parser import parse_island
 from kindsl.syntax.splitter import LOOKAHEAD, split
 from kindsl.syntax.tree import Island
 from kindsl.text.edits import TextEdit, apply_edits
 
+if TYPE_CHECKING:
+    from kindsl.syntax.block_order import PlacedProblem
+
+_LETTERS = {"head": "h", "base": "b", "link": "l", "joint": "j", "end": "e"}
+_IN_ORDER = re.compile("hbl+j+e")
 _CHUNK = 96
 _MANY_EDITS = 64
 
 
-class PlacedIsland(NamedTuple):
+class PlacedIsland:
     """An island, its number in the document and its absolute offset."""
 
-    index: int
-    island: Island
-    start: int
+    __slots__ = ("index", "island", "start")
+
+    def __init__(self, index: int, island: Island, start: int) -> None:
+        self.index = index
+        self.island = island
+        self.start = start
 
 
 class Chunk:
@@ -45,7 +53,8 @@ class Chunk:
     def letters(self) -> str:
         """A letter for each block."""
         if self._letters is None:
-            self._letters = letters(self.islands)
+            nodes = [node for island in self.islands for node in island.nodes]
+            self._letters = "".join([_LETTERS[node.kind] for node in nodes])
         return self._letters
 
 
@@ -109,10 +118,12 @@ class SyntaxDocument:
         return PlacedIsland(index, chunk.islands[local], start + chunk.offsets[local])
 
     @cached_property
-    def problems(self) -> tuple[PlacedProblem, ...]:
+    def problems(self) -> "tuple[PlacedProblem, ...]":
         """What is wrong with the row of blocks as a whole; each island has its own problems."""
-        if IN_ORDER.fullmatch("".join([chunk.letters for chunk in self.chunks])):
+        if _IN_ORDER.fullmatch("".join([chunk.letters for chunk in self.chunks])):
             return ()
+        from kindsl.syntax.block_order import order_problems
+
         return order_problems(self.islands, self.starts)
 
     def edited(self, edits: Sequence[TextEdit]) -> "SyntaxDocument":

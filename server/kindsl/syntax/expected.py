@@ -70,10 +70,10 @@ def _read(tokens: Sequence[Token]) -> tuple[Stack | None, str]:
     block = ""
     for token in tokens:
         after = step(stack, token.kind) if stack is not None else None
-        if after is None and token.kind in BLOCK_STARTS:
-            if stack is None or is_complete(stack, block):
-                block = BLOCK_STARTS[token.kind]
-                after = step(initial(block), token.kind)
+        is_between = stack is None or is_complete(stack, block)
+        if after is None and is_between and token.kind in BLOCK_STARTS:
+            block = BLOCK_STARTS[token.kind]
+            after = step(initial(block), token.kind)
         stack = after if after is not None else stack
     if stack is not None and is_complete(stack, block):
         return None, block

@@ -1,4 +1,4 @@
-"""Habits from other languages, read for what they mean: `0,5`, `[1.0, 0.0, 0.0]`, `x-1.0`, `# text`.
+"""Habits from other languages, read as they are meant: `0,5`, `[1.0, 0.0, 0.0]`, `x-1.0`, `# a`.
 
 They are put right before the search for repairs, which would see several mistakes in them.
 """
@@ -70,13 +70,9 @@ def _is_comment(text: str, tokens: Sequence[Token], index: int) -> bool:
         return False
     start = max(text.rfind("\n", 0, tokens[index].start), text.rfind("\r", 0, tokens[index].start))
     is_first = not text[start + 1 : tokens[index].start].strip(" \t")
-    return (
-        is_first
-        and words[0].text[:1].isidentifier()
-        and words[1:2] != []
-        or len(words) > 3
-        or (is_first and len(words) == 1 and words[0].kind == "NAME")
-    )
+    if len(words) == 1:
+        return is_first and words[0].kind == "NAME"
+    return len(words) > 3 or (is_first and words[0].text[:1].isidentifier())
 
 
 def _line_end(text: str, tokens: Sequence[Token], index: int) -> int:

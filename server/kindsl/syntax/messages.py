@@ -31,7 +31,7 @@ def repair_problem(
     """
     group = _first_group(changes)
     start, end = _span(tokens, group)
-    gone = [tokens[c.index] for c in group if c.action != "insert"]
+    gone = [tokens[c.at] for c in group if c.action != "insert"]
     added = [c for c in group if c.action != "delete"]
     code = "KD001"
     if not added:
@@ -95,14 +95,14 @@ def _first_group(changes: Sequence[Change]) -> list[Change]:
     """Return the changes that are made in one place with the first."""
     group = [changes[0]]
     for change in changes[1:]:
-        if change.index > group[-1].index + 1:
+        if change.at > group[-1].at + 1:
             break
         group.append(change)
     return group
 
 
 def _span(tokens: Sequence[Token], group: Sequence[Change]) -> tuple[int, int]:
-    gone = [tokens[change.index] for change in group if change.action != "insert"]
+    gone = [tokens[change.at] for change in group if change.action != "insert"]
     if gone:
         return gone[0].start, gone[-1].end
     place = insertion_place(tokens, group[0])
@@ -114,15 +114,15 @@ def _left_out(text: str, tokens: Sequence[Token], gone: Sequence[Token]) -> str:
     for token in tokens:
         if token.end == gone[0].start and token.text[:1].isidentifier():
             return f"'{shown(text[token.start : gone[-1].end])}' is not a name"
-        if token.start == gone[-1].end and token.text[:1].isidentifier():
-            if gone[0].text[0].isdigit():
-                return f"'{shown(text[gone[0].start : token.end])}' is not a name"
+        is_behind = token.start == gone[-1].end and token.text[:1].isidentifier()
+        if is_behind and gone[0].text[:1].isdigit():
+            return f"'{shown(text[gone[0].start : token.end])}' is not a name"
     return f"unexpected '{shown(text[gone[0].start : gone[-1].end])}'"
 
 
 def insertion_place(tokens: Sequence[Token], change: Change) -> int:
     """Return where something lacks: a keyword before its `{` or `=`, all else behind what is."""
-    index = change.index
+    index = change.at
     if change.kind in SPELLINGS and index < len(tokens) and tokens[index].kind in ("{", "="):
         return tokens[index].start
     return tokens[index - 1].end if index > 0 else 0
@@ -146,8 +146,8 @@ def _lost(
     if change.kind == "}":
         return "KD002", f"expected '}}' to close {opened_block(read)}"
     what = _called(change.kind, moment)
-    if change.index > 0:
-        before = tokens[change.index - 1].text
+    if change.at > 0:
+        before = tokens[change.at - 1].text
         return "KD001", f"expected {what} after '{shown(before)}'"
     return "KD001", f"expected {what} before '{shown(tokens[0].text)}'"
 
@@ -181,21 +181,21 @@ def _edit(
     text: str, read: Sequence[Token], tokens: Sequence[Token], change: Change, moment: str
 ) -> Edit | None:
     if change.action == "delete":
-        token = tokens[change.index]
+        token = tokens[change.at]
         return Edit(token.start, token.end, "")
     new = moment if change.kind == "MOMENT" else spelled(change.kind)
     if not new:
         return None
     if change.action == "replace":
-        token = tokens[change.index]
+        token = tokens[change.at]
         near = nearest(token.text, SPELLINGS.get(change.kind, ()))
         return Edit(token.start, token.end, near or new)
-    position = tokens[change.index - 1].end if change.index > 0 else 0
+    position = tokens[change.at - 1].end if change.at > 0 else 0
     if change.kind == "}":
         return _closing_edit(text, read, position)
     if change.kind in _WRITTEN:
         return Edit(position, position, new if change.kind in "),]>" else " " + new)
-    behind = "" if change.index < len(tokens) and tokens[change.index].start > position else " "
+    behind = "" if change.at < len(tokens) and tokens[change.at].start > position else " "
     return Edit(position, position, " " + new + behind)
 
 

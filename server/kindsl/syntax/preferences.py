@@ -7,11 +7,9 @@ from kindsl.syntax.scanner import word_kind
 from kindsl.syntax.spelling import is_near
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Token
-from kindsl.syntax.words import SPELLINGS
+from kindsl.syntax.words import BLOCK_STARTS, SPELLINGS
 
-_SECTIONS = frozenset(
-    "id INERTIA children frames mass CoM MOMENT ref_frame translation rotation".split()
-)
+_SECTIONS = frozenset(SPELLINGS) - frozenset(BLOCK_STARTS) - {"via", "FLOATING", "PI", "LOWER_PI"}
 _OPEN, _CLOSED = frozenset("{("), frozenset("})")
 _REACH = 400
 

@@ -15,10 +15,10 @@ from kindsl.syntax.indentation import lost_closing
 from kindsl.syntax.messages import closing_problem, leftover_problem, repair_problem
 from kindsl.syntax.preferences import moments_around, preferences
 from kindsl.syntax.repair import Change, Found, completion, search
+from kindsl.syntax.spelling import nearest
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Node, Problem, Token
 from kindsl.syntax.words import SPELLINGS, supplied
-from kindsl.syntax.spelling import nearest
 
 MOST_PROBLEMS = 12
 _BACK = 4
@@ -176,7 +176,7 @@ class _Block:
         self._unread(found.first)
         read = len(self.read_tokens)
         for change in found.changes:
-            while island.index < change.index:
+            while island.index < change.at:
                 self._shift()
             if change is found.changes[0]:
                 read = len(self.read_tokens)
@@ -199,11 +199,11 @@ class _Block:
 
     def _change(self, change: Change, moment: str) -> None:
         island = self.island
-        token = island.tokens[change.index] if change.action != "insert" else None
+        token = island.tokens[change.at] if change.action != "insert" else None
         if token is not None:
             island.index += 1
         if change.action == "delete":
-            island.skip([island.tokens[change.index]])
+            island.skip([island.tokens[change.at]])
             return
         after = step(self.stack, change.kind)
         assert after is not None
@@ -270,7 +270,7 @@ class _Block:
             return len(self.read_tokens)
         trial = [*self.read_tokens]
         trial.insert(place, supplied("}", self.read_tokens[place - 1].end))
-        is_whole = build(trial, self.start).count == len(trial)
+        is_whole = build(trial, self.start).read == len(trial)
         return place if is_whole else len(self.read_tokens)
 
 

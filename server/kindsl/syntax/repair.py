@@ -1,8 +1,8 @@
 """Least-cost repair: what to insert, delete or replace so that reading goes on.
 
-A best-first search over the states of the automaton (after CPCT+: Diekmann and Tratt 2020). A repair
-is good when four more tokens fit behind it; among the good ones of nearly equal cost the one that
-reads furthest wins.
+A best-first search over the states of the automaton (after CPCT+: Diekmann and Tratt 2020). A
+repair is good when four more tokens fit behind it; among the good ones of nearly equal cost the
+one that reads furthest wins.
 """
 
 import heapq
@@ -11,14 +11,11 @@ from typing import NamedTuple
 
 from kindsl.syntax.automaton import ROWS, Stack, is_complete, step
 from kindsl.syntax.tree import Token
-from kindsl.syntax.words import BLOCK_STARTS
+from kindsl.syntax.words import BLOCK_STARTS, SPELLINGS
 
-INSERTABLE = frozenset(
-    "Robot RobotBase link JOINT_KIND id INERTIA mass CoM MOMENT ref_frame children via frames "
-    "translation rotation NAME FLOAT INT { } ( ) = , ] >".split()
-)
 _SIGNS = frozenset("{}()=,]>")
 _VALUES = frozenset({"NAME", "FLOAT", "INT"})
+INSERTABLE = (frozenset(SPELLINGS) | _SIGNS | _VALUES) - {"PI", "LOWER_PI", "FLOATING"}
 _BRACES = frozenset("{}")
 
 _SHIFTS_TO_SUCCEED = 4
@@ -34,12 +31,12 @@ class Change(NamedTuple):
 
     Attributes:
         action: `insert` before, `delete` or `replace` the token `index`.
-        index: The token's number.
+        at: The token's number.
         kind: The kind of what is inserted, or takes the token's place.
     """
 
     action: str
-    index: int
+    at: int
     kind: str
 
 
@@ -56,7 +53,7 @@ class _Candidate(NamedTuple):
     cost: float
     order: int
     stack: Stack
-    index: int
+    at: int
     changes: tuple[Change, ...]
     shifts: int
     first: int
@@ -119,7 +116,7 @@ def search(
     if not goals:
         return None
     best = min(goals, key=lambda goal: (-_run(goal, tokens, start), goal.cost))
-    return Found(best.first, best.changes, best.stack, best.index)
+    return Found(best.first, best.changes, best.stack, best.at)
 
 
 def completion(stack: Stack, start: str) -> list[str] | None:
@@ -173,7 +170,7 @@ def _replacement_cost(old: str, new: str) -> float:
 def _is_goal(candidate: _Candidate, tokens: Sequence[Token], failed: int, start: str) -> bool:
     if candidate.shifts >= _SHIFTS_TO_SUCCEED:
         return True
-    index = candidate.index
+    index = candidate.at
     if index < len(tokens):
         is_behind = index > failed and candidate.shifts > 0
         if not is_behind or tokens[index].kind not in BLOCK_STARTS:
@@ -220,20 +217,20 @@ def _following(
 def _run(goal: _Candidate, tokens: Sequence[Token], start: str) -> int:
     """Return how many more tokens fit; many where they fit to the end."""
     stack, count = goal.stack, 0
-    for token in tokens[goal.index : goal.index + _RUN]:
+    for token in tokens[goal.at : goal.at + _RUN]:
         after = step(stack, token.kind)
         if after is None:
             return _RUN if token.kind in BLOCK_STARTS and is_complete(stack, start) else count
         stack = after
         count += 1
-    if goal.index + count >= len(tokens) and not is_complete(stack, start):
+    if goal.at + count >= len(tokens) and not is_complete(stack, start):
         return count
     return _RUN
 
 
 def _key(candidate: _Candidate) -> object:
     deleted = bool(candidate.changes) and candidate.changes[-1].action == "delete"
-    return (_top(candidate.stack), candidate.index, min(candidate.shifts, 1), deleted)
+    return (_top(candidate.stack), candidate.at, min(candidate.shifts, 1), deleted)
 
 
 def _top(stack: Stack) -> tuple[int, ...]:

@@ -10,6 +10,7 @@ _MOST_BAD = 2000
 TRIVIA = r"(?:[ \t\r\n]++|//[^\r\n]*+|/\*(?:[^*]|\*(?!/))*+(?:\*/|\Z))*+"
 COMMENT = re.compile(r"//[^\r\n]*|/\*(?:[^*]|\*(?!/))*+(?:\*/)?")
 
+_NAME_KINDS = ("NAME", "PI_PREFIXED", "UNICODE_NAME")
 _PATTERN = dict(PATTERNS)
 _ODD_KINDS = (
     "PIPE_PI",
@@ -20,21 +21,19 @@ _ODD_KINDS = (
     "FLOAT",
     "INT",
 )
-_ODD = [(kind, re.compile(_PATTERN[kind])) for kind in _ODD_KINDS]
 _TOKEN = re.compile(
     rf"{TRIVIA}(?:"
     r"((?![pP]\|)[^\W\d]\w*)"
     r"|([-+]?[0-9]*\.[0-9]+(?![\w.]))"
     r"|([{}()=,\[\]<>*/])"
     r"|([-+]?[0-9]+(?![\w.]))"
-    rf"|({'|'.join(_PATTERN[kind] for kind in _ODD_KINDS)})"
-    r"|([-+])"
     r"|(\Z)"
+    rf"|{'|'.join(f'({_PATTERN[kind]})' for kind in _ODD_KINDS)}"
+    r"|([-+])"
     r"|([^\x21-\x7e\w \t\r\n]+|[^ \t\r\n]))"
 )
-_WORD, _FLOAT, _SIGN, _INT, _ODD_GROUP, _OPERATOR, _END = 1, 2, 3, 4, 5, 6, 7
-_PI_PREFIXED = re.compile(_PATTERN["PI_PREFIXED"])
-_NAME = re.compile(_PATTERN["NAME"])
+_WORD, _FLOAT, _SIGN, _INT, _END, _ODD = 1, 2, 3, 4, 5, 6
+_OPERATOR = _ODD + len(_ODD_KINDS)
 
 
 class _WordKinds(dict[str, str]):
@@ -63,14 +62,14 @@ def scan(text: str) -> list[Token]:
             kind = _WORD_KINDS[word]
         elif group == _FLOAT:
             kind = "FLOAT"
-        elif group == _SIGN or group == _OPERATOR:
+        elif group in (_SIGN, _OPERATOR):
             kind = word
         elif group == _INT:
             kind = "INT"
-        elif group == _ODD_GROUP:
-            kind = _odd_kind(word)
         elif group == _END:
             break
+        elif group < _OPERATOR:
+            kind = _ODD_KINDS[group - _ODD]
         else:
             kind = BAD
             bad += 1
@@ -88,9 +87,7 @@ def word_kind(word: str) -> str:
     kind = KEYWORDS.get(word)
     if kind is not None:
         return kind
-    if _NAME.fullmatch(word):
-        return "NAME"
-    return "PI_PREFIXED" if _PI_PREFIXED.fullmatch(word) else "UNICODE_NAME"
+    return next(kind for kind in _NAME_KINDS if re.fullmatch(_PATTERN[kind], word))
 
 
 def comments(text: str) -> tuple[tuple[int, int], ...]:
@@ -98,7 +95,3 @@ def comments(text: str) -> tuple[tuple[int, int], ...]:
     if "//" not in text and "/*" not in text:
         return ()
     return tuple(match.span() for match in COMMENT.finditer(text))
-
-
-def _odd_kind(word: str) -> str:
-    return next(kind for kind, pattern in _ODD if pattern.fullmatch(word))

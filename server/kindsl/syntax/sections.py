@@ -19,7 +19,7 @@ _fine: set[tuple[str, ...]] = set()
 
 
 class Place(NamedTuple):
-    """Where a section stands in the order: its rank, and whether it must be, and may be repeated."""
+    """Where a section stands in the order, whether it must be there, and may be repeated."""
 
     rank: int
     is_needed: bool

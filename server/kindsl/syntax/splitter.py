@@ -8,14 +8,13 @@ not counted: a lost one would move every island behind it.
 import re
 from typing import NamedTuple
 
+from kindsl.syntax.tables import KEYWORDS
+
 BLOCK_KEYWORDS = frozenset({"RobotBase", "link", "r_joint", "p_joint"})
 
-_SECTIONS = frozenset(
-    "id inertia_params inertia_properties children frames ref_frame via floating "
-    "mass CoM Ix Iy Iz Ixy Ixz Iyz translation rotation".split()
-)
+_OTHER_KEYWORDS = frozenset(KEYWORDS) - BLOCK_KEYWORDS - {"Robot"}
 _FIRST_SECTIONS = frozenset(
-    "id inertia_params inertia_properties children frames ref_frame".split()
+    ["id", "inertia_params", "inertia_properties", "children", "frames", "ref_frame"]
 )
 _POSE = frozenset({"translation", "rotation"})
 _CANDIDATE = re.compile(r"//[^\r\n]*|/\*|(?<![\w^])(RobotBase|Robot|link|r_joint|p_joint)(\w*)")
@@ -80,7 +79,7 @@ def _begins_named_block(ahead: list[str], is_first: bool, is_same_line: bool) ->
         sign, inner = ahead[2], ahead[3]
     if sign in ("via", "="):
         return False
-    if name in _SECTIONS:
+    if name in _OTHER_KEYWORDS:
         return sign == "{" and inner in _FIRST_SECTIONS
     if name in BLOCK_KEYWORDS:
         return is_first and not _WORD.fullmatch(sign)

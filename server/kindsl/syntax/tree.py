@@ -3,6 +3,17 @@
 A document is a row of islands, each a piece of text that the parser reads by itself: the head,
 the base, a link, a joint. All offsets inside an island count from the island's start, so that an
 edit elsewhere leaves it as it is.
+
+Conventions of the nodes, whose kinds are the rules and aliases of `grammar/kindsl.lark`:
+
+- All tokens are there, keywords and signs too; a name is a token of the kind `NAME`, however it
+  is spelt (`pi`, `^x`, a keyword), directly in its block: `link` has the children
+  `link NAME { id inertia children frames }`.
+- Repaired text has the same shape: a supplied token is empty (`is_missing`); a misspelt keyword
+  has the proper keyword as its text and the span of the written word.
+- A `vector` always has three components; an expression too long for any generator is one flat
+  node `unsupported`.
+- `text[token.lead:token.end]` of all tokens, and what is behind the last one, are the island.
 """
 
 from collections.abc import Iterator

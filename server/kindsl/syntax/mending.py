@@ -1,0 +1,61 @@
+"""An island that needs repair, from its tokens to its tree and problems.
+
+Apart from `parser.py` because correct documents never load it.
+"""
+
+from collections.abc import Sequence
+
+from kindsl.syntax.characters import without_invalid
+from kindsl.syntax.foreign_forms import adapted
+from kindsl.syntax.parser import meaning_problems
+from kindsl.syntax.recovery import recover
+from kindsl.syntax.touched import touched_nodes
+from kindsl.syntax.tree import Island, Problem, Token
+
+
+def mended(
+    text: str, tokens: list[Token], spans: tuple[tuple[int, int], ...], cut: Problem | None
+) -> Island:
+    """Return the island of tokens that do not fit the grammar as they are.
+
+    Args:
+        text: The island's text.
+        tokens: Its tokens.
+        spans: Its comments.
+        cut: The problem of a comment without an end.
+    """
+    good, invalid, problems = without_invalid(tokens)
+    usual = adapted(text, good)
+    recovered = recover(text, usual.tokens, is_cut=cut is not None)
+    written, skipped = recovered.tokens, recovered.skipped
+    invalid += usual.skipped
+    if invalid:
+        written = tuple(sorted((*written, *invalid), key=lambda t: (t.start, t.end)))
+        skipped = (*skipped, *invalid)
+    touched = touched_nodes(recovered.nodes, recovered.skipped)
+    said = [*problems, *usual.problems, *recovered.problems, *((cut,) if cut else ())]
+    said += _not_explained(meaning_problems(text, recovered.nodes, touched), said)
+    said.sort(key=lambda problem: problem.start)
+    return Island(text, recovered.nodes, _with_leads(written), skipped, spans, tuple(said))
+
+
+def _not_explained(problems: Sequence[Problem], said: Sequence[Problem]) -> list[Problem]:
+    """Return the problems whose place no other problem covers or touches."""
+    return [
+        problem
+        for problem in problems
+        if not any(
+            other.start <= problem.end and problem.start <= other.end
+            for other in said
+            if other.code in ("KD005", "KD010") or problem.code in ("KD005", "KD006")
+        )
+    ]
+
+
+def _with_leads(tokens: tuple[Token, ...]) -> tuple[Token, ...]:
+    """Return the tokens, each led by what lies between it and the one before."""
+    done = 0
+    for token in tokens:
+        token.lead = done
+        done = token.end
+    return tokens
