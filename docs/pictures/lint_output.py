@@ -4,6 +4,7 @@ import os
 import re
 import subprocess
 import sys
+from io import StringIO
 from pathlib import Path
 
 from rich.console import Console
@@ -21,7 +22,7 @@ def main() -> None:
         command, cwd=ROOT, env=environment, capture_output=True, text=True, check=False
     )
     lines = run.stdout.splitlines()[:LINES]
-    console = Console(record=True, width=118, file=Path(os.devnull).open("w"))
+    console = Console(record=True, width=118, file=StringIO())
     console.print(Text("$ kdsl-lint examples/broken_arm.kindsl", style="bold"))
     console.print(Text.from_ansi("\n".join(lines)))
     svg = console.export_svg(title="kdsl-lint")

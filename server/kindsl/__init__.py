@@ -65,7 +65,14 @@ def __getattr__(name: str) -> Any:
 
         return getattr(errors, name)
     if name == "__version__":
-        from kindsl.cli.version import version
-
-        return version()
+        return _version()
     raise AttributeError(f"module 'kindsl' has no attribute '{name}'")
+
+
+def _version() -> str:
+    from importlib.metadata import PackageNotFoundError, version
+
+    try:
+        return version("kindsl")
+    except PackageNotFoundError:
+        return "unknown"

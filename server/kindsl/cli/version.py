@@ -3,10 +3,6 @@
 
 def version() -> str:
     """Return the version of the distribution, `unknown` where it is not installed."""
-    from importlib.metadata import PackageNotFoundError
-    from importlib.metadata import version as installed
+    import kindsl
 
-    try:
-        return installed("kindsl")
-    except PackageNotFoundError:
-        return "unknown"
+    return str(kindsl.__version__)
