@@ -20,8 +20,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-ROOT = Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(ROOT))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 import pinocchio as pin
 from benchmarks.dynamics_models import arm, chain, quadruped
@@ -31,6 +30,7 @@ from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.mechanics import Mechanics
 from kindsl.spatial.arrays import Array
 
+ROOT = Path(__file__).resolve().parents[1]
 EVEN_SIZES = (1, 10, 20, 40, 60, 80, 100, 150, 200, 300, 500, 1000, 2000, 5000)
 FIRST_ANSWER = """
 from benchmarks.dynamics_models import quadruped
@@ -82,7 +82,7 @@ def main() -> None:
     for name, bodies, size in (
         ("arm", arm(), 10_000),
         ("quadruped", quadruped(), 10_000),
-        ("chain", chain(), 1_000),
+        ("chain", chain(), 5_000),
     ):
         for contest in contests(bodies, size // 10 if quick else size):
             print(f"{name:10} {contest.name:18}", _single(contest, rounds), end=" | ")
