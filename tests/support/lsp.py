@@ -23,6 +23,7 @@ class RawClient:
             command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=cwd
         )
         self.messages: list[dict[str, Any]] = []
+        self.configuration: dict[str | None, Any] = {}
         self._arrived: queue.Queue[dict[str, Any] | None] = queue.Queue()
         self._ids = 0
         self._errors: list[bytes] = []
@@ -67,7 +68,7 @@ class RawClient:
         return self.wait(lambda m: "method" not in m and m.get("id") == msg_id)
 
     def notification(self, method: str) -> Any:
-        """Wait for a notification that has not been seen yet; return its parameters."""
+        """Wait for a notification or request not seen yet; return its parameters."""
         return self.wait(lambda m: m.get("method") == method)["params"]
 
     def diagnostics(self, uri: str) -> list[dict[str, Any]]:
@@ -89,6 +90,10 @@ class RawClient:
             message = self._arrived.get(timeout=timeout)
             assert message is not None, f"the server ended: {self.stderr}"
             self._keep(message)
+
+    def codes(self, uri: str) -> list[str]:
+        """Wait for the next diagnostics that are published for a document; return their codes."""
+        return [found.get("code", "") for found in self.diagnostics(uri)]
 
     def drain(self) -> list[dict[str, Any]]:
         """Return and take out everything that has come before a round trip's answer."""
@@ -141,10 +146,16 @@ class RawClient:
         self.messages.append(message)
 
     def _reply(self, message: dict[str, Any]) -> None:
-        """Answer what the server asks: no configuration, everything else is fine."""
-        items = message.get("params", {}).get("items", []) if message.get("params") else []
-        is_configuration = message["method"] == "workspace/configuration"
-        self.send(id=message["id"], result=[{} for _ in items] if is_configuration else None)
+        """Answer what the server asks: the configuration by scope; everything else is fine."""
+        result: Any = None
+        if message["method"] == "workspace/configuration":
+            scopes = [item.get("scopeUri") for item in message["params"]["items"]]
+            result = [self.configuration.get(scope) for scope in scopes]
+        elif message["method"] == "workspace/applyEdit":
+            result = {"applied": True}
+        elif message["method"] == "window/showDocument":
+            result = {"success": True}
+        self.send(id=message["id"], result=result)
 
     def _read(self) -> None:
         stream = self.process.stdout

@@ -1,0 +1,332 @@
+"""Folders, settings, files and what is published when, over real stdio."""
+
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from tests.support.lsp import RawClient, raw_client, ready_client
+
+from kindsl.lsp import uris
+
+ROBOT = """\
+Robot R {
+RobotBase base { children { one via first } }
+link one { id = 1 inertia_params { mass = m CoM = (0.0, 0.0, 0.0)
+    Ix = 0.1 Iy = 0.1 Iz = 0.1 Ixy = 0.0 Ixz = 0.0 Iyz = 0.0 } children {} }
+r_joint first { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } }
+}
+"""
+UNBOUND = "KD401"
+WATCHES = {"workspace": {"didChangeWatchedFiles": {"dynamicRegistration": True}}}
+CONFIGURES = {"workspace": {"configuration": True}}
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "robot.kindsl").write_text(ROBOT)
+    return tmp_path
+
+
+@pytest.fixture
+def client(folder: Path) -> Iterator[RawClient]:
+    with ready_client(workspaceFolders=roots(folder)) as client:
+        yield client
+
+
+def roots(*folders: Path) -> list[dict[str, str]]:
+    return [{"uri": uris.uri(folder), "name": folder.name} for folder in folders]
+
+
+def whole(text: str) -> dict[str, str]:
+    return {"text": text}
+
+
+class TestPublishing:
+    def test_fifty_quick_edits_are_published_once(self, client: RawClient) -> None:
+        uri = "untitled:quick"
+        client.open(uri, ROBOT)
+        client.diagnostics(uri)
+        for version in range(2, 52):
+            client.change(uri, version, whole(ROBOT + " " * version))
+            time.sleep(0.002)
+        last = client.wait(lambda m: m.get("params", {}).get("version") == 51)
+        assert last["method"] == "textDocument/publishDiagnostics"
+        time.sleep(0.3)
+        assert client.drain() == []
+
+    def test_a_delay_can_be_set_to_nothing(self) -> None:
+        options = {"diagnostics": {"delay": 0}}
+        with ready_client(initializationOptions=options) as client:
+            client.open("untitled:r", ROBOT)
+            for version in range(2, 6):
+                client.change("untitled:r", version, whole(ROBOT + " " * version))
+                client.wait(lambda m, v=version: m.get("params", {}).get("version") == v)
+
+    def test_nothing_is_left_of_a_closed_document(self, client: RawClient) -> None:
+        client.open("untitled:r", ROBOT)
+        assert UNBOUND in client.codes("untitled:r")
+        client.close("untitled:r")
+        assert client.diagnostics("untitled:r") == []
+
+    def test_nothing_is_left_of_a_deleted_file(self, client: RawClient, folder: Path) -> None:
+        uri = uris.uri(folder / "robot.kindsl")
+        deletion = {"changes": [{"uri": uri, "type": 3}]}
+        client.notify("workspace/didChangeWatchedFiles", deletion)
+        assert client.diagnostics(uri) == []
+
+    def test_a_client_that_pulls_is_not_told_twice(self) -> None:
+        with ready_client({"textDocument": {"diagnostic": {}}}) as client:
+            uri = "untitled:r"
+            client.open(uri, ROBOT)
+            document = {"textDocument": {"uri": uri}}
+            assert client.request("textDocument/diagnostic", document)["items"]
+            client.change(uri, 2, whole(ROBOT + "\n"))
+            assert client.request("textDocument/diagnostic", document)["items"]
+            time.sleep(0.3)
+            published = [m for m in client.drain() if m["method"].endswith("publishDiagnostics")]
+            assert [m["params"]["diagnostics"] for m in published] in ([], [[]])
+
+    def test_a_client_that_only_asks_now_and_then_is_still_told(self, client: RawClient) -> None:
+        uri = "untitled:r"
+        client.open(uri, ROBOT)
+        client.request("textDocument/diagnostic", {"textDocument": {"uri": uri}})
+        assert UNBOUND in client.codes(uri)
+
+    def test_parts_that_a_client_cannot_show_are_left_out(self) -> None:
+        plain = {"textDocument": {"publishDiagnostics": {}}}
+        with ready_client(plain) as client:
+            client.open("untitled:r", ROBOT)
+            found = client.diagnostics("untitled:r")[0]
+            assert found["source"] == "kindsl"
+            assert not {"codeDescription", "relatedInformation", "tags"} & found.keys()
+
+    def test_all_parts_are_there_for_others(self, client: RawClient) -> None:
+        client.open("untitled:r", ROBOT)
+        found = client.diagnostics("untitled:r")[0]
+        assert found["codeDescription"]["href"].endswith("/rules/kd401")
+
+
+class TestTextOfOtherScripts:
+    @pytest.mark.parametrize("separator", ["\u2028", "\x0c", "\x85", "\x0b"])
+    def test_a_character_that_ends_no_line_moves_nothing(
+        self, client: RawClient, separator: str
+    ) -> None:
+        uri = "untitled:" + separator.encode("unicode-escape").decode().strip("\\")
+        client.open(uri, f"// a{separator}b\n{ROBOT}")
+        client.diagnostics(uri)
+        place = {"line": 1, "character": 6}
+        edit = {"range": {"start": place, "end": {"line": 1, "character": 7}}, "text": "Q"}
+        client.change(uri, 2, edit)
+        client.diagnostics(uri)
+        symbols = client.request("textDocument/documentSymbol", {"textDocument": {"uri": uri}})
+        assert symbols
+        link = client.request(
+            "textDocument/hover", {"textDocument": {"uri": uri}, "position": place}
+        )
+        assert link["range"]["start"] == place
+
+    def test_columns_count_utf_16_units(self, client: RawClient) -> None:
+        uri = "untitled:astral"
+        client.open(uri, ROBOT.replace("mass = m", "/* 😀 */ mass = m"))
+        start = next(d["range"] for d in client.diagnostics(uri) if d["code"] == UNBOUND)["start"]
+        assert start == {"line": 2, "character": 52}
+
+    def test_an_edit_past_the_end_of_an_unterminated_line_appends(self, client: RawClient) -> None:
+        uri = "untitled:end"
+        client.open(uri, ROBOT.rstrip())
+        assert "KD001" not in client.codes(uri)
+        end = {"line": 99, "character": 99}
+        client.change(uri, 2, {"range": {"start": end, "end": end}, "text": "!"})
+        found = client.diagnostics(uri)
+        assert {"line": 5, "character": 1} in [d["range"]["start"] for d in found]
+
+
+class TestUris:
+    def test_all_spellings_of_a_uri_are_one_document(self, client: RawClient) -> None:
+        client.open("file:///tmp/a%20b/r.kindsl", ROBOT)
+        client.diagnostics("file:///tmp/a%20b/r.kindsl")
+        document = {"textDocument": {"uri": "file:///tmp/a b/r.kindsl"}}
+        assert client.request("textDocument/documentSymbol", document)
+
+    def test_drive_letters_have_no_case(self) -> None:
+        assert uris.key("file:///C%3A/r.kindsl") == uris.key("file:///c:/r.kindsl")
+
+    def test_a_document_that_is_nowhere_has_no_answers(self, client: RawClient) -> None:
+        document = {"textDocument": {"uri": "git:/nowhere.kindsl"}}
+        assert client.request("textDocument/documentSymbol", document) is None
+
+    def test_a_file_that_is_not_open_is_read(self, client: RawClient, folder: Path) -> None:
+        document = {"textDocument": {"uri": uris.uri(folder / "robot.kindsl")}}
+        assert client.request("textDocument/documentSymbol", document)
+        (folder / "robot.kindsl").write_text("")
+        assert client.request("textDocument/documentSymbol", document) == []
+
+
+class TestSettings:
+    def test_options_bind_parameters(self) -> None:
+        with ready_client(initializationOptions={"settings": {"parameters": {"m": 2}}}) as client:
+            client.open("untitled:r", ROBOT)
+            assert UNBOUND not in client.codes("untitled:r")
+
+    def test_a_change_of_settings_is_seen_at_once(self, client: RawClient) -> None:
+        client.open("untitled:r", ROBOT)
+        assert UNBOUND in client.codes("untitled:r")
+        settings = {"settings": {"kindsl": {"ignore": ["KD4"]}}}
+        client.notify("workspace/didChangeConfiguration", settings)
+        assert UNBOUND not in client.codes("untitled:r")
+
+    def test_settings_are_asked_for_by_folder(self, tmp_path: Path) -> None:
+        one, two = tmp_path / "one", tmp_path / "two"
+        with raw_client() as client:
+            client.configuration = {uris.uri(one): {"severity": {UNBOUND: "error"}}}
+            client.initialize(CONFIGURES, workspaceFolders=roots(one, two))
+            client.notification("workspace/configuration")
+            for folder, severity in ((one, 1), (two, 2)):
+                uri = uris.uri(folder / "r.kindsl")
+                client.open(uri, ROBOT)
+                found = [d for d in client.diagnostics(uri) if d["code"] == UNBOUND]
+                assert [d["severity"] for d in found] == [severity]
+
+    def test_a_setting_that_makes_no_sense_is_told_in_the_log(self) -> None:
+        options = {"target": ["matlab"], "diagnostics.delay": "soon", "parameters": {"m": 1.5}}
+        with ready_client(initializationOptions=options) as client:
+            messages = [client.notification("window/logMessage")["message"] for _ in range(2)]
+            assert "'matlab', which is not one of robcogen, robcogen2" in messages[0]
+            assert (
+                messages[1] == "setting 'kindsl.diagnostics.delay' is not a number of milliseconds"
+            )
+            client.open("untitled:r", ROBOT)
+            assert UNBOUND not in client.codes("untitled:r")
+
+    def test_inlay_hints_can_be_turned_off(self) -> None:
+        turned = ROBOT.replace("rotation = (0.0", "rotation = (PI")
+        everything = {"start": {"line": 0, "character": 0}, "end": {"line": 99, "character": 0}}
+        asked = {"textDocument": {"uri": "untitled:r"}, "range": everything}
+        for switches, labels in (({}, ["180°"]), ({"angles": False}, []), ({"enabled": False}, [])):
+            with ready_client(initializationOptions={"inlayHints": switches}) as client:
+                client.open("untitled:r", turned)
+                hints = client.request("textDocument/inlayHint", asked)
+                assert [hint["label"] for hint in hints] == labels
+
+
+class TestConfigurationFiles:
+    def test_a_file_that_changes_is_read_again(self, folder: Path) -> None:
+        with ready_client(WATCHES, workspaceFolders=roots(folder)) as client:
+            registered = client.notification("client/registerCapability")["registrations"]
+            patterns = [w["globPattern"] for w in registered[0]["registerOptions"]["watchers"]]
+            assert {"**/*.kindsl", "**/kindsl.toml"} <= set(patterns)
+            uri = uris.uri(folder / "robot.kindsl")
+            client.open(uri, ROBOT)
+            assert UNBOUND in client.codes(uri)
+            (folder / "kindsl.toml").write_text("[parameters]\nm = 2.0\n")
+            tell(client, folder / "kindsl.toml", 1)
+            assert UNBOUND not in client.codes(uri)
+            (folder / "kindsl.toml").unlink()
+            tell(client, folder / "kindsl.toml", 3)
+            assert UNBOUND in client.codes(uri)
+
+    def test_a_saved_file_counts_without_a_watcher(self, client: RawClient, folder: Path) -> None:
+        uri = uris.uri(folder / "robot.kindsl")
+        client.open(uri, ROBOT)
+        assert UNBOUND in client.codes(uri)
+        file = folder / "kindsl.toml"
+        file.write_text("[parameters]\nm = 2.0\n")
+        client.notify("textDocument/didSave", {"textDocument": {"uri": uris.uri(file)}})
+        assert UNBOUND not in client.codes(uri)
+
+    def test_the_project_wins_over_the_editor(self, folder: Path) -> None:
+        (folder / "kindsl.toml").write_text('[severity]\nKD401 = "error"\n')
+        options = {"severity": {"KD401": "hint", "KD4": "hint"}}
+        uri = uris.uri(folder / "robot.kindsl")
+        with ready_client(workspaceFolders=roots(folder), initializationOptions=options) as client:
+            client.open(uri, ROBOT)
+            found = [d["severity"] for d in client.diagnostics(uri) if d["code"] == UNBOUND]
+            assert found == [1]
+
+    def test_a_broken_file_is_shown_where_it_is_broken(self, folder: Path) -> None:
+        file = folder / "kindsl.toml"
+        file.write_text("[parameters]\nm = 2.0\n\n[sevrity]\n")
+        with ready_client(workspaceFolders=roots(folder)) as client:
+            client.open(uris.uri(folder / "robot.kindsl"), ROBOT)
+            found = client.diagnostics(uris.uri(file))
+            assert [d["range"]["start"]["line"] for d in found] == [3]
+            assert "sevrity" in found[0]["message"]
+            file.write_text("[parameters]\nm = 2.0\n")
+            tell(client, file, 2)
+            assert client.diagnostics(uris.uri(file)) == []
+
+    def test_a_file_is_checked_while_it_is_written(self, client: RawClient, folder: Path) -> None:
+        uri = uris.uri(folder / "kindsl.toml")
+        client.open(uri, "target = 3\n")
+        assert client.diagnostics(uri)[0]["range"]["start"] == {"line": 0, "character": 0}
+        client.change(uri, 2, whole('target = ["robcogen"]\n'))
+        assert client.diagnostics(uri) == []
+        assert client.request("textDocument/hover", {**HOVER, "textDocument": {"uri": uri}}) is None
+
+    def test_documents_that_a_file_names_are_links(self, client: RawClient, folder: Path) -> None:
+        uri = uris.uri(folder / "kindsl.toml")
+        client.open(uri, '# https://example.org.\n[[document]]\npath = "robot.kindsl"\n')
+        links = client.request("textDocument/documentLink", {"textDocument": {"uri": uri}})
+        targets = ["https://example.org", uris.uri(folder / "robot.kindsl")]
+        assert [link["target"] for link in links] == targets
+
+
+class TestBesides:
+    def test_the_status_is_told_to_whom_it_interests(self) -> None:
+        with ready_client({"experimental": {"kindsl/status": True}}) as client:
+            client.open("untitled:r", ROBOT.replace("mass = m", "mass = 1.0"))
+            status = client.notification("kindsl/status")
+            assert status == {"uri": "untitled:r", "dof": 1, "state": "ready", "findings": 0}
+            client.change("untitled:r", 2, whole(ROBOT))
+            assert client.notification("kindsl/status")["state"] == "unbound parameters"
+            client.change("untitled:r", 3, whole("Robot R {"))
+            assert client.notification("kindsl/status")["dof"] is None
+
+    def test_progress_of_a_scan_is_shown_under_the_clients_token(self, client: RawClient) -> None:
+        client.request("workspace/diagnostic", {"previousResultIds": [], "workDoneToken": "t"})
+        values = [m["params"]["value"] for m in client.drain() if m["method"] == "$/progress"]
+        assert [value["kind"] for value in values][:: len(values) - 1] == ["begin", "end"]
+
+    def test_the_server_makes_a_token_where_the_client_shows_progress(self, folder: Path) -> None:
+        shows = {"window": {"workDoneProgress": True}}
+        with ready_client(shows, workspaceFolders=roots(folder)) as client:
+            client.request("workspace/symbol", {"query": "one"})
+            token = client.notification("window/workDoneProgress/create")["token"]
+            assert client.notification("$/progress")["token"] == token
+
+    def test_fixes_are_made_through_the_client(self, client: RawClient) -> None:
+        client.open("untitled:r", ROBOT.replace("translation = (0.0", "translation = (0"))
+        arguments = {"command": "kindsl.applyFixAll", "arguments": ["untitled:r"]}
+        assert client.request("workspace/executeCommand", arguments) is True
+        edits = client.notification("workspace/applyEdit")["edit"]["changes"]["untitled:r"]
+        assert [edit["newText"] for edit in edits] == ["0.0"]
+
+    def test_a_long_document_is_answered_as_well(self, client: RawClient) -> None:
+        frames = "".join(
+            f"f{n} {{ translation = (0.0, 0.0, 0.0) rotation = (0.0, PI, 0.0) }}\n"
+            for n in range(4000)
+        )
+        uri = "untitled:long"
+        client.open(uri, ROBOT.replace("children {} }", f"children {{}} frames {{ {frames} }} }}"))
+        document = {"textDocument": {"uri": uri}}
+        tokens = client.request("textDocument/semanticTokens/full", document)
+        assert len(tokens["data"]) > 4000 * 5
+        where = {**document, "position": {"line": 2, "character": 6}}
+        assert client.request("textDocument/hover", where)["range"]["start"]["line"] == 2
+
+    @pytest.mark.parametrize("command", ["kindsl.preview", "kindsl.compute", "kindsl.exportUrdf"])
+    def test_a_command_on_nothing_is_refused(self, client: RawClient, command: str) -> None:
+        for arguments, code in (([], -32602), (["untitled:nothing"], -32803)):
+            params = {"command": command, "arguments": arguments}
+            assert client.refusal("workspace/executeCommand", params)["code"] == code
+
+
+HOVER: dict[str, Any] = {"position": {"line": 0, "character": 0}}
+
+
+def tell(client: RawClient, file: Path, kind: int) -> None:
+    """Tell of a file that was created (1), changed (2) or deleted (3)."""
+    change = {"uri": uris.uri(file), "type": kind}
+    client.notify("workspace/didChangeWatchedFiles", {"changes": [change]})
