@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator
+from weakref import WeakKeyDictionary
 
 from kindsl.features.action import CodeAction
 from kindsl.features.bind_parameter import bind_parameter
@@ -13,6 +14,7 @@ from kindsl.text.edits import TextEdit
 
 FIX_ALL = "source.fixAll.kindsl"
 QUICK_FIX = "quickfix"
+_fixed: "WeakKeyDictionary[Analysis, tuple[TextEdit, ...]]" = WeakKeyDictionary()
 _BLANKS = re.compile(r"[ \t]*")
 
 
@@ -34,7 +36,9 @@ def quick_fixes(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, .
 
 def fix_all_action(analysis: Analysis) -> CodeAction | None:
     """Return the action that applies every safe fix, or None if there is nothing to fix."""
-    edits = fix_all(analysis)
+    if analysis not in _fixed:
+        _fixed[analysis] = fix_all(analysis)
+    edits = _fixed[analysis]
     return CodeAction("Fix all that is safe to fix", FIX_ALL, edits) if edits else None
 
 
