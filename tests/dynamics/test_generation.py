@@ -111,7 +111,7 @@ def test_scalar_code_refuses_what_is_not_finite() -> None:
     tree = tree_of(random_bodies(np.random.default_rng(0), 2, is_floating=False))
     function = scalar_function(trace(tree, (), "joint_space_inertia", "at_rest"))
     for value in (math.nan, math.inf, -math.inf):
-        with pytest.raises(ValueError, match=r"^$"):
+        with pytest.raises(OverflowError):
             function([0.0, value])
 
 

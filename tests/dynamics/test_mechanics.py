@@ -106,6 +106,11 @@ def test_wrong_positions_are_named(q: object, message: str) -> None:
         FIXED.joint_space_inertia(q)  # type: ignore[arg-type]
 
 
+def test_values_too_large_are_refused() -> None:
+    with pytest.raises(ValueError, match="'q', 'qd': the values are too large"):
+        FIXED.bias_torque(np.full(4, 1e308), Q)
+
+
 def test_the_wrong_argument_is_named() -> None:
     with pytest.raises(ValueError, match=r"'qdd' has shape \(5,\), expected \(\.\.\., 4\)"):
         FIXED.inverse_dynamics(Q, Q, np.zeros(5))

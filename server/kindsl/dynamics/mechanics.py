@@ -1,6 +1,6 @@
 """The one interface to all quantities of a mechanism."""
 
-from typing import NamedTuple
+from collections.abc import Iterable
 
 import numpy as np
 import numpy.typing as npt
@@ -11,6 +11,7 @@ from kindsl.dynamics.arguments import common_batch_shape, unknown_name, vectors
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.forms import Forms
 from kindsl.dynamics.forward_kinematics import joint_poses
+from kindsl.dynamics.free_motion import FreeMotion, FreeMotionTorque
 from kindsl.dynamics.jacobian import jacobian
 from kindsl.dynamics.quantities import (
     JOINT_VECTORS,
@@ -23,33 +24,9 @@ from kindsl.spatial.transforms import homogeneous
 
 AT_REST = np.zeros(6)
 GRAVITY = np.array(STANDARD_GRAVITY)
+# Quantities that divide by inertia.
+ACCELERATING = ("inverse_dynamics", "forward_dynamics")
 FLOAT64 = np.dtype(np.float64)
-
-
-class FreeMotionTorque(NamedTuple):
-    """Inverse dynamics with a floating base on which no wrench acts.
-
-    Attributes:
-        tau: Joint forces, shape (..., n), N m and N.
-        base_acceleration: Spatial acceleration, gravity's effect included, shape (..., 6), base
-            coordinates, angular part first.
-    """
-
-    tau: Array
-    base_acceleration: Array
-
-
-class FreeMotion(NamedTuple):
-    """Forward dynamics with a floating base on which no wrench acts.
-
-    Attributes:
-        qdd: Joint accelerations, shape (..., n).
-        base_acceleration: Spatial acceleration, gravity's effect included, shape (..., 6), base
-            coordinates, angular part first.
-    """
-
-    qdd: Array
-    base_acceleration: Array
 
 
 class Mechanics:
@@ -248,21 +225,26 @@ class Mechanics:
             for name, values in zip(JOINT_VECTORS[quantity], joint_vectors, strict=True)
         }
         conditions = self._checked_conditions(base_velocity, gravity)
+        entries = self._computed(quantity, arrays, conditions)
+        if quantity in ACCELERATING and not np.isfinite(entries).all():
+            raise SingularInertiaError
+        return entries
+
+    def _computed(
+        self, quantity: Quantity, arrays: dict[str, Array], conditions: dict[str, Array]
+    ) -> Array:
         batch_shape = common_batch_shape(arrays | conditions)
+        base_velocity = conditions.get("base_velocity", AT_REST)
+        gravity = conditions.get("gravity", GRAVITY)
         try:
             with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-                entries = self._forms.evaluate(
-                    quantity,
-                    batch_shape,
-                    list(arrays.values()),
-                    conditions.get("base_velocity", AT_REST),
-                    conditions.get("gravity", GRAVITY),
+                return self._forms.evaluate(
+                    quantity, batch_shape, list(arrays.values()), base_velocity, gravity
                 )
         except (ZeroDivisionError, np.linalg.LinAlgError):
             raise SingularInertiaError from None
-        if "dynamics" in quantity and not np.isfinite(entries).all():
-            raise SingularInertiaError
-        return entries
+        except OverflowError:
+            raise ValueError(f"{_listed(arrays)}: the values are too large") from None
 
     def _quick_answer(
         self, quantity: Quantity, joint_vectors: tuple[npt.ArrayLike, ...]
@@ -273,7 +255,7 @@ class Mechanics:
                 if vector.shape != self._joint_shape or vector.dtype is not FLOAT64:  # type: ignore[union-attr]
                     return None
             return self._ready[quantity](*[v.tolist() for v in joint_vectors])  # type: ignore[union-attr]
-        except (AttributeError, KeyError, ValueError, ZeroDivisionError):
+        except (AttributeError, KeyError, OverflowError, ZeroDivisionError):
             return None
 
     def _checked_conditions(
@@ -307,3 +289,7 @@ class Mechanics:
     def _check_mass(self) -> None:
         if self.total_mass() == 0.0:
             raise ValueError("the centre of mass is not defined: the total mass is zero")
+
+
+def _listed(names: Iterable[str]) -> str:
+    return ", ".join(f"'{name}'" for name in names)

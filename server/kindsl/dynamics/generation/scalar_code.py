@@ -23,7 +23,7 @@ def scalar_function(trace: Trace) -> ScalarFunction:
     """Compile a trace.
 
     The function takes the arguments as lists of floats and returns the outputs as an array. It
-    raises ValueError if a number is not finite, and ZeroDivisionError.
+    raises OverflowError if the sum of all numbers is not finite, and ZeroDivisionError.
     """
     # Packing takes half the time that an array takes to convert a list.
     n_outputs = len(trace.outputs)
@@ -69,7 +69,7 @@ def _unpacked_arguments(trace: Trace, texts: dict[int, str]) -> list[str]:
         texts.update((component.index, f"v{component.index}") for component in argument)
         lines.append(f"{','.join(texts[component.index] for component in argument)},=a{number}")
     total = "+".join(texts.values())
-    return [*lines, f"if not isfinite({total}): raise ValueError"]
+    return [*lines, f"if not isfinite({total}): raise OverflowError"]
 
 
 def _uses(trace: Trace) -> Counter[int]:
