@@ -1,3 +1,5 @@
+from itertools import pairwise
+
 from tests.features.samples import ARM
 from tests.support.cursor import at_cursor
 
@@ -88,3 +90,10 @@ def test_an_unbound_parameter_can_be_bound_outside():
     assert [d.code for d in action.diagnostics] == ["KD401"]
     bound = analysis.with_settings(Settings(bindings={"reach": Binding(0.5)}))
     assert not [a for a in code_actions(bound, offset, offset) if a.bindings]
+
+
+def test_fixes_that_touch_each_other_wait():
+    analysis = analyse(BAD)
+    edits = disjoint_fixes(analysis, None, with_unsafe=True)
+    assert all(a.end < b.start for a, b in pairwise(edits))
+    assert edits == tuple(sorted(edits))

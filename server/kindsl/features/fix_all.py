@@ -1,5 +1,6 @@
 """All fixes of a document at once, until none is left."""
 
+from bisect import bisect_left, insort
 from collections.abc import Iterable
 from difflib import SequenceMatcher
 
@@ -43,10 +44,11 @@ def disjoint_fixes(
             continue
         if codes is not None and finding.code not in codes:
             continue
-        new = [edit for edit in fix.edits if edit not in taken]
-        if all(_is_apart(edit, other) for edit in new for other in taken):
-            taken += new
-    return tuple(sorted(taken))
+        new = [edit for edit in fix.edits if not _has(taken, edit)]
+        if all(_is_apart(taken, edit) for edit in new):
+            for edit in new:
+                insort(taken, edit)
+    return tuple(taken)
 
 
 def _first_edit(finding: Diagnostic) -> tuple[int, int]:
@@ -54,8 +56,16 @@ def _first_edit(finding: Diagnostic) -> tuple[int, int]:
     return (min(edit.start for edit in edits) if edits else -1, finding.start)
 
 
-def _is_apart(one: TextEdit, other: TextEdit) -> bool:
-    return one.end < other.start or other.end < one.start
+def _has(taken: list[TextEdit], edit: TextEdit) -> bool:
+    index = bisect_left(taken, edit)
+    return taken[index : index + 1] == [edit]
+
+
+def _is_apart(taken: list[TextEdit], edit: TextEdit) -> bool:
+    """Return whether an edit neither overlaps nor touches sorted, disjoint ones."""
+    index = bisect_left(taken, edit)
+    before, behind = taken[max(index - 1, 0) : index], taken[index : index + 1]
+    return all(t.end < edit.start for t in before) and all(edit.end < t.start for t in behind)
 
 
 def line_edits(old: str, new: str) -> tuple[TextEdit, ...]:
