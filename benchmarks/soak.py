@@ -1,4 +1,4 @@
-"""A long random session: edits, all requests, cancellations, undo storms, closed and reopened files.
+"""A long random session: edits, requests, cancellations, undo storms, closed and reopened files.
 
     python benchmarks/soak.py [--edits 100000] [--documents 20] [--seed 1] [--prefixes]
 
@@ -16,9 +16,9 @@ from pathlib import Path
 from typing import Any
 
 ROOT = Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(ROOT), str(ROOT / "benchmarks")]
+sys.path.insert(0, str(ROOT))
 
-from lsp import resident_megabytes, robot  # noqa: E402
+from benchmarks.lsp import resident_megabytes, robot  # noqa: E402
 from tests.support.lsp import RawClient, ready_client  # noqa: E402
 from tests.support.lsp_requests import every_request, place_of  # noqa: E402
 
@@ -33,9 +33,10 @@ CLIENT = {
 }
 SETTINGS = {"kindsl": {"diagnostics": {"delay": 1}}}
 PIECES = (
-    "{", "}", "(", ")", ",", "=", "<", ">", "\n", " ", "0", "1.0", "-", "PI/2.0", "PI", "x", "m[1.0]",
-    "link ", "link z {\n    id = 9\n}\n", "r_joint ", "via ", "children {", "// note\n", "/*", "*/",
-    "mass = ", "Ix = 0.1\n", "frames {", "ref_frame {", "é", "🤖", "\u2028", "\t", "^link", "id = 2",
+    "{", "}", "(", ")", ",", "=", "<", ">", "\n", " ", "0", "1.0", "-", "PI/2.0", "PI", "x",
+    "m[1.0]", "link ", "link z {\n    id = 9\n}\n", "r_joint ", "via ", "children {", "// note\n",
+    "/*", "*/", "mass = ", "Ix = 0.1\n", "frames {", "ref_frame {", "é", "🤖", "\u2028", "\t",
+    "^link", "id = 2",
 )  # fmt: skip
 
 

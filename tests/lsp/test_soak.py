@@ -1,0 +1,9 @@
+"""A short stretch of the long session of `benchmarks/soak.py`."""
+
+import pytest
+from benchmarks.soak import soak
+
+
+@pytest.mark.parametrize("seed", [7, 11])
+def test_a_random_session_leaves_nothing_behind(seed: int) -> None:
+    assert soak(edits=250, documents=4, seed=seed, checks=2) == []
