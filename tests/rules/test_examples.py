@@ -7,12 +7,12 @@ import pytest
 from kindsl.rules.analysis import Analysis, analyse
 from kindsl.rules.base import Example, Rule
 from kindsl.rules.diagnostics import Diagnostic
-from kindsl.rules.examples import document_of
+from kindsl.rules.examples import bindings_of, document_of
 from kindsl.rules.registry import all_rules, page_of
 from kindsl.rules.settings import Settings
-from kindsl.semantics.parameters import Binding
 from kindsl.text.edits import apply_edits
 
+DEFAULT = ("KD0", "KD1", "KD2", "KD3", "KD4", "KD5", "KD7")
 NEEDS_NO_EXAMPLE = {"KD404"}
 # A new link has no inertia yet, and a new pose is where another may be: that is to be filled in.
 LEFT_BY_FIXES = {"KD105": {"KD304"}, "KD106": {"KD505"}, "KD401": {"KD602"}}
@@ -27,12 +27,11 @@ def cases(kind: str) -> list[object]:
 
 
 def analysed(rule: Rule, example: str | Example, text: str | None = None) -> Analysis:
-    parameters = () if isinstance(example, str) else example.parameters
     targets = () if isinstance(example, str) else example.targets
     settings = Settings(
         targets=frozenset(targets),
-        select=("KD", rule.code),
-        bindings={name: Binding(value) for name, value in parameters},
+        select=() if rule.is_default else (*DEFAULT, rule.code),
+        bindings=bindings_of(example),
     )
     return analyse(document_of(example) if text is None else text, settings)
 

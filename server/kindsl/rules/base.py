@@ -75,11 +75,19 @@ class Finding(NamedTuple):
 
 
 class Example(NamedTuple):
-    """A document that shows a rule, with what it needs from outside."""
+    """A document that shows a rule, with what it needs from outside.
+
+    Attributes:
+        text: A document, or single blocks.
+        targets: The generators that must accept it.
+        parameters: Values by name.
+        ranges: Least and greatest values by name, of some of the parameters.
+    """
 
     text: str
     targets: tuple[str, ...] = ()
     parameters: tuple[tuple[str, float], ...] = ()
+    ranges: tuple[tuple[str, float, float], ...] = ()
 
 
 DocumentCheck = Callable[[Model, Context], Iterator[Finding]]

@@ -3,6 +3,7 @@
 import re
 
 from kindsl.rules.base import Example
+from kindsl.semantics.parameters import Binding
 
 STEEL_BALL = """inertia_params {
         mass = 4.1
@@ -40,6 +41,16 @@ def robot(*links: str, base: str = "", joints: str = "", name: str = "Arm") -> s
     return head + "".join(links) + "".join(joint(name) for name in joints.split()) + "}\n"
 
 
+def bindings_of(example: str | Example) -> dict[str, Binding]:
+    """Return the values that an example's parameters have from outside."""
+    if isinstance(example, str):
+        return {}
+    ranges = {name: (low, high) for name, low, high in example.ranges}
+    return {
+        name: Binding(value, *ranges.get(name, (None, None))) for name, value in example.parameters
+    }
+
+
 def document_of(example: str | Example) -> str:
     """Return the whole document of an example; single blocks are given a robot around them."""
     text = example if isinstance(example, str) else example.text
@@ -61,6 +72,6 @@ def _around(text: str) -> str:
     wanted = [name for name in [*used, *(name for _, name in pairs)] if name not in names]
     joints = "".join(joint(name, 0.3 + 0.1 * number) for number, name in enumerate(wanted))
     children = " ".join(f"{child} via {name}" for child, name in pairs)
-    is_joint = re.match(r"\s*[rp]_joint", text)
+    is_joint = not re.search(r"^link\s", text, re.MULTILINE)
     blocks = f"{links}{text}\n{joints}" if is_joint else f"{text}\n{links}{joints}"
     return f"Robot Arm {{\nRobotBase ground {{\n    children {{ {children} }}\n}}\n{blocks}}}\n"

@@ -23,24 +23,26 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from kindsl.rules.base import Finding, Rule, Severity
+from kindsl.rules.broken_text import has_problem_within
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.reference_defects import reference_defects
 from kindsl.rules.renumbering import renumbering
+from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each run of missing numbers."""
-    by_id = {link.id: link for link in reversed(model.links) if link.id is not None and link.id > 0}
+    links = [link for link in model.links if not _is_doubtful(link)]
+    by_id = {link.id: link for link in reversed(links) if link.id is not None and link.id > 0}
     count = len(by_id)
     if not by_id or max(by_id) == count:
         return
     gaps = _gaps(sorted(number for number in by_id if number <= count), count)
-    unknown = sum(link.id is None or link.id < 1 for link in model.links)
-    unknown += len(reference_defects(model).undefined_links)
+    unknown = len(model.links) - len(links) + len(reference_defects(model).undefined_links)
     missing = sum(high - low + 1 for low, high in gaps)
-    has_explanation = len(model.links) - unknown - count >= missing
+    has_explanation = len(links) - count >= missing
     strays = [number for number in sorted(by_id) if number > count and number - 1 not in by_id]
     for low, high in gaps:
         if unknown >= missing or (has_explanation and low > 1) or _is_lost(model, low):
@@ -49,6 +51,12 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         link = by_id[number]
         message = _message(low, high, number)
         yield Finding(link.id_place or link.name, message, fix=renumbering(model, len(gaps)))
+
+
+def _is_doubtful(link: Link) -> bool:
+    if link.id is None or link.id < 1:
+        return True
+    return bool(link.island.problems) and has_problem_within(link.id_place or link.name)
 
 
 def _gaps(used: list[int], count: int) -> list[tuple[int, int]]:

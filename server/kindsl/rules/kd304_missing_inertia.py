@@ -2,7 +2,8 @@
 
 ## What it does
 Reports a moving link without an `inertia_params` section: a warning, and an error for a floating
-base and for the target robcogen, which wants the section in a fixed base too.
+base and for the target robcogen. That robcogen wants the section in a fixed base too is told by
+KD601.
 
 ## Why is this bad?
 RobCoGen2 reads the document and takes zero for everything, so all dynamics are wrong; RobCoGen
@@ -30,10 +31,8 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
     """Yield a finding for each body without inertia whose inertia matters."""
     is_required = ROBCOGEN in context.targets
     for body in declared.bodies():
-        if body.inertia is None and (is_required or is_moving(body)) and not body.island.problems:
-            what = "link"
-            if body.is_base:
-                what = "floating base" if body.is_floating else "base"
+        if body.inertia is None and is_moving(body) and not body.island.problems:
+            what = "floating base" if body.is_base else "link"
             is_error = is_required or body.is_base
             severity = Severity.ERROR if is_error else Severity.WARNING
             yield Finding(body.name, f"{what} '{body.name}' has no inertia", severity=severity)

@@ -173,7 +173,7 @@ def _collect_orphans(model: Model, found: ReferenceDefects) -> None:
     found.orphans.extend(_unexcused(links, wrong_links, wrong))
     wrong_joints = [str(edge.child.joint) for edge in found.undefined_joints]
     wrong_joints += [str(edge.child.link) for edge in found.swapped]
-    wrong += len(found.reused_joints) + len(found.orphans)
+    wrong += len(found.reused_joints) + len(found.orphans) + len(repeated_names(model.bodies))
     joints = [joint for joint in found.idle_joints if not _is_mentioned(model, joint)]
     found.unused_joints.extend(_unexcused(joints, wrong_joints, wrong))
 
