@@ -11,7 +11,7 @@ from typing import TypeGuard
 
 from lsprotocol import types
 
-from kindsl.lsp import encoding as enc
+from kindsl.lsp import convert
 from kindsl.lsp.lines import Lines, without_end
 from kindsl.text.edits import TextEdit
 
@@ -97,7 +97,7 @@ def _place(texts: list[str], position: types.Position, encoding: str) -> tuple[i
     if position.line >= len(texts):
         return len(texts) - 1, len(texts[-1])
     line = without_end(texts[position.line])
-    return position.line, enc.column(line, position.character, encoding)
+    return position.line, convert.column(line, position.character, encoding)
 
 
 def _differences(texts: list[str], origins: list[int], length: int) -> list[TextEdit]:

@@ -69,7 +69,9 @@ def change_files(server: "KindslLanguageServer", params: types.DidChangeWatchedF
             server.publisher.clear(change.uri)
     if any(uris.basename(change.uri) in CONFIGURATION_FILES for change in params.changes):
         server.settings.forget()
-    refresh(server)
+        refresh(server)
+    elif server.client.can("workspace.diagnostics.refresh_support"):
+        server.workspace_diagnostic_refresh(None)
 
 
 @handlers.server(types.TEXT_DOCUMENT_DID_SAVE, types.SaveOptions(include_text=False))

@@ -52,6 +52,11 @@ class Document:
         return uris.basename(self.uri).endswith(".toml")
 
     @property
+    def is_parsed(self) -> bool:
+        """Whether its syntax is known already."""
+        return self._tree is not None
+
+    @property
     def text(self) -> str:
         """The whole text."""
         return self.lines.text(0, self.lines.length)

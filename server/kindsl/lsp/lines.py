@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from itertools import accumulate
 from typing import Protocol
 
-from kindsl.lsp import encoding as enc
+from kindsl.lsp import convert
 from kindsl.text.edits import TextEdit
 from kindsl.text.lines import LineIndex
 
@@ -100,7 +100,7 @@ class Lines:
         start = self.start(line)
         if line > self.last or line < 0:
             return start
-        return start + enc.column(self.line_text(line), max(units, 0), encoding)
+        return start + convert.column(self.line_text(line), max(units, 0), encoding)
 
     def position(self, offset: int, encoding: str) -> tuple[int, int]:
         """Return the line and the client's column of an offset, clamped to the text."""
@@ -111,12 +111,12 @@ class Lines:
 
     def units(self, start: int, offset: int, encoding: str) -> int:
         """Return the width of a stretch, measured on from the last offset with the same start."""
-        if self._is_ascii or encoding == enc.UTF32:
+        if self._is_ascii or encoding == convert.UTF32:
             return offset - start
         recent_start, recent_offset, units = self._recent
         if recent_start != start or recent_offset > offset:
             recent_offset, units = start, 0
-        units += enc.width(self.text(recent_offset, offset), encoding)
+        units += convert.width(self.text(recent_offset, offset), encoding)
         self._recent = (start, offset, units)
         return units
 

@@ -1,5 +1,6 @@
 """The editor's settings, the section `kindsl`, checked once where they come in."""
 
+import sys
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any, NamedTuple, TypeVar
 
@@ -12,6 +13,8 @@ D = TypeVar("D")
 T = TypeVar("T")
 
 ORIGIN = "editor settings"
+
+_LONGEST_DELAY = 60_000
 
 
 class EditorSettings(NamedTuple):
@@ -123,14 +126,16 @@ def _binding(name: str, given: object) -> Binding:
 
 
 def _number(name: str, value: object) -> float:
-    if isinstance(value, bool) or not isinstance(value, int | float):
-        raise ValueError(f"gives '{name}' something other than a number")
+    is_number = isinstance(value, int | float) and not isinstance(value, bool)
+    if not is_number or not abs(value) <= sys.float_info.max:
+        raise ValueError(f"gives '{name}' something other than a finite number")
     return float(value)
 
 
 def _milliseconds(value: object) -> float:
-    if isinstance(value, bool) or not isinstance(value, int | float) or value < 0:
-        raise ValueError("is not a number of milliseconds")
+    is_number = isinstance(value, int | float) and not isinstance(value, bool)
+    if not is_number or not 0 <= value <= _LONGEST_DELAY:
+        raise ValueError(f"is not a number of milliseconds up to {_LONGEST_DELAY}")
     return value / 1000.0
 
 

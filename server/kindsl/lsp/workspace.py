@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from lsprotocol import types
 
 from kindsl.lsp import uris
+from kindsl.lsp.robots import robots_below
 
 if TYPE_CHECKING:
     from kindsl.config.configuration import Configuration, ConfigurationProblem
@@ -107,7 +108,7 @@ class Workspace:
     def files(self) -> Iterator[Path]:
         """Yield the robots in all folders."""
         for folder in self.paths():
-            yield from folder.rglob("*.kindsl")
+            yield from robots_below(folder)
 
     def _understand(self, scope: str | None) -> "EditorSettings":
         from kindsl.lsp.settings import editor_settings

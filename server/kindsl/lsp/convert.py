@@ -1,4 +1,7 @@
-"""Columns as clients count them: in UTF-8, UTF-16 or UTF-32 code units."""
+"""Columns as clients count them: in UTF-8, UTF-16 or UTF-32 code units.
+
+Everywhere else columns and offsets are code points.
+"""
 
 from lsprotocol import types
 

@@ -1,0 +1,104 @@
+"""The analysis of a version is made once, for all who ask, and not when nobody asks any more."""
+
+import asyncio
+import threading
+from collections.abc import Callable
+
+import pytest
+
+from kindsl.lsp.analyses import Analyses
+from kindsl.lsp.document import document
+from kindsl.lsp.worker import Urgency, Worker
+from kindsl.lsp.workspace import Workspace
+
+TEXT = "Robot R {\nRobotBase base { children { one via first } }\n}\n"
+
+
+@pytest.fixture
+def worker() -> Worker:
+    return Worker()
+
+
+@pytest.fixture
+def workspace() -> Workspace:
+    return Workspace()
+
+
+@pytest.fixture
+def analyses(worker: Worker, workspace: Workspace) -> Analyses:
+    return Analyses(worker, workspace)
+
+
+async def test_all_who_ask_share_one_analysis(analyses: Analyses) -> None:
+    shown = document("untitled:r", 1, TEXT, "utf-16")
+    one, other = await asyncio.gather(analyses.of(shown), analyses.of(shown))
+    assert one is other
+    assert await analyses.findings(shown) is await analyses.findings(shown)
+    assert await analyses.of(shown) is one
+
+
+async def test_other_settings_make_another_analysis(
+    analyses: Analyses, workspace: Workspace
+) -> None:
+    shown = document("untitled:r", 1, TEXT, "utf-16")
+    before = await analyses.of(shown)
+    workspace.set_editor_settings({"ignore": ["KD1"]})
+    after = await analyses.of(shown)
+    assert after is not before
+    assert after.settings.ignore == ("KD1",)
+    assert after.syntax is before.syntax
+
+
+async def test_a_cancelled_waiter_leaves_the_analysis_to_the_others(analyses: Analyses) -> None:
+    shown = document("untitled:r", 1, TEXT, "utf-16")
+    first = asyncio.ensure_future(analyses.of(shown))
+    second = asyncio.ensure_future(analyses.of(shown))
+    await asyncio.sleep(0)
+    first.cancel()
+    assert (await second).syntax.text == TEXT
+
+
+async def test_what_nobody_waits_for_any_more_is_not_begun(
+    analyses: Analyses, worker: Worker
+) -> None:
+    shown = document("untitled:r", 1, TEXT, "utf-16")
+    await analyses.of(document("untitled:r", 0, "", "utf-16"))
+    release = busy(worker)
+    waiting = asyncio.ensure_future(analyses.of(shown))
+    await asyncio.sleep(0.01)
+    waiting.cancel()
+    with pytest.raises(asyncio.CancelledError):
+        await waiting
+    release()
+    await worker.run(lambda: None, Urgency.BACKGROUND)
+    assert shown.is_parsed is False
+    assert (await analyses.of(shown)).syntax.text == TEXT
+
+
+async def test_answers_go_before_diagnostics_and_those_before_the_rest(worker: Worker) -> None:
+    done: list[Urgency] = []
+    release = busy(worker)
+    jobs = [
+        asyncio.ensure_future(worker.run(lambda urgency=urgency: done.append(urgency), urgency))
+        for urgency in (Urgency.BACKGROUND, Urgency.DIAGNOSTICS, Urgency.ANSWER)
+    ]
+    await asyncio.sleep(0)
+    release()
+    await asyncio.gather(*jobs)
+    assert done == [Urgency.ANSWER, Urgency.DIAGNOSTICS, Urgency.BACKGROUND]
+
+
+async def test_a_job_that_fails_tells_whoever_waits(worker: Worker) -> None:
+    def fail() -> None:
+        raise ZeroDivisionError
+
+    with pytest.raises(ZeroDivisionError):
+        await worker.run(fail)
+    assert await worker.run(lambda: 3) == 3
+
+
+def busy(worker: Worker) -> Callable[[], None]:
+    """Keep the worker busy until the returned function is called."""
+    gate = threading.Event()
+    worker.submit(gate.wait)
+    return gate.set

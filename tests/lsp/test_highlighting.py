@@ -1,0 +1,53 @@
+"""Semantic tokens in the protocol's numbers, whole and as differences."""
+
+from array import array
+from itertools import pairwise
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kindsl.features import semantic_tokens
+from kindsl.lsp import highlighting
+from kindsl.lsp.document import document
+from kindsl.rules.analysis import analyse
+
+numbers = st.lists(st.integers(0, 3), max_size=20)
+
+
+def test_the_legend_is_that_of_the_feature() -> None:
+    assert highlighting.TYPES == semantic_tokens.TYPES
+    assert highlighting.MODIFIERS == semantic_tokens.MODIFIERS
+
+
+@given(st.lists(numbers, min_size=2, max_size=5))
+def test_differences_lead_from_one_row_to_the_next(rows: list[list[int]]) -> None:
+    memory = highlighting.TokenMemory()
+    known = memory.tell("untitled:r", array("I", rows[0]), None)["resultId"]
+    for old, new in pairwise(rows):
+        answer = memory.tell("untitled:r", array("I", new), known)
+        made = list(old)
+        for edit in answer["edits"]:
+            made[edit["start"] : edit["start"] + edit["deleteCount"]] = edit["data"]
+        assert made == new
+        known = answer["resultId"]
+
+
+def test_an_unknown_result_is_answered_with_everything() -> None:
+    memory = highlighting.TokenMemory()
+    assert memory.tell("untitled:r", array("I", [1]), "elsewhere")["data"] == [1]
+
+
+@given(st.sampled_from(["utf-8", "utf-16", "utf-32"]), st.text("a {}\n/*é😀\u2028", max_size=60))
+def test_tokens_are_found_again_where_they_stand(encoding: str, more: str) -> None:
+    text = f"Robot R {{ // 😀 é\nlink one {{ id = 1 }}\n{more}"
+    shown = document("untitled:r", 1, text, encoding)
+    tokens = semantic_tokens.semantic_tokens(analyse(text))
+    data = highlighting.encoded(shown, tokens)
+    line = column = 0
+    for number, token in enumerate(tokens):
+        step, columns, length, kind, _ = data[5 * number : 5 * number + 5]
+        line, column = line + step, columns + (0 if step else column)
+        assert shown.lines.offset(line, column, encoding) == token.start
+        assert highlighting.TYPES[kind] == token.type
+        if token.end <= shown.lines.start(line + 1):
+            assert shown.lines.offset(line, column + length, encoding) == token.end

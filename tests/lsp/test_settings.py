@@ -1,0 +1,80 @@
+"""What the editor may say, however it says it."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kindsl.lsp.settings import editor_settings, merged
+from kindsl.rules.base import Severity
+from kindsl.rules.settings import Settings
+from kindsl.semantics.parameters import Binding
+
+json_values = st.recursive(
+    st.none() | st.booleans() | st.floats() | st.text(max_size=5),
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=5), inner),
+    max_leaves=5,
+)
+names = st.sampled_from(
+    ["target", "ignore", "severity", "parameters", "diagnostics", "diagnostics.delay", "inlayHints"]
+)
+
+
+@pytest.mark.parametrize(
+    "raw",
+    [
+        {"diagnostics": {"delay": 250}},
+        {"diagnostics.delay": 250},
+        {"kindsl.diagnostics.delay": 250},
+        {"kindsl": {"diagnostics": {"delay": 250}}},
+        {"settings": {"kindsl": {"diagnostics": {"delay": 250}}}},
+    ],
+)
+def test_a_setting_may_be_nested_or_not(raw: object) -> None:
+    assert editor_settings(raw).diagnostics_delay == 0.25
+
+
+def test_everything_is_understood() -> None:
+    found = editor_settings(
+        {
+            "target": ["robcogen"],
+            "ignore": ["KD7"],
+            "severity": {"KD401": "error"},
+            "parameters": {"a": 1, "b": {"value": 2.0, "min": 1.0, "max": 3.0}},
+            "inlayHints": {"units": True},
+        }
+    )
+    assert found.problems == ()
+    assert found.rules == Settings(
+        targets=frozenset({"robcogen"}),
+        ignore=("KD7",),
+        severity={"KD401": Severity.ERROR},
+        bindings={
+            "a": Binding(1.0, origin="editor settings"),
+            "b": Binding(2.0, 1.0, 3.0, "editor settings"),
+        },
+    )
+    assert found.inlay_hints == {"units": True}
+
+
+@given(st.dictionaries(names, json_values) | json_values)
+def test_nonsense_is_told_and_left_out(raw: object) -> None:
+    found = editor_settings(raw)
+    assert all(problem.startswith("setting 'kindsl.") for problem in found.problems)
+    assert 0.0 <= found.diagnostics_delay <= 60.0
+
+
+def test_the_project_wins() -> None:
+    project = Settings(
+        severity={"KD1": Severity.HINT}, bindings={"a": Binding(1.0)}, ignore=("KD7",)
+    )
+    editor = Settings(
+        targets=frozenset({"robcogen"}),
+        severity={"KD1": Severity.ERROR, "KD2": Severity.ERROR},
+        bindings={"a": Binding(2.0), "b": Binding(3.0)},
+        ignore=("KD5",),
+    )
+    both = merged(project, editor)
+    assert both.targets == {"robcogen"}
+    assert both.severity == {"KD1": Severity.HINT, "KD2": Severity.ERROR}
+    assert both.bindings == {"a": Binding(1.0), "b": Binding(3.0)}
+    assert set(both.ignore) == {"KD7", "KD5"}
