@@ -22,9 +22,9 @@ class Socket:
         self.is_free = asyncio.Event()
         self.is_free.set()
 
-    async def write(self, frame):
+    async def write(self, frames):
         await self.is_free.wait()
-        self.frames.append(frame)
+        self.frames.extend(frames)
 
     @property
     def messages(self):

@@ -13,8 +13,8 @@ class Tab:
     So a tab that stalls costs at most one state, and nobody waits for it.
     """
 
-    def __init__(self, write: Callable[[bytes], Awaitable[None]]) -> None:
-        """Take the function that writes a frame and returns when the socket has taken it."""
+    def __init__(self, write: Callable[[list[bytes]], Awaitable[None]]) -> None:
+        """Take the function that writes frames and returns when the socket has taken them."""
         self._write = write
         self._waiting: dict[Key, Message] = {}
         self._has_work = asyncio.Event()
@@ -33,10 +33,9 @@ class Tab:
         """Write what waits, until cancelled."""
         while True:
             await self._has_work.wait()
-            while self._waiting:
-                key = next(iter(self._waiting))
-                await self._write(encode(self._waiting.pop(key)))
             self._has_work.clear()
+            messages, self._waiting = self._waiting, {}
+            await self._write([encode(message) for message in messages.values()])
 
     def _drop_below(self, path: str) -> None:
         below = path + "/"

@@ -1,10 +1,11 @@
 """HTTP and websocket requests: each is checked first, then answered from memory."""
 
 import asyncio
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from tornado.web import Application, HTTPError, RequestHandler
-from tornado.websocket import WebSocketHandler
+from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
 from kindsl.preview.access import Access
 from kindsl.preview.assets import assets, live_page
@@ -107,6 +108,8 @@ class LiveHandler(CheckedHandler, WebSocketHandler):
         if document is None:
             self.close(4404, "no such document")
             return
+        # Small frames go at once, not after the acknowledgement of the one before.
+        self.set_nodelay(True)
         self.document = document
         self.tab = Tab(self._write)
         document.channel.join(self.tab)
@@ -126,5 +129,10 @@ class LiveHandler(CheckedHandler, WebSocketHandler):
             self.writer.cancel()
             self.server.disconnected(self)
 
-    async def _write(self, frame: bytes) -> None:
-        await self.write_message(frame, binary=True)
+    async def _write(self, frames: list[bytes]) -> None:
+        """Write frames; a line that is closing loses them, and `on_close` follows."""
+        written = []
+        with suppress(WebSocketClosedError):
+            for frame in frames:
+                written.append(self.write_message(frame, binary=True))
+        await asyncio.gather(*written, return_exceptions=True)

@@ -1,12 +1,12 @@
 """The marks of links, joints and frames: which shape, which colour, where."""
 
+import math
 from collections.abc import Iterator
-
-import numpy as np
+from functools import lru_cache
 
 from kindsl.preview.geometry import Form, Shape
 from kindsl.preview.inertia import InertiaEllipsoids
-from kindsl.preview.size import Segment
+from kindsl.preview.size import Point, Segment
 from kindsl.preview.wire import Message, path_of, set_object, set_transform
 from kindsl.spatial.arrays import Array
 
@@ -23,13 +23,20 @@ GHOST = 0x5B7BD5
 WHITE = 0xFFFFFF
 
 JOINT_FORMS = {"revolute": Form.DRUM, "prismatic": Form.BLOCK}
-# Turns meshcat's cylinders, which lie along y, to z.
-Y_TO_Z = (1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
+_X, _Y, _Z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
+# Turns meshcat's cylinders, which lie along y, to z; blocks lie there already.
+JOINT_TURNS = {
+    "revolute": (*_X, 0.0, *_Z, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0),
+    "prismatic": (*_X, 0.0, *_Y, 0.0, *_Z, 0.0, 0.0, 0.0, 0.0, 1.0),
+}
+# Joints that are the same at each keystroke are made once.
+_MOST_KNOWN = 1 << 12
 
 
-def column_major(T: Array) -> tuple[float, ...]:
-    """Return a homogeneous matrix (4, 4) as 16 numbers, column by column."""
-    return tuple(T.ravel(order="F").tolist())
+def column_major(T: Array) -> list[list[float]]:
+    """Return homogeneous matrices (n, 4, 4) as 16 numbers each, column by column."""
+    numbers: list[list[float]] = T.transpose(0, 2, 1).reshape(-1, 16).tolist()
+    return numbers
 
 
 def body_marks(
@@ -64,23 +71,26 @@ def link_marks(
         return
     ball = path_of(*place, "com", "ball")
     yield set_object(ball, Shape(Form.POINT, COM, on_top=True))
-    yield set_transform(ball, _at(com))
+    x, y, z = com.tolist()
+    yield set_transform(ball, _at((x, y, z)))
     ellipsoid = path_of(*place, "inertia", "ellipsoid")
     color = INERTIA if ellipsoids.is_consistent[body] else BAD_INERTIA
     yield set_object(ellipsoid, Shape(Form.BALL, color))
     yield set_transform(ellipsoid, _matrix(ellipsoids.rotations[body] * semi_axes, com))
 
 
-def joint_marks(joint: str, kind: str) -> Iterator[Message]:
-    """Yield a joint: its body, its axis, its frame and the arrow of its gravity torque."""
+@lru_cache(maxsize=_MOST_KNOWN)
+def joint_marks(joint: str, kind: str) -> tuple[Message, ...]:
+    """Return a joint: its body, its axis, its frame and the arrow of its gravity torque."""
     place = ("robot", "joints", joint)
     mark = path_of(*place, kind, "mark")
-    yield set_object(mark, Shape(JOINT_FORMS[kind], JOINT_COLORS[kind]))
-    if kind == "revolute":
-        yield set_transform(mark, Y_TO_Z)
-    yield set_object(path_of(*place, "axis", "arrow"), Shape(Form.ARROW, AXIS))
-    yield set_object(path_of(*place, "joint-frame", "triad"), Shape(Form.SHORT_TRIAD, WHITE))
-    yield set_object(path_of(*place, "torque", "force"), Shape(Form.FORCE, TORQUE))
+    return (
+        set_object(mark, Shape(JOINT_FORMS[kind], JOINT_COLORS[kind])),
+        set_transform(mark, JOINT_TURNS[kind]),
+        set_object(path_of(*place, "axis", "arrow"), Shape(Form.ARROW, AXIS)),
+        set_object(path_of(*place, "joint-frame", "triad"), Shape(Form.SHORT_TRIAD, WHITE)),
+        set_object(path_of(*place, "torque", "force"), Shape(Form.FORCE, TORQUE)),
+    )
 
 
 def frame_marks(frame: str) -> Iterator[Message]:
@@ -95,19 +105,30 @@ def robot_com_marks() -> Iterator[Message]:
     yield set_object(path, Shape(Form.BALL, ROBOT_COM, on_top=True))
 
 
-def _at(position: Array) -> tuple[float, ...]:
-    return _matrix(np.eye(3), position)
+def _at(position: Point) -> tuple[float, ...]:
+    return (*_X, 0.0, *_Y, 0.0, *_Z, 0.0, *position, 1.0)
 
 
-def _along(end: Array) -> tuple[float, ...]:
-    """Return the transform that stretches a unit cylinder, along y, from the origin to `end`."""
-    length = float(np.linalg.norm(end))
-    y = end / length
-    helper = np.zeros(3)
-    helper[int(np.argmin(np.abs(y)))] = 1.0
-    x = np.cross(y, helper)
-    x /= np.linalg.norm(x)
-    return _matrix(np.column_stack((x, end, np.cross(x, y))), 0.5 * end)
+def _along(end: Point) -> tuple[float, ...]:
+    """Return the transform that stretches a unit cylinder, along y, from the origin to `end`.
+
+    In plain floats, because there is one for each body at each keystroke.
+    """
+    x, y, z = end
+    length = math.sqrt(x * x + y * y + z * z)
+    # A normal of the end: its cross product with the axis that it is least along.
+    least = min(abs(x), abs(y), abs(z))
+    if least == abs(x):
+        normal = (0.0, z, -y)
+    elif least == abs(y):
+        normal = (-z, 0.0, x)
+    else:
+        normal = (y, -x, 0.0)
+    scale = 1.0 / math.sqrt(sum(component * component for component in normal))
+    a, b, c = (scale * component for component in normal)
+    third = ((b * z - c * y) / length, (c * x - a * z) / length, (a * y - b * x) / length)
+    middle = (0.5 * x, 0.5 * y, 0.5 * z)
+    return (a, b, c, 0.0, x, y, z, 0.0, *third, 0.0, *middle, 1.0)
 
 
 def _matrix(columns: Array, position: Array) -> tuple[float, ...]:

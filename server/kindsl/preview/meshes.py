@@ -8,7 +8,7 @@ import numpy as np
 
 from kindsl.spatial.arrays import Array
 
-SIDES = 20
+SIDES = 14
 AXIS_COLORS = ((0.80, 0.20, 0.20), (0.18, 0.58, 0.30), (0.18, 0.38, 0.82))
 
 

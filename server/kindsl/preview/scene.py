@@ -9,7 +9,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from kindsl.dynamics.bodies import Bodies, Frame
+from kindsl.dynamics.bodies import Bodies
 from kindsl.preview.inertia import InertiaEllipsoids, inertia_ellipsoids
 from kindsl.preview.marks import (
     base_mark,
@@ -74,69 +74,66 @@ def _numbers(
     tree: str, bodies: Bodies, size: Extent, ellipsoids: InertiaEllipsoids
 ) -> Iterator[Message]:
     """Yield what the page needs for kinematics, gravity torques and its panel."""
-    for body in range(bodies.n_links + 1):
-        yield _link(tree, bodies, body, size.segments[body], ellipsoids)
+    names = _names(bodies)
+    joints = ("", *bodies.joint_names)
+    masses, coms = bodies.masses.tolist(), bodies.coms.tolist()
+    inertias = ellipsoids.about_com.reshape(-1, 9).tolist()
+    for body, name in enumerate(names):
+        is_at_rest = body == 0 and not bodies.is_floating
+        yield {
+            "type": "link",
+            "path": path_of(tree, "links", name),
+            "name": name,
+            "index": body,
+            "joint": joints[body],
+            "mass": masses[body],
+            "com": coms[body],
+            "inertia": inertias[body],
+            "is_consistent": is_at_rest or ellipsoids.is_consistent[body],
+            **_shape(size.segments[body]),
+        }
+    yield from _joints(tree, bodies, names)
+    yield from _frames(tree, bodies, names)
+
+
+def _joints(tree: str, bodies: Bodies, names: tuple[str, ...]) -> Iterator[Message]:
+    placements = column_major(homogeneous(bodies.p_R_j, bodies.p_r_j))
     for link, parent in bodies.links():
-        yield _joint(tree, bodies, link, parent)
-    for frame in bodies.frames:
-        yield _frame(tree, frame, _names(bodies)[frame.body])
+        yield {
+            "type": "joint",
+            "path": path_of(tree, "joints", bodies.joint_names[link - 1]),
+            "name": bodies.joint_names[link - 1],
+            "index": link,
+            "kind": bodies.joint_kinds[link - 1],
+            "predecessor": names[parent],
+            "successor": names[link],
+            "placement": placements[link - 1],
+        }
 
 
-def _link(
-    tree: str,
-    bodies: Bodies,
-    body: int,
-    segments: tuple[Segment, ...],
-    ellipsoids: InertiaEllipsoids,
-) -> Message:
-    name = _names(bodies)[body]
-    is_at_rest = body == 0 and not bodies.is_floating
-    return {
-        "type": "link",
-        "path": path_of(tree, "links", name),
-        "name": name,
-        "index": body,
-        "joint": bodies.joint_names[body - 1] if body else "",
-        "mass": float(bodies.masses[body]),
-        "com": bodies.coms[body].tolist(),
-        "inertia": ellipsoids.about_com[body].ravel().tolist(),
-        "is_consistent": is_at_rest or ellipsoids.is_consistent[body],
-        "anchor": _anchor(segments),
-        "ends": [segment.end.tolist() for segment in segments],
-    }
-
-
-def _joint(tree: str, bodies: Bodies, link: int, parent: int) -> Message:
-    name = bodies.joint_names[link - 1]
-    return {
-        "type": "joint",
-        "path": path_of(tree, "joints", name),
-        "name": name,
-        "index": link,
-        "kind": bodies.joint_kinds[link - 1],
-        "predecessor": _names(bodies)[parent],
-        "successor": _names(bodies)[link],
-        "placement": column_major(homogeneous(bodies.p_R_j[link - 1], bodies.p_r_j[link - 1])),
-    }
-
-
-def _frame(tree: str, frame: Frame, link: str) -> Message:
-    return {
-        "type": "frame",
-        "path": path_of(tree, "frames", frame.name),
-        "name": frame.name,
-        "link": link,
-        "placement": column_major(homogeneous(frame.body_R_frame, frame.body_r_frame)),
-    }
+def _frames(tree: str, bodies: Bodies, names: tuple[str, ...]) -> Iterator[Message]:
+    if not bodies.frames:
+        return
+    R = np.stack([frame.body_R_frame for frame in bodies.frames])
+    r = np.stack([frame.body_r_frame for frame in bodies.frames])
+    placements = column_major(homogeneous(R, r))
+    for frame, placement in zip(bodies.frames, placements, strict=True):
+        yield {
+            "type": "frame",
+            "path": path_of(tree, "frames", frame.name),
+            "name": frame.name,
+            "link": names[frame.body],
+            "placement": placement,
+        }
 
 
 def _names(bodies: Bodies) -> tuple[str, ...]:
     return (bodies.base_name, *bodies.link_names)
 
 
-def _anchor(segments: tuple[Segment, ...]) -> list[float]:
-    """Return where a link's name stands, in its frame: half way along its segments."""
-    if not segments:
-        return [0.0, 0.0, 0.0]
-    anchor: list[float] = (0.5 * np.mean([segment.end for segment in segments], axis=0)).tolist()
-    return anchor
+def _shape(segments: tuple[Segment, ...]) -> dict[str, object]:
+    """Return where a link reaches to, and where its name stands: half way along its segments."""
+    ends = [segment.end for segment in segments]
+    share = 0.5 / len(ends) if ends else 0.0
+    anchor = [share * sum(end[axis] for end in ends) for axis in range(3)]
+    return {"anchor": anchor, "ends": ends}

@@ -2,12 +2,12 @@
 
 import math
 from dataclasses import dataclass
-from typing import NamedTuple
+from statistics import median
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
 from kindsl.dynamics.bodies import Bodies
-from kindsl.dynamics.forward_kinematics import body_poses
 from kindsl.spatial.arrays import Array
 
 # A body's radius is a share of the median segment, within shares of the whole robot.
@@ -19,11 +19,19 @@ STEP = 1.1
 NEGLIGIBLE = 1e-9
 
 
+Point: TypeAlias = tuple[float, float, float]
+
+
 class Segment(NamedTuple):
-    """A straight piece of a body, from its frame's origin to `end` (3,) in its frame, metres."""
+    """A straight piece of a body, from its frame's origin to `end` in its frame, metres."""
 
     name: str
-    end: Array
+    end: Point
+
+    @property
+    def length(self) -> float:
+        """Metres."""
+        return math.hypot(*self.end)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -60,37 +68,38 @@ def extent(bodies: Bodies) -> Extent:
 def _segments(bodies: Bodies) -> tuple[tuple[Segment, ...], ...]:
     """Return each body's pieces: to its joints, else to its frames, else through its CoM."""
     ends: list[list[Segment]] = [[] for _ in range(bodies.n_links + 1)]
+    places = bodies.p_r_j.tolist()
     for link, parent in bodies.links():
-        ends[parent].append(Segment(bodies.joint_names[link - 1], bodies.p_r_j[link - 1]))
-    leaves = [body for body, own in enumerate(ends) if not own]
+        ends[parent].append(Segment(bodies.joint_names[link - 1], tuple(places[link - 1])))
+    is_leaf = [not own for own in ends]
     for frame in bodies.frames:
-        if frame.body in leaves:
-            ends[frame.body].append(Segment(frame.name, frame.body_r_frame))
-    for body in leaves:
-        if not _lengths(ends[body]):
-            ends[body].append(Segment("com", 2.0 * bodies.coms[body]))
-    return tuple(
-        tuple(segment for segment in own if np.linalg.norm(segment.end) > NEGLIGIBLE)
-        for own in ends
-    )
-
-
-def _lengths(segments: list[Segment] | tuple[Segment, ...]) -> list[float]:
-    lengths = (float(np.linalg.norm(segment.end)) for segment in segments)
-    return [length for length in lengths if length > NEGLIGIBLE]
+        if is_leaf[frame.body]:
+            ends[frame.body].append(Segment(frame.name, tuple(frame.body_r_frame.tolist())))
+    drawn = [tuple(piece for piece in own if piece.length > NEGLIGIBLE) for own in ends]
+    for body, is_bare in enumerate(is_leaf):
+        through = Segment("com", tuple((2.0 * bodies.coms[body]).tolist()))
+        if is_bare and not drawn[body] and through.length > NEGLIGIBLE:
+            drawn[body] = (through,)
+    return tuple(drawn)
 
 
 def _points(bodies: Bodies, segments: tuple[tuple[Segment, ...], ...]) -> Array:
-    points = [np.zeros(3)]
-    for pose, own in zip(body_poses(bodies, np.zeros(bodies.n_links)), segments, strict=True):
-        points.append(pose[:3, 3])
-        points.extend(pose[:3, :3] @ segment.end + pose[:3, 3] for segment in own)
-    return np.array(points)
+    """Return where bodies begin and end at the zero configuration, in the base's frame."""
+    R, r = [np.eye(3)], [np.zeros(3)]
+    for link, parent in bodies.links():
+        R.append(R[parent] @ bodies.p_R_j[link - 1])
+        r.append(R[parent] @ bodies.p_r_j[link - 1] + r[parent])
+    owners = [body for body, own in enumerate(segments) for _ in own]
+    if not owners:
+        return np.stack(r)
+    ends = np.array([piece.end for own in segments for piece in own])
+    rotated = np.einsum("kij,kj->ki", np.stack(R)[owners], ends)
+    return np.concatenate((np.stack(r), rotated + np.stack(r)[owners]))
 
 
 def _radius(segments: tuple[tuple[Segment, ...], ...], size: float) -> float:
-    lengths = [length for own in segments for length in _lengths(own)]
-    typical = float(np.median(lengths)) if lengths else size
+    lengths = [piece.length for own in segments for piece in own]
+    typical = median(lengths) if lengths else size
     wanted = RADIUS_PER_SEGMENT * typical
     radius = min(max(wanted, LEAST_RADIUS * size), LARGEST_RADIUS * size)
     return float(STEP ** round(math.log(radius, STEP)))

@@ -6,6 +6,7 @@ scene that they speak of: `/kindsl/TREE/GROUP/NAME/CATEGORY/MARK`.
 """
 
 from collections.abc import Iterable, Mapping
+from functools import lru_cache
 from typing import Any, NamedTuple, TypeAlias
 from urllib.parse import quote
 
@@ -28,6 +29,7 @@ class Key(NamedTuple):
 Messages: TypeAlias = dict[Key, Message]
 
 
+@lru_cache(maxsize=1 << 15)
 def path_of(*elements: str) -> str:
     """Return the path of named elements; a name can hold any character."""
     return "/".join((ROOT, *(quote(element, safe="") for element in elements)))
