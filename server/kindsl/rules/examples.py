@@ -20,7 +20,7 @@ def link(name: str, link_id: int, children: str = "", inertia: str = STEEL_BALL)
     return f"link {name} {{\n    id = {link_id}\n    {inertia}\n    children {{ {children} }}\n}}\n"
 
 
-def joint(name: str, height: float = 0.3, rotation: str = "0.0, 0.0, 0.0") -> str:
+def joint(name: str, height: float = 0.3, rotation: str = "PI/2.0, 0.0, 0.0") -> str:
     """Return a revolute joint above its predecessor's origin."""
     return (
         f"r_joint {name} {{\n    ref_frame {{\n        translation = (0.0, 0.0, {height})\n"

@@ -1,6 +1,7 @@
 """New numbers in the hand of the author: his precision, his zeros."""
 
 from collections.abc import Sequence
+from math import floor, log10
 
 from kindsl.rules.base import Change
 from kindsl.semantics.expressions import Expression
@@ -54,7 +55,10 @@ def decimals(text: str) -> int:
 
 def plain(value: float, digits: int) -> str:
     """Return a value with significant digits and a decimal point, without exponent."""
-    text = f"{float(f'{value:.{digits - 1}e}'):.17f}".rstrip("0")
+    if not value:
+        return "0.0"
+    places = max(1, digits - 1 - floor(log10(abs(value))))
+    text = f"{value:.{places}f}".rstrip("0")
     return text + "0" if text.endswith(".") else text
 
 
