@@ -27,6 +27,7 @@ from kindsl.rules.plausible_bodies import (
 )
 from kindsl.semantics.declarations import MOMENTS, Declarations, Inertia, Link
 from kindsl.semantics.expressions import Expression, half_unit
+from kindsl.semantics.lowering import declarations
 from kindsl.semantics.places import Place
 from kindsl.semantics.rigid_body import (
     Eigenpair,
@@ -105,6 +106,12 @@ def judgements(declared: Declarations, context: Context) -> Sequence[Judgement]:
     is_literal = all(is_plain(link.inertia) for link in moving if link.inertia is not None)
     facts[_KEY] = None if is_literal else context, judged
     return judged
+
+
+def is_impossible(link: Link, context: Context) -> bool:
+    """Return whether the inertia of a link is reported as that of no body."""
+    found = judgements(declarations(link.island), context)
+    return any(judgement.link is link and judgement.is_impossible for judgement in found)
 
 
 def is_moving(body: Link) -> bool:

@@ -1,0 +1,45 @@
+"""The links are not written in the order of their numbers.
+
+## What it does
+Says where a link follows one with a greater number.
+
+## Why is this bad?
+Everything that is generated goes by the numbers. A reader who looks for the fourth joint variable
+looks for the fourth link.
+
+## Example
+```kindsl
+link lower { id = 2 children {} }
+link upper { id = 1 children { lower via elbow } }
+```
+"""
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+from kindsl.rules.base import Finding, Related, Rule, Severity
+from kindsl.rules.context import Context
+from kindsl.rules.examples import link, robot
+from kindsl.semantics.model import Model
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield a finding at the first link that is out of order."""
+    for before, body in pairwise(model.links):
+        if before.id is not None and body.id is not None and body.id < before.id:
+            message = f"link '{body.name}' with id {body.id} comes behind '{before.name}' with id"
+            related = Related(before.name, f"id {before.id}")
+            yield Finding(body.name, f"{message} {before.id}", (related,))
+            return
+
+
+_UPPER, _LOWER = link("upper", 1, "lower via elbow"), link("lower", 2)
+
+RULE = Rule(
+    "KD701",
+    "unordered-links",
+    Severity.INFORMATION,
+    check_document=check_document,
+    good=(robot(_UPPER, _LOWER, base="upper via shoulder", joints="shoulder elbow"),),
+    bad=(robot(_LOWER, _UPPER, base="upper via shoulder", joints="shoulder elbow"),),
+)

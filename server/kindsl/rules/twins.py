@@ -1,0 +1,33 @@
+"""Links that are the same part on another side, told by their names."""
+
+import re
+
+_PART = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")
+_SIDES = {
+    "l": "r", "lf": "rf", "lh": "rh", "lr": "rr", "lb": "rb", "lm": "rm",
+    "fl": "fr", "hl": "hr", "rl": "rr", "bl": "br", "ml": "mr", "left": "right",
+}  # fmt: skip
+_EITHER = frozenset(_SIDES) | frozenset(_SIDES.values())
+_ENDS = frozenset(("front", "hind", "rear", "back", "middle", "mid", "fore"))
+
+
+def part_name(name: str) -> str:
+    """Return a name without sides and numbers: `LF_upper_leg2` and `rightUpperLeg` are one part."""
+    parts = [part.lower() for part in _PART.findall(name)]
+    return " ".join(part for part in parts if part not in _EITHER and part not in _ENDS)
+
+
+def mirrored_name(name: str) -> str | None:
+    """Return the name of the right twin of a left part, None for any other name.
+
+    Only a whole word of the name can tell the side: `LF_hip`, `left_arm`, `armLeft`, `wheel_l`.
+    """
+    for match in _PART.finditer(name):
+        other = _SIDES.get(match[0].lower())
+        if other is not None:
+            if match[0].isupper():
+                other = other.upper()
+            elif match[0][0].isupper():
+                other = other.capitalize()
+            return name[: match.start()] + other + name[match.end() :]
+    return None
