@@ -2,23 +2,27 @@
 
 from collections.abc import Iterator
 
-INERTIA = (
-    "inertia_params { mass = 1.0 CoM = (0.0, 0.0, 0.0)"
-    " Ix = 1.0 Iy = 1.0 Iz = 1.0 Ixy = 0.0 Ixz = 0.0 Iyz = 0.0 }"
-)
 POSE = "translation = (0.0, 0.0, 0.5) rotation = (0.0, 0.0, 0.0)"
 
 
 def arm(*, reach: str = "0.5", mass: str = "2.0", floating: bool = False) -> str:
     """Return an arm of two links, its values open to mistakes."""
-    inertia = INERTIA.replace("mass = 1.0", f"mass = {mass}")
+    inertia = _inertia(mass, "0.0101", "0.0122", "0.0041")
     return "\n".join(_arm_lines(reach, inertia, " floating" if floating else ""))
+
+
+def _inertia(mass: str, *moments: str) -> str:
+    ix, iy, iz = moments
+    return (
+        f"inertia_params {{ mass = {mass} CoM = (0.0, 0.0, 0.0)"
+        f" Ix = {ix} Iy = {iy} Iz = {iz} Ixy = 0.0 Ixz = 0.0 Iyz = 0.0 }}"
+    )
 
 
 def _arm_lines(reach: str, inertia: str, floating: str) -> Iterator[str]:
     yield "Robot arm {"
     yield f"RobotBase base{floating} {{"
-    yield f"    {INERTIA}"
+    yield f"    {_inertia('1.0', '0.0021', '0.0019', '0.0016')}"
     yield "    children { upper via shoulder }"
     yield "}"
     yield "link upper {"
@@ -28,7 +32,7 @@ def _arm_lines(reach: str, inertia: str, floating: str) -> Iterator[str]:
     yield "}"
     yield "link lower {"
     yield "    id = 2"
-    yield f"    {INERTIA}"
+    yield f"    {_inertia('1.0', '0.0017', '0.0020', '0.0014')}"
     yield "    children {}"
     yield f"    frames {{ tip {{ {POSE} }} }}"
     yield "}"

@@ -12,8 +12,10 @@ from kindsl.cli.summary import counted
 from kindsl.cli.walking import documents
 from kindsl.cli.writing import write_text
 from kindsl.formatting.format import FormattingRefusedError, format_document
-from kindsl.syntax.document import parse
+from kindsl.rules.syntax_findings import all_problems
+from kindsl.syntax.document import SyntaxDocument, parse
 from kindsl.text.edits import apply_edits
+from kindsl.text.lines import LineIndex
 
 OK = 0
 WOULD_CHANGE = 1
@@ -70,12 +72,24 @@ def _formatted(path: str | Failure, stdin_name: str) -> Formatted | Failure:
     text = read_source(path, shown)
     if isinstance(text, Failure):
         return text
+    if not is_decodable(text):
+        return Failure(shown, "is not UTF-8, not formatted")
+    document = parse(text)
     try:
-        if not is_decodable(text):
-            return Failure(shown, "is not UTF-8, not formatted")
-        return Formatted(path, shown, text, apply_edits(text, format_document(parse(text))))
+        return Formatted(path, shown, text, apply_edits(text, format_document(document)))
     except FormattingRefusedError as error:
-        return Failure(shown, f"not formatted: {error}")
+        return Failure(shown, f"not formatted: {error}", *_first_problem(document))
+
+
+def _first_problem(document: SyntaxDocument) -> tuple[int, int]:
+    """Return line and column of the first error of syntax."""
+    starts = {id(i): start for i, start in zip(document.islands, document.starts, strict=True)}
+    first = min(
+        (starts[id(island)] + problem.start for island, problem in all_problems(document)),
+        default=0,
+    )
+    line, column = LineIndex(document.text).position(first)
+    return line + 1, column + 1
 
 
 def _write_all(whole: list[Formatted]) -> list[Failure]:

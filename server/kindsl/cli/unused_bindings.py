@@ -10,12 +10,13 @@ from kindsl.cli.sources import read_source
 from kindsl.cli.walking import documents_below
 from kindsl.config.configuration import Configuration
 from kindsl.config.patterns import is_match
-from kindsl.rules.base import Rule, Severity
+from kindsl.config.toml_places import KeyPath
+from kindsl.rules.base import Severity
 from kindsl.rules.diagnostics import Diagnostic
-from kindsl.rules.registry import rule_named
+from kindsl.rules.kd404_unused_binding import RULE
+from kindsl.rules.kd404_unused_binding import unused_bindings as vain_bindings
 from kindsl.rules.settings import is_enabled, severity_of
 
-CODE = "KD404"
 _WORD = re.compile(r"\w+")
 
 
@@ -29,19 +30,17 @@ def unused_bindings(
         configurations: The configuration that held for each of them, by the path shown.
         choices: What the command line decided.
     """
-    rule = rule_named(CODE)
-    if rule is None:
-        return []
     used = {file.path: file.parameters for file in files}
     found = []
     for path, configuration in sorted({c.path: c for c in configurations.values()}.items()):
         settings = choices.settings_for(path)
-        if not is_enabled(rule, settings):
+        if not is_enabled(RULE, settings):
             continue
         own = {p: names for p, names in used.items() if configurations.get(p) is configuration}
+        severity = severity_of(RULE, None, settings)
         findings = [
-            _finding(rule, configuration, keys, severity_of(rule, None, settings))
-            for keys in _unused_keys(configuration, own)
+            _finding(severity, configuration.places.get(keys, (0, 0)), message)
+            for keys, message in _messages(configuration, own)
         ]
         if findings:
             findings.sort(key=lambda finding: finding.start)
@@ -49,10 +48,22 @@ def unused_bindings(
     return found
 
 
+def _messages(
+    configuration: Configuration, used: Mapping[str, frozenset[str]]
+) -> Iterator[tuple[KeyPath, str]]:
+    """Yield the keys of unused bindings with what to say of them."""
+    known = sorted(frozenset().union(*used.values()))
+    for pattern, keys in _unused_keys(configuration, used):
+        name = str(keys[-1])
+        told = {unused.name: unused.message for unused in vain_bindings([name], known)}
+        where = "" if pattern is None else f" that '{pattern}' names"
+        yield keys, told.get(name, f"no document{where} has a parameter '{name}'")
+
+
 def _unused_keys(
     configuration: Configuration, used: Mapping[str, frozenset[str]]
-) -> list[tuple[str | int, ...]]:
-    """Return the keys of bindings that neither linted documents use nor others mention."""
+) -> list[tuple[str | None, KeyPath]]:
+    """Return pattern and keys of bindings that neither linted documents use nor others mention."""
     unused = [
         (pattern, keys)
         for pattern, keys in _bound_keys(configuration)
@@ -65,7 +76,7 @@ def _unused_keys(
         return []
     words = dict(_words_of_others(configuration, used))
     return [
-        keys
+        (pattern, keys)
         for pattern, keys in unused
         if not any(
             keys[-1] in found and _holds(configuration, pattern, path)
@@ -74,9 +85,7 @@ def _unused_keys(
     ]
 
 
-def _bound_keys(
-    configuration: Configuration,
-) -> Iterator[tuple[str | None, tuple[str | int, ...]]]:
+def _bound_keys(configuration: Configuration) -> Iterator[tuple[str | None, KeyPath]]:
     """Yield the pattern of documents that a binding is for, None for all, and its keys."""
     for name in configuration.common.bindings:
         yield None, (*configuration.root, "parameters", name)
@@ -102,9 +111,5 @@ def _words_of_others(
             yield path, set(_WORD.findall(text))
 
 
-def _finding(
-    rule: Rule, configuration: Configuration, keys: tuple[str | int, ...], severity: Severity
-) -> Diagnostic:
-    start, end = configuration.places.get(keys, (0, 0))
-    message = f"no document uses the parameter '{keys[-1]}' that is bound here"
-    return Diagnostic(rule.code, rule.name, severity, message, start, end)
+def _finding(severity: Severity, span: tuple[int, int], message: str) -> Diagnostic:
+    return Diagnostic(RULE.code, RULE.name, severity, message, *span)

@@ -1,0 +1,106 @@
+"""How kindsl.toml and the command line decide together, and what is unused in the first."""
+
+import json
+from pathlib import Path
+
+from tests.cli.conftest import Runner
+from tests.cli.samples import GOOD, INTEGER, UNBOUND, arm
+
+
+def test_configuration_above_the_document_holds(kdsl_lint: Runner, folder: Path) -> None:
+    (folder / "sub").mkdir()
+    (folder / "sub" / "a.kindsl").write_text(UNBOUND)
+    assert "KD401" in kdsl_lint().out
+    (folder / "kindsl.toml").write_text("[parameters]\nlength = 0.5\n")
+    assert kdsl_lint().out == ""
+    assert "KD401" in kdsl_lint("--isolated").out
+    (folder / "other.toml").write_text('[severity]\nKD401 = "error"\n')
+    told = kdsl_lint("--config", "other.toml")
+    assert "error[KD401]" in told.out
+    assert told.status == 1
+
+
+def test_command_line_wins(kdsl_lint: Runner, folder: Path) -> None:
+    (folder / "a.kindsl").write_text(UNBOUND)
+    (folder / "kindsl.toml").write_text('ignore = ["KD4"]\n')
+    assert kdsl_lint().out == ""
+    assert "KD401" in kdsl_lint("--select", "KD4").out
+    assert kdsl_lint("--ignore", "KD1").out == ""
+
+
+def test_command_line_binds_over_configuration(kindsl: Runner, folder: Path) -> None:
+    (folder / "a.kindsl").write_text(UNBOUND)
+    (folder / "kindsl.toml").write_text("[parameters]\nlength = 0.5\n")
+    (folder / "values.toml").write_text("[parameters]\nlength = 0.6\n")
+    assert _value(kindsl("info", "a.kindsl", "--output-format", "json").out) == 0.5
+    both = ("a.kindsl", "--params", "values.toml", "--output-format", "json")
+    assert _value(kindsl("info", *both).out) == 0.6
+    assert _value(kindsl("info", *both, "--param", "length=0.7").out) == 0.7
+
+
+def _value(text: str) -> object:
+    return json.loads(text)["parameters"][0]["value"]
+
+
+def test_wrong_configuration_stops_only_its_documents(kdsl_lint: Runner, folder: Path) -> None:
+    for name in ("broken", "fine"):
+        (folder / name).mkdir()
+        (folder / name / "a.kindsl").write_text(INTEGER)
+        (folder / name / "b.kindsl").write_text(INTEGER)
+    (folder / "broken" / "kindsl.toml").write_text("\ntargets = []\n")
+    told = kdsl_lint()
+    assert told.err.startswith(
+        "broken/kindsl.toml:2:1: error: unknown key 'targets', did you mean 'target'?\n"
+    )
+    assert told.err.count("kindsl.toml") == 1
+    assert "broken/a.kindsl" not in told.out
+    assert told.out.startswith("fine/a.kindsl:21:32:")
+    assert told.status == 2
+
+
+def test_unused_binding_is_found_in_the_configuration(kdsl_lint: Runner, folder: Path) -> None:
+    (folder / "a.kindsl").write_text(UNBOUND)
+    (folder / "kindsl.toml").write_text("[parameters]\nlength = 0.5\n  lenght = 0.5\n")
+    told = kdsl_lint()
+    assert told.out.splitlines()[0].startswith("kindsl.toml:3:3: warning[KD404] ")
+    assert told.status == 0
+    assert kdsl_lint("--ignore", "KD404").out == ""
+    assert kdsl_lint("--max-warnings", 0).status == 1
+
+
+def test_what_other_documents_use_is_not_unused(kdsl_lint: Runner, folder: Path) -> None:
+    (folder / "good.kindsl").write_text(GOOD)
+    (folder / "sub").mkdir()
+    (folder / "sub" / "other.kindsl").write_text(UNBOUND)
+    (folder / "kindsl.toml").write_text("[parameters]\nlength = 0.5\n")
+    assert kdsl_lint("good.kindsl").out == ""
+
+
+def test_binding_for_some_documents_is_unused_by_the_others(
+    kdsl_lint: Runner, folder: Path
+) -> None:
+    (folder / "a.kindsl").write_text(UNBOUND)
+    (folder / "b.kindsl").write_text(arm())
+    table = '[[document]]\npath = "{}"\nparameters = {{ length = 0.5 }}\n'
+    (folder / "kindsl.toml").write_text(table.format("a.kindsl"))
+    assert kdsl_lint().out == ""
+    (folder / "kindsl.toml").write_text(table.format("b.kindsl"))
+    told = kdsl_lint("--select", "KD404")
+    assert told.out.startswith("kindsl.toml:3:16: warning[KD404] ")
+
+
+def test_binding_in_pyproject_is_told_there(kdsl_lint: Runner, folder: Path) -> None:
+    (folder / "a.kindsl").write_text(GOOD)
+    (folder / "pyproject.toml").write_text("[tool.kindsl.parameters]\nfree = 0.5\n")
+    (finding,) = json.loads(kdsl_lint("--output-format", "json").out)
+    assert finding["path"] == "pyproject.toml"
+    assert finding["start"] == {"line": 2, "column": 1, "offset": 25}
+    assert finding["end"]["column"] == 5
+
+
+def test_stdin_tells_nothing_of_other_files(kdsl_lint: Runner, folder: Path, monkeypatch) -> None:  # type: ignore[no-untyped-def]
+    from io import BytesIO, TextIOWrapper
+
+    (folder / "kindsl.toml").write_text("[parameters]\nfree = 0.5\n")
+    monkeypatch.setattr("sys.stdin", TextIOWrapper(BytesIO(GOOD.encode())))
+    assert kdsl_lint("-").out == ""

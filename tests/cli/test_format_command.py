@@ -1,0 +1,54 @@
+"""`kindsl format`."""
+
+from pathlib import Path
+
+import pytest
+from tests.cli.conftest import Runner
+from tests.cli.samples import GOOD, INTEGER
+
+
+def test_formats_in_place_once(kindsl: Runner, folder: Path) -> None:
+    (folder / "a.kindsl").write_text(GOOD)
+    assert kindsl("format", "a.kindsl", "--check").status == 1
+    assert (folder / "a.kindsl").read_text() == GOOD
+    told = kindsl("format", "a.kindsl")
+    assert (told.status, told.out) == (0, "")
+    assert "a.kindsl: formatted" in told.err
+    assert (folder / "a.kindsl").read_text() != GOOD
+    assert kindsl("format", "a.kindsl", "--check").status == 0
+    assert kindsl("format").err == "0 documents formatted, 1 as it should be\n"
+
+
+def test_diff_writes_nothing(kindsl: Runner, folder: Path) -> None:
+    (folder / "a.kindsl").write_text(GOOD)
+    told = kindsl("format", "--diff")
+    assert told.status == 1
+    assert told.out.startswith("--- a.kindsl\n+++ a.kindsl\n")
+    assert (folder / "a.kindsl").read_text() == GOOD
+
+
+def test_refuses_what_does_not_parse(kindsl: Runner, folder: Path) -> None:
+    (folder / "a.kindsl").write_text(INTEGER)
+    (folder / "b.kindsl").write_text(GOOD)
+    told = kindsl("format")
+    assert told.status == 2
+    assert told.err.startswith("a.kindsl:21:32: error: not formatted: ")
+    assert (folder / "a.kindsl").read_text() == INTEGER
+    assert (folder / "b.kindsl").read_text() != GOOD
+
+
+def test_stdin_to_stdout(kindsl: Runner, monkeypatch: pytest.MonkeyPatch, folder: Path) -> None:
+    from io import BytesIO, TextIOWrapper
+
+    (folder / "a.kindsl").write_text(GOOD)
+    kindsl("format", "a.kindsl")
+    monkeypatch.setattr("sys.stdin", TextIOWrapper(BytesIO(GOOD.encode())))
+    assert kindsl("format", "-").out == (folder / "a.kindsl").read_text()
+
+
+def test_strange_bytes_are_left_alone(kindsl: Runner, folder: Path) -> None:
+    content = GOOD.replace("Robot arm {", "Robot arm { // é").encode("latin-1")
+    (folder / "a.kindsl").write_bytes(content)
+    told = kindsl("format")
+    assert told.status == 2
+    assert (folder / "a.kindsl").read_bytes() == content

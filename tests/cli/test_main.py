@@ -1,0 +1,54 @@
+"""`kindsl`: which subcommand runs, and the help."""
+
+import re
+
+import pytest
+from tests.cli.conftest import Runner
+
+from kindsl.cli.main import COMMANDS, available, with_joined_negatives
+
+
+def test_help_lists_what_is_there(kindsl: Runner) -> None:
+    told = kindsl("--help")
+    assert told.status == 0
+    assert all(f"\n  {name} " in told.out for name in available())
+    assert set(available()) <= set(COMMANDS)
+
+
+def test_without_command_shows_help_as_an_error(kindsl: Runner) -> None:
+    told = kindsl()
+    assert (told.status, told.out) == (2, "")
+    assert told.err.startswith("usage: kindsl COMMAND")
+
+
+@pytest.mark.parametrize(
+    ("command", "told"),
+    [
+        ("lnit", "unknown command 'lnit', did you mean 'lint'?"),
+        ("xyz", "unknown command 'xyz'; 'kindsl --help' tells all"),
+        ("--lint", "unknown option '--lint'; 'kindsl --help' tells all"),
+    ],
+)
+def test_unknown_command(kindsl: Runner, command: str, told: str) -> None:
+    result = kindsl(command)
+    assert result.status == 2
+    assert result.err == f"kindsl: error: {told}\n"
+
+
+def test_version(kindsl: Runner, kdsl_lint: Runner) -> None:
+    assert re.fullmatch(r"kindsl \d+\.\d+\.\d+\S*\n", kindsl("--version").out)
+    assert re.fullmatch(r"kdsl-lint \d+\.\d+\.\d+\S*\n", kdsl_lint("--version").out)
+
+
+@pytest.mark.parametrize("command", sorted(available()))
+def test_every_command_has_help(kindsl: Runner, command: str) -> None:
+    told = kindsl(command, "--help")
+    assert told.status == 0
+    assert told.out.startswith(f"usage: kindsl {command} ")
+    assert max(map(len, told.out.splitlines())) <= 100
+
+
+def test_negative_numbers_are_values() -> None:
+    given = ["f", "--q", "-1,2", "--gravity", "-.5,0,0", "-q", "-3", "--qd=1", "-2", "--forward"]
+    joined = ["f", "--q=-1,2", "--gravity=-.5,0,0", "-q", "-3", "--qd=1", "-2", "--forward"]
+    assert with_joined_negatives(given) == joined

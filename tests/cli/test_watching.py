@@ -1,0 +1,44 @@
+"""`--watch`."""
+
+from pathlib import Path
+
+import pytest
+from tests.cli.samples import GOOD, INTEGER, UNBOUND
+
+from kindsl.cli import watching
+from kindsl.cli.choices import Choices
+from kindsl.cli.linting import Plan
+from kindsl.cli.outcome import Outcome
+from kindsl.config.discovery import Configurations
+
+
+def test_lints_again_when_something_changes(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Each pause changes a file; the last one is interrupted."""
+    document, configuration = folder / "a.kindsl", folder / "kindsl.toml"
+    document.write_text(GOOD)
+    steps = [
+        lambda: document.write_text(INTEGER),
+        lambda: None,
+        lambda: (folder / "b.kindsl").write_text(UNBOUND),
+        lambda: configuration.write_text("[parameters]\nlength = 1.0\n"),
+        document.unlink,
+    ]
+
+    def pause(_: float) -> None:
+        if not steps:
+            raise KeyboardInterrupt
+        steps.pop(0)()
+
+    found: list[list[str]] = []
+
+    def report(outcome: Outcome) -> int:
+        found.append([finding.code for file in outcome.files for finding in file.findings])
+        return len(found)
+
+    monkeypatch.setattr(watching.time, "sleep", pause)
+    plan = Plan(["."], Choices(configurations=Configurations()), is_quiet=True)
+    assert watching.watch(plan, report) == 5
+    assert found == [[], ["KD005"], ["KD005", "KD401"], ["KD005"], []]
+    assert capsys.readouterr().err.count("watching") == 5

@@ -1,0 +1,236 @@
+"""kindsl.toml: what it may say, and how it is told what is wrong."""
+
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kindsl.config.configuration import ConfigurationError
+from kindsl.config.discovery import Configurations, nearest_configuration
+from kindsl.config.reading import configuration_of, read_configuration, read_parameters
+from kindsl.config.toml_places import toml_places
+from kindsl.rules.base import Severity
+from kindsl.semantics.parameters import Binding
+
+EVERYTHING = """\
+target = ["robcogen"]
+ignore = ["kd7"]
+[severity]
+KD401 = "error"
+[parameters]
+ee_x = 0.5
+[parameters.l2]
+value = 0.35
+min = 0.2
+max = 0.5
+[[document]]
+path = "models/hyq.kindsl"
+parameters = { m_trunk = 55.4, ee_x = 1 }
+target = []
+"""
+
+
+def test_everything_is_read() -> None:
+    configuration = configuration_of("kindsl.toml", EVERYTHING)
+    settings = configuration.settings_for("other.kindsl")
+    assert settings.targets == {"robcogen"}
+    assert settings.ignore == ("KD7",)
+    assert settings.severity == {"KD401": Severity.ERROR}
+    assert settings.bindings == {
+        "ee_x": Binding(0.5, origin="kindsl.toml"),
+        "l2": Binding(0.35, 0.2, 0.5, "kindsl.toml"),
+    }
+
+
+def test_a_documents_own_table_wins() -> None:
+    settings = configuration_of("kindsl.toml", EVERYTHING).settings_for("models/hyq.kindsl")
+    assert settings.targets == frozenset()
+    assert settings.bindings["ee_x"].value == 1.0
+    assert settings.bindings["m_trunk"].value == 55.4
+    assert settings.bindings["l2"].maximum == 0.5
+
+
+@pytest.mark.parametrize(
+    ("pattern", "path", "is_meant"),
+    [
+        ("models/hyq.kindsl", "models/hyq.kindsl", True),
+        ("./models/hyq.kindsl", "models/hyq.kindsl", True),
+        ("models/hyq.kindsl", "other/models/hyq.kindsl", False),
+        ("hyq.kindsl", "models/old/hyq.kindsl", True),
+        ("models/*.kindsl", "models/hyq.kindsl", True),
+        ("models/*.kindsl", "models/old/hyq.kindsl", False),
+        ("models/**/*.kindsl", "models/old/hyq.kindsl", True),
+        ("hyq*", "hyq_v2.kindsl", True),
+    ],
+)
+def test_patterns(pattern: str, path: str, is_meant: bool) -> None:
+    text = f'[[document]]\npath = "{pattern}"\nparameters = {{ x = 1.0 }}\n'
+    settings = configuration_of("kindsl.toml", text).settings_for(path)
+    assert bool(settings.bindings) is is_meant
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("tarjet = []\n", ":1:1: error: unknown key 'tarjet', did you mean 'target'?"),
+        ("\nignore = 3\n", ":2:1: error: 'ignore' must be a list of strings, not a number"),
+        ('ignore = ["KD1", "X9"]\n', ":1:18: error: no rule has a code that begins with 'X9'"),
+        (
+            'target = ["robcogn"]\n',
+            ":1:1: error: unknown target 'robcogn', did you mean 'robcogen'?",
+        ),
+        (
+            '[severity]\nKD401 = "eror"\n',
+            ":2:1: error: unknown severity 'eror', did you mean 'error'?",
+        ),
+        ("[severity]\nKD401 = 1\n", ":2:1: error: 'severity.KD401' must be a string, not a number"),
+        ('[severity]\nXY = "error"\n', ":2:1: error: no rule has a code that begins with 'XY'"),
+        ("parameters = 1\n", ":1:1: error: 'parameters' must be a table, not a number"),
+        ('[parameters]\nx = "1"\n', ":2:1: error: 'parameters.x' must be a number, or a table"),
+        ("[parameters]\nx = true\n", ":2:1: error: 'parameters.x' must be a number, or a table"),
+        ("[parameters]\nx = inf\n", ":2:1: error: 'parameters.x' must be finite"),
+        ("[parameters.x]\nmin = 1\n", ":1:13: error: 'parameters.x' has no 'value'"),
+        (
+            "[parameters.x]\nvalue = 1\nmax = []\n",
+            ":3:1: error: 'parameters.x.max' must be a number",
+        ),
+        (
+            "[parameters.x]\nvalue = 1\nmix = 1\n",
+            ":3:1: error: unknown key 'mix' in 'parameters.x'",
+        ),
+        (
+            "[parameters.x]\nvalue = 1\nmin = 2\nmax = 1\n",
+            ":3:1: error: 'parameters.x.min' is greater than 'max'",
+        ),
+        ("[document]\n", ":1:2: error: 'document' must be written as [[document]], not a table"),
+        ("[[document]]\nignore = []\n", ":1:3: error: 'document[0]' has no 'path'"),
+        ("[[document]]\npath = 1\n", ":2:1: error: 'document[0].path' must be a string"),
+        (
+            '[[document]]\npath = "a"\n[[document]]\npath = "b"\nparam = {}\n',
+            ":5:1: error: unknown key 'param' in 'document[1]', did you mean 'parameters'?",
+        ),
+        (
+            '[[document]]\npath = "a"\nparameters = { x = 1.0, y = "2" }\n',
+            ":3:25: error: 'document[0].parameters.y' must be a number",
+        ),
+        ("target = [\n", ":2:1: error: not valid TOML: "),
+        ("x = = 1\n", ":1:5: error: not valid TOML: invalid value"),
+        ("1975-01-01 = 3\nx", ":2:2: error: not valid TOML: "),
+    ],
+)
+def test_what_is_wrong_is_told_with_its_place(text: str, told: str) -> None:
+    with pytest.raises(ConfigurationError) as caught:
+        configuration_of("sub/kindsl.toml", text)
+    assert str(caught.value).startswith("sub/kindsl.toml" + told)
+
+
+def test_all_mistakes_are_told_in_order() -> None:
+    with pytest.raises(ConfigurationError) as caught:
+        configuration_of("kindsl.toml", "a = 1\nignore = 2\n[severity]\nKD1 = 3\n")
+    assert [(p.place.line, p.key) for p in caught.value.problems] == [
+        (1, "a"), (2, "ignore"), (4, "severity.KD1"),
+    ]  # fmt: skip
+
+
+def test_table_of_pyproject(tmp_path: Path) -> None:
+    (tmp_path / "pyproject.toml").write_text('[tool.kindsl]\ntarget = "robcogen2"\nx = 1\n')
+    with pytest.raises(ConfigurationError) as caught:
+        read_configuration(str(tmp_path / "pyproject.toml"))
+    assert caught.value.problems[0].place[:2] == (3, 1)
+    (tmp_path / "pyproject.toml").write_text("[tool]\nkindsl = 3\n")
+    with pytest.raises(ConfigurationError, match=r"'tool\.kindsl' must be a table"):
+        read_configuration(str(tmp_path / "pyproject.toml"))
+
+
+def test_nearest_file_above_wins(tmp_path: Path) -> None:
+    deep = tmp_path / "a" / "b"
+    deep.mkdir(parents=True)
+    (tmp_path / "kindsl.toml").touch()
+    assert _nearest(deep) == tmp_path / "kindsl.toml"
+    (tmp_path / "a" / "pyproject.toml").write_text("[tool.ruff]\n# kindsl\n")
+    assert _nearest(deep) == tmp_path / "kindsl.toml"
+    (tmp_path / "a" / "pyproject.toml").write_text("[tool.kindsl]\n")
+    assert _nearest(deep) == tmp_path / "a" / "pyproject.toml"
+    (tmp_path / "a" / "kindsl.toml").touch()
+    assert _nearest(deep) == tmp_path / "a" / "kindsl.toml"
+
+
+def _nearest(folder: Path) -> Path:
+    found = nearest_configuration(str(folder))
+    assert found is not None
+    return Path(found).resolve()
+
+
+def test_a_wrong_file_is_told_for_each_document(tmp_path: Path) -> None:
+    (tmp_path / "kindsl.toml").write_text("oops = 1\n")
+    configurations = Configurations()
+    for name in ("a.kindsl", "b.kindsl"):
+        with pytest.raises(ConfigurationError, match="oops"):
+            configurations.above(str(tmp_path / name))
+
+
+@pytest.mark.parametrize("content", [b"x = 1\xff", b"\xff\xfex\x00"])
+def test_not_utf_8_is_told(tmp_path: Path, content: bytes) -> None:
+    (tmp_path / "kindsl.toml").write_bytes(content)
+    with pytest.raises(ConfigurationError, match="is not UTF-8"):
+        read_configuration(str(tmp_path / "kindsl.toml"))
+
+
+@pytest.mark.parametrize("text", ["x = 1\n", "[parameters]\nx = 1\n", "[x]\nvalue = 1\nmin = 0\n"])
+def test_files_of_parameters(tmp_path: Path, text: str) -> None:
+    (tmp_path / "values.toml").write_text(text)
+    assert read_parameters(str(tmp_path / "values.toml"))["x"].value == 1.0
+
+
+KEY = st.sampled_from(["a", "b-c", "1", '"q.r"', "'s t'", '"\\u00e9"'])
+VALUE = st.recursive(
+    st.sampled_from(
+        ["1", "-1.5e3", "true", "'lit # [x]'", '"b \\" ] ="', "1979-05-27T07:32:00Z",
+         '"""m\n = "x" \n"""', "'''\n[a]\n'''", "0x1F", "[]", "{}"]
+    ),
+    lambda inner: st.lists(inner, min_size=1, max_size=3).map(
+        lambda v: "[ # c\n" + ",\n".join(v) + ",]"
+    ) | st.dictionaries(KEY, inner.filter(lambda v: "\n" not in v), max_size=3).map(
+        lambda d: "{ " + ", ".join(f"{k} = {v}" for k, v in d.items()) + " }"
+    ),
+    max_leaves=5,
+)  # fmt: skip
+
+
+@st.composite
+def toml_texts(draw: st.DrawFn) -> str:
+    lines = []
+    for number in range(draw(st.integers(0, 3))):
+        header = draw(st.sampled_from(["", f"[t{number}]", f"[t{number}.x]", "[[l]]", "[[l.m]]"]))
+        lines.append(header)
+        for key, value in draw(st.dictionaries(KEY, VALUE, max_size=3)).items():
+            lines.append(f"{key} = {value} # c")
+    return draw(st.sampled_from(["\n", "\r\n"])).join(lines)
+
+
+@given(toml_texts())
+def test_each_key_has_a_place_where_it_stands(text: str) -> None:
+    try:
+        table = tomllib.loads(text)
+    except tomllib.TOMLDecodeError:
+        return
+    places = toml_places(text)
+    for path in _paths(table, ()):
+        start, end = places[path]
+        if isinstance(path[-1], str):
+            written = text[start:end]
+            assert tomllib.loads(f"{written} = 1") == {path[-1]: 1}
+
+
+def _paths(value: Any, path: tuple[str | int, ...]) -> list[tuple[str | int, ...]]:
+    if isinstance(value, dict):
+        items: list[tuple[str | int, Any]] = list(value.items())
+    elif isinstance(value, list):
+        items = list(enumerate(value))
+    else:
+        return []
+    below = [found for key, inner in items for found in _paths(inner, (*path, key))]
+    return [*((*path, key) for key, _ in items), *below]
