@@ -64,11 +64,13 @@ def _before(island: Island, offset: int) -> list[Token]:
 def _read(tokens: Sequence[Token]) -> tuple[Stack | None, str]:
     """Return the stack behind tokens and the construct it belongs to, None behind a whole block.
 
-    Tokens that do not fit are passed over.
+    Tokens that do not fit are passed over, and supplied ones that are not needed.
     """
     stack: Stack | None = None
     block = ""
-    for token in tokens:
+    for index, token in enumerate(tokens):
+        if token.is_missing and _fits(stack, tokens[index:]):
+            continue
         after = step(stack, token.kind) if stack is not None else None
         is_between = stack is None or is_complete(stack, block)
         if after is None and is_between and token.kind in BLOCK_STARTS:
@@ -78,6 +80,12 @@ def _read(tokens: Sequence[Token]) -> tuple[Stack | None, str]:
     if stack is not None and is_complete(stack, block):
         return None, block
     return stack, block
+
+
+def _fits(stack: Stack | None, tokens: Sequence[Token]) -> bool:
+    """Return whether the first written token fits."""
+    written = next((token for token in tokens if not token.is_missing), None)
+    return stack is not None and written is not None and step(stack, written.kind) is not None
 
 
 def _constructs(stack: Stack) -> tuple[str, ...]:

@@ -116,7 +116,7 @@ def _put_vector(
     """Add the tokens of a vector, of three components where their number is plain."""
     first = tokens[0]
     if first.kind in _KEYWORD_KINDS or first.kind == "}":
-        if first.kind == "}" or following == "=":
+        if following == "=" or (first.kind == "}" and following not in _NUMBERS):
             message = "expected a vector '(x, y, z)' after '='"
             result.problems.append(Problem("KD001", message, equals.end, equals.end))
             result.tokens.extend(supplied(kind, equals.end) for kind in _EMPTY_VECTOR)

@@ -93,7 +93,7 @@ def tables(grammar: str) -> str:
 
 def _token_kinds(lark: Any, grammar: str) -> dict[str, str]:
     """Return the token kind of each terminal: its name, or its text where it has no own name."""
-    named = set(re.findall(r"^([A-Z_]+):", grammar, re.M))
+    named = set(re.findall(r"^([A-Z_]+)(?:\.\d+)?:", grammar, re.M))
     return {
         terminal.name: terminal.name if terminal.name in named else terminal.pattern.value
         for terminal in lark.terminals

@@ -51,7 +51,10 @@ def preferences(
         return cost + 0.3
 
     def deletion(place: int) -> float:
-        return 0.5 if words.get(tokens[place].text) == 1 else 0.0
+        token = tokens[place]
+        if place > 0 and token.text == tokens[place - 1].text and token.kind not in "{}":
+            return -0.3
+        return 0.5 if words.get(token.text) == 1 else 0.0
 
     return Preferences(insertion, replacement, deletion)
 

@@ -1,0 +1,141 @@
+"""What is said about a mistake, and that the repair mends it."""
+
+import pytest
+from tests.support.mutants import messages
+from tests.support.syntax_checks import repaired
+
+from kindsl.syntax.document import parse
+
+MODEL = """\
+Robot arm {
+RobotBase base {
+    inertia_params { mass = 1.0 CoM = (0.0, 0.0, 0.1) Ix=0.2 Iy=0.2 Iz=0.1 Ixy=0.0 Ixz=0.0 Iyz=0.0 }
+    children { upper via shoulder }
+}
+link upper {
+    id = 1
+    inertia_params { mass = 2.0 CoM = (0.0, 0.0, 0.2) Ix=0.3 Iy=0.3 Iz=0.1 Ixy=0.0 Ixz=0.0 Iyz=0.0 }
+    children { }
+    frames {
+        tip {
+            translation = (0.0, 0.0, 0.3)
+            rotation = (PI/2.0, 0.0, 0.0)
+        }
+    }
+}
+r_joint shoulder {
+    ref_frame {
+        translation = (0.0, 0.1, 0.3)
+        rotation = (0.0, 0.0, 0.0)
+    }
+}
+}
+"""
+
+MENDED = [
+    ("(0.0, 0.1, 0.3)", "(0.0, 1, 0.3)", "KD005", "number '1' has no decimal point"),
+    ("(0.0, 0.1, 0.3)", "(0.0, 1/3, 0.3)", "KD005", "number '1' has no decimal point"),
+    ("(0.0, 0.1, 0.3)", "(0,0, 0.1, 0.3)", "KD005", "'0,0' is not a number"),
+    ("mass = 2.0", "mass = 2,5", "KD005", "'2,5' is not a number"),
+    ("mass = 2.0", "mass = 1_000.0", "KD005", "'1_000.0' is not a number"),
+    ("mass = 2.0", "mass = 0x10", "KD005", "'0x10' is not a number"),
+    ("mass = 2.0", "mass = 1.5+0.5", "KD006", "sum '1.5+0.5' where the language has no sums"),
+    ("mass = 2.0", "mass = (2.0)", "KD006", "parentheses in '(2.0)' where the language has none"),
+    (
+        "(PI/2.0,",
+        "(3.0*PI/4.0,",
+        "KD006",
+        "expression '3.0*PI/4.0' is of a form that no generator takes",
+    ),
+    ("(0.0, 0.1, 0.3)", "[0.0, 0.1, 0.3]", "KD001", "vector stands in '[]' instead of '()'"),
+    ("(0.0, 0.1, 0.3)", "0.0, 0.1, 0.3", "KD001", "vector stands without '()'"),
+    ("(0.0, 0.1, 0.3)", "(0.0, 0.1, 0.3, 1.0)", "KD001", "vector has 4 components instead of 3"),
+    ("(0.0, 0.1, 0.3)", "(0.0 0.1, 0.3)", "KD001", "expected ',' after '0.0'"),
+    ("(0.0, 0.1, 0.3)", "(0.0, 0.1, 0.3", "KD001", "expected ')' after '0.3'"),
+    ("id = 1", "id 1", "KD001", "expected '=' after 'id'"),
+    ("id = 1", "id = 1;", "KD001", "unexpected ';'"),
+    ("link upper {", "link upper", "KD001", "expected '{' after 'upper'"),
+    ("link upper {", "upper {", "KD001", "expected 'link' before 'upper'"),
+    ("link upper {", "Link upper {", "KD010", "unknown keyword 'Link', did you mean 'link'"),
+    (
+        "r_joint shoulder {",
+        "joint shoulder {",
+        "KD010",
+        "unknown keyword 'joint', did you mean 'r_joint' or 'p_joint'",
+    ),
+    (
+        "r_joint shoulder {",
+        "link shoulder {",
+        "KD001",
+        "expected 'r_joint' or 'p_joint' instead of 'link'",
+    ),
+    ("children { }", "chidren { }", "KD010", "unknown keyword 'chidren', did you mean 'children'"),
+    ("frames {", "{", "KD001", "expected 'frames' after '}'"),
+    ("        }\n    }\n}\nr_joint", "        }\n}\nr_joint", "KD002", "expected '}' to close 'frames'"),
+    ("    }\n}\n}\n", "    }\n}\n", "KD002", "expected '}' to close robot 'arm'"),
+    ("link upper {", "link upper {\u00a0", "KD004", "invalid character no-break space (U+00A0)"),
+    ("Robot arm", "\ufeffRobot arm", "KD004", "invalid character byte order mark (U+FEFF)"),
+    ("link upper", "# the upper arm\nlink upper", "KD001", "'#' does not begin a comment"),
+    ("    id = 1\n", "    id = 1 /* why\n", "KD003", "comment is not closed by '*/'"),
+    ("mass = 2.0 CoM = (0.0, 0.0, 0.2)", "CoM = (0.0, 0.0, 0.2) mass = 2.0", "KD007", "'mass' stands after 'CoM'"),
+    ("Ix=0.3 Iy=0.3 Iz=0.1", "Ix=0.3 Ix=0.3 Iz=0.1", "KD009", "'inertia_params' has two 'Ix' and no 'Iy'"),
+    ("id = 1", "id = 1 id = 1", "KD009", "link 'upper' has a second 'id'"),
+    ("link upper {", "}\nlink upper {", "KD001", "unexpected '}'"),
+]  # fmt: skip
+
+TOLD = [
+    ("id = 1\n", "\n", "KD008", "link 'upper' has no 'id'"),
+    ("id = 1", "id = 0", "KD005", "id '0' is not a natural number"),
+    ("id = 1", "id = 1.0", "KD005", "id '1.0' is not a natural number"),
+    ("id = 1", "id = 3000000000", "KD005", "id '3000000000' is larger than 2147483647"),
+    ("Ixy=0.0", "", "KD008", "'inertia_params' has no 'Ixy'"),
+    ("children { }", "", "KD008", "link 'upper' has no 'children'"),
+    ("children { upper via shoulder }", "children { upper via }", "KD001", "expected a name after 'via'"),
+    ("mass = 2.0", "mass = ", "KD001", "expected a number after '='"),
+    ("(0.0, 0.1, 0.3)", "(0.0, 0.1)", "KD001", "vector has 2 components instead of 3"),
+    ("(0.0, 0.1, 0.3)", "", "KD001", "expected a vector '(x, y, z)' after '='"),
+    ("link upper", "link up-per", "KD001", "'up-per' is not a name"),
+    ("link upper", "link 1upper", "KD001", "'1upper' is not a name"),
+    ("Robot arm {\n", "", "KD008", "robot's opening 'Robot NAME {' lacks before base 'base'"),
+    ("link upper {", "link {", "KD001", "expected a name after 'link'"),
+    ("    }\n}\n}\n", "    }\n}\n}\nstray\n", "KD001", "unexpected 'stray'"),
+]  # fmt: skip
+
+
+def changed(old: str, new: str) -> str:
+    assert old in MODEL
+    return MODEL.replace(old, new, 1)
+
+
+def test_the_model_is_correct() -> None:
+    assert messages(parse(MODEL)) == []
+
+
+@pytest.mark.parametrize(("old", "new", "code", "message"), [*MENDED, *TOLD])
+def test_one_mistake_is_told_once(old: str, new: str, code: str, message: str) -> None:
+    assert [entry[1:] for entry in messages(parse(changed(old, new)))] == [(code, message)]
+
+
+@pytest.mark.parametrize(("old", "new"), [case[:2] for case in MENDED])
+def test_the_repair_mends_it(old: str, new: str) -> None:
+    assert messages(parse(repaired(parse(changed(old, new))))) == []
+
+
+def test_blocks_out_of_order_are_moved() -> None:
+    start, end = MODEL.index("link upper"), MODEL.index("r_joint")
+    text = MODEL[:start] + MODEL[end:-2] + MODEL[start:end] + "}\n"
+    document = parse(text)
+    message = "joint 'shoulder' stands before link 'upper'"
+    assert [entry[1:] for entry in messages(document)] == [("KD007", message)]
+    assert messages(parse(repaired(document))) == []
+
+
+@pytest.mark.parametrize("text", ["", "// nothing\n", "  \n"])
+def test_an_empty_document(text: str) -> None:
+    assert messages(parse(text)) == [(0, "KD008", "document has no robot")]
+
+
+def test_a_second_robot() -> None:
+    second = MODEL.replace("arm", "leg")
+    told = messages(parse(MODEL + second))
+    assert told == [(len(MODEL), "KD009", "second robot 'leg' in one document")]
