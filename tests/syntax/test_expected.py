@@ -25,17 +25,25 @@ def at_mark(text: str) -> Expected:
         ("link l { |", ("link",), {"id", "INERTIA", "children", "frames", "}"}),
         ("link l { id = |", ("link", "id"), {"INT"}),
         ("link l { id = 1 ch|", ("link",), {"id", "INERTIA", "children", "frames", "}"}),
-        ("link l { inertia_params { m|", ("link", "inertia"), {"mass", "CoM", "MOMENT", "ref_frame", "}"}),
+        (
+            "link l { inertia_params { m|",
+            ("link", "inertia"),
+            {"mass", "CoM", "MOMENT", "ref_frame", "}"},
+        ),
         ("link l { children { |", ("link", "children"), {"NAME", "LOWER_PI", "}"}),
         ("link l { children { a |", ("link", "children", "child"), {"via"}),
         ("link l { children { a via |", ("link", "children", "child"), {"NAME", "LOWER_PI"}),
         ("link l { frames { |", ("link", "frames", "frame_group"), {"NAME", "LOWER_PI", "}"}),
-        ("link l { frames { f { r|", ("link", "frames", "frame_group", "frame"), {"translation", "rotation", "}"}),
+        (
+            "link l { frames { f { r|",
+            ("link", "frames", "frame_group", "frame"),
+            {"translation", "rotation", "}"},
+        ),
         ("r_joint j { |", ("joint",), {"id", "ref_frame", "}"}),
         ("r_joint j { ref_frame { translation |", ("joint", "joint_frame", "translation"), {"="}),
         ("RobotBase b |", ("base",), {"FLOATING", "{"}),
     ],
-)  # fmt: skip
+)
 def test_expected(text: str, constructs: tuple[str, ...], kinds: set[str], closing: str) -> None:
     found = at_mark(text + closing)
     assert found.constructs == constructs

@@ -71,17 +71,32 @@ MENDED = [
     ),
     ("children { }", "chidren { }", "KD010", "unknown keyword 'chidren', did you mean 'children'"),
     ("frames {", "{", "KD001", "expected 'frames' after '}'"),
-    ("        }\n    }\n}\nr_joint", "        }\n}\nr_joint", "KD002", "expected '}' to close 'frames'"),
+    (
+        "        }\n    }\n}\nr_joint",
+        "        }\n}\nr_joint",
+        "KD002",
+        "expected '}' to close 'frames'",
+    ),
     ("    }\n}\n}\n", "    }\n}\n", "KD002", "expected '}' to close robot 'arm'"),
     ("link upper {", "link upper {\u00a0", "KD004", "invalid character no-break space (U+00A0)"),
     ("Robot arm", "\ufeffRobot arm", "KD004", "invalid character byte order mark (U+FEFF)"),
     ("link upper", "# the upper arm\nlink upper", "KD001", "'#' does not begin a comment"),
     ("    id = 1\n", "    id = 1 /* why\n", "KD003", "comment is not closed by '*/'"),
-    ("mass = 2.0 CoM = (0.0, 0.0, 0.2)", "CoM = (0.0, 0.0, 0.2) mass = 2.0", "KD007", "'mass' stands after 'CoM'"),
-    ("Ix=0.3 Iy=0.3 Iz=0.1", "Ix=0.3 Ix=0.3 Iz=0.1", "KD009", "'inertia_params' has two 'Ix' and no 'Iy'"),
+    (
+        "mass = 2.0 CoM = (0.0, 0.0, 0.2)",
+        "CoM = (0.0, 0.0, 0.2) mass = 2.0",
+        "KD007",
+        "'mass' stands after 'CoM'",
+    ),
+    (
+        "Ix=0.3 Iy=0.3 Iz=0.1",
+        "Ix=0.3 Ix=0.3 Iz=0.1",
+        "KD009",
+        "'inertia_params' has two 'Ix' and no 'Iy'",
+    ),
     ("id = 1", "id = 1 id = 1", "KD009", "link 'upper' has a second 'id'"),
     ("link upper {", "}\nlink upper {", "KD001", "unexpected '}'"),
-]  # fmt: skip
+]
 
 TOLD = [
     ("id = 1\n", "\n", "KD008", "link 'upper' has no 'id'"),
@@ -90,7 +105,12 @@ TOLD = [
     ("id = 1", "id = 3000000000", "KD005", "id '3000000000' is larger than 2147483647"),
     ("Ixy=0.0", "", "KD008", "'inertia_params' has no 'Ixy'"),
     ("children { }", "", "KD008", "link 'upper' has no 'children'"),
-    ("children { upper via shoulder }", "children { upper via }", "KD001", "expected a name after 'via'"),
+    (
+        "children { upper via shoulder }",
+        "children { upper via }",
+        "KD001",
+        "expected a name after 'via'",
+    ),
     ("mass = 2.0", "mass = ", "KD001", "expected a number after '='"),
     ("(0.0, 0.1, 0.3)", "(0.0, 0.1)", "KD001", "vector has 2 components instead of 3"),
     ("(0.0, 0.1, 0.3)", "", "KD001", "expected a vector '(x, y, z)' after '='"),
@@ -99,7 +119,7 @@ TOLD = [
     ("Robot arm {\n", "", "KD008", "robot's opening 'Robot NAME {' lacks before base 'base'"),
     ("link upper {", "link {", "KD001", "expected a name after 'link'"),
     ("    }\n}\n}\n", "    }\n}\n}\nstray\n", "KD001", "unexpected 'stray'"),
-]  # fmt: skip
+]
 
 
 def changed(old: str, new: str) -> str:

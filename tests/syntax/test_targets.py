@@ -11,13 +11,15 @@ from kindsl.text.edits import TextEdit, apply_edits
 BOTH, A, B, NONE = {"robcogen", "robcogen2"}, {"robcogen"}, {"robcogen2"}, set()
 ROBOT = """\
 Robot arm {
-RobotBase base { inertia_params { mass = 1.0 CoM = (0.0, 0.0, 0.1) Ix=0.2 Iy=0.2 Iz=0.1 Ixy=0.0 Ixz=0.0 Iyz=0.0 }
+RobotBase base { inertia_params { mass = 1.0 CoM = (0.0, 0.0, 0.1)
+    Ix=0.2 Iy=0.2 Iz=0.1 Ixy=0.0 Ixz=0.0 Iyz=0.0 }
     children { upper via shoulder } }
-link upper { id = 1 inertia_params { mass = 1.0 CoM = (0.0, 0.0, 0.1) Ix=0.2 Iy=0.2 Iz=0.1 Ixy=0.0 Ixz=0.0 Iyz=0.0 }
+link upper { id = 1 inertia_params { mass = 1.0 CoM = (0.0, 0.0, 0.1)
+    Ix=0.2 Iy=0.2 Iz=0.1 Ixy=0.0 Ixz=0.0 Iyz=0.0 }
     children { } }
 r_joint shoulder { ref_frame { translation = (0.0, 0.0, 0.1) rotation = (0.0, 0.0, PI) } }
 }
-"""  # fmt: skip
+"""
 
 
 @pytest.mark.parametrize(

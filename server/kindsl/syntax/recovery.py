@@ -303,7 +303,7 @@ def _is_alike(token: Token, kind: str) -> bool:
         return token.text[:1].isidentifier()
     if kind in ("FLOAT", "INT"):
         return False
-    return len(token.text) == 1
+    return len(token.text) == 1 and not token.text.isidentifier()
 
 
 def _lost_moment(read: Sequence[Token], tokens: Sequence[Token], index: int) -> str:
