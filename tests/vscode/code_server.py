@@ -1,7 +1,7 @@
 """A real VS Code: the npm package `code-server` carries one, which a browser can drive.
 
-The package is installed once into build/code-server; only its VS Code server is run, on the
-loopback interface, never code-server's own front end.
+The package is installed once into build/code-server. Its VS Code server runs on the loopback
+interface behind a small front of ours (front.mjs), which does what code-server's own front does.
 """
 
 import fcntl
@@ -20,6 +20,7 @@ from pathlib import Path
 ROOT = Path(__file__).parents[2]
 BUILD = ROOT / "build" / "code-server"
 EXTENSION = ROOT / "vscode-extension"
+FRONT = Path(__file__).parent / "front.mjs"
 VERSION = "4.100.3"
 START_SECONDS = 60
 
@@ -103,15 +104,22 @@ def running(
     command = [_node(), str(vscode / "out" / "server-main.js"), *options]
     for package in packages:
         _check(subprocess.run([*command, "--install-extension", str(package)], **_CAPTURED))
-    port = _free_port()
-    listen = ["--host", "127.0.0.1", "--port", str(port), "--without-connection-token"]
-    with (data / "server.log").open("wb") as log:
-        process = subprocess.Popen(
-            [*command, *listen, "--enable-smoke-test-driver"], stdout=log, stderr=log
-        )
+    behind, port = _free_port(), _free_port()
+    listen = ["--host", "127.0.0.1", "--port", str(behind), "--without-connection-token"]
+    server = [*command, *listen, "--enable-smoke-test-driver"]
+    front = [_node(), str(FRONT), str(port), str(behind)]
+    log = data / "server.log"
+    with _process(server, log) as process, _process(front, data / "front.log"):
+        _wait_until_up(behind, process, log)
+        yield CodeServer(port, data)
+
+
+@contextmanager
+def _process(command: Sequence[str], log: Path) -> "Iterator[subprocess.Popen[bytes]]":
+    with log.open("wb") as output:
+        process = subprocess.Popen(command, stdout=output, stderr=output)
         try:
-            _wait_until_up(port, process, data / "server.log")
-            yield CodeServer(port, data)
+            yield process
         finally:
             process.terminate()
             process.wait(20)

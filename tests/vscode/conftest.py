@@ -1,7 +1,7 @@
 """A real VS Code with the extension's package installed, and a browser to look at it."""
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from pathlib import Path
 
 import pytest
@@ -43,3 +43,15 @@ def workbench(
     page = browser.new_page(viewport={"width": 1440, "height": 900})
     yield Workbench(page, server, tmp_path_factory.mktemp("robots"))
     page.close()
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(
+    item: pytest.Item, call: pytest.CallInfo[None]
+) -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    """Keep a picture of the window in which a test failed."""
+    report = yield
+    window = getattr(item, "funcargs", {}).get("workbench")
+    if report.when == "call" and report.failed and window is not None:
+        window.screenshot(f"failed-{item.name}")
+    return report

@@ -25,6 +25,7 @@ class Workbench:
         self.page = page
         self.folder = folder
         page.set_default_timeout(TIMEOUT)
+        expect.set_options(timeout=TIMEOUT)
         page.goto(server.url(folder), wait_until="domcontentloaded")
         self.wait_until_up()
 
@@ -36,10 +37,12 @@ class Workbench:
     # ------------------------------------------------------------ documents
 
     def open(self, name: str, text: str | None = None) -> Path:
-        """Open a file of the folder, made first if a text is given, and return its path."""
+        """Open a file in the first column, made first if a text is given; return its path."""
         path = self.folder / name
         if text is not None:
             path.write_text(text, encoding="utf-8")
+        # Not where the preview is.
+        self.press("Control+1")
         self.run("File: Open File...")
         self.page.locator(".quick-input-list .monaco-list-row", has_text=name).first.click()
         self.active_tab(name).wait_for()

@@ -4,6 +4,7 @@ import * as vscode from "vscode";
 import { ExecuteCommandRequest } from "vscode-languageclient/node";
 import { LANGUAGE } from "./client";
 import { previewPage, type PanelContent, type PanelState } from "./previewPage";
+import { relocate } from "./relocate";
 import type { Server } from "./server";
 import { showSource } from "./source";
 
@@ -48,8 +49,7 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
   }
 
   async openInBrowser(uri: vscode.Uri): Promise<void> {
-    const url = await this.#url(uri);
-    await vscode.env.openExternal(vscode.Uri.parse(url, true));
+    await vscode.env.openExternal(vscode.Uri.parse(await this.#url(uri), true));
   }
 
   setPinned(isPinned: boolean): void {
@@ -100,21 +100,28 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
 
   async #content(uri: vscode.Uri): Promise<PanelContent> {
     try {
-      const address = await vscode.env.asExternalUri(vscode.Uri.parse(await this.#url(uri), true));
-      // Not encoded again: a `=` of the query must stay one.
-      return { kind: "frame", url: address.toString(true) };
+      return { kind: "frame", url: await this.#url(uri) };
     } catch (error) {
       return { kind: "message", text: (error as Error).message };
     }
   }
 
-  /** Ask the server for the address of the document's preview. Throws what the user should read. */
+  /** The address of the document's preview for the user's browser. Throws what the user should read. */
   async #url(uri: vscode.Uri): Promise<string> {
+    const local = await this.#ask(uri);
+    const { origin } = new URL(local);
+    const root = (await vscode.env.asExternalUri(vscode.Uri.parse(origin, true))).toString(true);
+    // A page that comes through a tunnel or proxy has another origin: the server must know it.
+    if (new URL(root).origin !== origin) await this.#ask(uri, { origin: new URL(root).origin });
+    return relocate(local, root);
+  }
+
+  async #ask(uri: vscode.Uri, ...options: { origin: string }[]): Promise<string> {
     const client = await this.server.client();
     if (client === undefined) throw new Error("The preview needs the language server, which is not running");
     await vscode.workspace.openTextDocument(uri);
     const identifier = client.code2ProtocolConverter.asUri(uri);
-    const parameters = { command: "kindsl.preview", arguments: [identifier] };
+    const parameters = { command: "kindsl.preview", arguments: [identifier, ...options] };
     const answer = (await client.sendRequest(ExecuteCommandRequest.type, parameters)) as { url?: string } | null;
     if (typeof answer?.url !== "string") throw new Error("The language server gives no preview of this document");
     return answer.url;
