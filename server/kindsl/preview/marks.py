@@ -25,8 +25,9 @@ WHITE = 0xFFFFFF
 JOINT_FORMS = {"revolute": Form.DRUM, "prismatic": Form.BLOCK}
 _X, _Y, _Z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
 # Turns meshcat's cylinders, which lie along y, to z; blocks lie there already.
+_Y_TO_Z = (*_X, 0.0, *_Z, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
 JOINT_TURNS = {
-    "revolute": (*_X, 0.0, *_Z, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0),
+    "revolute": _Y_TO_Z,
     "prismatic": (*_X, 0.0, *_Y, 0.0, *_Z, 0.0, 0.0, 0.0, 0.0, 1.0),
 }
 # Joints that are the same at each keystroke are made once.
@@ -83,14 +84,19 @@ def link_marks(
 def joint_marks(joint: str, kind: str) -> tuple[Message, ...]:
     """Return a joint: its body, its axis, its frame and the arrow of its gravity torque."""
     place = ("robot", "joints", joint)
-    mark = path_of(*place, kind, "mark")
-    return (
+    mark, rail = path_of(*place, kind, "mark"), path_of(*place, kind, "rail")
+    marks = [
         set_object(mark, Shape(JOINT_FORMS[kind], JOINT_COLORS[kind])),
         set_transform(mark, JOINT_TURNS[kind]),
         set_object(path_of(*place, "axis", "arrow"), Shape(Form.ARROW, AXIS)),
         set_object(path_of(*place, "joint-frame", "triad"), Shape(Form.SHORT_TRIAD, WHITE)),
         set_object(path_of(*place, "torque", "force"), Shape(Form.FORCE, TORQUE)),
-    )
+    ]
+    if kind == "prismatic":
+        # The page stretches it from the joint to the link.
+        marks.append(set_object(rail, Shape(Form.CYLINDER, JOINT_COLORS[kind])))
+        marks.append(set_transform(rail, _Y_TO_Z))
+    return tuple(marks)
 
 
 def frame_marks(frame: str) -> Iterator[Message]:

@@ -22,7 +22,7 @@ const KindslCategories = (() => {
   ];
 
   // How a mark's size follows the robot's: `uniform` in all directions, `radial` across y only, `none`: true size.
-  const SIZING = { segment: "radial", ellipsoid: "none" };
+  const SIZING = { segment: "radial", rail: "radial", ellipsoid: "none" };
 
   // /kindsl/TREE/GROUP/NAME/CATEGORY/MARK
   function parsePath(path) {

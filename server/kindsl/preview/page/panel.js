@@ -144,6 +144,7 @@ const KindslPanel = (() => {
         const [bar, amount] = row.torque.children;
         bar.style.width = `${(50 * Math.abs(torque)) / largest}%`;
         bar.style.left = torque < 0 ? `${50 - (50 * Math.abs(torque)) / largest}%` : "50%";
+        amount.classList.toggle("left", torque > 0);
         amount.textContent = `${format(torque, 3)} ${row.element.dataset.kind === "prismatic" ? "N" : "N m"}`;
       }
     }

@@ -39,8 +39,10 @@ const KindslPicking = (() => {
       const [x, y] = this.pressed || [NaN, NaN];
       this.pressed = null;
       const isClick = Math.hypot(event.clientX - x, event.clientY - y) <= CLICK_TOLERANCE;
-      const found = isClick && event.button === 0 ? this.at(event) : null;
+      if (!isClick || event.button !== 0) return;
+      const found = this.at(event);
       if (found) this.actions.reveal({ kind: found.kind, name: found.name });
+      else this.actions.clear();
     }
 
     // The nearest owner under the mouse; small marks win over the bodies that enclose them.

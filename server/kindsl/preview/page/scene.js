@@ -4,7 +4,8 @@
 const KindslScene = (() => {
   const { CATEGORIES, byKey, parsePath, sizing } = KindslCategories;
   const DRAWING = new Set(["set_object", "set_transform", "set_property"]);
-  const HIGHLIGHT = 0x2f6fdd;
+  const HIGHLIGHT = 0x2f6fdd, HIGHLIGHT_GLOW = 0x12306b;
+  const RAIL_RADIUS = 0.5; // of the bodies' radius
   const TORQUE_LENGTH = 0.25; // of the robot's size, for the largest torque
 
   // Stands where the viewer wants a folder of its own control panel, which we do not show and whose cost grows with the square of the nodes.
@@ -76,6 +77,7 @@ const KindslScene = (() => {
       const category = place.tree === "ghost" ? "ghost" : place.category;
       const node = this.viewer.scene_tree.find(message.path.split("/").filter(Boolean));
       const mark = { ...place, category, node, mesh: node.children["<object>"].object };
+      mark.color = mark.mesh.material.color.getHex();
       mark.mesh.renderOrder = { inertia: 2, com: 3, "robot-com": 3, ghost: 1 }[category] || 0;
       this.marks.set(message.path, mark);
       this.style(mark);
@@ -102,6 +104,7 @@ const KindslScene = (() => {
       if (!this.dirty) return;
       this.dirty = false;
       for (const name of ["robot", "ghost"]) this.place(name);
+      this.stretchRails();
       this.placeCenterOfMass();
       this.placeTorques();
       for (const mark of this.marks.values()) this.resize(mark);
@@ -117,6 +120,16 @@ const KindslScene = (() => {
 
     group(tree, group, name) {
       return this.viewer.scene_tree.find(["kindsl", tree, group, encodeURIComponent(name)]);
+    }
+
+    // A prismatic joint's rail goes from the joint frame, which stays, to the link, which has slid along z.
+    stretchRails() {
+      for (const joint of this.trees.robot.joints.values()) {
+        if (joint.kind !== "prismatic") continue;
+        const q = this.q.get(joint.name) || 0, rail = this.group("robot", "joints", joint.name).find(["prismatic", "rail"]);
+        rail.object.scale.set(RAIL_RADIUS, q || 1e-9, RAIL_RADIUS);
+        rail.object.position.set(0, 0, q / 2);
+      }
     }
 
     placeCenterOfMass() {
@@ -158,7 +171,9 @@ const KindslScene = (() => {
       material.transparent = opacity < 1 || ["com", "robot-com"].includes(mark.category);
       material.depthWrite = opacity > 0.4;
       material.needsUpdate = true;
-      if (material.emissive) material.emissive.setHex(this.isHighlighted(mark) ? HIGHLIGHT : 0);
+      const isHighlighted = this.isHighlighted(mark);
+      material.color.setHex(isHighlighted ? HIGHLIGHT : mark.color);
+      if (material.emissive) material.emissive.setHex(isHighlighted ? HIGHLIGHT_GLOW : 0);
     }
 
     isHighlighted({ tree, group, name, category }) {

@@ -37,6 +37,10 @@ const kindsl = (() => {
       showHighlight();
       send({ type: "reveal", ...chosen });
     },
+    clear() {
+      selected = cursor = null;
+      showHighlight();
+    },
     frame: () => stage.frame(),
   };
 
