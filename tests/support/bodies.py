@@ -108,3 +108,16 @@ def document_of_bodies(inertias: list[str]) -> str:
 def _with_point(text: str) -> str:
     text = f"{Decimal(text):f}"
     return text if "." in text else f"{text}.0"
+
+
+def tilted_rotation(generator: random.Random, spread: float) -> Matrix:
+    """Return a rotation by a small random angle about a random axis, radians by `spread`."""
+    x, y, z = (generator.gauss(0.0, spread) for _ in range(3))
+    angle = sqrt(x * x + y * y + z * z) or 1.0
+    x, y, z = x / angle, y / angle, z / angle
+    c, s, d = cos(angle), sin(angle), 1.0 - cos(angle)
+    return [
+        [c + x * x * d, x * y * d - z * s, x * z * d + y * s],
+        [y * x * d + z * s, c + y * y * d, y * z * d - x * s],
+        [z * x * d - y * s, z * y * d + x * s, c + z * z * d],
+    ]

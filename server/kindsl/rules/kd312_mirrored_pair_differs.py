@@ -10,8 +10,8 @@ Such parts are copied and then edited by hand. One number that was changed on on
 sign that was forgotten, makes the robot drift to that side.
 
 A pair in which many numbers differ was measured part by part, and is left in peace, and so are
-differences below 5 % of the greatest number of their kind. A pair with an impossible inertia is left
-to KD301 and KD302.
+differences below 5 % of the greatest number of their kind. Impossible inertias are left to KD301
+and KD302.
 
 ## Example
 ```kindsl
