@@ -195,7 +195,8 @@ class TestSettings:
             messages = [client.notification("window/logMessage")["message"] for _ in range(2)]
             assert "'matlab', which is not one of robcogen, robcogen2" in messages[0]
             assert (
-                messages[1] == "setting 'kindsl.diagnostics.delay' is not a number of milliseconds"
+                messages[1]
+                == "setting 'kindsl.diagnostics.delay' is not a number of milliseconds up to 60000"
             )
             client.open("untitled:r", ROBOT)
             assert UNBOUND not in client.codes("untitled:r")

@@ -30,7 +30,7 @@ _KINDS = {
 _ITEM = "text_document.completion.completion_item"
 
 
-@handlers.document(types.TEXT_DOCUMENT_COMPLETION, _OPTIONS)
+@handlers.place(types.TEXT_DOCUMENT_COMPLETION, _OPTIONS)
 def complete(view: View, params: types.CompletionParams) -> types.CompletionList:
     """Offer what may be typed, the best first."""
     from kindsl.features.completion import completions

@@ -4,12 +4,11 @@ A handler of a document sees one version of it from the beginning to the end, th
 there when the request came, however the editor goes on typing meanwhile.
 """
 
-from collections.abc import Awaitable, Callable
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 if TYPE_CHECKING:
     from kindsl.lsp.server import KindslLanguageServer
-    from kindsl.lsp.view import View
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -29,45 +28,25 @@ class Handlers:
         self._entries: list[_Entry] = []
         self._commands: list[_Entry] = []
 
+    def place(self, method: str, options: Any = None) -> Callable[[F], F]:
+        """Register a handler `(view, params) -> result` of a place, answered at once."""
+        return self._add(method, options, _on_place)
+
     def document(self, method: str, options: Any = None) -> Callable[[F], F]:
-        """Register a handler `(view, params) -> result` of one document."""
-
-        def register(handler: F) -> F:
-            self._entries.append(_Entry(method, options, lambda server: _on_view(server, handler)))
-            return handler
-
-        return register
+        """Register a handler `(view, params) -> result` that looks at the whole document."""
+        return self._add(method, options, _on_document)
 
     def judged(self, method: str, options: Any = None) -> Callable[[F], F]:
         """Register a handler `(view, params) -> result` that needs to know what is wrong."""
-
-        def register(handler: F) -> F:
-            self._entries.append(
-                _Entry(method, options, lambda server: _on_judged(server, handler))
-            )
-            return handler
-
-        return register
+        return self._add(method, options, _on_judged)
 
     def item(self, method: str, options: Any = None) -> Callable[[F], F]:
         """Register a handler `(view, params) -> result` of the document of `params.item`."""
-
-        def register(handler: F) -> F:
-            self._entries.append(_Entry(method, options, lambda server: _on_item(server, handler)))
-            return handler
-
-        return register
+        return self._add(method, options, _on_item)
 
     def server(self, method: str, options: Any = None) -> Callable[[F], F]:
         """Register a handler `(server, params) -> result`, which may be awaitable."""
-
-        def register(handler: F) -> F:
-            self._entries.append(
-                _Entry(method, options, lambda server: _on_server(server, handler))
-            )
-            return handler
-
-        return register
+        return self._add(method, options, _on_server)
 
     def command(self, name: str) -> Callable[[F], F]:
         """Register a command `(server, *arguments) -> result`, which may be awaitable."""
@@ -85,24 +64,32 @@ class Handlers:
         for name, _, bind in self._commands:
             server.command(name)(bind(server))
 
+    def _add(self, method: str, options: Any, bind: "_Bind") -> Callable[[F], F]:
+        def register(handler: F) -> F:
+            self._entries.append(_Entry(method, options, lambda server: bind(server, handler)))
+            return handler
+
+        return register
+
 
 def _on_server(server: "KindslLanguageServer", handler: Callable[..., Any]) -> Callable[..., Any]:
     return lambda *arguments: handler(server, *arguments)
 
 
-def _on_view(
-    server: "KindslLanguageServer", handler: "Callable[[View, Any], Any]"
-) -> Callable[[Any], Awaitable[Any]]:
+def _on_place(server: "KindslLanguageServer", handler: Callable[..., Any]) -> Callable[..., Any]:
+    return lambda params: server.ask_at_once(handler, params.text_document.uri, params)
+
+
+def _on_document(server: "KindslLanguageServer", handler: Callable[..., Any]) -> Callable[..., Any]:
     return lambda params: server.ask(handler, params.text_document.uri, params)
 
 
-def _on_judged(
-    server: "KindslLanguageServer", handler: "Callable[[View, Any], Any]"
-) -> Callable[[Any], Awaitable[Any]]:
+def _on_judged(server: "KindslLanguageServer", handler: Callable[..., Any]) -> Callable[..., Any]:
     return lambda params: server.ask_judged(handler, params.text_document.uri, params)
 
 
-def _on_item(
-    server: "KindslLanguageServer", handler: "Callable[[View, Any], Any]"
-) -> Callable[[Any], Awaitable[Any]]:
+def _on_item(server: "KindslLanguageServer", handler: Callable[..., Any]) -> Callable[..., Any]:
     return lambda params: server.ask(handler, params.item.uri, params)
+
+
+_Bind = Callable[["KindslLanguageServer", Callable[..., Any]], Callable[..., Any]]

@@ -19,19 +19,19 @@ _HIGHLIGHTS = {
 }
 
 
-@handlers.document(types.TEXT_DOCUMENT_DEFINITION)
+@handlers.place(types.TEXT_DOCUMENT_DEFINITION)
 def definition(view: View, params: types.DefinitionParams) -> Definitions:
     """Find where a name is given its meaning."""
     return _definitions(view, params.position, "text_document.definition.link_support")
 
 
-@handlers.document(types.TEXT_DOCUMENT_DECLARATION)
+@handlers.place(types.TEXT_DOCUMENT_DECLARATION)
 def declaration(view: View, params: types.DeclarationParams) -> Definitions:
     """Find where a name is declared; in this language that is where it is defined."""
     return _definitions(view, params.position, "text_document.declaration.link_support")
 
 
-@handlers.document(types.TEXT_DOCUMENT_REFERENCES)
+@handlers.place(types.TEXT_DOCUMENT_REFERENCES)
 def references(view: View, params: types.ReferenceParams) -> list[types.Location]:
     """Find all places of a name."""
     from kindsl.features.references import references, uses
@@ -43,7 +43,7 @@ def references(view: View, params: types.ReferenceParams) -> list[types.Location
     ]
 
 
-@handlers.document(types.TEXT_DOCUMENT_DOCUMENT_HIGHLIGHT)
+@handlers.place(types.TEXT_DOCUMENT_DOCUMENT_HIGHLIGHT)
 def highlight(view: View, params: types.DocumentHighlightParams) -> list[types.DocumentHighlight]:
     """Light up all places of a name."""
     from kindsl.features.highlight import highlights
@@ -55,7 +55,7 @@ def highlight(view: View, params: types.DocumentHighlightParams) -> list[types.D
     ]
 
 
-@handlers.document(types.TEXT_DOCUMENT_PREPARE_CALL_HIERARCHY)
+@handlers.place(types.TEXT_DOCUMENT_PREPARE_CALL_HIERARCHY)
 def prepare_hierarchy(
     view: View, params: types.CallHierarchyPrepareParams
 ) -> list[types.CallHierarchyItem]:

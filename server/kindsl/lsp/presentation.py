@@ -19,7 +19,7 @@ _SIGNATURES = types.SignatureHelpOptions(
 _SHOW_REFERENCES = "kindsl.showReferences"
 
 
-@handlers.document(types.TEXT_DOCUMENT_HOVER)
+@handlers.place(types.TEXT_DOCUMENT_HOVER)
 def hover(view: View, params: types.HoverParams) -> types.Hover | None:
     """Tell what a word means."""
     from kindsl.features.hover import hover
@@ -31,7 +31,7 @@ def hover(view: View, params: types.HoverParams) -> types.Hover | None:
     return types.Hover(content, view.range(found.start, found.end))
 
 
-@handlers.document(types.TEXT_DOCUMENT_SIGNATURE_HELP, _SIGNATURES)
+@handlers.place(types.TEXT_DOCUMENT_SIGNATURE_HELP, _SIGNATURES)
 def signature_help(view: View, params: types.SignatureHelpParams) -> types.SignatureHelp | None:
     """Tell what the component that is being typed means."""
     from kindsl.features.signature_help import signature_help

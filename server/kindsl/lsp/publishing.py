@@ -75,6 +75,8 @@ class Publisher:
         if document.is_toml:
             await self._publish_configuration(document)
             return
+        await self._server.analyses.of(document)
+        await self._server.until_quiet()
         findings = await self._server.analyses.findings(document, Urgency.DIAGNOSTICS)
         if self._server.documents.is_current(document):
             if uris.key(document.uri) not in self._pulled:

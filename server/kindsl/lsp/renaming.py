@@ -11,7 +11,7 @@ from kindsl.lsp.view import View
 handlers = Handlers()
 
 
-@handlers.document(types.TEXT_DOCUMENT_PREPARE_RENAME)
+@handlers.place(types.TEXT_DOCUMENT_PREPARE_RENAME)
 def prepare(view: View, params: types.PrepareRenameParams) -> types.Range | None:
     """Find the name that would be renamed; None where there is none."""
     from kindsl.features.rename import Refusal, rename_range
@@ -20,7 +20,7 @@ def prepare(view: View, params: types.PrepareRenameParams) -> types.Range | None
     return None if isinstance(found, Refusal) else view.range(*found)
 
 
-@handlers.document(types.TEXT_DOCUMENT_RENAME, types.RenameOptions(prepare_provider=True))
+@handlers.place(types.TEXT_DOCUMENT_RENAME, types.RenameOptions(prepare_provider=True))
 def rename(view: View, params: types.RenameParams) -> types.WorkspaceEdit | None:
     """Give something another name everywhere."""
     from kindsl.features.rename import Refusal, rename, rename_range

@@ -1,6 +1,7 @@
 """The language server: documents, their analyses, and who answers what."""
 
 import asyncio
+import contextlib
 from collections.abc import Awaitable, Callable
 from typing import TYPE_CHECKING, Any
 
@@ -37,8 +38,10 @@ if TYPE_CHECKING:
     from kindsl.lsp.handlers import Handlers
 
 Handler = Callable[[View, Any], Any]
+Look = Callable[[View, Callable[[], Any]], Awaitable[Any]]
 
 _LONG = 200_000
+_PATIENCE = 0.1
 _HANDLERS: "tuple[Handlers, ...]" = (
     lifecycle.handlers,
     configuration.handlers,
@@ -82,6 +85,9 @@ class KindslLanguageServer(LanguageServer):
         self.tokens = highlighting.TokenMemory()
         self.documents.on_close.append(self.tokens.forget)
         self.previews = Previews(self)
+        self._questions = 0
+        self._quiet = asyncio.Event()
+        self._quiet.set()
         self.loop: asyncio.AbstractEventLoop
         self.on_parent_known: Callable[[int | None], None] = lambda _: None
         super().__init__(
@@ -93,27 +99,50 @@ class KindslLanguageServer(LanguageServer):
         for handlers in _HANDLERS:
             handlers.register(self)
 
-    def ask_judged(self, handler: Handler, uri: str, params: Any) -> Awaitable[Any]:
-        """Ask a handler that needs to know what is wrong with the document as it is now."""
-        return self._answer_judged(handler, self.documents.get(uri), params)
+    def ask_at_once(self, handler: Handler, uri: str, params: Any) -> Awaitable[Any]:
+        """Ask a handler about a place of the document as it is now; None without a robot."""
+        return self._answer(handler, self.documents.get(uri), params, self._look)
 
     def ask(self, handler: Handler, uri: str, params: Any) -> Awaitable[Any]:
-        """Ask a handler about the document as it is now; None when there is no such robot."""
-        return self._answer(handler, self.documents.get(uri), params)
+        """Ask a handler about the whole document as it is now, a long one in the worker."""
+        return self._answer(handler, self.documents.get(uri), params, self._read)
 
-    async def _answer_judged(self, handler: Handler, document: Document | None, params: Any) -> Any:
-        if document is not None and not document.is_toml:
-            await self.analyses.findings(document)
-        return await self._answer(handler, document, params)
+    def ask_judged(self, handler: Handler, uri: str, params: Any) -> Awaitable[Any]:
+        """Ask a handler that needs to know what is wrong with the document as it is now."""
+        return self._answer(handler, self.documents.get(uri), params, self._judge)
 
-    async def _answer(self, handler: Handler, document: Document | None, params: Any) -> Any:
-        """Let a handler look at one version of a document, for a long one in the worker."""
+    async def until_quiet(self) -> None:
+        """Wait until no question is open, but not for long: answers go before what is unasked."""
+        if not self._quiet.is_set():
+            with contextlib.suppress(TimeoutError):
+                await asyncio.wait_for(self._quiet.wait(), _PATIENCE)
+
+    async def _answer(
+        self, handler: Handler, document: Document | None, params: Any, look: Look
+    ) -> Any:
         if document is None or document.is_toml:
             return None
-        view = View(document, await self.analyses.of(document), self)
-        if document.lines.length < _LONG:
-            return handler(view, params)
-        return await self.worker.run(lambda: self.protocol.encoded(handler(view, params)))
+        self._questions += 1
+        self._quiet.clear()
+        try:
+            view = View(document, await self.analyses.of(document), self)
+            return await look(view, lambda: handler(view, params))
+        finally:
+            self._questions -= 1
+            if not self._questions:
+                self._quiet.set()
+
+    async def _look(self, _: View, ask: Callable[[], Any]) -> Any:
+        return ask()
+
+    async def _read(self, view: View, ask: Callable[[], Any]) -> Any:
+        if view.document.lines.length < _LONG:
+            return ask()
+        return await self.worker.run(lambda: self.protocol.encoded(ask()))
+
+    async def _judge(self, view: View, ask: Callable[[], Any]) -> Any:
+        await self.analyses.findings(view.document)
+        return await self._read(view, ask)
 
     def show_warning(self, message: str) -> None:
         """Tell the user why something that they asked for was not done; from any thread."""

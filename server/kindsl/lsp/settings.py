@@ -126,17 +126,23 @@ def _binding(name: str, given: object) -> Binding:
 
 
 def _number(name: str, value: object) -> float:
-    is_number = isinstance(value, int | float) and not isinstance(value, bool)
-    if not is_number or not abs(value) <= sys.float_info.max:
+    number = _finite(value)
+    if number is None:
         raise ValueError(f"gives '{name}' something other than a finite number")
-    return float(value)
+    return number
 
 
 def _milliseconds(value: object) -> float:
-    is_number = isinstance(value, int | float) and not isinstance(value, bool)
-    if not is_number or not 0 <= value <= _LONGEST_DELAY:
+    number = _finite(value)
+    if number is None or not 0 <= number <= _LONGEST_DELAY:
         raise ValueError(f"is not a number of milliseconds up to {_LONGEST_DELAY}")
-    return value / 1000.0
+    return number / 1000.0
+
+
+def _finite(value: object) -> float | None:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return None
+    return float(value) if abs(value) <= sys.float_info.max else None
 
 
 def _switches(value: object) -> dict[str, bool]:

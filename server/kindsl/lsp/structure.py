@@ -92,13 +92,13 @@ def folding(view: View, _: types.FoldingRangeParams) -> list[types.FoldingRange]
     return found
 
 
-@handlers.document(types.TEXT_DOCUMENT_SELECTION_RANGE)
+@handlers.place(types.TEXT_DOCUMENT_SELECTION_RANGE)
 def selection(view: View, params: types.SelectionRangeParams) -> list[types.SelectionRange]:
     """Grow selections around places."""
     return [_selection(view, position) for position in params.positions]
 
 
-@handlers.document(types.TEXT_DOCUMENT_LINKED_EDITING_RANGE)
+@handlers.place(types.TEXT_DOCUMENT_LINKED_EDITING_RANGE)
 def linked_editing(
     view: View, params: types.LinkedEditingRangeParams
 ) -> types.LinkedEditingRanges | None:
