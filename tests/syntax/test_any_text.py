@@ -6,6 +6,8 @@ from tests.support.models import LAYOUTS, Style, random_model
 from tests.support.syntax_checks import assert_lossless, assert_same
 
 from kindsl.syntax.document import parse
+from kindsl.syntax.expected import expected_at
+from kindsl.syntax.portability import portability
 from kindsl.text.edits import TextEdit, apply_edits
 
 PIECES = (
@@ -39,6 +41,19 @@ def test_any_text_is_read_without_loss(text: str) -> None:
     document = parse(text)
     assert_lossless(document, text)
     assert len(document.problems) <= 1 + len(text)
+
+
+@settings(max_examples=80, deadline=None)
+@given(FRAGMENTS | MODELS, st.floats(0, 1), st.integers(0, 30))
+def test_everything_derived_from_any_text(text: str, place: float, length: int) -> None:
+    start = int(place * len(text))
+    document = parse(text[:start] + text[start + length :])
+    for island in document.islands:
+        for note in portability(island):
+            assert 0 <= note.start <= note.end <= len(island.text)
+    found = document.island_at(start)
+    expected = expected_at(found.island, min(start - found.start, len(found.island.text)))
+    assert expected.kinds
 
 
 @settings(max_examples=120, deadline=None)

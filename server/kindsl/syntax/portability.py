@@ -135,8 +135,10 @@ def _value_notes(text: str, block: Node) -> Iterator[PortabilityNote]:
         if node.kind == "number" and node.children[0].kind == "FLOAT":
             continue
         tokens = list(node.tokens())
+        if any(token.is_missing for token in tokens):
+            continue
         targets = accepted_by(tokens)
-        if len(targets) != 1 or any(token.is_missing for token in tokens):
+        if len(targets) != 1:
             continue
         (target,) = TARGETS_OF_ALL - targets
         if any(note.target == target for token in tokens for note in _name_notes(token)):

@@ -87,7 +87,8 @@ def word_kind(word: str) -> str:
     kind = KEYWORDS.get(word)
     if kind is not None:
         return kind
-    return next(kind for kind in _NAME_KINDS if re.fullmatch(_PATTERN[kind], word))
+    kinds = (kind for kind in _NAME_KINDS if re.fullmatch(_PATTERN[kind], word))
+    return next(kinds, "UNICODE_NAME")
 
 
 def comments(text: str) -> tuple[tuple[int, int], ...]:
