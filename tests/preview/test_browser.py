@@ -378,3 +378,35 @@ async def test_long_robots_are_drawn(browser, server):
         await until_shown(page, str(analysis.model.name))
         await until(page, "kindsl.scene.trees.robot.links.size === 121")
         await until(page, "document.querySelectorAll('#joints .row').length === 120")
+
+
+async def test_a_prismatic_joint_shows_how_far_it_has_slid(browser, server):
+    rail = """() => {
+      kindsl.scene.update();
+      const node = kindsl.scene.group("robot", "joints", "lift").find(["prismatic", "rail"]).object;
+      return [node.scale.y, node.position.z];
+    }"""
+    async with opened(browser, await show(server, ARM)) as page:
+        await until_shown(page, "Arm")
+        await page.get_by_label("lift, typed").fill("0.3")
+        await page.get_by_label("lift, typed").press("Enter")
+        assert await page.evaluate(rail) == [0.3, 0.15]
+
+
+async def test_a_click_beside_everything_forgets_the_selection(browser, server):
+    async with opened(browser, await show(server, ARM)) as page:
+        await until_shown(page, "Arm")
+        await page.locator("#joints .name", has_text="shoulder").click()
+        await page.locator("#selection").wait_for()
+        await page.mouse.click(20, 600)
+        await page.locator("#selection").wait_for(state="hidden")
+
+
+async def test_findings_of_a_good_document_are_a_click_away(browser, server):
+    finding = Diagnostic("KD701", "style", Severity.WARNING, "links are not in order", 0, 5)
+    async with opened(browser, await show(server, ARM, [finding])) as page:
+        await until_shown(page, "Arm")
+        assert not await page.locator("#overlay").is_visible()
+        await page.get_by_text("1 warning").click()
+        await page.get_by_text("links are not in order").wait_for()
+        assert await page.locator("#pane.stale").count() == 0
