@@ -8,6 +8,9 @@ import pytest
 from tests.cli.conftest import Runner
 from tests.cli.samples import GOOD, INTEGER, UNBOUND
 
+from kindsl.cli import lint
+from kindsl.cli.lint_defaults import only_paths
+
 
 def test_clean_document_says_nothing_on_stdout(kdsl_lint: Runner, folder: Path) -> None:
     (folder / "good.kindsl").write_text(GOOD)
@@ -237,3 +240,15 @@ def _feed(monkeypatch: pytest.MonkeyPatch, text: str) -> None:
     from io import BytesIO, TextIOWrapper
 
     monkeypatch.setattr("sys.stdin", TextIOWrapper(BytesIO(text.encode())))
+
+
+def test_paths_alone_mean_what_the_parser_says() -> None:
+    import argparse
+
+    parser = argparse.ArgumentParser()
+    lint.add_arguments(parser)
+    options = only_paths(["a.kindsl", "-"])
+    assert options is not None
+    parsed = vars(parser.parse_args(["a.kindsl", "-"]))
+    assert {**vars(options), "param": list(options.param)} == parsed
+    assert only_paths(["a.kindsl", "-q"]) is None

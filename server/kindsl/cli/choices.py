@@ -1,10 +1,13 @@
 """What the command line decides, put over what the configuration does."""
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
-from kindsl.config.configuration import Configuration, Decisions, overridden
+from kindsl.config.decisions import Decisions, overridden
 from kindsl.config.discovery import Configurations
 from kindsl.rules.settings import Settings
+
+if TYPE_CHECKING:
+    from kindsl.config.configuration import Configuration
 
 
 class Choices(NamedTuple):
@@ -18,7 +21,7 @@ class Choices(NamedTuple):
     decisions: Decisions = Decisions()
     configurations: Configurations | None = None
 
-    def configuration_for(self, document: str) -> Configuration | None:
+    def configuration_for(self, document: str) -> "Configuration | None":
         """Return the configuration that holds for a document.
 
         Raises:

@@ -22,7 +22,7 @@ from kindsl.cli.reading import (
     shown_name,
 )
 from kindsl.cli.run_choices import choices_of
-from kindsl.config.configuration import ConfigurationError
+from kindsl.config.errors import ConfigurationError
 from kindsl.features.motions import Motion, MotionError, Robot
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ from kindsl.cli.linting import as_failures
 from kindsl.cli.reading import CommandError, read_document, shown_name
 from kindsl.cli.robot_facts import robot_facts
 from kindsl.cli.run_choices import choices_of
-from kindsl.config.configuration import ConfigurationError
+from kindsl.config.errors import ConfigurationError
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -7,6 +7,7 @@ from kindsl.cli.process import run_and_exit
 
 if TYPE_CHECKING:
     import argparse
+    from types import SimpleNamespace
 
 
 def add_arguments(parser: "argparse.ArgumentParser") -> None:
@@ -16,7 +17,7 @@ def add_arguments(parser: "argparse.ArgumentParser") -> None:
     add_lint_arguments(parser)
 
 
-def run(args: "argparse.Namespace") -> int:
+def run(args: "argparse.Namespace | SimpleNamespace") -> int:
     """Lint, report.
 
     Returns:
@@ -32,6 +33,11 @@ def main(arguments: list[str] | None = None) -> int:
     """Run as a command of its own; ends the process if the arguments are the process's."""
     if arguments is None:
         run_and_exit(lambda: main(sys.argv[1:]))
+    from kindsl.cli.lint_defaults import only_paths
+
+    options = only_paths(arguments)
+    if options is not None:
+        return run(options)
     import argparse
 
     from kindsl.cli.help_formatter import HelpFormatter

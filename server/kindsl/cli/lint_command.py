@@ -1,8 +1,8 @@
 """One run of `kindsl lint`: options in, report and exit status out."""
 
-import argparse
 import sys
 from collections.abc import Sequence
+from typing import Any
 
 from kindsl.cli.checking import Mending
 from kindsl.cli.console import printable, write
@@ -11,7 +11,7 @@ from kindsl.cli.outcome import Failure, Outcome
 from kindsl.cli.output import renderer
 from kindsl.cli.run_choices import choices_of
 from kindsl.cli.sources import STDIN
-from kindsl.config.configuration import ConfigurationError
+from kindsl.config.errors import ConfigurationError
 from kindsl.rules.base import Severity
 
 OK = 0
@@ -21,8 +21,11 @@ INTERRUPTED = 130
 _COUNTABLE = ("text", "json")
 
 
-def run_lint(args: argparse.Namespace) -> int:
+def run_lint(args: Any) -> int:
     """Lint, report.
+
+    Args:
+        args: The options, as attributes.
 
     Returns:
         0 without errors (and at most as many warnings as allowed), 1 with findings, 2 for wrong
@@ -57,7 +60,7 @@ def exit_status(outcome: Outcome, max_warnings: int | None, is_lenient: bool) ->
     return FINDINGS if (has_errors or is_over) and not is_lenient else OK
 
 
-def _wrong_usage(args: argparse.Namespace) -> str:
+def _wrong_usage(args: Any) -> str:
     if args.statistics and args.output_format not in _COUNTABLE:
         return f"--statistics is told as text or JSON only, not as {args.output_format}"
     if args.watch and STDIN in args.paths:
@@ -67,7 +70,7 @@ def _wrong_usage(args: argparse.Namespace) -> str:
     return ""
 
 
-def _plan(args: argparse.Namespace) -> Plan:
+def _plan(args: Any) -> Plan:
     mending = Mending.SHOWN if args.diff else Mending.WRITTEN if args.fix else Mending.NONE
     return Plan(
         args.paths or ["."],
@@ -80,7 +83,7 @@ def _plan(args: argparse.Namespace) -> Plan:
     )
 
 
-def _report(outcome: Outcome, args: argparse.Namespace) -> int:
+def _report(outcome: Outcome, args: Any) -> int:
     _tell_failures(outcome.failures)
     if args.diff:
         return _report_diff(outcome, args)
@@ -96,7 +99,7 @@ def _report(outcome: Outcome, args: argparse.Namespace) -> int:
     return exit_status(outcome, args.max_warnings, args.exit_zero)
 
 
-def _rendered(outcome: Outcome, args: argparse.Namespace) -> str:
+def _rendered(outcome: Outcome, args: Any) -> str:
     if args.statistics:
         from kindsl.cli import statistics
 
@@ -105,7 +108,7 @@ def _rendered(outcome: Outcome, args: argparse.Namespace) -> str:
     return renderer(args.output_format)(outcome)
 
 
-def _report_diff(outcome: Outcome, args: argparse.Namespace) -> int:
+def _report_diff(outcome: Outcome, args: Any) -> int:
     from kindsl.cli.diffs import unified_diff
 
     diffs = [unified_diff(file.path, file.original, file.text) for file in outcome.files]
@@ -115,7 +118,7 @@ def _report_diff(outcome: Outcome, args: argparse.Namespace) -> int:
     return FINDINGS if any(diffs) and not args.exit_zero else OK
 
 
-def _tell_about_rules(args: argparse.Namespace) -> int:
+def _tell_about_rules(args: Any) -> int:
     from kindsl.cli import rule_pages
     from kindsl.rules.registry import all_rules, rule_named
 

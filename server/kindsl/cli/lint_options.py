@@ -35,7 +35,9 @@ def add_lint_arguments(parser: argparse.ArgumentParser) -> None:
         help="documents, folders, or '-' for stdin (default: the current folder)",
     )
     parser.add_argument("--stdin-filename", metavar="NAME", help="what to call stdin's document")
-    parser.add_argument("--version", action=VersionAction, nargs=0, help="print the version")
+    parser.add_argument(
+        "--version", action=VersionAction, nargs=0, dest=argparse.SUPPRESS, help="print the version"
+    )
     _add_decisions(parser.add_argument_group("what is reported"))
     add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
     _add_fixes(parser.add_argument_group("fixes"))

@@ -4,7 +4,7 @@ import gc
 import os
 import sys
 from collections.abc import Iterable, Iterator
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from kindsl.cli.checking import Checked, Mending, Task
 from kindsl.cli.choices import Choices
@@ -12,7 +12,10 @@ from kindsl.cli.outcome import Failure, LintedFile, Outcome
 from kindsl.cli.parallel import check_all
 from kindsl.cli.sources import STDIN
 from kindsl.cli.walking import documents
-from kindsl.config.configuration import Configuration, ConfigurationError
+from kindsl.config.errors import ConfigurationError
+
+if TYPE_CHECKING:
+    from kindsl.config.configuration import Configuration
 
 UNNAMED = "<stdin>"
 _FEW = 200
@@ -79,7 +82,7 @@ def as_failures(error: ConfigurationError) -> list[Failure]:
 
 
 def _unused(
-    files: list[LintedFile], configurations: dict[str, Configuration], plan: Plan
+    files: list[LintedFile], configurations: "dict[str, Configuration]", plan: Plan
 ) -> list[LintedFile]:
     """Return the configuration files with the bindings in them that nothing uses."""
     if STDIN in plan.paths or not any(

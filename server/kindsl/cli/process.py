@@ -4,11 +4,12 @@ import gc
 import os
 import sys
 from collections.abc import Callable
+from typing import NoReturn
 
 DEFECT = 2
 
 
-def run_and_exit(command: Callable[[], int]) -> None:
+def run_and_exit(command: Callable[[], int]) -> NoReturn:
     """Run a command and end the process with its status, without tidying up what ends anyway.
 
     The garbage collector is off until the command wants it: importing makes no garbage, only many

@@ -7,7 +7,7 @@ from kindsl.cli.console import printable, write
 from kindsl.cli.linting import UNNAMED, as_failures
 from kindsl.cli.outcome import Failure
 from kindsl.cli.sources import STDIN, read_source
-from kindsl.config.configuration import ConfigurationError
+from kindsl.config.errors import ConfigurationError
 from kindsl.rules.analysis import Analysis, analyse
 from kindsl.semantics.places import Located
 from kindsl.text.lines import LineIndex

@@ -1,14 +1,14 @@
 """From the options to the decisions of a run."""
 
-import argparse
+from typing import Any
 
 from kindsl.cli.choices import Choices
-from kindsl.config.configuration import Decisions
+from kindsl.config.decisions import Decisions
 from kindsl.config.discovery import Configurations
 from kindsl.semantics.parameters import Binding
 
 
-def choices_of(args: argparse.Namespace) -> Choices:
+def choices_of(args: Any) -> Choices:
     """Return what the command line decides.
 
     Raises:
@@ -30,7 +30,7 @@ def choices_of(args: argparse.Namespace) -> Choices:
     return Choices(decisions, configurations)
 
 
-def _bindings(args: argparse.Namespace) -> dict[str, Binding]:
+def _bindings(args: Any) -> dict[str, Binding]:
     found: dict[str, Binding] = {}
     if args.params is not None:
         from kindsl.config.reading import read_parameters

@@ -2,8 +2,12 @@
 
 import os
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from kindsl.config.configuration import Configuration, ConfigurationError
+from kindsl.config.errors import ConfigurationError
+
+if TYPE_CHECKING:
+    from kindsl.config.configuration import Configuration
 
 OWN_FILE = "kindsl.toml"
 PYTHON_FILE = "pyproject.toml"
@@ -24,7 +28,7 @@ class Configurations:
         self._of_folder: dict[str, str | None] = {}
         self._of_file: dict[str, Configuration | ConfigurationError] = {}
 
-    def above(self, document: str) -> Configuration | None:
+    def above(self, document: str) -> "Configuration | None":
         """Return the configuration that holds for a document, None if there is none.
 
         Raises:
@@ -76,7 +80,7 @@ def has_python_table(path: str) -> bool:
     return isinstance(tool, dict) and "kindsl" in tool
 
 
-def _read(path: str) -> Configuration | ConfigurationError:
+def _read(path: str) -> "Configuration | ConfigurationError":
     from kindsl.config.reading import read_configuration
 
     try:

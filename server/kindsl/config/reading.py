@@ -5,14 +5,10 @@ import re
 import tomllib
 from typing import Any
 
-from kindsl.config.configuration import (
-    Configuration,
-    ConfigurationError,
-    ConfigurationProblem,
-    DocumentTable,
-    Place,
-)
+from kindsl.config.configuration import Configuration, DocumentTable
 from kindsl.config.discovery import PYTHON_FILE, PYTHON_TABLE
+from kindsl.config.errors import ConfigurationError
+from kindsl.config.problems import ConfigurationProblem, Place
 from kindsl.config.tables import DOCUMENT_KEYS, KEYS, Checker, bindings, decisions
 from kindsl.config.toml_places import toml_places
 from kindsl.semantics.parameters import Binding

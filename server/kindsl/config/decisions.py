@@ -1,0 +1,37 @@
+"""What one table of a configuration, or a command line, decides."""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from kindsl.rules.base import Severity
+from kindsl.rules.settings import Settings
+from kindsl.semantics.parameters import Binding
+
+
+class Decisions(NamedTuple):
+    """One table of decisions; None, or nothing, where the table says nothing.
+
+    Attributes:
+        targets: The generators that must accept the document.
+        select: Codes or prefixes to run.
+        ignore: Codes or prefixes to leave out.
+        severity: Severity by code or prefix.
+        bindings: Values of parameters.
+    """
+
+    targets: frozenset[str] | None = None
+    select: tuple[str, ...] | None = None
+    ignore: tuple[str, ...] | None = None
+    severity: Mapping[str, Severity] = {}
+    bindings: Mapping[str, Binding] = {}
+
+
+def overridden(settings: Settings, table: Decisions) -> Settings:
+    """Return settings with what a table says put over them."""
+    return Settings(
+        settings.targets if table.targets is None else table.targets,
+        settings.select if table.select is None else table.select,
+        settings.ignore if table.ignore is None else table.ignore,
+        {**settings.severity, **table.severity},
+        {**settings.bindings, **table.bindings},
+    )

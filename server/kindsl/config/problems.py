@@ -1,0 +1,31 @@
+"""What is wrong in a configuration file, and where."""
+
+from typing import NamedTuple
+
+
+class Place(NamedTuple):
+    """Where a key stands: line and column from 1, offsets from 0, all in code points."""
+
+    line: int
+    column: int
+    start: int
+    end: int
+
+
+class ConfigurationProblem(NamedTuple):
+    """Something wrong in a configuration file.
+
+    Attributes:
+        path: The file.
+        place: Where in it.
+        key: The key in question, dotted; empty where the file as a whole is meant.
+        message: One sentence without final period.
+    """
+
+    path: str
+    place: Place
+    key: str
+    message: str
+
+    def __str__(self) -> str:
+        return f"{self.path}:{self.place.line}:{self.place.column}: error: {self.message}"
