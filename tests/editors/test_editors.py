@@ -43,7 +43,8 @@ def require(editor: str) -> str:
     return found
 
 
-def use(command: list[str], folder: Path) -> None:
+def use(command: list[str], folder: Path) -> "subprocess.CompletedProcess[str]":
+    """Let an editor open the robot in a folder."""
     document = folder / "arm.kindsl"
     document.write_text(ROBOT)
     environment = {
@@ -53,9 +54,18 @@ def use(command: list[str], folder: Path) -> None:
         "XDG_STATE_HOME": str(folder),
         "XDG_CACHE_HOME": str(folder),
     }
-    run = subprocess.run(
-        command, env=environment, cwd=folder, capture_output=True, text=True, timeout=120, check=False
+    return subprocess.run(
+        command,
+        env=environment,
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
     )
+
+
+def check(run: "subprocess.CompletedProcess[str]") -> None:
     for step in STEPS:
         assert f"{step}: t" in run.stdout, f"{step}\n{run.stdout}\n{run.stderr}"
     assert run.returncode == 0, run.stdout + run.stderr
@@ -63,7 +73,8 @@ def use(command: list[str], folder: Path) -> None:
 
 def test_neovim(tmp_path: Path) -> None:
     neovim = require("nvim")
-    use([neovim, "--headless", "--clean", "-c", f"luafile {HERE / 'neovim.lua'}"], tmp_path)
+    script = f"luafile {HERE / 'neovim.lua'}"
+    check(use([neovim, "--headless", "--clean", "-c", script], tmp_path))
 
 
 def test_emacs(tmp_path: Path) -> None:
@@ -72,4 +83,24 @@ def test_emacs(tmp_path: Path) -> None:
     if subprocess.run(eglot, capture_output=True, timeout=60, check=False).returncode:
         assert os.environ.get("CI") != "true", "eglot is not installed"
         pytest.skip("eglot is not installed")
-    use([emacs, "-q", "--batch", "-l", str(HERE / "emacs.el")], tmp_path)
+    check(use([emacs, "-q", "--batch", "-l", str(HERE / "emacs.el")], tmp_path))
+
+
+def test_vim_with_ale(tmp_path: Path) -> None:
+    vim = require("vim")
+    has_ale = [
+        vim,
+        "-Nes",
+        "-u",
+        "NONE",
+        "-c",
+        "packadd ale",
+        "-c",
+        "exe exists('g:loaded_ale') ? 'q!' : 'cq!'",
+    ]
+    if subprocess.run(has_ale, capture_output=True, timeout=60, check=False).returncode:
+        pytest.skip("ALE is not installed")
+    run = use([vim, "-N", "-u", str(HERE / "vim.vim"), "-es"], tmp_path)
+    steps = (tmp_path / "steps").read_text()
+    assert "diagnostic: true\ncleared: true" in steps, steps + run.stdout + run.stderr
+    assert run.returncode == 0
