@@ -1,0 +1,93 @@
+"""The preview beside an editor: the real language server over stdio, a page's websocket."""
+
+import asyncio
+from contextlib import asynccontextmanager
+
+import pytest
+import umsgpack
+from tests.preview.robots import ARM, BROKEN_ARM
+from tests.support.lsp import RawClient
+from tornado.websocket import websocket_connect
+
+URI = "untitled:arm"
+CAPABILITIES = {"window": {"showDocument": {"support": True}}}
+SETTINGS = {"kindsl": {"diagnostics": {"delay": 0}}}
+
+
+@pytest.fixture
+def editor():
+    client = RawClient()
+    client.initialize(CAPABILITIES, initializationOptions=SETTINGS)
+    client.open(URI, ARM)
+    yield client
+    client.kill()
+
+
+@asynccontextmanager
+async def page(editor):
+    command = {"command": "kindsl.preview", "arguments": [URI]}
+    url = (await asyncio.to_thread(editor.request, "workspace/executeCommand", command))["url"]
+    connection = await websocket_connect(url.replace("http:", "ws:").replace("/?", "/live?"))
+    await next_message(connection, "end")
+    yield connection
+    connection.close()
+    while await connection.read_message() is not None:
+        continue
+
+
+async def next_message(connection, kind):
+    async with asyncio.timeout(30.0):
+        while True:
+            message = umsgpack.unpackb(await connection.read_message())
+            if message["type"] == kind:
+                return message
+
+
+def position(text):
+    before = ARM.partition(text)[0]
+    return {"line": before.count("\n"), "character": len(before) - before.rfind("\n") - 1}
+
+
+async def test_each_keystroke_is_shown(editor):
+    async with page(editor) as connection:
+        editor.change(URI, 2, {"text": ARM.replace("(0.4, 0.0", "(0.45, 0.0")})
+        assert (await next_message(connection, "joint"))["placement"][12] == 0.45
+        editor.change(URI, 3, {"text": BROKEN_ARM})
+        assert (await next_message(connection, "status"))["state"] == "broken"
+        assert (await next_message(connection, "finding"))["severity"] == "error"
+        editor.change(URI, 4, {"text": ARM})
+        assert (await next_message(connection, "joint"))["placement"][12] == 0.4
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "name"),
+    [("slider via", "link", "slider"), ("lift {", "joint", "lift"), ("tool {", "frame", "tool")],
+)
+async def test_the_cursor_is_followed(editor, text, kind, name):
+    async with page(editor) as connection:
+        params = {"textDocument": {"uri": URI}, "position": position(text)}
+        await asyncio.to_thread(editor.request, "textDocument/documentHighlight", params)
+        message = await next_message(connection, "highlight")
+        assert (message["kind"], message["name"]) == (kind, name)
+
+
+async def test_a_click_moves_the_editor(editor):
+    async with page(editor) as connection:
+        await connection.write_message('{"type": "reveal", "kind": "frame", "name": "tool"}')
+        is_wanted = lambda m: m.get("method") == "window/showDocument"  # noqa: E731
+        request = await asyncio.to_thread(editor.wait, is_wanted)
+        shown = request["params"]
+        assert (shown["uri"], shown["selection"]["start"]) == (URI, position("tool {"))
+        editor.send(id=request["id"], result={"success": True})
+
+
+async def test_a_saved_version_stays_as_a_ghost(editor):
+    async with page(editor) as connection:
+        editor.notify("textDocument/didSave", {"textDocument": {"uri": URI}})
+        editor.change(URI, 2, {"text": ARM.replace("(0.4, 0.0", "(0.45, 0.0")})
+        async with asyncio.timeout(30.0):
+            while True:
+                message = await next_message(connection, "joint")
+                if message["path"].startswith("/kindsl/ghost/"):
+                    break
+        assert message["name"] in ("shoulder", "lift")
