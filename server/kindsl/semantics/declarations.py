@@ -5,7 +5,7 @@ from enum import StrEnum
 from typing import NamedTuple
 
 from kindsl.semantics.expressions import Expression
-from kindsl.semantics.places import Name, Place
+from kindsl.semantics.places import Construct, Name, Place
 from kindsl.syntax.tree import Island, Node
 
 MOMENTS = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")
@@ -19,22 +19,15 @@ class ValueKind(StrEnum):
     DYNAMICS = "dynamics"
 
 
-class Vector(NamedTuple):
+class Vector(Construct):
     """Three components as written; fewer or more while someone types."""
 
-    node: Node
-    island: Island
-    components: tuple[Expression, ...]
+    __slots__ = ("components",)
 
-    @property
-    def start(self) -> int:
-        """First code point, from the island's start."""
-        return self.node.start
-
-    @property
-    def end(self) -> int:
-        """One past the last code point, from the island's start."""
-        return self.node.end
+    def __init__(self, node: Node, island: Island, components: tuple[Expression, ...]) -> None:
+        self.node = node
+        self.island = island
+        self.components = components
 
 
 class Pose(NamedTuple):
@@ -44,34 +37,33 @@ class Pose(NamedTuple):
     rotation: Vector | None
 
 
-class Inertia(NamedTuple):
+class Inertia(Construct):
     """The inertia section of a link.
 
     Attributes:
-        node: Its syntax.
-        island: Where it stands.
         mass: Kilograms.
         com: Centre of mass in metres.
         moments: Moments `Ix Iy Iz` and products `Ixy Ixz Iyz` by name, kg·m², the first of each.
         frame: The frame that centre of mass and moments are given in; the link frame if None.
     """
 
-    node: Node
-    island: Island
-    mass: Expression | None
-    com: Vector | None
-    moments: dict[str, Expression]
-    frame: Name | None
+    __slots__ = ("com", "frame", "mass", "moments")
 
-    @property
-    def start(self) -> int:
-        """First code point, from the island's start."""
-        return self.node.start
-
-    @property
-    def end(self) -> int:
-        """One past the last code point, from the island's start."""
-        return self.node.end
+    def __init__(
+        self,
+        node: Node,
+        island: Island,
+        mass: Expression | None,
+        com: Vector | None,
+        moments: dict[str, Expression],
+        frame: Name | None,
+    ) -> None:
+        self.node = node
+        self.island = island
+        self.mass = mass
+        self.com = com
+        self.moments = moments
+        self.frame = frame
 
 
 class Child(NamedTuple):
@@ -96,10 +88,10 @@ class Child(NamedTuple):
         return self.joint.end
 
 
-class Frame:
+class Frame(Construct):
     """An optional frame, given with respect to its link's frame. `link` is the link's name."""
 
-    __slots__ = ("island", "link", "name", "node", "pose")
+    __slots__ = ("link", "name", "pose")
 
     def __init__(self, node: Node, island: Island, name: Name, link: str, pose: Pose) -> None:
         self.node = node
@@ -108,23 +100,11 @@ class Frame:
         self.link = link
         self.pose = pose
 
-    @property
-    def start(self) -> int:
-        """First code point, from the island's start."""
-        return self.node.start
 
-    @property
-    def end(self) -> int:
-        """One past the last code point, from the island's start."""
-        return self.node.end
-
-
-class Link:
+class Link(Construct):
     """A link, or the robot's base.
 
     Attributes:
-        node: Its syntax.
-        island: Where it stands.
         name: Its name, empty where it is missing.
         id: Its number as written (0 for the base), None where missing or no number.
         id_place: Where the number stands.
@@ -136,8 +116,7 @@ class Link:
     """
 
     __slots__ = (
-        "children", "frames", "id", "id_place", "inertia", "is_base", "is_floating", "island",
-        "name", "node",
+        "children", "frames", "id", "id_place", "inertia", "is_base", "is_floating", "name",
     )  # fmt: skip
 
     def __init__(self, node: Node, island: Island, name: Name) -> None:
@@ -152,26 +131,14 @@ class Link:
         self.is_base = False
         self.is_floating = False
 
-    @property
-    def start(self) -> int:
-        """First code point, from the island's start."""
-        return self.node.start
-
-    @property
-    def end(self) -> int:
-        """One past the last code point, from the island's start."""
-        return self.node.end
-
     def __repr__(self) -> str:
         return f"Link({str(self.name)!r}, id={self.id})"
 
 
-class Joint:
+class Joint(Construct):
     """A joint with its frame, given with respect to the predecessor's link frame.
 
     Attributes:
-        node: Its syntax.
-        island: Where it stands.
         name: Its name, empty where it is missing.
         kind: `"revolute"` or `"prismatic"`.
         id: Its optional, obsolete number.
@@ -179,7 +146,7 @@ class Joint:
         pose: The joint frame.
     """
 
-    __slots__ = ("id", "id_place", "island", "kind", "name", "node", "pose")
+    __slots__ = ("id", "id_place", "kind", "name", "pose")
 
     def __init__(self, node: Node, island: Island, name: Name, kind: str) -> None:
         self.node = node
@@ -189,16 +156,6 @@ class Joint:
         self.id: int | None = None
         self.id_place: Place | None = None
         self.pose = Pose(None, None)
-
-    @property
-    def start(self) -> int:
-        """First code point, from the island's start."""
-        return self.node.start
-
-    @property
-    def end(self) -> int:
-        """One past the last code point, from the island's start."""
-        return self.node.end
 
     def __repr__(self) -> str:
         return f"Joint({str(self.name)!r}, {self.kind})"

@@ -4,35 +4,23 @@ from collections.abc import Iterator, Mapping
 from math import pi
 from typing import NamedTuple
 
-from kindsl.semantics.places import Name
+from kindsl.semantics.places import Construct, Name
 from kindsl.syntax.tree import Island, Node, Token
 
 
-class Expression:
+class Expression(Construct):
     """A value as written.
 
     Attributes:
-        node: Its syntax.
-        island: Where it stands.
         literal: Its value if it is a plain decimal number, else None.
     """
 
-    __slots__ = ("island", "literal", "node")
+    __slots__ = ("literal",)
 
     def __init__(self, node: Node, island: Island) -> None:
         self.node = node
         self.island = island
         self.literal = number_of(node.children[0]) if node.kind == "number" else None
-
-    @property
-    def start(self) -> int:
-        """First code point, from the island's start."""
-        return self.node.start
-
-    @property
-    def end(self) -> int:
-        """One past the last code point, from the island's start."""
-        return self.node.end
 
     @property
     def text(self) -> str:

@@ -2,7 +2,7 @@
 
 from typing import NamedTuple, Protocol
 
-from kindsl.syntax.tree import Island
+from kindsl.syntax.tree import Island, Node
 
 
 class Located(Protocol):
@@ -49,3 +49,28 @@ class Name(str):
         name.start = start
         name.end = end
         return name
+
+
+class Construct:
+    """What a node of the syntax means; it lies where the node lies.
+
+    Attributes:
+        node: Its syntax.
+        island: Where it stands.
+    """
+
+    __slots__ = ("island", "node")
+
+    def __init__(self, node: Node, island: Island) -> None:
+        self.node = node
+        self.island = island
+
+    @property
+    def start(self) -> int:
+        """First code point, from the island's start."""
+        return self.node.start
+
+    @property
+    def end(self) -> int:
+        """One past the last code point, from the island's start."""
+        return self.node.end
