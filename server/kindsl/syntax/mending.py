@@ -9,8 +9,11 @@ from kindsl.syntax.characters import without_invalid
 from kindsl.syntax.foreign_forms import adapted
 from kindsl.syntax.parser import meaning_problems
 from kindsl.syntax.recovery import recover
+from kindsl.syntax.scanner import BAD
 from kindsl.syntax.touched import touched_nodes
 from kindsl.syntax.tree import Island, Problem, Token
+
+_MOST_TOKENS = 100_000
 
 
 def mended(
@@ -24,6 +27,8 @@ def mended(
         spans: Its comments.
         cut: The problem of a comment without an end.
     """
+    if len(tokens) > _MOST_TOKENS:
+        tokens = _shortened(text, tokens)
     good, invalid, problems = without_invalid(tokens)
     usual = adapted(text, good)
     recovered = recover(text, usual.tokens, is_cut=cut is not None)
@@ -37,6 +42,13 @@ def mended(
     said += _not_explained(meaning_problems(text, recovered.nodes, touched), said)
     said.sort(key=lambda problem: problem.start)
     return Island(text, recovered.nodes, _with_leads(written), skipped, spans, tuple(said))
+
+
+def _shortened(text: str, tokens: list[Token]) -> list[Token]:
+    """Return the tokens with all beyond the most that are mended as one."""
+    start, end = tokens[_MOST_TOKENS].start, tokens[-1].end
+    rest = Token(BAD, text[start:end], tokens[_MOST_TOKENS].lead, start, end)
+    return [*tokens[:_MOST_TOKENS], rest]
 
 
 def _not_explained(problems: Sequence[Problem], said: Sequence[Problem]) -> list[Problem]:

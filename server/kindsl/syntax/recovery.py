@@ -9,8 +9,9 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from kindsl.syntax.automaton import Stack, initial, is_complete, step
-from kindsl.syntax.block_kinds import Opening, opening, unglue
+from kindsl.syntax.block_kinds import Opening, opening
 from kindsl.syntax.builder import build
+from kindsl.syntax.dialect import goes_on, unglued
 from kindsl.syntax.indentation import lost_closing
 from kindsl.syntax.messages import closing_problem, leftover_problem, repair_problem
 from kindsl.syntax.preferences import moments_around, preferences
@@ -23,7 +24,6 @@ from kindsl.syntax.words import SPELLINGS, supplied
 MOST_PROBLEMS = 12
 _BACK = 4
 _GOES_ON = 3
-_GLUED = ("RobotBase", "Robot", "link", "r_joint", "p_joint", "via")
 
 
 class Recovered(NamedTuple):
@@ -146,15 +146,15 @@ class _Block:
         behind = tokens[index + 1 : index + 1 + _GOES_ON]
         if token.text in KEYWORDS and token.kind != "KEYWORD_NAME":
             after = step(self.stack, "KEYWORD_NAME")
-            if after is None or not _goes_on(after, behind):
+            if after is None or not goes_on(after, behind):
                 return False
             token.kind = "KEYWORD_NAME"
             return self._shift()
-        pair = _unglued(self.stack, token)
+        pair = unglued(self.stack, token)
         if pair is None:
             return False
         after = step(self.stack, pair[0].kind)
-        if after is None or not _goes_on(after, [pair[1], *behind]):
+        if after is None or not goes_on(after, [pair[1], *behind]):
             return False
         tokens[index : index + 1] = pair
         return self._shift()
@@ -232,7 +232,7 @@ class _Block:
         island = self.island
         for index in range(island.index + 1, len(island.tokens)):
             after = step(self.stack, island.tokens[index].kind)
-            if after is not None and _goes_on(after, island.tokens[index + 1 : index + 3]):
+            if after is not None and goes_on(after, island.tokens[index + 1 : index + 3]):
                 rest = island.tokens[island.index : index]
                 island.problems.append(leftover_problem(island.written, rest, island.text))
                 island.skip(rest)
@@ -272,29 +272,6 @@ class _Block:
         trial.insert(place, supplied("}", self.read_tokens[place - 1].end))
         is_whole = build(trial, self.start).read == len(trial)
         return place if is_whole else len(self.read_tokens)
-
-
-def _goes_on(stack: Stack, tokens: Sequence[Token]) -> bool:
-    """Return whether tokens fit, a keyword also where a name is."""
-    following: Stack | None = stack
-    for token in tokens:
-        assert following is not None
-        after = step(following, token.kind)
-        if after is None and token.text in KEYWORDS:
-            after = step(following, "KEYWORD_NAME")
-        if after is None:
-            return False
-        following = after
-    return True
-
-
-def _unglued(stack: Stack, token: Token) -> tuple[Token, Token] | None:
-    for word in _GLUED:
-        if token.text.startswith(word) and len(token.text) > len(word):
-            pair = unglue(token, word)
-            if pair is not None and step(stack, pair[0].kind) is not None:
-                return pair
-    return None
 
 
 def _is_alike(token: Token, kind: str) -> bool:

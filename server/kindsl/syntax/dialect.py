@@ -1,0 +1,34 @@
+"""What robcogen2 reads as names and keywords: `link link {`, `linkl1 {`."""
+
+from collections.abc import Sequence
+
+from kindsl.syntax.automaton import Stack, step
+from kindsl.syntax.block_kinds import unglue
+from kindsl.syntax.tables import KEYWORDS
+from kindsl.syntax.tree import Token
+
+_GLUED = ("RobotBase", "Robot", "link", "r_joint", "p_joint", "via")
+
+
+def goes_on(stack: Stack, tokens: Sequence[Token]) -> bool:
+    """Return whether tokens fit, a keyword also where a name is."""
+    following: Stack | None = stack
+    for token in tokens:
+        assert following is not None
+        after = step(following, token.kind)
+        if after is None and token.text in KEYWORDS:
+            after = step(following, "KEYWORD_NAME")
+        if after is None:
+            return False
+        following = after
+    return True
+
+
+def unglued(stack: Stack, token: Token) -> tuple[Token, Token] | None:
+    """Return the keyword and the name of `viajoint` where that keyword may stand, else None."""
+    for word in _GLUED:
+        if token.text.startswith(word) and len(token.text) > len(word):
+            pair = unglue(token, word)
+            if pair is not None and step(stack, pair[0].kind) is not None:
+                return pair
+    return None
