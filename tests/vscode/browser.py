@@ -4,6 +4,7 @@ import os
 import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import NoReturn
 
 import pytest
 from playwright.sync_api import Browser, sync_playwright
@@ -23,11 +24,16 @@ ARGUMENTS = (
 def require(program: str) -> str:
     """Return a program's path; without it skip the test, or fail where everything must run."""
     path = shutil.which(program)
-    if path is not None:
-        return path
+    if path is None:
+        missing(f"{program} is not installed")
+    return path
+
+
+def missing(reason: str) -> NoReturn:
+    """Skip the test, or fail where everything must run."""
     if os.environ.get("CI") == "true":
-        pytest.fail(f"{program} is not installed")
-    pytest.skip(f"{program} is not installed")
+        pytest.fail(reason)
+    pytest.skip(reason)
 
 
 @contextmanager

@@ -12,7 +12,7 @@ from playwright.sync_api import Browser
 from tests.vscode.code_server import CodeServer
 
 HOST = Path(__file__).parent / "host"
-TIMEOUT = 180_000
+TIMEOUT = 120_000
 
 OLD_PYTHON = """#!/bin/sh
 echo '{"executable": "python3", "version": [3, 8, 10], "missing": []}'

@@ -4,7 +4,8 @@ from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser
-from tests.vscode import models
+from tests.vscode import code_server, models
+from tests.vscode.browser import missing
 from tests.vscode.code_server import CodeServer
 from tests.vscode.extension_host import run_suite, write_interpreters
 
@@ -20,6 +21,13 @@ def folder(tmp_path: Path) -> Path:
 
 def test_features(browser: Browser, server: CodeServer, folder: Path) -> None:
     outcome = run_suite(browser, server, folder, "features")
+    assert outcome.code == 0, str(outcome)
+
+
+def test_tasks(browser: Browser, server: CodeServer, folder: Path) -> None:
+    if not code_server.has_terminals():
+        missing("the terminal of VS Code could not be compiled")
+    outcome = run_suite(browser, server, folder, "tasks")
     assert outcome.code == 0, str(outcome)
 
 

@@ -32,7 +32,7 @@ export function activate(context: vscode.ExtensionContext): Api {
     openPreview: (uri = activeDocument(previews)) => uri && previews.open(uri),
     showStatus: (received) => status.receive(received),
   }));
-  const previews = new Previews(own);
+  const previews = new Previews(context.extensionUri, own);
   const status = new StatusItems(own);
   const problems: Problem[] = [];
 

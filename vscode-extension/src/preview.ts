@@ -23,7 +23,10 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
   readonly #previews = new Set<Preview>();
   readonly #disposables: vscode.Disposable[];
 
-  constructor(private readonly server: Server) {
+  constructor(
+    private readonly extension: vscode.Uri,
+    private readonly server: Server,
+  ) {
     this.#disposables = [
       vscode.window.registerWebviewPanelSerializer(VIEW_TYPE, this),
       vscode.window.onDidChangeActiveTextEditor((editor) => this.#followEditor(editor)),
@@ -79,6 +82,7 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
     const preview: Preview = { panel, uri, isPinned, request: 0 };
     this.#previews.add(preview);
     panel.webview.options = { enableScripts: true, localResourceRoots: [] };
+    panel.iconPath = vscode.Uri.joinPath(this.extension, "images", "file.svg");
     panel.onDidDispose(() => this.#previews.delete(preview));
     panel.onDidChangeViewState(() => this.#announcePin());
     this.#show(preview, uri);
