@@ -20,7 +20,7 @@ def table(folder: Path) -> str:
     lines = [
         "# What kindsl finds in published models",
         "",
-        "Errors and warnings of `kindsl lint` without any configuration, in models that were written",
+        "Errors and warnings of `kindsl lint` without any configuration, in models that were made",
         "for the generators and that at least one of them accepts. Made by `python",
         "benchmarks/published_models.py FOLDER --write`.",
         "",
