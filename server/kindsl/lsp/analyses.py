@@ -30,11 +30,16 @@ class Analyses:
 
     async def of(self, document: Document) -> "Analysis":
         """Return the analysis of a version under the present settings, its model made."""
-        settings = self._workspace.known_settings(document)
-        if settings is None:
-            settings = await self._worker.run(lambda: self._workspace.read_settings(document))
+        settings = await self.settings(document)
         jobs = _jobs(document, settings)
         return await self._shared(jobs, "model", lambda: _model(document, settings), Urgency.ANSWER)
+
+    async def settings(self, document: Document) -> "Settings":
+        """Return the decisions for a document; files are read in the worker."""
+        known = self._workspace.known_settings(document)
+        if known is not None:
+            return known
+        return await self._worker.run(lambda: self._workspace.read_settings(document))
 
     async def findings(
         self, document: Document, urgency: Urgency = Urgency.ANSWER
@@ -43,6 +48,12 @@ class Analyses:
         analysis = await self.of(document)
         jobs = _jobs(document, analysis.settings)
         return await self._shared(jobs, "findings", lambda: analysis.findings, urgency)
+
+    def rest(self, document: Document) -> None:
+        """Drop what is known of a file that no editor shows, for it may be one of many."""
+        if document.version is None:
+            document.facts.pop(_jobs, None)
+            document.rest()
 
     async def _shared(
         self, jobs: "dict[str, _Job[Any]]", name: str, work: Callable[[], T], urgency: Urgency

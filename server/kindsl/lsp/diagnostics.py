@@ -3,7 +3,7 @@
 import itertools
 from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple, cast
 
 from lsprotocol import types
 
@@ -18,6 +18,7 @@ from kindsl.lsp.worker import Urgency
 if TYPE_CHECKING:
     from kindsl.lsp.server import KindslLanguageServer
     from kindsl.rules.diagnostics import Diagnostic
+    from kindsl.rules.settings import Settings
 
 handlers = Handlers()
 
@@ -82,13 +83,33 @@ async def _workspace_report(
     document = server.documents.get(uri)
     if document is None or document.is_toml:
         return None
-    findings = await server.analyses.findings(document, Urgency.BACKGROUND)
-    result_id = result_id_of(document, findings)
-    version = document.version
-    if result_id == known:
-        return types.WorkspaceUnchangedDocumentDiagnosticReport(uri, result_id, version)
-    items = diagnostics(document, findings, server.client)
-    return types.WorkspaceFullDocumentDiagnosticReport(uri, items, version, result_id=result_id)
+    report = await _report(server, document)
+    if report.result_id == known:
+        return types.WorkspaceUnchangedDocumentDiagnosticReport(uri, known, document.version)
+    return types.WorkspaceFullDocumentDiagnosticReport(
+        uri, report.items, document.version, result_id=report.result_id
+    )
+
+
+async def _report(server: "KindslLanguageServer", document: Document) -> "_Report":
+    """Return what is wrong with a document; of a file that is not open only this is kept."""
+    settings = await server.analyses.settings(document)
+    report = document.facts.get(_Report)
+    if report is None or report.settings != settings:
+        findings = await server.analyses.findings(document, Urgency.BACKGROUND)
+        items = diagnostics(document, findings, server.client)
+        report = _Report(settings, result_id_of(document, findings), items)
+        document.facts[_Report] = report
+        server.analyses.rest(document)
+    return cast(_Report, report)
+
+
+class _Report(NamedTuple):
+    """What is wrong with a version under some settings, as it was told."""
+
+    settings: "Settings"
+    result_id: str
+    items: list[types.Diagnostic]
 
 
 def open_and_closed(server: "KindslLanguageServer", files: Iterable[Path]) -> Iterator[str]:

@@ -73,6 +73,12 @@ class Document:
             self._tree = tree
         return self._tree
 
+    def rest(self) -> None:
+        """Drop the syntax; it is parsed again when it is next asked for."""
+        text = self.text
+        self._tree = self._basis = None
+        self.lines = Lines((PlainPiece(text),), (0,))
+
     def changed(self, changes: Sequence[Change], version: int) -> "Document":
         """Return the next version."""
         edits = edits_of(self.lines, changes, self.encoding)

@@ -180,6 +180,10 @@ class KindslProtocol(LanguageServerProtocol):
         encode = self._serialize_message
         return Encoded(json.dumps(result, default=encode, separators=(",", ":"), allow_nan=False))
 
+    def notify_encoded(self, method: str, params: Encoded) -> None:
+        """Send a notification whose parameters are JSON already."""
+        self._send_text(f'{{"jsonrpc":"2.0","method":"{method}","params":{params.json}}}')
+
     def _send_data(self, data: Any) -> None:
         self._send_text(self.encoded(data).json)
 

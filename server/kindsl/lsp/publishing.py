@@ -9,11 +9,15 @@ from kindsl.lsp import tasks, uris
 from kindsl.lsp.configuration_files import configuration_problems
 from kindsl.lsp.diagnostics import diagnostics
 from kindsl.lsp.document import Document
+from kindsl.lsp.protocol import Encoded
 from kindsl.lsp.status import tell_status
 from kindsl.lsp.worker import Urgency
 
 if TYPE_CHECKING:
     from kindsl.lsp.server import KindslLanguageServer
+    from kindsl.rules.diagnostics import Diagnostic
+
+_MANY = 200
 
 
 class Publisher:
@@ -75,16 +79,31 @@ class Publisher:
         if document.is_toml:
             await self._publish_configuration(document)
             return
-        await self._server.analyses.of(document)
-        await self._server.until_quiet()
-        findings = await self._server.analyses.findings(document, Urgency.DIAGNOSTICS)
+        findings = await self._findings(document)
+        shown = await self._encoded(document, findings)
         if self._server.documents.is_current(document):
             if uris.key(document.uri) not in self._pulled:
-                shown = diagnostics(document, findings, self._server.client)
-                self._publish(document.uri, document.version, shown)
+                self._send(document.uri, shown, bool(findings))
             self._publish_broken_files()
             await tell_status(self._server, document, findings)
             await self._server.previews.update(document)
+
+    async def _findings(self, document: Document) -> "tuple[Diagnostic, ...]":
+        await self._server.analyses.of(document)
+        await self._server.until_quiet()
+        return await self._server.analyses.findings(document, Urgency.DIAGNOSTICS)
+
+    async def _encoded(self, document: Document, findings: "tuple[Diagnostic, ...]") -> Encoded:
+        """Return findings as they are sent; many are made ready in the worker."""
+
+        def encoded() -> Encoded:
+            shown = diagnostics(document, findings, self._server.client)
+            params = types.PublishDiagnosticsParams(document.uri, shown, document.version)
+            return self._server.protocol.encoded(params)
+
+        if len(findings) < _MANY:
+            return encoded()
+        return await self._server.worker.run(encoded, Urgency.DIAGNOSTICS)
 
     async def _publish_configuration(self, document: Document) -> None:
         """Publish what is wrong with a configuration file as it is in the editor."""
@@ -103,7 +122,9 @@ class Publisher:
         self._broken = broken
 
     def _publish(self, uri: str, version: int | None, diagnostics: list[types.Diagnostic]) -> None:
-        (self._shown.add if diagnostics else self._shown.discard)(uris.key(uri))
-        self._server.text_document_publish_diagnostics(
-            types.PublishDiagnosticsParams(uri, diagnostics, version)
-        )
+        params = types.PublishDiagnosticsParams(uri, diagnostics, version)
+        self._send(uri, self._server.protocol.encoded(params), bool(diagnostics))
+
+    def _send(self, uri: str, params: Encoded, has_findings: bool) -> None:
+        (self._shown.add if has_findings else self._shown.discard)(uris.key(uri))
+        self._server.protocol.notify_encoded(types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS, params)

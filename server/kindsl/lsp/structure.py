@@ -1,6 +1,6 @@
 """The shape of a document: outline, folds, growing selections, links."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from lsprotocol import types
 
@@ -50,25 +50,37 @@ async def workspace_symbols(
     server: "KindslLanguageServer", params: types.WorkspaceSymbolParams
 ) -> list[types.SymbolInformation]:
     """Find named things in all robots of the workspace."""
+    from kindsl.features.workspace_symbols import is_match
+
     found: list[types.SymbolInformation] = []
     async with Progress(server, "Reading robots", params.work_done_token) as progress:
         files = await server.worker.run(lambda: list(server.settings.files()), Urgency.BACKGROUND)
         for number, uri in enumerate(open_and_closed(server, files)):
             progress.report(number, len(files))
-            found += await server.ask(_matches, uri, params.query) or []
-            if len(found) >= _MOST_SYMBOLS:
-                break
-    return found
+            symbols = await _symbols_of(server, uri)
+            found += [symbol for symbol in symbols if is_match(params.query, symbol.name)]
+    return found[:_MOST_SYMBOLS]
 
 
-def _matches(view: View, query: str) -> list[types.SymbolInformation]:
+async def _symbols_of(server: "KindslLanguageServer", uri: str) -> list[types.SymbolInformation]:
+    """Return the symbols of a document; of a file that is not open only they are kept."""
+    document = server.documents.get(uri)
+    if document is None or document.is_toml:
+        return []
+    if _symbols_of not in document.facts:
+        document.facts[_symbols_of] = await server.ask_at_once(_all_symbols, uri, None)
+        server.analyses.rest(document)
+    return cast(list[types.SymbolInformation], document.facts[_symbols_of])
+
+
+def _all_symbols(view: View, _: None) -> list[types.SymbolInformation]:
     from kindsl.features.workspace_symbols import workspace_symbols
 
     return [
         types.SymbolInformation(
             view.location(s.start, s.end), s.name, _KINDS[s.kind], container_name=s.container
         )
-        for s in workspace_symbols(view.analysis, query)
+        for s in workspace_symbols(view.analysis, "")
     ]
 
 
