@@ -56,3 +56,22 @@ async def test_it_holds_up_nobody_and_grows_no_queue():
         continue
     hanging.close()
     await server.stop()
+
+
+async def test_a_long_robot_leaves_the_loop_free_and_only_the_newest_version_is_drawn():
+    server = PreviewServer()
+    robots = [plain_robot(150, seed) for seed in range(6)]
+    ticks = 0
+
+    async def tick():
+        nonlocal ticks
+        while True:
+            ticks += 1
+            await asyncio.sleep(0)
+
+    ticking = asyncio.ensure_future(tick())
+    shows = [asyncio.ensure_future(server.show("robot", robot, ())) for robot in robots]
+    await asyncio.gather(*shows)
+    ticking.cancel()
+    assert server.document(None).analysis is robots[-1]
+    assert ticks > 10

@@ -1,7 +1,9 @@
 """One document's preview: from an analysis and the sliders' values to the state of its pages."""
 
+import asyncio
 import math
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -9,12 +11,26 @@ from kindsl.dynamics.bodies import Bodies
 from kindsl.mechanism.build import drawable_bodies
 from kindsl.preview.channel import Channel, Tab
 from kindsl.preview.parameters import parameter_messages
-from kindsl.preview.picture import State, picture
+from kindsl.preview.picture import Picture, State, picture
 from kindsl.preview.reports import finding_messages, status_message
 from kindsl.preview.scene import ghost_messages, robot_messages
-from kindsl.preview.wire import Message, keyed, path_of
+from kindsl.preview.wire import Message, Messages, keyed, path_of
 from kindsl.rules.analysis import Analysis
 from kindsl.rules.diagnostics import Diagnostic
+
+
+class Drawing(NamedTuple):
+    """What there is to show of a version.
+
+    Attributes:
+        given: The values that it was made with.
+        picture: Which bodies, and in what state.
+        robot: Their messages, None without bodies.
+    """
+
+    given: dict[str, float]
+    picture: Picture
+    robot: Messages | None
 
 
 class DocumentPreview:
@@ -24,12 +40,16 @@ class DocumentPreview:
         channel: The state and the tabs.
         analysis: The document as last shown, None before.
         findings: What was found in it.
+        newest: The version that was last asked for, maybe not yet shown.
+        turn: Held while a version is drawn.
     """
 
     def __init__(self, label: str) -> None:
         self.channel = Channel()
         self.analysis: Analysis | None = None
         self.findings: Sequence[Diagnostic] = ()
+        self.newest: Analysis | None = None
+        self.turn = asyncio.Lock()
         self._label = label
         self._joints: dict[str, float] = {}
         self._parameters: dict[str, float] = {}
@@ -38,9 +58,23 @@ class DocumentPreview:
 
     def show(self, analysis: Analysis, findings: Sequence[Diagnostic]) -> None:
         """Show a version; values that were set by sliders stay."""
+        self.put(analysis, findings, self.drawing(analysis))
+
+    def drawing(self, analysis: Analysis) -> Drawing:
+        """Return what there is to show of a version; changes nothing, so any thread may ask."""
+        given = {**analysis.context.values, **self._parameters}
+        drawn = picture(analysis.model, given, self._last_good)
+        bodies = drawn.bodies
+        robot = robot_messages(str(analysis.model.name), bodies) if bodies is not None else None
+        return Drawing(given, drawn, robot)
+
+    def put(self, analysis: Analysis, findings: Sequence[Diagnostic], drawing: Drawing) -> None:
+        """Show a version of which a drawing was made."""
         self.analysis = analysis
         self.findings = findings
-        self._draw()
+        if drawing.given != {**analysis.context.values, **self._parameters}:
+            drawing = self.drawing(analysis)
+        self._put(analysis, drawing)
         self.channel.replace("findings", finding_messages(findings, analysis.text))
 
     def keep_as_ghost(self) -> None:
@@ -87,19 +121,17 @@ class DocumentPreview:
         self.channel.replace("highlight", keyed([message]))
 
     def _draw(self) -> None:
-        if self.analysis is None:
-            return
-        model = self.analysis.model
-        given = {**self.analysis.context.values, **self._parameters}
-        drawn = picture(model, given, self._last_good)
-        if drawn.state is State.LIVE:
-            self._last_good = drawn.bodies
-        if drawn.bodies is not None:
-            self.channel.replace("robot", robot_messages(str(model.name), drawn.bodies))
-        bindings = self.analysis.settings.bindings
-        rows = parameter_messages(model, bindings, self._parameters)
+        if self.analysis is not None:
+            self._put(self.analysis, self.drawing(self.analysis))
+
+    def _put(self, analysis: Analysis, drawing: Drawing) -> None:
+        if drawing.picture.state is State.LIVE:
+            self._last_good = drawing.picture.bodies
+        if drawing.robot is not None:
+            self.channel.replace("robot", drawing.robot)
+        rows = parameter_messages(analysis.model, analysis.settings.bindings, self._parameters)
         self.channel.replace("parameters", rows)
-        status = status_message(drawn, len(self.findings), self._label)
+        status = status_message(drawing.picture, len(self.findings), self._label)
         self.channel.replace("status", keyed([status]))
         self._draw_ghost()
 

@@ -23,6 +23,8 @@ from kindsl.rules.diagnostics import Diagnostic
 from kindsl.text.span import Span
 
 GOING_AWAY = 1001
+# Longer robots are drawn in a thread, to keep the loop free for the editor.
+FEW_LINKS = 60
 PATIENCE = 1.0  # seconds, for tabs to say goodbye
 
 OnReveal = Callable[[str, Span, Reveal], None]
@@ -126,7 +128,7 @@ class PreviewServer:
         findings: Sequence[Diagnostic] | None = None,
         label: str = "",
     ) -> None:
-        """Show a version of a document.
+        """Show a version of a document; one that is overtaken by a newer one is left out.
 
         Args:
             key: The document's.
@@ -135,7 +137,16 @@ class PreviewServer:
             label: What to call the document; the first time counts.
         """
         found = analysis.findings if findings is None else findings
-        self._document(key, label).show(analysis, found)
+        document = self._document(key, label)
+        document.newest = analysis
+        async with document.turn:
+            if document.newest is not analysis:
+                return
+            if len(analysis.model.links) <= FEW_LINKS:
+                document.show(analysis, found)
+            else:
+                drawing = await asyncio.to_thread(document.drawing, analysis)
+                document.put(analysis, found, drawing)
 
     def saved(self, key: str) -> None:
         """Let the version that is shown stand as a ghost behind later ones."""

@@ -152,7 +152,8 @@ const KindslScene = (() => {
 
     resize(mark) {
       if (mark.category === "torque") return;
-      const how = sizing(mark.mark), unit = this.model.unit;
+      // A ghost is a little thinner, so that equal bodies do not flicker through each other.
+      const how = sizing(mark.mark), unit = this.model.unit * (mark.tree === "ghost" ? 0.96 : 1);
       if (how === "uniform") mark.mesh.scale.set(unit, unit, unit);
       else if (how === "radial") mark.mesh.scale.set(unit, 1, unit);
     }
