@@ -6,7 +6,7 @@ from enum import Enum
 from typing import NamedTuple
 
 from kindsl.cli.outcome import Failure, LintedFile
-from kindsl.cli.sources import STDIN, is_decodable, read_source
+from kindsl.cli.sources import STDIN, NotText, is_decodable, read_text
 from kindsl.rules.analysis import Analysis, analyse
 from kindsl.rules.diagnostics import Diagnostic
 from kindsl.rules.settings import Settings
@@ -47,9 +47,13 @@ class Checked(NamedTuple):
 
 def check(task: Task) -> Checked:
     """Lint a document; whatever happens, the others can be linted after it."""
-    text = read_source(task.path, task.shown)
+    text = read_text(task.path, task.shown)
     if isinstance(text, Failure):
         return Checked(None, text)
+    if isinstance(text, NotText):
+        from kindsl.cli.undecodable import no_document
+
+        return Checked(no_document(task.shown, text), None)
     try:
         return _checked(task, text)
     except Exception as error:

@@ -3,8 +3,10 @@
 import os
 import stat
 import sys
+from typing import NamedTuple
 
 from kindsl.cli.outcome import Failure
+from kindsl.text.lines import LineIndex
 
 STDIN = "-"
 BOM = "\ufeff"
@@ -19,7 +21,30 @@ _BYTE_ORDER_MARKS = (
 )
 
 
+class NotText(NamedTuple):
+    """The content of a file that is no text in UTF-8.
+
+    Attributes:
+        message: What it is instead, one sentence about the document without final period.
+        text: What can be shown of it.
+        offset: Where in that text it shows.
+    """
+
+    message: str
+    text: str
+    offset: int
+
+
 def read_source(path: str, shown: str) -> str | Failure:
+    """Return the text of a file, or why there is none; see `read_text`."""
+    text = read_text(path, shown)
+    if not isinstance(text, NotText):
+        return text
+    line, column = LineIndex(text.text).position(text.offset)
+    return Failure(shown, text.message, line + 1, column + 1)
+
+
+def read_text(path: str, shown: str) -> str | NotText | Failure:
     """Return the text of a file, undecodable bytes as surrogates, line ends untouched.
 
     Args:
@@ -27,7 +52,7 @@ def read_source(path: str, shown: str) -> str | Failure:
         shown: What to call it.
     """
     try:
-        return _text_of(_content_of(path), shown)
+        return _text_of(_content_of(path))
     except OSError as error:
         return Failure(shown, reason(path, error))
 
@@ -63,29 +88,27 @@ def _content_of(path: str) -> bytes:
         return file.read()
 
 
-def _text_of(content: bytes, shown: str) -> str | Failure:
+def _text_of(content: bytes) -> str | NotText:
     for mark, encoding in _BYTE_ORDER_MARKS:
         if content.startswith(mark):
-            return Failure(shown, f"is {encoding}, not UTF-8", 1, 1)
+            return _encoded(content, encoding)
     text = content.decode("utf-8", "surrogateescape")
     if len(text) == len(content) and "\0" not in text and text.isascii():
         return text
     n_strange = len(text) - len(content.decode("utf-8", "ignore")) + text.count("\0")
-    return _no_text(content, shown) if n_strange > 1 + _MOST_STRANGE * len(text) else text
+    return _strange(content, text) if n_strange > 1 + _MOST_STRANGE * len(text) else text
 
 
-def _no_text(content: bytes, shown: str) -> Failure:
-    """Return the failure for content that is no text, at its first strange byte."""
-    for parity in (0, 1):
+def _encoded(content: bytes, encoding: str) -> NotText:
+    return NotText(f"is {encoding[:6]}, not UTF-8", content.decode(encoding, "replace"), 0)
+
+
+def _strange(content: bytes, text: str) -> NotText:
+    """Return what content is that is no text: UTF-16 without a mark, or noise."""
+    for parity, encoding in ((0, "UTF-16-BE"), (1, "UTF-16-LE")):
         sample = content[parity:400:2]
         if sample.count(0) * 2 > len(sample):
-            return Failure(shown, "is UTF-16, not UTF-8", 1, 1)
-    try:
-        content.decode("utf-8")
-        place = content.index(0)
-    except UnicodeDecodeError as error:
-        place = error.start
-    before = content[:place].decode("utf-8", "surrogateescape")
-    line = before.count("\n") + 1
-    column = len(before) - before.rfind("\n")
-    return Failure(shown, f"is not a text: byte 0x{content[place]:02X}", line, column)
+            return _encoded(content, encoding)
+    offset = next(i for i, c in enumerate(text) if c == "\0" or "\udc80" <= c <= "\udcff")
+    code = ord(text[offset]) & 0xFF
+    return NotText(f"is not a text: byte 0x{code:02X}", text, offset)

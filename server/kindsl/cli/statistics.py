@@ -1,13 +1,14 @@
 """`--statistics`: how often each rule found something."""
 
-from collections import Counter
 from typing import NamedTuple
 
 from kindsl.cli.outcome import Outcome
+from kindsl.rules.base import Severity
+from kindsl.rules.diagnostics import Diagnostic
 
 
 class RuleCount(NamedTuple):
-    """A rule's findings: how many, and how many of them a safe fix would mend."""
+    """A rule's findings: the worst severity, how many, and how many a safe fix would mend."""
 
     code: str
     name: str
@@ -18,13 +19,19 @@ class RuleCount(NamedTuple):
 
 def rule_counts(outcome: Outcome) -> list[RuleCount]:
     """Return the rules that found something, the most frequent first."""
-    findings = [finding for file in outcome.files for finding in file.findings]
-    counts = Counter((f.code, f.name, f.severity.value) for f in findings)
-    fixable = Counter(
-        (f.code, f.name, f.severity.value) for f in findings if f.fix and f.fix.is_safe
-    )
-    found = [RuleCount(*key, count, fixable[key]) for key, count in counts.items()]
-    return sorted(found, key=lambda row: (-row.n_found, row.code))
+    by_rule: dict[str, list[Diagnostic]] = {}
+    for file in outcome.files:
+        for finding in file.findings:
+            by_rule.setdefault(finding.code, []).append(finding)
+    rows = (_rule_count(code, findings) for code, findings in by_rule.items())
+    return sorted(rows, key=lambda row: (-row.n_found, row.code))
+
+
+def _rule_count(code: str, findings: list[Diagnostic]) -> RuleCount:
+    levels = list(Severity)
+    worst = min((finding.severity for finding in findings), key=levels.index)
+    n_fixable = sum(bool(finding.fix and finding.fix.is_safe) for finding in findings)
+    return RuleCount(code, findings[0].name, worst.value, len(findings), n_fixable)
 
 
 def render_text(outcome: Outcome) -> str:

@@ -1,8 +1,10 @@
-"""KD004 for bytes that are no UTF-8 where the parser does not look: in comments."""
+"""KD004 for what the parser does not see: bytes that are no UTF-8, in comments or altogether."""
 
 import re
 from collections.abc import Iterator, Sequence
 
+from kindsl.cli.outcome import LintedFile
+from kindsl.cli.sources import NotText
 from kindsl.rules.base import Severity
 from kindsl.rules.diagnostics import Diagnostic
 
@@ -23,6 +25,14 @@ def with_undecodable(text: str, findings: Sequence[Diagnostic]) -> Sequence[Diag
     if not added:
         return findings
     return sorted([*findings, *added], key=lambda d: (d.start, d.end, d.code, d.message))
+
+
+def no_document(shown: str, content: NotText) -> LintedFile:
+    """Return the file whose content is no text, with the one finding that says so."""
+    end = min(content.offset + 1, len(content.text))
+    message = f"the document {content.message}"
+    finding = Diagnostic(_CODE, _NAME, Severity.ERROR, message, content.offset, end)
+    return LintedFile(shown, content.text, [finding])
 
 
 def _undecodable(text: str, known: set[int]) -> Iterator[Diagnostic]:
