@@ -5,7 +5,6 @@ import json
 from collections.abc import Iterator
 
 import pytest
-
 from tests.support.lsp import RawClient, ready_client
 
 pytest.importorskip("tornado", reason="the preview needs tornado")

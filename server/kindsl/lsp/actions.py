@@ -4,8 +4,9 @@ from typing import TYPE_CHECKING
 
 from lsprotocol import types
 
+from kindsl.lsp.binding import bound
 from kindsl.lsp.diagnostics import diagnostics
-from kindsl.lsp.edits import text_edits, workspace_edit
+from kindsl.lsp.edits import makes_files, text_edits, workspace_edit
 from kindsl.lsp.handlers import Handlers
 from kindsl.lsp.view import View
 
@@ -35,7 +36,8 @@ def offer(view: View, params: types.CodeActionParams) -> list[types.CodeAction]:
     start, end = view.offset(params.range.start), view.offset(params.range.end)
     found = [*code_actions(view.analysis, start, end), fix_all_action(view.analysis)]
     only = params.context.only
-    return [_action(view, each) for each in found if each and _is_wanted(each.kind, only)]
+    wanted = (_action(view, each) for each in found if each and _is_wanted(each.kind, only))
+    return [action for action in wanted if action is not None]
 
 
 def _is_wanted(kind: str, only: object) -> bool:
@@ -49,12 +51,20 @@ def _text(kind: object) -> str:
     return str(getattr(kind, "value", kind))
 
 
-def _action(view: View, action: "CodeAction") -> types.CodeAction:
-    edits = text_edits(view.document, action.edits)
+def _action(view: View, action: "CodeAction") -> types.CodeAction | None:
+    """Return an action as the client takes it; None if the client cannot make it."""
+    edits = [(view.document, text_edits(view.document, action.edits))] if action.edits else []
+    new = []
+    if action.bindings:
+        binding = bound(view, action.bindings)
+        if binding is None or (binding.is_new and not makes_files(view.client)):
+            return None
+        edits.append((binding.document, text_edits(binding.document, [binding.edit])))
+        new = [binding.document] if binding.is_new else []
     return types.CodeAction(
         title=action.title,
         kind=action.kind,
         diagnostics=diagnostics(view.document, action.diagnostics, view.client) or None,
         is_preferred=action.is_preferred or None,
-        edit=workspace_edit(view.client, [(view.document, edits)]),
+        edit=workspace_edit(view.client, edits, new),
     )

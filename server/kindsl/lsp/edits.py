@@ -15,9 +15,17 @@ def text_edits(document: Document, edits: Iterable[TextEdit]) -> list[types.Text
 
 
 def workspace_edit(
-    client: Client, edits: Sequence[tuple[Document, list[types.TextEdit]]]
+    client: Client,
+    edits: Sequence[tuple[Document, list[types.TextEdit]]],
+    new: Sequence[Document] = (),
 ) -> types.WorkspaceEdit:
-    """Return edits of documents, tied to their versions if the client can check them."""
+    """Return edits of documents, tied to their versions if the client can check them.
+
+    Args:
+        client: Who makes them.
+        edits: What to change in each document.
+        new: The documents among them that are to be made first; see `makes_files`.
+    """
     merged: dict[str, tuple[Document, list[types.TextEdit]]] = {}
     for document, each in edits:
         merged.setdefault(document.uri, (document, []))[1].extend(each)
@@ -25,9 +33,24 @@ def workspace_edit(
         return types.WorkspaceEdit(changes={uri: each for uri, (_, each) in merged.items()})
     return types.WorkspaceEdit(
         document_changes=[
-            types.TextDocumentEdit(
-                types.OptionalVersionedTextDocumentIdentifier(document.uri, document.version), each
-            )
-            for document, each in merged.values()
+            *(_creation(document) for document in new),
+            *(
+                types.TextDocumentEdit(
+                    types.OptionalVersionedTextDocumentIdentifier(document.uri, document.version),
+                    each,
+                )
+                for document, each in merged.values()
+            ),
         ]
     )
+
+
+def makes_files(client: Client) -> bool:
+    """Whether the client makes files that an edit asks for."""
+    operations = client.values("workspace.workspace_edit.resource_operations")
+    can_order = client.can("workspace.workspace_edit.document_changes")
+    return can_order and types.ResourceOperationKind.Create in operations
+
+
+def _creation(document: Document) -> types.CreateFile:
+    return types.CreateFile(document.uri, options=types.CreateFileOptions(ignore_if_exists=True))
