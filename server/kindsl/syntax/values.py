@@ -24,6 +24,7 @@ def value_problems(text: str, block: Node, touched: frozenset[int]) -> Iterator[
     while pending:
         node = pending.pop()
         if id(node) in touched and node.kind in _HOLDERS:
+            _flatten_long_expressions(node)
             continue
         if node.kind == "vector":
             for place in (1, 3, 5):
@@ -43,11 +44,19 @@ def _expression_problems(text: str, parent: Node, place: int) -> Iterator[Proble
     if node.kind == "number" and node.children[0].kind == "FLOAT":
         return
     tokens = list(node.tokens())
-    if len(tokens) > DEEPEST:
-        parent.children[place] = Node("unsupported", [*tokens])
+    _flatten_long_expressions(parent)
     if any(token.is_missing for token in tokens) or accepted_by(tokens):
         return
     yield (_malformed(tokens) or _integer(tokens) or _unsupported(text, node, tokens))
+
+
+def _flatten_long_expressions(parent: Node) -> None:
+    """Make expressions that are too long flat, so that nobody who walks them runs out of stack."""
+    for place, child in enumerate(parent.children):
+        if isinstance(child, Node) and child.kind != "number":
+            tokens = list(child.tokens())
+            if len(tokens) > DEEPEST:
+                parent.children[place] = Node("unsupported", [*tokens])
 
 
 def _malformed(tokens: Sequence[Token]) -> Problem | None:
