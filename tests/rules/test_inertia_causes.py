@@ -19,6 +19,7 @@ from tests.support.bodies import (
 from kindsl.rules.analysis import analyse
 from kindsl.rules.diagnostics import Diagnostic
 from kindsl.rules.settings import Settings
+from kindsl.semantics.parameters import Binding
 from kindsl.semantics.rigid_body import MassDistribution, shifted
 from kindsl.text.edits import apply_edits
 
@@ -139,6 +140,17 @@ def test_unit_is_named(power: int, unit: str) -> None:
     assert unit in named.message
     assert named.fix is not None
     assert [edit.text for edit in named.fix.edits] == ["0.00015", "0.00016", "0.00009"]
+
+
+def test_parameters_are_named_with_their_values() -> None:
+    text = "inertia_params { mass = load CoM = (0.0, 0.0, 0.3) Ix=0.1 Iy=0.1 Iz=0.01"
+    text = document_of_bodies([text + " Ixy=0.0 Ixz=0.0 Iyz=0.0 }"])
+    light, heavy = (
+        analyse(text, INERTIA._replace(bindings={"load": Binding(mass)})).findings
+        for mass in (1.0, 3.0)
+    )
+    assert light == ()
+    assert "about the CoM is -0.17 kg·m² at load = 3" in heavy[0].message
 
 
 def test_two_slips_are_named_together() -> None:

@@ -23,10 +23,11 @@ from kindsl.rules.plausible_bodies import (
     GREATEST_LENGTH,
     density_of,
     is_dense_as_matter,
+    is_placeholder,
     is_plainly_dense_as_matter,
 )
-from kindsl.semantics.declarations import MOMENTS, Declarations, Inertia, Link
-from kindsl.semantics.expressions import Expression, half_unit
+from kindsl.semantics.declarations import MOMENTS, Declarations, Inertia, Link, inertia_values
+from kindsl.semantics.expressions import Expression, ParameterUse, half_unit, symbols
 from kindsl.semantics.lowering import declarations
 from kindsl.semantics.places import Place
 from kindsl.semantics.rigid_body import (
@@ -128,6 +129,16 @@ def is_plain(inertia: Inertia) -> bool:
     )
 
 
+def at_values(inertia: Inertia, values: Mapping[str, float]) -> str:
+    """Return at which parameters' values an inertia was looked at: ` at m = 2`, or nothing."""
+    if is_plain(inertia):
+        return ""
+    uses = [use for value in inertia_values(inertia) for use in symbols(value)]
+    names = dict.fromkeys(str(use.name) for use in uses if isinstance(use, ParameterUse))
+    told = [f"{name} = {values[name]:g}" for name in names if name in values]
+    return f" at {', '.join(told)}" if told else ""
+
+
 def mass_distribution(inertia: Inertia, values: Mapping[str, float]) -> MassDistribution | None:
     """Return the numbers of an inertia, None where one is missing or unbound."""
     com, moments = inertia.com, inertia.moments
@@ -188,7 +199,7 @@ def _judge(link: Link, values: Mapping[str, float]) -> Judgement | None:
     if inertia is None or has_problem_within(inertia):
         return None
     body = mass_distribution(inertia, values)
-    if body is None or body.mass <= 0.0:
+    if body is None or body.mass <= 0.0 or is_placeholder(body):
         return None
     second_moments = second_moments_about_com(body)
     if is_clearly_positive(second_moments):

@@ -34,12 +34,12 @@ def explained(declared: Declarations, context: Context, slip: Slip) -> Iterator[
 
 
 def _known_cause(found: Judgement) -> Cause | None:
-    """Return the cause, computed once for a body's numbers."""
-    facts = found.inertia.island.facts
-    known = facts.get((_KEY, found.body))
-    if known is None:
-        known = facts[_KEY, found.body] = (_plausible_cause(found),)
-    return known[0] if isinstance(known, tuple) else None
+    """Return the cause, computed once for a body as long as its numbers stay."""
+    facts, key = found.inertia.island.facts, (_KEY, found.inertia.start)
+    known = facts.get(key)
+    if not isinstance(known, tuple) or known[0] != found.body:
+        known = facts[key] = (found.body, _plausible_cause(found))
+    return known[1]  # type: ignore[no-any-return]
 
 
 def _plausible_cause(found: Judgement) -> Cause | None:

@@ -30,7 +30,7 @@ from collections.abc import Iterator
 from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link
-from kindsl.rules.inertia_checks import Verdict, judgements, keyword
+from kindsl.rules.inertia_checks import Verdict, at_values, judgements, keyword
 from kindsl.rules.quantities import with_unit
 from kindsl.semantics.declarations import Declarations
 
@@ -42,6 +42,7 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
             smallest = with_unit(found.moments[0], "kg·m²")
             message = f"inertia of '{found.link.name}' is not positive definite: "
             message += f"smallest principal moment about the CoM is {smallest}"
+            message += at_values(found.inertia, context.values)
             yield Finding(keyword(found.inertia), message)
 
 

@@ -32,7 +32,7 @@ from collections.abc import Iterator
 from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link
-from kindsl.rules.inertia_checks import Verdict, judgements, keyword
+from kindsl.rules.inertia_checks import Verdict, at_values, judgements, keyword
 from kindsl.rules.quantities import sum_below
 from kindsl.semantics.declarations import Declarations
 
@@ -44,6 +44,7 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
             small, middle, large = found.moments
             message = f"inertia of '{found.link.name}' breaks the triangle inequality: principal "
             message += f"moments about the CoM {sum_below((small, middle), large)} kg·m²"
+            message += at_values(found.inertia, context.values)
             severity = Severity.ERROR
             if found.verdict is Verdict.WITHIN_ROUNDING:
                 severity = Severity.INFORMATION

@@ -6,7 +6,8 @@ Reports what RobCoGen 0.x refuses though the language has it: products with `*`,
 the target robcogen; else it is off, and a hint if it is selected.
 
 ## Why is this bad?
-RobCoGen answers "no viable alternative" and generates nothing.
+RobCoGen answers "no viable alternative" and generates nothing. A base that is someone's child it
+does not resolve, which is told here too.
 
 ## Example
 ```kindsl
@@ -22,13 +23,15 @@ from collections.abc import Iterator
 from kindsl.rules.base import Example, Finding, Rule, Severity
 from kindsl.rules.context import ROBCOGEN, Context
 from kindsl.rules.examples import STEEL_BALL, joint, link, robot
+from kindsl.rules.load_refusals import load_refusal
 from kindsl.rules.portability_findings import refused_by
 from kindsl.semantics.model import Model
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each construct that RobCoGen refuses."""
-    return refused_by(ROBCOGEN, model, context)
+    yield from refused_by(ROBCOGEN, model, context)
+    yield from load_refusal(ROBCOGEN, model, context)
 
 
 def _arm(height: str) -> Example:

@@ -3,10 +3,12 @@
 ## What it does
 Reports what RobCoGen2 refuses though the language has it: block comments, escaped names, products
 without `*`, names that begin with `pi`, and so on. An error for the target robcogen2; else it is
-off, and a hint if it is selected.
+off, and a hint if it is selected. For the target robcogen2 it also tells the first defect of names,
+ids or the tree at which RobCoGen2 dies with `KeyError` or `Inconsistent arguments` while it loads
+the document; the defect has a rule of its own too.
 
 ## Why is this bad?
-RobCoGen2 stops with a syntax error and generates nothing.
+RobCoGen2 stops and generates nothing.
 
 ## Example
 ```kindsl
@@ -22,13 +24,15 @@ from collections.abc import Iterator
 from kindsl.rules.base import Example, Finding, Rule, Severity
 from kindsl.rules.context import ROBCOGEN2, Context
 from kindsl.rules.examples import joint
+from kindsl.rules.load_refusals import load_refusal
 from kindsl.rules.portability_findings import refused_by
 from kindsl.semantics.model import Model
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each construct that RobCoGen2 refuses."""
-    return refused_by(ROBCOGEN2, model, context)
+    yield from refused_by(ROBCOGEN2, model, context)
+    yield from load_refusal(ROBCOGEN2, model, context)
 
 
 def _joint(height: str, comment: str = "") -> Example:

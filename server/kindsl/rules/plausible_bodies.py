@@ -2,7 +2,13 @@
 
 from math import pi
 
-from kindsl.semantics.rigid_body import Eigenpair, Symmetric, determinant, equivalent_density
+from kindsl.semantics.rigid_body import (
+    Eigenpair,
+    MassDistribution,
+    Symmetric,
+    determinant,
+    equivalent_density,
+)
 
 LEAST_DENSITY = 10.0
 GREATEST_DENSITY = 30_000.0
@@ -19,6 +25,11 @@ def is_plainly_dense_as_matter(mass: float, second_moments: Symmetric) -> bool:
     `(4/3 pi)^2 125 det(S) / m^3`, and density is mass by volume.
     """
     return _GREATEST <= determinant(second_moments) / mass**5 <= _LEAST
+
+
+def is_placeholder(body: MassDistribution) -> bool:
+    """Return whether mass and moments are all 1.0, which no body is by chance."""
+    return body.mass == 1.0 and body.moments[:3] == (1.0, 1.0, 1.0)
 
 
 def density_of(mass: float, pairs: tuple[Eigenpair, Eigenpair, Eigenpair]) -> float:

@@ -182,10 +182,13 @@ def greatest_moment(body: MassDistribution, half: MassDistribution, axis: Vector
     x, y, z = axis
     weights = (x * x, y * y, z * z, -2.0 * x * y, -2.0 * x * z, -2.0 * y * z)
     about_origin = _greatest_sum(weights, body.moments, half.moments)
-    cx, cy, cz = body.com
-    distance = hypot(y * cz - z * cy, z * cx - x * cz, x * cy - y * cx)
-    least = max(0.0, distance - hypot(*half.com))
-    return about_origin - max(0.0, body.mass - half.mass) * least * least
+    along = x * body.com[0] + y * body.com[1] + z * body.com[2]
+    across = [c - along * u for c, u in zip(body.com, axis, strict=True)]
+    distance = hypot(*across)
+    if distance == 0.0:
+        return about_origin
+    reach = sum(abs(a) * h for a, h in zip(across, half.com, strict=True)) / distance
+    return about_origin - max(0.0, body.mass - half.mass) * max(0.0, distance - reach) ** 2
 
 
 def _greatest_sum(weights: Symmetric, values: Symmetric, halves: Symmetric) -> float:

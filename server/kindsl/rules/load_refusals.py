@@ -1,0 +1,46 @@
+"""Defects of meaning at which a generator stops while it loads a document, without telling where."""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Finding, Severity
+from kindsl.rules.context import ROBCOGEN, ROBCOGEN2, Context
+from kindsl.semantics.model import Model
+
+_STOPPING = {
+    ROBCOGEN: ("KD206",),
+    ROBCOGEN2: (
+        "KD101", "KD102", "KD103", "KD109", "KD110", "KD201", "KD202", "KD203", "KD204", "KD205",
+        "KD206", "KD207", "KD406",
+    ),
+}  # fmt: skip
+
+
+def load_refusal(target: str, model: Model, context: Context) -> Iterator[Finding]:
+    """Yield the first defect at which a named target stops; it tells no more than one either."""
+    if target not in context.targets:
+        return
+    for finding in _defects(_STOPPING[target], model, context):
+        message = f"{target} does not load this: {finding.message}"
+        yield Finding(finding.at, message, severity=Severity.ERROR)
+        return
+
+
+def _defects(codes: tuple[str, ...], model: Model, context: Context) -> Iterator[Finding]:
+    from kindsl.rules.registry import all_rules
+
+    for rule in all_rules():
+        if rule.code in codes and rule.check_document and not _is_harmless(rule.code, model):
+            yield from rule.check_document(model, context)
+
+
+def _is_harmless(code: str, model: Model) -> bool:
+    """Return whether robcogen2 takes what the rule finds: it loads a link that is its own child,
+    and the same child listed twice.
+    """
+    if code == "KD201":
+        return all(len(loop) == 1 for loop in model.tree.loops)
+    if code == "KD207":
+        return all(
+            len({edge.child.joint for edge in edges}) == 1 for edges in model.tree.above.values()
+        )
+    return False
