@@ -12,8 +12,14 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from tests.cli.conftest import Runner
 from tests.cli.samples import GOOD, INTEGER
+
+from kindsl.cli.checking import Mending, Task, check
+from kindsl.cli.sources import is_decodable
+from kindsl.rules.settings import Settings
 
 STRANGE = {
     "utf16.kindsl": GOOD.encode("utf-16"),
@@ -184,3 +190,26 @@ def test_defect_of_a_rule_does_not_stop_the_others(
     assert told.err.startswith("arm.kindsl: error: a defect of kindsl itself: KeyError: 'oh'\n")
     assert told.out.startswith("leg.kindsl:21:32:")
     assert told.status == 2
+
+
+@settings(max_examples=150, deadline=None)
+@given(
+    st.binary(max_size=200)
+    | st.tuples(st.binary(max_size=5), st.integers(0, len(GOOD))).map(
+        lambda spoilt: GOOD.encode()[: spoilt[1]] + spoilt[0] + GOOD.encode()[spoilt[1] :]
+    )
+)
+def test_any_bytes_are_linted_and_mended_without_a_defect(content: bytes) -> None:
+    with tempfile.NamedTemporaryFile(suffix=".kindsl") as file:
+        path = Path(file.name)
+        path.write_bytes(content)
+        task = Task(file.name, "x.kindsl", Settings(), Mending.WRITTEN, with_unsafe=True)
+        linted, failure = check(task)
+        written = path.read_bytes()
+        path.write_bytes(content)
+    assert failure is None
+    assert linted is not None
+    assert linted.text.encode("utf-8", "surrogateescape") == written or written == content
+    if not is_decodable(content.decode("utf-8", "surrogateescape")):
+        assert written == content
+        assert any(finding.code == "KD004" for finding in linted.findings)

@@ -42,7 +42,12 @@ def run_lint(args: Any) -> int:
             from kindsl.cli.watching import watch
 
             return watch(plan, lambda outcome: _report(outcome, args))
-        return _report(lint(plan), args)
+        outcome = lint(plan)
+        if plan.choices.decisions.bindings and not args.quiet:
+            from kindsl.cli.unused_bindings import unused_on_command_line
+
+            write(sys.stderr, unused_on_command_line(outcome.files, plan.choices))
+        return _report(outcome, args)
     except ConfigurationError as error:
         _tell_failures(as_failures(error))
         return UNUSABLE

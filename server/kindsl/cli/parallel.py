@@ -37,6 +37,13 @@ def _n_processors() -> int:
     return os.cpu_count() or 1
 
 
+def _leave_interrupts_to_parent() -> None:
+    """Let Ctrl-C end the parent, which ends the others without a traceback of each."""
+    import signal
+
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
 def _in_processes(tasks: Sequence[Task], jobs: int) -> Iterator[Checked]:
     import multiprocessing
     from concurrent.futures import ProcessPoolExecutor
@@ -45,7 +52,7 @@ def _in_processes(tasks: Sequence[Task], jobs: int) -> Iterator[Checked]:
     method = "fork" if "fork" in multiprocessing.get_all_start_methods() else "spawn"
     context = multiprocessing.get_context(method)
     done = 0
-    with ProcessPoolExecutor(jobs, mp_context=context) as pool:
+    with ProcessPoolExecutor(jobs, context, initializer=_leave_interrupts_to_parent) as pool:
         try:
             for checked in pool.map(check, tasks, chunksize=_BATCH):
                 done += 1

@@ -48,6 +48,15 @@ def unused_bindings(
     return found
 
 
+def unused_on_command_line(files: Sequence[LintedFile], choices: Choices) -> str:
+    """Return a line for each `--param` that no document uses; nothing if there are no documents."""
+    known: frozenset[str] = frozenset().union(*(file.parameters for file in files))
+    given = choices.decisions.bindings
+    names = [name for name in given if given[name].origin == "--param"]
+    unused = vain_bindings(names, sorted(known)) if files else ()
+    return "".join(f"warning: --param {one.name}: {one.message}\n" for one in unused)
+
+
 def _messages(
     configuration: Configuration, used: Mapping[str, frozenset[str]]
 ) -> Iterator[tuple[KeyPath, str]]:

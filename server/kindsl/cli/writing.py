@@ -45,7 +45,7 @@ def _replace(target: str, content: bytes) -> None:
             file.flush()
             os.fsync(file.fileno())
         os.chmod(temporary, stat.S_IMODE(status.st_mode))
-        with contextlib.suppress(OSError):
+        with contextlib.suppress(OSError, AttributeError):
             os.chown(temporary, status.st_uid, status.st_gid)
         os.replace(temporary, target)
     except BaseException:
