@@ -7,6 +7,7 @@ import pytest
 
 from kindsl.rules.analysis import analyse
 from kindsl.rules.diagnostics import Diagnostic
+from kindsl.rules.settings import Settings
 
 SHARED = Path(__file__).parents[3] / "shared"
 CORPUS = SHARED / "corpus"
@@ -57,19 +58,44 @@ def test_parametric_model_asks_for_its_parameters() -> None:
     assert not [code for code in found if code < "KD4"]
 
 
-def verdicts() -> list[object]:
+def verdicts() -> list[dict[str, str]]:
     table = CONFORMANCE / "verdicts.tsv"
     if not table.is_file():
         return []
     lines = table.read_text(encoding="utf-8").splitlines()
     columns = lines[0].split("\t")
     rows = (dict(zip(columns, line.split("\t"), strict=False)) for line in lines[1:])
-    accepted = (row for row in rows if "accept" in (row["A"], row["B"]))
-    return [pytest.param(row["name"], id=row["name"]) for row in accepted]
+    return list(rows)
+
+
+def accepted() -> list[object]:
+    rows = (row for row in verdicts() if "accept" in (row["A"], row["B"]))
+    return [pytest.param(row["name"], id=row["name"]) for row in rows]
+
+
+def text_of(name: str) -> str:
+    path = CONFORMANCE / "cases" / f"{name}.kindsl"
+    return path.read_bytes().decode("utf-8", "surrogateescape")
 
 
 @needs_cases
-@pytest.mark.parametrize("name", verdicts())
+@pytest.mark.parametrize("name", accepted())
 def test_what_a_generator_accepts_has_no_error_of_syntax(name: str) -> None:
-    text = (CONFORMANCE / "cases" / f"{name}.kindsl").read_bytes().decode("utf-8")
-    assert [f.message for f in analyse(text).findings if f.code.startswith("KD0")] == []
+    found = analyse(text_of(name)).findings
+    assert [f.message for f in found if f.code.startswith("KD0")] == []
+
+
+LOADING = ("KD0", "KD105", "KD106", "KD107", "KD108", "KD6")
+
+
+@needs_cases
+@pytest.mark.parametrize(("target", "column"), [("robcogen", "A"), ("robcogen2", "B")])
+def test_with_a_target_named_its_verdict_is_ours(target: str, column: str) -> None:
+    settings = Settings(targets=frozenset([target]))
+    differing = []
+    for row in verdicts():
+        found = analyse(text_of(row["name"]), settings).findings
+        errors = [f for f in found if f.severity == "error" and f.code.startswith(LOADING)]
+        if bool(errors) != (row[column] == "reject"):
+            differing.append(row["name"])
+    assert differing == []

@@ -1,4 +1,4 @@
-"""Defects of meaning at which a generator stops while it loads a document, without telling where."""
+"""Defects of meaning at which a generator stops while it loads a document, telling no place."""
 
 from collections.abc import Iterator
 
