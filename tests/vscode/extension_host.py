@@ -10,6 +10,7 @@ from pathlib import Path
 
 from playwright.sync_api import Browser
 from tests.vscode.code_server import CodeServer
+from tests.vscode.workbench import SHOTS
 
 HOST = Path(__file__).parent / "host"
 TIMEOUT = 120_000
@@ -37,12 +38,13 @@ def run_suite(
     browser: Browser,
     server: CodeServer,
     folder: Path,
-    suite: str,
+    suite: Path,
     others: Sequence[Path] = (),
 ) -> Outcome:
-    """Run `host/SUITE.js` in a window on a folder.
+    """Run a test module in a window on a folder.
 
     Args:
+        suite: The module, which exports `run`.
         others: Folders of further extensions, taken as they are.
     """
     outcome = Outcome()
@@ -53,7 +55,7 @@ def run_suite(
     page.expose_function("codeAutomationExit", lambda code, logs: _finish(outcome, code))
     payload = [
         *(("extensionDevelopmentPath", server.remote(path)) for path in (HOST, *others)),
-        ("extensionTestsPath", server.remote(HOST / f"{suite}.js")),
+        ("extensionTestsPath", server.remote(suite)),
         ("skipWelcome", "true"),
     ]
     page.goto(server.url(folder, payload))
@@ -62,7 +64,7 @@ def run_suite(
         page.wait_for_timeout(100)
         waited += 100
     if outcome.code is None:
-        page.screenshot(path=f"artifacts/vscode/{suite}-timeout.png")
+        page.screenshot(path=SHOTS / f"{suite.stem}-timeout.png")
     page.close()
     return outcome
 

@@ -7,7 +7,7 @@ from playwright.sync_api import Browser
 from tests.vscode import code_server, models
 from tests.vscode.browser import missing
 from tests.vscode.code_server import CodeServer
-from tests.vscode.extension_host import run_suite, write_interpreters
+from tests.vscode.extension_host import HOST, run_suite, write_interpreters
 
 
 @pytest.fixture
@@ -20,18 +20,18 @@ def folder(tmp_path: Path) -> Path:
 
 
 def test_features(browser: Browser, server: CodeServer, folder: Path) -> None:
-    outcome = run_suite(browser, server, folder, "features")
+    outcome = run_suite(browser, server, folder, HOST / "features.js")
     assert outcome.code == 0, str(outcome)
 
 
 def test_tasks(browser: Browser, server: CodeServer, folder: Path) -> None:
     if not code_server.has_terminals():
         missing("the terminal of VS Code could not be compiled")
-    outcome = run_suite(browser, server, folder, "tasks")
+    outcome = run_suite(browser, server, folder, HOST / "tasks.js")
     assert outcome.code == 0, str(outcome)
 
 
 def test_discovery(browser: Browser, server: CodeServer, folder: Path, tmp_path: Path) -> None:
     write_interpreters(folder, tmp_path)
-    outcome = run_suite(browser, server, folder, "discovery")
+    outcome = run_suite(browser, server, folder, HOST / "discovery.js")
     assert outcome.code == 0, str(outcome)

@@ -1,0 +1,72 @@
+"""How long the VS Code extension takes to activate, as a multiple of the least one possible.
+
+Both are loaded in the same installation of VS Code, alternately, each in a window of its own: the
+packaged extension with its bundled libraries, and a client of a few lines with a trivial pygls
+server in the same interpreter.
+
+Usage: python -m benchmarks.vscode_activation.measure [ROUNDS]
+"""
+
+import os
+import re
+import statistics
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from playwright.sync_api import Browser
+from tests.vscode import browser, code_server
+from tests.vscode.extension_host import run_suite
+
+HERE = Path(__file__).parent
+SUBJECTS = ("kindsl", "minimal")
+LIMIT = 1.5
+
+
+def main(rounds: int) -> int:
+    """Print the medians and their ratio; return 1 if it is above the limit."""
+    package = code_server.package_extension()
+    _compile_minimal()
+    # Compiled modules are kept, as users have them.
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+    os.environ["KINDSL_BENCHMARK_PYTHON"] = sys.executable
+    os.environ["KINDSL_BENCHMARK_SERVER"] = str(HERE / "minimal" / "server.py")
+    times: dict[str, list[float]] = {name: [] for name in SUBJECTS}
+    with tempfile.TemporaryDirectory() as work, browser.chromium() as window:
+        settings = {"kindsl.interpreter": [sys.executable]}
+        with code_server.running(Path(work) / "data", settings, [package]) as server:
+            for number in range(-1, rounds):
+                for name in SUBJECTS if number % 2 else reversed(SUBJECTS):
+                    milliseconds = _measure(window, server, Path(work) / name, name)
+                    # The first round fills the caches of compiled modules.
+                    times[name] += [milliseconds] if number >= 0 else []
+    medians = {name: statistics.median(values) for name, values in times.items()}
+    ratio = medians["kindsl"] / medians["minimal"]
+    for name, median in medians.items():
+        spread = ", ".join(f"{value:.0f}" for value in sorted(times[name]))
+        print(f"{name:8} {median:5.0f} ms  ({spread})")
+    print(f"ratio    {ratio:.2f}  (limit {LIMIT})")
+    return int(ratio > LIMIT)
+
+
+def _measure(window: Browser, server: code_server.CodeServer, folder: Path, name: str) -> float:
+    folder.mkdir(exist_ok=True)
+    outcome = run_suite(window, server, folder, HERE / "measure.js", [HERE / "minimal"])
+    found = re.search(rf"TEST {name} ([\d.]+)", str(outcome))
+    if found is None:
+        raise RuntimeError(f"no measurement of {name}:\n{outcome}")
+    return float(found.group(1))
+
+
+def _compile_minimal() -> None:
+    esbuild = code_server.EXTENSION / "node_modules" / ".bin" / "esbuild"
+    options = ["--bundle", "--platform=node", "--format=cjs", "--external:vscode", "--minify"]
+    source, target = HERE / "minimal" / "extension.ts", HERE / "minimal" / "out" / "extension.js"
+    modules = {**os.environ, "NODE_PATH": str(code_server.EXTENSION / "node_modules")}
+    command = [esbuild, source, *options, f"--outfile={target}"]
+    subprocess.run(command, check=True, capture_output=True, env=modules)
+
+
+if __name__ == "__main__":
+    sys.exit(main(int(sys.argv[1]) if len(sys.argv) > 1 else 7))
