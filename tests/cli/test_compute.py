@@ -212,3 +212,10 @@ def test_public_api(folder: Path, document: Path) -> None:
         package.parse("Robot").mechanism()
     with pytest.raises(AttributeError, match="nothing"):
         package.nothing  # noqa: B018
+
+
+def test_errors_that_leave_a_mechanism_are_noted(kindsl: Runner, folder: Path) -> None:
+    (folder / "a.kindsl").write_text(GOOD.replace("Ix = 0.0101", "Ix = -0.0101"))
+    told = kindsl("compute", "a.kindsl")
+    assert told.status == 0
+    assert told.err == "a.kindsl: note: has an error, see kindsl lint\n"

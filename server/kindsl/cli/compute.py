@@ -17,6 +17,7 @@ from kindsl.cli.outcome import Failure
 from kindsl.cli.reading import (
     CommandError,
     defect,
+    note_errors,
     read_document,
     require_syntax,
     shown_name,
@@ -60,6 +61,7 @@ def run(args: argparse.Namespace) -> int:
         analysis = read_document(args.file, choices_of(args))
         require_syntax(args.file, analysis)
         mechanism = _mechanism(args.file, analysis)
+        note_errors(args.file, analysis)
         robot = Robot(mechanism.bodies.joint_names, mechanism.bodies.is_floating)
         return _show(args, analysis, mechanism, motions_of(args, robot))
     except CommandError as error:

@@ -6,7 +6,7 @@ import sys
 from kindsl.cli.console import write
 from kindsl.cli.lint_options import add_parameter_arguments
 from kindsl.cli.linting import as_failures
-from kindsl.cli.reading import CommandError, read_document, shown_name
+from kindsl.cli.reading import CommandError, note_errors, read_document, shown_name
 from kindsl.cli.robot_facts import robot_facts
 from kindsl.cli.run_choices import choices_of
 from kindsl.config.errors import ConfigurationError
@@ -40,8 +40,5 @@ def run(args: argparse.Namespace) -> int:
         from kindsl.cli.robot_text import robot_text
 
         write(sys.stdout, robot_text(facts))
-    n_errors = facts["findings"]["error"]
-    if n_errors:
-        told = f"{n_errors} errors" if n_errors > 1 else "an error"
-        write(sys.stderr, f"{shown_name(args.file)}: note: has {told}, see kindsl lint\n")
+    note_errors(args.file, analysis)
     return 0

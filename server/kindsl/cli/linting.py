@@ -47,6 +47,20 @@ class Plan(NamedTuple):
 
 def lint(plan: Plan) -> Outcome:
     """Lint all documents of a plan, whatever some of them hold."""
+    tasks, failures, configurations = _prepared(plan)
+    if len(tasks) > _FEW_TO_COLLECT:
+        gc.enable()
+    files: list[LintedFile] = []
+    for checked in _with_progress(check_all(tasks, plan.jobs), len(tasks), plan.is_quiet):
+        files += [checked.file] if checked.file is not None else []
+        failures += [checked.failure] if checked.failure is not None else []
+    return Outcome([*files, *_unused(files, configurations, plan)], failures)
+
+
+def _prepared(
+    plan: Plan,
+) -> "tuple[list[Task], list[Failure], dict[str, Configuration]]":
+    """Return what can be linted, why the rest cannot, and configurations by the path shown."""
     tasks: list[Task] = []
     failures: list[Failure] = []
     configurations: dict[str, Configuration] = {}
@@ -64,13 +78,7 @@ def lint(plan: Plan) -> Outcome:
         if configuration is not None:
             configurations[shown] = configuration
         tasks.append(Task(document, shown, settings, plan.mending, plan.with_unsafe))
-    if len(tasks) > _FEW_TO_COLLECT:
-        gc.enable()
-    files: list[LintedFile] = []
-    for checked in _with_progress(check_all(tasks, plan.jobs), len(tasks), plan.is_quiet):
-        files += [checked.file] if checked.file is not None else []
-        failures += [checked.failure] if checked.failure is not None else []
-    return Outcome([*files, *_unused(files, configurations, plan)], failures)
+    return tasks, failures, configurations
 
 
 def as_failures(error: ConfigurationError) -> list[Failure]:

@@ -9,6 +9,7 @@ from kindsl.cli.outcome import Failure
 from kindsl.cli.sources import STDIN, read_source
 from kindsl.config.errors import ConfigurationError
 from kindsl.rules.analysis import Analysis, analyse
+from kindsl.rules.base import Severity
 from kindsl.semantics.places import Located
 from kindsl.text.lines import LineIndex
 
@@ -66,6 +67,14 @@ def require_syntax(path: str, analysis: Analysis) -> None:
             failures.append(Failure(shown_name(path), message, line + 1, column + 1))
     if failures:
         raise CommandError(failures, status=1)
+
+
+def note_errors(path: str, analysis: Analysis) -> None:
+    """Tell on stderr if a document has errors, so that nobody takes its numbers for sound."""
+    n_errors = sum(finding.severity is Severity.ERROR for finding in analysis.findings)
+    if n_errors:
+        told = f"{n_errors} errors" if n_errors > 1 else "an error"
+        write(sys.stderr, f"{shown_name(path)}: note: has {told}, see kindsl lint\n")
 
 
 def defect(path: str, analysis: Analysis, message: str, at: Located | None) -> CommandError:

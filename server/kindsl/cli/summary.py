@@ -9,32 +9,29 @@ def summary(outcome: Outcome) -> str:
     n_files = len(outcome.files)
     if not n_files and not outcome.failures:
         return "no documents (*.kindsl) found\n"
-    counts = [
-        counted(outcome.count(Severity.ERROR), "error"),
-        counted(outcome.count(Severity.WARNING), "warning"),
-        counted(_n_remarks(outcome), "remark"),
-    ]
-    told = ", ".join(text for text in counts if not text.startswith("0 ")) or "no findings"
-    line = f"{told} in {counted(n_files, 'document')}"
+    line = f"{_counts(outcome) or 'no findings'} in {counted(n_files, 'document')}"
     if outcome.failures:
         line += f", {counted(len(outcome.failures), 'failure')}"
     n_fixed = sum(file.n_fixed for file in outcome.files)
-    if n_fixed:
-        line += f"; {n_fixed} fixed"
     n_fixable = sum(
         bool(finding.fix and finding.fix.is_safe)
         for file in outcome.files
         for finding in file.findings
     )
-    if n_fixable:
-        line += f"; {n_fixable} can be mended with --fix"
-    return line + "\n"
+    line += f"; {n_fixed} fixed" if n_fixed else ""
+    return line + (f"; {n_fixable} can be mended with --fix\n" if n_fixable else "\n")
+
+
+def _counts(outcome: Outcome) -> str:
+    n_remarks = outcome.count(Severity.INFORMATION) + outcome.count(Severity.HINT)
+    counts = {
+        "error": outcome.count(Severity.ERROR),
+        "warning": outcome.count(Severity.WARNING),
+        "remark": n_remarks,
+    }
+    return ", ".join(counted(number, noun) for noun, number in counts.items() if number)
 
 
 def counted(number: int, noun: str) -> str:
     """Return a number with its noun, in the plural unless it is one."""
     return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
-
-
-def _n_remarks(outcome: Outcome) -> int:
-    return outcome.count(Severity.INFORMATION) + outcome.count(Severity.HINT)
