@@ -1,0 +1,125 @@
+"""Writes docs/published-models.md: what kindsl finds in models that others have published.
+
+Usage: python docs/pictures/published_models.py [--check] [FOLDER]
+
+The folder, ../shared/corpus beside the project if none is named, holds the models and SOURCES.tsv,
+which tells of each its origin, licence and what the two generators say to it. With --check nothing
+is written; the exit status is 1 if the page is not as it would be.
+"""
+
+import csv
+import sys
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+
+from kindsl.rules.analysis import analyse
+from kindsl.rules.registry import rule_named
+from kindsl.rules.settings import Settings
+
+ROOT = Path(__file__).parents[2]
+CORPUS = ROOT / ".." / "shared" / "corpus"
+PAGE = ROOT / "docs" / "published-models.md"
+SOURCES = "SOURCES.tsv"
+VERDICTS = {"accept": "accepts", "reject": "refuses"}
+HEAD = """\
+# What kindsl finds in published models
+
+Models that their authors published and use, checked without any configuration, so that what either
+generator reads is welcome. Made by `python docs/pictures/published_models.py`; the models belong to
+others and are not part of this project.
+
+"""
+
+
+def main(arguments: Sequence[str]) -> int:
+    """Write the page, or check it; return the exit status."""
+    folders = [argument for argument in arguments if argument != "--check"]
+    folder = Path(folders[0]) if folders else CORPUS
+    if not (folder / SOURCES).is_file():
+        print(
+            f"{folder}: no {SOURCES} there; name a folder with it and the models", file=sys.stderr
+        )
+        return 2
+    text = page(folder)
+    if "--check" in arguments:
+        return int(not PAGE.is_file() or PAGE.read_text(encoding="utf-8") != text)
+    PAGE.write_text(text, encoding="utf-8")
+    print(f"{PAGE.name}: {len(models(folder))} models")
+    return 0
+
+
+def models(folder: Path) -> list[Mapping[str, str]]:
+    """Return the rows of SOURCES.tsv whose model is in the folder."""
+    with (folder / SOURCES).open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file, delimiter="\t"))
+    return [row for row in rows if (folder / row["file"]).is_file()]
+
+
+def page(folder: Path) -> str:
+    """Return the page: a table of models, and one of the errors with their words."""
+    rows = models(folder)
+    return HEAD + "\n".join((*_table(folder, rows), "", *_errors(folder, rows))) + "\n"
+
+
+def _table(folder: Path, rows: Iterable[Mapping[str, str]]) -> Iterable[str]:
+    yield "| model | of | RobCoGen | RobCoGen2 | errors | warnings | remarks |"
+    yield "|---|---|---|---|---|---|---|"
+    for row in rows:
+        cells = [_name(row), _origin(row), _verdict(row["A"]), _verdict(row["B"])]
+        cells += [_counted(folder, row, severities) for severities in _COLUMNS]
+        yield f"| {' | '.join(cells)} |"
+
+
+_COLUMNS = (("error",), ("warning",), ("info", "hint"))
+
+
+def _errors(folder: Path, rows: Iterable[Mapping[str, str]]) -> Iterable[str]:
+    """Yield every error with its message, and below it what is supposed of its cause."""
+    yield "## The errors"
+    for row in rows:
+        found = _findings(folder, row)
+        if any(severity == "error" for severity, _, _ in found):
+            yield f"\n**{_name(row)}**, which RobCoGen {_verdict(row['A'])}:\n"
+            causes = ("KD306", "KD307", "KD308")
+            shown = (each for each in found if each[0] == "error" or each[1] in causes)
+            yield from (f"- {_link(code)} {message}" for _, code, message in shown)
+
+
+def _findings(folder: Path, row: Mapping[str, str]) -> list[tuple[str, str, str]]:
+    """Return severity, code and message of the findings in a model, in the order of the text."""
+    text = (folder / row["file"]).read_text(encoding="utf-8")
+    return [(str(f.severity), f.code, f.message) for f in analyse(text, Settings()).findings]
+
+
+def _counted(folder: Path, row: Mapping[str, str], severities: Sequence[str]) -> str:
+    codes = Counter(code for severity, code, _ in _findings(folder, row) if severity in severities)
+    if not codes:
+        return "none"
+    return ", ".join(f"{n} {_link(code)} {_title(code)}" for code, n in sorted(codes.items()))
+
+
+def _name(row: Mapping[str, str]) -> str:
+    return Path(row["path"]).stem
+
+
+def _origin(row: Mapping[str, str]) -> str:
+    year = f", {row['date'][:4]}" if row["date"] else ""
+    return f"{row['origin']}{year}"
+
+
+def _verdict(word: str) -> str:
+    return VERDICTS[word.split()[0]]
+
+
+def _link(code: str) -> str:
+    return f"[{code}](rules/{code.lower()}.md)"
+
+
+def _title(code: str) -> str:
+    rule = rule_named(code)
+    return rule.name if rule is not None else ""
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
