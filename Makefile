@@ -2,19 +2,26 @@
 
 VENV := .venv
 BIN := $(VENV)/bin
-STAMP := $(VENV)/.installed
+STAMP := $(VENV)/.installed-for-tests
+TOOLS := $(VENV)/.installed
 PYTHON ?= python3
 EXAMPLE ?= examples/quadruped.kindsl
 
 .PHONY: demo test fix lint types layers docs tables bench vsix screenshots clean
 
-$(STAMP): pyproject.toml
+$(BIN)/python:
 	$(PYTHON) -m venv $(VENV)
+
+$(TOOLS): pyproject.toml | $(BIN)/python
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[all]'
+	touch $@
+
+$(STAMP): pyproject.toml | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[test]'
-	touch $(STAMP)
+	touch $(TOOLS) $@
 
 # Lint the examples, show what is found, then open the preview of one of them.
-demo: $(STAMP)
+demo: $(TOOLS)
 	$(BIN)/kdsl-lint --exit-zero --statistics examples
 	$(BIN)/kindsl preview $(EXAMPLE) $(DEMO_OPTIONS)
 
