@@ -87,3 +87,12 @@ def test_reading_any_bytes_gives_a_text_or_a_failure(content: bytes) -> None:
         assert text.encode("utf-8", "surrogateescape") == content
     else:
         assert str(text).startswith("x.kindsl:")
+
+
+def test_links_are_not_resolved_away(folder: Path) -> None:
+    put(folder, "elsewhere/deep/x.txt", "elsewhere/a.kindsl", "a.kindsl")
+    (folder / "link").symlink_to("elsewhere/deep")
+    assert found("link/../a.kindsl") == ["link/../a.kindsl"]
+    assert found("elsewhere/a.kindsl", "link/../a.kindsl", "a.kindsl") == [
+        "elsewhere/a.kindsl", "a.kindsl",
+    ]  # fmt: skip

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from kindsl.cli.gitignore import Ignored
 
 SUFFIX = ".kindsl"
+_HERE = os.curdir + os.sep
 _VERSION_CONTROL = frozenset((".git", ".hg", ".svn", ".jj"))
 
 
@@ -23,7 +24,7 @@ def documents(paths: list[str]) -> Iterator[str | Failure]:
     seen: set[str] = set()
     for path in paths:
         for found in _documents_of(path):
-            key = str(found)
+            key = str(found) if isinstance(found, Failure) else _identity(found)
             if key not in seen:
                 seen.add(key)
                 yield found
@@ -34,6 +35,20 @@ def documents_below(folder: str) -> Iterator[str | Failure]:
     from kindsl.cli.gitignore import Ignored
 
     yield from _walk(folder, Ignored.above(folder))
+
+
+def _identity(path: str) -> str:
+    """Return what two ways to the same file have in common; links to files stay apart."""
+    folder, name = os.path.split(path)
+    return os.path.join(os.path.realpath(folder), name)
+
+
+def _shown(path: str) -> str:
+    """Return a path without `./` in front, which says nothing unless `-` is a file."""
+    shown = path
+    while shown.startswith(_HERE):
+        shown = shown[len(_HERE) :].lstrip(os.sep)
+    return path if shown in ("", STDIN) else shown
 
 
 def _documents_of(path: str) -> Iterator[str | Failure]:
@@ -47,8 +62,7 @@ def _documents_of(path: str) -> Iterator[str | Failure]:
         yield Failure(path, why)
         return
     if not is_folder:
-        normal = os.path.normpath(path)
-        yield os.path.join(os.curdir, normal) if normal == STDIN else normal
+        yield _shown(path)
         return
     is_empty = True
     for found in documents_below(path):
@@ -81,11 +95,11 @@ def _walk_folder(path: str, ignored: "Ignored") -> Iterator[str | Failure]:
         is_empty = False
         yield found
     if is_empty and path.endswith(SUFFIX):
-        yield Failure(os.path.normpath(path), "is a folder, not a file")
+        yield Failure(_shown(path), "is a folder, not a file")
 
 
 def _document(entry: "os.DirEntry[str]") -> Iterator[str | Failure]:
-    path = os.path.normpath(entry.path)
+    path = _shown(entry.path)
     try:
         mode = entry.stat().st_mode
     except OSError as error:
