@@ -62,6 +62,12 @@ PLACE = """([group, name]) => {
 }"""
 
 
+IS_SHOWN = """(name) => {
+  const { model, poses, paths, unconfirmed } = kindsl.scene;
+  return model.name === name && poses.robot && paths.size > 0 && unconfirmed === null;
+}"""
+
+
 @asynccontextmanager
 async def chromium() -> AsyncIterator[Browser]:
     path = require("chromium", "chromium-browser", "google-chrome")
@@ -76,7 +82,7 @@ async def opened(browser: Browser, url: str) -> AsyncIterator[Page]:
     """Open a page; any error in it fails the test."""
     page = await browser.new_page(viewport=SIZE)
     errors: list[str] = []
-    page.set_default_timeout(15_000)
+    page.set_default_timeout(60_000)
     page.on("pageerror", lambda error: errors.append(str(error)))
     await page.goto(url)
     await until(page, "typeof kindsl !== 'undefined'")
@@ -91,16 +97,16 @@ async def until(page: Page, condition: str, argument: object = None) -> None:
     As a function always: the page's policy forbids what evaluates an expression again and again.
     """
     function = condition if argument is not None else f"() => ({condition})"
-    await page.wait_for_function(function, arg=argument, timeout=15_000)
+    await page.wait_for_function(function, arg=argument, timeout=60_000)
 
 
 async def until_shown(page: Page, robot: str) -> None:
-    """Wait until a robot is drawn."""
-    await until(page, "name => kindsl.scene.model.name === name && kindsl.scene.poses.robot", robot)
+    """Wait until the whole state has come and a robot is drawn."""
+    await until(page, IS_SHOWN, robot)
 
 
 async def eventually(condition: Callable[[], object]) -> None:
     """Wait until a condition holds on our side."""
-    async with asyncio.timeout(15.0):
+    async with asyncio.timeout(60.0):
         while not condition():
             await asyncio.sleep(0.01)

@@ -9,8 +9,9 @@ from kindsl.preview.geometry import viewer_script
 VIEWER = "viewer.js"
 # Each uses the ones before it.
 SCRIPTS = (
-    VIEWER, "kinematics.js", "categories.js", "stage.js", "scene.js", "labels.js", "picking.js",
-    "panel.js", "selection.js", "findings.js", "connection.js", "start.js",
+    VIEWER, "kinematics.js", "categories.js", "elements.js", "stage.js", "scene.js", "labels.js",
+    "picking.js", "slider_row.js", "joint_rows.js", "parameter_rows.js", "legend.js",
+    "selection.js", "findings.js", "inbox.js", "connection.js", "embedded.js", "start.js",
 )  # fmt: skip
 STYLE = "page.css"
 PAGE = "page.html"

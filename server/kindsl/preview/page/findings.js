@@ -2,15 +2,12 @@
 "use strict";
 
 const KindslFindings = (() => {
-  const { make } = KindslPanel;
-  const RANK = { error: 0, warning: 1, info: 2, hint: 3 };
+  const { make } = KindslElements;
+  const WORDS = [["error", "error"], ["warning", "warning"], ["info", "note"], ["hint", "hint"]];
 
   class Findings {
-    constructor(pane, actions) {
-      this.pane = pane;
-      this.actions = actions;
-      this.findings = new Map();
-      this.status = { state: "empty", message: "", total: 0 };
+    constructor(pane, inbox, actions) {
+      Object.assign(this, { pane, inbox, actions });
       this.overlay = document.getElementById("overlay");
       for (const type of ["pointerdown", "wheel"]) this.overlay.addEventListener(type, (event) => event.stopPropagation());
       this.summary = document.getElementById("summary");
@@ -19,15 +16,15 @@ const KindslFindings = (() => {
     }
 
     show() {
-      const { state, message } = this.status;
-      const list = [...this.findings.values()].sort((a, b) => RANK[a.severity] - RANK[b.severity] || a.index - b.index);
+      const { state, message, total } = this.inbox.status;
+      const list = [...this.inbox.findings.values()].sort((a, b) => a.index - b.index);
       const isBroken = state === "broken" || state === "unbound";
       this.pane.classList.toggle("stale", isBroken);
       this.overlay.hidden = !(isBroken || message || (this.isOpen && list.length));
       this.overlay.classList.toggle("broken", isBroken);
       this.overlay.querySelector("h2").textContent = message || "Findings";
       this.overlay.querySelector("ul").replaceChildren(...list.map((finding) => this.item(finding)));
-      const more = this.status.total - list.length;
+      const more = total - list.length;
       this.overlay.querySelector("p").textContent = more > 0 ? `and ${more} more` : "";
       this.summarise(list);
     }
@@ -35,7 +32,7 @@ const KindslFindings = (() => {
     summarise(list) {
       const count = (severity) => list.filter((finding) => finding.severity === severity).length;
       const parts = [];
-      for (const [severity, word] of [["error", "error"], ["warning", "warning"], ["info", "note"], ["hint", "hint"]]) {
+      for (const [severity, word] of WORDS) {
         const n = count(severity);
         if (n) parts.push(`${n} ${word}${n === 1 ? "" : "s"}`);
       }
@@ -46,7 +43,8 @@ const KindslFindings = (() => {
 
     item(finding) {
       const item = make("li"), link = make("button", finding.severity);
-      link.append(make("span", "place", `${finding.line}:${finding.column}`), make("span", "code", finding.code), make("span", "", finding.message));
+      const texts = { place: `${finding.line}:${finding.column}`, code: finding.code, message: finding.message };
+      for (const [className, text] of Object.entries(texts)) link.append(make("span", className, text));
       link.addEventListener("click", () => this.actions.reveal({ kind: "finding", name: String(finding.index) }));
       item.append(link);
       return item;

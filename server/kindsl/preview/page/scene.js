@@ -8,7 +8,8 @@ const KindslScene = (() => {
   const RAIL_RADIUS = 0.5; // of the bodies' radius
   const TORQUE_LENGTH = 0.25; // of the robot's size, for the largest torque
 
-  // Stands where the viewer wants a folder of its own control panel, which we do not show and whose cost grows with the square of the nodes.
+  // Stands where the viewer wants a folder of its own control panel, which we do not show and whose
+  // cost grows with the square of the nodes.
   class NoFolder {
     constructor() { this.domElement = document.createElement("div"); this.__folders = {}; }
     addFolder() { return new NoFolder(); }
@@ -34,6 +35,9 @@ const KindslScene = (() => {
       this.listeners = [];
       viewer.scene_tree.find(["kindsl"]).folder = new NoFolder();
     }
+
+    // Called with each path that is removed.
+    onRemove() {}
 
     onChange(listener) { this.listeners.push(listener); }
     changed(what) {
@@ -84,6 +88,7 @@ const KindslScene = (() => {
     }
 
     remove(path) {
+      this.onRemove(path);
       const isBelow = (other) => other === path || other.startsWith(path + "/");
       for (const other of [...this.paths]) if (isBelow(other)) this.paths.delete(other);
       for (const other of [...this.marks.keys()]) if (isBelow(other)) this.marks.delete(other);

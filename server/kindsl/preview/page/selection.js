@@ -2,42 +2,52 @@
 "use strict";
 
 const KindslSelection = (() => {
-  const { format, make } = KindslPanel;
+  const { format, make } = KindslElements;
   const vector = (values, digits) => `(${values.map((value) => format(value, digits)).join(", ")})`;
   const moment = (value) => (value === 0 ? "0" : Number(value.toPrecision(4)).toString());
 
-  // Rows of [title, text] for the chosen thing.
+  const position = (pose) => `${vector(KindslKinematics.origin(pose))} m`;
+  const rotation = (pose) => `${vector(KindslKinematics.intrinsicXyz(pose))} rad`;
+  const axis = (pose) => vector(KindslKinematics.zAxis(pose));
+
+  // Rows of [title, text] for the chosen thing; null if it is not there.
   function rows(scene, { kind, name }) {
-    const poses = scene.poses.robot, tree = scene.trees.robot;
-    const entity = tree[kind + "s"] && tree[kind + "s"].get(name);
-    const pose = poses && poses[kind + "s"] && poses[kind + "s"].get(name);
+    const poses = scene.poses.robot, tree = scene.trees.robot, group = kind + "s";
+    const entity = tree[group] && tree[group].get(name);
+    const pose = poses && poses[group] && poses[group].get(name);
     if (!entity || !pose) return null;
-    const list = [["Position", `${vector(KindslKinematics.origin(pose))} m`], ["Rotation", `${vector(KindslKinematics.intrinsicXyz(pose))} rad`]];
-    if (kind === "link") list.push(...linkRows(entity, tree, poses));
-    if (kind === "joint") list.push(...jointRows(scene, entity, pose));
-    if (kind === "frame") list.push(["Fixed to", entity.link]);
-    return list;
+    const more = { link: () => linkRows(entity, tree, poses), joint: () => jointRows(scene, entity, pose) }[kind];
+    const list = [["Position", position(pose)], ["Rotation", rotation(pose)]];
+    return list.concat(more ? more() : [["Fixed to", entity.link]]);
   }
 
   function linkRows(link, tree, poses) {
     const list = [];
     const joint = tree.joints.get(link.joint);
-    if (joint) list.push(["Moved by", `${joint.name} (${joint.kind})`], ["Axis", vector(KindslKinematics.zAxis(poses.joints.get(joint.name)))]);
+    if (joint) list.push(["Moved by", `${joint.name} (${joint.kind})`], ["Axis", axis(poses.joints.get(joint.name))]);
     list.push(["Mass", `${format(link.mass, 5)} kg`], ["Centre of mass", `${vector(link.com)} m`]);
+    // The tensor's other entries are the products of inertia with their signs changed.
     const [xx, , , xy, yy, , xz, yz, zz] = link.inertia;
-    list.push(["Inertia", `${[xx, yy, zz].map(moment).join("  ")}`], ["Products", `${[-xy, -xz, -yz].map((v) => moment(v + 0)).join("  ")}`]);
+    list.push(["Inertia", [xx, yy, zz].map(moment).join("  ")]);
+    list.push(["Products", [xy, xz, yz].map((entry) => moment(0 - entry)).join("  ")]);
     list.push(["", "about the centre of mass, link axes, kg m²"]);
     if (!link.is_consistent) list.push(["", "no rigid body has this inertia"]);
     return list;
   }
 
   function jointRows(scene, joint, pose) {
-    const unit = joint.kind === "prismatic" ? ["m", "N"] : ["rad", "N m"];
+    const [unit, force] = joint.kind === "prismatic" ? ["m", "N"] : ["rad", "N m"];
     return [
-      ["Kind", joint.kind], ["Axis", vector(KindslKinematics.zAxis(pose))],
-      ["Moves", `${joint.predecessor} → ${joint.successor}`], ["Value", `${format(scene.q.get(joint.name) || 0)} ${unit[0]}`],
-      ["Gravity", `${format(scene.torques.get(joint.name) || 0, 3)} ${unit[1]}`],
+      ["Kind", joint.kind], ["Axis", axis(pose)],
+      ["Moves", `${joint.predecessor} → ${joint.successor}`],
+      ["Value", `${format(scene.q.get(joint.name) || 0)} ${unit}`],
+      ["Gravity", `${format(scene.torques.get(joint.name) || 0, 3)} ${force}`],
     ];
+  }
+
+  // One line about the whole robot.
+  function summary(scene) {
+    return `${scene.trees.robot.joints.size} joints, ${format(scene.total.mass, 3)} kg`;
   }
 
   function show(scene, chosen, section) {
@@ -50,5 +60,5 @@ const KindslSelection = (() => {
     for (const [title, text] of list) table.append(make("dt", "", title), make("dd", title ? "" : "note", text));
   }
 
-  return { show };
+  return { show, summary };
 })();

@@ -1,18 +1,18 @@
-// Puts the page together: viewer, scene, panel and the line to the server (or the state of an exported page).
+// Puts the page together: viewer, scene, panel, and the line to the server or the state of an exported page.
 "use strict";
 
 const kindsl = (() => {
-  const pane = document.getElementById("pane");
+  const STATES = { live: "live", reconnecting: "reconnecting…", exported: "exported" };
+  const byId = (id) => document.getElementById(id);
+  const pane = byId("pane"), embedded = byId("embedded-state");
   const viewer = new MeshCat.Viewer(pane);
   const scene = new KindslScene.Scene(viewer);
   const stage = new KindslStage.Stage(viewer, scene);
-  const embedded = document.getElementById("embedded-state");
-  const parameters = new Map();
-  document.body.classList.toggle("picture", location.hash === "#picture");
-  let connection = null, selected = null, hovered = null, cursor = null;
+  const inbox = new KindslInbox.Inbox(scene);
+  let connection = null, selected = null, hovered = null;
 
   const send = (message) => connection && connection.send(message);
-  const showHighlight = () => scene.highlight(hovered || cursor || selected);
+  const showHighlight = () => scene.highlight(hovered || inbox.cursor || selected);
 
   const actions = {
     isStatic: Boolean(embedded),
@@ -33,49 +33,52 @@ const kindsl = (() => {
     },
     reveal(chosen) {
       if (["link", "joint", "frame"].includes(chosen.kind)) selected = chosen;
-      cursor = null;
+      inbox.cursor = null;
       showHighlight();
       send({ type: "reveal", ...chosen });
     },
     clear() {
-      selected = cursor = null;
+      selected = inbox.cursor = null;
       showHighlight();
     },
-    frame: () => stage.frame(),
   };
 
   const labels = new KindslLabels.Labels(scene, pane, actions);
   const picking = new KindslPicking.Picking(scene, pane, actions);
-  const panel = new KindslPanel.Panel(scene, actions);
-  const findings = new KindslFindings.Findings(pane, actions);
-  const stale = { joints: true, parameters: true, findings: true, camera: true };
+  const joints = new KindslJointRows.JointRows(scene, actions);
+  const parameters = new KindslParameterRows.ParameterRows(actions);
+  const findings = new KindslFindings.Findings(pane, inbox, actions);
+  KindslLegend.fill(byId("legend"), actions.setView);
+  byId("zero").addEventListener("click", () => joints.zero());
+  byId("frame").addEventListener("click", () => stage.frame());
+  inbox.onCursor = showHighlight;
 
-  function apply(message) {
-    if (message.type === "parameter") { parameters.set(message.name, message); stale.parameters = true; }
-    else if (message.type === "finding") { findings.findings.set(message.path, message); stale.findings = true; }
-    else if (message.type === "status") { findings.status = message; stale.findings = true; }
-    else if (message.type === "highlight") { cursor = message.name ? { kind: message.kind, name: message.name } : null; showHighlight(); }
-    if (message.type === "delete") forget(message.path);
-    scene.apply(message);
-    viewer.set_dirty();
+  function frameRobot() {
+    stage.follow();
+    stage.styleGround();
   }
 
-  function forget(path) {
-    for (const [name, parameter] of parameters) if (parameter.path === path || path === "/kindsl/parameters") { parameters.delete(name); stale.parameters = true; }
-    for (const key of findings.findings.keys()) if (key === path || path === "/kindsl/findings") { findings.findings.delete(key); stale.findings = true; }
+  function refresh() {
+    scene.update();
+    if (scene.trees.robot.links.size && inbox.isStale("camera")) frameRobot();
+    if (inbox.isStale("joints")) joints.update();
+    if (inbox.isStale("parameters")) parameters.update([...inbox.parameters.values()]);
+    if (inbox.isStale("findings")) findings.show();
+    joints.updateTorques();
+    KindslSelection.show(scene, selected, byId("selection"));
+    byId("robot").textContent = scene.model.name;
+    byId("dof").textContent = scene.model.name ? KindslSelection.summary(scene) : "";
   }
 
-  scene.onChange((what) => {
-    if (["model", "joint", "delete", "value", "end"].includes(what)) stale.joints = true;
-    if (what === "model") stale.camera = true;
-  });
-  scene.onRemove = forget;
+  // Before each picture everything is brought up to date, after it the names are put in place.
+  const render = viewer.render.bind(viewer);
+  viewer.render = () => { refresh(); render(); labels.place(); };
 
   // Only meshcat's drawing commands and our own messages; anything else, such as `set_control`, is ignored.
-  viewer.handle_command = apply;
+  viewer.handle_command = (message) => inbox.take(message);
 
   // The canvas fills its pane, not the window.
-  viewer.set_3d_pane_size = function setPaneSize() {
+  viewer.set_3d_pane_size = () => {
     viewer.camera.aspect = pane.clientWidth / Math.max(1, pane.clientHeight);
     viewer.camera.updateProjectionMatrix();
     viewer.renderer.setSize(pane.clientWidth, pane.clientHeight);
@@ -83,44 +86,19 @@ const kindsl = (() => {
     viewer.set_dirty();
   };
 
-  const render = viewer.render.bind(viewer);
-  function refresh() {
-    scene.update();
-    if (stale.camera && scene.trees.robot.links.size) { stage.follow(); stage.styleGround(); stale.camera = false; }
-    if (stale.joints) { panel.updateJoints(); stale.joints = false; }
-    if (stale.parameters) { panel.updateParameters(parameters); stale.parameters = false; }
-    if (stale.findings) { findings.show(); stale.findings = false; }
-    document.getElementById("robot").textContent = scene.model.name;
-    document.getElementById("dof").textContent = scene.model.name ? `${scene.trees.robot.joints.size} joints, ${KindslPanel.format(scene.total.mass, 3)} kg` : "";
-    KindslSelection.show(scene, selected, document.getElementById("selection"));
-    panel.update();
-  }
-  viewer.render = () => { refresh(); render(); labels.place(); };
-
-  function greeting() {
-    const values = {};
-    for (const parameter of parameters.values()) if (parameter.is_overridden) values[parameter.name] = parameter.value;
-    return { type: "hello", joints: Object.fromEntries(scene.q), parameters: values };
-  }
-
-  function showState(state) {
+  function onState(state) {
     document.body.dataset.state = state;
-    document.getElementById("state").textContent = { live: "live", reconnecting: "reconnecting…", exported: "exported" }[state];
+    byId("state").textContent = STATES[state];
   }
 
-  function play(base64) {
-    const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
-    const view = new DataView(bytes.buffer);
-    for (let at = 0; at < bytes.length;) {
-      const length = view.getUint32(at);
-      viewer.handle_command_bytearray(bytes.slice(at + 4, at + 4 + length));
-      at += 4 + length;
-    }
-  }
-
-  if (embedded) { showState("exported"); play(embedded.textContent.trim()); }
-  else connection = new KindslConnection.Connection({ onFrame: (frame) => viewer.handle_command_bytearray(frame), onState: showState, greeting });
+  document.body.classList.toggle("picture", location.hash === "#picture");
+  const onFrame = (frame) => viewer.handle_command_bytearray(frame);
+  const greeting = () => ({ type: "hello", joints: Object.fromEntries(scene.q), parameters: inbox.typedValues() });
+  if (embedded) {
+    onState("exported");
+    KindslEmbedded.frames(embedded.textContent.trim()).forEach(onFrame);
+  } else connection = new KindslConnection.Connection({ onFrame, onState, greeting });
   new ResizeObserver(() => viewer.set_3d_pane_size()).observe(pane);
 
-  return { actions, apply, connection, findings, labels, panel, parameters, picking, refresh, scene, stage, viewer };
+  return { actions, connection, inbox, labels, picking, refresh, scene, stage, viewer };
 })();
