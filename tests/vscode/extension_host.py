@@ -69,10 +69,16 @@ def run_suite(
     return outcome
 
 
+def bare_environment(folder: Path) -> Path:
+    """Make an environment without any package and return its interpreter."""
+    venv.create(folder, with_pip=False, symlinks=True)
+    return folder / "bin" / "python"
+
+
 def write_interpreters(folder: Path, work: Path) -> None:
     """Make interpreters good and bad, and tell the tests in the folder where they are."""
-    bare = _environment(work / "bare")
-    spoilt = _environment(work / "spoilt")
+    bare = bare_environment(work / "bare")
+    spoilt = bare_environment(work / "spoilt")
     packages = next((work / "spoilt").glob("lib/python*/site-packages"))
     for name in ("pygls", "lsprotocol", "cattrs"):
         (packages / name).mkdir()
@@ -80,15 +86,19 @@ def write_interpreters(folder: Path, work: Path) -> None:
     old = work / "old-python"
     old.write_text(OLD_PYTHON)
     old.chmod(0o755)
-    stub = Path(__file__).parent / "stub_server.py"
-    places = {"good": sys.executable, "bare": bare, "spoilt": spoilt, "old": old, "stub": stub}
+    wrapped = work / "wrapped-python"
+    wrapped.write_text(f'#!/bin/sh\nexec "{sys.executable}" "$@"\n')
+    wrapped.chmod(0o755)
+    places = {
+        "good": Path(sys.executable),
+        "wrapped": wrapped,
+        "bare": bare,
+        "spoilt": spoilt,
+        "old": old,
+        "stub": Path(__file__).parent / "stub_server.py",
+    }
     text = json.dumps({name: str(path) for name, path in places.items()})
     (folder / "interpreters.json").write_text(text)
-
-
-def _environment(folder: Path) -> Path:
-    venv.create(folder, with_pip=False, symlinks=True)
-    return folder / "bin" / "python"
 
 
 def _line(kind: str, arguments: object) -> str:

@@ -35,3 +35,12 @@ def test_discovery(browser: Browser, server: CodeServer, folder: Path, tmp_path:
     write_interpreters(folder, tmp_path)
     outcome = run_suite(browser, server, folder, HOST / "discovery.js")
     assert outcome.code == 0, str(outcome)
+
+
+def test_the_python_extension(
+    browser: Browser, server: CodeServer, folder: Path, tmp_path: Path
+) -> None:
+    write_interpreters(folder, tmp_path)
+    stand_in = HOST / "ms_python"
+    outcome = run_suite(browser, server, folder, HOST / "python_extension.js", [stand_in])
+    assert outcome.code == 0, str(outcome)
