@@ -64,18 +64,3 @@ def test_body_flatter_than_a_plate_is_an_error(seed: int, factor: float, axis: i
     flat = MassDistribution(body.mass, (0.0, 0.0, 0.0), (*moments, 0.0, 0.0, 0.0))
     text = document_of_bodies([inertia_text(flat, significant(6))])
     assert [f.code for f in analyse(text, ONLY_INERTIA).findings] == ["KD302"]
-
-
-@given(st.tuples(*[st.floats(-1e3, 1e3) for _ in range(6)]))
-def test_eigensystem_gives_the_matrix_back(
-    matrix: tuple[float, float, float, float, float, float],
-) -> None:
-    pairs = eigensystem(matrix)
-    assert [pair.value for pair in pairs] == sorted(pair.value for pair in pairs)
-    xx, yy, zz, xy, xz, yz = matrix
-    rows = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
-    size = max(map(abs, matrix))
-    for i in range(3):
-        for j in range(3):
-            again = sum(pair.value * pair.axis[i] * pair.axis[j] for pair in pairs)
-            assert abs(again - rows[i][j]) <= 1e-13 * size + 1e-300

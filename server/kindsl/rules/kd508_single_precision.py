@@ -22,6 +22,7 @@ from kindsl.rules.examples import STEEL_BALL, link
 from kindsl.rules.number_writing import significant_digits
 from kindsl.semantics.declarations import Declarations, link_values, pose_values
 from kindsl.semantics.expressions import Expression
+from kindsl.syntax.tree import Token
 
 _KEPT = 9
 
@@ -43,9 +44,11 @@ def _findings(long: list[Expression]) -> Iterator[Finding]:
 
 
 def _is_long(value: Expression) -> bool:
-    if value.end - value.start <= _KEPT or not value.literal:
+    if not value.literal:
         return False
-    return significant_digits(value.text) > _KEPT
+    number = value.node.children[0]
+    is_short = isinstance(number, Token) and len(number.text) <= _KEPT
+    return not is_short and significant_digits(value.text) > _KEPT
 
 
 def _ball(mass: str) -> str:
