@@ -111,13 +111,15 @@ class Session:
         self.client.messages.clear()
 
     def differences(self) -> Iterator[str]:
-        """Yield the documents that a fresh server sees otherwise."""
+        """Yield what is wrong with documents, and where a fresh server sees them otherwise."""
         self.settle()
         with ready_client(CLIENT, initializationOptions=SETTINGS) as fresh:
             for shown in self.documents:
                 fresh.open(shown.uri, shown.text)
-                if looks(self.client, shown.uri) != looks(fresh, shown.uri):
-                    yield shown.uri
+                ours, other = looks(self.client, shown.uri), looks(fresh, shown.uri)
+                if ours != other:
+                    yield f"{shown.uri} looks otherwise"
+                yield from (str(each["error"]) for each in ours if "error" in each)
 
     def _texts(self) -> Iterator[str]:
         examples = sorted((ROOT / "examples").glob("*.kindsl"))
@@ -165,13 +167,16 @@ class Session:
 
 
 def looks(client: RawClient, uri: str) -> tuple[Any, ...]:
-    """Return what does not depend on the server's memory."""
+    """Return what does not depend on the server's memory; where there is none, the error."""
     document = {"textDocument": {"uri": uri}}
     methods = ("diagnostic", "documentSymbol", "foldingRange", "semanticTokens/full", "codeLens")
-    answers = [client.request(f"textDocument/{method}", document) for method in methods]
+    answers = [
+        client.answer(client.start(f"textDocument/{method}", document)) for method in methods
+    ]
     for answer in answers:
-        if isinstance(answer, dict):
-            answer.pop("resultId", None)
+        answer.pop("id")
+        if isinstance(answer.get("result"), dict):
+            answer["result"].pop("resultId", None)
     return tuple(answers)
 
 
@@ -195,7 +200,7 @@ def soak(edits: int, documents: int, seed: int, checks: int = 10) -> list[str]:
                       f" {len(problems) + len(session.errors)} problems", flush=True)  # fmt: skip
         session.settle()
         session.close_all()
-        client.drain()
+        _let_go(client)
         end = resident_megabytes(client.process.pid)
         print(f"memory: {start:.0f} MB before, {end:.0f} MB after all was closed")
         if end > MEMORY_BACK * start:
@@ -213,8 +218,15 @@ def _memory_after_a_first_look(session: Session) -> float:
         for method, params in every_request(shown.uri, place_of(shown.text, len(shown.text) // 2)):
             client.answer(client.start(method, params))
     session.close_all()
-    client.drain()
+    _let_go(client)
     return resident_megabytes(client.process.pid)
+
+
+def _let_go(client: RawClient) -> None:
+    """Wait until the server has nothing left to do."""
+    client.drain()
+    time.sleep(1.5)
+    client.drain()
 
 
 def all_prefixes() -> list[str]:

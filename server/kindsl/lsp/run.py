@@ -2,17 +2,13 @@
 
 import asyncio
 import contextlib
-import gc
 import logging
 import signal
 import sys
 
-from kindsl.lsp import parent_watch, tasks
+from kindsl.lsp import memory, parent_watch, tasks
 from kindsl.lsp.server import KindslLanguageServer
 from kindsl.lsp.transport import MessageWriter, TransportWriter, open_stdio, read_messages
-
-# Syntax trees are many objects without cycles: the collector only walks through them in vain.
-_COLLECTOR = (100_000, 20, 100)
 
 logger = logging.getLogger(__name__)
 
@@ -40,7 +36,7 @@ async def serve_tcp(server: KindslLanguageServer, host: str, port: int) -> int:
 async def _serve(
     server: KindslLanguageServer, reader: asyncio.StreamReader, writer: MessageWriter
 ) -> int:
-    gc.set_threshold(*_COLLECTOR)
+    memory.tune()
     server.loop = asyncio.get_running_loop()
     server.protocol.set_writer(writer)
     reading = asyncio.ensure_future(read_messages(reader, server.protocol.receive))

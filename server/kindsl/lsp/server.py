@@ -18,6 +18,7 @@ from kindsl.lsp import (
     formatting,
     highlighting,
     lifecycle,
+    memory,
     navigation,
     presentation,
     renaming,
@@ -85,6 +86,7 @@ class KindslLanguageServer(LanguageServer):
         self.tokens = highlighting.TokenMemory()
         self.documents.on_close.append(self.tokens.forget)
         self.previews = Previews(self)
+        memory.collect_after_close(self.documents, self.worker)
         self._questions = 0
         self._quiet = asyncio.Event()
         self._quiet.set()
@@ -92,7 +94,7 @@ class KindslLanguageServer(LanguageServer):
         self.on_parent_known: Callable[[int | None], None] = lambda _: None
         super().__init__(
             "kindsl",
-            getattr(kindsl, "__version__", "0.1.0"),
+            kindsl.__version__,
             types.TextDocumentSyncKind.Incremental,
             protocol_cls=KindslProtocol,
         )
