@@ -62,8 +62,8 @@ PICTURES = {
         target=(0.45, 0.0, 0.55), closeness=1.5,
     ),
     "rotations": Picture(
-        "rotations", hidden=(*MASSES, *BODIES, "link-frame", "joint-frame"), closeness=1.3,
-        size=(900, 330),
+        "rotations", hidden=(*MASSES, *BODIES, "link-frame", "joint-frame", "names"),
+        target=(0.33, 0.0, 0.22), camera=(-0.2, -1.0, 0.35), closeness=1.9, size=(900, 240),
     ),
     "inertia": Picture(
         "crane", hidden=("link-frame", "joint-frame", "optional-frame", "axis"),
