@@ -54,16 +54,15 @@ class UnreadableError(Exception):
 
 
 def _run(args: argparse.Namespace) -> int:
-    analysis = _read(args, args.file)
     old = _read(args, args.compare) if args.compare else None
     from kindsl.mechanism.errors import ModelError
     from kindsl.preview.geometry import PreviewUnavailableError
 
     try:
         if args.export or args.screenshot:
-            _write(args, analysis, old)
+            _write(args, old)
         else:
-            _serve(args, analysis, old)
+            _serve(args, old)
     except PreviewUnavailableError as error:
         return _fail(str(error))
     except ModelError as error:
@@ -80,9 +79,10 @@ def _read(args: argparse.Namespace, file: str) -> "Analysis":
     return analyse(text, choices_of(args).settings_for(file))
 
 
-def _write(args: argparse.Namespace, analysis: "Analysis", old: "Analysis | None") -> None:
+def _write(args: argparse.Namespace, old: "Analysis | None") -> None:
     from kindsl.preview.export import exported_page
 
+    analysis = _read(args, args.file)
     page = exported_page(_document(args.file, analysis, old).channel.state)
     if args.export:
         args.export.write_text(page, encoding="utf-8")
@@ -102,10 +102,11 @@ def _document(file: str, analysis: "Analysis", old: "Analysis | None") -> "Docum
     return preview
 
 
-def _serve(args: argparse.Namespace, analysis: "Analysis", old: "Analysis | None") -> None:
+def _serve(args: argparse.Namespace, old: "Analysis | None") -> None:
     import asyncio
 
     from kindsl.preview.command import Command, serve
+    from kindsl.preview.watch import fingerprint
 
     def reread() -> "Analysis | str":
         try:
@@ -114,8 +115,10 @@ def _serve(args: argparse.Namespace, analysis: "Analysis", old: "Analysis | None
             return str(error)
 
     configuration = choices_of(args).configuration_for(args.file)
-    path = configuration.path if configuration else None
-    command = Command(args.file, reread, analysis, old, args.port, not args.no_open, path)
+    paths = (args.file, *([configuration.path] if configuration else []))
+    known = fingerprint(paths)
+    first = _read(args, args.file)
+    command = Command(args.file, reread, first, old, args.port, not args.no_open, paths, known)
     asyncio.run(serve(command))
 
 

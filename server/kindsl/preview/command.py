@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from kindsl.preview.requests import Reveal
 from kindsl.preview.server import PreviewServer
-from kindsl.preview.watch import saves
+from kindsl.preview.watch import Fingerprint, saves
 from kindsl.rules.analysis import Analysis
 from kindsl.text.lines import LineIndex
 from kindsl.text.span import Span
@@ -28,7 +28,8 @@ class Command(NamedTuple):
         old: The document to stand behind it, if any.
         port: To listen on; 0 for a free one.
         opens_browser: Whether to open the page.
-        configuration: The configuration file that holds for it, if any.
+        paths: The document and the configuration file that holds for it, if any.
+        fingerprint: Of these files, taken before they were read.
     """
 
     file: str
@@ -37,7 +38,8 @@ class Command(NamedTuple):
     old: Analysis | None
     port: int
     opens_browser: bool
-    configuration: str | None
+    paths: tuple[str, ...]
+    fingerprint: Fingerprint
 
 
 async def serve(command: Command) -> None:
@@ -72,8 +74,7 @@ async def serve(command: Command) -> None:
 
 
 async def _reload(command: Command, server: PreviewServer, texts: dict[str, str]) -> None:
-    paths = [command.file, *([command.configuration] if command.configuration else [])]
-    async for _ in saves(paths):
+    async for _ in saves(command.paths, command.fingerprint):
         analysis = command.read()
         if isinstance(analysis, str):
             print(analysis, file=sys.stderr, flush=True)

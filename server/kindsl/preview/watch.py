@@ -9,9 +9,16 @@ INTERVAL = 0.1  # seconds
 Fingerprint = tuple[tuple[int, int, int] | None, ...]
 
 
-async def saves(paths: Sequence[str], interval: float = INTERVAL) -> AsyncIterator[None]:
-    """Yield each time that a file has changed, been replaced or appeared."""
-    known = fingerprint(paths)
+async def saves(
+    paths: Sequence[str], known: Fingerprint, interval: float = INTERVAL
+) -> AsyncIterator[None]:
+    """Yield each time that a file has changed, been replaced or appeared.
+
+    Args:
+        paths: The files; the first is the one that has to be there.
+        known: Their fingerprint when they were last read.
+        interval: Seconds between two looks.
+    """
     while True:
         await asyncio.sleep(interval)
         present = fingerprint(paths)

@@ -48,16 +48,14 @@ const KindslStage = (() => {
 
     // Frame the robot when it is new or has become another size; a user's own view stays otherwise.
     follow() {
-      const { size, name } = this.scene.model;
-      const isNew = this.framedSize === null || name !== this.framedName;
-      if (isNew || size > 2 * this.framedSize || size < 0.5 * this.framedSize) this.frame();
+      const { size } = this.scene.model;
+      if (this.framedSize === null || size > 2 * this.framedSize || size < 0.5 * this.framedSize) this.frame();
     }
 
     frame() {
-      const { size, name } = this.scene.model;
+      const { size } = this.scene.model;
       const { camera, controls } = this.viewer;
       this.framedSize = size;
-      this.framedName = name;
       this.isUsersView = false;
       const direction = toThree(FROM).normalize();
       const { target, distance } = this.fit(direction);
