@@ -45,6 +45,7 @@ def test_rounded_possible_body_is_no_error(write: Writer) -> None:
     assert [text[f.start : f.start + 200] for f in wrong] == []
 
 
+@settings(deadline=None)
 @given(seed=st.integers(0, 10**9), shape=st.sampled_from(SHAPES))
 def test_exact_possible_body_is_no_error(seed: int, shape: str) -> None:
     body = random_body(random.Random(seed), shape)
@@ -53,7 +54,7 @@ def test_exact_possible_body_is_no_error(seed: int, shape: str) -> None:
     assert verdict not in (Verdict.TRIANGLE, Verdict.INDEFINITE)
 
 
-@settings(max_examples=200)
+@settings(max_examples=200, deadline=None)
 @given(seed=st.integers(0, 10**9), factor=st.floats(1.02, 5.0), axis=st.integers(0, 2))
 def test_body_flatter_than_a_plate_is_an_error(seed: int, factor: float, axis: int) -> None:
     body = random_body(random.Random(seed), "plate")

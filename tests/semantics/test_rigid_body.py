@@ -40,6 +40,7 @@ def inertia_tensor_about_com(body: MassDistribution) -> np.ndarray:
     return tensor - body.mass * (c @ c * np.eye(3) - np.outer(c, c))
 
 
+@settings(deadline=None)
 @given(entries)
 def test_eigensystem_is_that_of_numpy(matrix: Symmetric) -> None:
     pairs = eigensystem(matrix)
@@ -53,6 +54,7 @@ def test_eigensystem_is_that_of_numpy(matrix: Symmetric) -> None:
     np.testing.assert_allclose(again, matrix_of(matrix), atol=size)
 
 
+@settings(deadline=None)
 @given(seeds, shapes)
 def test_principal_moments_are_those_of_the_tensor(seed: int, shape: str) -> None:
     body = random_body(random.Random(seed), shape)
@@ -61,18 +63,21 @@ def test_principal_moments_are_those_of_the_tensor(seed: int, shape: str) -> Non
     np.testing.assert_allclose(moments, expected, atol=1e-12 * (1.0 + sum(body.moments[:3])))
 
 
+@settings(deadline=None)
 @given(entries)
 def test_moments_and_second_moments_belong_together(matrix: Symmetric) -> None:
     body = MassDistribution(1.0, (0.0, 0.0, 0.0), moments_of(matrix))
     np.testing.assert_allclose(second_moments_about_com(body), matrix, atol=1e-9)
 
 
+@settings(deadline=None)
 @given(seeds, shapes)
 def test_shift_and_back_changes_nothing(seed: int, shape: str) -> None:
     body = random_body(random.Random(seed), shape)
     np.testing.assert_allclose(shifted(shifted(body), -1.0).moments, body.moments, atol=1e-9)
 
 
+@settings(deadline=None)
 @given(entries)
 def test_clearly_positive_matrices_are_positive(matrix: Symmetric) -> None:
     values = np.linalg.eigvalsh(matrix_of(matrix))
@@ -82,6 +87,7 @@ def test_clearly_positive_matrices_are_positive(matrix: Symmetric) -> None:
         assert values[0] < 1e-3 * values[2]
 
 
+@settings(deadline=None)
 @given(entries)
 def test_determinant_is_that_of_numpy(matrix: Symmetric) -> None:
     size = 1e-12 * max(map(abs, matrix)) ** 3 + 1e-300
@@ -90,7 +96,7 @@ def test_determinant_is_that_of_numpy(matrix: Symmetric) -> None:
     )
 
 
-@settings(max_examples=50)
+@settings(max_examples=50, deadline=None)
 @given(seeds, st.floats(1e-4, 0.2))
 def test_bounds_hold_for_all_bodies_within_the_widths(seed: int, width: float) -> None:
     generator = random.Random(seed)

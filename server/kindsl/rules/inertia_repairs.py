@@ -5,10 +5,9 @@ from collections.abc import Iterator
 from kindsl.rules.base import Finding, Fix, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.inertia_causes import Cause, Slip, cause_of
-from kindsl.rules.inertia_checks import Judgement, Verdict, judgements
+from kindsl.rules.inertia_checks import Judgement, Verdict, judgements, keyword
 from kindsl.rules.number_writing import rescaled, rewritten
-from kindsl.semantics.declarations import MOMENTS, Declarations, Inertia
-from kindsl.semantics.places import Place
+from kindsl.semantics.declarations import MOMENTS, Declarations
 
 _KEY = "inertia causes"
 _POWERS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
@@ -26,7 +25,7 @@ def explained(declared: Declarations, context: Context, slip: Slip) -> Iterator[
             cause = _known_cause(found)
             if cause is not None and cause.slips[0] is slip:
                 yield Finding(
-                    _moments(found.inertia),
+                    keyword(found.inertia),
                     f"inertia of '{found.link.name}' is that of a possible body if {_told(cause)}",
                     fix=_fix(found, cause),
                     severity=Severity.INFORMATION,
@@ -73,9 +72,3 @@ def _fix(found: Judgement, cause: Cause) -> Fix | None:
     rewrite = rescaled if cause.power else rewritten
     changes = rewrite(group, cause.body.moments)
     return Fix(_TITLES[cause.slips[0]], tuple(changes)) if changes else None
-
-
-def _moments(inertia: Inertia) -> Place:
-    """Return the place of all moments."""
-    nodes = list(inertia.node.nodes("moment"))
-    return Place(inertia.island, nodes[0].start, nodes[-1].end)

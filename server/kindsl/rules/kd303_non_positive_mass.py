@@ -1,8 +1,8 @@
 """A mass that is negative or zero.
 
 ## What it does
-Reports a negative mass as an error, and a mass of zero on a moving link as a warning. The value may
-be an expression; parameters are taken at their bound values.
+Reports a negative mass of a moving link as an error, and a mass of zero as a warning. The value may
+be an expression; parameters are taken at their bound values. A fixed base may have any mass.
 
 ## Why is this bad?
 A link without mass at the end of a chain makes the joint-space inertia matrix singular: forward
@@ -22,7 +22,8 @@ from kindsl.rules.context import Context
 from kindsl.rules.examples import STEEL_BALL, link
 from kindsl.rules.inertia_checks import is_moving
 from kindsl.rules.quantities import with_unit
-from kindsl.semantics.declarations import Declarations
+from kindsl.semantics.declarations import Declarations, Link
+from kindsl.semantics.expressions import Expression
 
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
@@ -30,14 +31,18 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
     for body in declared.bodies():
         mass = body.inertia.mass if body.inertia is not None else None
         value = mass.value(context.values) if mass is not None else None
-        if mass is None or value is None or value > 0.0 or has_problem_within(mass):
+        if mass is None or value is None or value > 0.0:
             continue
-        if value < 0.0:
-            message = f"mass of '{body.name}' is negative: {with_unit(value, 'kg')}"
-            yield Finding(mass, message)
-        elif is_moving(body):
-            message = f"mass of the moving link '{body.name}' is zero"
-            yield Finding(mass, message, severity=Severity.WARNING)
+        if is_moving(body) and not has_problem_within(mass):
+            yield _finding(body, mass, value)
+
+
+def _finding(body: Link, mass: Expression, value: float) -> Finding:
+    if value < 0.0:
+        message = f"mass of '{body.name}' is negative: {with_unit(value, 'kg')}"
+        return Finding(mass, message, severity=Severity.ERROR)
+    message = f"mass of the moving link '{body.name}' is zero"
+    return Finding(mass, message, severity=Severity.WARNING)
 
 
 def _ball(mass: str) -> str:

@@ -7,7 +7,7 @@ and a link that is missing altogether excuses all: it may carry them.
 """
 
 from collections.abc import Iterable, Sequence
-from typing import NamedTuple, TypeVar
+from typing import TypeVar
 
 from kindsl.rules.broken_text import has_problem_within, is_cut_off
 from kindsl.rules.did_you_mean import did_you_mean
@@ -21,7 +21,7 @@ _MOST_SUGGESTIONS = 20
 _Thing = TypeVar("_Thing", Link, Joint)
 
 
-class ReferenceDefects(NamedTuple):
+class ReferenceDefects:
     """What is wrong with who carries whom.
 
     Attributes:
@@ -39,18 +39,24 @@ class ReferenceDefects(NamedTuple):
         idle_links: All links that no pair names.
     """
 
-    undefined_links: list[Edge]
-    undefined_joints: list[Edge]
-    swapped: list[Edge]
-    bases: list[Edge]
-    loops: list[tuple[Edge, ...]]
-    repeated: list[tuple[Edge, Edge]]
-    extra_parents: list[tuple[Edge, Edge]]
-    reused_joints: list[tuple[Edge, Edge]]
-    unused_joints: list[Joint]
-    orphans: list[Link]
-    idle_joints: list[Joint]
-    idle_links: list[Link]
+    __slots__ = (
+        "bases", "extra_parents", "idle_joints", "idle_links", "loops", "orphans", "repeated",
+        "reused_joints", "swapped", "undefined_joints", "undefined_links", "unused_joints",
+    )  # fmt: skip
+
+    def __init__(self) -> None:
+        self.undefined_links: list[Edge] = []
+        self.undefined_joints: list[Edge] = []
+        self.swapped: list[Edge] = []
+        self.bases: list[Edge] = []
+        self.loops: list[tuple[Edge, ...]] = []
+        self.repeated: list[tuple[Edge, Edge]] = []
+        self.extra_parents: list[tuple[Edge, Edge]] = []
+        self.reused_joints: list[tuple[Edge, Edge]] = []
+        self.unused_joints: list[Joint] = []
+        self.orphans: list[Link] = []
+        self.idle_joints: list[Joint] = []
+        self.idle_links: list[Link] = []
 
 
 def reference_defects(model: Model) -> ReferenceDefects:
@@ -72,7 +78,7 @@ def suggestion(name: str, position: int, idle: Iterable[str], others: Iterable[s
 
 
 def _defects(model: Model) -> ReferenceDefects:
-    found = ReferenceDefects([], [], [], [], [], [], [], [], [], [], [], [])
+    found = ReferenceDefects()
     for edge in model.tree.edges:
         if edge.link is None or edge.joint is None or edge.link.is_base:
             _classify(model, edge, found)
