@@ -191,9 +191,7 @@ def soak(edits: int, documents: int, seed: int, checks: int = 10) -> list[str]:
         for number in range(1, edits + 1):
             session.step()
             if number % max(edits // checks, 1) == 0:
-                problems += [
-                    f"edit {number}: {uri} looks otherwise" for uri in session.differences()
-                ]
+                problems += [f"edit {number}: {what}" for what in session.differences()]
                 took = time.perf_counter() - begin
                 memory = resident_megabytes(client.process.pid)
                 print(f"{number} edits, {session.answers} answers, {took:.0f} s, {memory:.0f} MB,"
