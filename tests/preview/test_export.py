@@ -7,13 +7,14 @@ import re
 import numpy as np
 import pytest
 import umsgpack
-from tests.preview.browser import PAINTED, WORLD_POSES, chromium, opened, until_shown
+from tests.preview.browser import PAINTED, WORLD_POSES, chromium, opened, until, until_shown
 from tests.preview.robots import ARM, bodies_of, plain_robot
 
 from kindsl.dynamics.mechanics import Mechanics
 from kindsl.mechanism.build import drawable_bodies
 from kindsl.preview.document import DocumentPreview
 from kindsl.preview.export import exported_page
+from kindsl.preview.formulas import formula_messages
 from kindsl.rules.analysis import analyse
 
 
@@ -82,3 +83,52 @@ def test_the_state_is_in_it_once():
     assert len(keys) == len(set(keys))
     joints = [message["name"] for message in messages if message["type"] == "joint"]
     assert joints == list(bodies_of(ARM).joint_names)
+
+
+PARAMETRIC = (
+    ARM.replace("(0.4, 0.0, 0.0)", "(reach[0.4], 0.0, -reach[0.4]/2.0)")
+    .replace("(-PI/2.0, 0.0, 0.0)", "(-PI/2.0, 2.0*tilt[0.1], 0.0)")
+    .replace("translation = (0.0, 0.0, 0.3)", "translation = (0.0, rise[0.05], 0.3)")
+)
+
+
+def with_formulas(analysis):
+    preview = DocumentPreview("robot")
+    preview.show(analysis, ())
+    formulas = formula_messages(analysis.model, analysis.context.values)
+    return exported_page([*preview.channel.state, *formulas])
+
+
+async def test_its_parameters_move_what_depends_on_them(browser, tmp_path):
+    analysis = analyse(PARAMETRIC)
+    file = tmp_path / "arm.html"
+    file.write_text(with_formulas(analysis), encoding="utf-8")
+    values = {"reach": 0.55, "tilt": -0.4, "rise": 0.2}
+    bodies = drawable_bodies(analysis.model, values)
+    async with opened(browser, file.as_uri()) as page:
+        await until_shown(page, "Arm")
+        for name, value in values.items():
+            await page.get_by_label(f"{name}, typed").fill(str(value))
+            await page.get_by_label(f"{name}, typed").press("Enter")
+        drawn = await page.evaluate(WORLD_POSES)
+        for name, pose in Mechanics(bodies).forward_kinematics([0.0, 0.0]).items():
+            found = drawn.get(f"links {name}", drawn.get(f"frames {name}"))
+            np.testing.assert_allclose(np.reshape(found, (4, 4)), pose, atol=1e-9)
+        rod = await page.evaluate(
+            """() => kindsl.viewer.scene_tree.find(
+              ["kindsl", "robot", "links", "upper", "body", "segment-lift"]).object.scale.y"""
+        )
+        assert rod == pytest.approx(np.linalg.norm(bodies.p_r_j[1]))
+        await page.locator("#parameters .row", has_text="reach").locator(".reset").click()
+        await until(page, "kindsl.scene.trees.robot.joints.get('lift').placement[12] === 0.4")
+
+
+def test_formulas_are_those_of_the_document():
+    analysis = analyse(PARAMETRIC)
+    formulas = {m["name"]: m for m in formula_messages(analysis.model, analysis.context.values)}
+    assert set(formulas) == {"lift", "tool"}
+    assert formulas["lift"]["translation"] == [
+        (0.0, [("reach", 1.0)]), (0.0, []), (0.0, [("reach", -0.5)]),
+    ]  # fmt: skip
+    assert formulas["lift"]["rotation"][1] == (0.0, [("tilt", 2.0)])
+    assert formulas["tool"]["rod"] == "/kindsl/robot/links/slider/body/segment-tool"

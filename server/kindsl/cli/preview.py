@@ -81,9 +81,12 @@ def _read(args: argparse.Namespace, file: str) -> "Analysis":
 
 def _write(args: argparse.Namespace, old: "Analysis | None") -> None:
     from kindsl.preview.export import exported_page
+    from kindsl.preview.formulas import formula_messages
 
     analysis = _read(args, args.file)
-    page = exported_page(_document(args.file, analysis, old).channel.state)
+    state = _document(args.file, analysis, old).channel.state
+    formulas = formula_messages(analysis.model, analysis.context.values)
+    page = exported_page([*state, *formulas])
     if args.export:
         args.export.write_text(page, encoding="utf-8")
     if args.screenshot:

@@ -11,7 +11,8 @@ VIEWER = "viewer.js"
 SCRIPTS = (
     VIEWER, "kinematics.js", "categories.js", "elements.js", "stage.js", "scene.js", "labels.js",
     "picking.js", "slider_row.js", "joint_rows.js", "parameter_rows.js", "legend.js",
-    "selection.js", "findings.js", "inbox.js", "connection.js", "embedded.js", "start.js",
+    "selection.js", "findings.js", "formulas.js", "inbox.js", "connection.js", "embedded.js",
+    "start.js",
 )  # fmt: skip
 STYLE = "page.css"
 PAGE = "page.html"

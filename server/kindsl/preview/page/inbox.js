@@ -9,6 +9,7 @@ const KindslInbox = (() => {
       this.scene = scene;
       this.parameters = new Map(); // by path
       this.findings = new Map(); // by path
+      this.formulas = []; // of an exported page
       this.status = { state: "empty", message: "", total: 0 };
       this.cursor = null; // what the editor's cursor is on
       this.stale = new Set(["joints", "parameters", "findings", "camera"]);
@@ -21,6 +22,7 @@ const KindslInbox = (() => {
 
     take(message) {
       if (message.type === "parameter") this.keep("parameters", message);
+      else if (message.type === "formula") this.formulas.push(message);
       else if (message.type === "finding") this.keep("findings", message);
       else if (message.type === "status") {
         this.status = message;
@@ -53,6 +55,17 @@ const KindslInbox = (() => {
     // Whether something has to be shown anew; asks once.
     isStale(what) {
       return this.stale.delete(what);
+    }
+
+    // Give a parameter a value without a server; null is its own.
+    setParameter(name, value) {
+      const parameter = [...this.parameters.values()].find((candidate) => candidate.name === name);
+      if (!("own" in parameter)) parameter.own = parameter.value;
+      parameter.value = value === null ? parameter.own : value;
+      parameter.is_overridden = parameter.value !== parameter.own;
+      this.stale.add("parameters");
+      const values = new Map([...this.parameters.values()].map((known) => [known.name, known.value]));
+      KindslFormulas.apply(this.scene, this.formulas, values);
     }
 
     // The values that were typed here, for a server that does not know them.

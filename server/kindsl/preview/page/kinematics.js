@@ -41,6 +41,17 @@ const KindslKinematics = (() => {
     return [c, s, 0, 0, -s, c, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
   }
 
+  // A homogeneous matrix from the language's pose: Rx Ry Rz after the translation.
+  function placement([x, y, z], [rx, ry, rz]) {
+    const [a, b, c] = [Math.cos(rx), Math.cos(ry), Math.cos(rz)], [d, e, f] = [Math.sin(rx), Math.sin(ry), Math.sin(rz)];
+    return [
+      b * c, a * f + d * e * c, d * f - a * e * c, 0,
+      -b * f, a * c - d * e * f, d * c + a * e * f, 0,
+      e, -d * b, a * b, 0,
+      x, y, z, 1,
+    ];
+  }
+
   // Links in the order of their bodies' indices: parents come before their children.
   const inOrder = (robot) => [...robot.links.values()].sort((a, b) => a.index - b.index);
 
@@ -115,7 +126,7 @@ const KindslKinematics = (() => {
 
   return {
     IDENTITY, centerOfMass, forwardKinematics, gravityTorques, intrinsicXyz, multiply, origin,
-    transformPoint, zAxis,
+    placement, transformPoint, zAxis,
   };
 })();
 

@@ -21,11 +21,11 @@ const KindslParameterRows = (() => {
       row.unit.textContent = UNITS[kind];
       row.setRange(minimum, maximum);
       row.setValue(value);
-      row.reset.hidden = !isOverridden || this.actions.isStatic;
-      if (!this.actions.isStatic) return;
-      // Without a server nobody evaluates the document's expressions.
+      row.reset.hidden = !isOverridden;
+      if (!this.actions.isStatic || kind !== "dynamics") return;
+      // Without a server nobody computes inertia from what the document says.
       row.slider.disabled = row.number.readOnly = true;
-      row.element.title = "An exported page keeps the parameters it was made with";
+      row.element.title = "An exported page keeps the masses and inertia that it was made with";
     }
 
     make(name) {

@@ -21,7 +21,10 @@ const kindsl = (() => {
       scene.changed("value");
       send({ type: "set-joint", name, value });
     },
-    setParameter: (name, value) => send({ type: "set-parameter", name, value }),
+    setParameter(name, value) {
+      if (embedded) inbox.setParameter(name, value);
+      else send({ type: "set-parameter", name, value });
+    },
     setView(key, visible, opacity) {
       scene.setView(key, visible, opacity);
       stage.styleGround();
