@@ -22,7 +22,7 @@ def document(view: View, _: types.DocumentFormattingParams) -> list[types.TextEd
     """Bring a document into the one style; refuse a broken one and say why."""
     from kindsl.formatting.format import format_document
 
-    return _formatted(view, lambda: format_document(view.analysis.syntax), view.show_warning)
+    return _formatted(view, lambda: format_document(view.analysis.syntax), view.refuse)
 
 
 @handlers.document(types.TEXT_DOCUMENT_RANGE_FORMATTING)
@@ -31,7 +31,7 @@ def part(view: View, params: types.DocumentRangeFormattingParams) -> list[types.
     from kindsl.formatting.format import format_range
 
     span = Span(view.offset(params.range.start), view.offset(params.range.end))
-    return _formatted(view, lambda: format_range(view.analysis.syntax, span), view.show_warning)
+    return _formatted(view, lambda: format_range(view.analysis.syntax, span), view.refuse)
 
 
 @handlers.document(types.TEXT_DOCUMENT_ON_TYPE_FORMATTING, _ON_TYPE)
@@ -53,7 +53,9 @@ def _formatted(
     from kindsl.formatting.format import FormattingRefusedError
 
     try:
-        return text_edits(view.document, format_())
+        edits = text_edits(view.document, format_())
     except FormattingRefusedError as error:
         refuse(f"Not formatted: {error}")
         return None
+    view.server.refused.discard(view.document.uri)
+    return edits

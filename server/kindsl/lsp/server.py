@@ -71,6 +71,7 @@ class KindslLanguageServer(LanguageServer):
         publisher: Pushes diagnostics.
         previews: The live previews.
         tokens: The semantic tokens that the client knows.
+        refused: Documents of which the user was told that they are too broken to format.
         on_parent_known: Called with the id of the process that started the server, if it says so.
     """
 
@@ -85,6 +86,8 @@ class KindslLanguageServer(LanguageServer):
         self.publisher = Publisher(self)
         self.tokens = highlighting.TokenMemory()
         self.documents.on_close.append(self.tokens.forget)
+        self.refused: set[str] = set()
+        self.documents.on_close.append(lambda document: self.refused.discard(document.uri))
         self.previews = Previews(self)
         memory.collect_after_close(self.documents, self.worker)
         self._questions = 0

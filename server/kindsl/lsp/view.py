@@ -64,9 +64,11 @@ class View:
         kind, name = (symbol.entity.kind, symbol.entity.name) if symbol else ("", "")
         self.server.previews.highlight(self.document.uri, kind, name)
 
-    def show_warning(self, message: str) -> None:
-        """Tell the user why something that they asked for was not done."""
-        self.server.show_warning(message)
+    def refuse(self, message: str) -> None:
+        """Tell the user why something was not done; not again at each save of a broken document."""
+        if self.document.uri not in self.server.refused:
+            self.server.refused.add(self.document.uri)
+            self.server.show_warning(message)
 
     def location(self, start: int, end: int) -> types.Location:
         """Return the client's place of a stretch of code points."""
