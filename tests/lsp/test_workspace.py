@@ -29,8 +29,10 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path
 
 
-@pytest.fixture
-def client(folder: Path) -> Iterator[RawClient]:
+@pytest.fixture(scope="module")
+def client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RawClient]:
+    folder = tmp_path_factory.mktemp("shared")
+    (folder / "robot.kindsl").write_text(ROBOT)
     with ready_client(workspaceFolders=roots(folder)) as client:
         yield client
 
@@ -48,6 +50,7 @@ class TestPublishing:
         uri = "untitled:quick"
         client.open(uri, ROBOT)
         client.diagnostics(uri)
+        client.drain()
         for version in range(2, 52):
             client.change(uri, version, whole(ROBOT + " " * version))
             time.sleep(0.002)
@@ -65,10 +68,10 @@ class TestPublishing:
                 client.wait(lambda m, v=version: m.get("params", {}).get("version") == v)
 
     def test_nothing_is_left_of_a_closed_document(self, client: RawClient) -> None:
-        client.open("untitled:r", ROBOT)
-        assert UNBOUND in client.codes("untitled:r")
-        client.close("untitled:r")
-        assert client.diagnostics("untitled:r") == []
+        client.open("untitled:closed", ROBOT)
+        assert UNBOUND in client.codes("untitled:closed")
+        client.close("untitled:closed")
+        assert client.diagnostics("untitled:closed") == []
 
     def test_nothing_is_left_of_a_deleted_file(self, client: RawClient, folder: Path) -> None:
         uri = uris.uri(folder / "robot.kindsl")
@@ -89,7 +92,7 @@ class TestPublishing:
             assert [m["params"]["diagnostics"] for m in published] in ([], [[]])
 
     def test_a_client_that_only_asks_now_and_then_is_still_told(self, client: RawClient) -> None:
-        uri = "untitled:r"
+        uri = "untitled:asks"
         client.open(uri, ROBOT)
         client.request("textDocument/diagnostic", {"textDocument": {"uri": uri}})
         assert UNBOUND in client.codes(uri)
@@ -103,8 +106,8 @@ class TestPublishing:
             assert not {"codeDescription", "relatedInformation", "tags"} & found.keys()
 
     def test_all_parts_are_there_for_others(self, client: RawClient) -> None:
-        client.open("untitled:r", ROBOT)
-        found = client.diagnostics("untitled:r")[0]
+        client.open("untitled:parts", ROBOT)
+        found = client.diagnostics("untitled:parts")[0]
         assert found["codeDescription"]["href"].endswith(f"/rules/{found['code'].lower()}")
 
 
@@ -170,12 +173,13 @@ class TestSettings:
             client.open("untitled:r", ROBOT)
             assert UNBOUND not in client.codes("untitled:r")
 
-    def test_a_change_of_settings_is_seen_at_once(self, client: RawClient) -> None:
-        client.open("untitled:r", ROBOT)
-        assert UNBOUND in client.codes("untitled:r")
-        settings = {"settings": {"kindsl": {"ignore": ["KD4"]}}}
-        client.notify("workspace/didChangeConfiguration", settings)
-        assert UNBOUND not in client.codes("untitled:r")
+    def test_a_change_of_settings_is_seen_at_once(self) -> None:
+        with ready_client() as client:
+            client.open("untitled:r", ROBOT)
+            assert UNBOUND in client.codes("untitled:r")
+            settings = {"settings": {"kindsl": {"ignore": ["KD4"]}}}
+            client.notify("workspace/didChangeConfiguration", settings)
+            assert UNBOUND not in client.codes("untitled:r")
 
     def test_settings_are_asked_for_by_folder(self, tmp_path: Path) -> None:
         one, two = tmp_path / "one", tmp_path / "two"
@@ -303,10 +307,10 @@ class TestBesides:
             assert client.notification("$/progress")["token"] == token
 
     def test_fixes_are_made_through_the_client(self, client: RawClient) -> None:
-        client.open("untitled:r", ROBOT.replace("translation = (0.0", "translation = (0"))
-        arguments = {"command": "kindsl.applyFixAll", "arguments": ["untitled:r"]}
+        client.open("untitled:fixes", ROBOT.replace("translation = (0.0", "translation = (0"))
+        arguments = {"command": "kindsl.applyFixAll", "arguments": ["untitled:fixes"]}
         assert client.request("workspace/executeCommand", arguments) is True
-        edits = client.notification("workspace/applyEdit")["edit"]["changes"]["untitled:r"]
+        edits = client.notification("workspace/applyEdit")["edit"]["changes"]["untitled:fixes"]
         assert [edit["newText"] for edit in edits] == [".0"]
 
     def test_a_long_document_is_answered_as_well(self, client: RawClient) -> None:
