@@ -6,9 +6,11 @@ interface behind a small front of ours (front.mjs), which does what code-server'
 
 import fcntl
 import json
+import os
 import shutil
 import socket
 import subprocess
+import sys
 import time
 import urllib.error
 import urllib.request
@@ -23,6 +25,15 @@ EXTENSION = ROOT / "vscode-extension"
 FRONT = Path(__file__).parent / "front.mjs"
 VERSION = "4.100.3"
 START_SECONDS = 60
+SOURCES = (
+    "server",
+    "grammar",
+    "vscode-extension",
+    "LICENSE",
+    "CHANGELOG.md",
+    "docs/images/vscode-preview.png",
+    "docs/images/vscode-problems.png",
+)
 
 QUIET_SETTINGS: Mapping[str, object] = {
     "security.workspace.trust.enabled": False,
@@ -86,13 +97,15 @@ def has_terminals() -> bool:
 
 
 def package_extension() -> Path:
-    """Build the extension's package and return it."""
-    with _locked(ROOT / "build" / "vsix.lock"):
-        if not (EXTENSION / "node_modules" / ".package-lock.json").exists():
-            _npm("ci", "--ignore-scripts", folder=EXTENSION)
-        _npm("run", "package", folder=EXTENSION)
+    """Return the extension's package, built if a source is younger than it."""
     version = json.loads((EXTENSION / "package.json").read_text())["version"]
-    return EXTENSION / f"kindsl-{version}.vsix"
+    package = EXTENSION / f"kindsl-{version}.vsix"
+    with _locked(ROOT / "build" / "vsix.lock"):
+        if not package.exists() or package.stat().st_mtime < _youngest_source():
+            if not (EXTENSION / "node_modules" / ".package-lock.json").exists():
+                _npm("ci", "--ignore-scripts", folder=EXTENSION)
+            _npm("run", "package", folder=EXTENSION)
+    return package
 
 
 @contextmanager
@@ -162,12 +175,22 @@ def _compile_terminals(vscode: Path) -> None:
     subprocess.run(["npm", "rebuild", "node-pty"], cwd=vscode, check=False, **_CAPTURED)
 
 
+def _youngest_source() -> float:
+    """When the latest change was made to what goes into the package."""
+    listed = ["git", "ls-files", "-z", *SOURCES]
+    names = subprocess.run(listed, cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    files = [ROOT / name for name in names.split("\0") if name]
+    return max(file.stat().st_mtime for file in files if file.exists())
+
+
 def _npm(*arguments: str, folder: Path) -> None:
     npm = shutil.which("npm")
     if npm is None:
         raise FileNotFoundError("npm is not installed")
     command = [npm, *arguments, *(("--no-audit", "--no-fund") if arguments[0] != "run" else ())]
-    _check(subprocess.run(command, cwd=folder, **_CAPTURED))
+    # The bundled libraries are installed by the Python of the tests.
+    environment = {**os.environ, "PYTHON": sys.executable}
+    _check(subprocess.run(command, cwd=folder, env=environment, **_CAPTURED))
 
 
 def _node() -> str:

@@ -1,6 +1,6 @@
 """The preview beside the text, in a real VS Code."""
 
-from playwright.sync_api import Frame, Page, expect
+from playwright.sync_api import Error, Frame, Page, expect
 from tests.vscode import models
 from tests.vscode.picture import colours
 from tests.vscode.workbench import Workbench
@@ -91,8 +91,11 @@ def expect_robot(workbench: Workbench, name: str) -> None:
     """Wait until the preview shows the robot of that name."""
 
     def shown() -> bool:
-        frame = workbench.preview_frame()
-        return frame.locator("#robot").text_content() == name
+        try:
+            return workbench.preview_frame().locator("#robot").text_content() == name
+        except Error:
+            # The page was replaced while it was looked at.
+            return False
 
     workbench.eventually(shown, f"the robot {name}")
 

@@ -4,7 +4,7 @@ Both are loaded in the same installation of VS Code, alternately, each in a wind
 packaged extension with its bundled libraries, and a client of a few lines with a trivial pygls
 server in the same interpreter.
 
-Usage: python -m benchmarks.vscode_activation.measure [ROUNDS]
+Usage: python benchmarks/vscode_activation.py [ROUNDS]
 """
 
 import os
@@ -16,10 +16,14 @@ import tempfile
 from pathlib import Path
 
 from playwright.sync_api import Browser
-from tests.vscode import browser, code_server
-from tests.vscode.extension_host import run_suite
 
-HERE = Path(__file__).parent
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT))
+
+from tests.vscode import browser, code_server  # noqa: E402
+from tests.vscode.extension_host import run_suite  # noqa: E402
+
+CLIENTS = ROOT / "benchmarks" / "vscode_clients"
 SUBJECTS = ("kindsl", "minimal")
 LIMIT = 1.5
 
@@ -31,7 +35,7 @@ def main(rounds: int) -> int:
     # Compiled modules are kept, as users have them.
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
     os.environ["KINDSL_BENCHMARK_PYTHON"] = sys.executable
-    os.environ["KINDSL_BENCHMARK_SERVER"] = str(HERE / "minimal" / "server.py")
+    os.environ["KINDSL_BENCHMARK_SERVER"] = str(CLIENTS / "minimal" / "server.py")
     times: dict[str, list[float]] = {name: [] for name in SUBJECTS}
     with tempfile.TemporaryDirectory() as work, browser.chromium() as window:
         settings = {"kindsl.interpreter": [sys.executable]}
@@ -52,7 +56,7 @@ def main(rounds: int) -> int:
 
 def _measure(window: Browser, server: code_server.CodeServer, folder: Path, name: str) -> float:
     folder.mkdir(exist_ok=True)
-    outcome = run_suite(window, server, folder, HERE / "measure.js", [HERE / "minimal"])
+    outcome = run_suite(window, server, folder, CLIENTS / "measure.js", [CLIENTS / "minimal"])
     found = re.search(rf"TEST {name} ([\d.]+)", str(outcome))
     if found is None:
         raise RuntimeError(f"no measurement of {name}:\n{outcome}")
@@ -62,7 +66,10 @@ def _measure(window: Browser, server: code_server.CodeServer, folder: Path, name
 def _compile_minimal() -> None:
     esbuild = code_server.EXTENSION / "node_modules" / ".bin" / "esbuild"
     options = ["--bundle", "--platform=node", "--format=cjs", "--external:vscode", "--minify"]
-    source, target = HERE / "minimal" / "extension.ts", HERE / "minimal" / "out" / "extension.js"
+    source, target = (
+        CLIENTS / "minimal" / "extension.ts",
+        CLIENTS / "minimal" / "out" / "extension.js",
+    )
     modules = {**os.environ, "NODE_PATH": str(code_server.EXTENSION / "node_modules")}
     command = [esbuild, source, *options, f"--outfile={target}"]
     subprocess.run(command, check=True, capture_output=True, env=modules)
