@@ -18,6 +18,8 @@ def test_tree_and_masses(kindsl: Runner, folder: Path) -> None:
         "base          0                       1 kg\n"
         "└─ upper      1  shoulder  revolute   2 kg\n"
         "   └─ lower   2  elbow     prismatic  1 kg  tip\n"
+        "\n"
+        "health  good\n"
     )
 
 
@@ -61,3 +63,15 @@ def test_unreadable(kindsl: Runner, folder: Path) -> None:
     told = kindsl("info", "a.kindsl")
     assert told.status == 2
     assert told.err.startswith("kindsl.toml:1:1: error: unknown key 'x'")
+
+
+def test_health_tells_a_verdict_and_why(kindsl: Runner, folder: Path) -> None:
+    (folder / "good.kindsl").write_text(GOOD)
+    (folder / "bad.kindsl").write_text(GOOD.replace("mass = 2.0", "mass = -2.0", 1))
+    health = json.loads(kindsl("info", "good.kindsl", "--output-format", "json").out)["health"]
+    assert (health["verdict"], health["findings"]) == ("good", [])
+    bad = json.loads(kindsl("info", "bad.kindsl", "--output-format", "json").out)["health"]
+    assert bad["verdict"] == "broken"
+    assert bad["subjects"]["inertia"]["error"] == 1
+    text = kindsl("info", "bad.kindsl").out
+    assert "health" in text and "[KD303]" in text

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from kindsl.cli.robot_health import health_facts
 from kindsl.rules.analysis import Analysis
 from kindsl.rules.base import Severity
 from kindsl.semantics.declarations import Link
@@ -37,6 +38,7 @@ def robot_facts(analysis: Analysis) -> dict[str, Any]:
             severity.value: sum(finding.severity is severity for finding in analysis.findings)
             for severity in Severity
         },
+        "health": health_facts(analysis.findings, places.at),
     }
 
 
@@ -50,7 +52,9 @@ class _Places:
         self._resolver = analysis.resolver
 
     def of(self, at: Located) -> dict[str, int]:
-        offset = self._resolver.span(at)[0]
+        return self.at(self._resolver.span(at)[0])
+
+    def at(self, offset: int) -> dict[str, int]:
         line, column = self._lines.position(offset)
         return {"line": line + 1, "column": column + 1, "offset": offset}
 

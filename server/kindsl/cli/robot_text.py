@@ -4,13 +4,14 @@ from collections.abc import Iterator
 from typing import Any
 
 from kindsl.cli.console import printable
+from kindsl.cli.robot_health import health_text
 from kindsl.cli.tables import aligned, number
 
 _UNITS = {"length": "m", "angle": "rad", "dynamics": ""}
 
 
 def robot_text(facts: dict[str, Any]) -> str:
-    """Return heading, tree and parameters."""
+    """Return heading, tree, parameters and health."""
     parts = [_heading(facts), aligned(list(_tree_rows(facts)), frozenset((1, 4)))]
     if facts["parameters"]:
         parts.append(_parameters(facts["parameters"]))
@@ -18,6 +19,7 @@ def robot_text(facts: dict[str, Any]) -> str:
         rows = [("constants", "")]
         rows += [(f"  {c['name']}", number(c["value"])) for c in facts["constants"]]
         parts.append(aligned(rows, frozenset((1,))))
+    parts.append(health_text(facts["health"]))
     return printable_lines("\n".join(parts))
 
 
