@@ -93,6 +93,18 @@ def test_a_page_from_before_a_restart_brings_its_values():
     assert joint_x(preview) == 0.3
 
 
+def test_a_page_cannot_fill_the_memory(monkeypatch):
+    monkeypatch.setattr("kindsl.preview.document.MOST_VALUES", 5)
+    preview = preview_of(ARM)
+    for number in range(100):
+        preview.set_joint(f"joint{number}", 0.1)
+        preview.set_parameter(f"parameter{number}", 0.1)
+    preview.set_joint("joint0", 0.2)
+    values = [key.path for key in page_of(preview).state if key.type == "value"]
+    assert len(values) == len(preview._parameters) == 5
+    assert page_of(preview).at("/kindsl/values/joint0")["value"]["value"] == 0.2
+
+
 def ghosts(preview):
     return [key.path for key in page_of(preview).state if key.path.startswith("/kindsl/ghost/")]
 

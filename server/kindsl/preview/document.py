@@ -18,6 +18,9 @@ from kindsl.preview.wire import Message, Messages, keyed, path_of
 from kindsl.rules.analysis import Analysis
 from kindsl.rules.diagnostics import Diagnostic
 
+# More joints or parameters than any robot has.
+MOST_VALUES = 10_000
+
 
 class Drawing(NamedTuple):
     """What there is to show of a version.
@@ -93,7 +96,7 @@ class DocumentPreview:
 
     def set_joint(self, name: str, value: float, sender: Tab | None = None) -> None:
         """Move a joint to a position, radians or metres."""
-        if math.isfinite(value):
+        if math.isfinite(value) and _has_room(self._joints, name):
             self._joints[name] = value
             self.channel.put("joints", _joint_value(name, value), sender)
 
@@ -101,7 +104,7 @@ class DocumentPreview:
         """Give a parameter a value, or its own back for None."""
         if value is None:
             self._parameters.pop(name, None)
-        elif math.isfinite(value):
+        elif math.isfinite(value) and _has_room(self._parameters, name):
             self._parameters[name] = value
         self._draw()
 
@@ -110,10 +113,9 @@ class DocumentPreview:
         for name, value in joints.items():
             if name not in self._joints:
                 self.set_joint(name, value)
-        missing = {name: v for name, v in parameters.items() if name not in self._parameters}
-        if missing:
-            self._parameters.update(missing)
-            self._draw()
+        for name, value in parameters.items():
+            if name not in self._parameters:
+                self.set_parameter(name, value)
 
     def highlight(self, kind: str, name: str) -> None:
         """Light up a link, joint or frame; nothing for an empty name."""
@@ -139,6 +141,11 @@ class DocumentPreview:
         ghost, present = self._ghost, self._last_good
         is_apart = ghost is not None and (present is None or not _stand_alike(ghost, present))
         self.channel.replace("ghost", ghost_messages(ghost) if ghost and is_apart else {})
+
+
+def _has_room(values: dict[str, float], name: str) -> bool:
+    """Return whether a value may be kept: whatever a page sends, memory stays bounded."""
+    return name in values or len(values) < MOST_VALUES
 
 
 def _joint_value(name: str, value: float) -> Message:
