@@ -60,6 +60,26 @@ def test_any_cut_and_pasted_model(seed: int, cuts: int) -> None:
     check(text)
 
 
+NUMBERS = (
+    "0.0", "-0.0", "1.0", "0.3", "1e308", "-1e308", "1e-308", "5e-324", "1e999", "-1e999",
+    f"{'9' * 400}.0", f"0.{'0' * 400}1", "1e-999999", "1e999999", "x", "k", "offset", "1.0/x",
+)  # fmt: skip
+
+
+@settings(max_examples=150, deadline=None)
+@given(st.lists(st.sampled_from(NUMBERS), min_size=16, max_size=16))
+def test_any_numbers(numbers: list[str]) -> None:
+    mass, x, y, z, ix, iy, iz, ixy, ixz, iyz, *pose = numbers
+    inertia = f"inertia_params {{ mass = {mass} CoM = ({x}, {y}, {z}) Ix={ix} Iy={iy} Iz={iz}"
+    rotated = f"translation = ({', '.join(pose[:3])}) rotation = ({', '.join(pose[3:])})"
+    text = f"{inertia} Ixy={ixy} Ixz={ixz} Iyz={iyz} }}"
+    link = f"link a {{ id = 1 {text} children {{ c via e }} frames {{ f {{ {rotated} }} }} }}\n"
+    joints = "".join(f"r_joint {name} {{ ref_frame {{ {rotated} }} }}\n" for name in "bde")
+    other = f"link c {{ id = 2 {text} children {{}} }}\n"
+    base = f"RobotBase g floating {{ {text} children {{ a via b }} }}\n"
+    check(f"Robot R {{\n{base}{link}{other}{joints}}}\n")
+
+
 def test_a_document_of_wrong_names_only_is_linted_in_linear_time() -> None:
     links = "".join(
         f"link a{n} {{ id = {n} children {{ q{n}x via r{n}y }} }}\n" for n in range(1, 501)

@@ -12,7 +12,7 @@ language wants a decimal point, so of `55.0` and `120.0` two digits are believed
 
 from collections.abc import Mapping, Sequence
 from enum import Enum
-from math import sqrt
+from math import isfinite, sqrt
 from operator import mul
 from typing import NamedTuple
 
@@ -44,6 +44,7 @@ from kindsl.semantics.rigid_body import (
 _KEY = "inertia"
 _ROUNDING_OF_ARITHMETIC = 1e-12
 _SINGULAR = 1e-9
+_GREATEST_WHOLE = 1e15
 
 
 class Verdict(Enum):
@@ -140,7 +141,7 @@ def at_values(inertia: Inertia, values: Mapping[str, float]) -> str:
 
 
 def mass_distribution(inertia: Inertia, values: Mapping[str, float]) -> MassDistribution | None:
-    """Return the numbers of an inertia, None where one is missing or unbound."""
+    """Return the numbers of an inertia, None where one is missing, unbound or infinite."""
     com, moments = inertia.com, inertia.moments
     if inertia.mass is None or com is None or len(com.components) != 3 or len(moments) != 6:
         return None
@@ -148,6 +149,8 @@ def mass_distribution(inertia: Inertia, values: Mapping[str, float]) -> MassDist
     x, y, z = (component.value(values) for component in com.components)
     given = [moments[name].value(values) for name in MOMENTS]
     if mass is None or x is None or y is None or z is None or None in given:
+        return None
+    if not isfinite(0.0 * (mass + x + y + z) + 0.0 * sum(given)):  # type: ignore[arg-type]
         return None
     return MassDistribution(mass, (x, y, z), tuple(given))  # type: ignore[arg-type]
 
@@ -239,7 +242,8 @@ def _half_widths(group: Sequence[Expression], values: Mapping[str, float]) -> li
 
 
 def _half_width(value: Expression, values: Mapping[str, float]) -> float:
-    if value.literal is None or abs(value.literal) < 10.0 or not value.text.endswith(".0"):
+    is_whole = value.literal is not None and 10.0 <= abs(value.literal) < _GREATEST_WHOLE
+    if value.literal is None or not is_whole or not value.text.endswith(".0"):
         return value.rounding(values)
     whole, unit = int(abs(value.literal)), 1
     while whole % 10 == 0 and whole >= 100:

@@ -45,10 +45,11 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
     has_explanation = len(links) - count >= missing
     strays = [number for number in sorted(by_id) if number > count and number - 1 not in by_id]
     for low, high in gaps:
-        if unknown >= missing or (has_explanation and low > 1) or _is_lost(model, low):
-            continue
         number = strays.pop() if strays else high + 1
         link = by_id[number]
+        is_lost = model.is_mentioned_in_broken_text(str(low), link.island)
+        if is_lost or unknown >= missing or (has_explanation and low > 1):
+            continue
         message = _message(low, high, number)
         yield Finding(link.id_place or link.name, message, fix=renumbering(model, len(gaps)))
 
@@ -70,12 +71,6 @@ def _message(low: int, high: int, number: int) -> str:
         return f"the links are numbered from {number}, not from 1"
     which = f"id {low} is" if high == low else f"ids {low} to {high} are"
     return f"{which} missing, and id {number} is out of sequence"
-
-
-def _is_lost(model: Model, number: int) -> bool:
-    return any(
-        token.text == str(number) for island in model.broken_islands for token in island.tokens
-    )
 
 
 _UPPER = link("upper", 1, "lower via elbow")

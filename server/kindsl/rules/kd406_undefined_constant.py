@@ -19,6 +19,7 @@ from kindsl.rules.context import Context
 from kindsl.rules.did_you_mean import did_you_mean, hint
 from kindsl.rules.examples import joint
 from kindsl.semantics.model import Model
+from kindsl.semantics.places import Name
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
@@ -33,8 +34,8 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
             yield Finding(name, f"constant '{name}' has no value{hint(meant)}", fix=fix)
 
 
-def _may_be_lost(model: Model, name: str) -> bool:
-    return any(token.text == name for island in model.broken_islands for token in island.tokens)
+def _may_be_lost(model: Model, name: Name) -> bool:
+    return bool(name.island.problems) or model.is_mentioned_in_broken_text(name, name.island)
 
 
 def _joint(third: str) -> str:

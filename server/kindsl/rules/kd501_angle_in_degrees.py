@@ -16,7 +16,7 @@ Writes the angle in radians, as a fraction of `PI` where it is one. Unsafe: degr
 """
 
 from collections.abc import Iterator
-from math import pi, radians
+from math import inf, pi, radians
 
 from kindsl.rules.base import Change, Finding, Fix, Rule, Severity
 from kindsl.rules.context import Context
@@ -34,7 +34,7 @@ def check_island(declared: Declarations, _: Context) -> Iterator[Finding]:
     """Yield a finding for each angle that is more than a whole turn."""
     for rotation in rotations(declared):
         for angle in rotation.components:
-            if angle.literal is not None and abs(angle.literal) > _WHOLE_TURN:
+            if angle.literal is not None and inf > abs(angle.literal) > _WHOLE_TURN:
                 message = f"angle {angle.text} rad is more than a whole turn; is it in degrees?"
                 yield Finding(angle, message, fix=_fix(angle, angle.literal))
 

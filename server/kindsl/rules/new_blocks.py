@@ -5,6 +5,7 @@ from kindsl.semantics.model import Model
 from kindsl.semantics.places import Place
 from kindsl.syntax.tree import Island
 
+_KEY = "next id"
 _LINK = "\n\nlink {name} {{\n    id = {number}\n    children {{}}\n}}"
 _JOINT = """
 
@@ -21,8 +22,7 @@ def new_link(model: Model, name: str) -> Fix | None:
     blocks = model.links or model.bases
     if not blocks or not name.isidentifier():
         return None
-    number = 1 + max((link.id or 0 for link in model.links), default=0)
-    text = _LINK.format(name=name, number=number)
+    text = _LINK.format(name=name, number=_next_id(model))
     return Fix(f"Add a link '{name}'", (_behind(blocks[-1].island, blocks[-1].end, text),))
 
 
@@ -33,6 +33,12 @@ def new_joint(model: Model, name: str) -> Fix | None:
         return None
     text = _JOINT.format(name=name)
     return Fix(f"Add a joint '{name}'", (_behind(blocks[-1].island, blocks[-1].end, text),))
+
+
+def _next_id(model: Model) -> object:
+    if _KEY not in model.facts:
+        model.facts[_KEY] = 1 + max((link.id or 0 for link in model.links), default=0)
+    return model.facts[_KEY]
 
 
 def _behind(island: Island, end: int, text: str) -> Change:

@@ -1,7 +1,7 @@
 """New numbers in the hand of the author: his precision, his zeros."""
 
 from collections.abc import Sequence
-from math import floor, log10
+from math import floor, isfinite, log10
 
 from kindsl.rules.base import Change
 from kindsl.semantics.expressions import Expression
@@ -35,7 +35,7 @@ def rescaled(group: Sequence[Expression], values: Sequence[float]) -> list[Chang
 
     They keep as many significant digits as the group has. None where one is no literal.
     """
-    if any(expression.literal is None for expression in group):
+    if any(e.literal is None or not isfinite(e.literal) for e in group):
         return None
     digits = max(significant_digits(expression.text) for expression in group)
     pairs = zip(group, values, strict=True)

@@ -24,7 +24,8 @@ def is_plainly_dense_as_matter(mass: float, second_moments: Symmetric) -> bool:
     The ellipsoid with semi-axes `sqrt(5 s / m)` has the squared volume
     `(4/3 pi)^2 125 det(S) / m^3`, and density is mass by volume.
     """
-    return _GREATEST <= determinant(second_moments) / mass**5 <= _LEAST
+    scale = mass * mass * mass * mass * mass
+    return _GREATEST * scale <= determinant(second_moments) <= _LEAST * scale
 
 
 def is_placeholder(body: MassDistribution) -> bool:

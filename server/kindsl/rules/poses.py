@@ -1,7 +1,7 @@
 """Poses in plain numbers, for the rules about geometry."""
 
 from collections.abc import Iterator, Mapping
-from math import cos, sin
+from math import cos, isfinite, sin
 from typing import NamedTuple
 
 from kindsl.semantics.declarations import Declarations, Frame, Joint, Pose, Vector
@@ -40,11 +40,13 @@ def placement(pose: Pose, values: Mapping[str, float]) -> Placement | None:
 
 
 def vector3(vector: Vector | None, values: Mapping[str, float]) -> Vector3 | None:
-    """Return three components in numbers, None where one is missing or unbound."""
+    """Return three components in numbers, None where one is missing, unbound or infinite."""
     if vector is None or len(vector.components) != 3:
         return None
     x, y, z = (component.value(values) for component in vector.components)
-    return None if x is None or y is None or z is None else (x, y, z)
+    if x is None or y is None or z is None or not isfinite(x * 0.0 + y * 0.0 + z * 0.0):
+        return None
+    return x, y, z
 
 
 def posed(declared: Declarations) -> Iterator[Frame | Joint]:

@@ -7,6 +7,8 @@ from typing import NamedTuple
 from kindsl.semantics.places import Construct, Name
 from kindsl.syntax.tree import Island, Node, Token
 
+_MOST_DECIMALS = 300
+
 
 class Expression(Construct):
     """A value as written.
@@ -69,7 +71,7 @@ def half_unit(text: str) -> float:
     """Return half a unit of the last digit of a decimal number as written."""
     mantissa, _, exponent = text.lower().partition("e")
     _, _, decimals = mantissa.partition(".")
-    return 0.5 * 10.0 ** (int(exponent or 0) - len(decimals))
+    return 0.5 * float(f"1e{exponent or 0}") / 10.0 ** min(len(decimals), _MOST_DECIMALS)
 
 
 def symbols(expression: Expression) -> Iterator[ParameterUse | ConstantUse]:

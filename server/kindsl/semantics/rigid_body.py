@@ -15,7 +15,7 @@ Source: Wensing, Kim, Slotine 2018, Linear matrix inequalities for physically co
 parameter identification; Traversaro et al. 2016.
 """
 
-from math import copysign, hypot, pi, sqrt
+from math import copysign, hypot, inf, pi, sqrt
 from typing import NamedTuple
 
 Vector3 = tuple[float, float, float]
@@ -170,8 +170,9 @@ def greatest_second_moment(body: MassDistribution, half: MassDistribution, axis:
     )
     about_origin = _greatest_sum(weights, body.moments, half.moments)
     along = abs(x * body.com[0] + y * body.com[1] + z * body.com[2])
-    least = along - abs(x) * half.com[0] - abs(y) * half.com[1] - abs(z) * half.com[2]
-    return about_origin - max(0.0, body.mass - half.mass) * max(0.0, least) ** 2
+    reach = abs(x) * half.com[0] + abs(y) * half.com[1] + abs(z) * half.com[2]
+    least = max(0.0, along - reach)
+    return about_origin - max(0.0, body.mass - half.mass) * least * least
 
 
 def greatest_moment(body: MassDistribution, half: MassDistribution, axis: Vector3) -> float:
@@ -188,7 +189,8 @@ def greatest_moment(body: MassDistribution, half: MassDistribution, axis: Vector
     if distance == 0.0:
         return about_origin
     reach = sum(abs(a) * h for a, h in zip(across, half.com, strict=True)) / distance
-    return about_origin - max(0.0, body.mass - half.mass) * max(0.0, distance - reach) ** 2
+    least = max(0.0, distance - reach)
+    return about_origin - max(0.0, body.mass - half.mass) * least * least
 
 
 def _greatest_sum(weights: Symmetric, values: Symmetric, halves: Symmetric) -> float:
@@ -211,4 +213,4 @@ def equivalent_density(mass: float, eigenvalues: Vector3) -> float:
     volume = 4.0 / 3.0 * pi
     for value in eigenvalues:
         volume *= sqrt(5.0 * max(value, least) / mass)
-    return mass / volume
+    return mass / volume if volume else inf
