@@ -4,6 +4,7 @@ import asyncio
 import sys
 import time
 
+from kindsl.lsp.progress import Progress
 from kindsl.lsp.run import serve_stdio
 from kindsl.lsp.server import KindslLanguageServer
 
@@ -41,6 +42,14 @@ async def wait(*_: object) -> None:
 @server.feature("test/busy")
 async def keep_the_worker_busy(seconds: float) -> None:
     await server.worker.run(lambda: time.sleep(seconds))
+
+
+@server.feature("test/scan")
+async def scan(seconds: float) -> None:
+    async with Progress(server, "Scanning", None) as progress:
+        for done in range(4):
+            await progress.report(done, 4)
+            await asyncio.sleep(seconds / 4)
 
 
 @server.feature("test/mark")

@@ -249,6 +249,25 @@ class TestCancellation:
         client.kill()
 
 
+class TestProgress:
+    def test_work_that_takes_long_is_shown_where_the_client_can(self) -> None:
+        client = RawClient(FAULTY)
+        client.initialize({"window": {"workDoneProgress": True}})
+        client.request("test/scan", 0.1)
+        assert client.messages == []
+        client.request("test/scan", 1.2)
+        token = client.notification("window/workDoneProgress/create")["token"]
+        shown = [m["params"] for m in client.messages if m["method"] == "$/progress"]
+        assert {each["token"] for each in shown} == {token}
+        kinds = [each["value"]["kind"] for each in shown]
+        assert (kinds[0], kinds[-1]) == ("begin", "end")
+        client.kill()
+
+    def test_a_client_that_cannot_show_it_is_left_alone(self, faulty: RawClient) -> None:
+        faulty.request("test/scan", 0.8)
+        assert faulty.drain() == []
+
+
 class TestPositionEncoding:
     @pytest.mark.parametrize(
         ("offered", "chosen"),

@@ -146,6 +146,40 @@ class TestTextOfOtherScripts:
         assert {"line": 5, "character": 1} in [d["range"]["start"] for d in found]
 
 
+class TestPullingTheWorkspace:
+    def test_a_client_that_asks_again_is_answered_when_there_is_news(self, folder: Path) -> None:
+        with ready_client(workspaceFolders=roots(folder)) as client:
+            params: dict[str, Any] = {"previousResultIds": [], "partialResultToken": "p"}
+            found = client.request("workspace/diagnostic", params)["items"]
+            assert [item["kind"] for item in found] == ["full"]
+            known = [{"uri": item["uri"], "value": item["resultId"]} for item in found]
+            waiting = client.start("workspace/diagnostic", {**params, "previousResultIds": known})
+            time.sleep(0.3)
+            assert not any(message.get("id") == waiting for message in client.drain())
+            (folder / "robot.kindsl").write_text(ROBOT.replace("mass = m", "mass = 1.0"))
+            tell(client, folder / "robot.kindsl", 2)
+            news = client.answer(waiting)["result"]["items"]
+            assert UNBOUND not in [found["code"] for found in news[0]["items"]]
+
+    def test_nothing_is_left_of_a_file_that_is_gone(self, folder: Path) -> None:
+        with ready_client(workspaceFolders=roots(folder)) as client:
+            found = client.request("workspace/diagnostic", {"previousResultIds": []})["items"]
+            (folder / "robot.kindsl").unlink()
+            for kind in ("full", "unchanged"):
+                known = [{"uri": item["uri"], "value": item["resultId"]} for item in found]
+                params = {"previousResultIds": known}
+                found = client.request("workspace/diagnostic", params)["items"]
+                assert [(item["kind"], item.get("items", [])) for item in found] == [(kind, [])]
+
+    def test_a_question_that_waits_for_news_can_be_cancelled(self, tmp_path: Path) -> None:
+        with ready_client(workspaceFolders=roots(tmp_path)) as client:
+            params = {"previousResultIds": [], "partialResultToken": "p"}
+            waiting = client.start("workspace/diagnostic", params)
+            client.drain()
+            client.notify("$/cancelRequest", {"id": waiting})
+            assert client.answer(waiting)["error"]["code"] == -32800
+
+
 class TestUris:
     def test_all_spellings_of_a_uri_are_one_document(self, client: RawClient) -> None:
         client.open("file:///tmp/a%20b/r.kindsl", ROBOT)
@@ -298,13 +332,6 @@ class TestBesides:
         client.request("workspace/diagnostic", {"previousResultIds": [], "workDoneToken": "t"})
         values = [m["params"]["value"] for m in client.drain() if m["method"] == "$/progress"]
         assert [value["kind"] for value in values][:: len(values) - 1] == ["begin", "end"]
-
-    def test_the_server_makes_a_token_where_the_client_shows_progress(self, folder: Path) -> None:
-        shows = {"window": {"workDoneProgress": True}}
-        with ready_client(shows, workspaceFolders=roots(folder)) as client:
-            client.request("workspace/symbol", {"query": "one"})
-            token = client.notification("window/workDoneProgress/create")["token"]
-            assert client.notification("$/progress")["token"] == token
 
     def test_fixes_are_made_through_the_client(self, client: RawClient) -> None:
         client.open("untitled:fixes", ROBOT.replace("translation = (0.0", "translation = (0"))

@@ -64,6 +64,7 @@ async def change_folders(
 @handlers.server(types.WORKSPACE_DID_CHANGE_WATCHED_FILES)
 def change_files(server: "KindslLanguageServer", params: types.DidChangeWatchedFilesParams) -> None:
     """See what has changed outside the editor."""
+    server.news.set()
     for change in params.changes:
         if change.type == types.FileChangeType.Deleted and not server.documents.is_open(change.uri):
             server.publisher.clear(change.uri)
@@ -77,6 +78,7 @@ def change_files(server: "KindslLanguageServer", params: types.DidChangeWatchedF
 @handlers.server(types.TEXT_DOCUMENT_DID_SAVE, types.SaveOptions(include_text=False))
 def save(server: "KindslLanguageServer", params: types.DidSaveTextDocumentParams) -> None:
     """See a configuration file that was saved here, in case the client watches no files."""
+    server.news.set()
     server.previews.saved(params.text_document.uri)
     if uris.basename(params.text_document.uri) in CONFIGURATION_FILES:
         server.settings.forget()
@@ -100,6 +102,7 @@ async def ask_for_settings(server: "KindslLanguageServer") -> None:
 
 def refresh(server: "KindslLanguageServer") -> None:
     """Check all open documents again and let the client ask again for what it shows."""
+    server.news.set()
     server.publisher.refresh()
     for capability, ask in (
         ("workspace.diagnostics.refresh_support", server.workspace_diagnostic_refresh),

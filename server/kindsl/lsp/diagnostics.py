@@ -35,6 +35,7 @@ _TAGS = {
 }
 
 
+_GONE = "gone"
 _SERIAL = itertools.count(1)
 _OPTIONS = types.DiagnosticOptions(
     inter_file_dependencies=False, workspace_diagnostics=True, identifier=_SOURCE
@@ -65,16 +66,43 @@ async def pull(
 async def pull_all(
     server: "KindslLanguageServer", params: types.WorkspaceDiagnosticParams
 ) -> types.WorkspaceDiagnosticReport:
-    """Answer what is wrong with every robot in the workspace, whether open or not."""
+    """Answer what is wrong with every robot in the workspace, whether open or not.
+
+    A client that takes partial results asks again and again; it has its answer when there is news.
+    """
+    reports = await _workspace_reports(server, params)
+    while params.partial_result_token is not None and not any(map(_is_news, reports)):
+        server.news.clear()
+        await server.news.wait()
+        reports = await _workspace_reports(server, params)
+    return types.WorkspaceDiagnosticReport(reports)
+
+
+async def _workspace_reports(
+    server: "KindslLanguageServer", params: types.WorkspaceDiagnosticParams
+) -> list[types.WorkspaceDocumentDiagnosticReport]:
     known = {uris.key(each.uri): each.value for each in params.previous_result_ids}
-    reports = []
+    reports: list[types.WorkspaceDocumentDiagnosticReport] = []
     async with Progress(server, "Checking robots", params.work_done_token) as progress:
         files = await server.worker.run(lambda: list(server.settings.files()), Urgency.BACKGROUND)
         for number, uri in enumerate(open_and_closed(server, files)):
-            progress.report(number, len(files))
+            await progress.report(number, len(files))
             report = await _workspace_report(server, uri, known.get(uris.key(uri)))
             reports += [report] if report is not None else []
-    return types.WorkspaceDiagnosticReport(reports)
+    listed = {uris.key(report.uri) for report in reports}
+    gone = (each for each in params.previous_result_ids if uris.key(each.uri) not in listed)
+    return [*reports, *map(_gone_report, gone)]
+
+
+def _gone_report(previous: types.PreviousResultId) -> types.WorkspaceDocumentDiagnosticReport:
+    """Return that nothing is wrong any more with a document that is no more."""
+    if previous.value == _GONE:
+        return types.WorkspaceUnchangedDocumentDiagnosticReport(previous.uri, _GONE)
+    return types.WorkspaceFullDocumentDiagnosticReport(previous.uri, [], result_id=_GONE)
+
+
+def _is_news(report: types.WorkspaceDocumentDiagnosticReport) -> bool:
+    return isinstance(report, types.WorkspaceFullDocumentDiagnosticReport)
 
 
 async def _workspace_report(

@@ -1,5 +1,6 @@
 """Progress of work that takes a while, shown by clients that can."""
 
+import time
 import uuid
 from typing import TYPE_CHECKING, Any
 
@@ -9,11 +10,14 @@ from pygls.exceptions import JsonRpcException
 if TYPE_CHECKING:
     from kindsl.lsp.server import KindslLanguageServer
 
-_REPORTS = 100
+_WHOLE = 100
+_PATIENCE = 0.5
 
 
 class Progress:
     """`async with Progress(...)` shows a title until the end; says nothing to others.
+
+    With a token of the client's it is shown at once, else when the work has taken half a second.
 
     Args:
         server: Whom the client talks to.
@@ -28,30 +32,36 @@ class Progress:
         self._title = title
         self._token = token
         self._shown = -1
+        self._start = time.monotonic()
+        self._may_begin = token is None and server.client.can("window.work_done_progress")
 
     async def __aenter__(self) -> "Progress":
-        if self._token is None and self._server.client.can("window.work_done_progress"):
-            self._token = await self._created(str(uuid.uuid4()))
         self._send(types.WorkDoneProgressBegin(self._title, percentage=0))
         return self
 
-    async def _created(self, token: str) -> str | None:
+    async def report(self, done: int, total: int) -> None:
+        """Tell how much is done, when that is a per cent more than told before."""
+        if self._may_begin and time.monotonic() - self._start > _PATIENCE:
+            await self._begin()
+        percentage = _WHOLE * done // max(total, 1)
+        if percentage > self._shown:
+            self._shown = percentage
+            self._send(types.WorkDoneProgressReport(percentage=min(percentage, _WHOLE)))
+
+    async def __aexit__(self, *_: object) -> None:
+        self._send(types.WorkDoneProgressEnd())
+
+    async def _begin(self) -> None:
+        """Ask the client for its consent to a token, then begin."""
+        self._may_begin = False
+        token = str(uuid.uuid4())
         params = types.WorkDoneProgressCreateParams(token)
         try:
             await self._server.window_work_done_progress_create_async(params)
         except JsonRpcException:
-            return None
-        return token
-
-    def report(self, done: int, total: int) -> None:
-        """Tell how much is done, when that is a per cent more than told before."""
-        percentage = _REPORTS * done // max(total, 1)
-        if percentage > self._shown:
-            self._shown = percentage
-            self._send(types.WorkDoneProgressReport(percentage=min(percentage, _REPORTS)))
-
-    async def __aexit__(self, *_: object) -> None:
-        self._send(types.WorkDoneProgressEnd())
+            return
+        self._token = token
+        self._send(types.WorkDoneProgressBegin(self._title, percentage=0))
 
     def _send(self, value: Any) -> None:
         if self._token is not None:

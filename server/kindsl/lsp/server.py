@@ -71,6 +71,7 @@ class KindslLanguageServer(LanguageServer):
         publisher: Pushes diagnostics.
         previews: The live previews.
         tokens: The semantic tokens that the client knows.
+        news: Set when files or settings may have changed.
         refused: Documents of which the user was told that they are too broken to format.
         on_parent_known: Called with the id of the process that started the server, if it says so.
     """
@@ -90,6 +91,8 @@ class KindslLanguageServer(LanguageServer):
         self.documents.on_close.append(lambda document: self.refused.discard(document.uri))
         self.previews = Previews(self)
         memory.collect_after_close(self.documents, self.worker)
+        self.news = asyncio.Event()
+        self.documents.on_close.append(lambda _: self.news.set())
         self._questions = 0
         self._quiet = asyncio.Event()
         self._quiet.set()

@@ -56,7 +56,7 @@ async def workspace_symbols(
     async with Progress(server, "Reading robots", params.work_done_token) as progress:
         files = await server.worker.run(lambda: list(server.settings.files()), Urgency.BACKGROUND)
         for number, uri in enumerate(open_and_closed(server, files)):
-            progress.report(number, len(files))
+            await progress.report(number, len(files))
             symbols = await _symbols_of(server, uri)
             found += [symbol for symbol in symbols if is_match(params.query, symbol.name)]
     return found[:_MOST_SYMBOLS]
