@@ -410,3 +410,12 @@ async def test_findings_of_a_good_document_are_a_click_away(browser, server):
         await page.get_by_text("1 warning").click()
         await page.get_by_text("links are not in order").wait_for()
         assert await page.locator("#pane.stale").count() == 0
+
+
+async def test_without_webgl_the_page_says_so(browser, server):
+    url = await show(server, ARM)
+    page = await browser.new_page()
+    await page.add_init_script("HTMLCanvasElement.prototype.getContext = () => null")
+    await page.goto(url)
+    await page.get_by_text("The preview needs WebGL").wait_for()
+    await page.close()

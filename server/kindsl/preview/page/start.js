@@ -5,11 +5,21 @@ const kindsl = (() => {
   const STATES = { live: "live", reconnecting: "reconnecting…", exported: "exported" };
   const byId = (id) => document.getElementById(id);
   const pane = byId("pane"), embedded = byId("embedded-state");
-  const viewer = new MeshCat.Viewer(pane);
+  const viewer = openViewer();
   const scene = new KindslScene.Scene(viewer);
   const stage = new KindslStage.Stage(viewer, scene);
   const inbox = new KindslInbox.Inbox(scene);
   let connection = null, selected = null, hovered = null;
+
+  function openViewer() {
+    try {
+      return new MeshCat.Viewer(pane);
+    } catch (error) {
+      byId("overlay").hidden = false;
+      byId("overlay").querySelector("h2").textContent = "The preview needs WebGL, which this browser does not offer";
+      throw error;
+    }
+  }
 
   const send = (message) => connection && connection.send(message);
   const showHighlight = () => scene.highlight(hovered || inbox.cursor || selected);
