@@ -14,7 +14,7 @@ DOCUMENTS = [
     for path in sorted(FOLDER.glob("*.kindsl"))
     for document in marked_files(path.read_text(encoding="utf-8"))
 ]
-NOT_MARKED = Settings(ignore=("KD306", "KD307", "KD308", "KD309", "KD31", "KD5", "KD7"))
+NOT_MARKED = Settings(ignore=("KD7",))
 
 
 @pytest.mark.parametrize("document", DOCUMENTS)

@@ -44,7 +44,9 @@ def _divisions(node: Node, island: Island, values: Mapping[str, float]) -> Itera
     if node.kind == "divide" and len(parts) == 2:
         divisor = Expression(parts[1], island)
         if divisor.value(values) == 0.0:
-            yield Finding(Place(island, node.start, node.end), f"division by {divisor.text}, zero")
+            place = Place(island, node.start, node.end)
+            what = "zero" if divisor.literal == 0.0 else f"'{divisor.text}', which is zero"
+            yield Finding(place, f"'{island.text[place.start : place.end]}' divides by {what}")
     for part in parts:
         yield from _divisions(part, island, values)
 
