@@ -3,13 +3,13 @@
 import os
 from collections.abc import Sequence
 from enum import Enum
-from typing import NamedTuple
 
 from kindsl.cli.outcome import Failure, LintedFile
 from kindsl.cli.sources import STDIN, NotText, is_decodable, read_text
 from kindsl.rules.analysis import Analysis, analyse
 from kindsl.rules.diagnostics import Diagnostic
 from kindsl.rules.settings import Settings
+from kindsl.text.named_tuple import NamedTuple
 
 
 class Mending(Enum):

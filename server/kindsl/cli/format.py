@@ -2,7 +2,6 @@
 
 import argparse
 import sys
-from typing import NamedTuple
 
 from kindsl.cli.console import printable, write
 from kindsl.cli.diffs import unified_diff
@@ -16,6 +15,7 @@ from kindsl.rules.syntax_findings import all_problems
 from kindsl.syntax.document import SyntaxDocument, parse
 from kindsl.text.edits import apply_edits
 from kindsl.text.lines import LineIndex
+from kindsl.text.named_tuple import NamedTuple
 
 OK = 0
 WOULD_CHANGE = 1

@@ -1,7 +1,9 @@
 """What git would ignore, by the `.gitignore` files of a folder and of those above it."""
 
 import os
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
+
+from kindsl.text.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from pathspec import GitIgnoreSpec

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from io import BytesIO
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -10,6 +10,7 @@ from kindsl.features.motions import Motion
 from kindsl.mechanism.build import Mechanism
 from kindsl.rules.analysis import Analysis
 from kindsl.spatial.arrays import Array
+from kindsl.text.named_tuple import NamedTuple
 
 
 class Request(NamedTuple):

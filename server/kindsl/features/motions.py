@@ -2,7 +2,9 @@
 
 import sys
 from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any
+
+from kindsl.text.named_tuple import NamedTuple
 
 JOINT_KEYS = ("q", "qd", "qdd", "tau")
 BASE_KEY = "base_velocity"
