@@ -4,13 +4,15 @@ import re
 from collections.abc import Sequence
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from lsprotocol import types
 
 from kindsl.lsp.changes import Change, edits_of, split_lines
 from kindsl.lsp.lines import Lines, PlainPiece
 from kindsl.text.edits import apply_edits
+
+steady = settings(deadline=None, derandomize=True)
 
 ALPHABET = "ab \t\r\n\x0b\x0c\x1c\x85\u2028é😀"
 texts = st.text(ALPHABET, max_size=40)
@@ -27,6 +29,7 @@ changes = st.lists(
 )
 
 
+@steady
 @given(texts, changes, encodings)
 def test_changes_made_at_once_equal_changes_made_one_after_the_other(
     text: str, changes: Sequence[Change], encoding: str
@@ -35,6 +38,7 @@ def test_changes_made_at_once_equal_changes_made_one_after_the_other(
     assert apply_edits(text, edits) == naively_changed(text, changes, encoding)
 
 
+@steady
 @given(texts, st.lists(st.integers(0, 7), min_size=1, max_size=6, unique=True), encodings)
 def test_descending_changes_equal_changes_made_one_after_the_other(
     text: str, rows: list[int], encoding: str
@@ -50,6 +54,7 @@ def test_descending_changes_equal_changes_made_one_after_the_other(
     )
 
 
+@steady
 @given(texts)
 def test_lines_have_the_ends_of_the_specification_only(text: str) -> None:
     lines = split_lines(text)

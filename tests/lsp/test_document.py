@@ -1,11 +1,13 @@
 """Versions of a document: whichever are parsed, each has the syntax of its text."""
 
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from lsprotocol import types
 
 from kindsl.lsp.document import document
 from kindsl.syntax.document import parse
+
+steady = settings(deadline=None, derandomize=True)
 
 TEXT = """\
 Robot R {
@@ -37,6 +39,7 @@ notifications = st.lists(
 )
 
 
+@steady
 @given(notifications)
 def test_each_version_has_the_syntax_of_its_text(
     notifications: list[tuple[list[types.TextDocumentContentChangePartial], bool]],

@@ -3,13 +3,15 @@
 from array import array
 from itertools import pairwise
 
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kindsl.features import semantic_tokens
 from kindsl.lsp import highlighting
 from kindsl.lsp.document import document
 from kindsl.rules.analysis import analyse
+
+steady = settings(deadline=None, derandomize=True)
 
 numbers = st.lists(st.integers(0, 3), max_size=20)
 
@@ -19,6 +21,7 @@ def test_the_legend_is_that_of_the_feature() -> None:
     assert highlighting.MODIFIERS == semantic_tokens.MODIFIERS
 
 
+@steady
 @given(st.lists(numbers, min_size=2, max_size=5))
 def test_differences_lead_from_one_row_to_the_next(rows: list[list[int]]) -> None:
     memory = highlighting.TokenMemory()
@@ -37,6 +40,7 @@ def test_an_unknown_result_is_answered_with_everything() -> None:
     assert memory.tell("untitled:r", array("I", [1]), "elsewhere")["data"] == [1]
 
 
+@steady
 @given(st.sampled_from(["utf-8", "utf-16", "utf-32"]), st.text("a {}\n/*é😀\u2028", max_size=60))
 def test_tokens_are_found_again_where_they_stand(encoding: str, more: str) -> None:
     text = f"Robot R {{ // 😀 é\nlink one {{ id = 1 }}\n{more}"

@@ -3,12 +3,14 @@
 from itertools import accumulate
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kindsl.lsp.lines import Lines, PlainPiece
 from kindsl.text.edits import TextEdit, apply_edits
 from kindsl.text.lines import LineIndex
+
+steady = settings(deadline=None, derandomize=True)
 
 ALPHABET = "ab \r\n\x0c\x85\u2028é😀"
 texts = st.text(ALPHABET, max_size=60)
@@ -16,6 +18,7 @@ encodings = st.sampled_from(["utf-8", "utf-16", "utf-32"])
 cuts = st.lists(st.integers(0, 60), max_size=6)
 
 
+@steady
 @given(texts, cuts, encodings)
 def test_an_offset_comes_back_from_its_position(text: str, cuts: list[int], encoding: str) -> None:
     lines = cut(text, cuts)
@@ -25,6 +28,7 @@ def test_an_offset_comes_back_from_its_position(text: str, cuts: list[int], enco
         assert lines.offset(*lines.position(offset, encoding), encoding) == offset
 
 
+@steady
 @given(texts, cuts)
 def test_lines_do_not_depend_on_the_pieces(text: str, cuts: list[int]) -> None:
     lines, whole = cut(text, cuts), LineIndex(text)
@@ -34,6 +38,7 @@ def test_lines_do_not_depend_on_the_pieces(text: str, cuts: list[int]) -> None:
         assert lines.position(offset, "utf-32") == whole.position(offset)
 
 
+@steady
 @given(texts, cuts, st.integers(0, 60), st.integers(0, 60))
 def test_a_stretch_of_text_does_not_depend_on_the_pieces(
     text: str, cuts: list[int], start: int, end: int
@@ -65,6 +70,7 @@ def cut(text: str, cuts: list[int]) -> Lines:
     return Lines([PlainPiece(piece) for piece in pieces], [0, *accumulate(map(len, pieces))])
 
 
+@steady
 @given(texts, cuts, st.lists(st.tuples(st.integers(0, 60), st.integers(0, 9), texts), max_size=4))
 def test_lines_after_edits_are_those_of_the_edited_text(
     text: str, cuts: list[int], wanted: list[tuple[int, int, str]]

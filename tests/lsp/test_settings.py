@@ -1,13 +1,15 @@
 """What the editor may say, however it says it."""
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kindsl.lsp.settings import editor_settings, merged
 from kindsl.rules.base import Severity
 from kindsl.rules.settings import Settings
 from kindsl.semantics.parameters import Binding
+
+steady = settings(deadline=None, derandomize=True)
 
 json_values = st.recursive(
     st.none() | st.booleans() | st.floats() | st.text(max_size=5),
@@ -56,6 +58,7 @@ def test_everything_is_understood() -> None:
     assert found.inlay_hints == {"units": True}
 
 
+@steady
 @given(st.dictionaries(names, json_values) | json_values)
 def test_nonsense_is_told_and_left_out(raw: object) -> None:
     found = editor_settings(raw)
