@@ -66,10 +66,8 @@ def _measure(window: Browser, server: code_server.CodeServer, folder: Path, name
 def _compile_minimal() -> None:
     esbuild = code_server.EXTENSION / "node_modules" / ".bin" / "esbuild"
     options = ["--bundle", "--platform=node", "--format=cjs", "--external:vscode", "--minify"]
-    source, target = (
-        CLIENTS / "minimal" / "extension.ts",
-        CLIENTS / "minimal" / "out" / "extension.js",
-    )
+    source = CLIENTS / "minimal" / "extension.ts"
+    target = CLIENTS / "minimal" / "out" / "extension.js"
     modules = {**os.environ, "NODE_PATH": str(code_server.EXTENSION / "node_modules")}
     command = [esbuild, source, *options, f"--outfile={target}"]
     subprocess.run(command, check=True, capture_output=True, env=modules)

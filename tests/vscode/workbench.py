@@ -5,7 +5,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from playwright.sync_api import Frame, Locator, Page, expect
+from playwright.sync_api import Frame, Locator, Page, TimeoutError, expect
 from tests.vscode.code_server import ROOT, CodeServer
 
 SHOTS = ROOT / "artifacts" / "vscode"
@@ -46,7 +46,8 @@ class Workbench:
         self.run("File: Open File...")
         self.page.locator(".quick-input-list .monaco-list-row", has_text=name).first.click()
         self.active_tab(name).wait_for()
-        self.page.wait_for_selector(".editor-instance .view-line")
+        expect(self.page.locator(".quick-input-widget")).to_be_hidden()
+        self.page.wait_for_selector(".editor-group-container.active .monaco-editor.focused")
         return path
 
     def active_tab(self, name: str) -> Locator:
@@ -68,8 +69,7 @@ class Workbench:
         before = path.read_text(encoding="utf-8").partition(text)[0] + text[:offset]
         line = before.count("\n") + 1
         column = len(before) - (before.rfind("\n") + 1) + 1
-        self.press("Control+g")
-        self.page.locator(".quick-input-widget input").fill(f":{line}:{column}")
+        self._ask("Control+g").fill(f":{line}:{column}")
         self.press("Enter")
         self.expect_cursor(line, column)
 
@@ -91,12 +91,23 @@ class Workbench:
 
     def run(self, title: str) -> None:
         """Run a command from the palette."""
-        self.press("F1")
-        field = self.page.locator(".quick-input-widget input")
-        field.fill(f">{title}")
+        self._ask("F1").fill(f">{title}")
         row = self.page.locator(".quick-input-list .monaco-list-row", has_text=title).first
         row.wait_for()
         row.click()
+
+    def _ask(self, key: str) -> Locator:
+        """Press a key that opens an input field, and again if the window did not listen yet."""
+        field = self.page.locator(".quick-input-widget input[type=text]")
+        for _ in range(10):
+            self.press(key)
+            try:
+                field.wait_for(timeout=3000)
+                return field
+            except TimeoutError:
+                # The focus is elsewhere, in the preview's page for example.
+                self.page.locator(".editor-group-container .tab.active").first.click()
+        raise AssertionError(f"no input field after {key}")
 
     def eventually(self, see: Callable[[], Any], what: str) -> Any:
         """Return what is seen once it is true."""
