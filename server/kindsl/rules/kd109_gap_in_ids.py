@@ -46,11 +46,11 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
     strays = [number for number in sorted(by_id) if number > count and number - 1 not in by_id]
     for low, high in gaps:
         number = strays.pop() if strays else high + 1
-        link = by_id[number]
+        link = by_id.get(number) or by_id[max(by_id)]
         is_lost = model.is_mentioned_in_broken_text(str(low), link.island)
         if is_lost or unknown >= missing or (has_explanation and low > 1):
             continue
-        message = _message(low, high, number)
+        message = _message(low, high, link.id or number)
         yield Finding(link.id_place or link.name, message, fix=renumbering(model, len(gaps)))
 
 
