@@ -69,7 +69,8 @@ class Document:
 
             basis, lines = self._basis, self.lines
             tree = parse(self.text) if basis is None else basis.tree.edited(basis.edits(lines))
-            self.lines = Lines(tree.islands, tree.starts)
+            if 2 * lines.n_pieces < len(tree):
+                self.lines = Lines(tree.islands, tree.starts)
             self._tree = tree
         return self._tree
 

@@ -50,6 +50,11 @@ class Lines:
         self.last = self._ends_before[-1]
         self.length = starts[len(pieces) - 1] + len(pieces[-1].text) if pieces else 0
 
+    @property
+    def n_pieces(self) -> int:
+        """How many pieces the text is held in."""
+        return len(self._pieces)
+
     def edited(self, edits: Sequence[TextEdit]) -> "Lines":
         """Return the lines after disjoint edits, in the order of the text, made at once."""
         pieces, starts = list(self._pieces), list(self._starts[: len(self._pieces)])
