@@ -33,7 +33,7 @@ from kindsl.rules.poses import placement
 from kindsl.rules.quantities import with_unit
 from kindsl.semantics.declarations import Inertia, Link
 from kindsl.semantics.model import Model
-from kindsl.semantics.rigid_body import Vector3, second_moments_about_com
+from kindsl.semantics.rigid_body import MassDistribution, Vector3, second_moments_about_com
 
 _FAR = 3.0
 _WIDE = 10.0
@@ -61,27 +61,35 @@ def _known_points(model: Model, body: Link, context: Context) -> list[Vector3]:
 
 def _message(body: Link, inertia: Inertia, points: list[Vector3], context: Context) -> str:
     numbers = mass_distribution(inertia, context.values)
-    length = max(hypot(*point) for point in points)
-    if numbers is None or numbers.mass <= 0.0 or length > GREATEST_LENGTH:
+    length = max([hypot(*point) for point in points])
+    if numbers is None or numbers.mass <= 0.0 or not _SHORTEST < length < GREATEST_LENGTH:
         return ""
-    second_moments = second_moments_about_com(numbers)
-    spread = sum(second_moments[:3])
+    if inertia.frame is None and _is_plainly_inside(numbers, length):
+        return ""
+    spread = sum(second_moments_about_com(numbers)[:3])
     com = _in_link_frame(body, inertia, numbers.com, context)
     if com is None or spread <= 0.0 or max(map(abs, com)) > GREATEST_LENGTH:
         return ""
     radius = sqrt(spread / numbers.mass)
     distance = min(_distance_to_segment(com, point) for point in points)
-    if distance > _FAR * (length + radius) and length > _SHORTEST:
+    if distance > _FAR * (length + radius):
         return (
             f"CoM of '{body.name}' is {with_unit(distance, 'm')} away from the link, "
             f"which is {with_unit(length, 'm')} long"
         )
-    if radius > _WIDE * (length + hypot(*com)) and length > _SHORTEST:
+    if radius > _WIDE * (length + hypot(*com)):
         return (
             f"radius of gyration of '{body.name}' is {with_unit(radius, 'm')}, "
             f"the link is {with_unit(length, 'm')} long"
         )
     return ""
+
+
+def _is_plainly_inside(body: MassDistribution, length: float) -> bool:
+    """Return whether neither distance nor radius can be too great, from the numbers as given."""
+    ix, iy, iz = body.moments[:3]
+    is_narrow = ix + iy + iz <= 2.0 * body.mass * (_WIDE * length) ** 2
+    return is_narrow and hypot(*body.com) <= _FAR * length
 
 
 def _in_link_frame(body: Link, inertia: Inertia, com: Vector3, context: Context) -> Vector3 | None:

@@ -5,6 +5,8 @@ from math import cos, isfinite, sin
 from typing import NamedTuple
 
 from kindsl.semantics.declarations import Declarations, Frame, Joint, Pose, Vector
+from kindsl.semantics.lowering import declarations
+from kindsl.semantics.parameters import island_symbols
 from kindsl.semantics.rigid_body import Vector3
 
 
@@ -31,19 +33,33 @@ class Placement(NamedTuple):
 
 
 def placement(pose: Pose, values: Mapping[str, float]) -> Placement | None:
-    """Return a pose in numbers, None where one is missing or unbound."""
+    """Return a pose in numbers, None where one is missing, unbound or infinite.
+
+    It is computed once in the life of an island that has no parameters and constants.
+    """
+    if pose.translation is None or pose.rotation is None:
+        return None
+    island = pose.translation.island
+    key = "placement", pose.translation.start
+    known = island.facts.get(key)
+    if isinstance(known, Placement):
+        return known
     translation = vector3(pose.translation, values)
     rotation = vector3(pose.rotation, values)
     if translation is None or rotation is None:
         return None
-    return Placement(translation, rotation)
+    placed = Placement(translation, rotation)
+    if not any(island_symbols(island, declarations(island))):
+        island.facts[key] = placed
+    return placed
 
 
 def vector3(vector: Vector | None, values: Mapping[str, float]) -> Vector3 | None:
     """Return three components in numbers, None where one is missing, unbound or infinite."""
     if vector is None or len(vector.components) != 3:
         return None
-    x, y, z = (component.value(values) for component in vector.components)
+    first, second, third = vector.components
+    x, y, z = first.value(values), second.value(values), third.value(values)
     if x is None or y is None or z is None or not isfinite(x * 0.0 + y * 0.0 + z * 0.0):
         return None
     return x, y, z
