@@ -1,9 +1,9 @@
 """All rules, found by walking this package: a file named after a code holds one."""
 
+import os
 from collections.abc import Iterator
 from functools import cache
 from importlib import import_module
-from pathlib import Path
 from types import ModuleType
 
 from kindsl.rules.base import Rule
@@ -33,6 +33,6 @@ def rule_module(name: str) -> ModuleType:
 
 
 def _module_names() -> Iterator[str]:
-    for path in Path(__file__).parent.iterdir():
-        if path.name.startswith("kd") and path.suffix == ".py":
-            yield path.stem
+    for name in os.listdir(os.path.dirname(__file__)):
+        if name.startswith("kd") and name.endswith(".py"):
+            yield name.removesuffix(".py")

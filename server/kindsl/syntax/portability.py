@@ -8,7 +8,6 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from kindsl.syntax.forms import TARGETS_OF_ALL, accepted_by
-from kindsl.syntax.rewriting import rewritten
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Edit, Island, Node, Repair, Token
 from kindsl.syntax.words import shown
@@ -147,6 +146,9 @@ def _value_notes(text: str, block: Node) -> Iterator[PortabilityNote]:
         message = _REASONS[target].format(shown(text[start:end]))
         if node.kind == "parameter" and target == ROBCOGEN2:
             message = f"robcogen2 reads '{shown(text[start:end])}' as 'pi' and stops"
+        # Decimals cost the linter's start, and most documents need none.
+        from kindsl.syntax.rewriting import rewritten
+
         new = rewritten(node)
         repair = Repair(f"Write {new}", (Edit(start, end, new),), True) if new else None
         yield PortabilityNote(target, "value-form", message, start, end, repair)
