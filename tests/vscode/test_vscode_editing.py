@@ -115,6 +115,16 @@ def test_inlay_hints_stand_beside_values(workbench: Workbench) -> None:
     workbench.screenshot("inlay-hints")
 
 
+def test_the_lens_above_a_link_lists_its_references(workbench: Workbench) -> None:
+    path = workbench.open("lens.kindsl", models.ARM)
+    workbench.go_to("r_joint elbow", path)
+    lens = workbench.page.locator(".codelens-decoration a", has_text="1 reference").last
+    lens.click()
+    peek = workbench.page.locator(".peekview-widget .ref-tree")
+    expect(peek).to_contain_text("lower via elbow")
+    workbench.press("Escape")
+
+
 def test_the_outline_is_the_kinematic_tree(workbench: Workbench) -> None:
     workbench.open("outline.kindsl", models.ARM)
     workbench.run("Explorer: Focus on Outline View")

@@ -87,6 +87,15 @@ def test_the_browser_shows_it_too(workbench: Workbench) -> None:
     page.close()
 
 
+def test_the_lens_above_the_robot_opens_it(workbench: Workbench) -> None:
+    tab = workbench.page.locator(".tab", has_text="Preview arm.kindsl")
+    tab.locator(".codicon-close").click()
+    expect(tab).to_have_count(0)
+    workbench.open("second.kindsl")
+    workbench.page.locator(".codelens-decoration a", has_text="Preview").click()
+    expect_robot(workbench, "other")
+
+
 def expect_robot(workbench: Workbench, name: str) -> None:
     """Wait until the preview shows the robot of that name."""
 

@@ -43,7 +43,7 @@ def test_no_numpy_is_said_once_and_findings_come(
         workbench.screenshot("no-numpy")
         workbench.run("Kinematics-DSL: Open Preview to the Side")
         text = workbench.eventually(lambda: panel_text(workbench), "a reason in the panel")
-        assert "preview" in text
+        assert "-m pip install numpy meshcat tornado" in text
 
 
 def test_a_workspace_that_is_not_trusted_chooses_no_program(

@@ -106,8 +106,16 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
     try {
       return { kind: "frame", url: await this.#url(uri) };
     } catch (error) {
-      return { kind: "message", text: (error as Error).message };
+      return { kind: "message", text: this.#reason(error as Error) };
     }
+  }
+
+  /** Why there is no preview: what to install, if that is the reason, else what the server says. */
+  #reason(error: Error): string {
+    const { interpreter } = this.server;
+    if (interpreter === undefined || interpreter.missing.length === 0) return error.message;
+    const { command, missing } = interpreter;
+    return `The preview needs ${missing.join(", ")}: ${command.join(" ")} -m pip install ${missing.join(" ")}`;
   }
 
   /** The address of the document's preview for the user's browser. Throws what the user should read. */
