@@ -64,7 +64,11 @@ def _action(view: View, action: "CodeAction") -> types.CodeAction | None:
     return types.CodeAction(
         title=action.title,
         kind=action.kind,
-        diagnostics=diagnostics(view.document, action.diagnostics, view.client) or None,
+        diagnostics=[
+            view.server.protocol.structured(each, types.Diagnostic)
+            for each in diagnostics(view.document, action.diagnostics, view.client)
+        ]
+        or None,
         is_preferred=action.is_preferred or None,
         edit=workspace_edit(view.client, edits, new),
     )

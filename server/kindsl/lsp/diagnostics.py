@@ -3,12 +3,12 @@
 import itertools
 from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple, cast
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from lsprotocol import types
 
 from kindsl.lsp import uris
-from kindsl.lsp.client import Client
+from kindsl.lsp.client import Client, DiagnosticParts
 from kindsl.lsp.configuration_files import configuration_problems
 from kindsl.lsp.document import Document
 from kindsl.lsp.handlers import Handlers
@@ -20,18 +20,20 @@ if TYPE_CHECKING:
     from kindsl.rules.diagnostics import Diagnostic
     from kindsl.rules.settings import Settings
 
+Report = dict[str, Any]
+
 handlers = Handlers()
 
 _SOURCE = "kindsl"
 _SEVERITIES = {
-    "error": types.DiagnosticSeverity.Error,
-    "warning": types.DiagnosticSeverity.Warning,
-    "info": types.DiagnosticSeverity.Information,
-    "hint": types.DiagnosticSeverity.Hint,
+    "error": types.DiagnosticSeverity.Error.value,
+    "warning": types.DiagnosticSeverity.Warning.value,
+    "info": types.DiagnosticSeverity.Information.value,
+    "hint": types.DiagnosticSeverity.Hint.value,
 }
 _TAGS = {
-    "unnecessary": types.DiagnosticTag.Unnecessary,
-    "deprecated": types.DiagnosticTag.Deprecated,
+    "unnecessary": types.DiagnosticTag.Unnecessary.value,
+    "deprecated": types.DiagnosticTag.Deprecated.value,
 }
 
 
@@ -43,29 +45,27 @@ _OPTIONS = types.DiagnosticOptions(
 
 
 @handlers.server(types.TEXT_DOCUMENT_DIAGNOSTIC, _OPTIONS)
-async def pull(
-    server: "KindslLanguageServer", params: types.DocumentDiagnosticParams
-) -> types.DocumentDiagnosticReport:
+async def pull(server: "KindslLanguageServer", params: types.DocumentDiagnosticParams) -> Report:
     """Answer what is wrong with a document, or that nothing has changed."""
     document = server.documents.get(params.text_document.uri)
     if document is None:
-        return types.RelatedFullDocumentDiagnosticReport(items=[])
+        return {"kind": "full", "items": []}
     server.publisher.leave_to_pull(document)
     if document.is_toml:
         problems = await server.worker.run(lambda: configuration_problems(document))
-        return types.RelatedFullDocumentDiagnosticReport(problems)
+        return {"kind": "full", "items": problems}
     findings = await server.analyses.findings(document)
     result_id = result_id_of(document, findings)
     if result_id == params.previous_result_id:
-        return types.RelatedUnchangedDocumentDiagnosticReport(result_id)
+        return {"kind": "unchanged", "resultId": result_id}
     items = diagnostics(document, findings, server.client)
-    return types.RelatedFullDocumentDiagnosticReport(items, result_id=result_id)
+    return {"kind": "full", "resultId": result_id, "items": items}
 
 
 @handlers.server(types.WORKSPACE_DIAGNOSTIC)
 async def pull_all(
     server: "KindslLanguageServer", params: types.WorkspaceDiagnosticParams
-) -> types.WorkspaceDiagnosticReport:
+) -> Report:
     """Answer what is wrong with every robot in the workspace, whether open or not.
 
     A client that takes partial results asks again and again; it has its answer when there is news.
@@ -75,48 +75,48 @@ async def pull_all(
         server.news.clear()
         await server.news.wait()
         reports = await _workspace_reports(server, params)
-    return types.WorkspaceDiagnosticReport(reports)
+    return {"items": reports}
 
 
 async def _workspace_reports(
     server: "KindslLanguageServer", params: types.WorkspaceDiagnosticParams
-) -> list[types.WorkspaceDocumentDiagnosticReport]:
+) -> list[Report]:
     known = {uris.key(each.uri): each.value for each in params.previous_result_ids}
-    reports: list[types.WorkspaceDocumentDiagnosticReport] = []
+    reports: list[Report] = []
     async with Progress(server, "Checking robots", params.work_done_token) as progress:
         files = await server.worker.run(lambda: list(server.settings.files()), Urgency.BACKGROUND)
         for number, uri in enumerate(open_and_closed(server, files)):
             await progress.report(number, len(files))
             report = await _workspace_report(server, uri, known.get(uris.key(uri)))
             reports += [report] if report is not None else []
-    listed = {uris.key(report.uri) for report in reports}
+    listed = {uris.key(report["uri"]) for report in reports}
     gone = (each for each in params.previous_result_ids if uris.key(each.uri) not in listed)
     return [*reports, *map(_gone_report, gone)]
 
 
-def _gone_report(previous: types.PreviousResultId) -> types.WorkspaceDocumentDiagnosticReport:
+def _gone_report(previous: types.PreviousResultId) -> Report:
     """Return that nothing is wrong any more with a document that is no more."""
+    told = {"uri": previous.uri, "version": None, "resultId": _GONE}
     if previous.value == _GONE:
-        return types.WorkspaceUnchangedDocumentDiagnosticReport(previous.uri, _GONE)
-    return types.WorkspaceFullDocumentDiagnosticReport(previous.uri, [], result_id=_GONE)
+        return {**told, "kind": "unchanged"}
+    return {**told, "kind": "full", "items": []}
 
 
-def _is_news(report: types.WorkspaceDocumentDiagnosticReport) -> bool:
-    return isinstance(report, types.WorkspaceFullDocumentDiagnosticReport)
+def _is_news(report: Report) -> bool:
+    return bool(report["kind"] == "full")
 
 
 async def _workspace_report(
     server: "KindslLanguageServer", uri: str, known: str | None
-) -> types.WorkspaceDocumentDiagnosticReport | None:
+) -> Report | None:
     document = server.documents.get(uri)
     if document is None or document.is_toml:
         return None
     report = await _report(server, document)
+    told = {"uri": uri, "version": document.version, "resultId": report.result_id}
     if report.result_id == known:
-        return types.WorkspaceUnchangedDocumentDiagnosticReport(uri, known, document.version)
-    return types.WorkspaceFullDocumentDiagnosticReport(
-        uri, report.items, document.version, result_id=report.result_id
-    )
+        return {**told, "kind": "unchanged"}
+    return {**told, "kind": "full", "items": report.items}
 
 
 async def _report(server: "KindslLanguageServer", document: Document) -> "_Report":
@@ -137,7 +137,7 @@ class _Report(NamedTuple):
 
     settings: "Settings"
     result_id: str
-    items: list[types.Diagnostic]
+    items: list[dict[str, Any]]
 
 
 def open_and_closed(server: "KindslLanguageServer", files: Iterable[Path]) -> Iterator[str]:
@@ -162,27 +162,30 @@ def result_id_of(document: Document, findings: "tuple[Diagnostic, ...]") -> str:
 
 def diagnostics(
     document: Document, findings: "Iterable[Diagnostic]", client: Client
-) -> list[types.Diagnostic]:
-    """Return findings as the client can show them."""
-    return [_diagnostic(document, finding, client) for finding in findings]
+) -> list[dict[str, Any]]:
+    """Return findings as the client can show them, in the protocol's form, for there are many."""
+    parts = client.shows_in_diagnostics
+    return [_diagnostic(document, finding, parts) for finding in findings]
 
 
-def _diagnostic(document: Document, finding: "Diagnostic", client: Client) -> types.Diagnostic:
-    shows = client.shows_in_diagnostics
-    return types.Diagnostic(
-        range=document.range(finding.start, finding.end),
-        message=finding.message,
-        severity=_SEVERITIES[finding.severity],
-        code=finding.code,
-        code_description=types.CodeDescription(finding.url) if shows.links else None,
-        source="kindsl",
-        tags=[_TAGS[finding.tag]] if finding.tag and shows.tags else None,
-        related_information=[
-            types.DiagnosticRelatedInformation(
-                types.Location(document.uri, document.range(place.start, place.end)), place.message
-            )
+def _diagnostic(
+    document: Document, finding: "Diagnostic", parts: DiagnosticParts
+) -> dict[str, Any]:
+    found: dict[str, Any] = {
+        "range": document.wire_range(finding.start, finding.end),
+        "severity": _SEVERITIES[finding.severity],
+        "code": finding.code,
+        "source": _SOURCE,
+        "message": finding.message,
+    }
+    if parts.links:
+        found["codeDescription"] = {"href": finding.url}
+    if parts.tags and finding.tag:
+        found["tags"] = [_TAGS[finding.tag]]
+    if parts.related and finding.related:
+        found["relatedInformation"] = [
+            {"location": {"uri": document.uri, "range": place_range}, "message": place.message}
             for place in finding.related
+            for place_range in (document.wire_range(place.start, place.end),)
         ]
-        if finding.related and shows.related
-        else None,
-    )
+    return found

@@ -98,6 +98,15 @@ class Document:
         """Return the client's position of a code point."""
         return types.Position(*self.lines.position(offset, self.encoding))
 
+    def wire_range(self, start: int, end: int) -> dict[str, dict[str, int]]:
+        """Return the client's range in the protocol's form, for what is sent in great numbers."""
+        first, before = self.lines.position(start, self.encoding)
+        last, after = self.lines.position(end, self.encoding)
+        return {
+            "start": {"line": first, "character": before},
+            "end": {"line": last, "character": after},
+        }
+
     def range(self, start: int, end: int) -> types.Range:
         """Return the client's range of a stretch of code points."""
         return types.Range(self.position(start), self.position(end))

@@ -78,12 +78,17 @@ class Lines:
 
     def line(self, offset: int) -> int:
         """Return the number of the line that an offset is in."""
-        piece = max(bisect_right(self._starts, offset, hi=len(self._pieces)) - 1, 0)
+        return self._line_and_start(offset)[0]
+
+    def _line_and_start(self, offset: int) -> tuple[int, int]:
+        """Return the number of the line that an offset is in, and where that begins."""
         if not self._pieces:
-            return 0
-        index = _index(self._pieces[piece])
-        within = bisect_right(index.starts, offset - self._starts[piece]) - 1
-        return self._ends_before[piece] + within
+            return 0, 0
+        piece = max(bisect_right(self._starts, offset, hi=len(self._pieces)) - 1, 0)
+        starts, origin = _index(self._pieces[piece]).starts, self._starts[piece]
+        within = bisect_right(starts, offset - origin) - 1
+        line = self._ends_before[piece] + within
+        return line, origin + starts[within] if within else self.start(line)
 
     def text(self, start: int, end: int) -> str:
         """Return the text between two offsets."""
@@ -110,8 +115,7 @@ class Lines:
     def position(self, offset: int, encoding: str) -> tuple[int, int]:
         """Return the line and the client's column of an offset, clamped to the text."""
         offset = min(max(offset, 0), self.length)
-        line = self.line(offset)
-        start = self.start(line)
+        line, start = self._line_and_start(offset)
         return line, self.units(start, offset, encoding)
 
     def units(self, start: int, offset: int, encoding: str) -> int:

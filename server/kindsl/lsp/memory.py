@@ -1,4 +1,10 @@
-"""When the garbage collector runs: seldom while someone types, surely when documents are closed."""
+"""When the garbage collector runs: seldom while someone types, surely when documents are closed.
+
+A document is many objects that live long: ten thousand links are some millions, and walking through
+them in vain takes a good part of a second, in which nothing else runs. So what is there once a
+document has been checked is set aside until a document is closed. Edits then leave behind at most
+what was set aside, since what they make anew is looked at as ever.
+"""
 
 import asyncio
 import gc
@@ -8,8 +14,6 @@ from kindsl.lsp.document import Document
 from kindsl.lsp.documents import Documents
 from kindsl.lsp.worker import Urgency, Worker
 
-# A document is many objects that live long; looking at the young ones every 700 finds nothing.
-# What islands know refers back to them, so what an edit leaves behind does need the collector.
 _THRESHOLDS = (10_000, 10, 3)
 _LATER = 0.5
 
@@ -19,13 +23,18 @@ def tune() -> None:
     gc.set_threshold(*_THRESHOLDS)
 
 
+def set_aside() -> None:
+    """Let the collector pass over everything that is there now."""
+    gc.freeze()
+
+
 def collect_after_close(documents: Documents, worker: Worker) -> None:
     """Collect once some documents have been closed and nothing else is to be done."""
     pending: list[asyncio.Task[None]] = []
 
     async def collect() -> None:
         await asyncio.sleep(_LATER)
-        await worker.run(gc.collect, Urgency.BACKGROUND)
+        await worker.run(_collect_all, Urgency.BACKGROUND)
 
     def closed(_: Document) -> None:
         while pending:
@@ -33,3 +42,9 @@ def collect_after_close(documents: Documents, worker: Worker) -> None:
         pending.append(tasks.start(collect()))
 
     documents.on_close.append(closed)
+
+
+def _collect_all() -> None:
+    gc.unfreeze()
+    gc.collect()
+    gc.freeze()

@@ -12,7 +12,7 @@ import json
 import logging
 from collections.abc import Callable
 from concurrent.futures import Future
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 from cattrs import transform_error
 from lsprotocol import types
@@ -31,6 +31,9 @@ if TYPE_CHECKING:
     from kindsl.lsp.server import KindslLanguageServer
 
 logger = logging.getLogger(__name__)
+
+
+T = TypeVar("T")
 
 
 class Encoded(NamedTuple):
@@ -179,6 +182,10 @@ class KindslProtocol(LanguageServerProtocol):
             return result
         encode = self._serialize_message
         return Encoded(json.dumps(result, default=encode, separators=(",", ":"), allow_nan=False))
+
+    def structured(self, data: dict[str, Any], type_: type[T]) -> T:
+        """Return what is in the protocol's form as one of its types."""
+        return self._converter.structure(data, type_)
 
     def notify_encoded(self, method: str, params: Encoded) -> None:
         """Send a notification whose parameters are JSON already."""

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from lsprotocol import types
 
-from kindsl.lsp import tasks, uris
+from kindsl.lsp import memory, tasks, uris
 from kindsl.lsp.configuration_files import configuration_problems
 from kindsl.lsp.diagnostics import diagnostics
 from kindsl.lsp.document import Document
@@ -26,12 +26,13 @@ class Publisher:
     Documents that the client pulls diagnostics for are left to it, lest each is shown twice.
     """
 
-    __slots__ = ("_broken", "_pulled", "_server", "_shown", "_tasks")
+    __slots__ = ("_broken", "_checked", "_pulled", "_server", "_shown", "_tasks")
 
     def __init__(self, server: "KindslLanguageServer") -> None:
         self._server = server
         self._tasks: dict[str, asyncio.Task[None]] = {}
         self._pulled: set[str] = set()
+        self._checked: set[str] = set()
         self._shown: set[str] = set()
         self._broken: set[str] = set()
         server.documents.on_open.append(lambda document: self.schedule(document, 0.0))
@@ -71,6 +72,7 @@ class Publisher:
         if key in self._tasks:
             self._tasks.pop(key).cancel()
         self._pulled.discard(key)
+        self._checked.discard(key)
         self._publish(document.uri, None, [])
 
     async def _publish_later(self, document: Document, delay: float) -> None:
@@ -80,6 +82,9 @@ class Publisher:
             await self._publish_configuration(document)
             return
         findings = await self._findings(document)
+        if uris.key(document.uri) not in self._checked:
+            self._checked.add(uris.key(document.uri))
+            memory.set_aside()
         shown = await self._encoded(document, findings)
         if self._server.documents.is_current(document):
             if uris.key(document.uri) not in self._pulled:
@@ -98,7 +103,7 @@ class Publisher:
 
         def encoded() -> Encoded:
             shown = diagnostics(document, findings, self._server.client)
-            params = types.PublishDiagnosticsParams(document.uri, shown, document.version)
+            params = {"uri": document.uri, "version": document.version, "diagnostics": shown}
             return self._server.protocol.encoded(params)
 
         if len(findings) < _MANY:
