@@ -159,3 +159,7 @@ def test_a_second_robot() -> None:
     second = MODEL.replace("arm", "leg")
     told = messages(parse(MODEL + second))
     assert told == [(len(MODEL), "KD009", "second robot 'leg' in one document")]
+
+
+def test_an_empty_piece_is_no_misspelt_keyword() -> None:
+    assert messages(parse("r_joint l { CoM = (1.0) , l via j"))

@@ -133,7 +133,7 @@ def _instead(change: Change, gone: Sequence[Token], text: str, moment: str) -> t
     if change.kind == "INT":
         return "KD005", f"id '{shown(word)}' is not a natural number"
     near = None
-    if word not in KEYWORDS and word[0].isidentifier():
+    if word not in KEYWORDS and word[:1].isidentifier():
         near = nearest(word, SPELLINGS.get(change.kind, ()))
     if near is not None:
         return "KD010", f"unknown keyword '{shown(word)}', did you mean '{near}'"
