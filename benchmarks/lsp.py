@@ -201,7 +201,7 @@ def robot(links: int) -> str:
         for n in range(1, links + 1)
     ]
     joints = [
-        f"r_joint joint_{n} {{\n    ref_frame {{\n        translation = (0.0, 0.0, 0.3)\n"
+        f"r_joint joint_{n} {{\n    ref_frame {{\n        translation = (0.{n % 2}, 0.0, 0.3)\n"
         "        rotation = (PI/2.0, 0.0, 0.0)\n    }\n}\n"
         for n in range(1, links + 1)
     ]
