@@ -22,7 +22,7 @@ $(STAMP): pyproject.toml | $(BIN)/python
 
 # Lint the examples, show what is found, then open the preview of one of them.
 demo: $(TOOLS)
-	$(BIN)/kdsl-lint --exit-zero --statistics examples
+	$(BIN)/kdsl-lint --exit-zero examples
 	$(BIN)/kindsl preview $(EXAMPLE) $(DEMO_OPTIONS)
 
 # Everything that the CI runs.
@@ -49,6 +49,8 @@ tables: $(STAMP)
 
 docs: tables
 	$(BIN)/python -m kindsl.rules.pages
+	$(BIN)/python -m tests.docs.rewrite
+	if [ -d ../shared/corpus ]; then $(BIN)/python docs/pictures/published_models.py; fi
 
 .PHONY: docs-check
 docs-check: $(STAMP)
@@ -64,6 +66,7 @@ vsix: $(STAMP)
 screenshots: $(STAMP)
 	$(BIN)/python docs/pictures/lint_output.py
 	$(BIN)/python -m tests.preview.screenshots
+	$(BIN)/python docs/pictures/guide_pictures.py
 
 clean:
 	rm -rf $(VENV) build dist artifacts vscode-extension/node_modules vscode-extension/out

@@ -16,7 +16,8 @@ from kindsl.text.lines import LineIndex
 def robot_facts(analysis: Analysis) -> dict[str, Any]:
     """Return tree, masses and parameters, of a broken document what is there.
 
-    Masses are in kilograms, None where a parameter without value stands in them.
+    Masses are in kilograms, None where a parameter without value stands in them; the robot's is
+    that of what moves.
     """
     model, values = analysis.model, analysis.context.values
     places = _Places(analysis)
@@ -26,7 +27,7 @@ def robot_facts(analysis: Analysis) -> dict[str, Any]:
         "robot": model.name,
         "floating": model.floating,
         "dof": n_joints + (6 if model.floating else 0),
-        "mass": _total(bodies),
+        "mass": _total(bodies, model.floating),
         "base": bodies[0] if bodies and bodies[0]["id"] == 0 else None,
         "links": [body for body in bodies if body["id"] != 0],
         "parameters": [_parameter(p, analysis, places) for p in model.parameters],
@@ -81,8 +82,9 @@ def _body(model: Model, body: Link, values: Mapping[str, float], places: _Places
     }
 
 
-def _total(bodies: list[dict[str, Any]]) -> float | None:
-    masses = [body["mass"] for body in bodies]
+def _total(bodies: list[dict[str, Any]], is_floating: bool) -> float | None:
+    """Return the mass of what moves: of a fixed base, none."""
+    masses = [body["mass"] for body in bodies if is_floating or body["id"] != 0]
     return None if None in masses else sum(masses)
 
 

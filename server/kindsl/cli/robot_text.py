@@ -31,7 +31,7 @@ def printable_lines(text: str) -> str:
 def _heading(facts: dict[str, Any]) -> str:
     base = "floating base" if facts["floating"] else "fixed base"
     dof = "1 degree" if facts["dof"] == 1 else f"{facts['dof']} degrees"
-    unknown = "mass depends on parameters without value"
+    unknown = "mass unknown"
     mass = unknown if facts["mass"] is None else number(facts["mass"], "kg")
     return f"{facts['robot'] or '(unnamed)'}: {base}, {dof} of freedom, {mass}\n"
 

@@ -33,5 +33,16 @@ def overridden(settings: Settings, table: Decisions) -> Settings:
         settings.select if table.select is None else table.select,
         settings.ignore if table.ignore is None else table.ignore,
         {**settings.severity, **table.severity},
-        {**settings.bindings, **table.bindings},
+        {**settings.bindings, **_within(settings.bindings, table.bindings)},
     )
+
+
+def _within(known: Mapping[str, Binding], new: Mapping[str, Binding]) -> dict[str, Binding]:
+    """Return new bindings; one without a range keeps the range that is known."""
+    ranged = {name: known[name] for name, value in new.items() if name in known}
+    return {
+        name: binding._replace(minimum=ranged[name].minimum, maximum=ranged[name].maximum)
+        if name in ranged and binding.minimum is None and binding.maximum is None
+        else binding
+        for name, binding in new.items()
+    }

@@ -212,10 +212,10 @@ def _lumped(parts: list[MassProperties]) -> MassProperties | None:
 def _remarks(robot: Any, bodies: list[_Body]) -> Iterator[str]:
     limited = [j.name for j in robot.joints if j.limit is not None and j.type != "fixed"]
     if limited:
-        yield f"limits of {len(limited)} joints dropped: the language has none"
+        yield f"limits of {_counted(len(limited), 'joint')} dropped: the language has none"
     drawn = sum(bool(link.visuals or link.collisions) for link in robot.links)
     if drawn:
-        yield f"visuals and collisions of {drawn} links dropped"
+        yield f"visuals and collisions of {_counted(drawn, 'link')} dropped"
     for joint in robot.joints:
         if joint.mimic is not None:
             yield f"the joint '{joint.name}' mimics '{joint.mimic.joint}': it moves by itself now"
@@ -226,3 +226,7 @@ def _remarks(robot: Any, bodies: list[_Body]) -> Iterator[str]:
             yield f"the link '{body.name}' has no inertia in the URDF"
         for frame in body.frames:
             yield f"the link '{frame.name}', fixed to '{body.name}', became a frame of it"
+
+
+def _counted(number: int, noun: str) -> str:
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"

@@ -2,6 +2,8 @@
 
 from collections.abc import Sequence
 
+_NOISE = 1e-12
+
 
 def with_unit(value: float, unit: str) -> str:
     """Return a value with three digits and its unit: `-0.165 kg·m²`."""
@@ -10,6 +12,8 @@ def with_unit(value: float, unit: str) -> str:
 
 def sum_below(left: Sequence[float], right: float, sign: str = "<") -> str:
     """Return `0.1 + 0.2 < 0.31`, with as many digits as show that it is so."""
+    # What is left of zero after rounding would show as 1.7e-18.
+    left = [value if abs(value) > _NOISE * abs(right) else 0.0 for value in left]
     texts, whole = [], ""
     for digits in range(3, 17):
         texts = [f"{value:.{digits}g}" for value in left]

@@ -1,0 +1,13 @@
+"""Decisions put over decisions."""
+
+from kindsl.config.decisions import Decisions, overridden
+from kindsl.rules.settings import Settings
+from kindsl.semantics.parameters import Binding
+
+
+def test_a_value_without_range_keeps_the_range() -> None:
+    ranged = Settings(bindings={"l": Binding(0.3, 0.2, 0.5, "kindsl.toml")})
+    plain = Decisions(bindings={"l": Binding(0.9, origin="--param")})
+    assert overridden(ranged, plain).bindings == {"l": Binding(0.9, 0.2, 0.5, "--param")}
+    other = Decisions(bindings={"l": Binding(0.9, 0.0, 1.0), "m": Binding(1.0)})
+    assert overridden(ranged, other).bindings == {"l": Binding(0.9, 0.0, 1.0), "m": Binding(1.0)}
