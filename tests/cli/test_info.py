@@ -12,7 +12,7 @@ def test_tree_and_masses(kindsl: Runner, folder: Path) -> None:
     told = kindsl("info", "a.kindsl")
     assert told.status == 0
     assert told.out == (
-        "arm: fixed base, 2 degrees of freedom, 4 kg\n"
+        "arm: fixed base, 2 degrees of freedom, 3 kg\n"
         "\n"
         "link         id  joint                mass  frames\n"
         "base          0                       1 kg\n"

@@ -78,7 +78,7 @@ def test_all_unbound_parameters_are_named() -> None:
     with pytest.raises(kindsl.UnboundParameterError, match="'m2', 'tool_length'") as caught:
         mechanism(text)
     assert caught.value.names == ("m2", "tool_length")
-    assert mechanism(text, m2=1.0, tool_length=0.5).total_mass() == pytest.approx(14.642)
+    assert mechanism(text, m2=1.0, tool_length=0.5).total_mass() == pytest.approx(10.642)
 
 
 DEFECTS = {
@@ -116,6 +116,11 @@ def test_drawing_needs_no_ids_and_passes_over_what_hangs_nowhere() -> None:
     assert bodies.link_names == ("shoulder", "upper_arm", "forearm", "wrist_1_link")
 
 
-def test_a_fixed_base_needs_no_inertia() -> None:
-    text = ARM.replace("mass = 4.0", "mass = m0")
-    assert mechanism(text, tool_length=0.1).bodies.masses[0] == 0.0
+def test_a_fixed_base_does_not_matter() -> None:
+    moving = mechanism(ARM, tool_length=0.1)
+    assert moving.total_mass() == pytest.approx(17.7)
+    for mass in ("m0", "40.0"):
+        other = mechanism(ARM.replace("mass = 4.0", f"mass = {mass}"), tool_length=0.1)
+        assert np.array_equal(other.center_of_mass([0.1] * 6), moving.center_of_mass([0.1] * 6))
+    floating = ARM.replace("RobotBase base", "RobotBase base floating")
+    assert mechanism(floating, tool_length=0.1).total_mass() == pytest.approx(21.7)
