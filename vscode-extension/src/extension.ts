@@ -34,38 +34,43 @@ export function activate(context: vscode.ExtensionContext): Api {
   }));
   const previews = new Previews(context.extensionUri, own);
   const status = new StatusItems(own);
-  const problems: Problem[] = [];
-
+  const api = exported(own, context);
+  context.subscriptions.push(log, own, previews, status, new KinematicTree(own));
   context.subscriptions.push(
-    log,
-    own,
-    previews,
-    status,
-    new KinematicTree(own),
     registerTasks(context.extensionUri, own),
-    own.onProblem((problem) => {
-      problems.push(problem);
-      void report(problem, context.globalState);
-    }),
-    vscode.workspace.onDidChangeConfiguration((event) => needsRestart(event) && void own.restart()),
-    vscode.workspace.onDidGrantWorkspaceTrust(() => void own.restart()),
     ...registerCommands(context.extensionUri, own, previews, log),
+    ...restartOnChange(own),
   );
   void followPythonExtension(context, own);
   void own.restart();
   openFirstPreview(context, previews);
-  return {
-    settled: async () => {
-      await own.client();
-      return own.state;
-    },
-    interpreter: () => own.interpreter?.command,
-    problems,
-  };
+  return api;
 }
 
 export async function deactivate(): Promise<void> {
   await server?.stop();
+}
+
+/** Report the server's problems to the user, and keep them for who asks. */
+function exported(own: Server, context: vscode.ExtensionContext): Api {
+  const problems: Problem[] = [];
+  const reporting = own.onProblem((problem) => {
+    problems.push(problem);
+    void report(problem, context.globalState);
+  });
+  context.subscriptions.push(reporting);
+  const settled = async () => {
+    await own.client();
+    return own.state;
+  };
+  return { settled, interpreter: () => own.interpreter?.command, problems };
+}
+
+function restartOnChange(own: Server): vscode.Disposable[] {
+  return [
+    vscode.workspace.onDidChangeConfiguration((event) => needsRestart(event) && void own.restart()),
+    vscode.workspace.onDidGrantWorkspaceTrust(() => void own.restart()),
+  ];
 }
 
 function registerCommands(
