@@ -219,3 +219,21 @@ def test_the_token_is_compared_whole():
     access = Access("abc", 80)
     assert access.refusal("127.0.0.1:80", None, "ab") is not None
     assert access.refusal("127.0.0.1:80", None, "abc") is None
+
+
+def test_an_origin_that_the_editor_names_is_let_in_with_the_token():
+    access = Access("abc", 80).admitting("https://code.example:8443")
+    assert access.refusal("code.example:8443", "https://code.example:8443", "abc") is None
+    assert access.refusal("127.0.0.1:80", "http://localhost:80", "abc") is None
+    assert access.refusal("code.example:8443", "https://code.example:8443", None) is not None
+    assert access.refusal("evil.example", "https://code.example:8443", "abc") is not None
+    assert access.refusal("code.example:8443", "http://code.example:8443", "abc") is not None
+    assert "wss://code.example:8443" in access.sockets()
+
+
+@pytest.mark.parametrize(
+    "origin", ["null", "", "ftp://a", "https://a/b", "https://a b", "*", "http://"]
+)
+def test_what_is_no_origin_is_not_let_in(origin):
+    with pytest.raises(ValueError, match="origin"):
+        Access("abc", 80).admitting(origin)

@@ -1,7 +1,6 @@
 // The front of a VS Code in a browser: everything goes to its server, /proxy/PORT/ to that port of the machine.
 //
-// usage: front.mjs PORT SERVER_PORT. Like a reverse proxy that is set up with care, it tells a proxied
-// program the address that the program itself listens on.
+// usage: front.mjs PORT SERVER_PORT. Like code-server's own, it leaves the outer Host and Origin as they are.
 import http from "node:http";
 import net from "node:net";
 
@@ -32,7 +31,5 @@ http
 function target({ method, url, headers }) {
   const [, proxied, path] = PROXIED.exec(url) ?? [];
   if (proxied === undefined) return { host: "127.0.0.1", port: serverPort, method, path: url, headers };
-  const host = `127.0.0.1:${proxied}`;
-  const origin = headers.origin === undefined ? {} : { origin: `http://${host}` };
-  return { host: "127.0.0.1", port: Number(proxied), method, path, headers: { ...headers, ...origin, host } };
+  return { host: "127.0.0.1", port: Number(proxied), method, path, headers };
 }

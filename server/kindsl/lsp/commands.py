@@ -19,9 +19,17 @@ handlers = Handlers()
 
 
 @handlers.command("kindsl.preview")
-async def preview(server: "KindslLanguageServer", uri: object = None, *_: object) -> dict[str, str]:
-    """Show a document in the live preview; return its page's address."""
-    return {"url": await server.previews.open(_uri(uri))}
+async def preview(
+    server: "KindslLanguageServer", uri: object = None, options: object = None, *_: object
+) -> dict[str, str]:
+    """Show a document in the live preview; return its page's address.
+
+    The option `origin` names the address under which a tunnel or proxy of the editor shows it.
+    """
+    origin = (
+        options.get("origin") if isinstance(options, dict) else getattr(options, "origin", None)
+    )
+    return {"url": await server.previews.open(_uri(uri), origin)}
 
 
 @handlers.command("kindsl.exportUrdf")

@@ -26,16 +26,25 @@ class Previews:
         self._preview: PreviewServer | None = None
         self._starting = asyncio.Lock()
 
-    async def open(self, uri: str) -> str:
+    async def open(self, uri: str, origin: object = None) -> str:
         """Show a document and return the address of its page.
 
+        Args:
+            uri: The document.
+            origin: Where else than on this machine's loopback the page is seen.
+
         Raises:
-            RequestFailed: There is no such document, or something is not installed.
+            RequestFailed: There is no such document, no such origin, or something is not installed.
         """
         document = self._server.documents.get(uri)
         if document is None or document.is_toml:
             raise RequestFailed(f"'{uri}' is no document that can be shown")
         preview = await self._started()
+        if isinstance(origin, str):
+            try:
+                preview.admit(origin)
+            except ValueError as error:
+                raise RequestFailed(str(error)) from None
         await self._show(preview, document)
         return preview.url(uris.key(uri))
 

@@ -5,18 +5,47 @@ Any web page that the user visits can send requests to a loopback port, and a na
 name (Host), and, if it comes from a page, from one of our own (Origin).
 """
 
+import re
 import secrets
 from typing import NamedTuple
+from urllib.parse import urlsplit
 
 ADDRESS = "127.0.0.1"
 _NAMES = (ADDRESS, "localhost")
+_HOST = re.compile(r"[A-Za-z0-9.:\[\]-]+")
 
 
 class Access(NamedTuple):
-    """The one who knows the token of the server at a port."""
+    """The one who knows the token of the server at a port.
+
+    Attributes:
+        token: What each request must show.
+        port: Where the server listens.
+        outside: Origins under which an editor's tunnel or proxy shows the server, as the editor
+            told; none unless it did.
+    """
 
     token: str
     port: int
+    outside: frozenset[str] = frozenset()
+
+    def admitting(self, origin: str) -> "Access":
+        """Return the access that a page of one more origin has too.
+
+        Raises:
+            ValueError: It is no origin `http(s)://host[:port]`.
+        """
+        parts = urlsplit(origin)
+        if parts.scheme not in ("http", "https") or origin != f"{parts.scheme}://{parts.netloc}":
+            raise ValueError(f"'{origin}' is not the origin of a page")
+        if not parts.hostname or not _HOST.fullmatch(parts.netloc):
+            raise ValueError(f"'{origin}' is not the origin of a page")
+        return self._replace(outside=self.outside | {origin})
+
+    def sockets(self) -> list[str]:
+        """Return the addresses of the websocket, for the page's content security policy."""
+        lines = [f"ws://{name}:{self.port}" for name in _NAMES]
+        return lines + [f"ws{origin.removeprefix('http')}" for origin in sorted(self.outside)]
 
     def refusal(self, host: str | None, origin: str | None, token: str | None) -> str | None:
         """Return why a request is refused, None if it is not.
@@ -33,10 +62,13 @@ class Access(NamedTuple):
         return None
 
     def _hosts(self) -> set[str]:
-        return {f"{name}:{self.port}" for name in _NAMES}
+        return self._own_hosts() | {urlsplit(origin).netloc for origin in self.outside}
 
     def _origins(self) -> set[str]:
-        return {f"http://{host}" for host in self._hosts()}
+        return {f"http://{host}" for host in self._own_hosts()} | self.outside
+
+    def _own_hosts(self) -> set[str]:
+        return {f"{name}:{self.port}" for name in _NAMES}
 
 
 def new_token() -> str:

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 from tornado.web import Application, HTTPError, RequestHandler
 from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
-from kindsl.preview.access import Access
 from kindsl.preview.assets import assets, live_page
 from kindsl.preview.channel import Tab
 from kindsl.preview.requests import MOST_BYTES, parse_request
@@ -22,13 +21,13 @@ POLICY = "; ".join((
     "img-src 'self' data: blob:", "connect-src 'self' {sockets}", "base-uri 'none'",
     "form-action 'none'",
     "frame-ancestors vscode-webview: vscode-file: https://*.vscode-cdn.net "
-    "http://127.0.0.1:* http://localhost:*",
+    "http://127.0.0.1:* http://localhost:* {outside}",
 ))  # fmt: skip
 
 
-def application(access: Access, server: "PreviewServer") -> Application:
+def application(server: "PreviewServer") -> Application:
     """Return what answers requests; there is nothing but the page, its parts and the socket."""
-    common = {"access": access, "server": server}
+    common = {"server": server}
     routes = [(r"/", PageHandler), (r"/live", LiveHandler), (r"/(.*)", AssetHandler)]
     return Application(
         [(pattern, handler, common) for pattern, handler in routes],
@@ -44,16 +43,15 @@ def _log_nothing(_handler: RequestHandler) -> None:
 class CheckedHandler(RequestHandler):
     """Refuses what is not ours before anything else."""
 
-    def initialize(self, access: Access, server: "PreviewServer") -> None:
+    def initialize(self, server: "PreviewServer") -> None:
         """Take what all handlers share."""
-        self.access = access
         self.server = server
 
     def prepare(self) -> None:
         """Check the request."""
         headers = self.request.headers
         token = self.get_query_argument("token", None)
-        reason = self.access.refusal(headers.get("Host"), headers.get("Origin"), token)
+        reason = self.server.access.refusal(headers.get("Host"), headers.get("Origin"), token)
         if reason is not None:
             raise HTTPError(403, reason)
 
@@ -77,10 +75,13 @@ class PageHandler(CheckedHandler):
 
     def get(self) -> None:
         """Answer with the page."""
-        sockets = " ".join(f"ws://{name}:{self.access.port}" for name in ("127.0.0.1", "localhost"))
-        self.set_header("Content-Security-Policy", POLICY.format(sockets=sockets))
+        access = self.server.access
+        policy = POLICY.format(
+            sockets=" ".join(access.sockets()), outside=" ".join(sorted(access.outside))
+        )
+        self.set_header("Content-Security-Policy", policy.rstrip())
         self.set_header("Content-Type", "text/html; charset=utf-8")
-        self.finish(live_page(self.access.token))
+        self.finish(live_page(self.server.token))
 
 
 class AssetHandler(CheckedHandler):

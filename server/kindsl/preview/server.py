@@ -64,6 +64,19 @@ class PreviewServer:
         self._http: HTTPServer | None = None
 
     @property
+    def access(self) -> Access:
+        """Who may talk to it."""
+        return self._access
+
+    def admit(self, origin: str) -> None:
+        """Answer pages of an outside origin too: a tunnel or proxy that the editor told of.
+
+        Raises:
+            ValueError: It is no origin.
+        """
+        self._access = self._access.admitting(origin)
+
+    @property
     def token(self) -> str:
         """What each request must show."""
         return self._access.token
@@ -195,7 +208,7 @@ class PreviewServer:
     def _listen(self, access: Access) -> str:
         listening = _listening_socket(access.port)
         self._access = access._replace(port=listening.getsockname()[1])
-        self._http = HTTPServer(application(self._access, self))
+        self._http = HTTPServer(application(self))
         self._http.add_sockets([listening])
         return self._address()
 
