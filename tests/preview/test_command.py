@@ -9,6 +9,7 @@ from contextlib import asynccontextmanager
 
 import pytest
 import umsgpack
+from tests.preview.hanging_up import hang_up
 from tests.preview.robots import ARM, BROKEN_ARM, PARAMETRIC_ARM, require
 from tornado.websocket import websocket_connect
 
@@ -61,7 +62,7 @@ async def running(tmp_path, *arguments):
 async def tab(address):
     connection = await websocket_connect(address.replace("http:", "ws:").replace("/?", "/live?"))
     yield connection
-    connection.close()
+    await hang_up(connection)
 
 
 async def message(connection, is_wanted):

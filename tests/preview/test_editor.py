@@ -5,6 +5,7 @@ from contextlib import asynccontextmanager
 
 import pytest
 import umsgpack
+from tests.preview.hanging_up import hang_up
 from tests.preview.robots import ARM, BROKEN_ARM
 from tests.support.lsp import RawClient
 from tornado.websocket import websocket_connect
@@ -30,9 +31,7 @@ async def page(editor):
     connection = await websocket_connect(url.replace("http:", "ws:").replace("/?", "/live?"))
     await next_message(connection, "end")
     yield connection
-    connection.close()
-    while await connection.read_message() is not None:
-        continue
+    await hang_up(connection)
 
 
 async def next_message(connection, kind):

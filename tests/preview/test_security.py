@@ -6,6 +6,7 @@ import socket
 from urllib.parse import urlsplit
 
 import pytest
+from tests.preview.hanging_up import hang_up
 from tests.preview.robots import ARM
 from tornado.httpclient import AsyncHTTPClient, HTTPClientError, HTTPRequest
 from tornado.websocket import websocket_connect
@@ -63,7 +64,7 @@ async def websocket_status(server, token=True, **headers):
         connection = await websocket_connect(request)
     except HTTPClientError as error:
         return error.code
-    connection.close()
+    await hang_up(connection)
     return 101
 
 
@@ -176,7 +177,7 @@ async def test_what_is_no_request_does_no_harm(server):
     async with asyncio.timeout(15.0):
         while not server._documents["arm.kindsl"]._joints:
             await asyncio.sleep(0.01)
-    connection.close()
+    await hang_up(connection)
 
 
 async def test_an_oversized_message_closes_the_line(server):

@@ -6,6 +6,7 @@ import os
 import socket
 
 import umsgpack
+from tests.preview.hanging_up import hang_up
 from tests.preview.robots import plain_robot
 from tornado.websocket import websocket_connect
 
@@ -51,9 +52,7 @@ async def test_it_holds_up_nobody_and_grows_no_queue():
     assert max(sizes) <= 2 * n_properties + 2
     joints = [m for m in server.document(None).channel.state if m["type"] == "joint"]
     await last_pose(lively, list(joints[-1]["placement"]))
-    lively.close()
-    while await lively.read_message() is not None:
-        continue
+    await hang_up(lively)
     hanging.close()
     await server.stop()
 
