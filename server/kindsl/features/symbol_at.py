@@ -9,7 +9,7 @@ from enum import StrEnum
 from typing import NamedTuple, cast
 
 from kindsl.rules.analysis import Analysis
-from kindsl.semantics.lowering import NAME_KINDS
+from kindsl.semantics.lowering import NAME
 from kindsl.syntax.tree import Island, Node, Token
 
 _KEY = "named places"
@@ -122,7 +122,7 @@ _VALUES = {
 def _symbols(node: Node, link: str) -> Iterator[Symbol]:
     """Yield the names below a node; `link` is the name of the link around it."""
     kind = node.kind
-    names = [t for t in node.children if isinstance(t, Token) and t.kind in NAME_KINDS]
+    names = [t for t in node.children if isinstance(t, Token) and t.kind == NAME]
     if kind in _DECLARED:
         name = _text(names[0]) if names else ""
         owner = link if kind == "frame" else ""

@@ -6,7 +6,7 @@ from typing import NamedTuple
 from kindsl.features.quantity_text import INERTIA, KILOGRAMS, METRES
 from kindsl.semantics.declarations import ValueKind
 from kindsl.semantics.expressions import Expression
-from kindsl.semantics.lowering import NAME_KINDS
+from kindsl.semantics.lowering import NAME
 from kindsl.syntax.tree import Island, Node, Token
 
 _SECTIONS = frozenset(("mass", "com", "moment", "translation", "rotation"))
@@ -98,5 +98,5 @@ def _word(section: Node) -> str:
 
 
 def _name(node: Node) -> str:
-    names = (t for t in node.children if isinstance(t, Token) and t.kind in NAME_KINDS)
+    names = (t for t in node.children if isinstance(t, Token) and t.kind == NAME)
     return next((t.text.removeprefix("^") for t in names if not t.is_missing), "")

@@ -96,14 +96,12 @@ def _symbols(node: Node, island: Island) -> Iterator[ParameterUse | ConstantUse]
                 yield from _symbols(child, island)
 
 
-_NAME_KINDS = frozenset(
-    ("NAME", "PI_PREFIXED", "UNICODE_NAME", "ESCAPED_NAME", "KEYWORD_NAME", "LOWER_PI")
-)
+_NAME = "NAME"
 
 
 def _name_in(node: Node, island: Island) -> Name:
     for token in node.children:
-        if isinstance(token, Token) and token.kind in _NAME_KINDS:
+        if isinstance(token, Token) and token.kind == _NAME:
             return Name.at(token.text.lstrip("^"), island, token.start, token.end)
     return Name.at("", island, node.start, node.end)
 
@@ -160,7 +158,7 @@ def _product(left: float | None, right: float | None) -> float | None:
 
 def _name_text(node: Node) -> str:
     for token in node.children:
-        if isinstance(token, Token) and token.kind in _NAME_KINDS:
+        if isinstance(token, Token) and token.kind == _NAME:
             return token.text.lstrip("^")
     return ""
 

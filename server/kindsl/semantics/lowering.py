@@ -16,12 +16,7 @@ from kindsl.semantics.expressions import Expression
 from kindsl.semantics.places import Name, Place
 from kindsl.syntax.tree import Island, Node, Token
 
-NAME_KINDS = frozenset(
-    (
-        "NAME", "PI_PREFIXED", "UNICODE_NAME", "ESCAPED_NAME", "KEYWORD_NAME",
-        "PI", "LOWER_PI", "PIPE_PI",
-    )
-)  # fmt: skip
+NAME = "NAME"
 _KEY = "declarations"
 
 
@@ -162,14 +157,14 @@ def _number(section: Node, island: Island) -> tuple[int | None, Place]:
 
 
 def _child(node: Node, island: Island) -> Child:
-    names = [_as_name(t, island) for t in node.children if t.kind in NAME_KINDS]
+    names = [_as_name(t, island) for t in node.children if t.kind == NAME]
     missing = Name.at("", island, node.end, node.end)
     return Child(*(*names, missing, missing)[:2])
 
 
 def _name(node: Node, island: Island) -> Name:
     for token in node.children:
-        if token.kind in NAME_KINDS:
+        if token.kind == NAME:
             return _as_name(token, island)
     return Name.at("", island, node.start, node.start)
 
