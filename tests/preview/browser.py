@@ -63,8 +63,8 @@ PLACE = """([group, name]) => {
 
 
 IS_SHOWN = """(name) => {
-  const { model, poses, paths, unconfirmed } = kindsl.scene;
-  return model.name === name && poses.robot && paths.size > 0 && unconfirmed === null;
+  const { model, poses, paths, isWhole } = kindsl.scene;
+  return model.name === name && poses.robot && paths.size > 0 && isWhole;
 }"""
 
 

@@ -80,6 +80,27 @@ async def test_every_category_is_in_the_picture(browser, server, file):
     assert set(visible) == set(painted) - absent - {"ground"}
 
 
+HALF_A_STATE = """() => {
+  const { viewer, scene, stage } = kindsl, sizes = [stage.framedSize];
+  viewer.handle_command({ type: "begin" });
+  viewer.handle_command({ ...scene.model, size: 10 * scene.model.size });
+  viewer.render();
+  sizes.push(stage.framedSize);
+  scene.unconfirmed.clear();
+  viewer.handle_command({ type: "end" });
+  viewer.render();
+  return [...sizes, stage.framedSize];
+}"""
+
+
+async def test_the_camera_waits_for_the_whole_robot(browser, server):
+    async with opened(browser, await show(server, ARM)) as page:
+        await until_shown(page, "Arm")
+        before, halfway, after = await page.evaluate(HALF_A_STATE)
+    assert halfway == before
+    assert after == pytest.approx(10 * before)
+
+
 async def test_gravity_torques_are_in_the_picture(browser, server):
     async with opened(browser, await show(server, ARM)) as page:
         await until_shown(page, "Arm")

@@ -46,6 +46,9 @@ const KindslScene = (() => {
       for (const listener of this.listeners) listener(what);
     }
 
+    // Whether no state is on its way of which more is to come.
+    get isWhole() { return this.unconfirmed === null; }
+
     // Apply one message. Only what is named here ever reaches the viewer: it would evaluate code in others.
     apply(message) {
       if (message.path) this.confirm(message.path);

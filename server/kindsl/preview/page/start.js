@@ -73,7 +73,7 @@ const kindsl = (() => {
 
   function refresh() {
     scene.update();
-    if (scene.trees.robot.links.size && inbox.isStale("camera")) frameRobot();
+    if (scene.isWhole && scene.trees.robot.links.size && inbox.isStale("camera")) frameRobot();
     if (inbox.isStale("joints")) joints.update();
     if (inbox.isStale("parameters")) parameters.update([...inbox.parameters.values()]);
     if (inbox.isStale("findings")) findings.show();
