@@ -17,8 +17,12 @@ from hypothesis import strategies as st
 from tests.cli.conftest import Runner
 from tests.cli.samples import GOOD, INTEGER
 
+import kindsl
 from kindsl.cli.checking import Mending, Task, check
 from kindsl.cli.sources import is_decodable
+from kindsl.rules import analysis
+from kindsl.rules.base import Finding, Rule, Severity
+from kindsl.rules.registry import all_rules
 from kindsl.rules.settings import Settings
 
 STRANGE = {
@@ -63,6 +67,20 @@ def test_latin_1_is_found_at_its_place(kdsl_lint: Runner, folder: Path) -> None:
     told = kdsl_lint("latin.kindsl")
     assert told.out.startswith("latin.kindsl:1:17: error[KD004]")
     assert told.status == 1
+
+
+def test_every_run_of_undecodable_bytes_is_found(folder: Path) -> None:
+    text = GOOD.replace("Robot arm {", "Robot arm { // \xe4 and \xf6\xfc").replace(
+        "id = 1", "\xe4 id = 1"
+    )
+    (folder / "latin.kindsl").write_bytes(text.encode("latin-1"))
+    found = kindsl.load(folder / "latin.kindsl").findings
+    told = [finding.message.partition(",")[0] for finding in found if finding.code == "KD004"]
+    assert told == [
+        "undecodable byte 0xE4",
+        "undecodable bytes 0xF6 0xFC",
+        "undecodable byte 0xE4",
+    ]
 
 
 def test_a_document_that_did_not_decode_is_never_written(kdsl_lint: Runner, folder: Path) -> None:
@@ -189,6 +207,24 @@ def test_defect_of_a_rule_does_not_stop_the_others(
     told = kdsl_lint()
     assert told.err.startswith("arm.kindsl: error: a defect of kindsl itself: KeyError: 'oh'\n")
     assert told.out.startswith("leg.kindsl:21:32:")
+    assert told.status == 2
+
+
+def test_a_rule_that_fails_is_told_with_what_the_others_found(
+    kdsl_lint: Runner, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def failing(*_: object) -> Iterator[Finding]:
+        raise KeyError("oh")
+        yield
+
+    rule = Rule("KD999", "faulty", Severity.ERROR, check_document=failing)
+    monkeypatch.setattr(analysis, "all_rules", lambda: (rule, *all_rules()))
+    monkeypatch.delenv("KINDSL_TRACEBACK")
+    (folder / "arm.kindsl").write_text(INTEGER)
+    told = kdsl_lint()
+    fault = "arm.kindsl: error: a defect of kindsl itself: KD999 failed: KeyError: 'oh'\n"
+    assert told.err.startswith(fault)
+    assert told.out.startswith("arm.kindsl:21:32: error[KD005]")
     assert told.status == 2
 
 

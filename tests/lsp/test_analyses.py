@@ -2,7 +2,7 @@
 
 import asyncio
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import pytest
 
@@ -10,6 +10,9 @@ from kindsl.lsp.analyses import Analyses
 from kindsl.lsp.document import document
 from kindsl.lsp.worker import Urgency, Worker
 from kindsl.lsp.workspace import Workspace
+from kindsl.rules import analysis
+from kindsl.rules.base import Finding, Rule, Severity
+from kindsl.rules.registry import all_rules
 
 TEXT = "Robot R {\nRobotBase base { children { one via first } }\n}\n"
 
@@ -86,6 +89,68 @@ async def test_answers_go_before_diagnostics_and_those_before_the_rest(worker: W
     release()
     await asyncio.gather(*jobs)
     assert done == [Urgency.ANSWER, Urgency.DIAGNOSTICS, Urgency.BACKGROUND]
+
+
+async def test_a_job_under_way_ends_when_nobody_waits_any_more(worker: Worker) -> None:
+    begun, ended = threading.Event(), []
+
+    def endless() -> None:
+        begun.set()
+        try:
+            while True:
+                worker.checkpoint()
+        finally:
+            ended.append(True)
+
+    waiting = asyncio.ensure_future(worker.run(endless))
+    await asyncio.to_thread(begun.wait)
+    waiting.cancel()
+    assert await worker.run(lambda: 3) == 3
+    assert ended == [True]
+
+
+async def test_findings_under_way_are_abandoned_and_made_again(
+    analyses: Analyses, worker: Worker, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shown = document("untitled:r", 1, TEXT, "utf-16")
+    begun, gate, ended = threading.Event(), threading.Event(), []
+
+    def slow(*_: object) -> Iterator[Finding]:
+        begun.set()
+        gate.wait()
+        ended.append(True)
+        yield from ()
+
+    rule = Rule("KD999", "slow", Severity.ERROR, check_document=slow)
+    later = Rule("KD999", "later", Severity.ERROR, check_document=slow)
+    monkeypatch.setattr(analysis, "all_rules", lambda: (rule, later))
+    waiting = asyncio.ensure_future(analyses.findings(shown))
+    await asyncio.to_thread(begun.wait)
+    waiting.cancel()
+    with pytest.raises(asyncio.CancelledError):
+        await waiting
+    await asyncio.sleep(0)
+    gate.set()
+    await worker.run(lambda: None)
+    assert ended == [True]
+    assert [each.code for each in await analyses.findings(shown)] == ["KD008"]
+    assert ended == [True] * 3
+
+
+async def test_a_rule_that_fails_is_logged(
+    analyses: Analyses, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    def failing(*_: object) -> Iterator[Finding]:
+        raise KeyError("oh")
+        yield
+
+    rule = Rule("KD999", "faulty", Severity.ERROR, check_document=failing)
+    shown = document("untitled:r", 1, TEXT, "utf-16")
+    expected = (await analyses.of(shown)).findings
+    monkeypatch.setattr(analysis, "all_rules", lambda: (rule, *all_rules()))
+    again = document("untitled:r", 2, TEXT, "utf-16")
+    assert await analyses.findings(again) == expected != ()
+    assert "KD999 failed: KeyError: 'oh'" in caplog.text
 
 
 async def test_a_job_that_fails_tells_whoever_waits(worker: Worker) -> None:

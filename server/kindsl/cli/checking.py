@@ -1,13 +1,11 @@
 """Lints one document, mending it if that is wanted."""
 
 import os
-from collections.abc import Sequence
 from enum import Enum
 
 from kindsl.cli.outcome import Failure, LintedFile
 from kindsl.cli.sources import STDIN, NotText, is_decodable, read_text
 from kindsl.rules.analysis import Analysis, analyse
-from kindsl.rules.diagnostics import Diagnostic
 from kindsl.rules.settings import Settings
 from kindsl.text.named_tuple import NamedTuple
 
@@ -51,26 +49,19 @@ def check(task: Task) -> Checked:
     if isinstance(text, Failure):
         return Checked(None, text)
     if isinstance(text, NotText):
-        from kindsl.cli.undecodable import no_document
+        from kindsl.cli.no_text import no_document
 
         return Checked(no_document(task.shown, text), None)
     try:
         return _checked(task, text)
     except Exception as error:
-        if os.environ.get("KINDSL_TRACEBACK"):
-            raise
-        what = f"{type(error).__name__}: {error}"
-        return Checked(None, Failure(task.shown, f"a defect of kindsl itself: {what}"))
+        return Checked(None, _defect(task, error, f"{type(error).__name__}: {error}"))
 
 
 def _checked(task: Task, text: str) -> Checked:
     analysis = analyse(text, task.settings)
-    if not is_decodable(text):
-        from kindsl.cli.undecodable import with_undecodable
-
-        return Checked(_file(task, analysis, with_undecodable(text, analysis.findings)), None)
-    if task.mending is Mending.NONE:
-        return Checked(_file(task, analysis, analysis.findings), None)
+    if task.mending is Mending.NONE or not is_decodable(text):
+        return _outcome(task, analysis)
     from kindsl.cli.fixing import mended
     from kindsl.cli.writing import write_text
 
@@ -78,16 +69,28 @@ def _checked(task: Task, text: str) -> Checked:
     if task.mending is Mending.WRITTEN and task.path != STDIN and better.text != text:
         failure = write_text(task.path, task.shown, text, better.text)
         if failure is not None:
-            return Checked(_file(task, analysis, analysis.findings), failure)
-    return Checked(_file(task, better, better.findings, text, n_fixed), None)
+            return Checked(_file(task, analysis), failure)
+    return _outcome(task, better, text, n_fixed)
+
+
+def _outcome(
+    task: Task, analysis: Analysis, original: str | None = None, n_fixed: int = 0
+) -> Checked:
+    """Return what was found, and the failure if a rule could not do its part."""
+    file = _file(task, analysis, original, n_fixed)
+    failures = [_defect(task, fault.error, fault.message) for fault in analysis.faults]
+    return Checked(file, failures[0] if failures else None)
+
+
+def _defect(task: Task, error: Exception, what: str) -> Failure:
+    if os.environ.get("KINDSL_TRACEBACK"):
+        raise error
+    return Failure(task.shown, f"a defect of kindsl itself: {what}")
 
 
 def _file(
-    task: Task,
-    analysis: Analysis,
-    findings: Sequence[Diagnostic],
-    original: str | None = None,
-    n_fixed: int = 0,
+    task: Task, analysis: Analysis, original: str | None = None, n_fixed: int = 0
 ) -> LintedFile:
     parameters = frozenset(str(parameter.name) for parameter in analysis.model.parameters)
-    return LintedFile(task.shown, analysis.text, findings, parameters, original, n_fixed)
+    found = analysis.findings
+    return LintedFile(task.shown, analysis.text, found, parameters, original, n_fixed)

@@ -1,6 +1,7 @@
 """The analysis of each version of a document: made once, in the worker, while someone waits."""
 
 import asyncio
+import logging
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
@@ -13,13 +14,15 @@ if TYPE_CHECKING:
     from kindsl.rules.diagnostics import Diagnostic
     from kindsl.rules.settings import Settings
 
+logger = logging.getLogger(__name__)
+
 T = TypeVar("T")
 
 
 class Analyses:
     """What is known about each version, shared by all who ask for it.
 
-    Cancelling all who wait for something leaves it out, if it has not begun.
+    Cancelling all who wait for something leaves it out, or ends it soon if it has begun.
     """
 
     __slots__ = ("_worker", "_workspace")
@@ -47,13 +50,20 @@ class Analyses:
         """Return what is wrong with a version."""
         analysis = await self.of(document)
         jobs = _jobs(document, analysis.settings)
-        return await self._shared(jobs, "findings", lambda: analysis.findings, urgency)
+        return await self._shared(jobs, "findings", lambda: self._check(analysis), urgency)
 
     def rest(self, document: Document) -> None:
         """Drop what is known of a file that no editor shows, for it may be one of many."""
         if document.version is None:
             document.facts.pop(_jobs, None)
             document.rest()
+
+    def _check(self, analysis: "Analysis") -> "tuple[Diagnostic, ...]":
+        """Return the findings as long as somebody waits; rules that failed are logged."""
+        findings = analysis.check(self._worker.checkpoint)
+        for fault in analysis.faults:
+            logger.error("a rule failed: %s", fault.message, exc_info=fault.error)
+        return findings
 
     async def _shared(
         self, jobs: "dict[str, _Job[Any]]", name: str, work: Callable[[], T], urgency: Urgency

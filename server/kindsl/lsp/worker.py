@@ -8,7 +8,7 @@ import threading
 from collections.abc import Callable
 from concurrent.futures import Future
 from enum import IntEnum
-from typing import TypeVar
+from typing import Any, Generic, TypeVar
 
 T = TypeVar("T")
 
@@ -21,6 +21,10 @@ class Urgency(IntEnum):
     BACKGROUND = 2
 
 
+class AbandonedError(Exception):
+    """Nobody waits any more for what a job computes."""
+
+
 class Worker:
     """Runs jobs one after the other in a single daemon thread.
 
@@ -29,39 +33,69 @@ class Worker:
     that a long job never delays the end of the process.
     """
 
-    __slots__ = ("_count", "_jobs", "_thread")
+    __slots__ = ("_count", "_jobs", "_thread", "_under_way")
 
     def __init__(self) -> None:
-        self._jobs: queue.PriorityQueue[tuple[int, int, Callable[[], None]]]
-        self._jobs = queue.PriorityQueue()
+        self._jobs: queue.PriorityQueue[tuple[int, int, _Job[Any]]] = queue.PriorityQueue()
         self._count = itertools.count()
         self._thread: threading.Thread | None = None
+        self._under_way: _Job[Any] | None = None
 
     async def run(self, job: Callable[[], T], urgency: Urgency = Urgency.ANSWER) -> T:
-        """Await a job; cancelling the task leaves a job out that has not started."""
-        return await asyncio.wrap_future(self.submit(job, urgency))
+        """Await a job; cancelling the task leaves it out, or ends it at its next checkpoint."""
+        queued = self._put(job, urgency)
+        try:
+            return await asyncio.wrap_future(queued.future)
+        except asyncio.CancelledError:
+            queued.is_abandoned = True
+            raise
 
     def submit(self, job: Callable[[], T], urgency: Urgency = Urgency.ANSWER) -> "Future[T]":
         """Queue a job; cancelling its future before it starts leaves it out."""
+        return self._put(job, urgency).future
+
+    def checkpoint(self) -> None:
+        """Go on with the job under way only if somebody still waits for it; for jobs to call.
+
+        Raises:
+            AbandonedError: Nobody does.
+        """
+        if self._under_way is not None and self._under_way.is_abandoned:
+            raise AbandonedError
+
+    def _put(self, work: Callable[[], T], urgency: Urgency) -> "_Job[T]":
         if self._thread is None:
             self._thread = threading.Thread(target=self._run, name="kindsl-worker", daemon=True)
             self._thread.start()
-        future: Future[T] = Future()
-        self._jobs.put((urgency, next(self._count), lambda: _execute(job, future)))
-        return future
+        job = _Job(work)
+        self._jobs.put((urgency, next(self._count), job))
+        return job
 
     def _run(self) -> None:
         while True:
-            self._jobs.get()[-1]()
+            self._under_way = self._jobs.get()[-1]
+            self._under_way.execute()
+            self._under_way = None
 
 
-def _execute(job: Callable[[], T], future: "Future[T]") -> None:
-    if not future.set_running_or_notify_cancel():
-        return
-    with contextlib.suppress(RuntimeError):  # the event loop that waits for it has ended
-        try:
-            result = job()
-        except BaseException as error:
-            future.set_exception(error)
-        else:
-            future.set_result(result)
+class _Job(Generic[T]):
+    """Work to do, who gets its result, and whether they still want it."""
+
+    __slots__ = ("_work", "future", "is_abandoned")
+
+    def __init__(self, work: Callable[[], T]) -> None:
+        self._work = work
+        self.future: Future[T] = Future()
+        self.is_abandoned = False
+
+    def execute(self) -> None:
+        """Do the work, unless its future has been cancelled."""
+        if not self.future.set_running_or_notify_cancel():
+            return
+        with contextlib.suppress(RuntimeError):  # the event loop that waits for it has ended
+            try:
+                result = self._work()
+            except BaseException as error:
+                self.future.set_exception(error)
+            else:
+                self.future.set_result(result)

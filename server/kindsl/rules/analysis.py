@@ -1,10 +1,11 @@
 """A document with everything that is known of it: syntax, model, findings."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 from kindsl.rules.base import Finding, Rule
+from kindsl.rules.check_run import Checkpoint, CheckRun, Fault, go_on
 from kindsl.rules.context import Context
 from kindsl.rules.diagnostics import Diagnostic, Resolver
 from kindsl.rules.kd704_unused_suppression import RULE as UNUSED_SUPPRESSION
@@ -13,19 +14,15 @@ from kindsl.rules.registry import all_rules
 from kindsl.rules.settings import Settings, is_enabled, severity_of
 from kindsl.rules.suppression import suppressions
 from kindsl.rules.syntax_findings import syntax_findings
-from kindsl.semantics.declarations import Declarations
 from kindsl.semantics.model import Model
 from kindsl.syntax.collector import paused_collector
 from kindsl.syntax.document import SyntaxDocument, parse
-from kindsl.syntax.tree import Island
 from kindsl.text.edits import TextEdit
 
 if TYPE_CHECKING:
     from kindsl.mechanism.build import Mechanism
 
 _NO_SETTINGS = Settings()
-# What the findings of an island depend on besides it: the rules, and what they may see.
-_Key = tuple[tuple[Rule, ...], object]
 
 
 class Analysis:
@@ -39,6 +36,8 @@ class Analysis:
     def __init__(self, syntax: SyntaxDocument, settings: Settings = _NO_SETTINGS) -> None:
         self.syntax = syntax
         self.settings = settings
+        self._findings: tuple[Diagnostic, ...] | None = None
+        self._faults: tuple[Fault, ...] = ()
 
     @property
     def text(self) -> str:
@@ -60,23 +59,29 @@ class Analysis:
         """The way from places in islands to absolute offsets."""
         return Resolver(self.syntax.islands, self.syntax.starts)
 
-    @cached_property
+    @property
     def findings(self) -> tuple[Diagnostic, ...]:
         """What is wrong, in the order of the text, silenced findings left out."""
-        with paused_collector():
-            found = [self._resolve(rule, finding) for rule, finding in self._raw_findings()]
-        silenced = suppressions(self.syntax.islands, self.syntax.starts, len(self.text))
-        if silenced:
-            kept = [d for d in found if not any(s.covers(d) for s in silenced)]
-            enabled = [rule.code for rule in all_rules() if is_enabled(rule, self.settings)]
-            unused = [s for s in silenced if not any(s.covers(d) for d in found)]
-            found = kept
-            if UNUSED_SUPPRESSION.code in enabled:
-                found += [
-                    self._resolve(UNUSED_SUPPRESSION, finding)
-                    for finding in unused_suppressions(unused, enabled)
-                ]
-        return tuple(sorted(found, key=lambda d: (d.start, d.end, d.code, d.message)))
+        return self.check()
+
+    @property
+    def faults(self) -> tuple[Fault, ...]:
+        """Rules that failed by a defect of ours: what they would have found is missing."""
+        self.check()
+        return self._faults
+
+    def check(self, checkpoint: Checkpoint = go_on) -> tuple[Diagnostic, ...]:
+        """Return the findings; only the first call that ends computes them.
+
+        Args:
+            checkpoint: Called again and again while rules run; what it raises stops them.
+        """
+        if self._findings is None:
+            run = CheckRun(checkpoint)
+            with paused_collector():
+                found = [self._resolve(rule, finding) for rule, finding in self._found(run)]
+            self._findings, self._faults = self._without_silenced(found), tuple(run.faults)
+        return self._findings
 
     def edited(self, edits: Sequence[TextEdit]) -> "Analysis":
         """Return the analysis of the edited text; what no edit touches is not computed again."""
@@ -104,39 +109,28 @@ class Analysis:
         severity = severity_of(rule, finding.severity, self.settings)
         return self.resolver.diagnostic(rule, finding, severity)
 
-    def _raw_findings(self) -> Iterator[tuple[Rule, Finding]]:
-        yield from syntax_findings(self.syntax)
+    def _found(self, run: CheckRun) -> list[tuple[Rule, Finding]]:
         rules = [rule for rule in all_rules() if is_enabled(rule, self.settings)]
-        for rule in rules:
-            if rule.check_document is not None:
-                for finding in rule.check_document(self.model, self.context):
-                    yield rule, finding
-        local = tuple(rule for rule in rules if rule.check_island is not None)
-        for island, declared, symbols in zip(
-            self.model.islands, self.model.declared, self.model.symbols, strict=True
-        ):
-            uses_values = bool(symbols.parameters or symbols.constants)
-            key = (local, self.context.key if uses_values else self.context.targets)
-            yield from _island_findings(island, declared, key, self.context)
+        found = [*syntax_findings(self.syntax)]
+        found += run.document_findings(rules, self.model, self.context)
+        found += run.island_findings(rules, self.model, self.context)
+        return found
+
+    def _without_silenced(self, found: list[Diagnostic]) -> tuple[Diagnostic, ...]:
+        silenced = suppressions(self.syntax.islands, self.syntax.starts, len(self.text))
+        if silenced:
+            kept = [d for d in found if not any(s.covers(d) for s in silenced)]
+            enabled = [rule.code for rule in all_rules() if is_enabled(rule, self.settings)]
+            unused = [s for s in silenced if not any(s.covers(d) for d in found)]
+            found = kept
+            if UNUSED_SUPPRESSION.code in enabled:
+                found += [
+                    self._resolve(UNUSED_SUPPRESSION, finding)
+                    for finding in unused_suppressions(unused, enabled)
+                ]
+        return tuple(sorted(found, key=lambda d: (d.start, d.end, d.code, d.message)))
 
 
 def analyse(text: str, settings: Settings = _NO_SETTINGS) -> Analysis:
     """Return the analysis of a text; never raises, whatever the text."""
     return Analysis(parse(text), settings)
-
-
-def _island_findings(
-    island: Island, declared: Declarations, key: _Key, context: Context
-) -> list[tuple[Rule, Finding]]:
-    """Return what the island rules find, from the island's memory where nothing changed."""
-    known = island.facts.get("findings")
-    if isinstance(known, tuple) and known[0] == key:
-        return known[1]  # type: ignore[no-any-return]
-    found = [
-        (rule, finding)
-        for rule in key[0]
-        if rule.check_island is not None
-        for finding in rule.check_island(declared, context)
-    ]
-    island.facts["findings"] = key, found
-    return found

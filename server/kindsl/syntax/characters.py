@@ -1,6 +1,7 @@
-"""Characters that belong to no token, and comments without an end."""
+"""Characters that belong to no token, comments without an end, bytes that are no UTF-8."""
 
-from collections.abc import Sequence
+import re
+from collections.abc import Iterator, Sequence
 
 from kindsl.syntax.scanner import BAD
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
@@ -21,6 +22,10 @@ _NAMED = {
     "\u2029": "paragraph separator",
     "\ufffd": "undecodable byte",
 }
+OPEN_COMMENT = "KD003"
+# What reading a file makes of bytes that are no UTF-8, and how many of them are told.
+_BYTES = re.compile("[\udc80-\udcff]+")
+_MOST_BYTES = 8
 
 
 def without_invalid(
@@ -47,17 +52,32 @@ def without_invalid(
     return good, invalid, _summary(problems)
 
 
-def comment_problem(text: str, spans: Sequence[tuple[int, int]]) -> Problem | None:
-    """Return the problem of a comment without an end, which can only be the last."""
-    if not spans:
-        return None
-    start, end = spans[-1]
-    comment = text[start:end]
-    if not comment.startswith("/*") or (len(comment) >= 4 and comment.endswith("*/")):
-        return None
+def comment_problems(text: str, spans: Sequence[tuple[int, int]]) -> list[Problem]:
+    """Return what is wrong in comments: bytes that are no UTF-8, an end that is missing."""
+    problems = [] if text.isascii() else [*_summary(list(_undecodable(text, spans)))]
+    if spans:
+        start, end = spans[-1]  # only the last can be open
+        comment = text[start:end]
+        if comment.startswith("/*") and (len(comment) < 4 or not comment.endswith("*/")):
+            problems.append(_open_comment(comment, start))
+    return problems
+
+
+def _open_comment(comment: str, start: int) -> Problem:
     line_end = len(comment.splitlines()[0].rstrip()) + start
     repair = Repair("Insert '*/'", (Edit(line_end, line_end, " */"),), False)
-    return Problem("KD003", "comment is not closed by '*/'", start, start + 2, repair)
+    return Problem(OPEN_COMMENT, "comment is not closed by '*/'", start, start + 2, repair)
+
+
+def _undecodable(text: str, spans: Sequence[tuple[int, int]]) -> Iterator[Problem]:
+    for start, end in spans:
+        for run in _BYTES.finditer(text, start, end):
+            yield Problem("KD004", _bytes_message(run[0]), *run.span())
+
+
+def _bytes_message(run: str) -> str:
+    told = " ".join(f"0x{ord(character) - 0xDC00:02X}" for character in run[:_MOST_BYTES])
+    return f"undecodable {'byte' if len(run) == 1 else 'bytes'} {told}, a document is UTF-8"
 
 
 def _is_visible(character: str) -> bool:
@@ -65,18 +85,19 @@ def _is_visible(character: str) -> bool:
 
 
 def _problem(token: Token) -> Problem:
-    character = token.text[0]
-    name = _NAMED.get(character)
-    if name is None and "\ud800" <= character <= "\udfff":
-        name = "undecodable byte"
-    code = f"U+{ord(character):04X}"
-    text = f"{name} ({code})" if name else code
-    if name is None and character.isprintable():
-        text = f"'{character}' ({code})"
+    run = _BYTES.match(token.text)
+    message = _bytes_message(run[0]) if run else f"invalid character {_named(token.text[0])}"
     new = "".join(" " if c in _BLANKS else "" for c in token.text)
     title = "Replace by a blank" if new else "Remove the invalid character"
     repair = Repair(title, (Edit(token.start, token.end, new),), True)
-    return Problem("KD004", f"invalid character {text}", token.start, token.end, repair)
+    return Problem("KD004", message, token.start, token.end, repair)
+
+
+def _named(character: str) -> str:
+    name, code = _NAMED.get(character), f"U+{ord(character):04X}"
+    if name is None and character.isprintable():
+        name = f"'{character}'"
+    return f"{name} ({code})" if name else code
 
 
 def _summary(problems: list[Problem]) -> tuple[Problem, ...]:
@@ -87,6 +108,6 @@ def _summary(problems: list[Problem]) -> tuple[Problem, ...]:
     rest = problems[shown:]
     edits = tuple(edit for problem in rest if problem.repair for edit in problem.repair.edits)
     message = f"{len(rest)} more invalid characters"
-    repair = Repair("Remove the invalid characters", edits, True)
+    repair = Repair("Remove the invalid characters", edits, True) if edits else None
     last = Problem("KD004", message, rest[0].start, rest[0].end, repair)
     return (*problems[:shown], last)

@@ -5,7 +5,7 @@ Apart from `parser.py` because correct documents never load it.
 
 from collections.abc import Sequence
 
-from kindsl.syntax.characters import without_invalid
+from kindsl.syntax.characters import OPEN_COMMENT, without_invalid
 from kindsl.syntax.foreign_forms import adapted
 from kindsl.syntax.parser import meaning_problems
 from kindsl.syntax.recovery import recover
@@ -17,7 +17,10 @@ _MOST_TOKENS = 100_000
 
 
 def mended(
-    text: str, tokens: list[Token], spans: tuple[tuple[int, int], ...], cut: Problem | None
+    text: str,
+    tokens: list[Token],
+    spans: tuple[tuple[int, int], ...],
+    about_comments: Sequence[Problem],
 ) -> Island:
     """Return the island of tokens that do not fit the grammar as they are.
 
@@ -25,20 +28,21 @@ def mended(
         text: The island's text.
         tokens: Its tokens.
         spans: Its comments.
-        cut: The problem of a comment without an end.
+        about_comments: What is wrong in them.
     """
     if len(tokens) > _MOST_TOKENS:
         tokens = _shortened(text, tokens)
     good, invalid, problems = without_invalid(tokens)
     usual = adapted(text, good)
-    recovered = recover(text, usual.tokens, is_cut=cut is not None)
+    is_cut = any(problem.code == OPEN_COMMENT for problem in about_comments)
+    recovered = recover(text, usual.tokens, is_cut=is_cut)
     written, skipped = recovered.tokens, recovered.skipped
     invalid += usual.skipped
     if invalid:
         written = tuple(sorted((*written, *invalid), key=lambda t: (t.start, t.end)))
         skipped = (*skipped, *invalid)
     touched = touched_nodes(recovered.nodes, recovered.skipped)
-    said = [*problems, *usual.problems, *recovered.problems, *((cut,) if cut else ())]
+    said = [*problems, *usual.problems, *recovered.problems, *about_comments]
     said += _not_explained(meaning_problems(text, recovered.nodes, touched), said)
     said.sort(key=lambda problem: problem.start)
     return Island(text, recovered.nodes, _with_leads(written), skipped, spans, tuple(said))

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from kindsl.syntax.builder import build
-from kindsl.syntax.characters import comment_problem
+from kindsl.syntax.characters import comment_problems
 from kindsl.syntax.scanner import comments, scan
 from kindsl.syntax.sections import section_problems
 from kindsl.syntax.tree import Island, Node, Problem, Token
@@ -18,14 +18,12 @@ def parse_island(text: str) -> Island:
     tokens = scan(text)
     nodes = _straight(tokens)
     spans = comments(text)
-    cut = comment_problem(text, spans)
+    about_comments = comment_problems(text, spans)
     if nodes is None:
         from kindsl.syntax.mending import mended
 
-        return mended(text, tokens, spans, cut)
-    problems = meaning_problems(text, nodes, frozenset())
-    if cut is not None:
-        problems.append(cut)
+        return mended(text, tokens, spans, about_comments)
+    problems = [*meaning_problems(text, nodes, frozenset()), *about_comments]
     return Island(text, tuple(nodes), tuple(tokens), (), spans, tuple(problems))
 
 
