@@ -13,7 +13,9 @@ if TYPE_CHECKING:
     from kindsl.rules.analysis import Analysis
     from kindsl.rules.settings import Settings
 
-__all__ = ["ModelError", "UnboundParameterError", "load", "parse"]
+__all__ = ["ModelError", "UnboundParameterError", "__version__", "load", "parse"]
+
+__version__ = "0.1.0"
 
 _ERRORS = ("ModelError", "UnboundParameterError")
 
@@ -64,15 +66,4 @@ def __getattr__(name: str) -> Any:
         from kindsl.mechanism import errors
 
         return getattr(errors, name)
-    if name == "__version__":
-        return _version()
     raise AttributeError(f"module 'kindsl' has no attribute '{name}'")
-
-
-def _version() -> str:
-    from importlib.metadata import PackageNotFoundError, version
-
-    try:
-        return version("kindsl")
-    except PackageNotFoundError:
-        return "unknown"

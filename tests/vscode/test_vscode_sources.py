@@ -3,14 +3,16 @@
 import json
 import re
 import subprocess
-import tomllib
 import zipfile
 from collections.abc import Iterator
+from importlib import metadata
 from pathlib import Path
 from typing import Any
 
 import pytest
 from tests.vscode.code_server import EXTENSION, ROOT
+
+import kindsl
 
 GRAMMAR = ROOT / "grammar"
 MAXIMAL_BYTES = 6 * 1024 * 1024
@@ -57,8 +59,7 @@ def test_patterns_of_the_language_configuration_compile() -> None:
 
 
 def test_one_version() -> None:
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text())
-    assert manifest()["version"] == project["project"]["version"]
+    assert manifest()["version"] == kindsl.__version__ == metadata.version("kindsl")
 
 
 def test_each_command_is_documented_or_contextual() -> None:

@@ -23,10 +23,10 @@ async function installLibraries() {
 }
 
 async function copyServer() {
-  const project = await readFile("../pyproject.toml", "utf8");
-  const version = /^version = "(.+)"$/m.exec(project)?.[1];
+  const server = await readFile("../server/kindsl/__init__.py", "utf8");
+  const version = /^__version__ = "(.+)"$/m.exec(server)?.[1];
   const own = JSON.parse(await readFile("package.json", "utf8")).version;
-  if (version !== own) throw new Error(`pyproject.toml has version ${version}, package.json ${own}`);
+  if (version !== own) throw new Error(`the server has version ${version}, package.json ${own}`);
   await cp("../server/kindsl", path.join(libs, "kindsl"), { recursive: true });
   await cp("../grammar/kindsl.lark", path.join(libs, "kindsl/grammar/kindsl.lark"));
 }

@@ -5,6 +5,7 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
+from kindsl import __version__
 from kindsl.cli.output import FORMATS
 from kindsl.rules.context import TARGETS
 
@@ -20,9 +21,7 @@ class VersionAction(argparse.Action):
         option_string: str | None = None,  # noqa: ARG002
     ) -> None:
         """Print the version and leave."""
-        from kindsl.cli.version import version
-
-        print(f"{parser.prog.partition(' ')[0]} {version()}")
+        print(f"{parser.prog.partition(' ')[0]} {__version__}")
         parser.exit(0)
 
 

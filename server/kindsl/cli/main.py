@@ -5,6 +5,7 @@ import os
 import sys
 from importlib import import_module
 
+from kindsl import __version__
 from kindsl.cli.console import write
 from kindsl.cli.process import run_and_exit
 
@@ -62,9 +63,7 @@ def _dispatched(given: list[str]) -> int:
         write(sys.stdout if given else sys.stderr, overview())
         return 0 if given else USAGE_ERROR
     if command in ("-V", "--version"):
-        from kindsl.cli.version import version
-
-        write(sys.stdout, f"kindsl {version()}\n")
+        write(sys.stdout, f"kindsl {__version__}\n")
         return 0
     if command not in available():
         write(sys.stderr, f"kindsl: error: {_unknown(command)}\n")

@@ -5,11 +5,11 @@ import os
 from typing import Any
 from urllib.parse import quote
 
+from kindsl import __version__
 from kindsl.cli.console import printable
 from kindsl.cli.outcome import Failure, LintedFile, Outcome
 from kindsl.cli.output.project_paths import fingerprints
 from kindsl.cli.rule_pages import summary_of
-from kindsl.cli.version import version
 from kindsl.rules.base import Rule, Severity
 from kindsl.rules.diagnostics import RULE_PAGES, Diagnostic, TextFix
 from kindsl.rules.registry import all_rules, page_of
@@ -40,7 +40,7 @@ def _driver() -> dict[str, Any]:
     return {
         "name": "kdsl-lint",
         "informationUri": RULE_PAGES.rpartition("/")[0],
-        "version": version(),
+        "version": __version__,
         "rules": [_rule(rule) for rule in all_rules()],
     }
 
