@@ -254,6 +254,11 @@ class TestSettings:
                 assert [hint["label"] for hint in hints] == labels
 
 
+def told(diagnostic: dict[str, Any]) -> tuple[int, str]:
+    """Return line and code."""
+    return diagnostic["range"]["start"]["line"], diagnostic["code"]
+
+
 class TestConfigurationFiles:
     def test_a_file_that_changes_is_read_again(self, folder: Path) -> None:
         with ready_client(WATCHES, workspaceFolders=roots(folder)) as client:
@@ -307,6 +312,39 @@ class TestConfigurationFiles:
         client.change(uri, 2, whole('target = ["robcogen"]\n'))
         assert client.diagnostics(uri) == []
         assert client.request("textDocument/hover", {**HOVER, "textDocument": {"uri": uri}}) is None
+
+    def test_bindings_that_no_robot_uses_are_shown(self, client: RawClient, folder: Path) -> None:
+        (folder / "other.kindsl").write_text(ROBOT.replace("mass = m", "mass = payload"))
+        uri, robot = uris.uri(folder / "kindsl.toml"), uris.uri(folder / "robot.kindsl")
+        client.open(uri, "[parameters]\nm = 2.0\npayload = 1.0\nplayload = 3.0\n")
+        assert [told(each) for each in client.diagnostics(uri)] == [(3, "KD404")]
+        client.open(robot, ROBOT.replace("mass = m", "mass = n"))
+        assert [told(each) for each in client.diagnostics(uri)] == [(1, "KD404"), (3, "KD404")]
+        client.change(robot, 2, whole(ROBOT))
+        assert [told(each) for each in client.diagnostics(uri)] == [(3, "KD404")]
+        client.change(uri, 2, whole('ignore = ["KD404"]\n[parameters]\nplayload = 3.0\n'))
+        (folder / "kindsl.toml").write_text('ignore = ["KD404"]\n')
+        client.notify("textDocument/didSave", {"textDocument": {"uri": uri}})
+        assert client.diagnostics(uri) == []
+
+    def test_a_client_that_pulls_gets_a_file_once(self, folder: Path) -> None:
+        capabilities = {
+            "textDocument": {"diagnostic": {}},
+            "workspace": {"diagnostics": {"refreshSupport": True}},
+        }
+        uri, robot = uris.uri(folder / "kindsl.toml"), uris.uri(folder / "robot.kindsl")
+        with ready_client(capabilities, workspaceFolders=roots(folder)) as client:
+            client.open(uri, "[parameters]\nfree = 2.0\n")
+            asked = {"textDocument": {"uri": uri}}
+            report = client.request("textDocument/diagnostic", asked)
+            assert [told(each) for each in report["items"]] == [(1, "KD404")]
+            client.drain()
+            client.messages.clear()
+            client.open(robot, ROBOT.replace("mass = m", "mass = free"))
+            client.wait(lambda m: m.get("method") == "workspace/diagnostic/refresh")
+            assert client.request("textDocument/diagnostic", asked)["items"] == []
+            pushed = [m["params"] for m in client.messages if "publishDiagnostics" in str(m)]
+            assert [p for p in pushed if p["uri"] == uri and p["diagnostics"]] == []
 
     def test_documents_that_a_file_names_are_links(self, client: RawClient, folder: Path) -> None:
         uri = uris.uri(folder / "kindsl.toml")

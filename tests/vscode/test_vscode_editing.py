@@ -19,6 +19,15 @@ def test_findings_are_underlined_and_listed(workbench: Workbench) -> None:
     workbench.run("View: Toggle Panel Visibility")
 
 
+def test_a_binding_that_nothing_uses_is_underlined(workbench: Workbench) -> None:
+    path = workbench.open("kindsl.toml", "[parameters]\nfree = 2.0\n")
+    expect(workbench.squiggles("warning")).to_have_count(1)
+    expect(workbench.problems().filter(has_text="KD404")).to_contain_text("Ln 2")
+    workbench.run("View: Toggle Panel Visibility")
+    workbench.run("View: Close Editor")
+    path.unlink()
+
+
 def test_hover_tells_about_a_link(workbench: Workbench) -> None:
     path = workbench.open("hover.kindsl", models.ARM)
     workbench.go_to("lower via", path)

@@ -59,6 +59,8 @@ function clientOptions(log: vscode.LogOutputChannel, hooks: ClientHooks): Langua
     documentSelector: [
       { scheme: "file", language: LANGUAGE },
       { scheme: "untitled", language: LANGUAGE },
+      // What is wrong in the configuration, and links to the robots that it names.
+      { scheme: "file", pattern: "**/kindsl.toml" },
     ],
     outputChannel: log,
     traceOutputChannel: log,

@@ -9,7 +9,7 @@ from kindsl.cli.outcome import Failure
 from kindsl.cli.sources import STDIN, reason
 
 if TYPE_CHECKING:
-    from kindsl.cli.gitignore import Ignored
+    from kindsl.config.gitignore import Ignored
 
 SUFFIX = ".kindsl"
 _HERE = os.curdir + os.sep
@@ -32,7 +32,7 @@ def documents(paths: list[str]) -> Iterator[str | Failure]:
 
 def documents_below(folder: str) -> Iterator[str | Failure]:
     """Yield the documents in a folder and the folders in it, those that git ignores left out."""
-    from kindsl.cli.gitignore import Ignored
+    from kindsl.config.gitignore import Ignored
 
     yield from _walk(folder, Ignored.above(folder))
 

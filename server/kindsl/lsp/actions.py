@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING
 from lsprotocol import types
 
 from kindsl.lsp.binding import bound
-from kindsl.lsp.diagnostics import diagnostics
 from kindsl.lsp.edits import makes_files, text_edits, workspace_edit
+from kindsl.lsp.findings import diagnostics
 from kindsl.lsp.handlers import Handlers
 from kindsl.lsp.view import View
 

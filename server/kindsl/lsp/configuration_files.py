@@ -1,4 +1,4 @@
-"""`kindsl.toml` as a document: what is wrong in it, links, and where parameters are bound."""
+"""`kindsl.toml` as a document: its links, and where it binds parameters."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple
@@ -26,23 +26,18 @@ class BoundPlace(NamedTuple):
     end: int
 
 
-def configuration_problems(document: Document) -> list[types.Diagnostic]:
-    """Return what is wrong in a configuration file; nothing for other TOML files."""
-    from kindsl.config.configuration import ConfigurationError
+def configuration_of(document: Document) -> "Configuration | None":
+    """Read the text of a configuration file; None for another TOML file.
 
-    try:
-        _configuration(document)
-    except ConfigurationError as error:
-        return [
-            types.Diagnostic(
-                document.range(problem.place.start, problem.place.end),
-                problem.message,
-                types.DiagnosticSeverity.Error,
-                source="kindsl",
-            )
-            for problem in error.problems
-        ]
-    return []
+    Raises:
+        ConfigurationError: It says something wrong.
+    """
+    from kindsl.config import reading
+
+    path = uris.path(document.uri)
+    name = str(path) if path else uris.basename(document.uri)
+    is_ours = uris.basename(document.uri) in CONFIGURATION_FILES
+    return reading.configuration_of(name, document.text) if is_ours else None
 
 
 def configuration_links(document: Document) -> list[types.DocumentLink]:
@@ -65,7 +60,7 @@ def bound_places(view: "View", parameter: str) -> Iterator[BoundPlace]:
     if document is None:
         return
     try:
-        configuration = _configuration(document)
+        configuration = configuration_of(document)
     except ConfigurationError:
         return
     for keys, (start, end) in configuration.places.items() if configuration else ():
@@ -81,26 +76,12 @@ def rename_binding(place: BoundPlace, name: str) -> TextEdit:
     return TextEdit(place.start, place.end, f"{quote}{name}{quote}")
 
 
-def _configuration(document: Document) -> "Configuration | None":
-    """Read the text of a configuration file; None for another TOML file.
-
-    Raises:
-        ConfigurationError: It says something wrong.
-    """
-    from kindsl.config.reading import configuration_of
-
-    path = uris.path(document.uri)
-    name = str(path) if path else uris.basename(document.uri)
-    is_ours = uris.basename(document.uri) in CONFIGURATION_FILES
-    return configuration_of(name, document.text) if is_ours else None
-
-
 def _document_links(document: Document) -> Iterator[types.DocumentLink]:
     from kindsl.config.configuration import ConfigurationError
 
     path = uris.path(document.uri)
     try:
-        configuration = _configuration(document)
+        configuration = configuration_of(document)
     except ConfigurationError:
         return
     if configuration is None or path is None:

@@ -1,4 +1,4 @@
-"""Diagnostics as the client can show them, and those that it asks for."""
+"""Diagnostics that the client asks for."""
 
 import itertools
 from collections.abc import Iterable, Iterator
@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast
 from lsprotocol import types
 
 from kindsl.lsp import uris
-from kindsl.lsp.client import Client, DiagnosticParts
-from kindsl.lsp.configuration_files import configuration_problems
+from kindsl.lsp.configuration_diagnostics import configuration_diagnostics
 from kindsl.lsp.document import Document
+from kindsl.lsp.findings import SOURCE, diagnostics
 from kindsl.lsp.handlers import Handlers
 from kindsl.lsp.progress import Progress
 from kindsl.lsp.worker import Urgency
@@ -24,23 +24,10 @@ Report = dict[str, Any]
 
 handlers = Handlers()
 
-_SOURCE = "kindsl"
-_SEVERITIES = {
-    "error": types.DiagnosticSeverity.Error.value,
-    "warning": types.DiagnosticSeverity.Warning.value,
-    "info": types.DiagnosticSeverity.Information.value,
-    "hint": types.DiagnosticSeverity.Hint.value,
-}
-_TAGS = {
-    "unnecessary": types.DiagnosticTag.Unnecessary.value,
-    "deprecated": types.DiagnosticTag.Deprecated.value,
-}
-
-
 _GONE = "gone"
 _SERIAL = itertools.count(1)
 _OPTIONS = types.DiagnosticOptions(
-    inter_file_dependencies=False, workspace_diagnostics=True, identifier=_SOURCE
+    inter_file_dependencies=False, workspace_diagnostics=True, identifier=SOURCE
 )
 
 
@@ -52,8 +39,7 @@ async def pull(server: "KindslLanguageServer", params: types.DocumentDiagnosticP
         return {"kind": "full", "items": []}
     server.publisher.leave_to_pull(document)
     if document.is_toml:
-        problems = await server.worker.run(lambda: configuration_problems(document))
-        return {"kind": "full", "items": problems}
+        return {"kind": "full", "items": await configuration_diagnostics(server, document)}
     findings = await server.analyses.findings(document)
     result_id = result_id_of(document, findings)
     if result_id == params.previous_result_id:
@@ -158,34 +144,3 @@ def result_id_of(document: Document, findings: "tuple[Diagnostic, ...]") -> str:
     if known is None or known[0] is not findings:
         known = document.facts[result_id_of] = findings, str(next(_SERIAL))
     return str(known[1])
-
-
-def diagnostics(
-    document: Document, findings: "Iterable[Diagnostic]", client: Client
-) -> list[dict[str, Any]]:
-    """Return findings as the client can show them, in the protocol's form, for there are many."""
-    parts = client.shows_in_diagnostics
-    return [_diagnostic(document, finding, parts) for finding in findings]
-
-
-def _diagnostic(
-    document: Document, finding: "Diagnostic", parts: DiagnosticParts
-) -> dict[str, Any]:
-    found: dict[str, Any] = {
-        "range": document.wire_range(finding.start, finding.end),
-        "severity": _SEVERITIES[finding.severity],
-        "code": finding.code,
-        "source": _SOURCE,
-        "message": finding.message,
-    }
-    if parts.links:
-        found["codeDescription"] = {"href": finding.url}
-    if parts.tags and finding.tag:
-        found["tags"] = [_TAGS[finding.tag]]
-    if parts.related and finding.related:
-        found["relatedInformation"] = [
-            {"location": {"uri": document.uri, "range": place_range}, "message": place.message}
-            for place in finding.related
-            for place_range in (document.wire_range(place.start, place.end),)
-        ]
-    return found

@@ -1,14 +1,18 @@
 """Diagnostics pushed to the client while someone types."""
 
 import asyncio
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types
 
 from kindsl.lsp import memory, tasks, uris
-from kindsl.lsp.configuration_files import configuration_problems
-from kindsl.lsp.diagnostics import diagnostics
+from kindsl.lsp.configuration_diagnostics import (
+    configuration_diagnostics,
+    configuration_problems,
+    parameter_names,
+)
 from kindsl.lsp.document import Document
+from kindsl.lsp.findings import diagnostics
 from kindsl.lsp.protocol import Encoded
 from kindsl.lsp.status import tell_status
 from kindsl.lsp.worker import Urgency
@@ -26,7 +30,7 @@ class Publisher:
     Documents that the client pulls diagnostics for are left to it, lest each is shown twice.
     """
 
-    __slots__ = ("_broken", "_checked", "_pulled", "_server", "_shown", "_tasks")
+    __slots__ = ("_broken", "_checked", "_parameters", "_pulled", "_server", "_shown", "_tasks")
 
     def __init__(self, server: "KindslLanguageServer") -> None:
         self._server = server
@@ -35,6 +39,7 @@ class Publisher:
         self._checked: set[str] = set()
         self._shown: set[str] = set()
         self._broken: set[str] = set()
+        self._parameters: dict[str, frozenset[str]] = {}
         server.documents.on_open.append(lambda document: self.schedule(document, 0.0))
         server.documents.on_change.append(self._changed)
         server.documents.on_close.append(self._close)
@@ -73,6 +78,7 @@ class Publisher:
             self._tasks.pop(key).cancel()
         self._pulled.discard(key)
         self._checked.discard(key)
+        self._parameters.pop(key, None)
         self._publish(document.uri, None, [])
 
     async def _publish_later(self, document: Document, delay: float) -> None:
@@ -90,6 +96,7 @@ class Publisher:
             if uris.key(document.uri) not in self._pulled:
                 self._send(document.uri, shown, bool(findings))
             self._publish_broken_files()
+            await self._check_configurations(document)
             await tell_status(self._server, document, findings)
             await self._server.previews.update(document)
 
@@ -112,10 +119,26 @@ class Publisher:
 
     async def _publish_configuration(self, document: Document) -> None:
         """Publish what is wrong with a configuration file as it is in the editor."""
-        problems = configuration_problems
-        shown = await self._server.worker.run(lambda: problems(document), Urgency.DIAGNOSTICS)
-        if self._server.documents.is_current(document):
+        shown = await configuration_diagnostics(self._server, document)
+        is_pulled = uris.key(document.uri) in self._pulled
+        if self._server.documents.is_current(document) and not is_pulled:
             self._publish(document.uri, document.version, shown)
+
+    async def _check_configurations(self, document: Document) -> None:
+        """Check open configuration files again if a robot has got other parameters."""
+        configurations = [other for other in self._server.documents if other.is_toml]
+        if not configurations:
+            return
+        key = uris.key(document.uri)
+        parameters = parameter_names(await self._server.analyses.of(document))
+        if self._parameters.get(key, frozenset()) == parameters:
+            return
+        self._parameters[key] = parameters
+        for other in configurations:
+            if uris.key(other.uri) not in self._pulled:
+                self.schedule(other, 0.0)
+            elif self._server.client.can("workspace.diagnostics.refresh_support"):
+                self._server.workspace_diagnostic_refresh(None)
 
     def _publish_broken_files(self) -> None:
         """Publish what is wrong with configuration files that no editor shows."""
@@ -126,8 +149,10 @@ class Publisher:
                 self._publish(uri, None, configuration_problems(document))
         self._broken = broken
 
-    def _publish(self, uri: str, version: int | None, diagnostics: list[types.Diagnostic]) -> None:
-        params = types.PublishDiagnosticsParams(uri, diagnostics, version)
+    def _publish(self, uri: str, version: int | None, diagnostics: list[dict[str, Any]]) -> None:
+        params: dict[str, Any] = {"uri": uri, "diagnostics": diagnostics}
+        if version is not None:
+            params["version"] = version
         self._send(uri, self._server.protocol.encoded(params), bool(diagnostics))
 
     def _send(self, uri: str, params: Encoded, has_findings: bool) -> None:
