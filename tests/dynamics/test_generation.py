@@ -62,7 +62,7 @@ def test_code_computes_what_was_recorded(
     recorded = Trace(graph, [argument], outputs)  # type: ignore[arg-type]
     expected = _run(program, [*inputs])
     scale = max(1.0, *(abs(value) for value in _run(program, [2.0, 2.0, 2.0])), *map(abs, expected))
-    single = scalar_function(recorded)(inputs)
+    single = scalar_function(recorded)(np.array(inputs))
     batch = run_in_chunks(batch_function(recorded), [np.array([inputs] * 5)], 5, 2)
     tolerance = 1e-9 * scale
     assert single == pytest.approx(expected, abs=tolerance)
@@ -112,7 +112,7 @@ def test_scalar_code_refuses_what_is_not_finite() -> None:
     function = scalar_function(trace(tree, (), "joint_space_inertia", "at_rest"))
     for value in (math.nan, math.inf, -math.inf):
         with pytest.raises(OverflowError):
-            function([0.0, value])
+            function(np.array([0.0, value]))
 
 
 @pytest.mark.parametrize("seed", range(10))

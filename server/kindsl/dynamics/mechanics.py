@@ -26,7 +26,15 @@ AT_REST = np.zeros(6)
 GRAVITY = np.array(STANDARD_GRAVITY)
 # Quantities that divide by inertia.
 ACCELERATING = ("inverse_dynamics", "forward_dynamics")
-FLOAT64 = np.dtype(np.float64)
+# What ready code raises if it is not there yet, or for arguments that need a closer look.
+NOT_READY = (
+    AttributeError,
+    KeyError,
+    OverflowError,
+    TypeError,
+    ValueError,
+    ZeroDivisionError,
+)
 
 
 class Mechanics:
@@ -40,22 +48,20 @@ class Mechanics:
     All methods raise ValueError for arguments of a wrong shape or with values that are not finite.
     """
 
-    __slots__ = ("_forms", "_joint_shape", "_pose_names", "_ready", "bodies")
+    __slots__ = ("_forms", "_pose_names", "_ready", "bodies")
 
     def __init__(self, bodies: Bodies) -> None:
         self.bodies = bodies
         self._forms = Forms(bodies)
         self._ready = self._forms.generated.at_rest
         self._pose_names = (*bodies.link_names, *(frame.name for frame in bodies.frames))
-        self._joint_shape = (bodies.n_links,)
 
     def forward_kinematics(self, q: npt.ArrayLike) -> dict[str, Array]:
         """Return `base_T_x` (..., 4, 4) of each link and frame x by name, links first."""
         entries = self._evaluate("poses", (q,))
         if entries.ndim == 1:
             return dict(zip(self._pose_names, entries.reshape((-1, 4, 4)), strict=True))
-        poses = entries.reshape((*entries.shape[:-1], len(self._pose_names), 4, 4))
-        return dict(zip(self._pose_names, np.moveaxis(poses, -3, 0), strict=True))
+        return dict(zip(self._pose_names, self._pose_by_pose(entries), strict=True))
 
     def joint_poses(self, q: npt.ArrayLike) -> dict[str, Array]:
         """Return `base_T_j` (..., 4, 4) of each joint frame j by the joint's name.
@@ -217,9 +223,11 @@ class Mechanics:
         gravity: npt.ArrayLike = STANDARD_GRAVITY,
     ) -> Array:
         if base_velocity is None and gravity is STANDARD_GRAVITY:
-            entries = self._quick_answer(quantity, joint_vectors)
-            if entries is not None:
-                return entries
+            # A single answer if code is ready and nothing is wrong, without a slow check.
+            try:
+                return self._ready[quantity](*joint_vectors)
+            except NOT_READY:
+                pass
         arrays = {
             name: vectors(name, values, self.bodies.n_links)
             for name, values in zip(JOINT_VECTORS[quantity], joint_vectors, strict=True)
@@ -246,18 +254,6 @@ class Mechanics:
         except OverflowError:
             raise ValueError(f"{_listed(arrays)}: the values are too large") from None
 
-    def _quick_answer(
-        self, quantity: Quantity, joint_vectors: tuple[npt.ArrayLike, ...]
-    ) -> Array | None:
-        """Return a single answer if code is ready and nothing is wrong, without a slow check."""
-        try:
-            for vector in joint_vectors:
-                if vector.shape != self._joint_shape or vector.dtype is not FLOAT64:  # type: ignore[union-attr]
-                    return None
-            return self._ready[quantity](*[v.tolist() for v in joint_vectors])  # type: ignore[union-attr]
-        except (AttributeError, KeyError, OverflowError, ZeroDivisionError):
-            return None
-
     def _checked_conditions(
         self, base_velocity: npt.ArrayLike | None, gravity: npt.ArrayLike
     ) -> dict[str, Array]:
@@ -272,11 +268,15 @@ class Mechanics:
         return conditions
 
     def _body_poses(self, q: npt.ArrayLike) -> list[Array]:
-        entries = self._evaluate("poses", (q,))
-        n_poses = len(self._pose_names)
-        poses = np.moveaxis(entries.reshape((*entries.shape[:-1], n_poses, 4, 4)), -3, 0)
+        poses = self._pose_by_pose(self._evaluate("poses", (q,)))
         base = np.broadcast_to(np.eye(4), poses.shape[1:])
         return [base, *poses[: self.bodies.n_links]]
+
+    def _pose_by_pose(self, entries: Array) -> Array:
+        """Return rows of entries, one per configuration, as (poses, ..., 4, 4)."""
+        n = entries.ndim - 1
+        poses = entries.reshape((*entries.shape[:-1], len(self._pose_names), 4, 4))
+        return poses.transpose((n, *range(n), n + 1, n + 2))
 
     def _body_of(self, name: str) -> int:
         bodies = {frame.name: frame.body for frame in self.bodies.frames}

@@ -9,6 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from kindsl.dynamics.generation.expressions import Expression, Operand
 from kindsl.dynamics.generation.trace import Trace
@@ -32,12 +33,16 @@ class BatchFunction:
         evaluate: Takes the arguments, cosines and sines of the first one, the output rows and the
             scratch rows. All are sequences of rows; arguments may hold numbers instead.
         n_scratch: Number of scratch rows that it needs.
-        n_outputs: Number of output rows that it fills.
+        n_outputs: Number of output rows.
+        constant_rows: Which of them it leaves alone, shape (k,).
+        constants: What these hold, shape (k, 1).
     """
 
     evaluate: Callable[..., None]
     n_scratch: int
     n_outputs: int
+    constant_rows: npt.NDArray[np.intp]
+    constants: Array
 
 
 def batch_function(trace: Trace) -> BatchFunction:
@@ -48,7 +53,14 @@ def batch_function(trace: Trace) -> BatchFunction:
     namespace |= {name: np.array(value) for value, name in rows.constants.items()}
     exec(compile(source, "<generated mechanics>", "exec"), namespace)
     evaluate: Callable[..., None] = namespace["evaluate"]  # type: ignore[assignment]
-    return BatchFunction(evaluate, rows.n_scratch, len(trace.outputs))
+    constants = {n: o for n, o in enumerate(trace.outputs) if not isinstance(o, Expression)}
+    return BatchFunction(
+        evaluate,
+        rows.n_scratch,
+        len(trace.outputs),
+        np.array(list(constants), dtype=np.intp),
+        np.array(list(constants.values()))[:, None],
+    )
 
 
 def batch_source(trace: Trace) -> tuple[str, "Rows"]:
@@ -83,6 +95,7 @@ def run_in_chunks(
         Shape (outputs, size).
     """
     out = np.empty((function.n_outputs, size))
+    out[function.constant_rows] = function.constants
     n_chunks = max(1, math.ceil(size / chunk))
     chunk = math.ceil(size / n_chunks)
     scratch = np.empty((function.n_scratch, chunk))
@@ -180,14 +193,12 @@ class Rows:
         return [*lines, f"{outputs},=out"]
 
     def copied(self) -> list[str]:
-        """Return lines that fill the output rows that are not computed in place."""
-        lines = []
-        for number, output in enumerate(self._trace.outputs):
-            if not isinstance(output, Expression):
-                lines.append(f"o{number}.fill({output!r})")
-            elif self._outputs.get(output.index) != number:
-                lines.append(f"copy({self._names[output.index]},o{number})")
-        return lines
+        """Return lines that fill the rows that are neither computed in place nor constant."""
+        return [
+            f"copy({self._names[output.index]},o{number})"
+            for number, output in enumerate(self._trace.outputs)
+            if isinstance(output, Expression) and self._outputs.get(output.index) != number
+        ]
 
 
 def _blocks(trace: Trace) -> dict[str, list[int]]:

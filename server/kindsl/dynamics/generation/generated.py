@@ -64,7 +64,7 @@ class GeneratedForm:
         arguments = joint_vectors if is_at_rest else [*joint_vectors, base_velocity, gravity]
         size = math.prod(batch_shape)
         if 0 < size < SMALLEST_BATCH:
-            rows = [_flattened(argument, batch_shape).tolist() for argument in arguments]
+            rows = [_flattened(argument, batch_shape) for argument in arguments]
             entries = self._one_by_one(quantity, conditions, rows)
             return entries.reshape((*batch_shape, entries.shape[-1]))
         function = self._batch_function(quantity, conditions)
@@ -73,10 +73,11 @@ class GeneratedForm:
             for argument in arguments
         ]
         by_entry = run_in_chunks(function, columns, size, CHUNK)
-        return np.moveaxis(by_entry.reshape((function.n_outputs, *batch_shape)), 0, -1)
+        entries = by_entry.reshape((function.n_outputs, *batch_shape))
+        return entries.transpose((*range(1, entries.ndim), 0))
 
     def _one_by_one(
-        self, quantity: Quantity, conditions: Conditions, arguments: list[list[list[float]]]
+        self, quantity: Quantity, conditions: Conditions, arguments: list[Array]
     ) -> Array:
         functions = self.at_rest if conditions == "at_rest" else self._any_motion
         if quantity not in functions:

@@ -10,6 +10,7 @@ from typing import TypeAlias
 import numpy as np
 
 from kindsl.dynamics.generation.expressions import Expression, Operand
+from kindsl.dynamics.generation.factorization import is_zero
 from kindsl.dynamics.generation.trace import Trace
 from kindsl.spatial.arrays import Array
 
@@ -22,17 +23,18 @@ LONGEST_INLINED = 160
 def scalar_function(trace: Trace) -> ScalarFunction:
     """Compile a trace.
 
-    The function takes the arguments as lists of floats and returns the outputs as an array. It
-    raises OverflowError if the sum of all numbers is not finite, and ZeroDivisionError.
+    The function takes each argument as a vector of float64 and returns the outputs as an array.
+    It raises TypeError, ValueError or AttributeError for anything else, OverflowError if the sum
+    of all numbers is not finite, and ZeroDivisionError.
     """
-    # Packing takes half the time that an array takes to convert a list.
-    n_outputs = len(trace.outputs)
+    # Packing takes half the time that an array takes to convert a list; pad bytes are zeros.
+    layout = "".join("8x" if is_zero(output) else "d" for output in trace.outputs)
     namespace: dict[str, object] = {
         "sin": math.sin,
         "cos": math.cos,
-        "isfinite": math.isfinite,
-        "pack": struct.Struct(f"{n_outputs}d").pack_into,
-        "empty": partial(np.empty, n_outputs),
+        "float64": np.dtype(np.float64),
+        "pack": struct.Struct(layout).pack_into,
+        "empty": partial(np.empty, len(trace.outputs)),
     }
     exec(compile(scalar_source(trace), "<generated mechanics>", "exec"), namespace)
     function: ScalarFunction = namespace["evaluate"]  # type: ignore[assignment]
@@ -56,9 +58,10 @@ def scalar_source(trace: Trace) -> str:
     outputs = [
         texts[output.index] if isinstance(output, Expression) else repr(output)
         for output in trace.outputs
+        if not is_zero(output)
     ]
     names = ",".join(f"a{number}" for number in range(len(trace.arguments)))
-    lines += ["out=empty()", f"pack(out,0,{','.join(outputs)})", "return out"]
+    lines += ["out=empty()", f"pack({','.join(['out', '0', *outputs])})", "return out"]
     body = "\n ".join(lines)
     return f"def evaluate({names}):\n {body}\n"
 
@@ -67,9 +70,12 @@ def _unpacked_arguments(trace: Trace, texts: dict[int, str]) -> list[str]:
     lines = []
     for number, argument in enumerate(trace.arguments):
         texts.update((component.index, f"v{component.index}") for component in argument)
-        lines.append(f"{','.join(texts[component.index] for component in argument)},=a{number}")
-    total = "+".join(texts.values())
-    return [*lines, f"if not isfinite({total}): raise OverflowError"]
+        name = f"a{number}"
+        lines.append(f"if {name}.dtype is not float64 or {name}.ndim!=1: raise TypeError")
+        names = ",".join(texts[component.index] for component in argument)
+        lines.append(f"{names},={name}.tolist()")
+    # What is not finite leaves no zero when taken from itself.
+    return [*lines, f"total={'+'.join(texts.values())}", "if total-total: raise OverflowError"]
 
 
 def _uses(trace: Trace) -> Counter[int]:
