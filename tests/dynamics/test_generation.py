@@ -75,6 +75,7 @@ def test_constants_are_folded() -> None:
     x, y = graph.vector(2)
     assert x * 0.0 == 0.0
     assert x - x == 0.0
+    assert x * 0.5 + x * -0.5 == 0.0
     for same in (
         x + 0.0,
         x * 1.0,
@@ -82,6 +83,8 @@ def test_constants_are_folded() -> None:
         0.0 + x,
         (x * 2.0) * 0.5,
         (x * -1.0) * -1.0,
+        x * 0.25 + x * 0.75,
+        x * 3.0 - x * 2.0,
     ):
         assert isinstance(same, Expression)
         assert same.index == x.index

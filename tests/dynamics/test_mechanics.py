@@ -45,6 +45,29 @@ def test_results_depend_on_the_base_only(method: str, shape: tuple[int, ...]) ->
         assert base.shape == (*shape, 6)
 
 
+@pytest.mark.parametrize("batch_shape", [(), (3,), (100,), (2, 50)])
+def test_poses_are_a_mapping_by_name(batch_shape: tuple[int, ...]) -> None:
+    q = np.full((*batch_shape, FIXED.bodies.n_links), 0.3)
+    frames = [frame.name for frame in FIXED.bodies.frames]
+    for poses in (FIXED.forward_kinematics(q), FIXED.forward_kinematics(q)):
+        assert list(poses) == list(poses.keys()) == [*FIXED.bodies.link_names, *frames]
+        assert len(poses) == len(list(poses))
+        assert all(pose.shape == (*batch_shape, 4, 4) for pose in poses.values())
+        assert repr(poses) == repr(dict(poses))
+        with pytest.raises(KeyError):
+            poses["nowhere"]
+
+
+def test_poses_of_one_configuration_are_the_caller_s() -> None:
+    q = np.full(FIXED.bodies.n_links, 0.3)
+    FIXED.forward_kinematics(q)
+    poses = FIXED.forward_kinematics(q)
+    name = FIXED.bodies.link_names[0]
+    poses[name][0, 3] = 7.0
+    assert poses[name][0, 3] == 7.0
+    assert FIXED.forward_kinematics(q)[name][0, 3] != 7.0
+
+
 def test_arguments_broadcast() -> None:
     q, qd = np.linspace(0.0, 1.0, 12).reshape((3, 1, 4)), np.ones((2, 4))
     gravity = np.array([[0.0, 0.0, -9.81], [0.0, 0.0, -1.62]])

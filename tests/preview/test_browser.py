@@ -128,8 +128,10 @@ async def test_sliders_move_links_by_our_kinematics(browser, server):
                 await numbers.nth(index).fill(repr(value))
                 await numbers.nth(index).press("Enter")
             drawn = await page.evaluate(WORLD_POSES)
-            ours = mechanics.forward_kinematics(q) | {
-                f"joint {name}": pose for name, pose in mechanics.joint_poses(q).items()
+            joints = mechanics.joint_poses(q)
+            ours = {
+                **mechanics.forward_kinematics(q),
+                **{f"joint {name}": pose for name, pose in joints.items()},
             }
             for name, pose in drawn.items():
                 group, _, thing = name.partition(" ")

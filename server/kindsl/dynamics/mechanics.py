@@ -13,6 +13,7 @@ from kindsl.dynamics.forms import Forms
 from kindsl.dynamics.forward_kinematics import joint_poses
 from kindsl.dynamics.free_motion import FreeMotion, FreeMotionTorque
 from kindsl.dynamics.jacobian import jacobian
+from kindsl.dynamics.poses import Poses
 from kindsl.dynamics.quantities import (
     JOINT_VECTORS,
     STANDARD_GRAVITY,
@@ -48,20 +49,22 @@ class Mechanics:
     All methods raise ValueError for arguments of a wrong shape or with values that are not finite.
     """
 
-    __slots__ = ("_forms", "_pose_names", "_ready", "bodies")
+    __slots__ = ("_forms", "_generated", "_pose_indices", "bodies")
 
     def __init__(self, bodies: Bodies) -> None:
         self.bodies = bodies
         self._forms = Forms(bodies)
-        self._ready = self._forms.generated.at_rest
-        self._pose_names = (*bodies.link_names, *(frame.name for frame in bodies.frames))
+        self._generated = self._forms.generated
+        names = (*bodies.link_names, *(frame.name for frame in bodies.frames))
+        self._pose_indices = {name: index for index, name in enumerate(names)}
 
-    def forward_kinematics(self, q: npt.ArrayLike) -> dict[str, Array]:
+    def forward_kinematics(self, q: npt.ArrayLike) -> Poses:
         """Return `base_T_x` (..., 4, 4) of each link and frame x by name, links first."""
-        entries = self._evaluate("poses", (q,))
-        if entries.ndim == 1:
-            return dict(zip(self._pose_names, entries.reshape((-1, 4, 4)), strict=True))
-        return dict(zip(self._pose_names, self._pose_by_pose(entries), strict=True))
+        try:
+            return Poses(self._pose_indices, self._generated.pose_entries(q))  # type: ignore[misc]
+        except NOT_READY:
+            entries = self._evaluate("poses", (q,))
+        return Poses(self._pose_indices, self._pose_by_pose(entries))
 
     def joint_poses(self, q: npt.ArrayLike) -> dict[str, Array]:
         """Return `base_T_j` (..., 4, 4) of each joint frame j by the joint's name.
@@ -225,7 +228,7 @@ class Mechanics:
         if base_velocity is None and gravity is STANDARD_GRAVITY:
             # A single answer if code is ready and nothing is wrong, without a slow check.
             try:
-                return self._ready[quantity](*joint_vectors)
+                return self._generated.at_rest[quantity](*joint_vectors)
             except NOT_READY:
                 pass
         arrays = {
@@ -275,7 +278,7 @@ class Mechanics:
     def _pose_by_pose(self, entries: Array) -> Array:
         """Return rows of entries, one per configuration, as (poses, ..., 4, 4)."""
         n = entries.ndim - 1
-        poses = entries.reshape((*entries.shape[:-1], len(self._pose_names), 4, 4))
+        poses = entries.reshape((*entries.shape[:-1], entries.shape[-1] // 16, 4, 4))
         return poses.transpose((n, *range(n), n + 1, n + 2))
 
     def _body_of(self, name: str) -> int:

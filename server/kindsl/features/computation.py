@@ -1,6 +1,6 @@
 """Poses, inertia and forces in many configurations at once, as `kindsl compute` tells them."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from io import BytesIO
 from typing import Any
 
@@ -42,7 +42,7 @@ class Results(NamedTuple):
     analysis: Analysis
     mechanism: Mechanism
     inputs: dict[str, Array]
-    poses: dict[str, Array]
+    poses: Mapping[str, Array]
     jacobians: dict[str, Array]
     quantities: dict[str, Array]
 

@@ -1,9 +1,9 @@
 """Expressions that record the arithmetic done on them.
 
 An algorithm that is run on `Expression` inputs leaves a graph of what it computed. Operations on
-constants are folded, zeros and ones drop out, negations move outwards, and equal operations are
-recorded once. The graph's nodes are tuples `(operation, operand, ...)`; an operand is the index
-of an earlier node, or a float.
+constants are folded, zeros and ones drop out, multiples of one value become one, negations move
+outwards, and equal operations are recorded once. The graph's nodes are tuples `(operation,
+operand, ...)`; an operand is the index of an earlier node, or a float.
 """
 
 import math
@@ -63,6 +63,9 @@ class Expression:
     def __add__(self, other: Scalar) -> Scalar:
         if isinstance(other, float):
             return self if other == 0.0 else self.graph.record("+", self.index, other)
+        (value, factor), (other_value, other_factor) = self._term(), other._term()
+        if value == other_value:
+            return self._operand(value) * (factor + other_factor)
         negated_self, negated_other = self._negated(), other._negated()
         if negated_other is not None:
             return self - negated_other
@@ -76,8 +79,9 @@ class Expression:
     def __sub__(self, other: Scalar) -> Scalar:
         if isinstance(other, float):
             return self + -other
-        if self.index == other.index:
-            return 0.0
+        (value, factor), (other_value, other_factor) = self._term(), other._term()
+        if value == other_value:
+            return self._operand(value) * (factor - other_factor)
         negated_self, negated_other = self._negated(), other._negated()
         if negated_other is not None:
             return self + negated_other
@@ -132,6 +136,13 @@ class Expression:
         if operation == "*" and isinstance(operands[1], float):
             return self._operand(operands[0])._scaled(operands[1] * factor)
         return self.graph.record("*", self.index, factor)
+
+    def _term(self) -> tuple[int, float]:
+        """Return a node and the constant that this is its product with."""
+        operation, *operands = self.graph.nodes[self.index]
+        if operation == "*" and isinstance(operands[1], float):
+            return int(operands[0]), operands[1]
+        return self.index, 1.0
 
     def _negated(self) -> "Expression | None":
         """Return what this is the negative of, if it is recorded so."""

@@ -6,7 +6,12 @@ import numpy as np
 
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.generation.batch_code import BatchFunction, batch_function, run_in_chunks
-from kindsl.dynamics.generation.scalar_code import ScalarFunction, scalar_function
+from kindsl.dynamics.generation.scalar_code import (
+    NumbersFunction,
+    ScalarFunction,
+    numbers_function,
+    scalar_function,
+)
 from kindsl.dynamics.generation.trace import Conditions, Trace, trace
 from kindsl.dynamics.generation.tree import Tree, tree_of
 from kindsl.dynamics.quantities import STANDARD_GRAVITY, Quantity
@@ -26,13 +31,15 @@ class GeneratedForm:
     Attributes:
         bodies: The mechanism.
         at_rest: The functions that are ready for one configuration at rest.
+        pose_entries: The one for all entries of its poses, as floats, once it is ready.
     """
 
-    __slots__ = ("_any_motion", "_batch", "_tree", "at_rest", "bodies")
+    __slots__ = ("_any_motion", "_batch", "_tree", "at_rest", "bodies", "pose_entries")
 
     def __init__(self, bodies: Bodies) -> None:
         self.bodies = bodies
         self.at_rest: dict[Quantity, ScalarFunction] = {}
+        self.pose_entries: NumbersFunction | None = None
         self._any_motion: dict[Quantity, ScalarFunction] = {}
         self._batch: dict[tuple[Quantity, Conditions], BatchFunction] = {}
         self._tree: Tree | None = None
@@ -83,6 +90,8 @@ class GeneratedForm:
         if quantity not in functions:
             written = self._trace(quantity, conditions)
             functions[quantity] = scalar_function(written)
+            if quantity == "poses":
+                self.pose_entries = numbers_function(written)
         return np.stack([functions[quantity](*row) for row in zip(*arguments, strict=True)])
 
     def _batch_function(self, quantity: Quantity, conditions: Conditions) -> BatchFunction:

@@ -5,7 +5,7 @@ import struct
 from collections import Counter
 from collections.abc import Callable
 from functools import partial
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from kindsl.dynamics.generation.trace import Trace
 from kindsl.spatial.arrays import Array
 
 ScalarFunction: TypeAlias = Callable[..., Array]
+NumbersFunction: TypeAlias = Callable[..., tuple[float, ...]]
 
 # A value used once is written where it is used, unless the line grows longer than this.
 LONGEST_INLINED = 160
@@ -29,20 +30,40 @@ def scalar_function(trace: Trace) -> ScalarFunction:
     """
     # Packing takes half the time that an array takes to convert a list; pad bytes are zeros.
     layout = "".join("8x" if is_zero(output) else "d" for output in trace.outputs)
-    namespace: dict[str, object] = {
-        "sin": math.sin,
-        "cos": math.cos,
-        "float64": np.dtype(np.float64),
+    packing = {
         "pack": struct.Struct(layout).pack_into,
         "empty": partial(np.empty, len(trace.outputs)),
     }
-    exec(compile(scalar_source(trace), "<generated mechanics>", "exec"), namespace)
-    function: ScalarFunction = namespace["evaluate"]  # type: ignore[assignment]
-    return function
+    return _compiled(scalar_source(trace), packing)
+
+
+def numbers_function(trace: Trace) -> NumbersFunction:
+    """Compile a trace into a function that returns the outputs as floats; else as above."""
+    return _compiled(_source(trace, lambda outputs: [f"return {','.join(outputs)},"]), {})
 
 
 def scalar_source(trace: Trace) -> str:
-    """Return the source of a function `evaluate`, one local variable for each shared value."""
+    """Return the source of a function `evaluate` that returns an array."""
+
+    def packed(outputs: list[str]) -> list[str]:
+        given = [
+            text for text, output in zip(outputs, trace.outputs, strict=True) if not is_zero(output)
+        ]
+        return ["out=empty()", f"pack({','.join(['out', '0', *given])})", "return out"]
+
+    return _source(trace, packed)
+
+
+def _compiled(source: str, packing: dict[str, object]) -> Callable[..., Any]:
+    functions = {"sin": math.sin, "cos": math.cos, "float64": np.dtype(np.float64)}
+    namespace: dict[str, Any] = functions | packing
+    exec(compile(source, "<generated mechanics>", "exec"), namespace)
+    function: Callable[..., Any] = namespace["evaluate"]
+    return function
+
+
+def _source(trace: Trace, returned: Callable[[list[str]], list[str]]) -> str:
+    """Return the source of `evaluate`, one local variable for each shared value."""
     texts: dict[int, str] = {}
     lines = _unpacked_arguments(trace, texts)
     uses = _uses(trace)
@@ -58,11 +79,9 @@ def scalar_source(trace: Trace) -> str:
     outputs = [
         texts[output.index] if isinstance(output, Expression) else repr(output)
         for output in trace.outputs
-        if not is_zero(output)
     ]
     names = ",".join(f"a{number}" for number in range(len(trace.arguments)))
-    lines += ["out=empty()", f"pack({','.join(['out', '0', *outputs])})", "return out"]
-    body = "\n ".join(lines)
+    body = "\n ".join([*lines, *returned(outputs)])
     return f"def evaluate({names}):\n {body}\n"
 
 
