@@ -53,7 +53,9 @@ class Configuration(NamedTuple):
             return [self.common]
         from kindsl.config.patterns import is_match
 
-        particular = [d.decisions for d in self.documents if is_match(self, d.pattern, document)]
+        particular = [
+            d.decisions for d in self.documents if is_match(self.path, d.pattern, document)
+        ]
         return [self.common, *particular]
 
     def settings_for(self, document: str) -> Settings:

@@ -5,13 +5,10 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from kindsl.config.errors import ConfigurationError
+from kindsl.config.file_names import OWN_FILE, PYTHON_FILE
 
 if TYPE_CHECKING:
     from kindsl.config.configuration import Configuration
-
-OWN_FILE = "kindsl.toml"
-PYTHON_FILE = "pyproject.toml"
-PYTHON_TABLE = ("tool", "kindsl")
 
 
 class Configurations:

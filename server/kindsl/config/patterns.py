@@ -5,16 +5,14 @@ from functools import cache
 
 from pathspec import GitIgnoreSpec
 
-from kindsl.config.configuration import Configuration
 
+def is_match(file: str, pattern: str, document: str) -> bool:
+    """Return whether a document is one that a pattern in a configuration file names.
 
-def is_match(configuration: Configuration, pattern: str, document: str) -> bool:
-    """Return whether a document is one that a pattern names.
-
-    A pattern with a slash counts from the configuration's folder; one without matches a name at
+    A pattern with a slash counts from the file's folder; one without matches a name at
     any depth. `**` stands for any folders.
     """
-    folder = os.path.dirname(os.path.abspath(configuration.path))
+    folder = os.path.dirname(os.path.abspath(file))
     path = os.path.relpath(os.path.abspath(document), folder).replace(os.sep, "/")
     return _spec(pattern).match_file(path)
 

@@ -73,7 +73,7 @@ def _left(
         (pattern, keys)
         for pattern, keys in bound
         if not any(
-            keys[-1] in names and (pattern is None or is_match(configuration, pattern, path))
+            keys[-1] in names and (pattern is None or is_match(configuration.path, pattern, path))
             for path, names in found
         )
     ]

@@ -1,16 +1,11 @@
 """One island's text to its tree; any text whatever."""
 
-from collections.abc import Sequence
-
 from kindsl.syntax.builder import build
 from kindsl.syntax.characters import comment_problems
+from kindsl.syntax.meaning import meaning_problems
 from kindsl.syntax.scanner import comments, scan
-from kindsl.syntax.sections import section_problems
-from kindsl.syntax.tree import Island, Node, Problem, Token
-from kindsl.syntax.values import value_problems
+from kindsl.syntax.tree import Island, Node, Token
 from kindsl.syntax.words import BLOCK_STARTS
-
-BLOCKS = frozenset({"base", "link", "joint"})
 
 
 def parse_island(text: str) -> Island:
@@ -40,13 +35,3 @@ def _straight(tokens: list[Token]) -> list[Node] | None:
             return None
         nodes.append(node)
     return nodes
-
-
-def meaning_problems(text: str, nodes: Sequence[Node], touched: frozenset[int]) -> list[Problem]:
-    """Return what is wrong in nodes that have the shape of the grammar."""
-    problems: list[Problem] = []
-    for node in nodes:
-        if node.kind in BLOCKS:
-            problems += section_problems(text, node, touched)
-            problems += value_problems(text, node, touched)
-    return problems

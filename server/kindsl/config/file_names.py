@@ -1,0 +1,6 @@
+"""What configuration files are called."""
+
+OWN_FILE = "kindsl.toml"
+PYTHON_FILE = "pyproject.toml"
+# Where our keys are in the latter.
+PYTHON_TABLE = ("tool", "kindsl")
