@@ -4,13 +4,13 @@ import re
 from collections.abc import Iterable
 from typing import NamedTuple
 
+from kindsl.config.file_names import OWN_FILE
 from kindsl.lsp import uris
 from kindsl.lsp.document import Document, document
 from kindsl.lsp.view import View
 from kindsl.text.edits import TextEdit
 
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
-_FILE = "kindsl.toml"
 
 
 class Binding(NamedTuple):
@@ -46,7 +46,7 @@ def _new_file(view: View, lines: list[str]) -> Binding | None:
     if path is None:
         return None
     around = [folder for folder in view.server.settings.paths() if path.is_relative_to(folder)]
-    file = max(around, key=lambda folder: len(folder.parts), default=path.parent) / _FILE
+    file = max(around, key=lambda folder: len(folder.parts), default=path.parent) / OWN_FILE
     if file.exists():
         return None  # it is there but says something wrong
     empty = document(uris.uri(file), None, "", view.document.encoding)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from lsprotocol import types
 
+from kindsl.config.file_names import OWN_FILE, PYTHON_FILE
 from kindsl.lsp import uris
 from kindsl.lsp.robots import robots_below
 
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
     from kindsl.lsp.settings import EditorSettings
     from kindsl.rules.settings import Settings
 
-CONFIGURATION_FILES = ("kindsl.toml", "pyproject.toml")
+CONFIGURATION_FILES = (OWN_FILE, PYTHON_FILE)
 
 
 class Workspace:
