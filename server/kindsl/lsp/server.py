@@ -29,7 +29,7 @@ from kindsl.lsp.client import Client
 from kindsl.lsp.document import Document
 from kindsl.lsp.documents import Documents
 from kindsl.lsp.previews import Previews
-from kindsl.lsp.protocol import KindslProtocol
+from kindsl.lsp.protocol import Encoded, KindslProtocol
 from kindsl.lsp.publishing import Publisher
 from kindsl.lsp.view import View
 from kindsl.lsp.worker import Worker
@@ -146,7 +146,13 @@ class KindslLanguageServer(LanguageServer):
     async def _read(self, view: View, ask: Callable[[], Any]) -> Any:
         if view.document.lines.length < _LONG:
             return ask()
-        return await self.worker.run(lambda: self.protocol.encoded(ask()))
+        return await self.worker.run(lambda: self._encoded(ask))
+
+    def _encoded(self, ask: Callable[[], Any]) -> Encoded:
+        """Answer in the worker, as long as somebody waits for it."""
+        result = ask()
+        self.worker.checkpoint()
+        return self.protocol.encoded(result)
 
     async def _judge(self, view: View, ask: Callable[[], Any]) -> Any:
         await self.analyses.findings(view.document)
