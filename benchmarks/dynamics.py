@@ -152,7 +152,7 @@ def _single(contest: Contest, rounds: int) -> str:
 def _batch(contest: Contest, rounds: int) -> str:
     size = len(contest.rows[0])
     ours, bare, same = _batch_times(contest, size, rounds)
-    even = [_break_even(contest, per_call) for per_call in (bare, same)]
+    even = [_break_even(contest, theirs) for theirs in (contest.bare, contest.same)]
     return f"{size:7}{ours:8.3f}{bare / ours:10.1f}{same / ours:11.1f}{even[0]:>12}{even[1]:>8}"
 
 
@@ -168,13 +168,21 @@ def _batch_times(contest: Contest, size: int, rounds: int) -> list[float]:
     return [time / size for time in times]
 
 
-def _break_even(contest: Contest, per_call: float) -> str:
+def _break_even(contest: Contest, theirs: Callable[..., object]) -> str:
     for size in EVEN_SIZES:
         if size > len(contest.rows[0]):
             break
         rows = [argument[:size].copy() for argument in contest.rows]
-        (ours,) = _least_times([lambda rows=rows: contest.ours(*rows)], 5)  # type: ignore[misc]
-        if ours <= per_call * size:
+        pinocchio_rows = [argument[:size].copy() for argument in contest.pinocchio_rows]
+
+        def batch(rows: list[Array] = rows) -> object:
+            return contest.ours(*rows)
+
+        def loop(rows: list[Array] = pinocchio_rows) -> object:
+            return [theirs(*row) for row in zip(*rows, strict=True)]
+
+        ours, others = _least_times([batch, loop], 5)
+        if ours <= others:
             return str(size)
     return "none"
 
