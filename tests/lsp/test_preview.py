@@ -8,6 +8,7 @@ import pytest
 from tests.support.lsp import RawClient, ready_client
 
 pytest.importorskip("tornado", reason="the preview needs tornado")
+from tests.preview.hanging_up import hang_up
 from tornado.websocket import WebSocketClientConnection, websocket_connect
 
 ROBOT = """\
@@ -57,7 +58,7 @@ async def test_a_click_shows_the_source(client: RawClient) -> None:
     shown = await asyncio.to_thread(client.notification, "window/showDocument")
     assert shown["uri"] == URI
     assert shown["selection"]["start"]["line"] == 3
-    connection.close()
+    await hang_up(connection)
 
 
 async def test_a_keystroke_is_seen(client: RawClient) -> None:
@@ -70,7 +71,7 @@ async def test_a_keystroke_is_seen(client: RawClient) -> None:
     place = {"start": {"line": 3, "character": 53}, "end": {"line": 3, "character": 54}}
     client.change(URI, 2, {"range": place, "text": "9"})
     assert await received(connection)
-    connection.close()
+    await hang_up(connection)
 
 
 async def test_the_cursor_lights_up_what_it_is_on(client: RawClient) -> None:
@@ -83,4 +84,4 @@ async def test_the_cursor_lights_up_what_it_is_on(client: RawClient) -> None:
     where = {"textDocument": {"uri": URI}, "position": {"line": 2, "character": 6}}
     assert await asyncio.to_thread(client.request, "textDocument/documentHighlight", where)
     assert b"one" in bytes(await received(connection))
-    connection.close()
+    await hang_up(connection)
