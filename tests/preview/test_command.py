@@ -51,11 +51,16 @@ async def line_of(stream):
 async def running(tmp_path, *arguments):
     """Yield the process and its address; it must end well on SIGINT."""
     process = await start(tmp_path, *arguments, "--no-open")
-    yield process, await line_of(process.stdout)
-    process.send_signal(signal.SIGINT)
-    async with asyncio.timeout(PATIENCE):
-        _, err = await process.communicate()
-    assert (process.returncode, err) == (0, b"")
+    try:
+        yield process, await line_of(process.stdout)
+        process.send_signal(signal.SIGINT)
+        async with asyncio.timeout(PATIENCE):
+            _, err = await process.communicate()
+        assert (process.returncode, err) == (0, b"")
+    finally:
+        if process.returncode is None:
+            process.kill()
+            await process.communicate()
 
 
 @asynccontextmanager
