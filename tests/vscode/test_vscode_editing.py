@@ -20,6 +20,7 @@ def test_findings_are_underlined_and_listed(workbench: Workbench) -> None:
 
 
 def test_a_binding_that_nothing_uses_is_underlined(workbench: Workbench) -> None:
+    workbench.open("bound.kindsl", models.ARM)
     path = workbench.open("kindsl.toml", "[parameters]\nfree = 2.0\n")
     expect(workbench.squiggles("warning")).to_have_count(1)
     expect(workbench.problems().filter(has_text="KD404")).to_contain_text("Ln 2")
