@@ -2,12 +2,12 @@
 
 import os
 from enum import Enum
+from typing import NamedTuple
 
 from kindsl.cli.outcome import Failure, LintedFile
 from kindsl.cli.sources import STDIN, NotText, is_decodable, read_text
 from kindsl.rules.analysis import Analysis, analyse
 from kindsl.rules.settings import Settings
-from kindsl.text.named_tuple import NamedTuple
 
 
 class Mending(Enum):

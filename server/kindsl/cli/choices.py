@@ -1,11 +1,10 @@
 """What the command line decides, put over what the configuration does."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from kindsl.config.decisions import Decisions, overridden
 from kindsl.config.discovery import Configurations
 from kindsl.rules.settings import Settings
-from kindsl.text.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from kindsl.config.configuration import Configuration

@@ -8,7 +8,6 @@ _COLOURS = {
     "error": "1;31", "warning": "1;33", "info": "1;34", "hint": "1;36", "note": "1;36",
     "path": "1", "frame": "34", "fix": "32",
 }  # fmt: skip
-_BLANKS = "\t\u00a0\u3000"
 
 
 def wants_colour(stream: TextIO) -> bool:
@@ -28,20 +27,6 @@ def coloured(text: str, kind: str) -> str:
 def plain(text: str, _kind: str) -> str:
     """Return a text as it is."""
     return text
-
-
-def printable(text: str) -> str:
-    """Return a text that moves no cursor, each strange character replaced by one sign.
-
-    Strange are control and format characters but the tab, and undecodable bytes as
-    `surrogateescape` leaves them.
-    """
-    if text.isprintable():
-        return text
-    return "".join(
-        character if character.isprintable() or character in _BLANKS else "\ufffd"
-        for character in text
-    )
 
 
 def write(stream: TextIO, text: str) -> None:

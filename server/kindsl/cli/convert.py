@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 from kindsl.cli.bodies import bodies_of_document, missing_module
-from kindsl.cli.console import printable, write
+from kindsl.cli.console import write
 from kindsl.cli.lint_options import add_parameter_arguments
 from kindsl.cli.linting import as_failures
 from kindsl.cli.outcome import Failure
@@ -16,6 +16,7 @@ from kindsl.cli.reading import CommandError, read_document
 from kindsl.cli.run_choices import choices_of
 from kindsl.cli.sources import STDIN, reason
 from kindsl.config.configuration import ConfigurationError
+from kindsl.text.printable import printable
 
 _DOCUMENT = ".kindsl"
 _URDF = ".urdf"

@@ -2,7 +2,7 @@
 
 import difflib
 
-from kindsl.cli.console import printable
+from kindsl.text.printable import printable
 
 
 def unified_diff(path: str, old: str, new: str) -> str:

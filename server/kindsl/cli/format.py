@@ -2,12 +2,12 @@
 
 import argparse
 import sys
+from typing import NamedTuple
 
-from kindsl.cli.console import printable, write
+from kindsl.cli.console import write
 from kindsl.cli.diffs import unified_diff
 from kindsl.cli.outcome import Failure
 from kindsl.cli.sources import STDIN, is_decodable, read_source
-from kindsl.cli.summary import counted
 from kindsl.cli.walking import documents
 from kindsl.cli.writing import write_text
 from kindsl.formatting.format import FormattingRefusedError, format_document
@@ -15,7 +15,8 @@ from kindsl.rules.syntax_findings import all_problems
 from kindsl.syntax.document import SyntaxDocument, parse
 from kindsl.text.edits import apply_edits
 from kindsl.text.lines import LineIndex
-from kindsl.text.named_tuple import NamedTuple
+from kindsl.text.printable import printable
+from kindsl.text.words import counted
 
 OK = 0
 WOULD_CHANGE = 1

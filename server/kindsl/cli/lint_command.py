@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from kindsl.cli.checking import Mending
-from kindsl.cli.console import printable, write
+from kindsl.cli.console import write
 from kindsl.cli.linting import UNNAMED, Plan, as_failures, lint
 from kindsl.cli.outcome import Failure, Outcome
 from kindsl.cli.output import renderer
@@ -13,6 +13,7 @@ from kindsl.cli.run_choices import choices_of
 from kindsl.cli.sources import STDIN
 from kindsl.config.errors import ConfigurationError
 from kindsl.rules.base import Severity
+from kindsl.text.printable import printable
 
 OK = 0
 FINDINGS = 1

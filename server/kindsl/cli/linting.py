@@ -4,7 +4,7 @@ import gc
 import os
 import sys
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from kindsl.cli.checking import Checked, Mending, Task
 from kindsl.cli.choices import Choices
@@ -13,7 +13,6 @@ from kindsl.cli.parallel import check_all
 from kindsl.cli.sources import STDIN
 from kindsl.cli.walking import documents
 from kindsl.config.errors import ConfigurationError
-from kindsl.text.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from kindsl.config.configuration import Configuration

@@ -2,11 +2,11 @@
 
 from collections.abc import Sequence
 from functools import cached_property
+from typing import NamedTuple
 
 from kindsl.rules.base import Severity
 from kindsl.rules.diagnostics import Diagnostic
 from kindsl.text.lines import LineIndex
-from kindsl.text.named_tuple import NamedTuple
 
 
 class Failure(NamedTuple):

@@ -3,7 +3,7 @@
 import sys
 
 from kindsl.cli.choices import Choices
-from kindsl.cli.console import printable, write
+from kindsl.cli.console import write
 from kindsl.cli.linting import UNNAMED, as_failures
 from kindsl.cli.outcome import Failure
 from kindsl.cli.sources import STDIN, read_source
@@ -12,6 +12,7 @@ from kindsl.rules.analysis import Analysis, analyse
 from kindsl.rules.base import Severity
 from kindsl.semantics.places import Located
 from kindsl.text.lines import LineIndex
+from kindsl.text.printable import printable
 
 _SYNTAX = "KD0"
 

@@ -3,10 +3,10 @@
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from kindsl.cli.summary import counted
 from kindsl.cli.tables import aligned
 from kindsl.rules.base import Severity
 from kindsl.rules.diagnostics import Diagnostic
+from kindsl.text.words import counted
 
 _SUBJECTS = {
     "KD0": "syntax",

@@ -3,9 +3,9 @@
 from collections.abc import Iterator
 from typing import Any
 
-from kindsl.cli.console import printable
 from kindsl.cli.robot_health import health_text
 from kindsl.cli.tables import aligned, number
+from kindsl.text.printable import printable
 
 _UNITS = {"length": "m", "angle": "rad", "dynamics": ""}
 

@@ -3,10 +3,10 @@
 import os
 import stat
 import sys
+from typing import NamedTuple
 
 from kindsl.cli.outcome import Failure
 from kindsl.text.lines import LineIndex
-from kindsl.text.named_tuple import NamedTuple
 
 STDIN = "-"
 BOM = "\ufeff"

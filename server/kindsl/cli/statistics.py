@@ -1,9 +1,10 @@
 """`--statistics`: how often each rule found something."""
 
+from typing import NamedTuple
+
 from kindsl.cli.outcome import Outcome
 from kindsl.rules.base import Severity
 from kindsl.rules.diagnostics import Diagnostic
-from kindsl.text.named_tuple import NamedTuple
 
 
 class RuleCount(NamedTuple):

@@ -2,6 +2,7 @@
 
 from kindsl.cli.outcome import Outcome
 from kindsl.rules.base import Severity
+from kindsl.text.words import counted
 
 
 def summary(outcome: Outcome) -> str:
@@ -30,8 +31,3 @@ def _counts(outcome: Outcome) -> str:
         "remark": n_remarks,
     }
     return ", ".join(counted(number, noun) for noun, number in counts.items() if number)
-
-
-def counted(number: int, noun: str) -> str:
-    """Return a number with its noun, in the plural unless it is one."""
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"

@@ -1,12 +1,12 @@
 """A configuration file that is right."""
 
 from collections.abc import Mapping
+from typing import NamedTuple
 
 from kindsl.config.decisions import Decisions, overridden
 from kindsl.config.errors import ConfigurationError
 from kindsl.config.problems import ConfigurationProblem
 from kindsl.rules.settings import Settings
-from kindsl.text.named_tuple import NamedTuple
 
 __all__ = ["Configuration", "ConfigurationError", "ConfigurationProblem", "DocumentTable"]
 

@@ -1,11 +1,11 @@
 """What one table of a configuration, or a command line, decides."""
 
 from collections.abc import Mapping
+from typing import NamedTuple
 
 from kindsl.rules.base import Severity
 from kindsl.rules.settings import Settings
 from kindsl.semantics.parameters import Binding
-from kindsl.text.named_tuple import NamedTuple
 
 
 class Decisions(NamedTuple):

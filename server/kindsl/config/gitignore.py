@@ -1,9 +1,7 @@
 """What git would ignore, by the `.gitignore` files of a folder and of those above it."""
 
 import os
-from typing import TYPE_CHECKING
-
-from kindsl.text.named_tuple import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
     from pathspec import GitIgnoreSpec

@@ -1,6 +1,6 @@
 """What is wrong in a configuration file, and where."""
 
-from kindsl.text.named_tuple import NamedTuple
+from typing import NamedTuple
 
 
 class Place(NamedTuple):

@@ -6,11 +6,11 @@ from typing import NamedTuple
 from kindsl.features.quantity_text import KILOGRAMS, number
 from kindsl.features.subtree import Subtree, subtree_of
 from kindsl.features.unknown import Unknown
-from kindsl.features.wording import counted
 from kindsl.rules.analysis import Analysis
 from kindsl.semantics.declarations import Joint, Link
 from kindsl.semantics.places import Name
 from kindsl.text.span import Span
+from kindsl.text.words import counted
 
 
 class CodeLens(NamedTuple):

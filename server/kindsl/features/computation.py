@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from io import BytesIO
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -10,7 +10,6 @@ from kindsl.features.motions import Motion
 from kindsl.mechanism.build import Mechanism
 from kindsl.rules.analysis import Analysis
 from kindsl.spatial.arrays import Array
-from kindsl.text.named_tuple import NamedTuple
 
 
 class Request(NamedTuple):

@@ -8,10 +8,11 @@ from kindsl.features.quantity_text import INERTIA, KILOGRAMS, number, vector
 from kindsl.features.rigid_inertia import link_inertia, principal_moments_about_com
 from kindsl.features.subtree import own_mass, subtree_of
 from kindsl.features.unknown import Unknown
-from kindsl.features.wording import counted, listed, pose_text
+from kindsl.features.wording import pose_text
 from kindsl.features.zero_configuration import body_pose
 from kindsl.rules.analysis import Analysis
 from kindsl.semantics.declarations import Link
+from kindsl.text.words import counted, listed
 
 
 def link_hover(analysis: Analysis, body: Link) -> str:

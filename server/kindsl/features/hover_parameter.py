@@ -7,11 +7,11 @@ from kindsl.features.quantity_text import number, quantity
 from kindsl.features.tree_path import path_at
 from kindsl.features.unknown import Unknown, why_unknown
 from kindsl.features.value_place import ValuePlace, value_place
-from kindsl.features.wording import counted, listed
 from kindsl.rules.analysis import Analysis
 from kindsl.semantics.declarations import ValueKind
 from kindsl.semantics.parameters import Parameter
 from kindsl.semantics.places import Name
+from kindsl.text.words import counted, listed
 
 _CLASS = {
     ValueKind.LENGTH: "kinematics parameter, a length",

@@ -6,8 +6,8 @@ from kindsl.features.hover_text import paragraph
 from kindsl.features.quantity_text import KILOGRAMS, number
 from kindsl.features.subtree import subtree_of
 from kindsl.features.unknown import Unknown
-from kindsl.features.wording import counted, listed
 from kindsl.rules.analysis import Analysis
+from kindsl.text.words import counted, listed
 
 
 def robot_hover(analysis: Analysis, name: str) -> str:

@@ -2,9 +2,7 @@
 
 import sys
 from collections.abc import Mapping, Sequence
-from typing import Any
-
-from kindsl.text.named_tuple import NamedTuple
+from typing import Any, NamedTuple
 
 JOINT_KEYS = ("q", "qd", "qdd", "tau")
 BASE_KEY = "base_velocity"

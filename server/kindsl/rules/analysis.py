@@ -119,9 +119,9 @@ class Analysis:
     def _without_silenced(self, found: list[Diagnostic]) -> tuple[Diagnostic, ...]:
         silenced = suppressions(self.syntax.islands, self.syntax.starts, len(self.text))
         if silenced:
-            kept = [d for d in found if not any(s.covers(d) for s in silenced)]
+            kept = [d for d in found if not any(s.covers(d.code, d.start) for s in silenced)]
             enabled = [rule.code for rule in all_rules() if is_enabled(rule, self.settings)]
-            unused = [s for s in silenced if not any(s.covers(d) for d in found)]
+            unused = [s for s in silenced if not any(s.covers(d.code, d.start) for d in found)]
             found = kept
             if UNUSED_SUPPRESSION.code in enabled:
                 found += [

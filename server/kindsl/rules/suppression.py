@@ -8,7 +8,6 @@ import re
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from kindsl.rules.diagnostics import Diagnostic
 from kindsl.semantics.places import Place
 from kindsl.syntax.tree import Island, Node
 
@@ -37,12 +36,12 @@ class Suppression(NamedTuple):
     start: int
     end: int
 
-    def covers(self, diagnostic: Diagnostic) -> bool:
-        """Return whether it silences a finding."""
+    def covers(self, code: str, start: int) -> bool:
+        """Return whether it silences a finding of a code that starts at an absolute offset."""
         return (
-            self.start <= diagnostic.start < max(self.end, self.start + 1)
-            and diagnostic.code.startswith(self.code.upper())
-            and not diagnostic.code.startswith("KD0")
+            self.start <= start < max(self.end, self.start + 1)
+            and code.startswith(self.code.upper())
+            and not code.startswith("KD0")
         )
 
 

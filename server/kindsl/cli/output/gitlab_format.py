@@ -2,10 +2,10 @@
 
 import json
 
-from kindsl.cli.console import printable
 from kindsl.cli.outcome import Outcome
 from kindsl.cli.output.project_paths import fingerprints, project_path
 from kindsl.rules.base import Severity
+from kindsl.text.printable import printable
 
 _SEVERITIES = {
     Severity.ERROR: "critical",

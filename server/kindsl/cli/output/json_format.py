@@ -3,9 +3,9 @@
 import json
 from typing import Any
 
-from kindsl.cli.console import printable
 from kindsl.cli.outcome import LintedFile, Outcome
 from kindsl.rules.diagnostics import Diagnostic, TextFix
+from kindsl.text.printable import printable
 
 
 def render(outcome: Outcome) -> str:
