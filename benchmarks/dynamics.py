@@ -27,14 +27,14 @@ from benchmarks.dynamics_models import arm, chain, quadruped
 from tests.dynamics.pinocchio_model import PinocchioModel
 
 from kindsl.dynamics.bodies import Bodies
-from kindsl.dynamics.mechanics import Mechanics
+from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.spatial.arrays import Array
 
 ROOT = Path(__file__).resolve().parents[1]
 EVEN_SIZES = (1, 10, 20, 40, 60, 80, 100, 150, 200, 300, 500, 1000, 2000, 5000)
 FIRST_ANSWER = """
 from benchmarks.dynamics_models import quadruped
-from kindsl.dynamics.mechanics import Mechanics
+from kindsl.dynamics.evaluation.mechanics import Mechanics
 import numpy as np, time
 bodies = quadruped()
 start = time.perf_counter()

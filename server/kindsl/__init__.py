@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     import os
 
+    from kindsl.analysis.analysis import Analysis
+    from kindsl.analysis.settings import Settings
     from kindsl.mechanism.errors import ModelError, UnboundParameterError
-    from kindsl.rules.analysis import Analysis
-    from kindsl.rules.settings import Settings
 
 __all__ = ["ModelError", "UnboundParameterError", "__version__", "load", "parse"]
 
@@ -45,7 +45,7 @@ def parse(text: str, settings: "Settings | None" = None) -> "Analysis":
         text: The source.
         settings: Rules, targets and bindings; None for the default ones.
     """
-    from kindsl.rules.analysis import analyse
+    from kindsl.analysis.analysis import analyse
 
     return analyse(text) if settings is None else analyse(text, settings)
 
@@ -53,8 +53,8 @@ def parse(text: str, settings: "Settings | None" = None) -> "Analysis":
 def _settings_for(path: "str | os.PathLike[str]") -> "Settings":
     import os
 
+    from kindsl.analysis.settings import Settings
     from kindsl.config.discovery import Configurations
-    from kindsl.rules.settings import Settings
 
     document = os.fspath(path)
     configuration = Configurations().above(document)

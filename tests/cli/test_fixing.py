@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 from tests.cli.conftest import Runner
 from tests.cli.samples import GOOD, INTEGER, arm
 
-from kindsl.cli.fixing import disjoint_fixes, in_line_style, mended
-from kindsl.rules.analysis import analyse
+from kindsl.analysis.analysis import analyse
+from kindsl.analysis.diagnostics import Diagnostic, TextFix
+from kindsl.analysis.fixing import disjoint_fixes, in_line_style, mended
 from kindsl.rules.base import Severity
-from kindsl.rules.diagnostics import Diagnostic, TextFix
 from kindsl.text.edits import TextEdit, apply_edits
 
 FIXED = arm(reach="1.0")
@@ -95,7 +95,7 @@ def test_a_failed_write_leaves_the_old_file(
 
 
 def test_a_file_that_changed_meanwhile_is_not_written(folder: Path) -> None:
-    from kindsl.cli.writing import write_text
+    from kindsl.cli.documents.writing import write_text
 
     (folder / "a.kindsl").write_text("new")
     failure = write_text("a.kindsl", "a.kindsl", "old", "mended")

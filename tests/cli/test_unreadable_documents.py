@@ -18,12 +18,12 @@ from tests.cli.conftest import Runner
 from tests.cli.samples import GOOD, INTEGER
 
 import kindsl
-from kindsl.cli.checking import Mending, Task, check
-from kindsl.cli.sources import is_decodable
-from kindsl.rules import analysis
+from kindsl.analysis import analysis
+from kindsl.analysis.settings import Settings
+from kindsl.cli.documents.sources import is_decodable
+from kindsl.cli.linter.one_document import Mending, Task, check
 from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.registry import all_rules
-from kindsl.rules.settings import Settings
 
 STRANGE = {
     "utf16.kindsl": GOOD.encode("utf-16"),
@@ -192,7 +192,7 @@ def without_privileges() -> Iterator[None]:
 def test_defect_of_a_rule_does_not_stop_the_others(
     kdsl_lint: Runner, folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from kindsl.cli import checking
+    from kindsl.cli.linter import one_document as checking
 
     def broken(text: str, settings: object) -> object:
         if "arm" in text:

@@ -5,9 +5,9 @@ from pathlib import Path
 import pytest
 from tests.cli.samples import GOOD, INTEGER, UNBOUND
 
-from kindsl.cli import watching
-from kindsl.cli.choices import Choices
-from kindsl.cli.linting import Plan
+from kindsl.cli.documents.choices import Choices
+from kindsl.cli.linter import watching
+from kindsl.cli.linter.run import Plan
 from kindsl.cli.outcome import Outcome
 from kindsl.config.discovery import Configurations
 

@@ -1,7 +1,7 @@
 """Decisions put over decisions."""
 
+from kindsl.analysis.settings import Settings
 from kindsl.config.decisions import Decisions, overridden
-from kindsl.rules.settings import Settings
 from kindsl.semantics.parameters import Binding
 
 

@@ -8,7 +8,7 @@ import pytest
 from tests.dynamics.random_bodies import tree_of_seed
 
 from kindsl.dynamics.bodies import Bodies
-from kindsl.dynamics.mechanics import Mechanics
+from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.spatial.arrays import Array
 from kindsl.spatial.inertia import point_inertia
 

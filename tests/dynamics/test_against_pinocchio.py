@@ -11,9 +11,9 @@ import pytest
 from tests.dynamics.pinocchio_model import PinocchioModel
 from tests.dynamics.random_bodies import tree_of_seed
 
-from kindsl.dynamics import readable
 from kindsl.dynamics.bodies import Bodies
-from kindsl.dynamics.mechanics import Mechanics
+from kindsl.dynamics.evaluation import readable_form as readable
+from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.dynamics.quantities import JOINT_VECTORS, Quantity
 
 TREES_PER_BLOCK = 30

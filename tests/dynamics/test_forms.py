@@ -4,17 +4,17 @@ import numpy as np
 import pytest
 from tests.dynamics.random_bodies import random_bodies
 
-from kindsl.dynamics import readable
-from kindsl.dynamics.forms import (
+from kindsl.dynamics.evaluation import generated_form as generated
+from kindsl.dynamics.evaluation import readable_form as readable
+from kindsl.dynamics.evaluation.forms import (
     MOST_LINKS_TO_GENERATE_FOR,
     WORTH_GENERATING,
     WORTH_READABLE,
     Forms,
 )
-from kindsl.dynamics.generation import generated
-from kindsl.dynamics.generation.generated import CHUNK, SMALLEST_BATCH, GeneratedForm
-from kindsl.dynamics.mechanics import Mechanics
-from kindsl.dynamics.path_form import PathForm
+from kindsl.dynamics.evaluation.generated_form import CHUNK, SMALLEST_BATCH, GeneratedForm
+from kindsl.dynamics.evaluation.mechanics import Mechanics
+from kindsl.dynamics.evaluation.path_form import PathForm
 from kindsl.dynamics.quantities import JOINT_VECTORS, STANDARD_GRAVITY, Quantity
 
 # Rounding only; forward dynamics loses the digits of the inertia's condition.

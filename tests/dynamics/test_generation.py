@@ -9,11 +9,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.dynamics.random_bodies import random_bodies, random_inertia, random_rotation
 
-from kindsl.dynamics.generation.batch_code import batch_function, run_in_chunks
+from kindsl.dynamics.generation.emitters.numpy_rows import batch_function, run_in_chunks
+from kindsl.dynamics.generation.emitters.scalar_python import scalar_function, scalar_source
 from kindsl.dynamics.generation.expressions import Expression, Graph, cosine_and_sine
 from kindsl.dynamics.generation.factorization import solve_symmetric
-from kindsl.dynamics.generation.mass_distribution import MassDistribution
-from kindsl.dynamics.generation.scalar_code import scalar_function, scalar_source
+from kindsl.dynamics.generation.mass_moments import MassDistribution
 from kindsl.dynamics.generation.trace import Trace, trace
 from kindsl.dynamics.generation.tree import tree_of
 from kindsl.dynamics.quantities import SingularInertiaError

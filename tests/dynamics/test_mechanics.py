@@ -7,7 +7,7 @@ import pytest
 from tests.dynamics.random_bodies import random_bodies
 
 from kindsl.dynamics.bodies import Frame
-from kindsl.dynamics.mechanics import Mechanics
+from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.dynamics.quantities import SingularInertiaError
 
 FIXED = Mechanics(random_bodies(np.random.default_rng(1), 4, is_floating=False))

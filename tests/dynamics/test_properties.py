@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from tests.dynamics.random_bodies import random_bodies, random_inertia, random_rotation
 
 from kindsl.dynamics.bodies import Bodies
-from kindsl.dynamics.mechanics import Mechanics
+from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.spatial.arrays import Array
 from kindsl.spatial.inertia import move_inertia
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from kindsl.dynamics.mechanics import Mechanics
+from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanism.build import mechanism_of
 from kindsl.semantics.model import Model
 from kindsl.syntax.document import parse

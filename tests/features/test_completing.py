@@ -2,10 +2,10 @@ import pytest
 from tests.features.samples import ARM, PARAMETRIC
 from tests.support.cursor import at_cursor
 
-from kindsl.features.completion import completions, documentation
-from kindsl.features.completion_item import without_placeholders
-from kindsl.rules.analysis import analyse
-from kindsl.rules.settings import Settings
+from kindsl.analysis.analysis import analyse
+from kindsl.analysis.settings import Settings
+from kindsl.features.completion.completion import completions, documentation
+from kindsl.features.completion.item import without_placeholders
 from kindsl.semantics.parameters import Binding
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.text.edits import TextEdit, apply_edits

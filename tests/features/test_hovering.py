@@ -2,8 +2,8 @@ import pytest
 from tests.features.samples import ARM, BROKEN, PARAMETRIC
 from tests.support.cursor import at_cursor
 
-from kindsl.features.hover import hover
-from kindsl.rules.settings import Settings
+from kindsl.analysis.settings import Settings
+from kindsl.features.hover.hover import hover
 from kindsl.semantics.parameters import Binding
 
 

@@ -2,11 +2,11 @@ import pytest
 from tests.features.samples import ARM, PARAMETRIC
 from tests.support.cursor import at_cursor
 
+from kindsl.analysis.settings import Settings
 from kindsl.features.definition import bound_parameter, definitions
 from kindsl.features.highlight import highlights
 from kindsl.features.references import references, uses
 from kindsl.features.symbol_at import Entity, EntityKind, Role, symbol_at
-from kindsl.rules.settings import Settings
 from kindsl.semantics.parameters import Binding
 
 

@@ -2,11 +2,11 @@ import pytest
 from tests.features.samples import ARM, PARAMETRIC
 from tests.support.cursor import at_cursor
 
+from kindsl.analysis.analysis import analyse
+from kindsl.analysis.settings import Settings
 from kindsl.features.code_lenses import code_lenses
 from kindsl.features.inlay_hints import ALL_HINTS, InlayHintOptions, inlay_hints
 from kindsl.features.signature_help import signature_help
-from kindsl.rules.analysis import analyse
-from kindsl.rules.settings import Settings
 from kindsl.semantics.parameters import Binding
 
 

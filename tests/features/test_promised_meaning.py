@@ -11,10 +11,10 @@ from pathlib import Path
 import pytest
 from tests.support.mechanisms import assert_same_mechanism, mechanics_by_name
 
-from kindsl.features.fix_all import fix_all
-from kindsl.rules.analysis import Analysis, analyse
+from kindsl.analysis.analysis import Analysis, analyse
+from kindsl.analysis.settings import Settings
+from kindsl.features.actions.fix_all import fix_all
 from kindsl.rules.base import Severity
-from kindsl.rules.settings import Settings
 from kindsl.text.edits import apply_edits
 
 ROOT = Path(__file__).parents[2]

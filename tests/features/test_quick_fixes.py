@@ -3,10 +3,10 @@ from itertools import pairwise
 from tests.features.samples import ARM
 from tests.support.cursor import at_cursor
 
-from kindsl.features.code_actions import code_actions, fix_all_action, quick_fixes
-from kindsl.features.fix_all import disjoint_fixes, fix_all, line_edits
-from kindsl.rules.analysis import analyse
-from kindsl.rules.settings import Settings
+from kindsl.analysis.analysis import analyse
+from kindsl.analysis.settings import Settings
+from kindsl.features.actions.code_actions import code_actions, fix_all_action, quick_fixes
+from kindsl.features.actions.fix_all import disjoint_fixes, fix_all, line_edits
 from kindsl.semantics.parameters import Binding
 from kindsl.text.edits import TextEdit, apply_edits
 

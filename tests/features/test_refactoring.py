@@ -5,11 +5,11 @@ from tests.features.samples import ARM, PARAMETRIC
 from tests.support.cursor import at_cursor
 from tests.support.mechanisms import assert_same_mechanism, mechanics_by_name
 
-from kindsl.features.code_actions import refactorings
+from kindsl.analysis.analysis import analyse
+from kindsl.analysis.settings import Settings
+from kindsl.features.actions.code_actions import refactorings
 from kindsl.features.rename import rename
 from kindsl.features.symbol_at import named_places
-from kindsl.rules.analysis import analyse
-from kindsl.rules.settings import Settings
 from kindsl.semantics.parameters import Binding
 from kindsl.text.edits import apply_edits
 

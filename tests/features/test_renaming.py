@@ -2,9 +2,9 @@ import pytest
 from tests.features.samples import ARM, PARAMETRIC
 from tests.support.cursor import at_cursor
 
+from kindsl.analysis.settings import Settings
 from kindsl.features.linked_editing import linked_ranges
 from kindsl.features.rename import Refusal, Renaming, rename, rename_range
-from kindsl.rules.settings import Settings
 from kindsl.semantics.parameters import Binding
 from kindsl.text.edits import apply_edits
 

@@ -7,16 +7,17 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.features.samples import ALL
 
+from kindsl.analysis.analysis import analyse
+from kindsl.features.actions.code_actions import code_actions, fix_all_action
 from kindsl.features.call_hierarchy import hierarchy_items, predecessors, successors
-from kindsl.features.code_actions import code_actions, fix_all_action
 from kindsl.features.code_lenses import code_lenses
-from kindsl.features.completion import completions
+from kindsl.features.completion.completion import completions
 from kindsl.features.definition import bound_parameter, definitions
 from kindsl.features.document_links import document_links
 from kindsl.features.document_symbols import document_symbols, flat_symbols
 from kindsl.features.folding import folds
 from kindsl.features.highlight import highlights
-from kindsl.features.hover import hover
+from kindsl.features.hover.hover import hover
 from kindsl.features.inlay_hints import ALL_HINTS, inlay_hints
 from kindsl.features.linked_editing import linked_ranges
 from kindsl.features.references import references
@@ -27,7 +28,6 @@ from kindsl.features.signature_help import signature_help
 from kindsl.features.symbol_at import symbol_at
 from kindsl.features.tree_path import path_at, token_at
 from kindsl.features.workspace_symbols import workspace_symbols
-from kindsl.rules.analysis import analyse
 from kindsl.text.edits import apply_edits
 
 SMALL = (

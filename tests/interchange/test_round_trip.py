@@ -10,11 +10,11 @@ from tests.interchange.configurations import configuration, velocity_order
 from tests.interchange.random_robots import random_robot
 
 import kindsl
-from kindsl.dynamics.mechanics import Mechanics
-from kindsl.interchange.kindsl_text import intrinsic_xyz, kindsl_text
+from kindsl.analysis.settings import Settings
+from kindsl.dynamics.evaluation.mechanics import Mechanics
+from kindsl.interchange.kindsl_writing import intrinsic_xyz, kindsl_text
 from kindsl.interchange.urdf_reading import UrdfError, read_urdf
 from kindsl.interchange.urdf_writing import urdf_text
-from kindsl.rules.settings import Settings
 from kindsl.spatial.arrays import Array
 from kindsl.spatial.transforms import rotation_from_intrinsic_xyz
 

@@ -4,9 +4,9 @@ import asyncio
 import sys
 import time
 
-from kindsl.lsp.progress import Progress
 from kindsl.lsp.run import serve_stdio
 from kindsl.lsp.server import KindslLanguageServer
+from kindsl.lsp.session.progress import Progress
 
 server = KindslLanguageServer()
 ran: list[int] = []

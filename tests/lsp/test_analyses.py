@@ -6,11 +6,11 @@ from collections.abc import Callable, Iterator
 
 import pytest
 
-from kindsl.lsp.analyses import Analyses
-from kindsl.lsp.document import document
-from kindsl.lsp.worker import Urgency, Worker
-from kindsl.lsp.workspace import Workspace
-from kindsl.rules import analysis
+from kindsl.analysis import analysis
+from kindsl.lsp.session.analyses import Analyses
+from kindsl.lsp.session.worker import Urgency, Worker
+from kindsl.lsp.session.workspace import Workspace
+from kindsl.lsp.text.document import document
 from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.registry import all_rules
 

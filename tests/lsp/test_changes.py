@@ -8,8 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from lsprotocol import types
 
-from kindsl.lsp.changes import Change, edits_of, split_lines
-from kindsl.lsp.lines import Lines, PlainPiece
+from kindsl.lsp.text.changes import Change, edits_of, split_lines
+from kindsl.lsp.text.lines import Lines, PlainPiece
 from kindsl.text.edits import apply_edits
 
 steady = settings(deadline=None, derandomize=True)

@@ -4,7 +4,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from lsprotocol import types
 
-from kindsl.lsp.document import document
+from kindsl.lsp.text.document import document
 from kindsl.syntax.document import parse
 
 steady = settings(deadline=None, derandomize=True)

@@ -13,7 +13,7 @@ import pytest_lsp
 from lsprotocol import types
 from pytest_lsp import ClientServerConfig, LanguageClient, client_capabilities
 
-from kindsl.lsp import uris
+from kindsl.lsp.text import uris
 
 ARM = """\
 Robot Arm {

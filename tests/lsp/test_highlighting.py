@@ -6,10 +6,10 @@ from itertools import pairwise
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from kindsl.analysis.analysis import analyse
 from kindsl.features import semantic_tokens
-from kindsl.lsp import highlighting
-from kindsl.lsp.document import document
-from kindsl.rules.analysis import analyse
+from kindsl.lsp.handlers import highlighting
+from kindsl.lsp.text.document import document
 
 steady = settings(deadline=None, derandomize=True)
 

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kindsl.lsp.lines import Lines, PlainPiece
+from kindsl.lsp.text.lines import Lines, PlainPiece
 from kindsl.text.edits import TextEdit, apply_edits
 from kindsl.text.lines import LineIndex
 

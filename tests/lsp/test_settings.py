@@ -4,9 +4,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kindsl.lsp.settings import editor_settings, merged
+from kindsl.analysis.settings import Settings
+from kindsl.lsp.session.settings import editor_settings, merged
 from kindsl.rules.base import Severity
-from kindsl.rules.settings import Settings
 from kindsl.semantics.parameters import Binding
 
 steady = settings(deadline=None, derandomize=True)

@@ -3,7 +3,7 @@
 import subprocess
 import sys
 
-LATER = ("numpy", "lark", "tornado", "meshcat", "kindsl.syntax.tables", "kindsl.rules.analysis")
+LATER = ("numpy", "lark", "tornado", "meshcat", "kindsl.syntax.tables", "kindsl.analysis.analysis")
 
 
 def test_the_language_loads_after_the_answer_to_initialize() -> None:

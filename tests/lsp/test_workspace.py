@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from tests.support.lsp import RawClient, raw_client, ready_client
 
-from kindsl.lsp import uris
+from kindsl.lsp.text import uris
 
 ROBOT = """\
 Robot R {

@@ -6,9 +6,9 @@ from pathlib import Path
 import pytest
 
 import kindsl
+from kindsl.analysis.settings import Settings
 from kindsl.dynamics.bodies import Bodies
 from kindsl.mechanism.difference import Difference, difference
-from kindsl.rules.settings import Settings
 
 ARM = (Path(__file__).parents[2] / "examples" / "industrial_arm.kindsl").read_text()
 

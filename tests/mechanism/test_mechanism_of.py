@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 import kindsl
-from kindsl.dynamics.mechanics import Mechanics
+from kindsl.analysis.settings import Settings
+from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanism.build import drawable_bodies
-from kindsl.rules.settings import Settings
 from kindsl.spatial.inertia import move_inertia
 from kindsl.spatial.transforms import rotation_from_intrinsic_xyz
 

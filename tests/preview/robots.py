@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 from tests.support.models import Style, random_model
 
+from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.dynamics.bodies import Bodies
 from kindsl.mechanism.build import drawable_bodies
-from kindsl.rules.analysis import Analysis, analyse
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples"

@@ -22,13 +22,13 @@ from tests.preview.robots import (
     plain_robot,
 )
 
-from kindsl.dynamics.mechanics import Mechanics
+from kindsl.analysis.analysis import analyse
+from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanism.build import drawable_bodies
-from kindsl.preview.picture import picture
+from kindsl.preview.scene.picture import picture
 from kindsl.preview.server import PreviewServer
-from kindsl.rules.analysis import analyse
 from kindsl.rules.base import Severity
-from kindsl.rules.diagnostics import Diagnostic
 
 LONGER_ARM = ARM.replace("(0.4, 0.0, 0.0)", "(0.6, 0.0, 0.0)")
 

@@ -10,8 +10,8 @@ from tests.preview.page import Page
 from tests.preview.robots import plain_robot
 
 from kindsl.preview.channel import Channel, Tab
-from kindsl.preview.document import DocumentPreview
-from kindsl.preview.wire import key_of, keyed
+from kindsl.preview.document_preview import DocumentPreview
+from kindsl.preview.scene.messages import key_of, keyed
 
 
 class Socket:

@@ -10,12 +10,12 @@ import umsgpack
 from tests.preview.browser import PAINTED, WORLD_POSES, chromium, opened, until, until_shown
 from tests.preview.robots import ARM, bodies_of, plain_robot
 
-from kindsl.dynamics.mechanics import Mechanics
+from kindsl.analysis.analysis import analyse
+from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanism.build import drawable_bodies
-from kindsl.preview.document import DocumentPreview
+from kindsl.preview.document_preview import DocumentPreview
 from kindsl.preview.export import exported_page
-from kindsl.preview.formulas import formula_messages
-from kindsl.rules.analysis import analyse
+from kindsl.preview.scene.formulas import formula_messages
 
 
 def exported(analysis):

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 from tests.preview.robots import ARM, ROOT, bodies_of, plain_robot, require
 
-from kindsl.dynamics.mechanics import Mechanics
+from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanism.build import drawable_bodies
-from kindsl.preview.scene import robot_messages
+from kindsl.preview.scene.robot import robot_messages
 
 SCRIPT = ROOT / "server" / "kindsl" / "preview" / "page" / "kinematics.js"
 DRIVER = """

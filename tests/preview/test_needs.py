@@ -6,7 +6,13 @@ import sys
 
 import pytest
 
-from kindsl.preview.geometry import Form, PreviewUnavailableError, Shape, lowered, viewer_script
+from kindsl.preview.scene.geometry import (
+    Form,
+    PreviewUnavailableError,
+    Shape,
+    lowered,
+    viewer_script,
+)
 
 HEAVY = {"numpy", "tornado", "asyncio", "umsgpack", "meshcat", "IPython", "zmq"}
 
@@ -24,7 +30,7 @@ def test_importing_it_loads_nothing_heavy(module):
 
 def test_the_server_never_imports_meshcat_itself():
     loaded = loaded_by(
-        "from kindsl.preview import PreviewServer; from kindsl.preview.geometry import *;"
+        "from kindsl.preview import PreviewServer; from kindsl.preview.scene.geometry import *;"
         "lowered(Shape(Form.BALL, 0))"
     )
     assert not loaded & {"meshcat", "IPython", "zmq"}

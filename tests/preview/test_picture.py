@@ -3,8 +3,8 @@
 import pytest
 from tests.preview.robots import ARM, BROKEN_ARM, PARAMETRIC_ARM, bodies_of
 
-from kindsl.preview.picture import State, picture
-from kindsl.rules.analysis import analyse
+from kindsl.analysis.analysis import analyse
+from kindsl.preview.scene.picture import State, picture
 
 
 def picture_of(text, given=None, last_good=None):

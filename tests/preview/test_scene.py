@@ -6,12 +6,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.preview.robots import ARM, CORPUS, EXAMPLES, bodies_of, plain_robot
 
+from kindsl.analysis.analysis import analyse
 from kindsl.mechanism.build import drawable_bodies
-from kindsl.preview.picture import picture
-from kindsl.preview.properties import changes
-from kindsl.preview.scene import ghost_messages, robot_messages
-from kindsl.preview.wire import encode
-from kindsl.rules.analysis import analyse
+from kindsl.preview.scene.changes import changes
+from kindsl.preview.scene.messages import encode
+from kindsl.preview.scene.picture import picture
+from kindsl.preview.scene.robot import ghost_messages, robot_messages
 
 CATEGORIES = {
     "base", "body", "axis", "link-frame", "joint-frame", "com", "robot-com", "inertia", "torque",

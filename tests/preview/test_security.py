@@ -11,10 +11,10 @@ from tests.preview.robots import ARM
 from tornado.httpclient import AsyncHTTPClient, HTTPClientError, HTTPRequest
 from tornado.websocket import websocket_connect
 
+from kindsl.analysis.analysis import analyse
 from kindsl.preview.access import Access, new_token
 from kindsl.preview.assets import SCRIPTS, STYLE
 from kindsl.preview.server import PreviewServer
-from kindsl.rules.analysis import analyse
 
 FOREIGN_HOSTS = [
     "evil.example",
@@ -210,7 +210,7 @@ async def test_two_servers_have_two_tokens(server):
 
 
 async def test_a_taken_port_is_told(server):
-    from kindsl.preview.geometry import PreviewUnavailableError
+    from kindsl.preview.scene.geometry import PreviewUnavailableError
 
     with pytest.raises(PreviewUnavailableError, match=r"cannot listen on 127\.0\.0\.1"):
         await PreviewServer(port=server.port).start()

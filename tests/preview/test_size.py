@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from tests.preview.robots import ARM, bodies_of, plain_robot
 
 from kindsl.mechanism.build import drawable_bodies
-from kindsl.preview.size import LARGEST_RADIUS, STEP, extent
+from kindsl.preview.scene.size import LARGEST_RADIUS, STEP, extent
 
 
 @given(links=st.integers(1, 12), seed=st.integers(0, 50))

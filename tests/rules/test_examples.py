@@ -4,12 +4,12 @@ from collections import Counter
 
 import pytest
 
-from kindsl.rules.analysis import Analysis, analyse
+from kindsl.analysis.analysis import Analysis, analyse
+from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.analysis.settings import Settings
 from kindsl.rules.base import Example, Rule
-from kindsl.rules.diagnostics import Diagnostic
 from kindsl.rules.examples import bindings_of, document_of
 from kindsl.rules.registry import all_rules, page_of
-from kindsl.rules.settings import Settings
 from kindsl.text.edits import apply_edits
 
 DEFAULT = ("KD0", "KD1", "KD2", "KD3", "KD4", "KD5", "KD7")

@@ -16,15 +16,15 @@ from tests.support.bodies import (
     significant,
 )
 
-from kindsl.rules.analysis import analyse
-from kindsl.rules.inertia_checks import Verdict, verdict_of
-from kindsl.rules.settings import Settings
-from kindsl.semantics.rigid_body import (
+from kindsl.analysis.analysis import analyse
+from kindsl.analysis.settings import Settings
+from kindsl.rigid.body import (
     MassDistribution,
     eigensystem,
     principal_moments,
     second_moments_about_com,
 )
+from kindsl.rules.inertia.judgements import Verdict, verdict_of
 
 WRITERS = [
     pytest.param(kind(digits), id=f"{kind.__name__}-{digits}")

@@ -16,11 +16,11 @@ from tests.support.bodies import (
     significant,
 )
 
-from kindsl.rules.analysis import analyse
-from kindsl.rules.diagnostics import Diagnostic
-from kindsl.rules.settings import Settings
+from kindsl.analysis.analysis import analyse
+from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.analysis.settings import Settings
+from kindsl.rigid.body import MassDistribution, shifted
 from kindsl.semantics.parameters import Binding
-from kindsl.semantics.rigid_body import MassDistribution, shifted
 from kindsl.text.edits import apply_edits
 
 INERTIA = Settings(select=("KD301", "KD302", "KD306", "KD307", "KD308", "KD311"))

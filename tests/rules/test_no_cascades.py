@@ -8,9 +8,9 @@ import pytest
 from tests.support.models import Style, random_model
 from tests.support.mutants import mutants
 
-from kindsl.rules.analysis import analyse
-from kindsl.rules.diagnostics import Diagnostic
-from kindsl.rules.settings import Settings
+from kindsl.analysis.analysis import analyse
+from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.analysis.settings import Settings
 from kindsl.semantics.parameters import Binding
 from kindsl.syntax.document import parse
 

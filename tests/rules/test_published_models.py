@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from kindsl.rules.analysis import analyse
-from kindsl.rules.diagnostics import Diagnostic
-from kindsl.rules.settings import Settings
+from kindsl.analysis.analysis import analyse
+from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.analysis.settings import Settings
 
 SHARED = Path(__file__).parents[3] / "shared"
 CORPUS = SHARED / "corpus"

@@ -3,10 +3,10 @@ import random
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kindsl.rules.analysis import analyse
+from kindsl.analysis.analysis import analyse
+from kindsl.analysis.settings import Settings
 from kindsl.rules.examples import link, robot
 from kindsl.rules.renumbering import renumbering
-from kindsl.rules.settings import Settings
 from kindsl.text.edits import apply_edits
 
 NUMBERS = Settings(select=("KD101", "KD109", "KD110"))

@@ -1,6 +1,6 @@
 import pytest
 
-from kindsl.rules.twins import mirrored_name, part_name
+from kindsl.rules.inertia.twins import mirrored_name, part_name
 
 
 @pytest.mark.parametrize(

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from kindsl.analysis.analysis import Analysis
 from kindsl.mechanism.build import drawable_bodies
-from kindsl.rules.analysis import Analysis
 
 
 def mechanics_by_name(analysis: Analysis, values: dict[str, float] | None = None):

@@ -9,12 +9,8 @@ import math
 import sys
 from typing import TYPE_CHECKING
 
-from kindsl.cli.configurations import motions_of
 from kindsl.cli.console import write
-from kindsl.cli.lint_options import add_parameter_arguments
-from kindsl.cli.linting import as_failures
-from kindsl.cli.outcome import Failure
-from kindsl.cli.reading import (
+from kindsl.cli.documents.reading import (
     CommandError,
     defect,
     note_errors,
@@ -22,13 +18,17 @@ from kindsl.cli.reading import (
     require_syntax,
     shown_name,
 )
-from kindsl.cli.run_choices import choices_of
+from kindsl.cli.documents.run_choices import choices_of
+from kindsl.cli.linter.run import as_failures
+from kindsl.cli.motion_options import motions_of
+from kindsl.cli.options import add_parameter_arguments
+from kindsl.cli.outcome import Failure
 from kindsl.config.errors import ConfigurationError
-from kindsl.features.motions import Motion, MotionError, Robot
+from kindsl.reports.motions import Motion, MotionError, Robot
 
 if TYPE_CHECKING:
+    from kindsl.analysis.analysis import Analysis
     from kindsl.mechanism.build import Mechanism
-    from kindsl.rules.analysis import Analysis
 
 UNUSABLE = 2
 FORMATS = ("json", "text", "npz")
@@ -109,7 +109,7 @@ def _check_names(path: str, analysis: "Analysis") -> None:
 def _show(
     args: argparse.Namespace, analysis: "Analysis", mechanism: "Mechanism", motions: list[Motion]
 ) -> int:
-    from kindsl.features.computation import Request, compute
+    from kindsl.reports.computation import Request, compute
 
     request = Request(tuple(motions), args.gravity, args.forward)
     try:
@@ -123,7 +123,7 @@ def _show(
 
         text = json.dumps(results.as_json()) + "\n"
     else:
-        from kindsl.cli.computed_text import computed_text
+        from kindsl.reports.computed_text import computed_text
 
         text = computed_text(results)
     if args.output is None:

@@ -7,14 +7,14 @@ import argparse
 import sys
 from pathlib import Path
 
-from kindsl.cli.bodies import bodies_of_document, missing_module
 from kindsl.cli.console import write
-from kindsl.cli.lint_options import add_parameter_arguments
-from kindsl.cli.linting import as_failures
+from kindsl.cli.documents.bodies import bodies_of_document, missing_module
+from kindsl.cli.documents.reading import CommandError, read_document
+from kindsl.cli.documents.run_choices import choices_of
+from kindsl.cli.documents.sources import STDIN, reason
+from kindsl.cli.linter.run import as_failures
+from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import Failure
-from kindsl.cli.reading import CommandError, read_document
-from kindsl.cli.run_choices import choices_of
-from kindsl.cli.sources import STDIN, reason
 from kindsl.config.configuration import ConfigurationError
 from kindsl.text.printable import printable
 
@@ -62,7 +62,7 @@ def _converted(args: argparse.Namespace) -> tuple[str, tuple[str, ...]]:
 
 def _from_urdf(args: argparse.Namespace) -> tuple[str, tuple[str, ...]]:
     try:
-        from kindsl.interchange.kindsl_text import kindsl_text
+        from kindsl.interchange.kindsl_writing import kindsl_text
         from kindsl.interchange.urdf_reading import UrdfError, read_urdf
 
         read = read_urdf(Path(args.input), floating=args.floating_base)

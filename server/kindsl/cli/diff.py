@@ -6,12 +6,12 @@ from collections.abc import Iterator
 from dataclasses import asdict
 from typing import TYPE_CHECKING
 
-from kindsl.cli.bodies import bodies_of_document
 from kindsl.cli.console import write
-from kindsl.cli.lint_options import add_parameter_arguments
-from kindsl.cli.linting import as_failures
-from kindsl.cli.reading import CommandError, read_document, shown_name
-from kindsl.cli.run_choices import choices_of
+from kindsl.cli.documents.bodies import bodies_of_document
+from kindsl.cli.documents.reading import CommandError, read_document, shown_name
+from kindsl.cli.documents.run_choices import choices_of
+from kindsl.cli.linter.run import as_failures
+from kindsl.cli.options import add_parameter_arguments
 from kindsl.config.configuration import ConfigurationError
 
 if TYPE_CHECKING:
@@ -64,14 +64,14 @@ def _rendered(found: "Difference", names: tuple[str, str], output_format: str) -
 
         facts = {"old": names[0], "new": names[1], "changed": not found.is_empty, **asdict(found)}
         return json.dumps(facts, indent=2) + "\n"
-    from kindsl.cli.diff_text import change_rows
+    from kindsl.reports.difference_text import change_rows
 
     rows = list(change_rows(found))
     if output_format == "markdown":
         return "".join(_markdown(rows, names))
     if not rows:
         return "nothing changed mechanically\n"
-    from kindsl.cli.tables import aligned
+    from kindsl.reports.columns import aligned
 
     return aligned([(row.kind, row.name, row.change) for row in rows])
 
@@ -87,4 +87,4 @@ def _markdown(rows: "list[ChangeRow]", names: tuple[str, str]) -> Iterator[str]:
 
 
 if TYPE_CHECKING:
-    from kindsl.cli.diff_text import ChangeRow
+    from kindsl.reports.difference_text import ChangeRow

@@ -4,14 +4,14 @@ import argparse
 import sys
 from typing import NamedTuple
 
+from kindsl.analysis.syntax_findings import all_problems
 from kindsl.cli.console import write
-from kindsl.cli.diffs import unified_diff
+from kindsl.cli.documents.sources import STDIN, is_decodable, read_source
+from kindsl.cli.documents.walking import documents
+from kindsl.cli.documents.writing import write_text
 from kindsl.cli.outcome import Failure
-from kindsl.cli.sources import STDIN, is_decodable, read_source
-from kindsl.cli.walking import documents
-from kindsl.cli.writing import write_text
+from kindsl.cli.output.unified_diff import unified_diff
 from kindsl.formatting.format import FormattingRefusedError, format_document
-from kindsl.rules.syntax_findings import all_problems
 from kindsl.syntax.document import SyntaxDocument, parse
 from kindsl.text.edits import apply_edits
 from kindsl.text.lines import LineIndex

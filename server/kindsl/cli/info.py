@@ -4,12 +4,12 @@ import argparse
 import sys
 
 from kindsl.cli.console import write
-from kindsl.cli.lint_options import add_parameter_arguments
-from kindsl.cli.linting import as_failures
-from kindsl.cli.reading import CommandError, note_errors, read_document, shown_name
-from kindsl.cli.robot_facts import robot_facts
-from kindsl.cli.run_choices import choices_of
+from kindsl.cli.documents.reading import CommandError, note_errors, read_document, shown_name
+from kindsl.cli.documents.run_choices import choices_of
+from kindsl.cli.linter.run import as_failures
+from kindsl.cli.options import add_parameter_arguments
 from kindsl.config.errors import ConfigurationError
+from kindsl.reports.robot_facts import robot_facts
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -37,7 +37,7 @@ def run(args: argparse.Namespace) -> int:
 
         write(sys.stdout, json.dumps({"path": shown_name(args.file), **facts}, indent=2) + "\n")
     else:
-        from kindsl.cli.robot_text import robot_text
+        from kindsl.reports.robot_text import robot_text
 
         write(sys.stdout, robot_text(facts))
     note_errors(args.file, analysis)

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 def add_arguments(parser: "argparse.ArgumentParser") -> None:
     """Declare the options."""
-    from kindsl.cli.lint_options import add_lint_arguments
+    from kindsl.cli.options import add_lint_arguments
 
     add_lint_arguments(parser)
 
@@ -24,7 +24,7 @@ def run(args: "argparse.Namespace | SimpleNamespace") -> int:
         0 without errors (and at most as many warnings as allowed), 1 with findings, 2 for wrong
         usage, a document that cannot be read, or a defect of ours.
     """
-    from kindsl.cli.lint_command import run_lint
+    from kindsl.cli.linter.command import run_lint
 
     return run_lint(args)
 

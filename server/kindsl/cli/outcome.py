@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from functools import cached_property
 from typing import NamedTuple
 
+from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.rules.base import Severity
-from kindsl.rules.diagnostics import Diagnostic
 from kindsl.text.lines import LineIndex
 
 

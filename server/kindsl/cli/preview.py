@@ -5,15 +5,15 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kindsl.cli.lint_options import add_parameter_arguments
+from kindsl.cli.documents.run_choices import choices_of
+from kindsl.cli.documents.sources import read_source
+from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import Failure
-from kindsl.cli.run_choices import choices_of
-from kindsl.cli.sources import read_source
 from kindsl.config.configuration import ConfigurationError
 
 if TYPE_CHECKING:
-    from kindsl.preview.document import DocumentPreview
-    from kindsl.rules.analysis import Analysis
+    from kindsl.analysis.analysis import Analysis
+    from kindsl.preview.document_preview import DocumentPreview
 
 PROBLEM = 2
 
@@ -56,7 +56,7 @@ class UnreadableError(Exception):
 def _run(args: argparse.Namespace) -> int:
     old = _read(args, args.compare) if args.compare else None
     from kindsl.mechanism.errors import ModelError
-    from kindsl.preview.geometry import PreviewUnavailableError
+    from kindsl.preview.scene.geometry import PreviewUnavailableError
 
     try:
         if args.export or args.screenshot:
@@ -71,7 +71,7 @@ def _run(args: argparse.Namespace) -> int:
 
 
 def _read(args: argparse.Namespace, file: str) -> "Analysis":
-    from kindsl.rules.analysis import analyse
+    from kindsl.analysis.analysis import analyse
 
     text = read_source(file, file)
     if isinstance(text, Failure):
@@ -81,7 +81,7 @@ def _read(args: argparse.Namespace, file: str) -> "Analysis":
 
 def _write(args: argparse.Namespace, old: "Analysis | None") -> None:
     from kindsl.preview.export import exported_page
-    from kindsl.preview.formulas import formula_messages
+    from kindsl.preview.scene.formulas import formula_messages
 
     analysis = _read(args, args.file)
     state = _document(args.file, analysis, old).channel.state
@@ -96,7 +96,7 @@ def _write(args: argparse.Namespace, old: "Analysis | None") -> None:
 
 
 def _document(file: str, analysis: "Analysis", old: "Analysis | None") -> "DocumentPreview":
-    from kindsl.preview.document import DocumentPreview
+    from kindsl.preview.document_preview import DocumentPreview
 
     preview = DocumentPreview(file)
     preview.show(analysis, analysis.findings)

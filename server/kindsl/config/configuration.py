@@ -3,10 +3,10 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from kindsl.analysis.settings import Settings
 from kindsl.config.decisions import Decisions, overridden
 from kindsl.config.errors import ConfigurationError
 from kindsl.config.problems import ConfigurationProblem
-from kindsl.rules.settings import Settings
 
 __all__ = ["Configuration", "ConfigurationError", "ConfigurationProblem", "DocumentTable"]
 

@@ -3,8 +3,8 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from kindsl.analysis.settings import Settings
 from kindsl.rules.base import Severity
-from kindsl.rules.settings import Settings
 from kindsl.semantics.parameters import Binding
 
 

@@ -3,14 +3,14 @@
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 
+from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.analysis.settings import Settings, is_enabled, severity_of
 from kindsl.config.configuration import Configuration
 from kindsl.config.patterns import is_match
 from kindsl.config.toml_places import KeyPath
 from kindsl.rules.base import Severity
-from kindsl.rules.diagnostics import Diagnostic
-from kindsl.rules.kd404_unused_binding import RULE
-from kindsl.rules.kd404_unused_binding import unused_bindings as vain_bindings
-from kindsl.rules.settings import Settings, is_enabled, severity_of
+from kindsl.rules.checks.kd404_unused_binding import RULE
+from kindsl.rules.checks.kd404_unused_binding import unused_bindings as vain_bindings
 
 _WORD = re.compile(r"\w+")
 

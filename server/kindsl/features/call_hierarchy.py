@@ -6,8 +6,8 @@ links that it carries, each with the place where `link via joint` is written.
 
 from typing import NamedTuple
 
+from kindsl.analysis.analysis import Analysis
 from kindsl.features.symbol_at import EntityKind, symbol_at
-from kindsl.rules.analysis import Analysis
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.kinematic_tree import Edge
 from kindsl.text.span import Span

@@ -3,10 +3,10 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from kindsl.analysis.analysis import Analysis
 from kindsl.features.quantity_text import KILOGRAMS, number
 from kindsl.features.subtree import Subtree, subtree_of
 from kindsl.features.unknown import Unknown
-from kindsl.rules.analysis import Analysis
 from kindsl.semantics.declarations import Joint, Link
 from kindsl.semantics.places import Name
 from kindsl.text.span import Span

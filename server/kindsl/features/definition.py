@@ -2,9 +2,9 @@
 
 from typing import NamedTuple
 
+from kindsl.analysis.analysis import Analysis
 from kindsl.features.symbol_at import Entity, EntityKind, Role, Symbol, occurrences, symbol_at
 from kindsl.features.tree_path import token_at
-from kindsl.rules.analysis import Analysis
 
 
 class Definition(NamedTuple):

@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from kindsl.rules.analysis import Analysis
+from kindsl.analysis.analysis import Analysis
 
 _ADDRESS = re.compile(r"https?://[^\s<>\"'`]+")
 _PATH = re.compile(r"^\s*path\s*=\s*[\"']([^\"'*?\[\]\r\n]+)[\"']", re.M)

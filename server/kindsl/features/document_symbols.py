@@ -8,7 +8,7 @@ ever lost; a branch that is deeper than clients bear begins anew at the top.
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from kindsl.rules.analysis import Analysis
+from kindsl.analysis.analysis import Analysis
 from kindsl.semantics.declarations import Frame, Joint, Link
 from kindsl.semantics.kinematic_tree import Edge
 from kindsl.semantics.places import Located, Name

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from kindsl.rules.analysis import Analysis
+from kindsl.analysis.analysis import Analysis
 from kindsl.syntax.tree import Island, Node, Token
 
 _BLOCKS = frozenset(

@@ -2,9 +2,9 @@
 
 from typing import NamedTuple
 
+from kindsl.analysis.analysis import Analysis
 from kindsl.features.symbol_at import Role, occurrences, symbol_at
 from kindsl.features.tree_path import TokenAt, token_at
-from kindsl.rules.analysis import Analysis
 from kindsl.syntax.tree import Token
 
 _PAIRS = {"{": "}", "(": ")", "[": "]", "<": ">"}

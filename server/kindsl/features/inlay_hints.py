@@ -3,10 +3,10 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from kindsl.analysis.analysis import Analysis
+from kindsl.features.link_inertia import link_inertia, principal_moments_about_com
 from kindsl.features.quantity_text import INERTIA, angle, number
-from kindsl.features.rigid_inertia import link_inertia, principal_moments_about_com
 from kindsl.features.unknown import Unknown
-from kindsl.rules.analysis import Analysis
 from kindsl.semantics.declarations import (
     Declarations,
     Inertia,

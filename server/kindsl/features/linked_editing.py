@@ -4,8 +4,8 @@ Only the names of links, joints, frames and constants, and only while each is de
 in a parameter must not carry along the others, a new parameter is made that way.
 """
 
+from kindsl.analysis.analysis import Analysis
 from kindsl.features.symbol_at import EntityKind, Role, occurrences, symbol_at
-from kindsl.rules.analysis import Analysis
 from kindsl.text.span import Span
 
 _LINKED = frozenset((EntityKind.LINK, EntityKind.JOINT, EntityKind.FRAME, EntityKind.CONSTANT))

@@ -1,7 +1,7 @@
 """All places of the thing that is named at an offset."""
 
+from kindsl.analysis.analysis import Analysis
 from kindsl.features.symbol_at import Role, Symbol, occurrences, symbol_at
-from kindsl.rules.analysis import Analysis
 
 
 def references(analysis: Analysis, offset: int) -> tuple[Symbol, ...]:

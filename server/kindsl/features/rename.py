@@ -2,6 +2,7 @@
 
 from typing import NamedTuple
 
+from kindsl.analysis.analysis import Analysis
 from kindsl.features.names import objection
 from kindsl.features.symbol_at import (
     Entity,
@@ -11,7 +12,6 @@ from kindsl.features.symbol_at import (
     occurrences,
     symbol_at,
 )
-from kindsl.rules.analysis import Analysis
 from kindsl.text.edits import TextEdit
 from kindsl.text.span import Span
 

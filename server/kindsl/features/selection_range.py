@@ -2,8 +2,8 @@
 
 from collections.abc import Iterator
 
+from kindsl.analysis.analysis import Analysis
 from kindsl.features.tree_path import path_at, tokens_touching
-from kindsl.rules.analysis import Analysis
 from kindsl.syntax.tree import Node, Token
 from kindsl.text.span import Span
 

@@ -2,8 +2,8 @@
 
 from typing import NamedTuple, cast
 
+from kindsl.analysis.analysis import Analysis
 from kindsl.features.symbol_at import EntityKind, Role, Symbol, named_places
-from kindsl.rules.analysis import Analysis
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Island, Token
 

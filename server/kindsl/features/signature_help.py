@@ -2,8 +2,8 @@
 
 from typing import NamedTuple
 
+from kindsl.analysis.analysis import Analysis
 from kindsl.features.tree_path import index_after
-from kindsl.rules.analysis import Analysis
 from kindsl.syntax.tree import Island, Token
 
 _WHAT = {

@@ -3,8 +3,8 @@
 from typing import NamedTuple
 from weakref import WeakKeyDictionary
 
+from kindsl.analysis.analysis import Analysis
 from kindsl.features.unknown import Unknown, why_unknown
-from kindsl.rules.analysis import Analysis
 from kindsl.semantics.declarations import Link
 
 

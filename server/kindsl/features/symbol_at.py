@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from enum import StrEnum
 from typing import NamedTuple, cast
 
-from kindsl.rules.analysis import Analysis
+from kindsl.analysis.analysis import Analysis
 from kindsl.semantics.lowering import NAME
 from kindsl.syntax.tree import Island, Node, Token
 

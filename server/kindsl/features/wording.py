@@ -3,7 +3,7 @@
 from math import degrees
 
 from kindsl.features.quantity_text import vector
-from kindsl.features.rigid_pose import RigidPose
+from kindsl.rigid.pose import RigidPose
 
 
 def pose_text(pose: RigidPose) -> str:

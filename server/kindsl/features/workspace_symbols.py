@@ -3,8 +3,8 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from kindsl.analysis.analysis import Analysis
 from kindsl.features.document_symbols import flat_symbols
-from kindsl.rules.analysis import Analysis
 
 
 class WorkspaceSymbol(NamedTuple):

@@ -5,10 +5,11 @@ Only the joints between a body and the base are evaluated, and each once an anal
 
 from weakref import WeakKeyDictionary
 
-from kindsl.features.rigid_pose import IDENTITY, RigidPose, written_pose
+from kindsl.analysis.analysis import Analysis
 from kindsl.features.unknown import Unknown, pose_expressions, why_unknown
-from kindsl.rules.analysis import Analysis
+from kindsl.rigid.pose import IDENTITY, RigidPose
 from kindsl.semantics.declarations import Frame, Joint, Link
+from kindsl.semantics.numbers import written_pose
 
 _poses: "WeakKeyDictionary[Analysis, dict[Link, RigidPose | Unknown]]" = WeakKeyDictionary()
 

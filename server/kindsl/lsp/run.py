@@ -6,9 +6,10 @@ import logging
 import signal
 import sys
 
-from kindsl.lsp import memory, parent_watch, tasks
 from kindsl.lsp.server import KindslLanguageServer
-from kindsl.lsp.transport import MessageWriter, TransportWriter, open_stdio, read_messages
+from kindsl.lsp.session import memory, tasks
+from kindsl.lsp.wire import parent_watch
+from kindsl.lsp.wire.transport import MessageWriter, TransportWriter, open_stdio, read_messages
 
 logger = logging.getLogger(__name__)
 

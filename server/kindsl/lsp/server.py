@@ -9,7 +9,7 @@ from lsprotocol import types
 from pygls.lsp.server import LanguageServer
 
 import kindsl
-from kindsl.lsp import (
+from kindsl.lsp.handlers import (
     actions,
     commands,
     completing,
@@ -18,25 +18,25 @@ from kindsl.lsp import (
     formatting,
     highlighting,
     lifecycle,
-    memory,
     navigation,
     presentation,
     renaming,
     structure,
 )
-from kindsl.lsp.analyses import Analyses
-from kindsl.lsp.client import Client
-from kindsl.lsp.document import Document
-from kindsl.lsp.documents import Documents
-from kindsl.lsp.previews import Previews
-from kindsl.lsp.protocol import Encoded, KindslProtocol
-from kindsl.lsp.publishing import Publisher
-from kindsl.lsp.view import View
-from kindsl.lsp.worker import Worker
-from kindsl.lsp.workspace import Workspace
+from kindsl.lsp.session import memory
+from kindsl.lsp.session.analyses import Analyses
+from kindsl.lsp.session.previews import Previews
+from kindsl.lsp.session.publishing import Publisher
+from kindsl.lsp.session.view import View
+from kindsl.lsp.session.worker import Worker
+from kindsl.lsp.session.workspace import Workspace
+from kindsl.lsp.text.document import Document
+from kindsl.lsp.text.open_documents import Documents
+from kindsl.lsp.wire.client import Client
+from kindsl.lsp.wire.protocol import Encoded, KindslProtocol
 
 if TYPE_CHECKING:
-    from kindsl.lsp.handlers import Handlers
+    from kindsl.lsp.handlers.table import Handlers
 
 Handler = Callable[[View, Any], Any]
 Look = Callable[[View, Callable[[], Any]], Awaitable[Any]]

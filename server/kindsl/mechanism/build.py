@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from kindsl.dynamics.bodies import Bodies
-from kindsl.dynamics.mechanics import Mechanics
+from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanism.bodies import bodies_of
 from kindsl.mechanism.errors import UnboundParameterError
 from kindsl.mechanism.numbering import numbered_by_id, numbered_by_tree

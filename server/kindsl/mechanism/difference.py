@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from kindsl.dynamics.bodies import Bodies
-from kindsl.dynamics.mechanics import Mechanics
+from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.spatial.arrays import Array
 from kindsl.spatial.inertia import point_inertia
 

@@ -6,15 +6,15 @@ Must not know the protocol of editors.
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from kindsl.preview.geometry import PreviewUnavailableError
     from kindsl.preview.requests import Reveal
+    from kindsl.preview.scene.geometry import PreviewUnavailableError
     from kindsl.preview.server import PreviewServer
 
 __all__ = ["PreviewServer", "PreviewUnavailableError", "Reveal"]
 
 _HOMES = {
     "PreviewServer": "kindsl.preview.server",
-    "PreviewUnavailableError": "kindsl.preview.geometry",
+    "PreviewUnavailableError": "kindsl.preview.scene.geometry",
     "Reveal": "kindsl.preview.requests",
 }
 

@@ -3,8 +3,8 @@
 import asyncio
 from collections.abc import Awaitable, Callable
 
-from kindsl.preview.properties import changes
-from kindsl.preview.wire import Key, Message, Messages, encode, key_of
+from kindsl.preview.scene.changes import changes
+from kindsl.preview.scene.messages import Key, Message, Messages, encode, key_of
 
 
 class Tab:

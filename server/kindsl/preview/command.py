@@ -10,10 +10,10 @@ from collections.abc import Callable
 from contextlib import suppress
 from typing import NamedTuple
 
+from kindsl.analysis.analysis import Analysis
 from kindsl.preview.requests import Reveal
 from kindsl.preview.server import PreviewServer
 from kindsl.preview.watch import Fingerprint, saves
-from kindsl.rules.analysis import Analysis
 from kindsl.text.lines import LineIndex
 from kindsl.text.span import Span
 

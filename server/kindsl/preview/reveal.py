@@ -2,10 +2,10 @@
 
 from collections.abc import Sequence
 
-from kindsl.preview.reports import listed
+from kindsl.analysis.analysis import Analysis
+from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.preview.requests import Reveal
-from kindsl.rules.analysis import Analysis
-from kindsl.rules.diagnostics import Diagnostic
+from kindsl.preview.scene.findings import listed
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Located
 from kindsl.text.span import Span

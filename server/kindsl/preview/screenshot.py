@@ -6,7 +6,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from kindsl.preview.geometry import PreviewUnavailableError
+from kindsl.preview.scene.geometry import PreviewUnavailableError
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
 SIZE = (1200, 800)

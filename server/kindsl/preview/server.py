@@ -9,17 +9,17 @@ from contextlib import suppress
 
 from tornado.httpserver import HTTPServer
 
+from kindsl.analysis.analysis import Analysis
+from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.preview.access import ADDRESS, Access, new_token
 from kindsl.preview.assets import assets
 from kindsl.preview.channel import Tab
-from kindsl.preview.document import DocumentPreview
-from kindsl.preview.geometry import PreviewUnavailableError
+from kindsl.preview.document_preview import DocumentPreview
 from kindsl.preview.handlers import LiveHandler, application
 from kindsl.preview.requests import Hello, Request, Reveal, SetJoint, SetParameter
 from kindsl.preview.reveal import place_of
+from kindsl.preview.scene.geometry import PreviewUnavailableError
 from kindsl.preview.session import Session, last_session, remember
-from kindsl.rules.analysis import Analysis
-from kindsl.rules.diagnostics import Diagnostic
 from kindsl.text.span import Span
 
 GOING_AWAY = 1001

@@ -10,11 +10,11 @@ from collections.abc import Iterable, Sequence
 from typing import TypeVar
 
 from kindsl.rules.broken_text import has_problem_within, is_cut_off
-from kindsl.rules.did_you_mean import did_you_mean
 from kindsl.rules.duplicates import repeated_names
 from kindsl.semantics.declarations import Joint, Link
 from kindsl.semantics.kinematic_tree import Edge
 from kindsl.semantics.model import Model
+from kindsl.text.nearest import did_you_mean
 
 _KEY = "reference defects"
 _MOST_SUGGESTIONS = 20

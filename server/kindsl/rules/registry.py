@@ -1,4 +1,4 @@
-"""All rules, found by walking this package: a file named after a code holds one."""
+"""All rules, found by walking `checks`: a file named after a code holds one."""
 
 import os
 from collections.abc import Iterator
@@ -6,6 +6,7 @@ from functools import cache
 from importlib import import_module
 from types import ModuleType
 
+from kindsl.rules import checks
 from kindsl.rules.base import Rule
 
 
@@ -29,10 +30,10 @@ def page_of(rule: Rule) -> str:
 
 def rule_module(name: str) -> ModuleType:
     """Import a rule's module by its file's stem."""
-    return import_module(f"kindsl.rules.{name}")
+    return import_module(f"kindsl.rules.checks.{name}")
 
 
 def _module_names() -> Iterator[str]:
-    for name in os.listdir(os.path.dirname(__file__)):
+    for name in os.listdir(os.path.dirname(checks.__file__)):
         if name.startswith("kd") and name.endswith(".py"):
             yield name.removesuffix(".py")

@@ -2,10 +2,10 @@
 
 from collections.abc import Iterator
 
+from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.cli.outcome import LintedFile, Outcome
 from kindsl.cli.output.project_paths import project_path
 from kindsl.rules.base import Severity
-from kindsl.rules.diagnostics import Diagnostic
 from kindsl.text.printable import printable
 
 _COMMANDS = {

@@ -3,8 +3,8 @@
 import json
 from typing import Any
 
+from kindsl.analysis.diagnostics import Diagnostic, TextFix
 from kindsl.cli.outcome import LintedFile, Outcome
-from kindsl.rules.diagnostics import Diagnostic, TextFix
 from kindsl.text.printable import printable
 
 

@@ -2,10 +2,10 @@
 
 import xml.etree.ElementTree as ET
 
+from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.cli.outcome import Failure, LintedFile, Outcome
 from kindsl.cli.output.project_paths import project_path
 from kindsl.rules.base import Severity
-from kindsl.rules.diagnostics import Diagnostic
 from kindsl.text.printable import printable
 
 _FAILING = (Severity.ERROR, Severity.WARNING)

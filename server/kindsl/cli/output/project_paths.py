@@ -4,8 +4,8 @@ import os
 from collections.abc import Iterator
 from hashlib import sha256
 
+from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.cli.outcome import LintedFile, Outcome
-from kindsl.rules.diagnostics import Diagnostic
 from kindsl.text.printable import printable
 
 _ROOTS = ("CI_PROJECT_DIR", "GITHUB_WORKSPACE")

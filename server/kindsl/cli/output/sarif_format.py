@@ -6,11 +6,11 @@ from typing import Any
 from urllib.parse import quote
 
 from kindsl import __version__
+from kindsl.analysis.diagnostics import RULE_PAGES, Diagnostic, TextFix
 from kindsl.cli.outcome import Failure, LintedFile, Outcome
 from kindsl.cli.output.project_paths import fingerprints
-from kindsl.cli.rule_pages import summary_of
+from kindsl.cli.output.rule_pages import summary_of
 from kindsl.rules.base import Rule, Severity
-from kindsl.rules.diagnostics import RULE_PAGES, Diagnostic, TextFix
 from kindsl.rules.registry import all_rules, page_of
 from kindsl.text.printable import printable
 

@@ -3,9 +3,9 @@
 import sys
 from collections.abc import Callable, Iterator
 
+from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.cli.console import coloured, plain, wants_colour
 from kindsl.cli.outcome import LintedFile, Outcome
-from kindsl.rules.diagnostics import Diagnostic
 from kindsl.text.printable import printable
 
 _WIDEST_EXCERPT = 120

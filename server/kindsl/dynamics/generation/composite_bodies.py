@@ -1,6 +1,6 @@
 """Composite bodies and the joint-space inertia, for tracing."""
 
-from kindsl.dynamics.generation.mass_distribution import MassDistribution
+from kindsl.dynamics.generation.mass_moments import MassDistribution
 from kindsl.dynamics.generation.tree import Tree, joint_motions
 from kindsl.dynamics.generation.vectors import Matrix, Vector, add, cross
 

@@ -12,7 +12,7 @@ from kindsl.dynamics.generation.composite_bodies import (
 )
 from kindsl.dynamics.generation.expressions import Scalar
 from kindsl.dynamics.generation.factorization import solve_symmetric
-from kindsl.dynamics.generation.mass_distribution import acceleration_field
+from kindsl.dynamics.generation.mass_moments import acceleration_field
 from kindsl.dynamics.generation.tree import Tree, joint_motions
 from kindsl.dynamics.generation.vectors import (
     ZERO,

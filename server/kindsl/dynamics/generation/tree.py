@@ -6,7 +6,7 @@ import numpy as np
 
 from kindsl.dynamics.bodies import Bodies, JointKind
 from kindsl.dynamics.generation.expressions import Scalar, cosine_and_sine
-from kindsl.dynamics.generation.mass_distribution import (
+from kindsl.dynamics.generation.mass_moments import (
     MassDistribution,
     carried_by_predecessor,
     without,

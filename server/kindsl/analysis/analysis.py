@@ -1,0 +1,136 @@
+"""A document with everything that is known of it: syntax, model, findings."""
+
+from collections.abc import Sequence
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from kindsl.analysis.check_run import Checkpoint, CheckRun, Fault, go_on
+from kindsl.analysis.diagnostics import Diagnostic, Resolver
+from kindsl.analysis.settings import Settings, is_enabled, severity_of
+from kindsl.analysis.syntax_findings import syntax_findings
+from kindsl.rules.base import Finding, Rule
+from kindsl.rules.checks.kd704_unused_suppression import RULE as UNUSED_SUPPRESSION
+from kindsl.rules.checks.kd704_unused_suppression import unused_suppressions
+from kindsl.rules.context import Context
+from kindsl.rules.registry import all_rules
+from kindsl.rules.suppression import suppressions
+from kindsl.semantics.model import Model
+from kindsl.syntax.collector import paused_collector
+from kindsl.syntax.document import SyntaxDocument, parse
+from kindsl.text.edits import TextEdit
+
+if TYPE_CHECKING:
+    from kindsl.mechanism.build import Mechanism
+
+_NO_SETTINGS = Settings()
+
+
+class Analysis:
+    """An immutable document; everything else about it is computed when asked for, once.
+
+    Attributes:
+        syntax: Its text and syntax.
+        settings: What the user decided.
+    """
+
+    def __init__(self, syntax: SyntaxDocument, settings: Settings = _NO_SETTINGS) -> None:
+        self.syntax = syntax
+        self.settings = settings
+        self._findings: tuple[Diagnostic, ...] | None = None
+        self._faults: tuple[Fault, ...] = ()
+
+    @property
+    def text(self) -> str:
+        """The source."""
+        return self.syntax.text
+
+    @cached_property
+    def model(self) -> Model:
+        """The robot, as far as the text describes one."""
+        return Model(self.syntax.islands)
+
+    @cached_property
+    def context(self) -> Context:
+        """Targets and values that the rules see."""
+        return Context(self.settings.targets, self.settings.bindings, self.model)
+
+    @cached_property
+    def resolver(self) -> Resolver:
+        """The way from places in islands to absolute offsets."""
+        return Resolver(self.syntax.islands, self.syntax.starts)
+
+    @property
+    def findings(self) -> tuple[Diagnostic, ...]:
+        """What is wrong, in the order of the text, silenced findings left out."""
+        return self.check()
+
+    @property
+    def faults(self) -> tuple[Fault, ...]:
+        """Rules that failed by a defect of ours: what they would have found is missing."""
+        self.check()
+        return self._faults
+
+    def check(self, checkpoint: Checkpoint = go_on) -> tuple[Diagnostic, ...]:
+        """Return the findings; only the first call that ends computes them.
+
+        Args:
+            checkpoint: Called again and again while rules run; what it raises stops them.
+        """
+        if self._findings is None:
+            run = CheckRun(checkpoint)
+            with paused_collector():
+                found = [self._resolve(rule, finding) for rule, finding in self._found(run)]
+            self._findings, self._faults = self._without_silenced(found), tuple(run.faults)
+        return self._findings
+
+    def edited(self, edits: Sequence[TextEdit]) -> "Analysis":
+        """Return the analysis of the edited text; what no edit touches is not computed again."""
+        return Analysis(self.syntax.edited(edits), self.settings)
+
+    def with_settings(self, settings: Settings) -> "Analysis":
+        """Return the analysis of the same text under other decisions."""
+        return Analysis(self.syntax, settings)
+
+    def mechanism(self, parameters: dict[str, float] | None = None) -> "Mechanism":
+        """Return the numbered bodies for mechanics; needs NumPy.
+
+        Args:
+            parameters: Values that win over all other bindings.
+
+        Raises:
+            UnboundParameterError: A parameter has no value.
+            ModelError: The document does not describe a kinematic tree.
+        """
+        from kindsl.mechanism.build import mechanism_of
+
+        return mechanism_of(self.model, {**self.context.values, **(parameters or {})})
+
+    def _resolve(self, rule: Rule, finding: Finding) -> Diagnostic:
+        severity = severity_of(rule, finding.severity, self.settings)
+        return self.resolver.diagnostic(rule, finding, severity)
+
+    def _found(self, run: CheckRun) -> list[tuple[Rule, Finding]]:
+        rules = [rule for rule in all_rules() if is_enabled(rule, self.settings)]
+        found = [*syntax_findings(self.syntax)]
+        found += run.document_findings(rules, self.model, self.context)
+        found += run.island_findings(rules, self.model, self.context)
+        return found
+
+    def _without_silenced(self, found: list[Diagnostic]) -> tuple[Diagnostic, ...]:
+        silenced = suppressions(self.syntax.islands, self.syntax.starts, len(self.text))
+        if silenced:
+            kept = [d for d in found if not any(s.covers(d.code, d.start) for s in silenced)]
+            enabled = [rule.code for rule in all_rules() if is_enabled(rule, self.settings)]
+            unused = [s for s in silenced if not any(s.covers(d.code, d.start) for d in found)]
+            found = kept
+            if UNUSED_SUPPRESSION.code in enabled:
+                found += [
+                    self._resolve(UNUSED_SUPPRESSION, finding)
+                    for finding in unused_suppressions(unused, enabled)
+                ]
+        return tuple(sorted(found, key=lambda d: (d.start, d.end, d.code, d.message)))
+
+
+def analyse(text: str, settings: Settings = _NO_SETTINGS) -> Analysis:
+    """Return the analysis of a text; never raises, whatever the text."""
+    return Analysis(parse(text), settings)

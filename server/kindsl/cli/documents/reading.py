@@ -1,0 +1,86 @@
+"""Reads the one document that a command is about."""
+
+import sys
+
+from kindsl.analysis.analysis import Analysis, analyse
+from kindsl.cli.console import write
+from kindsl.cli.documents.choices import Choices
+from kindsl.cli.documents.sources import STDIN, read_source
+from kindsl.cli.linter.run import UNNAMED, as_failures
+from kindsl.cli.outcome import Failure
+from kindsl.config.errors import ConfigurationError
+from kindsl.rules.base import Severity
+from kindsl.semantics.places import Located
+from kindsl.text.lines import LineIndex
+from kindsl.text.printable import printable
+
+_SYNTAX = "KD0"
+
+
+class CommandError(Exception):
+    """A command cannot do what it is asked for.
+
+    Attributes:
+        failures: What is wrong, with places.
+        status: What to leave with: 1 for a defect of the document, 2 for anything else.
+    """
+
+    def __init__(self, failures: list[Failure], status: int = 2) -> None:
+        super().__init__("\n".join(map(str, failures)))
+        self.failures = failures
+        self.status = status
+
+    def tell(self) -> int:
+        """Write what is wrong on stderr and return the status."""
+        write(sys.stderr, "".join(f"{printable(str(failure))}\n" for failure in self.failures))
+        return self.status
+
+
+def shown_name(path: str) -> str:
+    """Return what to call a document."""
+    return UNNAMED if path == STDIN else path
+
+
+def read_document(path: str, choices: Choices) -> Analysis:
+    """Return the analysis of a file, or of stdin for `-`.
+
+    Raises:
+        CommandError: The file or the configuration cannot be read.
+    """
+    shown = shown_name(path)
+    text = read_source(path, shown)
+    if isinstance(text, Failure):
+        raise CommandError([text])
+    try:
+        return analyse(text, choices.settings_for(shown))
+    except ConfigurationError as error:
+        raise CommandError(as_failures(error)) from None
+
+
+def require_syntax(path: str, analysis: Analysis) -> None:
+    """Raise CommandError if a document has errors of syntax, for what needs all of it."""
+    lines = LineIndex(analysis.text)
+    failures = []
+    for finding in analysis.findings:
+        if finding.code.startswith(_SYNTAX):
+            line, column = lines.position(finding.start)
+            message = f"[{finding.code}] {finding.message}"
+            failures.append(Failure(shown_name(path), message, line + 1, column + 1))
+    if failures:
+        raise CommandError(failures, status=1)
+
+
+def note_errors(path: str, analysis: Analysis) -> None:
+    """Tell on stderr if a document has errors, so that nobody takes its numbers for sound."""
+    n_errors = sum(finding.severity is Severity.ERROR for finding in analysis.findings)
+    if n_errors:
+        told = f"{n_errors} errors" if n_errors > 1 else "an error"
+        write(sys.stderr, f"{shown_name(path)}: note: has {told}, see kindsl lint\n")
+
+
+def defect(path: str, analysis: Analysis, message: str, at: Located | None) -> CommandError:
+    """Return the error for a defect of the document."""
+    if at is None:
+        return CommandError([Failure(shown_name(path), message)], status=1)
+    line, column = LineIndex(analysis.text).position(analysis.resolver.span(at)[0])
+    return CommandError([Failure(shown_name(path), message, line + 1, column + 1)], status=1)

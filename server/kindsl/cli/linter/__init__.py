@@ -1,0 +1,4 @@
+"""Knows one run of `kindsl lint`.
+
+Must not know what rules mean.
+"""

@@ -1,0 +1,154 @@
+"""One run of `kindsl lint`: options in, report and exit status out."""
+
+import sys
+from collections.abc import Sequence
+from typing import Any
+
+from kindsl.cli.console import write
+from kindsl.cli.documents.run_choices import choices_of
+from kindsl.cli.documents.sources import STDIN
+from kindsl.cli.linter.one_document import Mending
+from kindsl.cli.linter.run import UNNAMED, Plan, as_failures, lint
+from kindsl.cli.outcome import Failure, Outcome
+from kindsl.cli.output import renderer
+from kindsl.config.errors import ConfigurationError
+from kindsl.rules.base import Severity
+from kindsl.text.printable import printable
+
+OK = 0
+FINDINGS = 1
+UNUSABLE = 2
+INTERRUPTED = 130
+_COUNTABLE = ("text", "json")
+
+
+def run_lint(args: Any) -> int:
+    """Lint, report.
+
+    Args:
+        args: The options, as attributes.
+
+    Returns:
+        0 without errors (and at most as many warnings as allowed), 1 with findings, 2 for wrong
+        usage, a document that cannot be read, or a defect of ours.
+    """
+    try:
+        if args.list_rules or args.explain is not None:
+            return _tell_about_rules(args)
+        wrong = _wrong_usage(args)
+        if wrong:
+            return _unusable(wrong)
+        plan = _plan(args)
+        if args.watch:
+            from kindsl.cli.linter.watching import watch
+
+            return watch(plan, lambda outcome: _report(outcome, args))
+        outcome = lint(plan)
+        if plan.choices.decisions.bindings and not args.quiet:
+            from kindsl.cli.linter.unused_bindings import unused_on_command_line
+
+            write(sys.stderr, unused_on_command_line(outcome.files, plan.choices))
+        return _report(outcome, args)
+    except ConfigurationError as error:
+        _tell_failures(as_failures(error))
+        return UNUSABLE
+    except KeyboardInterrupt:
+        return INTERRUPTED
+
+
+def exit_status(outcome: Outcome, max_warnings: int | None, is_lenient: bool) -> int:
+    """Return the status to leave with; `is_lenient` forgives findings, not failures."""
+    if outcome.failures:
+        return UNUSABLE
+    has_errors = outcome.count(Severity.ERROR) > 0
+    n_warnings = outcome.count(Severity.WARNING)
+    is_over = max_warnings is not None and n_warnings > max_warnings
+    return FINDINGS if (has_errors or is_over) and not is_lenient else OK
+
+
+def _wrong_usage(args: Any) -> str:
+    if args.statistics and args.output_format not in _COUNTABLE:
+        return f"--statistics is told as text or JSON only, not as {args.output_format}"
+    if args.watch and STDIN in args.paths:
+        return "--watch cannot watch stdin"
+    if args.unsafe_fixes and not (args.fix or args.diff):
+        return "--unsafe-fixes needs --fix or --diff"
+    return ""
+
+
+def _plan(args: Any) -> Plan:
+    mending = Mending.SHOWN if args.diff else Mending.WRITTEN if args.fix else Mending.NONE
+    return Plan(
+        args.paths or ["."],
+        choices_of(args),
+        args.stdin_filename or UNNAMED,
+        mending,
+        args.unsafe_fixes,
+        args.jobs,
+        args.quiet,
+    )
+
+
+def _report(outcome: Outcome, args: Any) -> int:
+    _tell_failures(outcome.failures)
+    if args.diff:
+        return _report_diff(outcome, args)
+    is_mended_stdin = args.fix and STDIN in args.paths
+    if is_mended_stdin:
+        named = args.stdin_filename or UNNAMED
+        write(sys.stdout, "".join(f.text for f in outcome.files if f.path == named))
+    write(sys.stderr if is_mended_stdin else sys.stdout, _rendered(outcome, args))
+    if args.output_format == "text" and not args.quiet:
+        from kindsl.cli.linter.summary import summary
+
+        write(sys.stderr, summary(outcome))
+    return exit_status(outcome, args.max_warnings, args.exit_zero)
+
+
+def _rendered(outcome: Outcome, args: Any) -> str:
+    if args.statistics:
+        from kindsl.cli.linter import statistics
+
+        is_json = args.output_format == "json"
+        return statistics.render_json(outcome) if is_json else statistics.render_text(outcome)
+    return renderer(args.output_format)(outcome)
+
+
+def _report_diff(outcome: Outcome, args: Any) -> int:
+    from kindsl.cli.output.unified_diff import unified_diff
+
+    diffs = [unified_diff(file.path, file.original, file.text) for file in outcome.files]
+    write(sys.stdout, "".join(diffs))
+    if outcome.failures:
+        return UNUSABLE
+    return FINDINGS if any(diffs) and not args.exit_zero else OK
+
+
+def _tell_about_rules(args: Any) -> int:
+    from kindsl.cli.output import rule_pages
+    from kindsl.rules.registry import all_rules, rule_named
+
+    is_json = args.output_format == "json"
+    if args.explain is None:
+        listed = rule_pages.rule_list_as_json() if is_json else rule_pages.rule_list()
+        write(sys.stdout, listed)
+        return OK
+    rule = rule_named(args.explain)
+    if rule is None:
+        from kindsl.config.tables import did_you_mean
+
+        known = [name for rule in all_rules() for name in (rule.code, rule.name)]
+        hint = did_you_mean(args.explain.upper(), known).partition(" (known")[0]
+        return _unusable(f"no rule '{args.explain}'{hint}; --list-rules tells all")
+    page = rule_pages.explained_as_json(rule) if is_json else rule_pages.explained(rule)
+    write(sys.stdout, page)
+    return OK
+
+
+def _tell_failures(failures: Sequence[Failure]) -> None:
+    write(sys.stderr, "".join(f"{printable(str(failure))}\n" for failure in failures))
+
+
+def _unusable(message: str) -> int:
+    write(sys.stderr, f"kdsl-lint: error: {message}\n")
+    return UNUSABLE

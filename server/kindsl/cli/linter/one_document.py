@@ -1,0 +1,96 @@
+"""Lints one document, mending it if that is wanted."""
+
+import os
+from enum import Enum
+from typing import NamedTuple
+
+from kindsl.analysis.analysis import Analysis, analyse
+from kindsl.analysis.settings import Settings
+from kindsl.cli.documents.sources import STDIN, NotText, is_decodable, read_text
+from kindsl.cli.outcome import Failure, LintedFile
+
+
+class Mending(Enum):
+    """What becomes of fixes."""
+
+    NONE = "none"
+    SHOWN = "shown"
+    WRITTEN = "written"
+
+
+class Task(NamedTuple):
+    """One document to lint.
+
+    Attributes:
+        path: The file, or `-` for stdin.
+        shown: What to call it.
+        settings: What is decided for it.
+        mending: What becomes of fixes.
+        with_unsafe: Whether unsafe fixes are wanted too.
+    """
+
+    path: str
+    shown: str
+    settings: Settings
+    mending: Mending = Mending.NONE
+    with_unsafe: bool = False
+
+
+class Checked(NamedTuple):
+    """What became of a task: a linted file, a failure, or both if mending could not be written."""
+
+    file: LintedFile | None
+    failure: Failure | None
+
+
+def check(task: Task) -> Checked:
+    """Lint a document; whatever happens, the others can be linted after it."""
+    text = read_text(task.path, task.shown)
+    if isinstance(text, Failure):
+        return Checked(None, text)
+    if isinstance(text, NotText):
+        from kindsl.cli.linter.no_text import no_document
+
+        return Checked(no_document(task.shown, text), None)
+    try:
+        return _checked(task, text)
+    except Exception as error:
+        return Checked(None, _defect(task, error, f"{type(error).__name__}: {error}"))
+
+
+def _checked(task: Task, text: str) -> Checked:
+    analysis = analyse(text, task.settings)
+    if task.mending is Mending.NONE or not is_decodable(text):
+        return _outcome(task, analysis)
+    from kindsl.analysis.fixing import mended
+    from kindsl.cli.documents.writing import write_text
+
+    better, n_fixed = mended(analysis, task.with_unsafe)
+    if task.mending is Mending.WRITTEN and task.path != STDIN and better.text != text:
+        failure = write_text(task.path, task.shown, text, better.text)
+        if failure is not None:
+            return Checked(_file(task, analysis), failure)
+    return _outcome(task, better, text, n_fixed)
+
+
+def _outcome(
+    task: Task, analysis: Analysis, original: str | None = None, n_fixed: int = 0
+) -> Checked:
+    """Return what was found, and the failure if a rule could not do its part."""
+    file = _file(task, analysis, original, n_fixed)
+    failures = [_defect(task, fault.error, fault.message) for fault in analysis.faults]
+    return Checked(file, failures[0] if failures else None)
+
+
+def _defect(task: Task, error: Exception, what: str) -> Failure:
+    if os.environ.get("KINDSL_TRACEBACK"):
+        raise error
+    return Failure(task.shown, f"a defect of kindsl itself: {what}")
+
+
+def _file(
+    task: Task, analysis: Analysis, original: str | None = None, n_fixed: int = 0
+) -> LintedFile:
+    parameters = frozenset(str(parameter.name) for parameter in analysis.model.parameters)
+    found = analysis.findings
+    return LintedFile(task.shown, analysis.text, found, parameters, original, n_fixed)

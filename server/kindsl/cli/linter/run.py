@@ -1,0 +1,114 @@
+"""A run of the linter: from paths to an outcome."""
+
+import gc
+import os
+import sys
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, NamedTuple
+
+from kindsl.cli.documents.choices import Choices
+from kindsl.cli.documents.sources import STDIN
+from kindsl.cli.documents.walking import documents
+from kindsl.cli.linter.one_document import Checked, Mending, Task
+from kindsl.cli.linter.parallel import check_all
+from kindsl.cli.outcome import Failure, LintedFile, Outcome
+from kindsl.config.errors import ConfigurationError
+
+if TYPE_CHECKING:
+    from kindsl.config.configuration import Configuration
+
+UNNAMED = "<stdin>"
+_FEW = 200
+# The garbage of so many documents fits into memory.
+_FEW_TO_COLLECT = 16
+
+
+class Plan(NamedTuple):
+    """What to lint and how.
+
+    Attributes:
+        paths: Documents, folders, `-`.
+        choices: What is decided about the rules.
+        stdin_name: What to call the document from stdin.
+        mending: What becomes of fixes.
+        with_unsafe: Whether unsafe fixes are wanted too.
+        jobs: How many processes, 0 for as many as pay.
+        is_quiet: Whether to show no progress.
+    """
+
+    paths: list[str]
+    choices: Choices
+    stdin_name: str = UNNAMED
+    mending: Mending = Mending.NONE
+    with_unsafe: bool = False
+    jobs: int = 0
+    is_quiet: bool = False
+
+
+def lint(plan: Plan) -> Outcome:
+    """Lint all documents of a plan, whatever some of them hold."""
+    tasks, failures, configurations = _prepared(plan)
+    if len(tasks) > _FEW_TO_COLLECT:
+        gc.enable()
+    files: list[LintedFile] = []
+    for checked in _with_progress(check_all(tasks, plan.jobs), len(tasks), plan.is_quiet):
+        files += [checked.file] if checked.file is not None else []
+        failures += [checked.failure] if checked.failure is not None else []
+    return Outcome([*files, *_unused(files, configurations, plan)], failures)
+
+
+def _prepared(
+    plan: Plan,
+) -> "tuple[list[Task], list[Failure], dict[str, Configuration]]":
+    """Return what can be linted, why the rest cannot, and configurations by the path shown."""
+    tasks: list[Task] = []
+    failures: list[Failure] = []
+    configurations: dict[str, Configuration] = {}
+    for document in documents(plan.paths):
+        if isinstance(document, Failure):
+            failures.append(document)
+            continue
+        shown = plan.stdin_name if document == STDIN else document
+        try:
+            configuration = plan.choices.configuration_for(shown)
+            settings = plan.choices.settings_for(shown)
+        except ConfigurationError as error:
+            failures += [found for found in as_failures(error) if found not in failures]
+            continue
+        if configuration is not None:
+            configurations[shown] = configuration
+        tasks.append(Task(document, shown, settings, plan.mending, plan.with_unsafe))
+    return tasks, failures, configurations
+
+
+def as_failures(error: ConfigurationError) -> list[Failure]:
+    """Return what is wrong with a configuration file as failures."""
+    return [
+        Failure(problem.path, problem.message, problem.place.line, problem.place.column)
+        for problem in error.problems
+    ]
+
+
+def _unused(
+    files: list[LintedFile], configurations: "dict[str, Configuration]", plan: Plan
+) -> list[LintedFile]:
+    """Return the configuration files with the bindings in them that nothing uses."""
+    if STDIN in plan.paths or not any(
+        configuration.has_bindings for configuration in configurations.values()
+    ):
+        return []
+    from kindsl.cli.linter.unused_bindings import unused_bindings
+
+    return unused_bindings(files, configurations, plan.choices)
+
+
+def _with_progress(found: Iterable[Checked], total: int, is_quiet: bool) -> Iterator[Checked]:
+    if is_quiet or total < _FEW or not sys.stderr.isatty():
+        yield from found
+        return
+    for number, checked in enumerate(found, 1):
+        if number % (_FEW // 10) == 0:
+            print(f"\rlinting {number} of {total}", end="", file=sys.stderr, flush=True)
+        yield checked
+    print("\r" + " " * os.get_terminal_size(sys.stderr.fileno()).columns + "\r", end="",
+          file=sys.stderr, flush=True)  # fmt: skip

@@ -1,0 +1,69 @@
+"""`--watch`: lints again whenever a document or a configuration changes."""
+
+import gc
+import os
+import sys
+import time
+from collections.abc import Callable
+
+from kindsl.cli.documents.walking import documents
+from kindsl.cli.linter.run import Plan, lint
+from kindsl.cli.outcome import Failure, Outcome
+from kindsl.config.discovery import Configurations, nearest_configuration
+
+_PAUSE = 0.3
+_CLEAR = "\x1b[2J\x1b[3J\x1b[H"
+
+Stamp = tuple[int, int, int]
+
+
+def watch(plan: Plan, report: Callable[[Outcome], int]) -> int:
+    """Lint and report until interrupted; return the last report's status."""
+    gc.enable()
+    status = 0
+    seen: dict[str, Stamp | None] = {}
+    is_first = True
+    try:
+        while True:
+            now = stamps(plan)
+            if is_first or now != seen:
+                is_first = False
+                if sys.stdout.isatty():
+                    print(_CLEAR, end="", flush=True)
+                status = report(lint(_afresh(plan)))
+                print("watching for changes, Ctrl-C to stop", file=sys.stderr, flush=True)
+                seen = stamps(plan)
+            time.sleep(_PAUSE)
+    except KeyboardInterrupt:
+        return status
+
+
+def stamps(plan: Plan) -> dict[str, Stamp | None]:
+    """Return for each file that the outcome depends on what changes when the file does."""
+    found: dict[str, Stamp | None] = {}
+    for document in documents(plan.paths):
+        path = document.path if isinstance(document, Failure) else document
+        found[path] = _stamp(path)
+        if plan.choices.configurations is not None:
+            folder = os.path.dirname(os.path.abspath(path))
+            configuration = plan.choices.configurations.fixed or nearest_configuration(folder)
+            if configuration is not None:
+                found[configuration] = _stamp(configuration)
+    return found
+
+
+def _stamp(path: str) -> Stamp | None:
+    try:
+        status = os.stat(path)
+    except OSError:
+        return None
+    return status.st_mtime_ns, status.st_size, status.st_ino
+
+
+def _afresh(plan: Plan) -> Plan:
+    """Return the plan with configuration files to be read again."""
+    known = plan.choices.configurations
+    if known is None:
+        return plan
+    choices = plan.choices._replace(configurations=Configurations(known.fixed))
+    return plan._replace(choices=choices)

@@ -1,0 +1,60 @@
+"""The configurations that `kindsl compute` is asked for, from options or from a JSON file."""
+
+import argparse
+import json
+import sys
+
+from kindsl.reports.motions import KEYS, Motion, MotionError, Robot, motion, motions_from
+
+STDIN = "-"
+
+
+def motions_of(args: argparse.Namespace, robot: Robot) -> list[Motion]:
+    """Return the configurations that the options ask for.
+
+    Raises:
+        MotionError: One does not fit the robot, or the file cannot be read.
+    """
+    options = {key: f"--{key.replace('_', '-')}" for key in KEYS}
+    given = {key: getattr(args, key) for key in KEYS if getattr(args, key) is not None}
+    if args.tau is not None and not args.forward:
+        raise MotionError("--tau needs --forward")
+    if args.forward and args.qdd is not None:
+        raise MotionError("--qdd is what --forward computes")
+    if args.q_file is None:
+        values = {key: _listed(options[key], text) for key, text in given.items()}
+        return [motion(values, robot, options)]
+    if given:
+        raise MotionError(f"{options[next(iter(given))]} and --q-file exclude each other")
+    return motions_from(_content_of(args.q_file), robot, args.q_file)
+
+
+def _content_of(path: str) -> object:
+    try:
+        if path == STDIN:
+            return json.load(sys.stdin)
+        with open(path, encoding="utf-8-sig") as file:
+            return json.load(file)
+    except OSError as error:
+        raise MotionError(f"{path}: cannot be read: {error.strerror}") from None
+    except json.JSONDecodeError as error:
+        place = f"{path}:{error.lineno}:{error.colno}"
+        raise MotionError(f"{place}: not valid JSON: {error.msg}") from None
+    except (UnicodeDecodeError, RecursionError):
+        raise MotionError(f"{path}: is not JSON in UTF-8") from None
+
+
+def _listed(name: str, text: str) -> list[float] | dict[str, float]:
+    """Return `1,2` as a list and `a=1,b=2` as a dictionary."""
+    parts = [part.strip() for part in text.strip("[]() ").split(",") if part.strip()]
+    if any("=" in part for part in parts):
+        pairs = [part.partition("=") for part in parts]
+        return {key.strip(): _number(name, value) for key, _, value in pairs}
+    return [_number(name, part) for part in parts]
+
+
+def _number(name: str, text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise MotionError(f"{name} holds '{text}', which is not a number") from None

@@ -1,0 +1,72 @@
+"""Chooses the form that answers soonest."""
+
+import math
+from functools import partial
+
+from kindsl.dynamics.bodies import Bodies
+from kindsl.dynamics.evaluation import readable_form as readable
+from kindsl.dynamics.evaluation.chunks import BatchEvaluator
+from kindsl.dynamics.evaluation.generated_form import GeneratedForm
+from kindsl.dynamics.evaluation.path_form import PathForm
+from kindsl.dynamics.quantities import Quantity
+from kindsl.spatial.arrays import Array
+
+# More links take longer to generate code for than anyone wants to wait.
+MOST_LINKS_TO_GENERATE_FOR = 30
+# Of longer chains, these quantities' code grows with the number of links only, and so many
+# configurations take longer in any other form than code takes to generate.
+LINEAR: frozenset[Quantity] = frozenset(
+    {"poses", "inverse_dynamics", "gravity_torque", "bias_torque"}
+)
+WORTH_GENERATING = 3000
+# The readable form's time for one configuration is that of so many in the path form.
+WORTH_READABLE = 50
+
+
+class Forms:
+    """All forms of one mechanism.
+
+    Attributes:
+        generated: The form whose ready functions may be called directly.
+    """
+
+    __slots__ = ("_path", "_readable", "generated")
+
+    def __init__(self, bodies: Bodies) -> None:
+        self.generated = GeneratedForm(bodies)
+        self._readable = partial(readable.evaluate, bodies)
+        self._path: PathForm | None = None
+
+    def evaluate(
+        self,
+        quantity: Quantity,
+        batch_shape: tuple[int, ...],
+        joint_vectors: list[Array],
+        base_velocity: Array,
+        gravity: Array,
+    ) -> Array:
+        """Return a quantity's entries in one row per configuration, shape (..., entries).
+
+        Args:
+            quantity: What to compute.
+            batch_shape: What the leading dimensions of all that follows broadcast to.
+            joint_vectors: As `quantities.JOINT_VECTORS` lists them, shape (..., n).
+            base_velocity: Shape (..., 6), zero for a fixed base.
+            gravity: Shape (..., 3).
+
+        Raises:
+            SingularInertiaError, ZeroDivisionError, numpy.linalg.LinAlgError: If nothing resists a
+                motion; or the result holds values that are not finite.
+        """
+        chosen = self._chosen(quantity, math.prod(batch_shape))
+        return chosen(quantity, batch_shape, joint_vectors, base_velocity, gravity)
+
+    def _chosen(self, quantity: Quantity, size: int) -> BatchEvaluator:
+        is_short = self.generated.bodies.n_links <= MOST_LINKS_TO_GENERATE_FOR
+        if is_short or (quantity in LINEAR and size >= WORTH_GENERATING):
+            return self.generated.evaluate
+        if size >= WORTH_READABLE and quantity != "joint_space_inertia":
+            return self._readable
+        if self._path is None:
+            self._path = PathForm(self.generated.bodies)
+        return self._path.evaluate

@@ -1,0 +1,298 @@
+"""The one interface to all quantities of a mechanism."""
+
+from collections.abc import Iterable
+
+import numpy as np
+import numpy.typing as npt
+
+from kindsl.dynamics import center_of_mass as masses
+from kindsl.dynamics import energy
+from kindsl.dynamics.bodies import Bodies
+from kindsl.dynamics.evaluation.arguments import common_batch_shape, unknown_name, vectors
+from kindsl.dynamics.evaluation.forms import Forms
+from kindsl.dynamics.evaluation.free_motion import FreeMotion, FreeMotionTorque
+from kindsl.dynamics.evaluation.results import Poses
+from kindsl.dynamics.forward_kinematics import joint_poses
+from kindsl.dynamics.jacobian import jacobian
+from kindsl.dynamics.quantities import (
+    JOINT_VECTORS,
+    STANDARD_GRAVITY,
+    Quantity,
+    SingularInertiaError,
+)
+from kindsl.spatial.arrays import Array
+from kindsl.spatial.transforms import homogeneous
+
+AT_REST = np.zeros(6)
+GRAVITY = np.array(STANDARD_GRAVITY)
+# Quantities that divide by inertia.
+ACCELERATING = ("inverse_dynamics", "forward_dynamics")
+# What ready code raises if it is not there yet, or for arguments that need a closer look.
+NOT_READY = (
+    AttributeError,
+    KeyError,
+    OverflowError,
+    TypeError,
+    ValueError,
+    ZeroDivisionError,
+)
+
+
+class Mechanics:
+    """Kinematics and dynamics of a tree of bodies.
+
+    Leading dimensions of all arguments are batches and broadcast. What concerns joints is in the
+    order of the links. All vectors are in base coordinates, and gravity is to be given so too. A
+    floating base adds six rows before the joints', angular then linear. Results of large batches
+    are views whose memory runs along the batch.
+
+    All methods raise ValueError for arguments of a wrong shape or with values that are not finite.
+    """
+
+    __slots__ = ("_forms", "_generated", "_pose_indices", "bodies")
+
+    def __init__(self, bodies: Bodies) -> None:
+        self.bodies = bodies
+        self._forms = Forms(bodies)
+        self._generated = self._forms.generated
+        names = (*bodies.link_names, *(frame.name for frame in bodies.frames))
+        self._pose_indices = {name: index for index, name in enumerate(names)}
+
+    def forward_kinematics(self, q: npt.ArrayLike) -> Poses:
+        """Return `base_T_x` (..., 4, 4) of each link and frame x by name, links first."""
+        try:
+            return Poses(self._pose_indices, self._generated.pose_entries(q))  # type: ignore[misc]
+        except NOT_READY:
+            entries = self._evaluate("poses", (q,))
+        return Poses(self._pose_indices, self._pose_by_pose(entries))
+
+    def joint_poses(self, q: npt.ArrayLike) -> dict[str, Array]:
+        """Return `base_T_j` (..., 4, 4) of each joint frame j by the joint's name.
+
+        The joint turns about, or slides along, the z axis.
+        """
+        poses = joint_poses(self.bodies, self._body_poses(q))
+        return dict(zip(self.bodies.joint_names, poses, strict=True))
+
+    def jacobian(self, q: npt.ArrayLike, name: str) -> Array:
+        """Return the geometric Jacobian (..., 6, nv) of a link or frame.
+
+        It gives the velocity relative to the world in that frame's orientation, at its origin.
+
+        Raises:
+            ValueError: If there is no such link or frame.
+        """
+        body = self._body_of(name)
+        poses = self._body_poses(q)
+        base_T_frame = poses[body]
+        for frame in self.bodies.frames:
+            if frame.name == name:
+                body_T_frame = homogeneous(frame.body_R_frame, frame.body_r_frame)
+                base_T_frame = poses[body] @ body_T_frame
+        return jacobian(self.bodies, poses, body, base_T_frame)
+
+    def center_of_mass(self, q: npt.ArrayLike) -> Array:
+        """Return the centre of mass of all bodies, base included, shape (..., 3), metres.
+
+        Raises:
+            ValueError: If the total mass is zero.
+        """
+        self._check_mass()
+        return masses.center_of_mass(self.bodies, self._body_poses(q))
+
+    def center_of_mass_jacobian(self, q: npt.ArrayLike) -> Array:
+        """Return the Jacobian (..., 3, nv) of the centre of mass.
+
+        Raises:
+            ValueError: If the total mass is zero.
+        """
+        self._check_mass()
+        return masses.center_of_mass_jacobian(self.bodies, self._body_poses(q))
+
+    def total_mass(self) -> float:
+        """Return the mass of all bodies, base included, kg."""
+        return float(np.sum(self.bodies.masses))
+
+    def subtree_masses(self) -> dict[str, float]:
+        """Return each body's mass with all that it carries by the body's name, kg, base first."""
+        names = (self.bodies.base_name, *self.bodies.link_names)
+        return dict(zip(names, masses.subtree_masses(self.bodies).tolist(), strict=True))
+
+    def joint_space_inertia(self, q: npt.ArrayLike) -> Array:
+        """Return the joint-space inertia (..., nv, nv)."""
+        entries = self._evaluate("joint_space_inertia", (q,))
+        nv = self.bodies.n_velocities
+        return entries.reshape((*entries.shape[:-1], nv, nv))
+
+    def inverse_dynamics(
+        self,
+        q: npt.ArrayLike,
+        qd: npt.ArrayLike,
+        qdd: npt.ArrayLike,
+        base_velocity: npt.ArrayLike | None = None,
+        gravity: npt.ArrayLike = STANDARD_GRAVITY,
+    ) -> Array | FreeMotionTorque:
+        """Return the joint forces that a motion takes.
+
+        Args:
+            q: Joint positions, shape (..., n), radians and metres.
+            qd: Joint velocities, shape (..., n).
+            qdd: Joint accelerations, shape (..., n).
+            base_velocity: Of a floating base, shape (..., 6); None is rest.
+            gravity: Shape (..., 3), m/s^2.
+
+        Returns:
+            With a fixed base `tau` (..., n), N m and N; with a floating base always
+            `(tau, base_acceleration)`, at which no wrench acts on the base.
+
+        Raises:
+            SingularInertiaError: If nothing resists a floating base's motion.
+        """
+        entries = self._evaluate("inverse_dynamics", (q, qd, qdd), base_velocity, gravity)
+        if not self.bodies.is_floating:
+            return entries
+        return FreeMotionTorque(entries[..., :-6], entries[..., -6:])
+
+    def forward_dynamics(
+        self,
+        q: npt.ArrayLike,
+        qd: npt.ArrayLike,
+        tau: npt.ArrayLike,
+        base_velocity: npt.ArrayLike | None = None,
+        gravity: npt.ArrayLike = STANDARD_GRAVITY,
+    ) -> Array | FreeMotion:
+        """Return the accelerations under joint forces.
+
+        Args:
+            q: Joint positions, shape (..., n), radians and metres.
+            qd: Joint velocities, shape (..., n).
+            tau: Joint forces, shape (..., n), N m and N.
+            base_velocity: Of a floating base, shape (..., 6); None is rest.
+            gravity: Shape (..., 3), m/s^2.
+
+        Returns:
+            With a fixed base `qdd` (..., n); with a floating base always
+            `(qdd, base_acceleration)`, at which no wrench acts on the base.
+
+        Raises:
+            SingularInertiaError: If nothing resists a motion.
+        """
+        entries = self._evaluate("forward_dynamics", (q, qd, tau), base_velocity, gravity)
+        if not self.bodies.is_floating:
+            return entries
+        return FreeMotion(entries[..., :-6], entries[..., -6:])
+
+    def gravity_torque(self, q: npt.ArrayLike, gravity: npt.ArrayLike = STANDARD_GRAVITY) -> Array:
+        """Return the forces (..., nv) that hold the mechanism at rest."""
+        return self._evaluate("gravity_torque", (q,), None, gravity)
+
+    def bias_torque(
+        self,
+        q: npt.ArrayLike,
+        qd: npt.ArrayLike,
+        base_velocity: npt.ArrayLike | None = None,
+        gravity: npt.ArrayLike = STANDARD_GRAVITY,
+    ) -> Array:
+        """Return the forces (..., nv) at zero acceleration, gravity's included."""
+        return self._evaluate("bias_torque", (q, qd), base_velocity, gravity)
+
+    def kinetic_energy(
+        self, q: npt.ArrayLike, qd: npt.ArrayLike, base_velocity: npt.ArrayLike | None = None
+    ) -> Array:
+        """Return the kinetic energy (...), joule."""
+        n = self.bodies.n_links
+        arrays = {"q": vectors("q", q, n), "qd": vectors("qd", qd, n)}
+        conditions = self._checked_conditions(base_velocity, STANDARD_GRAVITY)
+        common_batch_shape(arrays | conditions)
+        v_base = conditions.get("base_velocity", AT_REST)
+        return energy.kinetic_energy(self.bodies, arrays["q"], arrays["qd"], v_base)
+
+    def potential_energy(
+        self, q: npt.ArrayLike, gravity: npt.ArrayLike = STANDARD_GRAVITY
+    ) -> Array:
+        """Return the potential energy (...), joule, zero for all mass at the base's origin."""
+        arrays = {
+            "q": vectors("q", q, self.bodies.n_links),
+            "gravity": vectors("gravity", gravity, 3),
+        }
+        common_batch_shape(arrays)
+        return energy.potential_energy(self.bodies, self._body_poses(q), arrays["gravity"])
+
+    def _evaluate(
+        self,
+        quantity: Quantity,
+        joint_vectors: tuple[npt.ArrayLike, ...],
+        base_velocity: npt.ArrayLike | None = None,
+        gravity: npt.ArrayLike = STANDARD_GRAVITY,
+    ) -> Array:
+        if base_velocity is None and gravity is STANDARD_GRAVITY:
+            # A single answer if code is ready and nothing is wrong, without a slow check.
+            try:
+                return self._generated.at_rest[quantity](*joint_vectors)
+            except NOT_READY:
+                pass
+        arrays = {
+            name: vectors(name, values, self.bodies.n_links)
+            for name, values in zip(JOINT_VECTORS[quantity], joint_vectors, strict=True)
+        }
+        conditions = self._checked_conditions(base_velocity, gravity)
+        entries = self._computed(quantity, arrays, conditions)
+        if quantity in ACCELERATING and not np.isfinite(entries).all():
+            raise SingularInertiaError
+        return entries
+
+    def _computed(
+        self, quantity: Quantity, arrays: dict[str, Array], conditions: dict[str, Array]
+    ) -> Array:
+        batch_shape = common_batch_shape(arrays | conditions)
+        base_velocity = conditions.get("base_velocity", AT_REST)
+        gravity = conditions.get("gravity", GRAVITY)
+        try:
+            with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+                return self._forms.evaluate(
+                    quantity, batch_shape, list(arrays.values()), base_velocity, gravity
+                )
+        except (ZeroDivisionError, np.linalg.LinAlgError):
+            raise SingularInertiaError from None
+        except OverflowError:
+            raise ValueError(f"{_listed(arrays)}: the values are too large") from None
+
+    def _checked_conditions(
+        self, base_velocity: npt.ArrayLike | None, gravity: npt.ArrayLike
+    ) -> dict[str, Array]:
+        """Return what is not standard of the base's velocity and gravity."""
+        conditions = {}
+        if base_velocity is not None:
+            if not self.bodies.is_floating:
+                raise ValueError("'base_velocity' is given, but the base is fixed")
+            conditions["base_velocity"] = vectors("base_velocity", base_velocity, 6)
+        if gravity is not STANDARD_GRAVITY:
+            conditions["gravity"] = vectors("gravity", gravity, 3)
+        return conditions
+
+    def _body_poses(self, q: npt.ArrayLike) -> list[Array]:
+        poses = self._pose_by_pose(self._evaluate("poses", (q,)))
+        base = np.broadcast_to(np.eye(4), poses.shape[1:])
+        return [base, *poses[: self.bodies.n_links]]
+
+    def _pose_by_pose(self, entries: Array) -> Array:
+        """Return rows of entries, one per configuration, as (poses, ..., 4, 4)."""
+        n = entries.ndim - 1
+        poses = entries.reshape((*entries.shape[:-1], entries.shape[-1] // 16, 4, 4))
+        return poses.transpose((n, *range(n), n + 1, n + 2))
+
+    def _body_of(self, name: str) -> int:
+        bodies = {frame.name: frame.body for frame in self.bodies.frames}
+        names = (self.bodies.base_name, *self.bodies.link_names)
+        bodies.update((link, index) for index, link in enumerate(names))
+        if name not in bodies:
+            raise unknown_name("link or frame", name, bodies)
+        return bodies[name]
+
+    def _check_mass(self) -> None:
+        if self.total_mass() == 0.0:
+            raise ValueError("the centre of mass is not defined: the total mass is zero")
+
+
+def _listed(names: Iterable[str]) -> str:
+    return ", ".join(f"'{name}'" for name in names)

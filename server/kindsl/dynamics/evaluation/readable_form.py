@@ -1,0 +1,79 @@
+"""Evaluates quantities by the readable algorithms."""
+
+from functools import partial
+
+import numpy as np
+
+from kindsl.dynamics.bias_torque import bias_torque
+from kindsl.dynamics.bodies import Bodies
+from kindsl.dynamics.evaluation.chunks import evaluate_in_chunks
+from kindsl.dynamics.forward_dynamics import forward_dynamics
+from kindsl.dynamics.forward_kinematics import body_poses, frame_poses
+from kindsl.dynamics.gravity_torque import gravity_torque
+from kindsl.dynamics.inverse_dynamics import floating_base_inverse_dynamics, inverse_dynamics
+from kindsl.dynamics.joint_space_inertia import joint_space_inertia
+from kindsl.dynamics.quantities import Quantity
+from kindsl.spatial.arrays import Array
+
+# The working set is some dozens of 6x6 matrices per body and configuration.
+BODIES_AT_A_TIME = 20_000
+
+
+def evaluate(
+    bodies: Bodies,
+    quantity: Quantity,
+    batch_shape: tuple[int, ...],
+    joint_vectors: list[Array],
+    base_velocity: Array,
+    gravity: Array,
+) -> Array:
+    """Return a quantity's entries in one row per configuration, shape (..., entries).
+
+    Args:
+        bodies: The mechanism.
+        quantity: What to compute.
+        batch_shape: What the leading dimensions of all that follows broadcast to.
+        joint_vectors: As `quantities.JOINT_VECTORS` lists them, shape (..., n).
+        base_velocity: Shape (..., 6), zero for a fixed base.
+        gravity: Shape (..., 3).
+
+    Raises:
+        numpy.linalg.LinAlgError: If a floating base's inertia is singular.
+    """
+    return evaluate_in_chunks(
+        partial(_entries, bodies),
+        max(1, BODIES_AT_A_TIME // bodies.n_links),
+        quantity,
+        batch_shape,
+        joint_vectors,
+        base_velocity,
+        gravity,
+    )
+
+
+def _entries(
+    bodies: Bodies,
+    quantity: Quantity,
+    joint_vectors: list[Array],
+    base_velocity: Array,
+    gravity: Array,
+) -> Array:
+    q = joint_vectors[0]
+    if quantity == "poses":
+        poses = body_poses(bodies, q)
+        named = [*poses[1:], *frame_poses(bodies, poses)]
+        return np.stack(named, axis=-3).reshape((len(q), 16 * len(named)))
+    if quantity == "joint_space_inertia":
+        return joint_space_inertia(bodies, q).reshape((len(q), bodies.n_velocities**2))
+    if quantity == "gravity_torque":
+        return gravity_torque(bodies, q, gravity)
+    if quantity == "bias_torque":
+        return bias_torque(bodies, q, joint_vectors[1], base_velocity, gravity)
+    _, qd, qdd_or_tau = joint_vectors
+    if quantity == "inverse_dynamics" and not bodies.is_floating:
+        return inverse_dynamics(bodies, q, qd, qdd_or_tau, gravity)
+    algorithm = (
+        floating_base_inverse_dynamics if quantity == "inverse_dynamics" else forward_dynamics
+    )
+    joints, base = algorithm(bodies, q, qd, qdd_or_tau, base_velocity, gravity)
+    return np.concatenate((joints, base), axis=-1) if bodies.is_floating else joints

@@ -1,0 +1,4 @@
+"""Knows how a graph becomes code, one file a language.
+
+Must not know bodies, algorithms.
+"""

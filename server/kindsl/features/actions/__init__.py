@@ -1,0 +1,4 @@
+"""Knows fixes and refactorings as text edits.
+
+Must not know editors, their protocol.
+"""

@@ -1,0 +1,30 @@
+"""A change that an editor offers."""
+
+from typing import NamedTuple
+
+from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.text.edits import TextEdit
+
+
+class CodeAction(NamedTuple):
+    """A change that an editor offers.
+
+    Attributes:
+        title: What it does, in the imperative.
+        kind: `quickfix`, `refactor.extract`, `refactor.inline`, `refactor.rewrite`,
+            `source.fixAll.kindsl` and the like.
+        edits: The change, disjoint.
+        diagnostics: The findings that it mends.
+        is_preferred: Whether an editor may do it unasked, by one key.
+        cursor: Where to put the cursor in the new text, to rename what was made; None for nowhere.
+        bindings: Values to give to parameters in `kindsl.toml` along with the change; without
+            them the document does not mean the same.
+    """
+
+    title: str
+    kind: str
+    edits: tuple[TextEdit, ...]
+    diagnostics: tuple[Diagnostic, ...] = ()
+    is_preferred: bool = False
+    cursor: int | None = None
+    bindings: tuple[tuple[str, float], ...] = ()

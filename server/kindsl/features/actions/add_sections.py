@@ -1,0 +1,106 @@
+"""Add the sections that a block lacks, where the grammar wants them."""
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from kindsl.analysis.analysis import Analysis
+from kindsl.features.actions.action import CodeAction
+from kindsl.features.actions.layout_edits import inserted_section
+from kindsl.features.completion import snippets
+from kindsl.features.completion.item import without_placeholders
+from kindsl.features.completion.names import next_id
+from kindsl.features.tree_path import path_at
+from kindsl.syntax.sections import ORDER
+from kindsl.syntax.tree import Node, Token
+from kindsl.text.edits import TextEdit
+
+_KIND = "refactor.rewrite"
+_BLOCKS = ("base", "link", "joint", "inertia", "frame", "joint_frame")
+_OFFERED = ("inertia", "frames")
+_ZEROS = "(0.0, 0.0, 0.0)"
+_TITLES = {"inertia": "Add an inertia section", "frames": "Add a frames section"}
+
+
+class _Section(NamedTuple):
+    kind: str
+    lines: tuple[str, ...]
+
+
+def add_sections(analysis: Analysis, start: int, _end: int) -> Iterator[CodeAction]:
+    """Offer what the innermost block at a range must have; at its head also what it may have."""
+    place = analysis.syntax.island_at(start)
+    path = path_at(place.island, start - place.start)
+    block = next((node for node in reversed(path) if node.kind in _BLOCKS), None)
+    if block is None:
+        return
+    text = place.island.text
+    missing = [*_missing(analysis, block)]
+    needed = [s for s in missing if ORDER[block.kind][s.kind].is_needed]
+    if needed:
+        words = " and ".join(dict.fromkeys(_called(s.lines) for s in needed))
+        yield from _action(f"Add the missing {words}", text, block, needed, place.start)
+    is_head = any(c.start <= start - place.start <= c.end for c in block.children[:2])
+    for section in missing:
+        if is_head and section.kind in _OFFERED:
+            yield from _action(_TITLES[section.kind], text, block, [section], place.start)
+
+
+def _missing(analysis: Analysis, block: Node) -> Iterator[_Section]:
+    """Yield the sections that are not there, in the order of the grammar."""
+    there = {child.kind for child in block.children if isinstance(child, Node)}
+    for kind in ORDER[block.kind]:
+        if kind == "moment":
+            present = {_word(node) for node in block.nodes("moment")}
+            for name, default in snippets.MOMENT_DEFAULTS.items():
+                if name not in present:
+                    yield _Section(kind, (f"{name} = {default}",))
+        elif kind not in there and kind in _LINES:
+            yield _Section(kind, _LINES[kind])
+        elif kind not in there and kind == "id":
+            yield _Section(kind, (f"id = {next_id(analysis)}",))
+
+
+_LINES = {
+    "inertia": tuple(without_placeholders(snippets.inertia()).split("\n")),
+    "children": ("children {}",),
+    "frames": tuple(without_placeholders(snippets.frames()).split("\n")),
+    "joint_frame": tuple(without_placeholders(snippets.joint_frame()).split("\n")),
+    "mass": ("mass = 1.0",),
+    "com": (f"CoM = {_ZEROS}",),
+    "translation": (f"translation = {_ZEROS}",),
+    "rotation": (f"rotation = {_ZEROS}",),
+}
+
+
+def _action(
+    title: str, text: str, block: Node, sections: Sequence[_Section], origin: int
+) -> Iterator[CodeAction]:
+    """Yield the action that inserts sections; those for one place become one edit."""
+    edits: dict[int, TextEdit] = {}
+    for section in sections:
+        edit = inserted_section(text, block, _section_before(block, section.kind), section.lines)
+        if edit is None:
+            return
+        at = origin + edit.start
+        known = edits.get(at)
+        new = edit.text if known is None else known.text.rstrip(" ") + edit.text
+        edits[at] = TextEdit(at, at, new)
+    yield CodeAction(title, _KIND, tuple(edits.values()))
+
+
+def _section_before(block: Node, kind: str) -> Node | None:
+    """Return the last section that the grammar wants before another."""
+    order = ORDER[block.kind]
+    rank = order[kind].rank
+    sections = [child for child in block.children if isinstance(child, Node)]
+    before = [s for s in sections if s.kind in order and order[s.kind].rank <= rank]
+    return before[-1] if before else None
+
+
+def _called(lines: Sequence[str]) -> str:
+    return f"'{lines[0].split(' ')[0]}'"
+
+
+def _word(node: Node) -> str:
+    word = node.children[0]
+    return word.text if isinstance(word, Token) else ""

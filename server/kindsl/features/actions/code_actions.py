@@ -1,0 +1,74 @@
+"""What an editor offers at a selection: fixes, fixes of all like it, suppressions, refactorings."""
+
+import re
+from collections.abc import Iterator
+from weakref import WeakKeyDictionary
+
+from kindsl.analysis.analysis import Analysis
+from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.features.actions.action import CodeAction
+from kindsl.features.actions.bind_parameter import bind_parameter
+from kindsl.features.actions.fix_all import disjoint_fixes, fix_all
+from kindsl.features.actions.refactorings import refactorings
+from kindsl.text.edits import TextEdit
+
+FIX_ALL = "source.fixAll.kindsl"
+QUICK_FIX = "quickfix"
+_fixed: "WeakKeyDictionary[Analysis, tuple[TextEdit, ...]]" = WeakKeyDictionary()
+_BLANKS = re.compile(r"[ \t]*")
+
+
+def code_actions(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, ...]:
+    """Return what can be done about a range: fixes first, then refactorings."""
+    return (
+        *quick_fixes(analysis, start, end),
+        *bind_parameter(analysis, start, end),
+        *refactorings(analysis, start, end),
+    )
+
+
+def quick_fixes(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, ...]:
+    """Return the fixes of the findings that touch a range, and how to silence them."""
+    touched = [d for d in analysis.findings if d.start <= end and start <= d.end]
+    fixes = [_fix(finding) for finding in touched if finding.fix is not None]
+    return (*fixes, *_fixes_of_rules(analysis, touched), *_suppressions(analysis, touched))
+
+
+def fix_all_action(analysis: Analysis) -> CodeAction | None:
+    """Return the action that applies every safe fix, or None if there is nothing to fix."""
+    if analysis not in _fixed:
+        _fixed[analysis] = fix_all(analysis)
+    edits = _fixed[analysis]
+    return CodeAction("Fix all that is safe to fix", FIX_ALL, edits) if edits else None
+
+
+def _fix(finding: Diagnostic) -> CodeAction:
+    fix = finding.fix
+    assert fix is not None
+    return CodeAction(fix.title, QUICK_FIX, fix.edits, (finding,), is_preferred=fix.is_safe)
+
+
+def _fixes_of_rules(analysis: Analysis, touched: list[Diagnostic]) -> Iterator[CodeAction]:
+    """Yield one action for each rule that could be mended in several places."""
+    for code in dict.fromkeys(finding.code for finding in touched if finding.fix is not None):
+        alike = tuple(d for d in analysis.findings if d.code == code and d.fix is not None)
+        if len(alike) > 1:
+            edits = disjoint_fixes(analysis, frozenset((code,)), with_unsafe=True)
+            yield CodeAction(f"Fix all {len(alike)} findings of {code}", QUICK_FIX, edits, alike)
+
+
+def _suppressions(analysis: Analysis, touched: list[Diagnostic]) -> Iterator[CodeAction]:
+    """Yield a comment for each finding that a comment may silence."""
+    for code in dict.fromkeys(d.code for d in touched if not d.code.startswith("KD0")):
+        finding = next(d for d in touched if d.code == code)
+        edit = _ignoring(analysis.text, finding)
+        yield CodeAction(f"Ignore {code} here", QUICK_FIX, (edit,), (finding,))
+
+
+def _ignoring(text: str, finding: Diagnostic) -> TextEdit:
+    """Return the comment on a line of its own before the finding's, indented like it."""
+    line = max(text.rfind("\n", 0, finding.start), text.rfind("\r", 0, finding.start)) + 1
+    blanks = _BLANKS.match(text, line)
+    indent = blanks[0] if blanks else ""
+    newline = "\r\n" if "\r\n" in text else "\n" if "\n" in text or "\r" not in text else "\r"
+    return TextEdit(line, line, f"{indent}// kindsl: ignore[{finding.code}]{newline}")

@@ -1,0 +1,61 @@
+"""Give a number a name: `0.5` becomes `elbow_x[0.5]`."""
+
+import re
+from collections.abc import Iterator
+
+from kindsl.analysis.analysis import Analysis
+from kindsl.features.actions.action import CodeAction
+from kindsl.features.tree_path import TokenAt, token_at
+from kindsl.features.value_place import ValuePlace, expression_at, value_place
+from kindsl.rules.context import ROBCOGEN
+from kindsl.text.edits import TextEdit
+
+_KIND = "refactor.extract"
+_NUMBERS = frozenset(("FLOAT", "SCIENTIFIC", "POWER_FLOAT"))
+_NO_NAME = re.compile(r"\W+")
+
+
+def extract_parameter(analysis: Analysis, start: int, end: int) -> Iterator[CodeAction]:
+    """Offer to make a parameter of the number at a range, if it is a whole value.
+
+    Its value stays in the document as the default; for robcogen, which knows no defaults, it goes
+    to `kindsl.toml`.
+    """
+    found = token_at(analysis.syntax, start)
+    if found is None or found.token.kind not in _NUMBERS or not found.start <= end <= found.end:
+        return
+    expression = expression_at(found.island, found.path)
+    place = value_place(found.path, found.token.start)
+    if expression is None or expression.literal is None or place is None:
+        return
+    name = _new_name(analysis, place)
+    if ROBCOGEN in analysis.settings.targets:
+        title = f"Extract to a parameter '{name}', bound in kindsl.toml"
+        yield _action(title, found, name, name, ((name, expression.literal),))
+    else:
+        text = f"{name}[{found.token.text.removeprefix('+')}]"
+        yield _action(f"Extract to a parameter '{name}' with default", found, name, text, ())
+
+
+def _action(
+    title: str, found: TokenAt, name: str, text: str, bindings: tuple[tuple[str, float], ...]
+) -> CodeAction:
+    edit = TextEdit(found.start, found.end, text)
+    cursor = found.start + len(name)
+    return CodeAction(title, _KIND, (edit,), cursor=cursor, bindings=bindings)
+
+
+def _new_name(analysis: Analysis, place: ValuePlace) -> str:
+    """Return a name that tells the place, unlike all names in the document."""
+    component = "" if place.component is None else "xyz"[min(place.component, 2)]
+    section = {"translation": "", "rotation": "r"}.get(place.section, place.section)
+    parts = (place.owner.split("`")[1], f"{section}{component}" if section == "r" else section)
+    words = [*parts] if section == "r" else [*parts, component]
+    wanted = _NO_NAME.sub("_", "_".join(word for word in words if word)).lower() or "parameter"
+    if wanted[0].isdigit() or wanted.startswith("pi"):
+        wanted = f"p_{wanted}"
+    model = analysis.model
+    taken = {*map(str, (p.name for p in model.parameters)), *analysis.settings.bindings}
+    taken |= {*model.body_named, *model.joint_named}
+    names = (wanted, *(f"{wanted}_{number}" for number in range(2, len(taken) + 3)))
+    return next(name for name in names if name not in taken)

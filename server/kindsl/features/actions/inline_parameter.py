@@ -1,0 +1,49 @@
+"""Write a parameter's value wherever its name stands."""
+
+from collections.abc import Iterator
+
+from kindsl.analysis.analysis import Analysis
+from kindsl.features.actions.action import CodeAction
+from kindsl.features.symbol_at import EntityKind, symbol_at
+from kindsl.features.tree_path import path_at
+from kindsl.features.value_place import expression_at
+from kindsl.semantics.expressions import symbols
+from kindsl.semantics.parameters import Use
+from kindsl.semantics.places import Place
+from kindsl.text.decimals import exact_decimal
+from kindsl.text.edits import TextEdit
+
+_KIND = "refactor.inline"
+
+
+def inline_parameter(analysis: Analysis, start: int, end: int) -> Iterator[CodeAction]:
+    """Offer to replace the parameter at a range by its value, where that is known.
+
+    A value such as `-x/2.0` is replaced as a whole by what it comes to, since no generator takes
+    arithmetic of numbers everywhere.
+    """
+    symbol = symbol_at(analysis, start)
+    if symbol is None or symbol.entity.kind is not EntityKind.PARAMETER or end > symbol.end:
+        return
+    name = symbol.entity.name
+    parameter = next((p for p in analysis.model.parameters if p.name == name), None)
+    value = analysis.context.values.get(name)
+    if parameter is None or value is None:
+        return
+    edits = [_edit(analysis, use) for use in parameter.uses]
+    known = tuple(dict.fromkeys(edit for edit in edits if edit is not None))
+    if len(known) == len(dict.fromkeys(edits)):
+        yield CodeAction(f"Inline the parameter '{name}'", _KIND, known)
+
+
+def _edit(analysis: Analysis, use: Use) -> TextEdit | None:
+    """Return the replacement of the value that a use stands in, None if it has other names."""
+    island = use.name.island
+    expression = expression_at(island, path_at(island, use.name.start))
+    value = expression.value(analysis.context.values) if expression is not None else None
+    if expression is None or value is None:
+        return None
+    if any(str(symbol.name) != str(use.name) for symbol in symbols(expression)):
+        return None
+    place = Place(island, expression.start, expression.end)
+    return TextEdit(*analysis.resolver.span(place), exact_decimal(value))

@@ -1,0 +1,165 @@
+"""Give a body's inertia in another frame; the body stays the same.
+
+Offered only where all numbers are written out: with parameters in it the result would hold for
+their present values alone.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from kindsl.analysis.analysis import Analysis
+from kindsl.features.actions.action import CodeAction
+from kindsl.features.actions.layout_edits import inserted_section, line_indent
+from kindsl.features.link_inertia import link_inertia, seen_from
+from kindsl.features.tree_path import path_at
+from kindsl.features.unknown import Unknown, pose_expressions
+from kindsl.rigid.body import MassDistribution
+from kindsl.rigid.pose import IDENTITY, RigidPose
+from kindsl.rules.context import ROBCOGEN2
+from kindsl.rules.inertia.judgements import is_plain
+from kindsl.semantics.declarations import MOMENTS, Frame, Inertia, Link
+from kindsl.semantics.expressions import symbols
+from kindsl.semantics.lowering import declarations
+from kindsl.semantics.numbers import written_pose
+from kindsl.syntax.tree import Node
+from kindsl.text.decimals import rounded_decimal
+from kindsl.text.edits import TextEdit
+
+_KIND = "refactor.rewrite"
+
+
+def move_inertia(analysis: Analysis, start: int, _end: int) -> Iterator[CodeAction]:
+    """Offer the link's own frames, the link frame, and a new frame at the CoM."""
+    place = analysis.syntax.island_at(start)
+    path = path_at(place.island, start - place.start)
+    link = _link_of_inertia(path, declarations(place.island).bodies())
+    if link is None or link.inertia is None or not _is_movable(link.inertia):
+        return
+    body = link_inertia(link, {})
+    if isinstance(body, Unknown):
+        return
+    yield from _to_link_frame(link, link.inertia, body, place.start)
+    if ROBCOGEN2 not in analysis.settings.targets:
+        yield from _to_frames(link, link.inertia, body, place.start)
+        yield from _to_com(analysis, link, link.inertia, body, place.start)
+
+
+def _link_of_inertia(path: Sequence[Node], bodies: Iterator[Link]) -> Link | None:
+    """Return the body whose inertia section is on a path."""
+    return next((b for b in bodies if b.inertia is not None and b.inertia.node in path), None)
+
+
+def _is_movable(inertia: Inertia) -> bool:
+    """Return whether every number stands there once, as a plain number."""
+    kinds = [child.kind for child in inertia.node.children]
+    is_whole = kinds.count("mass") == kinds.count("com") == 1 and kinds.count("moment") == 6
+    return is_whole and len(inertia.moments) == len(MOMENTS) and is_plain(inertia)
+
+
+def _to_link_frame(
+    link: Link, inertia: Inertia, body: MassDistribution, origin: int
+) -> Iterator[CodeAction]:
+    if inertia.frame is not None:
+        edits = (*_numbers(inertia, body, IDENTITY), _without_frame(inertia))
+        yield _action(f"Give the inertia of '{link.name}' in its link frame", edits, origin)
+
+
+def _to_frames(
+    link: Link, inertia: Inertia, body: MassDistribution, origin: int
+) -> Iterator[CodeAction]:
+    names = [str(frame.name) for frame in link.frames]
+    for frame in link.frames:
+        pose = _plain_pose(frame, {})
+        if pose is None or frame.name == inertia.frame or names.count(str(frame.name)) > 1:
+            continue
+        reference = _with_frame(inertia, str(frame.name))
+        if reference is not None:
+            edits = (*_numbers(inertia, body, pose), reference)
+            yield _action(f"Give the inertia of '{link.name}' in '{frame.name}'", edits, origin)
+
+
+def _to_com(
+    analysis: Analysis, link: Link, inertia: Inertia, body: MassDistribution, origin: int
+) -> Iterator[CodeAction]:
+    name = _new_frame_name(analysis, link)
+    pose = IDENTITY._replace(translation=body.com)
+    frame = _new_frame(link, name, body)
+    reference = _with_frame(inertia, name)
+    if frame is not None and reference is not None and any(body.com):
+        edits = (*_numbers(inertia, body, pose), reference, frame)
+        title = f"Give the inertia of '{link.name}' about its CoM, in a new frame '{name}'"
+        yield _action(title, edits, origin)
+
+
+def _plain_pose(frame: Frame, values: Mapping[str, float]) -> RigidPose | None:
+    """Return a frame's pose if no names are in it."""
+    if any(True for expression in pose_expressions(frame.pose) for _ in symbols(expression)):
+        return None
+    return written_pose(frame.pose, values)
+
+
+def _numbers(inertia: Inertia, body: MassDistribution, pose: RigidPose) -> Iterator[TextEdit]:
+    """Yield the edits of CoM and moments, `pose` being the pose of the new frame in the link's."""
+    moved = seen_from(body, pose.inverse())
+    length = sum(map(abs, (*body.com, *pose.translation)))
+    size = sum(map(abs, body.moments)) + body.mass * length * length
+    assert inertia.com is not None
+    for component, value in zip(inertia.com.components, moved.com, strict=True):
+        yield TextEdit(component.start, component.end, rounded_decimal(value, length))
+    for name, value in zip(MOMENTS, moved.moments, strict=True):
+        moment = inertia.moments[name]
+        yield TextEdit(moment.start, moment.end, rounded_decimal(value, size))
+
+
+def _with_frame(inertia: Inertia, name: str) -> TextEdit | None:
+    if inertia.frame is not None:
+        return TextEdit(inertia.frame.start, inertia.frame.end, name)
+    sections = [child for child in inertia.node.children if isinstance(child, Node)]
+    text = inertia.island.text
+    return inserted_section(text, inertia.node, sections[-1], (f"ref_frame = {name}",))
+
+
+def _without_frame(inertia: Inertia) -> TextEdit:
+    """Return the edit that removes `ref_frame = name`, with its line if nothing else is on it."""
+    node = next(inertia.node.nodes("inertia_frame"))
+    text = inertia.island.text
+    start = node.start - len(line_indent(text, node.start))
+    if text[start : node.start].strip() or text[start - 1 : start] not in ("\n", "\r"):
+        start = node.start
+        while text[start - 1 : start] in (" ", "\t"):
+            start -= 1
+        return TextEdit(start, node.end, "")
+    start -= 2 if text[start - 2 : start] == "\r\n" else 1
+    return TextEdit(start, node.end, "")
+
+
+def _new_frame(link: Link, name: str, body: MassDistribution) -> TextEdit | None:
+    length = sum(map(abs, body.com))
+    com = ", ".join(rounded_decimal(value, length) for value in body.com)
+    lines = [
+        f"{name} {{",
+        f"    translation = ({com})",
+        "    rotation = (0.0, 0.0, 0.0)",
+        "}",
+    ]
+    text = link.island.text
+    sections = [child for child in link.node.children if isinstance(child, Node)]
+    frames = next((section for section in sections if section.kind == "frames"), None)
+    if frames is None:
+        indented = ["frames {", *(f"    {line}" for line in lines), "}"]
+        return inserted_section(text, link.node, sections[-1], indented)
+    group = list(frames.nodes("frame_group"))[-1]
+    last = list(group.nodes("frame"))[-1:]
+    return inserted_section(text, group, last[0] if last else None, lines)
+
+
+def _new_frame_name(analysis: Analysis, link: Link) -> str:
+    taken = {str(frame.name) for frame in analysis.model.frames}
+    taken |= {*analysis.model.body_named, *analysis.model.joint_named}
+    wanted = f"{link.name}_com"
+    names = (wanted, *(f"{wanted}_{number}" for number in range(2, len(taken) + 3)))
+    return next(name for name in names if name not in taken)
+
+
+def _action(title: str, edits: Sequence[TextEdit], origin: int) -> CodeAction:
+    moved = (TextEdit(origin + e.start, origin + e.end, e.text) for e in edits)
+    return CodeAction(title, _KIND, tuple(sorted(moved)))

@@ -1,0 +1,67 @@
+"""Put the links' blocks in an order in which parents stand before their children."""
+
+import re
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+
+from kindsl.analysis.analysis import Analysis
+from kindsl.features.actions.action import CodeAction
+from kindsl.features.actions.layout_edits import newline_of
+from kindsl.features.tree_path import token_at
+from kindsl.rules.renumbering import regular_order
+from kindsl.semantics.declarations import Link
+from kindsl.text.edits import TextEdit
+
+_KIND = "refactor.rewrite"
+_WHERE = frozenset(("head", "base", "link"))
+_REST_OF_LINE = re.compile(r"(?:[ \t]*(?://[^\r\n]*|/\*(?:[^*\r\n]|\*(?!/))*\*/))*")
+
+
+def sort_links(analysis: Analysis, start: int, _end: int) -> Iterator[CodeAction]:
+    """Offer to sort, at the head of a link, if the links are not in order."""
+    found = token_at(analysis.syntax, start)
+    if found is None or not found.path or found.path[-1].kind not in _WHERE:
+        return
+    links, order = analysis.model.links, regular_order(analysis.model)
+    if order is None or order == links or not _are_neighbours(analysis, links):
+        return
+    pieces = _pieces(analysis, links)
+    texts = {link: analysis.text[s:e] for link, (s, e) in zip(links, pieces, strict=True)}
+    newline = newline_of(analysis.text)
+    edits = [
+        TextEdit(s, e, _apart(texts[link], newline))
+        for (s, e), old, link in zip(pieces, links, order, strict=True)
+        if old is not link
+    ]
+    end = pieces[-1][1]
+    if analysis.text[end : end + 1] not in ("\r", "\n"):
+        edits.append(TextEdit(end, end, newline))
+    yield CodeAction("Sort the links, parents first", _KIND, tuple(edits))
+
+
+def _are_neighbours(analysis: Analysis, links: Sequence[Link]) -> bool:
+    """Return whether nothing stands between the links, and all are whole."""
+    islands = [analysis.syntax.island_at(analysis.resolver.span(link)[0]) for link in links]
+    first = islands[0].index
+    if first == 0 or [place.index for place in islands] != list(range(first, first + len(links))):
+        return False
+    return not any(place.island.problems or len(place.island.nodes) != 1 for place in islands[:-1])
+
+
+def _pieces(analysis: Analysis, links: Sequence[Link]) -> list[tuple[int, int]]:
+    """Return where each link with the comments above and beside it begins and ends."""
+    first = analysis.syntax.island_at(analysis.resolver.span(links[0])[0]).index
+    before = analysis.syntax.island(first - 1)
+    ends = [_end_of_line(analysis.text, before.start + before.island.nodes[-1].end)]
+    ends += [_end_of_line(analysis.text, analysis.resolver.span(link)[1]) for link in links]
+    return list(pairwise(ends))
+
+
+def _end_of_line(text: str, offset: int) -> int:
+    match = _REST_OF_LINE.match(text, offset)
+    return match.end() if match is not None else offset
+
+
+def _apart(piece: str, newline: str) -> str:
+    """Return a piece that can stand behind one that ends in a comment."""
+    return piece if piece[:1] in ("\n", "\r") else newline + piece

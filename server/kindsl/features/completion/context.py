@@ -1,0 +1,112 @@
+"""What may stand where someone types: read from the text before the cursor alone.
+
+The island's text up to the word being typed is parsed by itself, so that nothing behind the cursor
+is taken for what goes on before it; the parser's repairs lead over earlier mistakes.
+"""
+
+import re
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from kindsl.analysis.analysis import Analysis
+from kindsl.features.tree_path import path_to
+from kindsl.features.value_place import ValuePlace, value_place
+from kindsl.syntax.document import PlacedIsland
+from kindsl.syntax.expected import expected_at
+from kindsl.syntax.parser import parse_island
+from kindsl.syntax.tree import Island, Node, Token
+from kindsl.text.span import Span
+
+_WORD_BEFORE = re.compile(r"\^?[^\W\d]\w*\Z")
+_WORD_AFTER = re.compile(r"\w*")
+_NUMBER_BEFORE = re.compile(r"[\d.]\w*\Z")
+_LONGEST_WORD = 200
+_BLOCKS = frozenset((
+    "base", "link", "joint", "inertia", "children", "frame_group", "frame", "joint_frame",
+))  # fmt: skip
+
+
+class CompletionContext(NamedTuple):
+    """The surroundings of the word being typed.
+
+    Attributes:
+        start: Absolute start of the word; where it is empty, the cursor.
+        end: Its absolute end.
+        word: What of it stands before the cursor.
+        expected: The kinds of tokens that the grammar allows instead of the word.
+        block: The innermost open block: `document`, `base`, `link`, `joint`, `inertia`,
+            `children`, `frame_group`, `frame` or `joint_frame`.
+        previous: The token before the word, None at the start.
+        value: The place of the value that is being typed, if one is.
+        sections: What stands in the open block before the word.
+        place: The island of the cursor.
+        typed: The whole word, what stands behind the cursor included.
+    """
+
+    start: int
+    end: int
+    word: str
+    expected: frozenset[str]
+    block: str
+    previous: Token | None
+    value: ValuePlace | None
+    sections: tuple[Node, ...]
+    place: PlacedIsland
+    typed: str
+
+
+def completion_context(analysis: Analysis, offset: int) -> CompletionContext | None:
+    """Return what may stand at an offset; None in a comment and behind a digit."""
+    offset = min(max(offset, 0), analysis.syntax.length)
+    place = analysis.syntax.island_at(offset)
+    local = offset - place.start
+    word = None if _is_in_comment(place.island, local) else _word_at(place.island.text, local)
+    return None if word is None else _context(place, local, word)
+
+
+def _context(place: PlacedIsland, local: int, word: Span) -> CompletionContext:
+    """Return what the text of an island before a word allows."""
+    text = place.island.text
+    before = parse_island(text[: word.start])
+    expected = expected_at(before, word.start)
+    block = next((c for c in reversed(expected.constructs) if c in _BLOCKS), "document")
+    last = next((token for token in reversed(before.tokens) if not token.is_missing), None)
+    path = path_to(before, last) if last is not None else ()
+    return CompletionContext(
+        place.start + word.start,
+        place.start + word.end,
+        text[word.start : local],
+        expected.kinds,
+        block,
+        last,
+        value_place(path, last.end) if last is not None else None,
+        _sections(path, block),
+        place,
+        text[word.start : word.end],
+    )
+
+
+def _is_in_comment(island: Island, local: int) -> bool:
+    for start, end in island.comments:
+        is_ended = island.text[start : start + 2] == "/*" and island.text.endswith("*/", start, end)
+        if start < local and (local < end or (local == end and not is_ended)):
+            return True
+    return False
+
+
+def _word_at(text: str, local: int) -> Span | None:
+    """Return the word around an offset, empty where none is, None where a number is."""
+    before = text[max(local - _LONGEST_WORD, 0) : local]
+    word = _WORD_BEFORE.search(before)
+    if _NUMBER_BEFORE.search(before[: word.start()] if word is not None else before):
+        return None
+    after = _WORD_AFTER.match(text, local)
+    start = local if word is None else local - len(word[0])
+    return Span(start, local if after is None else after.end())
+
+
+def _sections(path: Sequence[Node], block: str) -> tuple[Node, ...]:
+    """Return what is written in the innermost construct of a kind."""
+    node = next((node for node in reversed(path) if node.kind == block), None)
+    children = node.children if node is not None else ()
+    return tuple(c for c in children if isinstance(c, Node) and c.start < c.end)

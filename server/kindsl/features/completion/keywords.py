@@ -1,0 +1,165 @@
+"""Keywords, and the blocks that begin with them, where the grammar allows them next."""
+
+from collections.abc import Iterator
+
+from kindsl.analysis.analysis import Analysis
+from kindsl.features.completion import snippets
+from kindsl.features.completion.context import CompletionContext
+from kindsl.features.completion.item import CompletionItem
+from kindsl.features.completion.names import next_id, undeclared_joints, undeclared_links
+from kindsl.features.tree_path import path_at
+from kindsl.syntax.sections import ORDER
+from kindsl.syntax.tree import Node, Token
+
+_WORD = {
+    "id": "id",
+    "inertia": "inertia_params",
+    "children": "children",
+    "frames": "frames",
+    "joint_frame": "ref_frame",
+    "mass": "mass",
+    "com": "CoM",
+    "inertia_frame": "ref_frame",
+    "translation": "translation",
+    "rotation": "rotation",
+}
+_BLOCKS = ORDER.keys() - {"document"}
+_KIND = {"inertia_params": "INERTIA"}
+
+
+def block_items(analysis: Analysis, context: CompletionContext) -> Iterator[CompletionItem]:
+    """Yield the blocks that may come next at the document's top."""
+    model = analysis.model
+    before = {n.kind for nodes in _blocks_before(analysis, context) for n in nodes}
+    if "head" not in before and not model.name:
+        yield _snippet("Robot", snippets.robot(), "a whole document", 1)
+    elif model.base is None and not (before & {"link", "joint"}):
+        yield _snippet("RobotBase", snippets.base(""), "fixed base", 1)
+        yield _snippet("RobotBase floating", snippets.base("floating"), "floating base", 2)
+    if "base" in before and "joint" not in before:
+        name = next(undeclared_links(analysis), "name")
+        yield _snippet("link", snippets.link(name, next_id(analysis)), "link with inertia", 1)
+    if "link" in before and not _has_link_behind(analysis, context):
+        name = next(undeclared_joints(analysis), "name")
+        yield _snippet("r_joint", snippets.joint("r_joint", name), "revolute joint", 2)
+        yield _snippet("p_joint", snippets.joint("p_joint", name), "prismatic joint", 3)
+
+
+def section_items(context: CompletionContext) -> Iterator[CompletionItem]:
+    """Yield the sections that the open block lacks and that may stand here."""
+    order = ORDER[context.block] if context.block in _BLOCKS else {}
+    before, behind = _sections_around(context)
+    ranks = [order[kind].rank for kind in before if kind in order]
+    first = max(ranks, default=-1)
+    last = min((order[kind].rank for kind in behind if kind in order), default=len(order))
+    for kind, place in order.items():
+        if kind == "moment" and first <= place.rank <= last:
+            yield from _moments(context)
+        elif first < place.rank < last:
+            yield from _section(context, kind)
+
+
+def floating_item(context: CompletionContext) -> Iterator[CompletionItem]:
+    """Yield the words that the grammar allows and that are no section: `floating`, `via`."""
+    if "FLOATING" in context.expected:
+        yield CompletionItem("floating", "keyword", "floating", "the base is free to move", 1)
+    if "via" in context.expected and context.block == "children":
+        yield CompletionItem("via", "keyword", "via ", "joint between the two links", 1)
+
+
+def _section(context: CompletionContext, kind: str) -> Iterator[CompletionItem]:
+    word = _WORD[kind]
+    if _KIND.get(word, word) not in context.expected:
+        return
+    texts = {
+        "id": "id = ${1:1}",
+        "inertia": snippets.inertia(),
+        "children": snippets.children(),
+        "frames": snippets.frames(),
+        "joint_frame": snippets.joint_frame(),
+        "mass": "mass = ${1:1.0}",
+        "com": f"CoM = {snippets.vector()}",
+        "inertia_frame": "ref_frame = ${1:frame}",
+        "translation": f"translation = {snippets.vector()}",
+        "rotation": f"rotation = {snippets.vector()}",
+    }
+    rank = 1 + list(ORDER[context.block]).index(kind)
+    yield _snippet(word, texts[kind], _DETAILS[kind], rank)
+    if kind == "children":
+        yield CompletionItem("children {}", "snippet", "children {}", "no children", rank)
+
+
+_DETAILS = {
+    "id": "number of the link",
+    "inertia": "mass, CoM and moments in the link frame",
+    "children": "the links that this one carries",
+    "frames": "further frames fixed to this link",
+    "joint_frame": "joint frame in the predecessor",
+    "mass": "kg",
+    "com": "m, in the link frame",
+    "inertia_frame": "the frame that CoM and moments are given in",
+    "translation": "m",
+    "rotation": "rad, intrinsic x, y, z",
+}
+
+
+def _moments(context: CompletionContext) -> Iterator[CompletionItem]:
+    """Yield the moments and products that are not there, and all of them at once."""
+    if "MOMENT" not in context.expected:
+        return
+    nodes = (*context.sections, *_sections_behind(context))
+    there = {_word(node) for node in nodes if node.kind == "moment"}
+    missing = [name for name in snippets.MOMENT_DEFAULTS if name not in there]
+    if len(missing) > 1:
+        text = "\n".join(
+            f"{name} = ${{{number}:{snippets.MOMENT_DEFAULTS[name]}}}"
+            for number, name in enumerate(missing, 1)
+        )
+        label = f"{missing[0]} … {missing[-1]}"
+        yield _snippet(label, text, "all that are missing, kg·m²", 3)
+    for name in missing:
+        default = snippets.MOMENT_DEFAULTS[name]
+        yield _snippet(name, f"{name} = ${{1:{default}}}", "kg·m², about the origin", 4)
+
+
+def _sections_around(context: CompletionContext) -> tuple[list[str], list[str]]:
+    """Return the kinds of the sections of the open block before and behind the cursor."""
+    behind = [node.kind for node in _sections_behind(context)]
+    return [node.kind for node in context.sections], behind
+
+
+def _sections_behind(context: CompletionContext) -> list[Node]:
+    """Return the sections of the open block behind the cursor, as the whole document has them."""
+    local = context.start - context.place.start
+    path = path_at(context.place.island, local)
+    block = next((node for node in reversed(path) if node.kind == context.block), None)
+    nodes = [c for c in block.children if isinstance(c, Node)] if block is not None else []
+    end = context.end - context.place.start
+    return [node for node in nodes if end <= node.start < node.end]
+
+
+def _blocks_before(analysis: Analysis, context: CompletionContext) -> Iterator[tuple[Node, ...]]:
+    """Yield the blocks that begin before the cursor, island by island."""
+    for island in analysis.syntax.islands[: context.place.index]:
+        yield island.nodes
+    local = context.start - context.place.start
+    nodes = context.place.island.nodes
+    yield tuple(node for node in nodes if node.children and node.start < local)
+
+
+def _has_link_behind(analysis: Analysis, context: CompletionContext) -> bool:
+    islands = range(context.place.index + 1, len(analysis.syntax))
+    return any(
+        node.kind == "link"
+        for index in islands
+        for node in analysis.syntax.island(index).island.nodes
+    )
+
+
+def _word(node: Node) -> str:
+    word = node.children[0]
+    return word.text if isinstance(word, Token) else ""
+
+
+def _snippet(label: str, text: str, detail: str, rank: int) -> CompletionItem:
+    return CompletionItem(label, "snippet", text, detail, rank, is_snippet=True)

@@ -1,0 +1,45 @@
+"""What a hover tells of a joint: whom it moves, about which axis, where."""
+
+from collections.abc import Iterator
+
+from kindsl.analysis.analysis import Analysis
+from kindsl.features.hover_text import paragraph
+from kindsl.features.quantity_text import vector
+from kindsl.features.unknown import Unknown
+from kindsl.features.wording import pose_text
+from kindsl.features.zero_configuration import joint_pose, own_pose
+from kindsl.semantics.declarations import Joint
+
+
+def joint_hover(analysis: Analysis, joint: Joint) -> str:
+    """Return what there is to tell of a joint."""
+    sections = (_tree_lines, _pose_lines, _axis_lines)
+    title = f"**{joint.kind} joint `{joint.name}`**"
+    return paragraph(title, (line for lines in sections for line in lines(analysis, joint)))
+
+
+def _tree_lines(analysis: Analysis, joint: Joint) -> Iterator[str]:
+    edges = analysis.model.tree.joint_uses.get(joint, ())
+    for edge in edges:
+        yield f"predecessor `{edge.predecessor.name}`, successor `{edge.child.link}`"
+    if not edges:
+        yield "it connects nothing: no link has a child via it"
+
+
+def _pose_lines(analysis: Analysis, joint: Joint) -> Iterator[str]:
+    pose = own_pose(analysis, joint)
+    if isinstance(pose, Unknown):
+        yield f"the joint frame is not known: {pose.reason}"
+    else:
+        yield f"joint frame in the predecessor: {pose_text(pose)}"
+
+
+def _axis_lines(analysis: Analysis, joint: Joint) -> Iterator[str]:
+    pose = joint_pose(analysis, joint)
+    if isinstance(pose, Unknown):
+        yield f"the axis in the base is not known: {pose.reason}"
+        return
+    motion = "turns about" if joint.kind == "revolute" else "slides along"
+    axis = vector(pose.turn((0.0, 0.0, 1.0)))
+    where = f"through {vector(pose.translation)} m"
+    yield f"{motion} its z axis: {axis} {where} in the base, in the zero configuration"

@@ -1,0 +1,83 @@
+"""What a hover tells of a link: its place in the tree, its mass, where it is."""
+
+from collections.abc import Iterator
+
+from kindsl.analysis.analysis import Analysis
+from kindsl.features.hover.inertia_verdict import inertia_verdict
+from kindsl.features.hover_text import paragraph
+from kindsl.features.link_inertia import link_inertia, principal_moments_about_com
+from kindsl.features.quantity_text import INERTIA, KILOGRAMS, number, vector
+from kindsl.features.subtree import own_mass, subtree_of
+from kindsl.features.unknown import Unknown
+from kindsl.features.wording import pose_text
+from kindsl.features.zero_configuration import body_pose
+from kindsl.semantics.declarations import Link
+from kindsl.text.words import counted, listed
+
+
+def link_hover(analysis: Analysis, body: Link) -> str:
+    """Return what there is to tell of a link or the base."""
+    lines = [
+        *_tree_lines(analysis, body),
+        *_mass_lines(analysis, body),
+        *_pose_lines(analysis, body),
+    ]
+    return paragraph(_title(body), lines)
+
+
+def _title(body: Link) -> str:
+    if body.is_base:
+        return f"**{'floating' if body.is_floating else 'fixed'} base `{body.name}`**"
+    return f"**link `{body.name}`**" + (f", id {body.id}" if body.id is not None else "")
+
+
+def _tree_lines(analysis: Analysis, body: Link) -> Iterator[str]:
+    tree = analysis.model.tree
+    for edge in tree.above.get(body, ()):
+        kind = f" ({edge.joint.kind})" if edge.joint is not None else ""
+        yield f"supporting joint `{edge.child.joint}`{kind}, parent `{edge.predecessor.name}`"
+    if not body.is_base and body not in tree.above:
+        yield "no supporting joint: no link has it among its children"
+    below = [f"`{e.child.link}` via `{e.child.joint}`" for e in tree.successor_edges(body)]
+    if below:
+        yield f"{'child' if len(below) == 1 else 'children'} {listed(below)}"
+    if body.frames:
+        yield f"frames {listed(f'`{frame.name}`' for frame in body.frames)}"
+
+
+def _mass_lines(analysis: Analysis, body: Link) -> Iterator[str]:
+    inertia = link_inertia(body, analysis.context.values)
+    subtree = subtree_of(analysis, body)
+    below = _subtree_text(subtree.mass, subtree.dof)
+    mass = own_mass(analysis, body)
+    if not isinstance(mass, Unknown):
+        yield "; ".join(part for part in (f"mass {number(mass)} {KILOGRAMS}", below) if part)
+    if isinstance(inertia, Unknown):
+        yield f"mass properties are not known: {inertia.reason}"
+        return
+    yield f"CoM {vector(inertia.com)} m in the link frame"
+    moments = (number(moment) for moment in principal_moments_about_com(inertia))
+    yield f"principal moments about the CoM {', '.join(moments)} {INERTIA}"
+    if body.is_base and not body.is_floating:
+        yield "the inertia of a fixed base does not matter"
+    else:
+        yield inertia_verdict(analysis, body)
+
+
+def _subtree_text(mass: float | Unknown, dof: int) -> str:
+    if not dof:
+        return ""
+    joints = counted(dof, "joint")
+    if isinstance(mass, Unknown):
+        return f"mass of the subtree with {joints} is not known: {mass.reason}"
+    return f"subtree {number(mass)} {KILOGRAMS} with {joints}"
+
+
+def _pose_lines(analysis: Analysis, body: Link) -> Iterator[str]:
+    if body.is_base:
+        return
+    pose = body_pose(analysis, body)
+    if isinstance(pose, Unknown):
+        yield f"zero-configuration pose is not known: {pose.reason}"
+    else:
+        yield f"zero configuration, in the base: {pose_text(pose)}"

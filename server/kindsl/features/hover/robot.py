@@ -1,0 +1,38 @@
+"""What a hover tells of the robot as a whole."""
+
+from collections.abc import Iterator
+
+from kindsl.analysis.analysis import Analysis
+from kindsl.features.hover_text import paragraph
+from kindsl.features.quantity_text import KILOGRAMS, number
+from kindsl.features.subtree import subtree_of
+from kindsl.features.unknown import Unknown
+from kindsl.text.words import counted, listed
+
+
+def robot_hover(analysis: Analysis, name: str) -> str:
+    """Return what there is to tell of the robot."""
+    return paragraph(f"**robot `{name}`**", _lines(analysis))
+
+
+def _lines(analysis: Analysis) -> Iterator[str]:
+    model = analysis.model
+    kinds = [joint.kind for joint in model.joints]
+    parts = [
+        counted(count, f"{kind} joint")
+        for kind in ("revolute", "prismatic")
+        if (count := kinds.count(kind))
+    ]
+    base = "floating base" if model.floating else "fixed base"
+    yield f"{base}, {counted(len(model.links), 'link')}" + (f", {listed(parts)}" if parts else "")
+    if model.base is not None:
+        yield _mass(subtree_of(analysis, model.base).mass, model.floating)
+    names = [f"`{parameter.name}`" for parameter in model.parameters]
+    if names:
+        yield f"parameters {listed(names)}"
+
+
+def _mass(mass: float | Unknown, is_floating: bool) -> str:
+    if isinstance(mass, Unknown):
+        return f"the total mass is not known: {mass.reason}"
+    return f"total mass {number(mass)} {KILOGRAMS}" + ("" if is_floating else " with the base")

@@ -1,0 +1,4 @@
+"""Knows which feature answers which request.
+
+Must not know state beyond what it is given.
+"""

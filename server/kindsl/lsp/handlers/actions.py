@@ -1,0 +1,74 @@
+"""Fixes and refactorings."""
+
+from typing import TYPE_CHECKING
+
+from lsprotocol import types
+
+from kindsl.lsp.handlers.binding import bound
+from kindsl.lsp.handlers.table import Handlers
+from kindsl.lsp.session.findings import diagnostics
+from kindsl.lsp.session.view import View
+from kindsl.lsp.wire.edits import makes_files, text_edits, workspace_edit
+
+if TYPE_CHECKING:
+    from kindsl.features.actions.action import CodeAction
+
+handlers = Handlers()
+
+FIX_ALL = "source.fixAll.kindsl"
+_KINDS = types.CodeActionOptions(
+    code_action_kinds=[
+        types.CodeActionKind.QuickFix,
+        types.CodeActionKind.RefactorExtract,
+        types.CodeActionKind.RefactorInline,
+        types.CodeActionKind.RefactorRewrite,
+        types.CodeActionKind.SourceFixAll,
+        FIX_ALL,
+    ]
+)
+
+
+@handlers.judged(types.TEXT_DOCUMENT_CODE_ACTION, _KINDS)
+def offer(view: View, params: types.CodeActionParams) -> list[types.CodeAction]:
+    """Offer what can be done about a selection, of the kinds that are asked for."""
+    from kindsl.features.actions.code_actions import code_actions, fix_all_action
+
+    start, end = view.offset(params.range.start), view.offset(params.range.end)
+    found = [*code_actions(view.analysis, start, end), fix_all_action(view.analysis)]
+    only = params.context.only
+    wanted = (_action(view, each) for each in found if each and _is_wanted(each.kind, only))
+    return [action for action in wanted if action is not None]
+
+
+def _is_wanted(kind: str, only: object) -> bool:
+    """Whether a kind is one of those asked for, or below one."""
+    if not isinstance(only, list | tuple):
+        return True
+    return any(f"{kind}.".startswith(f"{wanted}.") or not wanted for wanted in map(_text, only))
+
+
+def _text(kind: object) -> str:
+    return str(getattr(kind, "value", kind))
+
+
+def _action(view: View, action: "CodeAction") -> types.CodeAction | None:
+    """Return an action as the client takes it; None if the client cannot make it."""
+    edits = [(view.document, text_edits(view.document, action.edits))] if action.edits else []
+    new = []
+    if action.bindings:
+        binding = bound(view, action.bindings)
+        if binding is None or (binding.is_new and not makes_files(view.client)):
+            return None
+        edits.append((binding.document, text_edits(binding.document, [binding.edit])))
+        new = [binding.document] if binding.is_new else []
+    return types.CodeAction(
+        title=action.title,
+        kind=action.kind,
+        diagnostics=[
+            view.server.protocol.structured(each, types.Diagnostic)
+            for each in diagnostics(view.document, action.diagnostics, view.client)
+        ]
+        or None,
+        is_preferred=action.is_preferred or None,
+        edit=workspace_edit(view.client, edits, new),
+    )

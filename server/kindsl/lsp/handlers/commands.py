@@ -1,0 +1,91 @@
+"""The commands of `workspace/executeCommand`."""
+
+from typing import TYPE_CHECKING, Any
+
+from lsprotocol import types
+from pygls.exceptions import JsonRpcInvalidParams
+
+from kindsl.lsp.handlers.computing import computed
+from kindsl.lsp.handlers.table import Handlers
+from kindsl.lsp.session.view import View
+from kindsl.lsp.wire.client import asked
+from kindsl.lsp.wire.edits import text_edits, workspace_edit
+from kindsl.lsp.wire.errors import RequestFailed
+
+if TYPE_CHECKING:
+    from kindsl.lsp.server import KindslLanguageServer
+
+handlers = Handlers()
+
+
+@handlers.command("kindsl.preview")
+async def preview(
+    server: "KindslLanguageServer", uri: object = None, options: object = None, *_: object
+) -> dict[str, str]:
+    """Show a document in the live preview; return its page's address.
+
+    The option `origin` names the address under which a tunnel or proxy of the editor shows it.
+    """
+    origin = (
+        options.get("origin") if isinstance(options, dict) else getattr(options, "origin", None)
+    )
+    return {"url": await server.previews.open(_uri(uri), origin)}
+
+
+@handlers.command("kindsl.exportUrdf")
+async def export_urdf(server: "KindslLanguageServer", uri: object = None, *_: object) -> str:
+    """Return a document as URDF."""
+    return str(await _of_document(server, uri, _urdf))
+
+
+@handlers.command("kindsl.compute")
+async def compute(
+    server: "KindslLanguageServer", uri: object = None, options: object = None, *_: object
+) -> Any:
+    """Return poses, inertia and forces in some configurations."""
+    return await _of_document(server, uri, lambda view: computed(view, options))
+
+
+@handlers.command("kindsl.applyFixAll")
+async def apply_fix_all(server: "KindslLanguageServer", uri: object = None, *_: object) -> bool:
+    """Make every safe fix of a document; return whether there was one and the client made it."""
+    edit = await _of_document(server, uri, _all_fixes)
+    if edit is None:
+        return False
+    params = types.ApplyWorkspaceEditParams(edit, label="Fix all that is safe to fix")
+    answer = await asked(server.workspace_apply_edit_async(params))
+    return answer is not None and answer.applied
+
+
+async def _of_document(server: "KindslLanguageServer", uri: object, handler: Any) -> Any:
+    """Ask a handler, in the worker, since commands may take long."""
+    document = server.documents.get(_uri(uri))
+    if document is None or document.is_toml:
+        raise RequestFailed(f"'{uri}' is no document of the language")
+    view = View(document, await server.analyses.of(document), server)
+    return await server.worker.run(lambda: handler(view))
+
+
+def _uri(uri: object) -> str:
+    if not isinstance(uri, str):
+        raise JsonRpcInvalidParams("the first argument must be the URI of a document")
+    return uri
+
+
+def _urdf(view: View) -> str:
+    from kindsl.interchange.urdf_writing import urdf_text
+
+    try:
+        return urdf_text(view.analysis.model.name, view.analysis.mechanism().bodies)
+    except ImportError as error:
+        hint = "install it with: pip install 'kindsl[convert]'"
+        raise RequestFailed(f"the export needs {error.name}; {hint}") from None
+    except ValueError as error:
+        raise RequestFailed(str(error)) from None
+
+
+def _all_fixes(view: View) -> types.WorkspaceEdit | None:
+    from kindsl.features.actions.fix_all import fix_all
+
+    edits = text_edits(view.document, fix_all(view.analysis))
+    return workspace_edit(view.client, [(view.document, edits)]) if edits else None

@@ -1,0 +1,113 @@
+"""Completion: what may be typed, and the text beside the list for one item."""
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from lsprotocol import types
+
+from kindsl.lsp.handlers.table import Handlers
+from kindsl.lsp.session.view import View, plain
+
+if TYPE_CHECKING:
+    from kindsl.features.completion.completion import Completions
+    from kindsl.features.completion.item import CompletionItem
+    from kindsl.lsp.server import KindslLanguageServer
+
+handlers = Handlers()
+
+_OPTIONS = types.CompletionOptions(
+    trigger_characters=[" ", "{", "(", "=", "<", "^"], resolve_provider=True
+)
+_KINDS = {
+    "keyword": types.CompletionItemKind.Keyword.value,
+    "snippet": types.CompletionItemKind.Snippet.value,
+    "link": types.CompletionItemKind.Class.value,
+    "joint": types.CompletionItemKind.Method.value,
+    "frame": types.CompletionItemKind.Property.value,
+    "parameter": types.CompletionItemKind.Variable.value,
+    "constant": types.CompletionItemKind.Constant.value,
+    "value": types.CompletionItemKind.Value.value,
+}
+_ITEM = "text_document.completion.completion_item"
+
+
+@handlers.place(types.TEXT_DOCUMENT_COMPLETION, _OPTIONS)
+def complete(view: View, params: types.CompletionParams) -> dict[str, Any]:
+    """Offer what may be typed, the best first; in the protocol's form, which is asked for often."""
+    from kindsl.features.completion.completion import completions
+
+    found = completions(view.analysis, view.offset(params.position))
+    form = _form(view, found, params.position)
+    items = [_item(item, number, form) for number, item in enumerate(found.items)]
+    return {"isIncomplete": found.is_incomplete, "items": items}
+
+
+@handlers.server(types.COMPLETION_ITEM_RESOLVE)
+def resolve(server: "KindslLanguageServer", item: types.CompletionItem) -> Any:
+    """Add the text beside the list."""
+    data = item.data if isinstance(item.data, dict) else {}
+    return server.ask(_with_documentation, str(data.get("uri", "")), item)
+
+
+def _with_documentation(view: View, item: types.CompletionItem) -> types.CompletionItem:
+    from kindsl.features.completion.completion import documentation
+
+    data = item.data if isinstance(item.data, dict) else {}
+    text = documentation(view.analysis, str(data.get("kind", "")), item.label)
+    if text is not None:
+        formats = f"{_ITEM}.documentation_format"
+        is_told = bool(view.client.values(formats))
+        item.documentation = view.markup(text, formats) if is_told else plain(text)
+    return item
+
+
+class _Form(NamedTuple):
+    """What all items of an answer have in common.
+
+    Attributes:
+        uri: The document.
+        place: The parts of a text edit but for the text: the word to replace, and for a client
+            that can choose also the part of it before the cursor.
+        has_snippets: Whether the client knows placeholders.
+        mode: How it is to indent further lines, if it can be told.
+    """
+
+    uri: str
+    place: dict[str, Any]
+    has_snippets: bool
+    mode: dict[str, int]
+
+
+def _form(view: View, found: "Completions", position: types.Position) -> _Form:
+    start, end = _position(view, found.start), _position(view, found.end)
+    place: dict[str, Any] = {"range": {"start": start, "end": end}}
+    if view.client.can(f"{_ITEM}.insert_replace_support"):
+        cursor = _position(view, view.offset(position))
+        place = {"insert": {"start": start, "end": cursor}, "replace": place["range"]}
+    adjusts = types.InsertTextMode.AdjustIndentation
+    modes = view.client.values(f"{_ITEM}.insert_text_mode_support.value_set")
+    return _Form(
+        view.document.uri,
+        place,
+        view.client.can(f"{_ITEM}.snippet_support"),
+        {"insertTextMode": adjusts.value} if adjusts in modes else {},
+    )
+
+
+def _position(view: View, offset: int) -> dict[str, int]:
+    position = view.document.position(offset)
+    return {"line": position.line, "character": position.character}
+
+
+def _item(item: "CompletionItem", number: int, form: _Form) -> dict[str, Any]:
+    is_snippet = item.is_snippet and form.has_snippets
+    format_ = types.InsertTextFormat.Snippet if is_snippet else types.InsertTextFormat.PlainText
+    return {
+        "label": item.label,
+        "kind": _KINDS[item.kind],
+        "detail": item.detail,
+        "sortText": f"{number:04}",
+        "insertTextFormat": format_.value,
+        "textEdit": {"newText": item.text if is_snippet else item.plain_text, **form.place},
+        "data": {"uri": form.uri, "kind": item.kind},
+        **form.mode,
+    }

@@ -1,0 +1,146 @@
+"""Diagnostics that the client asks for."""
+
+import itertools
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
+
+from lsprotocol import types
+
+from kindsl.lsp.handlers.table import Handlers
+from kindsl.lsp.session.configuration_diagnostics import configuration_diagnostics
+from kindsl.lsp.session.findings import SOURCE, diagnostics
+from kindsl.lsp.session.progress import Progress
+from kindsl.lsp.session.worker import Urgency
+from kindsl.lsp.text import uris
+from kindsl.lsp.text.document import Document
+
+if TYPE_CHECKING:
+    from kindsl.analysis.diagnostics import Diagnostic
+    from kindsl.analysis.settings import Settings
+    from kindsl.lsp.server import KindslLanguageServer
+
+Report = dict[str, Any]
+
+handlers = Handlers()
+
+_GONE = "gone"
+_SERIAL = itertools.count(1)
+_OPTIONS = types.DiagnosticOptions(
+    inter_file_dependencies=False, workspace_diagnostics=True, identifier=SOURCE
+)
+
+
+@handlers.server(types.TEXT_DOCUMENT_DIAGNOSTIC, _OPTIONS)
+async def pull(server: "KindslLanguageServer", params: types.DocumentDiagnosticParams) -> Report:
+    """Answer what is wrong with a document, or that nothing has changed."""
+    document = server.documents.get(params.text_document.uri)
+    if document is None:
+        return {"kind": "full", "items": []}
+    server.publisher.leave_to_pull(document)
+    if document.is_toml:
+        return {"kind": "full", "items": await configuration_diagnostics(server, document)}
+    findings = await server.analyses.findings(document)
+    result_id = result_id_of(document, findings)
+    if result_id == params.previous_result_id:
+        return {"kind": "unchanged", "resultId": result_id}
+    items = diagnostics(document, findings, server.client)
+    return {"kind": "full", "resultId": result_id, "items": items}
+
+
+@handlers.server(types.WORKSPACE_DIAGNOSTIC)
+async def pull_all(
+    server: "KindslLanguageServer", params: types.WorkspaceDiagnosticParams
+) -> Report:
+    """Answer what is wrong with every robot in the workspace, whether open or not.
+
+    A client that takes partial results asks again and again; it has its answer when there is news.
+    """
+    reports = await _workspace_reports(server, params)
+    while params.partial_result_token is not None and not any(map(_is_news, reports)):
+        server.news.clear()
+        await server.news.wait()
+        reports = await _workspace_reports(server, params)
+    return {"items": reports}
+
+
+async def _workspace_reports(
+    server: "KindslLanguageServer", params: types.WorkspaceDiagnosticParams
+) -> list[Report]:
+    known = {uris.key(each.uri): each.value for each in params.previous_result_ids}
+    reports: list[Report] = []
+    async with Progress(server, "Checking robots", params.work_done_token) as progress:
+        files = await server.worker.run(lambda: list(server.settings.files()), Urgency.BACKGROUND)
+        for number, uri in enumerate(open_and_closed(server, files)):
+            await progress.report(number, len(files))
+            report = await _workspace_report(server, uri, known.get(uris.key(uri)))
+            reports += [report] if report is not None else []
+    listed = {uris.key(report["uri"]) for report in reports}
+    gone = (each for each in params.previous_result_ids if uris.key(each.uri) not in listed)
+    return [*reports, *map(_gone_report, gone)]
+
+
+def _gone_report(previous: types.PreviousResultId) -> Report:
+    """Return that nothing is wrong any more with a document that is no more."""
+    told = {"uri": previous.uri, "version": None, "resultId": _GONE}
+    if previous.value == _GONE:
+        return {**told, "kind": "unchanged"}
+    return {**told, "kind": "full", "items": []}
+
+
+def _is_news(report: Report) -> bool:
+    return bool(report["kind"] == "full")
+
+
+async def _workspace_report(
+    server: "KindslLanguageServer", uri: str, known: str | None
+) -> Report | None:
+    document = server.documents.get(uri)
+    if document is None or document.is_toml:
+        return None
+    report = await _report(server, document)
+    told = {"uri": uri, "version": document.version, "resultId": report.result_id}
+    if report.result_id == known:
+        return {**told, "kind": "unchanged"}
+    return {**told, "kind": "full", "items": report.items}
+
+
+async def _report(server: "KindslLanguageServer", document: Document) -> "_Report":
+    """Return what is wrong with a document; of a file that is not open only this is kept."""
+    settings = await server.analyses.settings(document)
+    report = document.facts.get(_Report)
+    if report is None or report.settings != settings:
+        findings = await server.analyses.findings(document, Urgency.BACKGROUND)
+        items = diagnostics(document, findings, server.client)
+        report = _Report(settings, result_id_of(document, findings), items)
+        document.facts[_Report] = report
+        server.analyses.rest(document)
+    return cast(_Report, report)
+
+
+class _Report(NamedTuple):
+    """What is wrong with a version under some settings, as it was told."""
+
+    settings: "Settings"
+    result_id: str
+    items: list[dict[str, Any]]
+
+
+def open_and_closed(server: "KindslLanguageServer", files: Iterable[Path]) -> Iterator[str]:
+    """Yield the URI of every robot that is open or lies in the workspace, each once."""
+    seen = set()
+    for document in server.documents:
+        seen.add(uris.key(document.uri))
+        yield document.uri
+    for file in files:
+        uri = uris.uri(file)
+        if uris.key(uri) not in seen:
+            yield uri
+
+
+def result_id_of(document: Document, findings: "tuple[Diagnostic, ...]") -> str:
+    """Return a name for these findings of this version."""
+    known = document.facts.get(result_id_of)
+    if known is None or known[0] is not findings:
+        known = document.facts[result_id_of] = findings, str(next(_SERIAL))
+    return str(known[1])

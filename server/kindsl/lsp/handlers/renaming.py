@@ -1,0 +1,38 @@
+"""Renaming, in the document and in the project's configuration."""
+
+from lsprotocol import types
+
+from kindsl.lsp.handlers.table import Handlers
+from kindsl.lsp.session.configuration_files import bound_places, rename_binding
+from kindsl.lsp.session.view import View
+from kindsl.lsp.wire.edits import text_edits, workspace_edit
+from kindsl.lsp.wire.errors import RequestFailed
+
+handlers = Handlers()
+
+
+@handlers.place(types.TEXT_DOCUMENT_PREPARE_RENAME)
+def prepare(view: View, params: types.PrepareRenameParams) -> types.Range | None:
+    """Find the name that would be renamed; None where there is none."""
+    from kindsl.features.rename import Refusal, rename_range
+
+    found = rename_range(view.analysis, view.offset(params.position))
+    return None if isinstance(found, Refusal) else view.range(*found)
+
+
+@handlers.place(types.TEXT_DOCUMENT_RENAME, types.RenameOptions(prepare_provider=True))
+def rename(view: View, params: types.RenameParams) -> types.WorkspaceEdit | None:
+    """Give something another name everywhere."""
+    from kindsl.features.rename import Refusal, rename, rename_range
+
+    if isinstance(rename_range(view.analysis, view.offset(params.position)), Refusal):
+        return None
+    found = rename(view.analysis, view.offset(params.position), params.new_name)
+    if isinstance(found, Refusal):
+        raise RequestFailed(found.message)
+    edits = [(view.document, text_edits(view.document, found.edits))]
+    if found.bound_parameter is not None:
+        for place in bound_places(view, found.bound_parameter):
+            binding = rename_binding(place, params.new_name)
+            edits.append((place.document, text_edits(place.document, [binding])))
+    return workspace_edit(view.client, edits)

@@ -1,0 +1,159 @@
+"""The shape of a document: outline, folds, growing selections, links."""
+
+from typing import TYPE_CHECKING, Any, cast
+
+from lsprotocol import types
+
+from kindsl.lsp.handlers.diagnostics import open_and_closed
+from kindsl.lsp.handlers.table import Handlers
+from kindsl.lsp.session.configuration_files import configuration_links
+from kindsl.lsp.session.progress import Progress
+from kindsl.lsp.session.view import View
+from kindsl.lsp.session.worker import Urgency
+
+if TYPE_CHECKING:
+    from kindsl.features.document_symbols import DocumentSymbol
+    from kindsl.lsp.server import KindslLanguageServer
+
+handlers = Handlers()
+
+_KINDS = {
+    "robot": types.SymbolKind.Namespace,
+    "base": types.SymbolKind.Class,
+    "link": types.SymbolKind.Class,
+    "joint": types.SymbolKind.Method,
+    "frame": types.SymbolKind.Property,
+}
+_FOLDS = {"block": types.FoldingRangeKind.Region, "comment": types.FoldingRangeKind.Comment}
+_MOST_SYMBOLS = 1000
+
+
+@handlers.document(types.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
+def outline(
+    view: View, _: types.DocumentSymbolParams
+) -> list[types.DocumentSymbol] | list[types.SymbolInformation]:
+    """Show the kinematic tree, or a list to a client that cannot nest."""
+    from kindsl.features.document_symbols import document_symbols, flat_symbols
+
+    if view.client.can("text_document.document_symbol.hierarchical_document_symbol_support"):
+        return [_symbol(view, symbol) for symbol in document_symbols(view.analysis)]
+    return [
+        types.SymbolInformation(
+            view.location(symbol.start, symbol.end), symbol.name, _KINDS[symbol.kind]
+        )
+        for symbol in flat_symbols(view.analysis)
+    ]
+
+
+@handlers.server(types.WORKSPACE_SYMBOL, types.WorkspaceSymbolOptions())
+async def workspace_symbols(
+    server: "KindslLanguageServer", params: types.WorkspaceSymbolParams
+) -> list[types.SymbolInformation]:
+    """Find named things in all robots of the workspace."""
+    from kindsl.features.workspace_symbols import is_match
+
+    found: list[types.SymbolInformation] = []
+    async with Progress(server, "Reading robots", params.work_done_token) as progress:
+        files = await server.worker.run(lambda: list(server.settings.files()), Urgency.BACKGROUND)
+        for number, uri in enumerate(open_and_closed(server, files)):
+            await progress.report(number, len(files))
+            symbols = await _symbols_of(server, uri)
+            found += [symbol for symbol in symbols if is_match(params.query, symbol.name)]
+    return found[:_MOST_SYMBOLS]
+
+
+async def _symbols_of(server: "KindslLanguageServer", uri: str) -> list[types.SymbolInformation]:
+    """Return the symbols of a document; of a file that is not open only they are kept."""
+    document = server.documents.get(uri)
+    if document is None or document.is_toml:
+        return []
+    if _symbols_of not in document.facts:
+        document.facts[_symbols_of] = await server.ask_at_once(_all_symbols, uri, None)
+        server.analyses.rest(document)
+    return cast(list[types.SymbolInformation], document.facts[_symbols_of])
+
+
+def _all_symbols(view: View, _: None) -> list[types.SymbolInformation]:
+    from kindsl.features.workspace_symbols import workspace_symbols
+
+    return [
+        types.SymbolInformation(
+            view.location(s.start, s.end), s.name, _KINDS[s.kind], container_name=s.container
+        )
+        for s in workspace_symbols(view.analysis, "")
+    ]
+
+
+@handlers.document(types.TEXT_DOCUMENT_FOLDING_RANGE)
+def folding(view: View, _: types.FoldingRangeParams) -> list[types.FoldingRange]:
+    """Show what can be folded away."""
+    from kindsl.features.folding import folds
+
+    whole_lines = view.client.can("text_document.folding_range.line_folding_only")
+    found = []
+    for fold in folds(view.analysis):
+        start, end = view.document.position(fold.start), view.document.position(fold.end)
+        last = end.line - 1 if whole_lines and fold.kind == "block" else end.line
+        if last > start.line:
+            kind = _FOLDS[fold.kind] if fold.kind == "comment" else None
+            found.append(
+                types.FoldingRange(start.line, last, start.character, end.character, kind)
+                if not whole_lines
+                else types.FoldingRange(start.line, last, kind=kind)
+            )
+    return found
+
+
+@handlers.place(types.TEXT_DOCUMENT_SELECTION_RANGE)
+def selection(view: View, params: types.SelectionRangeParams) -> list[types.SelectionRange]:
+    """Grow selections around places."""
+    return [_selection(view, position) for position in params.positions]
+
+
+@handlers.place(types.TEXT_DOCUMENT_LINKED_EDITING_RANGE)
+def linked_editing(
+    view: View, params: types.LinkedEditingRangeParams
+) -> types.LinkedEditingRanges | None:
+    """Find the places that change together while one is typed in."""
+    from kindsl.features.linked_editing import linked_ranges
+
+    found = linked_ranges(view.analysis, view.offset(params.position))
+    return types.LinkedEditingRanges([view.range(*span) for span in found]) if found else None
+
+
+@handlers.server(types.TEXT_DOCUMENT_DOCUMENT_LINK, types.DocumentLinkOptions())
+def links(server: "KindslLanguageServer", params: types.DocumentLinkParams) -> Any:
+    """Find addresses in comments, and documents that a configuration file names."""
+    document = server.documents.get(params.text_document.uri)
+    if document is not None and document.is_toml:
+        return configuration_links(document)
+    return server.ask(_links, params.text_document.uri, params)
+
+
+def _links(view: View, _: types.DocumentLinkParams) -> list[types.DocumentLink]:
+    from kindsl.features.document_links import document_links
+
+    return [
+        types.DocumentLink(view.range(link.start, link.end), link.target)
+        for link in document_links(view.analysis)
+    ]
+
+
+def _symbol(view: View, symbol: "DocumentSymbol") -> types.DocumentSymbol:
+    return types.DocumentSymbol(
+        name=symbol.name,
+        kind=_KINDS[symbol.kind],
+        range=view.range(symbol.start, symbol.end),
+        selection_range=view.range(symbol.name_start, symbol.name_end),
+        detail=symbol.detail,
+        children=[_symbol(view, child) for child in symbol.children],
+    )
+
+
+def _selection(view: View, position: types.Position) -> types.SelectionRange:
+    from kindsl.features.selection_range import selection_ranges
+
+    outer: types.SelectionRange | None = None
+    for span in reversed(selection_ranges(view.analysis, view.offset(position))):
+        outer = types.SelectionRange(view.range(*span), outer)
+    return outer or types.SelectionRange(types.Range(position, position))

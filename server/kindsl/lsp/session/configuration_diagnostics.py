@@ -1,0 +1,104 @@
+"""What is wrong in a configuration file as it is in the editor.
+
+For bindings that nothing uses, open robots are known by their parameters, those on disk by the
+words in them.
+"""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from lsprotocol import types
+
+from kindsl.config.robots import robots_below
+from kindsl.lsp.session.configuration_files import configuration_of
+from kindsl.lsp.session.findings import SOURCE, diagnostics
+from kindsl.lsp.session.worker import Urgency
+from kindsl.lsp.text import uris
+from kindsl.lsp.text.document import Document
+
+if TYPE_CHECKING:
+    from kindsl.analysis.analysis import Analysis
+    from kindsl.analysis.diagnostics import Diagnostic
+    from kindsl.config.unused_bindings import Names
+    from kindsl.lsp.server import KindslLanguageServer
+
+
+async def configuration_diagnostics(
+    server: "KindslLanguageServer", document: Document
+) -> list[dict[str, Any]]:
+    """Return mistakes in a configuration file, else what it binds in vain, as they are sent."""
+    problems = await server.worker.run(lambda: configuration_problems(document))
+    if problems:
+        return problems
+    return diagnostics(document, await _unused_bindings(server, document), server.client)
+
+
+def configuration_problems(document: Document) -> list[dict[str, Any]]:
+    """Return mistakes in a configuration file, as they are sent; none for other TOML files."""
+    from kindsl.config.configuration import ConfigurationError
+
+    try:
+        configuration_of(document)
+    except ConfigurationError as error:
+        return [
+            {
+                "range": document.wire_range(problem.place.start, problem.place.end),
+                "severity": types.DiagnosticSeverity.Error.value,
+                "source": SOURCE,
+                "message": problem.message,
+            }
+            for problem in error.problems
+        ]
+    return []
+
+
+def parameter_names(analysis: "Analysis") -> frozenset[str]:
+    """Return the names of a document's parameters."""
+    return frozenset(str(parameter.name) for parameter in analysis.model.parameters)
+
+
+async def _unused_bindings(
+    server: "KindslLanguageServer", document: Document
+) -> "list[Diagnostic]":
+    """Return what a configuration file, as it is in the editor, binds in vain."""
+    file = uris.path(document.uri)
+    if file is None:
+        return []
+    settings = await server.analyses.settings(document)
+    used = await _parameters_of_open(server, file.parent)
+
+    def others() -> "Iterator[Names]":
+        from kindsl.config.unused_bindings import words_of
+
+        for path in robots_below(file.parent):
+            server.worker.checkpoint()
+            if str(path) not in used:
+                yield str(path), words_of(_text(path))
+
+    def check() -> "list[Diagnostic]":
+        from kindsl.config.unused_bindings import unused_bindings
+
+        configuration = configuration_of(document)
+        return unused_bindings(configuration, settings, used, others) if configuration else []
+
+    return await server.worker.run(check, Urgency.DIAGNOSTICS)
+
+
+async def _parameters_of_open(
+    server: "KindslLanguageServer", folder: Path
+) -> dict[str, frozenset[str]]:
+    """Return the parameters of the robots below a folder that the editor shows, by path."""
+    found = {}
+    for robot in server.documents:
+        path = uris.path(robot.uri)
+        if path is not None and not robot.is_toml and path.is_relative_to(folder):
+            found[str(path)] = parameter_names(await server.analyses.of(robot))
+    return found
+
+
+def _text(path: Path) -> str:
+    try:
+        return path.read_text("utf-8", "replace")
+    except OSError:
+        return ""

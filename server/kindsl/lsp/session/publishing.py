@@ -1,0 +1,161 @@
+"""Diagnostics pushed to the client while someone types."""
+
+import asyncio
+from typing import TYPE_CHECKING, Any
+
+from lsprotocol import types
+
+from kindsl.lsp.session import memory, tasks
+from kindsl.lsp.session.configuration_diagnostics import (
+    configuration_diagnostics,
+    configuration_problems,
+    parameter_names,
+)
+from kindsl.lsp.session.findings import diagnostics
+from kindsl.lsp.session.status import tell_status
+from kindsl.lsp.session.worker import Urgency
+from kindsl.lsp.text import uris
+from kindsl.lsp.text.document import Document
+from kindsl.lsp.wire.protocol import Encoded
+
+if TYPE_CHECKING:
+    from kindsl.analysis.diagnostics import Diagnostic
+    from kindsl.lsp.server import KindslLanguageServer
+
+_MANY = 200
+
+
+class Publisher:
+    """Publishes what is wrong with each open document, a moment after the last keystroke.
+
+    Documents that the client pulls diagnostics for are left to it, lest each is shown twice.
+    """
+
+    __slots__ = ("_broken", "_checked", "_parameters", "_pulled", "_server", "_shown", "_tasks")
+
+    def __init__(self, server: "KindslLanguageServer") -> None:
+        self._server = server
+        self._tasks: dict[str, asyncio.Task[None]] = {}
+        self._pulled: set[str] = set()
+        self._checked: set[str] = set()
+        self._shown: set[str] = set()
+        self._broken: set[str] = set()
+        self._parameters: dict[str, frozenset[str]] = {}
+        server.documents.on_open.append(lambda document: self.schedule(document, 0.0))
+        server.documents.on_change.append(self._changed)
+        server.documents.on_close.append(self._close)
+
+    def schedule(self, document: Document, delay: float) -> None:
+        """Publish for this version after some seconds, unless another one comes before."""
+        key = uris.key(document.uri)
+        if key in self._tasks:
+            self._tasks[key].cancel()
+        self._tasks[key] = tasks.start(self._publish_later(document, delay))
+
+    def leave_to_pull(self, document: Document) -> None:
+        """Push no more for a document that the client pulls for."""
+        key = uris.key(document.uri)
+        if self._server.client.can("text_document.diagnostic") and key not in self._pulled:
+            self._pulled.add(key)
+            if key in self._shown:
+                self._publish(document.uri, None, [])
+
+    def refresh(self) -> None:
+        """Publish for all open documents again."""
+        for document in self._server.documents:
+            self.schedule(document, 0.0)
+
+    def clear(self, uri: str) -> None:
+        """Show nothing any more for a document that is gone."""
+        self._publish(uri, None, [])
+
+    def _changed(self, document: Document) -> None:
+        settings = self._server.settings.editor_settings(document.uri)
+        self.schedule(document, settings.diagnostics_delay)
+
+    def _close(self, document: Document) -> None:
+        key = uris.key(document.uri)
+        if key in self._tasks:
+            self._tasks.pop(key).cancel()
+        self._pulled.discard(key)
+        self._checked.discard(key)
+        self._parameters.pop(key, None)
+        self._publish(document.uri, None, [])
+
+    async def _publish_later(self, document: Document, delay: float) -> None:
+        if delay:
+            await asyncio.sleep(delay)
+        if document.is_toml:
+            await self._publish_configuration(document)
+            return
+        findings = await self._findings(document)
+        if uris.key(document.uri) not in self._checked:
+            self._checked.add(uris.key(document.uri))
+            memory.set_aside()
+        shown = await self._encoded(document, findings)
+        if self._server.documents.is_current(document):
+            if uris.key(document.uri) not in self._pulled:
+                self._send(document.uri, shown, bool(findings))
+            self._publish_broken_files()
+            await self._check_configurations(document)
+            await tell_status(self._server, document, findings)
+            await self._server.previews.update(document)
+
+    async def _findings(self, document: Document) -> "tuple[Diagnostic, ...]":
+        await self._server.analyses.of(document)
+        await self._server.until_quiet()
+        return await self._server.analyses.findings(document, Urgency.DIAGNOSTICS)
+
+    async def _encoded(self, document: Document, findings: "tuple[Diagnostic, ...]") -> Encoded:
+        """Return findings as they are sent; many are made ready in the worker."""
+
+        def encoded() -> Encoded:
+            shown = diagnostics(document, findings, self._server.client)
+            params = {"uri": document.uri, "version": document.version, "diagnostics": shown}
+            return self._server.protocol.encoded(params)
+
+        if len(findings) < _MANY:
+            return encoded()
+        return await self._server.worker.run(encoded, Urgency.DIAGNOSTICS)
+
+    async def _publish_configuration(self, document: Document) -> None:
+        """Publish what is wrong with a configuration file as it is in the editor."""
+        shown = await configuration_diagnostics(self._server, document)
+        is_pulled = uris.key(document.uri) in self._pulled
+        if self._server.documents.is_current(document) and not is_pulled:
+            self._publish(document.uri, document.version, shown)
+
+    async def _check_configurations(self, document: Document) -> None:
+        """Check open configuration files again if a robot has got other parameters."""
+        configurations = [other for other in self._server.documents if other.is_toml]
+        if not configurations:
+            return
+        key = uris.key(document.uri)
+        parameters = parameter_names(await self._server.analyses.of(document))
+        if self._parameters.get(key, frozenset()) == parameters:
+            return
+        self._parameters[key] = parameters
+        for other in configurations:
+            if uris.key(other.uri) not in self._pulled:
+                self.schedule(other, 0.0)
+            elif self._server.client.can("workspace.diagnostics.refresh_support"):
+                self._server.workspace_diagnostic_refresh(None)
+
+    def _publish_broken_files(self) -> None:
+        """Publish what is wrong with configuration files that no editor shows."""
+        broken = {uris.uri(path) for path in self._server.settings.broken}
+        for uri in broken ^ self._broken:
+            document = self._server.documents.get(uri)
+            if document is not None and document.version is None:
+                self._publish(uri, None, configuration_problems(document))
+        self._broken = broken
+
+    def _publish(self, uri: str, version: int | None, diagnostics: list[dict[str, Any]]) -> None:
+        params: dict[str, Any] = {"uri": uri, "diagnostics": diagnostics}
+        if version is not None:
+            params["version"] = version
+        self._send(uri, self._server.protocol.encoded(params), bool(diagnostics))
+
+    def _send(self, uri: str, params: Encoded, has_findings: bool) -> None:
+        (self._shown.add if has_findings else self._shown.discard)(uris.key(uri))
+        self._server.protocol.notify_encoded(types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS, params)

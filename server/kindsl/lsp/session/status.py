@@ -1,0 +1,42 @@
+"""`kindsl/status`: one line about a robot for the editor's status bar."""
+
+from typing import TYPE_CHECKING
+
+from kindsl.lsp.session.worker import Urgency
+from kindsl.lsp.text.document import Document
+
+if TYPE_CHECKING:
+    from kindsl.analysis.analysis import Analysis
+    from kindsl.analysis.diagnostics import Diagnostic
+    from kindsl.lsp.server import KindslLanguageServer
+
+METHOD = "kindsl/status"
+
+_BASE_FREEDOM = 6
+
+
+async def tell_status(
+    server: "KindslLanguageServer", document: Document, findings: "tuple[Diagnostic, ...]"
+) -> None:
+    """Send a status to a client that listens to it."""
+    if server.client.announces(METHOD):
+        analysis = await server.analyses.of(document)
+        status = await server.worker.run(lambda: _status(analysis), Urgency.DIAGNOSTICS)
+        found = {"uri": document.uri, "findings": len(findings)}
+        server.protocol.notify(METHOD, found | status)
+
+
+def _status(analysis: "Analysis") -> dict[str, object]:
+    """Return the degrees of freedom, None for a broken model, and a word for the user."""
+    from kindsl.mechanism.errors import ModelError
+    from kindsl.mechanism.numbering import numbered_by_id
+
+    model = analysis.model
+    try:
+        edges = numbered_by_id(model)
+    except ModelError:
+        return {"dof": None, "state": "broken model"}
+    dof = len(edges) + (_BASE_FREEDOM if model.floating else 0)
+    names = {str(parameter.name) for parameter in model.parameters}
+    is_bound = names <= analysis.context.values.keys()
+    return {"dof": dof, "state": "ready" if is_bound else "unbound parameters"}

@@ -1,0 +1,84 @@
+"""What a handler sees: one version of a document, what is known about it, and the settings."""
+
+import re
+from typing import TYPE_CHECKING
+
+from lsprotocol import types
+
+from kindsl.lsp.text.document import Document
+from kindsl.lsp.wire.client import Client
+
+if TYPE_CHECKING:
+    from kindsl.analysis.analysis import Analysis
+    from kindsl.lsp.server import KindslLanguageServer
+    from kindsl.lsp.session.settings import EditorSettings
+
+
+_MARKS = re.compile(r"\*\*|`|\\(?=[^\w\s])")
+
+
+class View:
+    """One version of a document with its analysis.
+
+    Attributes:
+        document: The text.
+        analysis: What it means.
+        server: The settings, the client, the other documents.
+    """
+
+    __slots__ = ("analysis", "document", "server")
+
+    def __init__(
+        self, document: Document, analysis: "Analysis", server: "KindslLanguageServer"
+    ) -> None:
+        self.document = document
+        self.analysis = analysis
+        self.server = server
+
+    def offset(self, position: types.Position) -> int:
+        """Return the code point that a client's position means."""
+        return self.document.offset(position)
+
+    @property
+    def client(self) -> Client:
+        """What the editor can do."""
+        return self.server.client
+
+    @property
+    def editor_settings(self) -> "EditorSettings":
+        """What the user decided in the editor."""
+        return self.server.settings.editor_settings(self.document.uri)
+
+    def markup(self, markdown: str, capability: str) -> types.MarkupContent:
+        """Return a text as Markdown, or plain to a client that lists other formats only."""
+        formats = self.client.values(capability)
+        is_known = not formats or types.MarkupKind.Markdown in formats
+        kind = types.MarkupKind.Markdown if is_known else types.MarkupKind.PlainText
+        return types.MarkupContent(kind, markdown if is_known else plain(markdown))
+
+    def follow_cursor(self, position: types.Position) -> None:
+        """Light up in the preview what the cursor is on."""
+        from kindsl.features.symbol_at import symbol_at
+
+        symbol = symbol_at(self.analysis, self.offset(position))
+        kind, name = (symbol.entity.kind, symbol.entity.name) if symbol else ("", "")
+        self.server.previews.highlight(self.document.uri, kind, name)
+
+    def refuse(self, message: str) -> None:
+        """Tell the user why something was not done; not again at each save of a broken document."""
+        if self.document.uri not in self.server.refused:
+            self.server.refused.add(self.document.uri)
+            self.server.show_warning(message)
+
+    def location(self, start: int, end: int) -> types.Location:
+        """Return the client's place of a stretch of code points."""
+        return types.Location(self.document.uri, self.range(start, end))
+
+    def range(self, start: int, end: int) -> types.Range:
+        """Return the client's range of a stretch of code points."""
+        return self.document.range(start, end)
+
+
+def plain(markdown: str) -> str:
+    """Return Markdown without its marks."""
+    return _MARKS.sub("", markdown)

@@ -1,0 +1,159 @@
+"""Folders and their settings: what the editor says, merged with `kindsl.toml`.
+
+Settings are kept as they came until they are first asked for, since all that gives them a meaning
+loads only after the client has its answer to `initialize`.
+"""
+
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from lsprotocol import types
+
+from kindsl.config.file_names import OWN_FILE, PYTHON_FILE
+from kindsl.config.robots import robots_below
+from kindsl.lsp.text import uris
+
+if TYPE_CHECKING:
+    from kindsl.analysis.settings import Settings
+    from kindsl.config.configuration import Configuration, ConfigurationProblem
+    from kindsl.config.discovery import Configurations
+    from kindsl.lsp.session.settings import EditorSettings
+    from kindsl.lsp.text.document import Document
+
+CONFIGURATION_FILES = (OWN_FILE, PYTHON_FILE)
+
+
+class Workspace:
+    """The folders that the editor has open, and who decides what in them.
+
+    Attributes:
+        folders: Their URIs.
+    """
+
+    def __init__(self) -> None:
+        self.folders: dict[str, str] = {}
+        self._raw: dict[str | None, object] = {}
+        self._understood: dict[str | None, EditorSettings] = {}
+        self._project = _Project()
+
+    def add_folders(self, folders: Iterable[types.WorkspaceFolder]) -> None:
+        """Open folders."""
+        for folder in folders:
+            self.folders[uris.key(folder.uri)] = folder.uri
+        self.forget()
+
+    def remove_folders(self, folders: Iterable[types.WorkspaceFolder]) -> None:
+        """Close folders."""
+        for folder in folders:
+            self.folders.pop(uris.key(folder.uri), None)
+            self._raw.pop(uris.key(folder.uri), None)
+        self.forget()
+
+    def set_editor_settings(self, raw: object, folder: str | None = None) -> bool:
+        """Take the section `kindsl` for all, or for one folder; return whether it is new."""
+        scope = None if folder is None else uris.key(folder)
+        is_new = self._raw.get(scope) != raw
+        self._raw[scope] = raw
+        if is_new:
+            self.forget()
+        return is_new
+
+    def editor_settings(self, uri: str) -> "EditorSettings":
+        """Return what the editor says for a document: its innermost folder's word."""
+        key = uris.key(uri)
+        inside = [scope for scope in self._raw if scope and _is_below(key, scope)]
+        return self._understand(max(inside, key=len) if inside else None)
+
+    def problems(self) -> list[str]:
+        """Return a sentence for each of the editor's settings that makes no sense."""
+        return [p for scope in self._raw for p in self._understand(scope).problems]
+
+    def known_settings(self, document: "Document") -> "Settings | None":
+        """Return the decisions for a document if they have been read already."""
+        return self._project.merged.get(uris.key(document.uri))
+
+    def read_settings(self, document: "Document") -> "Settings":
+        """Return the decisions for a document; reads files, so not for the message loop."""
+        from kindsl.lsp.session.settings import merged
+
+        project, key = self._project, uris.key(document.uri)
+        if key not in project.merged:
+            path = uris.path(document.uri)
+            place = path or next((f / "untitled.kindsl" for f in self.paths()), None)
+            editor = self.editor_settings(document.uri).rules
+            project.merged[key] = merged(project.settings(place), editor)
+        return project.merged[key]
+
+    def configuration_file(self, document: "Document") -> Path | None:
+        """Return the file that decides for a document besides the editor, if it is valid."""
+        return self._project.file(uris.path(document.uri))
+
+    @property
+    def broken(self) -> "dict[Path, tuple[ConfigurationProblem, ...]]":
+        """What is wrong with configuration files that were read."""
+        return self._project.broken
+
+    def forget(self) -> None:
+        """Read and merge settings again when they are next asked for."""
+        self._understood = {}
+        self._project = _Project()
+
+    def paths(self) -> Iterator[Path]:
+        """Yield the paths of the folders."""
+        for uri in self.folders.values():
+            path = uris.path(uri)
+            if path is not None:
+                yield path
+
+    def files(self) -> Iterator[Path]:
+        """Yield the robots in all folders."""
+        for folder in self.paths():
+            yield from robots_below(folder)
+
+    def _understand(self, scope: str | None) -> "EditorSettings":
+        from kindsl.lsp.session.settings import editor_settings
+
+        if scope not in self._understood:
+            self._understood[scope] = editor_settings(self._raw.get(scope))
+        return self._understood[scope]
+
+
+class _Project:
+    """What the configuration files say, as of one moment."""
+
+    __slots__ = ("_configurations", "broken", "merged")
+
+    def __init__(self) -> None:
+        self._configurations: Configurations | None = None
+        self.broken: dict[Path, tuple[ConfigurationProblem, ...]] = {}
+        self.merged: dict[str, Settings] = {}
+
+    def settings(self, document: Path | None) -> "Settings":
+        """Return what the nearest `kindsl.toml` says; nothing, if it says something wrong."""
+        from kindsl.analysis.settings import Settings
+
+        if document is None:
+            return Settings()
+        found = self._above(document)
+        return Settings() if found is None else found.settings_for(str(document))
+
+    def file(self, document: Path | None) -> Path | None:
+        """Return the nearest configuration file above a document, if it is valid."""
+        found = self._above(document) if document is not None else None
+        return Path(found.path).absolute() if found is not None else None
+
+    def _above(self, document: Path) -> "Configuration | None":
+        from kindsl.config.configuration import ConfigurationError
+        from kindsl.config.discovery import Configurations
+
+        self._configurations = self._configurations or Configurations()
+        try:
+            return self._configurations.above(str(document))
+        except ConfigurationError as error:
+            self.broken[Path(error.problems[0].path).absolute()] = error.problems
+            return None
+
+
+def _is_below(key: str, folder: str) -> bool:
+    return key.startswith(folder.rstrip("/") + "/")

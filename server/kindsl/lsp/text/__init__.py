@@ -1,0 +1,4 @@
+"""Knows open documents, positions, addresses.
+
+Must not know sessions, messages.
+"""

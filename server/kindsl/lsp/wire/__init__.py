@@ -1,0 +1,4 @@
+"""Knows bytes and messages of the protocol.
+
+Must not know documents, features.
+"""

@@ -1,0 +1,167 @@
+"""One document's preview: from an analysis and the sliders' values to the state of its pages."""
+
+import asyncio
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from kindsl.analysis.analysis import Analysis
+from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.dynamics.bodies import Bodies
+from kindsl.mechanism.build import drawable_bodies
+from kindsl.preview.channel import Channel, Tab
+from kindsl.preview.scene.findings import finding_messages, status_message
+from kindsl.preview.scene.messages import Message, Messages, keyed, path_of
+from kindsl.preview.scene.parameters import parameter_messages
+from kindsl.preview.scene.picture import Picture, State, picture
+from kindsl.preview.scene.robot import ghost_messages, robot_messages
+
+# More joints or parameters than any robot has.
+MOST_VALUES = 10_000
+
+
+class Drawing(NamedTuple):
+    """What there is to show of a version.
+
+    Attributes:
+        given: The values that it was made with.
+        picture: Which bodies, and in what state.
+        robot: Their messages, None without bodies.
+    """
+
+    given: dict[str, float]
+    picture: Picture
+    robot: Messages | None
+
+
+class DocumentPreview:
+    """What the pages of one document show.
+
+    Attributes:
+        channel: The state and the tabs.
+        analysis: The document as last shown, None before.
+        findings: What was found in it.
+        newest: The version that was last asked for, maybe not yet shown.
+        turn: Held while a version is drawn.
+    """
+
+    def __init__(self, label: str) -> None:
+        self.channel = Channel()
+        self.analysis: Analysis | None = None
+        self.findings: Sequence[Diagnostic] = ()
+        self.newest: Analysis | None = None
+        self.turn = asyncio.Lock()
+        self._label = label
+        self._joints: dict[str, float] = {}
+        self._parameters: dict[str, float] = {}
+        self._last_good: Bodies | None = None
+        self._ghost: Bodies | None = None
+
+    def show(self, analysis: Analysis, findings: Sequence[Diagnostic]) -> None:
+        """Show a version; values that were set by sliders stay."""
+        self.put(analysis, findings, self.drawing(analysis))
+
+    def drawing(self, analysis: Analysis) -> Drawing:
+        """Return what there is to show of a version; changes nothing, so any thread may ask."""
+        given = {**analysis.context.values, **self._parameters}
+        drawn = picture(analysis.model, given, self._last_good)
+        bodies = drawn.bodies
+        robot = robot_messages(str(analysis.model.name), bodies) if bodies is not None else None
+        return Drawing(given, drawn, robot)
+
+    def put(self, analysis: Analysis, findings: Sequence[Diagnostic], drawing: Drawing) -> None:
+        """Show a version of which a drawing was made."""
+        self.analysis = analysis
+        self.findings = findings
+        if drawing.given != {**analysis.context.values, **self._parameters}:
+            drawing = self.drawing(analysis)
+        self._put(analysis, drawing)
+        self.channel.replace("findings", finding_messages(findings, analysis.text))
+
+    def keep_as_ghost(self) -> None:
+        """Make the version that is drawn the one that stands behind later ones."""
+        self._ghost = self._last_good
+        self._draw_ghost()
+
+    def compare(self, other: Analysis) -> None:
+        """Let another document stand behind this one.
+
+        Raises:
+            ModelError: It has no bodies.
+        """
+        self._ghost = drawable_bodies(other.model, other.context.values)
+        self._draw_ghost()
+
+    def set_joint(self, name: str, value: float, sender: Tab | None = None) -> None:
+        """Move a joint to a position, radians or metres."""
+        if math.isfinite(value) and _has_room(self._joints, name):
+            self._joints[name] = value
+            self.channel.put("joints", _joint_value(name, value), sender)
+
+    def set_parameter(self, name: str, value: float | None) -> None:
+        """Give a parameter a value, or its own back for None."""
+        if value is None:
+            self._parameters.pop(name, None)
+        elif math.isfinite(value) and _has_room(self._parameters, name):
+            self._parameters[name] = value
+        self._draw()
+
+    def adopt(self, joints: dict[str, float], parameters: dict[str, float]) -> None:
+        """Take over the values of a page that was there before this server, where none are set."""
+        for name, value in joints.items():
+            if name not in self._joints:
+                self.set_joint(name, value)
+        for name, value in parameters.items():
+            if name not in self._parameters:
+                self.set_parameter(name, value)
+
+    def highlight(self, kind: str, name: str) -> None:
+        """Light up a link, joint or frame; nothing for an empty name."""
+        message = {"type": "highlight", "path": path_of("highlight"), "kind": kind, "name": name}
+        self.channel.replace("highlight", keyed([message]))
+
+    def _draw(self) -> None:
+        if self.analysis is not None:
+            self._put(self.analysis, self.drawing(self.analysis))
+
+    def _put(self, analysis: Analysis, drawing: Drawing) -> None:
+        if drawing.picture.state is State.LIVE:
+            self._last_good = drawing.picture.bodies
+        if drawing.robot is not None:
+            self.channel.replace("robot", drawing.robot)
+        rows = parameter_messages(analysis.model, analysis.settings.bindings, self._parameters)
+        self.channel.replace("parameters", rows)
+        status = status_message(drawing.picture, len(self.findings), self._label)
+        self.channel.replace("status", keyed([status]))
+        self._draw_ghost()
+
+    def _draw_ghost(self) -> None:
+        ghost, present = self._ghost, self._last_good
+        is_apart = ghost is not None and (present is None or not _stand_alike(ghost, present))
+        self.channel.replace("ghost", ghost_messages(ghost) if ghost and is_apart else {})
+
+
+def _has_room(values: dict[str, float], name: str) -> bool:
+    """Return whether a value may be kept: whatever a page sends, memory stays bounded."""
+    return name in values or len(values) < MOST_VALUES
+
+
+def _joint_value(name: str, value: float) -> Message:
+    return {"type": "value", "path": path_of("values", name), "name": name, "value": value}
+
+
+def _stand_alike(a: Bodies, b: Bodies) -> bool:
+    """Return whether the bodies of two mechanisms cover each other."""
+    return (
+        (a.link_names, a.joint_names, a.joint_kinds, a.parents)
+        == (b.link_names, b.joint_names, b.joint_kinds, b.parents)
+        and np.array_equal(a.p_R_j, b.p_R_j)
+        and np.array_equal(a.p_r_j, b.p_r_j)
+        and [f.name for f in a.frames] == [f.name for f in b.frames]
+        and all(
+            np.array_equal(f.body_r_frame, g.body_r_frame)
+            for f, g in zip(a.frames, b.frames, strict=True)
+        )
+    )

@@ -1,0 +1,52 @@
+"""What the linter says, for the list over the picture."""
+
+from collections.abc import Sequence
+
+from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.preview.scene.messages import Message, Messages, keyed, path_of
+from kindsl.preview.scene.picture import Picture
+from kindsl.rules.base import Severity
+from kindsl.text.lines import LineIndex
+
+# A page that lists hundreds of findings helps nobody and costs at every keystroke.
+MOST_LISTED = 40
+_RANK = {severity: rank for rank, severity in enumerate(Severity)}
+
+
+def listed(findings: Sequence[Diagnostic]) -> list[Diagnostic]:
+    """Return the findings that the page lists, the worst first."""
+    return sorted(findings, key=lambda finding: _RANK[finding.severity])[:MOST_LISTED]
+
+
+def finding_messages(findings: Sequence[Diagnostic], text: str) -> Messages:
+    """Return one message for each listed finding; lines and columns count from 1."""
+    if not findings:
+        return {}
+    lines = LineIndex(text)
+    return keyed(_finding(index, finding, lines) for index, finding in enumerate(listed(findings)))
+
+
+def status_message(drawn: Picture, n_findings: int, label: str) -> Message:
+    """Return the message about the state of the picture."""
+    return {
+        "type": "status",
+        "path": path_of("status"),
+        "state": str(drawn.state),
+        "message": drawn.message,
+        "total": n_findings,
+        "label": label,
+    }
+
+
+def _finding(index: int, finding: Diagnostic, lines: LineIndex) -> Message:
+    line, column = lines.position(finding.start)
+    return {
+        "type": "finding",
+        "path": path_of("findings", str(index)),
+        "index": index,
+        "code": finding.code,
+        "severity": str(finding.severity),
+        "message": finding.message,
+        "line": line + 1,
+        "column": column + 1,
+    }

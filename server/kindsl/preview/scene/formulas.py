@@ -1,0 +1,79 @@
+"""How places depend on parameters, for pages without a server to evaluate the document.
+
+In this language a value is a number, or a number times a parameter. So each component of a
+translation or rotation is told as its value with all parameters zero, and a factor for each.
+"""
+
+from collections.abc import Iterator, Mapping
+
+from kindsl.preview.scene.messages import Message, path_of
+from kindsl.semantics.declarations import Link, Pose, Vector
+from kindsl.semantics.expressions import Expression, ParameterUse, symbols
+from kindsl.semantics.model import Model
+
+# Value with all parameters zero, and the factor of each parameter.
+Affine = tuple[float, list[tuple[str, float]]]
+
+_COMPONENTS = 3
+
+
+def formula_messages(model: Model, values: Mapping[str, float]) -> Iterator[Message]:
+    """Yield the formula of each joint and frame whose place has parameters in it.
+
+    Args:
+        model: A document's model.
+        values: Of parameters by name, and of constants by `<name>`.
+    """
+    for edge in model.tree.edges:
+        if edge.joint is not None:
+            name, pose = str(edge.joint.name), edge.joint.pose
+            yield from _formula("joints", name, edge.predecessor, pose, values)
+    for body in model.bodies:
+        for frame in body.frames:
+            yield from _formula("frames", str(frame.name), body, frame.pose, values)
+
+
+def _formula(
+    group: str, name: str, carrier: Link, pose: Pose, values: Mapping[str, float]
+) -> Iterator[Message]:
+    translation, rotation = _affine(pose.translation, values), _affine(pose.rotation, values)
+    if translation is None or rotation is None:
+        return
+    if not any(terms for _, terms in (*translation, *rotation)):
+        return
+    body = ("robot", "links", str(carrier.name), "base" if carrier.is_base else "body")
+    yield {
+        "type": "formula",
+        "path": path_of("formulas", group, name),
+        "group": group,
+        "name": name,
+        "link": str(carrier.name),
+        "translation": translation,
+        "rotation": rotation,
+        "rod": path_of(*body, f"segment-{name}"),
+        "end": path_of(*body, f"end-{name}"),
+    }
+
+
+def _affine(vector: Vector | None, values: Mapping[str, float]) -> list[Affine] | None:
+    """Return the components of a vector, None if one has another form or no value."""
+    if vector is None or len(vector.components) != _COMPONENTS:
+        return None
+    components = [_affine_component(component, values) for component in vector.components]
+    known = [component for component in components if component is not None]
+    return known if len(known) == _COMPONENTS else None
+
+
+def _affine_component(expression: Expression, values: Mapping[str, float]) -> Affine | None:
+    names = {str(use.name) for use in symbols(expression) if isinstance(use, ParameterUse)}
+    at_zero = {**values, **dict.fromkeys(names, 0.0)}
+    constant = expression.value(at_zero)
+    if constant is None:
+        return None
+    factors: list[tuple[str, float]] = []
+    for name in sorted(names):
+        once, twice = (expression.value({**at_zero, name: factor}) for factor in (1.0, 2.0))
+        if once is None or twice is None or abs(twice - 2.0 * once + constant) > 1e-9:
+            return None
+        factors.append((name, once - constant))
+    return constant, factors

@@ -1,0 +1,142 @@
+"""The marks of links, joints and frames: which shape, which colour, where."""
+
+import math
+from collections.abc import Iterator
+from functools import lru_cache
+
+from kindsl.preview.scene.ellipsoids import InertiaEllipsoids
+from kindsl.preview.scene.geometry import Form, Shape
+from kindsl.preview.scene.messages import Message, path_of, set_object, set_transform
+from kindsl.preview.scene.size import Point, Segment
+from kindsl.spatial.arrays import Array
+
+LINK = 0x8EA3BA
+BASE = 0x56667A
+JOINT_COLORS = {"revolute": 0xD68A34, "prismatic": 0x2F9488}
+AXIS = 0x3B4450
+COM = 0x2B2F36
+ROBOT_COM = 0xC2334D
+INERTIA = 0x7D62B8
+BAD_INERTIA = 0xC0392B
+TORQUE = 0xB0408F
+GHOST = 0x5B7BD5
+WHITE = 0xFFFFFF
+
+JOINT_FORMS = {"revolute": Form.DRUM, "prismatic": Form.BLOCK}
+_X, _Y, _Z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
+# Turns meshcat's cylinders, which lie along y, to z; blocks lie there already.
+_Y_TO_Z = (*_X, 0.0, *_Z, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
+JOINT_TURNS = {
+    "revolute": _Y_TO_Z,
+    "prismatic": (*_X, 0.0, *_Y, 0.0, *_Z, 0.0, 0.0, 0.0, 0.0, 1.0),
+}
+# Joints that are the same at each keystroke are made once.
+_MOST_KNOWN = 1 << 12
+
+
+def column_major(T: Array) -> list[list[float]]:
+    """Return homogeneous matrices (n, 4, 4) as 16 numbers each, column by column."""
+    numbers: list[list[float]] = T.transpose(0, 2, 1).reshape(-1, 16).tolist()
+    return numbers
+
+
+def body_marks(
+    tree: str, link: str, segments: tuple[Segment, ...], category: str
+) -> Iterator[Message]:
+    """Yield a body: a ball at its frame's origin and a capsule along each of its segments."""
+    color = GHOST if tree == "ghost" else {"base": BASE, "body": LINK}[category]
+    place = (tree, "links", link, category)
+    yield set_object(path_of(*place, "ball"), Shape(Form.BALL, color))
+    for segment in segments:
+        rod = path_of(*place, f"segment-{segment.name}")
+        end = path_of(*place, f"end-{segment.name}")
+        yield set_object(rod, Shape(Form.CYLINDER, color))
+        yield set_transform(rod, _along(segment.end))
+        yield set_object(end, Shape(Form.BALL, color))
+        yield set_transform(end, _at(segment.end))
+
+
+def base_mark(link: str) -> Iterator[Message]:
+    """Yield the slab under a fixed base."""
+    yield set_object(path_of("robot", "links", link, "base", "slab"), Shape(Form.SLAB, BASE))
+
+
+def link_marks(
+    link: str, com: Array, ellipsoids: InertiaEllipsoids, body: int
+) -> Iterator[Message]:
+    """Yield a link's frame, and if it has mass its centre of mass and inertia ellipsoid."""
+    place = ("robot", "links", link)
+    yield set_object(path_of(*place, "link-frame", "triad"), Shape(Form.TRIAD, WHITE))
+    semi_axes = ellipsoids.semi_axes[body]
+    if not semi_axes.any():
+        return
+    ball = path_of(*place, "com", "ball")
+    yield set_object(ball, Shape(Form.POINT, COM, on_top=True))
+    x, y, z = com.tolist()
+    yield set_transform(ball, _at((x, y, z)))
+    ellipsoid = path_of(*place, "inertia", "ellipsoid")
+    color = INERTIA if ellipsoids.is_consistent[body] else BAD_INERTIA
+    yield set_object(ellipsoid, Shape(Form.BALL, color))
+    yield set_transform(ellipsoid, _matrix(ellipsoids.rotations[body] * semi_axes, com))
+
+
+@lru_cache(maxsize=_MOST_KNOWN)
+def joint_marks(joint: str, kind: str) -> tuple[Message, ...]:
+    """Return a joint: its body, its axis, its frame and the arrow of its gravity torque."""
+    place = ("robot", "joints", joint)
+    mark, rail = path_of(*place, kind, "mark"), path_of(*place, kind, "rail")
+    marks = [
+        set_object(mark, Shape(JOINT_FORMS[kind], JOINT_COLORS[kind])),
+        set_transform(mark, JOINT_TURNS[kind]),
+        set_object(path_of(*place, "axis", "arrow"), Shape(Form.ARROW, AXIS)),
+        set_object(path_of(*place, "joint-frame", "triad"), Shape(Form.SHORT_TRIAD, WHITE)),
+        set_object(path_of(*place, "torque", "force"), Shape(Form.FORCE, TORQUE)),
+    ]
+    if kind == "prismatic":
+        # The page stretches it from the joint to the link.
+        marks.append(set_object(rail, Shape(Form.CYLINDER, JOINT_COLORS[kind])))
+        marks.append(set_transform(rail, _Y_TO_Z))
+    return tuple(marks)
+
+
+def frame_marks(frame: str) -> Iterator[Message]:
+    """Yield an optional frame's triad."""
+    path = path_of("robot", "frames", frame, "optional-frame", "triad")
+    yield set_object(path, Shape(Form.TRIAD, WHITE))
+
+
+def robot_com_marks() -> Iterator[Message]:
+    """Yield the mark of the whole robot's centre of mass, which the page places."""
+    path = path_of("robot", "total", "robot", "robot-com", "ball")
+    yield set_object(path, Shape(Form.BALL, ROBOT_COM, on_top=True))
+
+
+def _at(position: Point) -> tuple[float, ...]:
+    return (*_X, 0.0, *_Y, 0.0, *_Z, 0.0, *position, 1.0)
+
+
+def _along(end: Point) -> tuple[float, ...]:
+    """Return the transform that stretches a unit cylinder, along y, from the origin to `end`.
+
+    In plain floats, because there is one for each body at each keystroke.
+    """
+    x, y, z = end
+    length = math.sqrt(x * x + y * y + z * z)
+    # A normal of the end: its cross product with the axis that it is least along.
+    least = min(abs(x), abs(y), abs(z))
+    if least == abs(x):
+        normal = (0.0, z, -y)
+    elif least == abs(y):
+        normal = (-z, 0.0, x)
+    else:
+        normal = (y, -x, 0.0)
+    scale = 1.0 / math.sqrt(sum(component * component for component in normal))
+    a, b, c = (scale * component for component in normal)
+    third = ((b * z - c * y) / length, (c * x - a * z) / length, (a * y - b * x) / length)
+    middle = (0.5 * x, 0.5 * y, 0.5 * z)
+    return (a, b, c, 0.0, x, y, z, 0.0, *third, 0.0, *middle, 1.0)
+
+
+def _matrix(columns: Array, position: Array) -> tuple[float, ...]:
+    x, y, z = columns.T.tolist()
+    return (*x, 0.0, *y, 0.0, *z, 0.0, *position.tolist(), 1.0)

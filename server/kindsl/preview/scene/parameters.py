@@ -1,0 +1,63 @@
+"""The parameters' rows in the panel: value, range, whether it is the document's own."""
+
+import math
+from collections.abc import Mapping
+
+from kindsl.preview.scene.messages import Messages, keyed, path_of
+from kindsl.semantics.declarations import ValueKind
+from kindsl.semantics.model import Model
+from kindsl.semantics.parameters import Binding, Parameter
+
+# Ranges of parameters that have no value to take one from.
+_USUAL = {
+    ValueKind.LENGTH: (-1.0, 1.0),
+    ValueKind.ANGLE: (-math.pi, math.pi),
+    ValueKind.DYNAMICS: (0.0, 10.0),
+}
+
+
+def parameter_messages(
+    model: Model, bindings: Mapping[str, Binding], typed: Mapping[str, float]
+) -> Messages:
+    """Return a row for each parameter, in the order of the document.
+
+    Args:
+        model: The document's model.
+        bindings: Values and ranges from its surroundings.
+        typed: Values that were set in the page; they win.
+    """
+    rows = []
+    for index, parameter in enumerate(model.parameters):
+        name = str(parameter.name)
+        binding = bindings.get(name)
+        own = binding.value if binding else parameter.value
+        minimum, maximum = _range(parameter, binding, own)
+        rows.append({
+            "type": "parameter",
+            "path": path_of("parameters", name),
+            "index": index,
+            "name": name,
+            "kind": str(parameter.kind),
+            "value": typed.get(name, own),
+            "minimum": minimum,
+            "maximum": maximum,
+            "is_overridden": name in typed,
+        })  # fmt: skip
+    return keyed(rows)
+
+
+def _range(
+    parameter: Parameter, binding: Binding | None, value: float | None
+) -> tuple[float, float]:
+    """Return the slider's range: the configured one, else one around the value."""
+    low, high = _usual_range(parameter.kind, value)
+    if binding is not None:
+        low = low if binding.minimum is None else binding.minimum
+        high = high if binding.maximum is None else binding.maximum
+    return (low, high) if low < high else (low, low + 1.0)
+
+
+def _usual_range(kind: ValueKind, value: float | None) -> tuple[float, float]:
+    if kind is ValueKind.ANGLE or not value:
+        return _USUAL[kind]
+    return (0.0, 2.0 * value) if value > 0.0 else (2.0 * value, 0.0)

@@ -1,0 +1,104 @@
+"""What `kindsl compute` tells, for people: aligned numbers with units."""
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from kindsl.reports.columns import aligned
+from kindsl.reports.computation import Results
+from kindsl.reports.robot_text import printable_lines
+from kindsl.spatial.arrays import Array
+
+_POSITION = {"revolute": "rad", "prismatic": "m"}
+_FORCE = {"revolute": "N m", "prismatic": "N"}
+_ROUNDING = 1e-12
+_HALF_DIGIT = 5e-5
+_BASE_ROWS = ("base wx", "base wy", "base wz", "base vx", "base vy", "base vz")
+
+
+def computed_text(results: Results) -> str:
+    """Return a section a configuration."""
+    return printable_lines("\n".join(_parts(results)))
+
+
+def _parts(results: Results) -> Iterator[str]:
+    head = results.head()
+    base = "floating" if head["floating"] else "fixed"
+    yield f"{head['robot'] or '(unnamed)'}: {base} base, {len(head['links'])} links\n"
+    if head["parameters"]:
+        yield aligned([(name, _text(value)) for name, value in head["parameters"].items()])
+    for k in range(results.n_configurations):
+        if results.n_configurations > 1:
+            yield f"--- configuration {k + 1} ---\n"
+        yield _joints(results, k)
+        yield _poses(results, k)
+        yield _masses(results, k)
+        yield _inertia(results, k)
+
+
+def _joints(results: Results, k: int) -> str:
+    """Return positions, velocities and forces of the joints."""
+    bodies, found, inputs = results.mechanism.bodies, results.quantities, results.inputs
+    first = bodies.n_velocities - bodies.n_links
+    columns = [inputs["q"][k], inputs["qd"][k]]
+    forward = "tau" in inputs
+    columns += [inputs["tau"][k], found["qdd"][k]] if forward else [
+        inputs["qdd"][k], found["inverse_dynamics"][k]]  # fmt: skip
+    columns += [found[name][k][first:] for name in ("gravity_torque", "bias_torque")]
+    last = ("tau", "-> qdd") if forward else ("qdd", "-> tau")
+    rows: list[Sequence[str]] = [("joint", "q", "", "qd", *last, "gravity", "bias", "")]
+    for i, name in enumerate(bodies.joint_names):
+        q, *others = (_text(column[i]) for column in columns)
+        kind = bodies.joint_kinds[i]
+        rows.append((name, q, _POSITION[kind], *others, _FORCE[kind]))
+    return aligned(rows, frozenset((1, 3, 4, 5, 6, 7)))
+
+
+def _poses(results: Results, k: int) -> str:
+    rows = [("pose in the base", "x / m", "y / m", "z / m", "rx / rad", "ry / rad", "rz / rad")]
+    for name, poses in results.poses.items():
+        pose = poses[k]
+        numbers = (*pose[:3, 3], *intrinsic_xyz(pose[:3, :3]))
+        rows.append((name, *(_fixed(value) for value in numbers)))  # type: ignore[arg-type]
+    return aligned(rows, frozenset(range(1, 7)))
+
+
+def _masses(results: Results, k: int) -> str:
+    found = results.quantities
+    com = ", ".join(_text(value) for value in found["com"][k])
+    text = f"mass {_text(found['mass'][k])} kg, centre of mass ({com}) m\n"
+    if "base_acceleration" in found:
+        acceleration = ", ".join(_text(value) for value in found["base_acceleration"][k])
+        text += f"base acceleration ({acceleration}) rad/s^2, m/s^2\n"
+    return text
+
+
+def _inertia(results: Results, k: int) -> str:
+    bodies = results.mechanism.bodies
+    names = (*(_BASE_ROWS if bodies.is_floating else ()), *bodies.joint_names)
+    matrix = results.quantities["joint_space_inertia"][k]
+    rows: list[Sequence[str]] = [("joint-space inertia", *(str(i) for i in range(len(names))))]
+    rows += [
+        (f"{i} {name}", *(_fixed(value) for value in matrix[i])) for i, name in enumerate(names)
+    ]
+    return aligned(rows, frozenset(range(1, len(names) + 1)))
+
+
+def intrinsic_xyz(R: Array) -> tuple[float, float, float]:
+    """Return the intrinsic rotations about x, y, z that make a rotation matrix, radians.
+
+    Where y is a quarter turn, z is zero.
+    """
+    ry = float(np.arcsin(np.clip(R[0, 2], -1.0, 1.0)))
+    if abs(R[0, 2]) > 1.0 - 1e-12:
+        return float(np.arctan2(R[2, 1], R[1, 1])), ry, 0.0
+    return float(np.arctan2(-R[1, 2], R[2, 2])), ry, float(np.arctan2(-R[0, 1], R[0, 0]))
+
+
+def _fixed(value: float) -> str:
+    return f"{0.0 if abs(value) < _HALF_DIGIT else value:.4f}"
+
+
+def _text(value: float) -> str:
+    """Return a number; what is smaller than a rounding error is zero."""
+    return f"{0.0 if abs(value) < _ROUNDING else value:.6g}"

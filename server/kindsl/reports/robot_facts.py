@@ -1,0 +1,103 @@
+"""What `kindsl info` tells of a document, as plain data."""
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from kindsl.analysis.analysis import Analysis
+from kindsl.reports.robot_health import health_facts
+from kindsl.rules.base import Severity
+from kindsl.semantics.declarations import Link
+from kindsl.semantics.model import Model
+from kindsl.semantics.parameters import Parameter
+from kindsl.semantics.places import Located
+from kindsl.text.lines import LineIndex
+
+
+def robot_facts(analysis: Analysis) -> dict[str, Any]:
+    """Return tree, masses and parameters, of a broken document what is there.
+
+    Masses are in kilograms, None where a parameter without value stands in them; the robot's is
+    that of what moves.
+    """
+    model, values = analysis.model, analysis.context.values
+    places = _Places(analysis)
+    bodies = [_body(model, body, values, places) for body in _in_order(model)]
+    n_joints = sum(body["joint"] is not None for body in bodies)
+    return {
+        "robot": model.name,
+        "floating": model.floating,
+        "dof": n_joints + (6 if model.floating else 0),
+        "mass": _total(bodies, model.floating),
+        "base": bodies[0] if bodies and bodies[0]["id"] == 0 else None,
+        "links": [body for body in bodies if body["id"] != 0],
+        "parameters": [_parameter(p, analysis, places) for p in model.parameters],
+        "constants": [
+            {"name": str(c.name), "value": values.get(f"<{c.name}>"), **places.of(c.name)}
+            for c in model.constants
+        ],
+        "findings": {
+            severity.value: sum(finding.severity is severity for finding in analysis.findings)
+            for severity in Severity
+        },
+        "health": health_facts(analysis.findings, places.at),
+    }
+
+
+class _Places:
+    """Turns places into lines and columns, both from 1, and offsets from 0."""
+
+    __slots__ = ("_lines", "_resolver")
+
+    def __init__(self, analysis: Analysis) -> None:
+        self._lines = LineIndex(analysis.text)
+        self._resolver = analysis.resolver
+
+    def of(self, at: Located) -> dict[str, int]:
+        return self.at(self._resolver.span(at)[0])
+
+    def at(self, offset: int) -> dict[str, int]:
+        line, column = self._lines.position(offset)
+        return {"line": line + 1, "column": column + 1, "offset": offset}
+
+
+def _in_order(model: Model) -> Iterator[Link]:
+    """Yield the base, then the links by id, those without one last."""
+    if model.base is not None:
+        yield model.base
+    yield from sorted(model.links, key=lambda link: (link.id is None, link.id or 0))
+
+
+def _body(model: Model, body: Link, values: Mapping[str, float], places: _Places) -> dict[str, Any]:
+    edge = None if body.is_base else model.tree.supporting_edge(body)
+    mass = body.inertia.mass if body.inertia else None
+    return {
+        "name": str(body.name),
+        "id": body.id,
+        "parent": str(edge.predecessor.name) if edge else None,
+        "joint": str(edge.child.joint) if edge else None,
+        "joint_type": edge.joint.kind if edge and edge.joint else None,
+        "mass": mass.value(values) if mass is not None else None,
+        "frames": [str(frame.name) for frame in body.frames],
+        **places.of(body.name),
+    }
+
+
+def _total(bodies: list[dict[str, Any]], is_floating: bool) -> float | None:
+    """Return the mass of what moves: of a fixed base, none."""
+    masses = [body["mass"] for body in bodies if is_floating or body["id"] != 0]
+    return None if None in masses else sum(masses)
+
+
+def _parameter(parameter: Parameter, analysis: Analysis, places: _Places) -> dict[str, Any]:
+    name = str(parameter.name)
+    binding = analysis.settings.bindings.get(name)
+    in_document = None if parameter.value is None else "document"
+    return {
+        "name": name,
+        "kind": parameter.kind.value,
+        "value": analysis.context.values.get(name),
+        "origin": binding.origin if binding else in_document,
+        "min": binding.minimum if binding else None,
+        "max": binding.maximum if binding else None,
+        "uses": [{"kind": use.kind.value, **places.of(use.name)} for use in parameter.uses],
+    }

@@ -1,0 +1,106 @@
+"""What `kindsl info` tells of a document, for people."""
+
+from collections.abc import Iterator
+from typing import Any
+
+from kindsl.reports.columns import aligned, number
+from kindsl.reports.robot_health import health_text
+from kindsl.text.printable import printable
+
+_UNITS = {"length": "m", "angle": "rad", "dynamics": ""}
+
+
+def robot_text(facts: dict[str, Any]) -> str:
+    """Return heading, tree, parameters and health."""
+    parts = [_heading(facts), aligned(list(_tree_rows(facts)), frozenset((1, 4)))]
+    if facts["parameters"]:
+        parts.append(_parameters(facts["parameters"]))
+    if facts["constants"]:
+        rows = [("constants", "")]
+        rows += [(f"  {c['name']}", number(c["value"])) for c in facts["constants"]]
+        parts.append(aligned(rows, frozenset((1,))))
+    parts.append(health_text(facts["health"]))
+    return printable_lines("\n".join(parts))
+
+
+def printable_lines(text: str) -> str:
+    """Return a text whose lines move no cursor."""
+    return "".join(f"{printable(line)}\n" for line in text.split("\n")[:-1])
+
+
+def _heading(facts: dict[str, Any]) -> str:
+    base = "floating base" if facts["floating"] else "fixed base"
+    dof = "1 degree" if facts["dof"] == 1 else f"{facts['dof']} degrees"
+    unknown = "mass unknown"
+    mass = unknown if facts["mass"] is None else number(facts["mass"], "kg")
+    return f"{facts['robot'] or '(unnamed)'}: {base}, {dof} of freedom, {mass}\n"
+
+
+def _tree_rows(facts: dict[str, Any]) -> Iterator[tuple[str, ...]]:
+    yield "link", "id", "joint", "", "mass", "frames"
+    bodies = [facts["base"], *facts["links"]] if facts["base"] else facts["links"]
+    children: dict[str | None, list[dict[str, Any]]] = {}
+    for link in facts["links"]:
+        children.setdefault(link["parent"], []).append(link)
+    drawn: set[str] = set()
+    if facts["base"]:
+        yield from _branch(facts["base"], "", "", children, drawn)
+    for body in bodies:
+        if body["name"] not in drawn:
+            yield from _branch(body, "? ", "  ", children, drawn)
+
+
+def _branch(
+    body: dict[str, Any],
+    first: str,
+    rest: str,
+    children: dict[str | None, list[dict[str, Any]]],
+    drawn: set[str],
+) -> Iterator[tuple[str, ...]]:
+    """Yield the row of a body and those of all that it carries."""
+    stack = [(body, first, rest)]
+    while stack:
+        body, first, rest = stack.pop()
+        if body["name"] in drawn:
+            continue
+        drawn.add(body["name"])
+        yield _row(body, first)
+        below = children.get(body["name"], [])
+        last = below[-1] if below else None
+        stack += [
+            (child, rest + ("└─ " if child is last else "├─ "),
+             rest + ("   " if child is last else "│  "))
+            for child in reversed(below)
+        ]  # fmt: skip
+
+
+def _row(body: dict[str, Any], branch: str) -> tuple[str, ...]:
+    return (
+        branch + (body["name"] or "(unnamed)"),
+        "-" if body["id"] is None else str(body["id"]),
+        body["joint"] or "",
+        body["joint_type"] or "",
+        number(body["mass"], "kg"),
+        " ".join(body["frames"]),
+    )
+
+
+def _parameters(parameters: list[dict[str, Any]]) -> str:
+    rows = [("parameter", "kind", "value", "range", "bound by", "places")]
+    for parameter in parameters:
+        unit = _UNITS[parameter["kind"]]
+        ends = parameter["min"], parameter["max"]
+        span = "" if ends == (None, None) else f"{number(ends[0])} … {number(ends[1])}"
+        places = " ".join(f"{use['line']}:{use['column']}" for use in parameter["uses"][:4])
+        more = " …" if len(parameter["uses"]) > 4 else ""
+        rows.append(
+            (
+                parameter["name"],
+                parameter["kind"],
+                number(parameter["value"], unit),
+                span,
+                parameter["origin"] or "nothing",
+                places + more,
+            )
+        )
+    return aligned(rows, frozenset((2,)))

@@ -1,0 +1,82 @@
+"""Poses on plain floats, for what an editor shows without NumPy."""
+
+from math import atan2, cos, hypot, sin
+from typing import NamedTuple
+
+Triple = tuple[float, float, float]
+Rotation = tuple[Triple, Triple, Triple]
+
+_IDENTITY: Rotation = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+
+
+class RigidPose(NamedTuple):
+    """Where a frame B is in a frame A.
+
+    Attributes:
+        rotation: `A_R_B`, rows; takes coordinates of B to those of A.
+        translation: B's origin in A, metres.
+    """
+
+    rotation: Rotation
+    translation: Triple
+
+    def then(self, other: "RigidPose") -> "RigidPose":
+        """Return the pose of C in A, `other` being the pose of C in B."""
+        x, y, z = transposed(other.rotation)
+        rows = [(_dot(row, x), _dot(row, y), _dot(row, z)) for row in self.rotation]
+        return RigidPose((rows[0], rows[1], rows[2]), self.point(other.translation))
+
+    def point(self, position: Triple) -> Triple:
+        """Return a position given in B, in A."""
+        turned = self.turn(position)
+        x, y, z = self.translation
+        return turned[0] + x, turned[1] + y, turned[2] + z
+
+    def turn(self, direction: Triple) -> Triple:
+        """Return a direction given in B, in A."""
+        a, b, c = self.rotation
+        return _dot(a, direction), _dot(b, direction), _dot(c, direction)
+
+    def inverse(self) -> "RigidPose":
+        """Return where A is in B."""
+        turned = RigidPose(transposed(self.rotation), (0.0, 0.0, 0.0))
+        x, y, z = turned.turn(self.translation)
+        return RigidPose(turned.rotation, (-x, -y, -z))
+
+    @property
+    def angles(self) -> Triple:
+        """Intrinsic x, y, z angles in radians; the last is 0 where two of them turn alike."""
+        (r00, r01, r02), (_, r11, r12), (_, r21, r22) = self.rotation
+        y = atan2(r02, hypot(r00, r01))
+        if hypot(r00, r01) < 1e-9:
+            return atan2(r21, r11), y, 0.0
+        return atan2(-r12, r22), y, atan2(-r01, r00)
+
+
+IDENTITY = RigidPose(_IDENTITY, (0.0, 0.0, 0.0))
+
+
+def pose_from(translation: Triple, angles: Triple) -> RigidPose:
+    """Return the pose after a translation, then turns about x, the new y, the newest z.
+
+    Args:
+        translation: Metres.
+        angles: Radians.
+    """
+    (cx, cy, cz), (sx, sy, sz) = map(cos, angles), map(sin, angles)
+    rotation = (
+        (cy * cz, -cy * sz, sy),
+        (cx * sz + sx * sy * cz, cx * cz - sx * sy * sz, -sx * cy),
+        (sx * sz - cx * sy * cz, sx * cz + cx * sy * sz, cx * cy),
+    )
+    return RigidPose(rotation, translation)
+
+
+def transposed(rotation: Rotation) -> Rotation:
+    """Return the rotation the other way round."""
+    a, b, c = rotation
+    return (a[0], b[0], c[0]), (a[1], b[1], c[1]), (a[2], b[2], c[2])
+
+
+def _dot(a: Triple, b: Triple) -> float:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]

@@ -1,0 +1,4 @@
+"""Knows one file a rule, found by its name.
+
+Must not know one another.
+"""

@@ -1,0 +1,69 @@
+"""A child link does not exist.
+
+## What it does
+Reports a `link via joint` whose link is nowhere declared, and a pair written the wrong way round.
+
+## Why is this bad?
+Whatever is meant hangs on nothing, and both generators reject the document.
+
+## Example
+```kindsl
+children { foream via elbow }
+```
+where the link is called `forearm`.
+
+## Fix
+Writes the name that is probably meant, turns the pair round, or else adds a link of that name.
+Unsafe: each is a guess.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Change, Finding, Fix, Rule, Severity
+from kindsl.rules.context import Context
+from kindsl.rules.examples import link, robot
+from kindsl.rules.new_blocks import new_link
+from kindsl.rules.reference_defects import reference_defects, suggestion
+from kindsl.semantics.declarations import Child
+from kindsl.semantics.model import Model
+from kindsl.text.nearest import hint
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each reference to a link that does not exist."""
+    defects = reference_defects(model)
+    idle = [str(body.name) for body in defects.idle_links]
+    for number, edge in enumerate(defects.undefined_links):
+        name = edge.child.link
+        meant = suggestion(name, number, idle, (str(body.name) for body in model.links))
+        message = f"link '{name}' does not exist{hint(meant)}"
+        yield Finding(name, message, fix=_rename(edge.child, meant) or new_link(model, name))
+    for edge in defects.swapped:
+        message = f"'{edge.child.link}' is a joint and '{edge.child.joint}' is a link"
+        yield Finding(edge.child, message, fix=_swap(edge.child))
+
+
+def _rename(child: Child, meant: str | None) -> Fix | None:
+    return Fix(f"Change to '{meant}'", (Change(child.link, meant),)) if meant else None
+
+
+def _swap(child: Child) -> Fix:
+    changes = Change(child.link, str(child.joint)), Change(child.joint, str(child.link))
+    return Fix("Exchange link and joint", changes)
+
+
+_ARM = link("upper", 1, "forearm via elbow"), link("forearm", 2)
+_JOINTS = "shoulder elbow"
+
+RULE = Rule(
+    "KD105",
+    "undefined-link",
+    Severity.ERROR,
+    check_document=check_document,
+    good=(robot(*_ARM, base="upper via shoulder", joints=_JOINTS),),
+    bad=(
+        robot(*_ARM, base="uper via shoulder", joints=_JOINTS),
+        robot(*_ARM, base="shoulder via upper", joints=_JOINTS),
+        robot(*_ARM, base="upper via shoulder camera via pan", joints="pan " + _JOINTS),
+    ),
+)

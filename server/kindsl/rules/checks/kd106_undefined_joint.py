@@ -1,0 +1,59 @@
+"""A supporting joint does not exist.
+
+## What it does
+Reports a `link via joint` whose joint is nowhere declared.
+
+## Why is this bad?
+Nobody knows how the link moves, and both generators reject the document.
+
+## Example
+```kindsl
+children { forearm via elbwo }
+```
+where the joint is called `elbow`.
+
+## Fix
+Writes the name that is probably meant, or else adds a revolute joint of that name. Unsafe: each is
+a guess.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Change, Finding, Fix, Rule, Severity
+from kindsl.rules.context import Context
+from kindsl.rules.examples import link, robot
+from kindsl.rules.new_blocks import new_joint
+from kindsl.rules.reference_defects import reference_defects, suggestion
+from kindsl.semantics.declarations import Child
+from kindsl.semantics.model import Model
+from kindsl.text.nearest import hint
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each reference to a joint that does not exist."""
+    defects = reference_defects(model)
+    idle = [str(joint.name) for joint in defects.idle_joints]
+    for number, edge in enumerate(defects.undefined_joints):
+        name = edge.child.joint
+        meant = suggestion(name, number, idle, (str(joint.name) for joint in model.joints))
+        message = f"joint '{name}' does not exist{hint(meant)}"
+        yield Finding(name, message, fix=_rename(edge.child, meant) or new_joint(model, name))
+
+
+def _rename(child: Child, meant: str | None) -> Fix | None:
+    return Fix(f"Change to '{meant}'", (Change(child.joint, meant),)) if meant else None
+
+
+_ARM = link("upper", 1, "forearm via elbow"), link("forearm", 2)
+
+RULE = Rule(
+    "KD106",
+    "undefined-joint",
+    Severity.ERROR,
+    check_document=check_document,
+    good=(robot(*_ARM, base="upper via shoulder", joints="shoulder elbow"),),
+    bad=(
+        robot(*_ARM, base="upper via shoulder", joints="shoulder elbwo"),
+        robot(*_ARM, base="upper via shoulder", joints="shoulder"),
+    ),
+)

@@ -1,0 +1,74 @@
+"""The frame of an inertia does not exist.
+
+## What it does
+Reports a `ref_frame` of an inertia that names no frame of any link.
+
+## Why is this bad?
+Centre of mass and moments are numbers without meaning, and both generators reject the document.
+
+## Example
+```kindsl
+inertia_params {
+    mass = 1.0
+    CoM = (0.0, 0.0, 0.0)
+    Ix=0.01 Iy=0.01 Iz=0.01 Ixy=0.0 Ixz=0.0 Iyz=0.0
+    ref_frame = fr_COM
+}
+```
+in a link whose `frames` hold no `fr_COM`.
+
+## Fix
+Writes the name of the link's frame that is probably meant. Unsafe: it is a guess.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Change, Finding, Fix, Rule, Severity
+from kindsl.rules.context import Context
+from kindsl.semantics.declarations import Link
+from kindsl.semantics.model import Model
+from kindsl.text.nearest import did_you_mean, hint
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each inertia that is given in no known frame."""
+    known: set[str] | None = None
+    for body in model.bodies:
+        if body.inertia is None or body.inertia.frame is None or not body.inertia.frame:
+            continue
+        name = body.inertia.frame
+        if known is None:
+            known = {str(frame.name) for frame in model.frames}
+        if name not in known and not _may_be_lost(model, body, name):
+            meant = did_you_mean(name, (str(frame.name) for frame in body.frames))
+            fix = Fix(f"Change to '{meant}'", (Change(name, meant),)) if meant else None
+            message = f"link '{body.name}' has no frame '{name}'{hint(meant)}"
+            yield Finding(name, message, fix=fix)
+
+
+def _may_be_lost(model: Model, body: Link, name: str) -> bool:
+    if not body.island.problems:
+        return model.is_mentioned_in_broken_text(name, body.island)
+    mentions = sum(token.text.removeprefix("^") == name for token in body.island.tokens)
+    return mentions > 1 or any(not frame.name for frame in body.frames)
+
+
+_LINK = """link upper {
+    id = 1
+    inertia_params {
+        mass = 1.0 CoM = (0.0, 0.0, 0.0)
+        Ix=0.01 Iy=0.01 Iz=0.01 Ixy=0.0 Ixz=0.0 Iyz=0.0
+        ref_frame = %s
+    }
+    children {}
+    frames { fr_COM { translation = (0.1, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } }
+}"""
+
+RULE = Rule(
+    "KD107",
+    "undefined-frame",
+    Severity.ERROR,
+    check_document=check_document,
+    good=(_LINK % "fr_COM",),
+    bad=(_LINK % "fr_CoM", _LINK % "gripper", _LINK % "upper"),
+)

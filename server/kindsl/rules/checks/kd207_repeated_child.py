@@ -1,0 +1,61 @@
+"""A body carries the same link twice.
+
+## What it does
+Reports a child that the same body has already, by the same joint or by another. By another joint it
+is an error for the target robcogen2.
+
+## Why is this bad?
+A link has one supporting joint. RobCoGen ignores one of the two without a word; RobCoGen2 stops
+with "Inconsistent arguments".
+
+## Example
+```kindsl
+children {
+    lower via elbow
+    lower via elbow
+}
+```
+
+## Fix
+Removes the repetition if it names the same joint. Safe: it says nothing new.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Finding, Fix, Related, Rule, Severity, Tag
+from kindsl.rules.checks.removal import removal
+from kindsl.rules.context import ROBCOGEN2, Context
+from kindsl.rules.examples import link, robot
+from kindsl.rules.reference_defects import reference_defects
+from kindsl.semantics.declarations import Child
+from kindsl.semantics.model import Model
+
+
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each child that its body has already."""
+    for first, again in reference_defects(model).repeated:
+        message = f"'{again.predecessor.name}' carries link '{again.child.link}' already"
+        related = Related(first.child, f"'{first.child.link}' via '{first.child.joint}'")
+        is_same = again.child.joint == first.child.joint
+        fix, tag = (_removal(again.child), Tag.UNNECESSARY) if is_same else (None, None)
+        is_fatal = not is_same and ROBCOGEN2 in context.targets
+        severity = Severity.ERROR if is_fatal else Severity.WARNING
+        yield Finding(again.child, message, (related,), fix, severity, tag)
+
+
+def _removal(child: Child) -> Fix:
+    return Fix("Remove the repetition", (removal(child),), is_safe=True)
+
+
+def _arm(children: str) -> str:
+    return robot(link("arm", 1), base=f"arm via shoulder {children}", joints="shoulder")
+
+
+RULE = Rule(
+    "KD207",
+    "repeated-child",
+    Severity.WARNING,
+    check_document=check_document,
+    good=(_arm(""),),
+    bad=(_arm("arm via shoulder"),),
+)

@@ -1,0 +1,71 @@
+"""Principal moments that no body has together.
+
+## What it does
+Reports a moving link with principal moments `a + b < c` about its centre of mass: an error if that
+holds for every choice of the numbers within the digits written, else an information. A link of
+KD301 is not reported again.
+
+## Why is this bad?
+`c = a + b` is a plate without thickness; nothing is flatter than that. Simulators such as MuJoCo
+and Drake refuse the model, estimators and optimisers that rely on possible bodies fail. 21 of 101
+published documents carry it.
+
+## Example
+```kindsl
+inertia_params {
+    mass = 1.8
+    CoM = (0.0, 0.0, 0.0)
+    Ix=0.0005 Iy=0.0005 Iz=0.009 Ixy=0.0 Ixz=0.0 Iyz=0.0
+}
+```
+
+## How it is decided
+With `S = tr(I)/2 1 - I` about the CoM, the body is possible if the smallest eigenvalue of `S` is
+not negative; it is `(a + b - c) / 2`. Let `v` be its axis. `v' S v` is linear in the moments and
+falls with `m (c.v)^2`, so its greatest value over all numbers that round to those written is known
+in closed form. Where that is negative, `v` proves that no body has these numbers. A body that was
+possible before its numbers were rounded is therefore never an error.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Finding, Rule, Severity
+from kindsl.rules.context import Context
+from kindsl.rules.examples import link
+from kindsl.rules.inertia.judgements import Verdict, at_values, judgements, keyword
+from kindsl.rules.inertia.wording import sum_below
+from kindsl.semantics.declarations import Declarations
+
+
+def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each inertia that is flatter than a plate."""
+    for found in judgements(declared, context):
+        if found.verdict in (Verdict.TRIANGLE, Verdict.WITHIN_ROUNDING):
+            small, middle, large = found.moments
+            message = f"inertia of '{found.link.name}' breaks the triangle inequality: principal "
+            message += f"moments about the CoM {sum_below((small, middle), large)} kg·m²"
+            message += at_values(found.inertia, context.values)
+            severity = Severity.ERROR
+            if found.verdict is Verdict.WITHIN_ROUNDING:
+                severity = Severity.INFORMATION
+                message += ", which the digits written do not rule out"
+            yield Finding(keyword(found.inertia), message, severity=severity)
+
+
+_INERTIA = """inertia_params {
+        mass = 1.8
+        CoM = (0.0, 0.0, 0.0)
+        Ix=%s Iy=%s Iz=0.0090 Ixy=0.0 Ixz=0.0 Iyz=0.0
+    }"""
+
+RULE = Rule(
+    "KD302",
+    "triangle-inequality",
+    Severity.ERROR,
+    check_island=check_island,
+    good=(link("plate", 1, inertia=_INERTIA % ("0.0045", "0.0046")),),
+    bad=(
+        link("plate", 1, inertia=_INERTIA % ("0.0005", "0.0005")),
+        link("plate", 1, inertia=_INERTIA % ("0.0045", "0.00449")),
+    ),
+)

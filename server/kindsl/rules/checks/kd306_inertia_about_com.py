@@ -1,0 +1,55 @@
+"""Moments were given about the centre of mass.
+
+## What it does
+Says of an impossible inertia (KD301, KD302) that it is possible if its moments are meant about the
+centre of mass.
+
+## Why is this bad?
+The language wants moments and products about the origin of the link frame, or of the frame that
+`ref_frame` names. CAD programs and URDF give them about the centre of mass. This is the commonest
+real mistake: three published models were corrected exactly so in their histories.
+
+## Example
+```kindsl
+inertia_params {
+    mass = 2.0
+    CoM = (0.0, 0.0, 0.3)
+    Ix=0.02 Iy=0.02 Iz=0.002 Ixy=0.0 Ixz=0.0 Iyz=0.0
+}
+```
+`Ix` and `Iy` miss 2.0 * 0.3^2 = 0.18 kg·m².
+
+## Fix
+Adds `m (c.c 1 - c c')` to the tensor (Huygens and Steiner): `m (y^2 + z^2)` to `Ix`, `m x y` to the
+product `Ixy`, and so on, in the author's precision. Unsafe: it is a guess, though a likely one.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Finding, Rule, Severity
+from kindsl.rules.context import Context
+from kindsl.rules.examples import link
+from kindsl.rules.inertia.causes import Slip
+from kindsl.rules.inertia.repairs import explained
+from kindsl.semantics.declarations import Declarations
+
+
+def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each inertia that is possible if given about the CoM."""
+    yield from explained(declared, context, Slip.REFERENCE)
+
+
+_INERTIA = """inertia_params {
+        mass = 2.0
+        CoM = (0.0, 0.0, 0.3)
+        Ix=%s Iy=%s Iz=0.002 Ixy=0.0 Ixz=0.0 Iyz=0.0
+    }"""
+
+RULE = Rule(
+    "KD306",
+    "inertia-about-com",
+    Severity.INFORMATION,
+    check_island=check_island,
+    good=(link("upper", 1, inertia=_INERTIA % ("0.200", "0.200")),),
+    bad=(link("upper", 1, inertia=_INERTIA % ("0.020", "0.020")),),
+)

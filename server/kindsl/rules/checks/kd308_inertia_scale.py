@@ -1,0 +1,51 @@
+"""Moments of inertia were given in another unit.
+
+## What it does
+Says of an impossible inertia (KD301, KD302) or one of implausible density (KD311) that it is
+possible and plausible if its moments are multiplied by one power of ten.
+
+## Why is this bad?
+CAD programs give g·mm², kg·mm² or g·cm². The language wants kg·m²; 1 kg·m² is 1 000 000 000 g·mm².
+
+## Example
+```kindsl
+inertia_params {
+    mass = 0.5
+    CoM = (0.0, 0.0, 0.0)
+    Ix=150000.0 Iy=150000.0 Iz=90000.0 Ixy=0.0 Ixz=0.0 Iyz=0.0
+}
+```
+
+## Fix
+Multiplies the moments, keeping the significant digits. Unsafe: it is a guess, though a likely one.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Finding, Rule, Severity
+from kindsl.rules.context import Context
+from kindsl.rules.examples import link
+from kindsl.rules.inertia.causes import Slip
+from kindsl.rules.inertia.repairs import explained
+from kindsl.semantics.declarations import Declarations
+
+
+def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each inertia that a power of ten makes a body's."""
+    yield from explained(declared, context, Slip.SCALE)
+
+
+_INERTIA = """inertia_params {
+        mass = 0.5
+        CoM = (0.0, 0.0, 0.0)
+        Ix=%s Iy=%s Iz=%s Ixy=0.0 Ixz=0.0 Iyz=0.0
+    }"""
+
+RULE = Rule(
+    "KD308",
+    "inertia-scale",
+    Severity.INFORMATION,
+    check_island=check_island,
+    good=(link("motor", 1, inertia=_INERTIA % ("0.00015", "0.00015", "0.00009")),),
+    bad=(link("motor", 1, inertia=_INERTIA % ("150000.0", "150000.0", "90000.0")),),
+)

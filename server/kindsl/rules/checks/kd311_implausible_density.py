@@ -1,0 +1,61 @@
+"""Mass and moments of inertia do not belong together.
+
+## What it does
+Reports a moving link whose equivalent ellipsoid, the homogeneous one with the same mass and moments
+about the centre of mass, has a density outside 10 to 30 000 kg/m³.
+
+## Why is this bad?
+Foam has 15 kg/m³, water 1000, aluminium 2700, steel 7850, tungsten 19 300. Robots' links, hollow as
+they are, lie between 50 and 3000. What lies far outside has its moments or its mass in another unit
+(KD308), or a digit too many.
+
+## Example
+```kindsl
+inertia_params {
+    mass = 0.5
+    CoM = (0.0, 0.0, 0.0)
+    Ix=150.0 Iy=150.0 Iz=90.0 Ixy=0.0 Ixz=0.0 Iyz=0.0
+}
+```
+is half a kilogram spread over 30 metres.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Finding, Rule, Severity
+from kindsl.rules.context import Context
+from kindsl.rules.examples import link
+from kindsl.rules.inertia.judgements import Verdict, judgements, keyword
+from kindsl.rules.inertia.plausibility import density_of
+from kindsl.rules.inertia.wording import with_unit
+from kindsl.semantics.declarations import Declarations
+
+
+def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each inertia of a body of no known material."""
+    for found in judgements(declared, context):
+        if found.verdict is Verdict.IMPLAUSIBLE:
+            density = density_of(found.body.mass, found.second_moments)
+            message = f"inertia of '{found.link.name}' is that of a body of "
+            message += f"{with_unit(density, 'kg/m³')}; its radius of gyration is "
+            message += with_unit(found.radius_of_gyration, "m")
+            yield Finding(keyword(found.inertia), message)
+
+
+_INERTIA = """inertia_params {
+        mass = %s
+        CoM = (0.0, 0.0, 0.0)
+        Ix=%s Iy=%s Iz=%s Ixy=0.0 Ixz=0.0 Iyz=0.0
+    }"""
+
+RULE = Rule(
+    "KD311",
+    "implausible-density",
+    Severity.WARNING,
+    check_island=check_island,
+    good=(link("motor", 1, inertia=_INERTIA % ("0.5", "0.00015", "0.00015", "0.00009")),),
+    bad=(
+        link("motor", 1, inertia=_INERTIA % ("0.5", "150.0", "150.0", "90.0")),
+        link("motor", 1, inertia=_INERTIA % ("500.0", "0.00150", "0.00150", "0.00090")),
+    ),
+)

@@ -1,0 +1,126 @@
+"""The left and the right part do not weigh the same.
+
+## What it does
+Compares links whose names are mirror images, `LF_hip` and `RF_hip`, `left_arm` and `right_arm`.
+Where nearly all of the ten numbers of their inertias agree, it reports one or two that differ, and
+signs that are not those of any turn or reflection of the axes.
+
+## Why is this bad?
+Such parts are copied and then edited by hand. One number that was changed on one side only, or one
+sign that was forgotten, makes the robot drift to that side.
+
+A pair in which many numbers differ was measured part by part, and is left in peace, and so are
+differences below 5 % of the greatest number of their kind. Impossible inertias are left to KD301
+and KD302.
+
+## Example
+```kindsl
+link left_arm  { id = 1 inertia_params { mass = 1.24 ... } children {} }
+link right_arm { id = 2 inertia_params { mass = 1.42 ... } children {} }
+```
+"""
+
+from collections.abc import Iterator
+from itertools import product
+
+from kindsl.rules.base import Finding, Related, Rule, Severity
+from kindsl.rules.context import Context
+from kindsl.rules.examples import link, robot
+from kindsl.rules.inertia.judgements import is_impossible, keyword
+from kindsl.rules.inertia.twins import mirrored_name
+from kindsl.semantics.declarations import MOMENTS, Link
+from kindsl.semantics.expressions import Expression
+from kindsl.semantics.model import Model
+
+_NAMES = ("mass", "x of the CoM", "y of the CoM", "z of the CoM", *MOMENTS)
+_SIGNIFICANT = 0.05
+_MOST_DIFFERENCES = 2
+_PAIRS = {4: (0, 0), 5: (1, 1), 6: (2, 2), 7: (0, 1), 8: (0, 2), 9: (1, 2)}
+_SIGNS = tuple(product((1.0, -1.0), repeat=3))
+
+
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each pair of parts that is nearly the same."""
+    for left in model.bodies:
+        name = mirrored_name(left.name)
+        right = model.body_named.get(name) if name is not None else None
+        if right is not None and right is not left and right.inertia is not None:
+            message = _difference(left, right)
+            is_told = is_impossible(left, context) or is_impossible(right, context)
+            if message and not is_told and left.inertia is not None:
+                related = Related(keyword(left.inertia), f"inertia of '{left.name}'")
+                yield Finding(keyword(right.inertia), message, (related,))
+
+
+def _difference(left: Link, right: Link) -> str:
+    here, there = _numbers(left), _numbers(right)
+    if here is None or there is None:
+        return ""
+    sizes = _sizes(here, there)
+    differing = [i for i in range(10) if _differs(abs(here[i]), abs(there[i]), sizes[i])]
+    exact = sum(abs(a) == abs(b) for a, b in zip(here, there, strict=True))
+    if 0 < len(differing) <= _MOST_DIFFERENCES and exact + len(differing) == 10:
+        told = (f"{_NAMES[i]} is {there[i]:g} against {here[i]:g}" for i in differing)
+        return f"'{right.name}' is not the mirror image of '{left.name}': {', '.join(told)}"
+    if exact == 10 and not _is_reflected(here, there, sizes):
+        return f"signs of '{right.name}' are not those of a mirror image of '{left.name}'"
+    return ""
+
+
+def _numbers(body: Link) -> list[float] | None:
+    """Return mass, CoM and moments, None where one is missing or no plain number."""
+    inertia = body.inertia
+    if inertia is None or inertia.com is None or len(inertia.com.components) != 3:
+        return None
+    values: list[Expression | None] = [inertia.mass, *inertia.com.components]
+    values += [inertia.moments.get(name) for name in MOMENTS]
+    numbers = [v.literal for v in values if v is not None and v.literal is not None]
+    return numbers if len(numbers) == 10 else None
+
+
+def _sizes(here: list[float], there: list[float]) -> list[float]:
+    """Return the greatest number of each kind: mass, centre of mass, moments."""
+    com = max(map(abs, here[1:4] + there[1:4]))
+    moments = max(map(abs, here[4:] + there[4:]))
+    return [max(here[0], there[0]), *[com] * 3, *[moments] * 6]
+
+
+def _differs(left: float, right: float, size: float) -> bool:
+    return abs(left - right) > _SIGNIFICANT * size
+
+
+def _is_reflected(here: list[float], there: list[float], sizes: list[float]) -> bool:
+    """Return whether axes turned round by some signs make one inertia the other."""
+    return any(
+        all(not _differs(there[i + 1], signs[i] * here[i + 1], sizes[1]) for i in range(3))
+        and all(
+            not _differs(there[i], signs[a] * signs[b] * here[i], sizes[4])
+            for i, (a, b) in _PAIRS.items()
+        )
+        for signs in _SIGNS
+    )
+
+
+_INERTIA = """inertia_params {
+        mass = %s
+        CoM = (0.1, %s, 0.0)
+        Ix=0.021 Iy=0.031 Iz=0.041 Ixy=%s Ixz=0.0 Iyz=0.0
+    }"""
+
+
+def _pair(mass: str, product: str) -> str:
+    links = (
+        link("left_arm", 1, inertia=_INERTIA % ("1.24", "0.05", "0.009")),
+        link("right_arm", 2, inertia=_INERTIA % (mass, "-0.05", product)),
+    )
+    return robot(*links, base="left_arm via one right_arm via other", joints="one other")
+
+
+RULE = Rule(
+    "KD312",
+    "mirrored-pair-differs",
+    Severity.WARNING,
+    check_document=check_document,
+    good=(_pair("1.24", "-0.009"),),
+    bad=(_pair("1.42", "-0.009"), _pair("1.24", "0.009")),
+)

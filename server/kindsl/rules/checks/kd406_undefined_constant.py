@@ -1,0 +1,52 @@
+"""A named constant has no value.
+
+## What it does
+Reports `<k>` where no `<k=...>` is in the document. Its place may be before or behind.
+
+## Why is this bad?
+RobCoGen2 stops without a place; nothing can be drawn or computed.
+
+## Example
+```kindsl
+translation = (<reach>, 0.0, 0.0)
+```
+"""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Change, Finding, Fix, Rule, Severity
+from kindsl.rules.context import Context
+from kindsl.rules.examples import joint
+from kindsl.semantics.model import Model
+from kindsl.semantics.places import Name
+from kindsl.text.nearest import did_you_mean, hint
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each constant that is never defined, at its first place."""
+    for constant in model.constants:
+        name = constant.name
+        if name and not constant.definitions and not _may_be_lost(model, name):
+            known = (str(other.name) for other in model.constants if other.definitions)
+            meant = did_you_mean(name, known)
+            changes = tuple(Change(use.name, meant) for use in constant.uses) if meant else ()
+            fix = Fix(f"Change to '{meant}'", changes) if meant else None
+            yield Finding(name, f"constant '{name}' has no value{hint(meant)}", fix=fix)
+
+
+def _may_be_lost(model: Model, name: Name) -> bool:
+    return bool(name.island.problems) or model.is_mentioned_in_broken_text(name, name.island)
+
+
+def _joint(third: str) -> str:
+    return joint("elbow").replace("0.0, 0.0, 0.3", f"<reach=0.5>, 0.0, {third}")
+
+
+RULE = Rule(
+    "KD406",
+    "undefined-constant",
+    Severity.ERROR,
+    check_document=check_document,
+    good=(_joint("<reach>"),),
+    bad=(_joint("<raech>"), _joint("<width>")),
+)

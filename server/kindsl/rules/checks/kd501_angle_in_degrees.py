@@ -1,0 +1,58 @@
+"""An angle was given in degrees.
+
+## What it does
+Reports a rotation of more than a whole turn, 2 PI.
+
+## Why is this bad?
+Angles are in radians. Nobody turns a frame by 90 rad; 90 rad is 14 turns and 116.6°.
+
+## Example
+```kindsl
+rotation = (90.0, 0.0, 0.0)
+```
+
+## Fix
+Writes the angle in radians, as a fraction of `PI` where it is one. Unsafe: degrees are a guess.
+"""
+
+from collections.abc import Iterator
+from math import inf, pi, radians
+
+from kindsl.rules.base import Change, Finding, Fix, Rule, Severity
+from kindsl.rules.context import Context
+from kindsl.rules.examples import joint
+from kindsl.rules.geometry import rotations
+from kindsl.rules.multiples_of_pi import as_fraction_of_pi
+from kindsl.rules.number_writing import plain
+from kindsl.semantics.declarations import Declarations
+from kindsl.semantics.expressions import Expression
+
+_WHOLE_TURN = 2.0 * pi * 1.001
+
+
+def check_island(declared: Declarations, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each angle that is more than a whole turn."""
+    for rotation in rotations(declared):
+        for angle in rotation.components:
+            if angle.literal is not None and inf > abs(angle.literal) > _WHOLE_TURN:
+                message = f"angle {angle.text} rad is more than a whole turn; is it in degrees?"
+                yield Finding(angle, message, fix=_fix(angle, angle.literal))
+
+
+def _fix(angle: Expression, degrees: float) -> Fix:
+    value = radians(degrees)
+    text = as_fraction_of_pi(value, 1e-9) or plain(value, 8)
+    return Fix(f"Write {text}", (Change(angle, text),))
+
+
+RULE = Rule(
+    "KD501",
+    "angle-in-degrees",
+    Severity.WARNING,
+    check_island=check_island,
+    good=(joint("elbow", rotation="PI/2.0, 3.0, 2.0 PI"),),
+    bad=(
+        joint("elbow", rotation="90.0, 0.0, 0.0"),
+        joint("elbow", rotation="0.0, -37.5, 0.0"),
+    ),
+)

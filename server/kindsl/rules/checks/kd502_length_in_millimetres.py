@@ -1,0 +1,52 @@
+"""A length was given in millimetres.
+
+## What it does
+Reports a translation or a centre of mass of more than 10 m in some direction.
+
+## Why is this bad?
+Lengths are in metres, and no robot of this kind is that large.
+
+## Example
+```kindsl
+translation = (0.0, 0.0, 425.0)
+```
+
+## Fix
+Divides the vector by 1000. Unsafe: millimetres are a guess.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Finding, Fix, Rule, Severity
+from kindsl.rules.context import Context
+from kindsl.rules.examples import joint
+from kindsl.rules.geometry import lengths
+from kindsl.rules.inertia.plausibility import GREATEST_LENGTH
+from kindsl.rules.number_writing import rescaled
+from kindsl.semantics.declarations import Declarations, Vector
+
+
+def check_island(declared: Declarations, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each vector that is longer than a robot."""
+    for vector in lengths(declared):
+        for value in vector.components:
+            if value.literal is not None and abs(value.literal) > GREATEST_LENGTH:
+                message = f"length {value.text} m is more than a robot's; is it in millimetres?"
+                yield Finding(value, message, fix=_fix(vector))
+                break
+
+
+def _fix(vector: Vector) -> Fix | None:
+    values = [(component.literal or 0.0) / 1000.0 for component in vector.components]
+    changes = rescaled(vector.components, values)
+    return Fix("Convert to metres", tuple(changes)) if changes else None
+
+
+RULE = Rule(
+    "KD502",
+    "length-in-millimetres",
+    Severity.WARNING,
+    check_island=check_island,
+    good=(joint("elbow", 1.5),),
+    bad=(joint("elbow", 425.0),),
+)

@@ -1,0 +1,63 @@
+"""A rotation is a fraction of pi, written as a number.
+
+## What it does
+Points at `1.5708`, `3.14159`, `-0.785` and the like in a rotation, where the digits written are
+those of a fraction of pi.
+
+## Why is this bad?
+A right angle of 1.57 is not right: over an arm of one metre 0.0008 rad are 0.8 mm, and zeros of
+generated matrices become small numbers. `PI/2.0` is exact, and shorter to read.
+
+## Example
+```kindsl
+rotation = (1.5708, 0.0, 0.0)
+```
+
+## Fix
+Writes the fraction. Safe where the number has five digits or more.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Change, Finding, Fix, Rule, Severity
+from kindsl.rules.context import Context
+from kindsl.rules.examples import joint
+from kindsl.rules.geometry import rotations
+from kindsl.rules.multiples_of_pi import as_fraction_of_pi
+from kindsl.rules.number_writing import significant_digits
+from kindsl.semantics.declarations import Declarations
+from kindsl.semantics.expressions import half_unit
+
+_FEWEST_DIGITS = 3
+_SAFE_DIGITS = 5
+
+
+def check_island(declared: Declarations, _: Context) -> Iterator[Finding]:
+    """Yield a finding for each number that is a fraction of pi."""
+    for rotation in rotations(declared):
+        for angle in rotation.components:
+            if not angle.literal or angle.node.kind != "number":
+                continue
+            digits = significant_digits(angle.text)
+            if digits >= _FEWEST_DIGITS:
+                tolerance = max(2.0 * half_unit(angle.text), 1e-15)
+                fraction = as_fraction_of_pi(angle.literal, tolerance)
+                if fraction is not None:
+                    fix = Fix(
+                        f"Write {fraction}", (Change(angle, fraction),), digits >= _SAFE_DIGITS
+                    )
+                    yield Finding(angle, f"angle {angle.text} is {fraction}", fix=fix)
+
+
+RULE = Rule(
+    "KD503",
+    "literal-pi",
+    Severity.HINT,
+    check_island=check_island,
+    good=(joint("elbow", rotation="PI/2.0, 1.5, 1.6"),),
+    bad=(
+        joint("elbow", rotation="1.5708, 0.0, 0.0"),
+        joint("elbow", rotation="0.0, -3.1415, 0.0"),
+        joint("elbow", rotation="0.0, 0.0, 0.785398"),
+    ),
+)

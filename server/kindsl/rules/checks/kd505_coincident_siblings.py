@@ -1,0 +1,60 @@
+"""Two joints of one body have the same frame.
+
+## What it does
+Reports a joint whose frame is that of another joint of the same kind and the same predecessor.
+
+## Why is this bad?
+Two links that start at one place and move in the same way are mostly one pose that was copied and
+not edited.
+
+## Example
+```kindsl
+r_joint left  { ref_frame { translation = (0.0, 0.1, 0.0) rotation = (0.0, 0.0, 0.0) } }
+r_joint right { ref_frame { translation = (0.0, 0.1, 0.0) rotation = (0.0, 0.0, 0.0) } }
+```
+"""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Finding, Related, Rule, Severity
+from kindsl.rules.context import Context
+from kindsl.rules.examples import joint, link, robot
+from kindsl.rules.geometry import Placement, placement
+from kindsl.semantics.declarations import Joint
+from kindsl.semantics.kinematic_tree import Edge
+from kindsl.semantics.model import Model
+
+
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each joint that coincides with an earlier sibling."""
+    for edges in model.tree.below.values():
+        if len(edges) > 1:
+            yield from _siblings(edges, context)
+
+
+def _siblings(edges: list[Edge], context: Context) -> Iterator[Finding]:
+    known: dict[tuple[str, Placement], Joint] = {}
+    for edge in edges:
+        here = placement(edge.joint.pose, context.values) if edge.joint is not None else None
+        if edge.joint is not None and here is not None:
+            first = known.setdefault((edge.joint.kind, here), edge.joint)
+            if first is not edge.joint:
+                message = f"joint '{edge.joint.name}' has the frame of joint '{first.name}'"
+                related = Related(first.name, f"joint '{first.name}'")
+                yield Finding(edge.joint.name, message, (related,))
+
+
+def _hand(height: float) -> str:
+    links = link("thumb", 1), link("finger", 2)
+    joints = joint("left", 0.1), joint("right", height)
+    return robot(*links, *joints, base="thumb via left finger via right")
+
+
+RULE = Rule(
+    "KD505",
+    "coincident-siblings",
+    Severity.WARNING,
+    check_document=check_document,
+    good=(_hand(0.2),),
+    bad=(_hand(0.1),),
+)

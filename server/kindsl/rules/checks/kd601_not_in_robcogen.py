@@ -1,0 +1,52 @@
+"""RobCoGen does not take this.
+
+## What it does
+Reports what RobCoGen 0.x refuses though the language has it: products with `*`, defaults such as
+`x[1.0]`, constants `<k=1.0>`, numbers with exponents, keywords as names, and so on. An error for
+the target robcogen; else it is off, and a hint if it is selected.
+
+## Why is this bad?
+RobCoGen answers "no viable alternative" and generates nothing. A base that is someone's child it
+does not resolve, which is told here too.
+
+## Example
+```kindsl
+translation = (1.0e-3, 0.0, 0.0)
+```
+
+## Fix
+Writes what both generators take, where there is such a thing: `0.001`. Safe: the value stays.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Example, Finding, Rule, Severity
+from kindsl.rules.context import ROBCOGEN, Context
+from kindsl.rules.examples import STEEL_BALL, joint, link, robot
+from kindsl.rules.portability_findings import refused_by
+from kindsl.rules.refusals import load_refusal
+from kindsl.semantics.model import Model
+
+
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each construct that RobCoGen refuses."""
+    yield from refused_by(ROBCOGEN, model, context)
+    yield from load_refusal(ROBCOGEN, model, context)
+
+
+def _arm(height: str) -> Example:
+    shoulder = joint("shoulder").replace("0.3", height)
+    text = robot(link("arm", 1), shoulder, base="arm via shoulder")
+    text = text.replace("ground {", "ground {\n    " + STEEL_BALL, 1)
+    return Example(text, (ROBCOGEN,), (("reach", 0.3),))
+
+
+RULE = Rule(
+    "KD601",
+    "not-in-robcogen",
+    Severity.ERROR,
+    check_document=check_document,
+    is_default=False,
+    good=(_arm("0.003"), _arm("reach/2.0")),
+    bad=(_arm("3.0e-3"), _arm("2.0*reach"), _arm("reach[0.3]")),
+)

@@ -1,0 +1,51 @@
+"""RobCoGen2 does not take this.
+
+## What it does
+Reports what RobCoGen2 refuses though the language has it: block comments, escaped names, products
+without `*`, names that begin with `pi`, and so on. An error for the target robcogen2; else it is
+off, and a hint if it is selected. For the target robcogen2 it also tells the first defect of names,
+ids or the tree at which RobCoGen2 dies with `KeyError` or `Inconsistent arguments` while it loads
+the document; the defect has a rule of its own too.
+
+## Why is this bad?
+RobCoGen2 stops and generates nothing.
+
+## Example
+```kindsl
+translation = (2.0 reach, 0.0, 0.0)
+```
+
+## Fix
+Writes what both generators take, where there is such a thing. Safe: the value stays.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Example, Finding, Rule, Severity
+from kindsl.rules.context import ROBCOGEN2, Context
+from kindsl.rules.examples import joint
+from kindsl.rules.portability_findings import refused_by
+from kindsl.rules.refusals import load_refusal
+from kindsl.semantics.model import Model
+
+
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each construct that RobCoGen2 refuses."""
+    yield from refused_by(ROBCOGEN2, model, context)
+    yield from load_refusal(ROBCOGEN2, model, context)
+
+
+def _joint(height: str, comment: str = "") -> Example:
+    text = comment + joint("shoulder").replace("0.3", height)
+    return Example(text, (ROBCOGEN2,), (("reach", 0.3), ("pitch", 0.1)))
+
+
+RULE = Rule(
+    "KD602",
+    "not-in-robcogen2",
+    Severity.ERROR,
+    check_document=check_document,
+    is_default=False,
+    good=(_joint("0.3"), _joint("reach/2.0"), _joint("0.3", "// seen from above\n")),
+    bad=(_joint("2.0 reach"), _joint("pitch"), _joint("0.3", "/* seen from above */\n")),
+)

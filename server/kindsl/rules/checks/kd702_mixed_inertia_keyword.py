@@ -1,0 +1,58 @@
+"""Two keywords for the same section.
+
+## What it does
+Points at `inertia_properties` in a document that mostly says `inertia_params`, or the reverse.
+
+## Why is this bad?
+Both mean the same. Who searches for one does not find the other.
+
+## Example
+```kindsl
+link upper { id = 1 inertia_params { ... } children {} }
+link lower { id = 2 inertia_properties { ... } children {} }
+```
+
+## Fix
+Writes the keyword that the document uses more often, at all places. Safe: they mean the same.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Change, Finding, Fix, Rule, Severity
+from kindsl.rules.context import Context
+from kindsl.rules.examples import STEEL_BALL, link, robot
+from kindsl.rules.inertia.judgements import keyword
+from kindsl.semantics.model import Model
+from kindsl.semantics.places import Place
+
+
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
+    """Yield a finding at the first place of the rarer keyword."""
+    places: dict[str, list[Place]] = {}
+    for body in model.bodies:
+        if body.inertia is not None:
+            word = body.inertia.node.children[0]
+            text = body.inertia.island.text[word.start : word.end]
+            places.setdefault(text, []).append(keyword(body.inertia))
+    if len(places) == 2:
+        usual, rare = sorted(places, key=lambda text: -len(places[text]))
+        changes = tuple(Change(place, usual) for place in places[rare])
+        fix = Fix(f"Write '{usual}' everywhere", changes, is_safe=True)
+        message = f"'{rare}' here, '{usual}' in most of the document"
+        yield Finding(places[rare][0], message, fix=fix)
+
+
+def _arm(keyword: str) -> str:
+    lower = link("lower", 2, inertia=STEEL_BALL.replace("inertia_params", keyword))
+    upper = link("upper", 1, "lower via elbow"), lower
+    return robot(*upper, base="upper via shoulder", joints="shoulder elbow")
+
+
+RULE = Rule(
+    "KD702",
+    "mixed-inertia-keyword",
+    Severity.HINT,
+    check_document=check_document,
+    good=(_arm("inertia_params"),),
+    bad=(_arm("inertia_properties"),),
+)

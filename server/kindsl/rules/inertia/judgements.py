@@ -1,0 +1,251 @@
+"""Whether the inertia of each link is that of a possible body.
+
+Every number written stands for all that round to it. A body is called impossible only if along one
+axis no choice of its numbers within these intervals gives a second moment that is not negative:
+that axis then proves it, whatever the other numbers are. The axis tried is that of the smallest
+second moment about the CoM.
+
+Two kinds of numbers need care. A writer who drops trailing digits prints `0.0` for whatever is
+below his last digit, so a zero is taken to be as exact as the most exact number beside it. And the
+language wants a decimal point, so of `55.0` and `120.0` two digits are believed.
+"""
+
+from collections.abc import Mapping, Sequence
+from enum import Enum
+from math import isfinite, sqrt
+from operator import mul
+from typing import NamedTuple
+
+from kindsl.rigid.body import (
+    Eigenpair,
+    MassDistribution,
+    eigensystem,
+    greatest_moment,
+    greatest_second_moment,
+    is_clearly_positive,
+    principal_moments,
+    second_moments_about_com,
+)
+from kindsl.rules.broken_text import has_problem_within
+from kindsl.rules.context import Context
+from kindsl.rules.inertia.plausibility import (
+    GREATEST_DENSITY,
+    GREATEST_LENGTH,
+    density_of,
+    is_dense_as_matter,
+    is_placeholder,
+    is_plainly_dense_as_matter,
+)
+from kindsl.semantics.declarations import MOMENTS, Declarations, Inertia, Link, inertia_values
+from kindsl.semantics.expressions import Expression, ParameterUse, half_unit, symbols
+from kindsl.semantics.lowering import declarations
+from kindsl.semantics.places import Place
+
+_KEY = "inertia"
+_ROUNDING_OF_ARITHMETIC = 1e-12
+_SINGULAR = 1e-9
+_GREATEST_WHOLE = 1e15
+
+
+class Verdict(Enum):
+    """What is wrong with a mass distribution, if anything."""
+
+    POSSIBLE = "possible"
+    SINGULAR = "singular"
+    WITHIN_ROUNDING = "impossible as written, possible within its digits"
+    IMPLAUSIBLE = "possible, but of no material"
+    TRIANGLE = "triangle inequality"
+    INDEFINITE = "not positive definite"
+
+
+class Judgement(NamedTuple):
+    """A link whose inertia deserves a remark.
+
+    Attributes:
+        link: The link.
+        inertia: Its inertia.
+        body: The numbers.
+        second_moments: Eigenvalues and axes of the second moments about the CoM, ascending.
+        verdict: What is to be said.
+    """
+
+    link: Link
+    inertia: Inertia
+    body: MassDistribution
+    second_moments: tuple[Eigenpair, Eigenpair, Eigenpair]
+    verdict: Verdict
+
+    @property
+    def moments(self) -> tuple[float, float, float]:
+        """Principal moments about the CoM, ascending, kg·m²."""
+        return principal_moments(self.second_moments)
+
+    @property
+    def radius_of_gyration(self) -> float:
+        """Root of the mean squared distance of the mass from the CoM, metres."""
+        total = sum(pair.value for pair in self.second_moments)
+        return sqrt(max(total, 0.0) / self.body.mass)
+
+    @property
+    def is_impossible(self) -> bool:
+        """Whether no choice within the digits makes the body possible."""
+        return self.verdict in (Verdict.TRIANGLE, Verdict.INDEFINITE)
+
+
+def judgements(declared: Declarations, context: Context) -> Sequence[Judgement]:
+    """Return the moving links of an island whose inertia is not plainly possible.
+
+    Computed once for each island, or for each context where parameters are in it.
+    """
+    if not declared.links and not declared.bases:
+        return ()
+    facts = (declared.links or declared.bases)[0].island.facts
+    known = facts.get(_KEY)
+    if isinstance(known, tuple) and (known[0] is None or known[0] is context):
+        return known[1]  # type: ignore[no-any-return]
+    moving = [body for body in declared.bodies() if is_moving(body) and body.inertia is not None]
+    judged = [j for j in (_judge(link, context.values) for link in moving) if j is not None]
+    is_literal = all(is_plain(link.inertia) for link in moving if link.inertia is not None)
+    facts[_KEY] = None if is_literal else context, judged
+    return judged
+
+
+def is_impossible(link: Link, context: Context) -> bool:
+    """Return whether the inertia of a link is reported as that of no body."""
+    found = judgements(declarations(link.island), context)
+    return any(judgement.link is link and judgement.is_impossible for judgement in found)
+
+
+def is_moving(body: Link) -> bool:
+    """Return whether the inertia of a body matters: that of a fixed base does not."""
+    return not body.is_base or body.is_floating
+
+
+def is_plain(inertia: Inertia) -> bool:
+    """Return whether all values of an inertia are plain numbers."""
+    com = inertia.com.components if inertia.com is not None else ()
+    values = (*inertia.moments.values(), *com)
+    return all(value.literal is not None for value in values) and (
+        inertia.mass is None or inertia.mass.literal is not None
+    )
+
+
+def at_values(inertia: Inertia, values: Mapping[str, float]) -> str:
+    """Return at which parameters' values an inertia was looked at: ` at m = 2`, or nothing."""
+    if is_plain(inertia):
+        return ""
+    uses = [use for value in inertia_values(inertia) for use in symbols(value)]
+    names = dict.fromkeys(str(use.name) for use in uses if isinstance(use, ParameterUse))
+    told = [f"{name} = {values[name]:g}" for name in names if name in values]
+    return f" at {', '.join(told)}" if told else ""
+
+
+def mass_distribution(inertia: Inertia, values: Mapping[str, float]) -> MassDistribution | None:
+    """Return the numbers of an inertia, None where one is missing, unbound or infinite."""
+    com, moments = inertia.com, inertia.moments
+    if inertia.mass is None or com is None or len(com.components) != 3 or len(moments) != 6:
+        return None
+    mass = inertia.mass.value(values)
+    x, y, z = (component.value(values) for component in com.components)
+    given = [moments[name].value(values) for name in MOMENTS]
+    if mass is None or x is None or y is None or z is None or None in given:
+        return None
+    if not isfinite(0.0 * (mass + x + y + z) + 0.0 * sum(given)):  # type: ignore[arg-type]
+        return None
+    return MassDistribution(mass, (x, y, z), tuple(given))  # type: ignore[arg-type]
+
+
+def half_widths(inertia: Inertia, values: Mapping[str, float]) -> MassDistribution:
+    """Return how far each number of a complete inertia may be from what is written."""
+    assert inertia.mass is not None and inertia.com is not None
+    com = _half_widths(inertia.com.components, values)
+    moments = _half_widths([inertia.moments[name] for name in MOMENTS], values)
+    mass = _half_width(inertia.mass, values)
+    return MassDistribution(mass, tuple(com), tuple(moments))  # type: ignore[arg-type]
+
+
+def keyword(inertia: Inertia) -> Place:
+    """Return the place of the section's keyword, to report the whole section at."""
+    word = inertia.node.children[0]
+    return Place(inertia.island, word.start, word.end)
+
+
+def verdict_of(
+    body: MassDistribution,
+    half: MassDistribution,
+    pairs: tuple[Eigenpair, Eigenpair, Eigenpair],
+) -> Verdict:
+    """Return what the second moments about the CoM say of a body with positive mass.
+
+    Args:
+        body: As written.
+        half: How far each number may be from what is written.
+        pairs: Eigenpairs of the second moments about the CoM, ascending.
+    """
+    size = sum(map(abs, body.moments)) + body.mass * sum(c * c for c in body.com)
+    noise = _ROUNDING_OF_ARITHMETIC * size
+    if pairs[0].value > _SINGULAR * (pairs[0].value + pairs[1].value + pairs[2].value) > 0.0:
+        return Verdict.POSSIBLE
+    is_negative = pairs[0].value + pairs[1].value < -noise
+    if is_negative and greatest_moment(body, half, pairs[2].axis) < -noise:
+        return Verdict.INDEFINITE
+    if pairs[0].value < -noise:
+        if greatest_second_moment(body, half, pairs[0].axis) < -noise:
+            return Verdict.TRIANGLE
+        if pairs[0].value < -_SINGULAR * abs(pairs[2].value):
+            return Verdict.WITHIN_ROUNDING
+    return Verdict.SINGULAR
+
+
+def _judge(link: Link, values: Mapping[str, float]) -> Judgement | None:
+    inertia = link.inertia
+    if inertia is None or has_problem_within(inertia):
+        return None
+    body = mass_distribution(inertia, values)
+    if body is None or body.mass <= 0.0 or is_placeholder(body):
+        return None
+    second_moments = second_moments_about_com(body)
+    if is_clearly_positive(second_moments):
+        if is_plainly_dense_as_matter(body.mass, second_moments):
+            return None
+    elif max(map(abs, body.com)) > GREATEST_LENGTH:
+        return None
+    pairs = eigensystem(second_moments)
+    half = half_widths(inertia, values)
+    verdict = verdict_of(body, half, pairs)
+    if verdict is Verdict.POSSIBLE:
+        if is_dense_as_matter(body.mass, _widened(body, half, pairs)):
+            return None
+        verdict = Verdict.IMPLAUSIBLE
+    return Judgement(link, inertia, body, pairs, verdict)
+
+
+def _widened(
+    body: MassDistribution, half: MassDistribution, pairs: tuple[Eigenpair, Eigenpair, Eigenpair]
+) -> tuple[Eigenpair, Eigenpair, Eigenpair]:
+    """Return the eigenpairs with values moved towards a plausible density, within the digits."""
+    reach = sum(half.moments) + 2.0 * body.mass * sum(map(mul, map(abs, body.com), half.com))
+    is_heavy = density_of(body.mass, pairs) > GREATEST_DENSITY
+    first, second, third = (
+        Eigenpair(max(value + (reach if is_heavy else -reach), 0.0), axis) for value, axis in pairs
+    )
+    return first, second, third
+
+
+def _half_widths(group: Sequence[Expression], values: Mapping[str, float]) -> list[float]:
+    halves = [_half_width(value, values) for value in group]
+    finest = min((half for half in halves if half > 0.0), default=float("inf"))
+    return [
+        min(finest, half_unit(value.text)) if value.literal == 0.0 else half
+        for value, half in zip(group, halves, strict=True)
+    ]
+
+
+def _half_width(value: Expression, values: Mapping[str, float]) -> float:
+    is_whole = value.literal is not None and 10.0 <= abs(value.literal) < _GREATEST_WHOLE
+    if value.literal is None or not is_whole or not value.text.endswith(".0"):
+        return value.rounding(values)
+    whole, unit = int(abs(value.literal)), 1
+    while whole % 10 == 0 and whole >= 100:
+        whole, unit = whole // 10, unit * 10
+    return 0.5 * unit

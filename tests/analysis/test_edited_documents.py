@@ -1,0 +1,45 @@
+"""What is found after edits is what is found in the same text from scratch."""
+
+import random
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from tests.support.models import Style, random_model
+
+from kindsl.analysis.analysis import analyse
+from kindsl.analysis.settings import Settings
+from kindsl.semantics.parameters import Binding
+from kindsl.text.edits import TextEdit
+
+MODEL = random_model(8, 9, Style(has_expressions=True))
+SETTINGS = Settings(
+    targets=frozenset({"robcogen"}),
+    bindings={"offset": Binding(0.1), "load": Binding(2.0, 0.0, 9.0)},
+)
+PIECES = (
+    "", "0", "1.0", "-", "x", "segment_1", "joint_2", "load", "offset[0.2]", "{", "}", "id = 3\n",
+    "link segment_9 {\n", "/*", "*/", "// kindsl: ignore[KD3]\n", "segment_4 via joint_5\n",
+)  # fmt: skip
+
+
+@settings(max_examples=40, deadline=None)
+@given(seed=st.integers(0, 10**9))
+def test_findings_after_edits_are_those_from_scratch(seed: int) -> None:
+    generator = random.Random(seed)
+    analysis = analyse(MODEL, SETTINGS)
+    for _ in range(5):
+        start = generator.randrange(len(analysis.text) + 1)
+        end = min(len(analysis.text), start + generator.choice((0, 0, 1, 3, 12)))
+        analysis = analysis.edited([TextEdit(start, end, generator.choice(PIECES))])
+        assert analysis.findings == analyse(analysis.text, SETTINGS).findings
+
+
+@settings(max_examples=10, deadline=None)
+@given(st.lists(st.floats(-1.0, 5.0), min_size=2, max_size=4))
+def test_findings_follow_the_values(masses: list[float]) -> None:
+    text = MODEL.replace("mass = ", "mass = load // ", 1)
+    analysis = analyse(text, SETTINGS)
+    for mass in masses:
+        settings = SETTINGS._replace(bindings={**SETTINGS.bindings, "load": Binding(mass)})
+        analysis = analysis.with_settings(settings)
+        assert analysis.findings == analyse(text, settings).findings

@@ -1,0 +1,181 @@
+"""One document's preview over time: sliders, parameters, ghosts, findings, places."""
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from tests.preview.page import Page
+from tests.preview.robots import ARM, BROKEN_ARM, PARAMETRIC_ARM
+
+from kindsl.analysis.analysis import analyse
+from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.analysis.settings import Settings
+from kindsl.preview.document_preview import DocumentPreview
+from kindsl.preview.requests import Reveal
+from kindsl.preview.reveal import place_of
+from kindsl.preview.scene.findings import MOST_LISTED
+from kindsl.rules.base import Severity
+from kindsl.semantics.parameters import Binding
+
+
+def preview_of(text, settings=None, findings=()):
+    preview = DocumentPreview("arm")
+    preview.show(analyse(text, settings or Settings()), findings)
+    return preview
+
+
+def page_of(preview):
+    return Page(preview.channel.state)
+
+
+def joint_x(preview, joint="lift"):
+    return page_of(preview).at(f"/kindsl/robot/joints/{joint}")["joint"]["placement"][12]
+
+
+def status(preview):
+    return page_of(preview).at("/kindsl/status")["status"]
+
+
+def test_a_broken_edit_keeps_the_model_and_a_repair_brings_the_new_one():
+    preview = preview_of(ARM)
+    preview.show(analyse(BROKEN_ARM.replace("0.4,", "0.6,")), ())
+    assert (status(preview)["state"], joint_x(preview)) == ("broken", 0.4)
+    preview.show(analyse(ARM.replace("0.4,", "0.6,")), ())
+    assert (status(preview)["state"], joint_x(preview)) == ("live", 0.6)
+
+
+@given(st.floats(allow_nan=True, allow_infinity=True))
+def test_joint_values_survive_every_reload(number):
+    preview = preview_of(ARM)
+    preview.set_joint("shoulder", number)
+    preview.show(analyse(BROKEN_ARM), ())
+    preview.show(analyse(ARM.replace("0.4,", "0.6,")), ())
+    kept = page_of(preview).at("/kindsl/values/shoulder")
+    assert kept == {} if not math.isfinite(number) else kept["value"]["value"] == number
+
+
+def test_a_parameter_is_typed_kept_and_given_back():
+    preview = preview_of(PARAMETRIC_ARM.replace("(reach,", "(reach[0.4],"))
+    row = page_of(preview).at("/kindsl/parameters/reach")["parameter"]
+    assert (row["value"], row["minimum"], row["maximum"]) == (0.4, 0.0, 0.8)
+    preview.set_parameter("reach", 0.7)
+    preview.show(analyse(PARAMETRIC_ARM.replace("(reach,", "(reach[0.5],")), ())
+    assert joint_x(preview) == 0.7
+    assert page_of(preview).at("/kindsl/parameters/reach")["parameter"]["is_overridden"]
+    preview.set_parameter("reach", None)
+    assert joint_x(preview) == 0.5
+
+
+def test_a_configured_range_is_the_sliders():
+    settings = Settings(bindings={"reach": Binding(0.35, 0.2, 0.5)})
+    row = page_of(preview_of(PARAMETRIC_ARM, settings)).at("/kindsl/parameters/reach")["parameter"]
+    assert (row["value"], row["minimum"], row["maximum"]) == (0.35, 0.2, 0.5)
+
+
+def test_an_unbound_parameter_has_a_row_without_value():
+    preview = preview_of(PARAMETRIC_ARM)
+    row = page_of(preview).at("/kindsl/parameters/reach")["parameter"]
+    assert row["value"] is None
+    assert row["minimum"] < row["maximum"]
+    assert status(preview)["state"] == "unbound"
+    preview.set_parameter("reach", 0.3)
+    assert status(preview)["state"] == "live"
+
+
+def test_a_page_from_before_a_restart_brings_its_values():
+    preview = preview_of(PARAMETRIC_ARM)
+    preview.set_joint("lift", 0.1)
+    preview.adopt({"lift": 0.9, "shoulder": 0.5}, {"reach": 0.3})
+    page = page_of(preview)
+    assert page.at("/kindsl/values/lift")["value"]["value"] == 0.1
+    assert page.at("/kindsl/values/shoulder")["value"]["value"] == 0.5
+    assert joint_x(preview) == 0.3
+
+
+def test_a_page_cannot_fill_the_memory(monkeypatch):
+    monkeypatch.setattr("kindsl.preview.document_preview.MOST_VALUES", 5)
+    preview = preview_of(ARM)
+    for number in range(100):
+        preview.set_joint(f"joint{number}", 0.1)
+        preview.set_parameter(f"parameter{number}", 0.1)
+    preview.set_joint("joint0", 0.2)
+    values = [key.path for key in page_of(preview).state if key.type == "value"]
+    assert len(values) == len(preview._parameters) == 5
+    assert page_of(preview).at("/kindsl/values/joint0")["value"]["value"] == 0.2
+
+
+def ghosts(preview):
+    return [key.path for key in page_of(preview).state if key.path.startswith("/kindsl/ghost/")]
+
+
+def test_the_saved_version_stands_behind_an_edited_one_only():
+    preview = preview_of(ARM)
+    preview.keep_as_ghost()
+    assert ghosts(preview) == []
+    preview.show(analyse(ARM.replace("mass = 1.0", "mass = 1.5")), ())
+    assert ghosts(preview) == []
+    preview.show(analyse(ARM.replace("0.4,", "0.6,")), ())
+    assert "/kindsl/ghost/links/upper/body/ball" in ghosts(preview)
+    preview.keep_as_ghost()
+    assert ghosts(preview) == []
+
+
+def test_another_document_stands_behind():
+    preview = preview_of(ARM)
+    preview.compare(analyse(ARM.replace("0.4,", "0.6,")))
+    assert ghosts(preview)
+
+
+def finding(code, start, end, severity=Severity.ERROR, message="broken"):
+    return Diagnostic(code, "name", severity, message, start, end)
+
+
+def test_findings_are_listed_the_worst_first_with_their_places():
+    found = [finding("KD701", 0, 5, Severity.INFORMATION), finding("KD101", ARM.index("link"), 90)]
+    page = page_of(preview_of(ARM, findings=found))
+    first = page.at("/kindsl/findings/0")["finding"]
+    assert (first["code"], first["line"], first["column"]) == ("KD101", 9, 1)
+    assert page.at("/kindsl/findings/1")["finding"]["severity"] == "info"
+
+
+def test_of_many_findings_some_are_listed_and_all_are_counted():
+    preview = preview_of(ARM, findings=[finding("KD101", 0, 1)] * 500)
+    listed = [key for key in page_of(preview).state if key.type == "finding"]
+    assert len(listed) == MOST_LISTED
+    assert status(preview)["total"] == 500
+
+
+@pytest.mark.parametrize(
+    ("kind", "name", "text"),
+    [
+        ("link", "slider", "slider {"),
+        ("link", "base", "base {"),
+        ("joint", "lift", "lift {"),
+        ("frame", "tool", "tool {"),
+        ("parameter", "reach", "reach, 0.0, 0.0)"),
+    ],
+)
+def test_a_click_means_the_name_where_it_is_declared(kind, name, text):
+    analysis = analyse(PARAMETRIC_ARM)
+    span = place_of(Reveal(kind, name), analysis, ())
+    assert span is not None
+    assert PARAMETRIC_ARM[span.start :].startswith(text)
+    assert PARAMETRIC_ARM[span.start : span.end] == name
+
+
+def test_a_click_on_what_is_gone_means_nothing():
+    assert place_of(Reveal("link", "gone"), analyse(ARM), ()) is None
+    assert place_of(Reveal("finding", "3"), analyse(ARM), ()) is None
+    assert place_of(Reveal("finding", "-1"), analyse(ARM), [finding("KD101", 1, 2)]) is None
+
+
+def test_a_finding_means_what_it_marks():
+    assert place_of(Reveal("finding", "0"), analyse(ARM), [finding("KD101", 3, 7)]) == (3, 7)
+
+
+def test_undecodable_bytes_in_a_message_can_be_sent():
+    from kindsl.preview.scene.messages import encode
+
+    preview = preview_of(ARM, findings=[finding("KD004", 0, 1, message="byte '\udcff'")])
+    assert all(encode(message) for message in preview.channel.state)
