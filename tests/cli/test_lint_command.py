@@ -9,7 +9,7 @@ from tests.cli.conftest import Runner
 from tests.cli.samples import GOOD, INTEGER, UNBOUND
 
 from kindsl.cli import lint
-from kindsl.cli.lint_defaults import only_paths
+from kindsl.cli.lint import only_paths
 
 
 def test_clean_document_says_nothing_on_stdout(kdsl_lint: Runner, folder: Path) -> None:

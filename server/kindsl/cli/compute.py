@@ -10,6 +10,7 @@ import sys
 from typing import TYPE_CHECKING
 
 from kindsl.cli.console import write
+from kindsl.cli.documents.choices import choices_of
 from kindsl.cli.documents.reading import (
     CommandError,
     defect,
@@ -18,11 +19,9 @@ from kindsl.cli.documents.reading import (
     require_syntax,
     shown_name,
 )
-from kindsl.cli.documents.run_choices import choices_of
-from kindsl.cli.linter.run import as_failures
 from kindsl.cli.motion_options import motions_of
 from kindsl.cli.options import add_parameter_arguments
-from kindsl.cli.outcome import Failure
+from kindsl.cli.outcome import Failure, as_failures
 from kindsl.config.errors import ConfigurationError
 from kindsl.reports.motions import Motion, MotionError, Robot
 

@@ -8,13 +8,16 @@ import sys
 from pathlib import Path
 
 from kindsl.cli.console import write
-from kindsl.cli.documents.bodies import bodies_of_document, missing_module
-from kindsl.cli.documents.reading import CommandError, read_document
-from kindsl.cli.documents.run_choices import choices_of
+from kindsl.cli.documents.choices import choices_of
+from kindsl.cli.documents.reading import (
+    CommandError,
+    bodies_of_document,
+    missing_module,
+    read_document,
+)
 from kindsl.cli.documents.sources import STDIN, reason
-from kindsl.cli.linter.run import as_failures
 from kindsl.cli.options import add_parameter_arguments
-from kindsl.cli.outcome import Failure
+from kindsl.cli.outcome import Failure, as_failures
 from kindsl.config.configuration import ConfigurationError
 from kindsl.text.printable import printable
 

@@ -7,11 +7,10 @@ from dataclasses import asdict
 from typing import TYPE_CHECKING
 
 from kindsl.cli.console import write
-from kindsl.cli.documents.bodies import bodies_of_document
-from kindsl.cli.documents.reading import CommandError, read_document, shown_name
-from kindsl.cli.documents.run_choices import choices_of
-from kindsl.cli.linter.run import as_failures
+from kindsl.cli.documents.choices import choices_of
+from kindsl.cli.documents.reading import CommandError, bodies_of_document, read_document, shown_name
 from kindsl.cli.options import add_parameter_arguments
+from kindsl.cli.outcome import as_failures
 from kindsl.config.configuration import ConfigurationError
 
 if TYPE_CHECKING:

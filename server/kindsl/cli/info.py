@@ -4,10 +4,10 @@ import argparse
 import sys
 
 from kindsl.cli.console import write
+from kindsl.cli.documents.choices import choices_of
 from kindsl.cli.documents.reading import CommandError, note_errors, read_document, shown_name
-from kindsl.cli.documents.run_choices import choices_of
-from kindsl.cli.linter.run import as_failures
 from kindsl.cli.options import add_parameter_arguments
+from kindsl.cli.outcome import as_failures
 from kindsl.config.errors import ConfigurationError
 from kindsl.reports.robot_facts import robot_facts
 

@@ -1,13 +1,37 @@
 """`kdsl-lint` and `kindsl lint`: tells what is wrong with Kinematics-DSL documents."""
 
 import sys
-from typing import TYPE_CHECKING
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any
 
 from kindsl.cli.process import run_and_exit
 
 if TYPE_CHECKING:
     import argparse
-    from types import SimpleNamespace
+
+_DESCRIPTION = "Tells what is wrong with Kinematics-DSL documents."
+DEFAULTS: dict[str, Any] = {
+    "stdin_filename": None,
+    "select": None,
+    "ignore": None,
+    "target": None,
+    "param": (),
+    "params": None,
+    "config": None,
+    "isolated": False,
+    "fix": False,
+    "unsafe_fixes": False,
+    "diff": False,
+    "output_format": "text",
+    "max_warnings": None,
+    "exit_zero": False,
+    "statistics": False,
+    "quiet": False,
+    "watch": False,
+    "jobs": 0,
+    "explain": None,
+    "list_rules": False,
+}
 
 
 def add_arguments(parser: "argparse.ArgumentParser") -> None:
@@ -33,24 +57,30 @@ def main(arguments: list[str] | None = None) -> int:
     """Run as a command of its own; ends the process if the arguments are the process's."""
     if arguments is None:
         run_and_exit(lambda: main(sys.argv[1:]))
-    from kindsl.cli.lint_defaults import only_paths
 
     options = only_paths(arguments)
     if options is not None:
         return run(options)
     import argparse
 
-    from kindsl.cli.help_formatter import HelpFormatter
+    from kindsl.cli.process import help_formatter
 
     parser = argparse.ArgumentParser(
-        prog="kdsl-lint", description=_DESCRIPTION, formatter_class=HelpFormatter
+        prog="kdsl-lint", description=_DESCRIPTION, formatter_class=help_formatter
     )
     add_arguments(parser)
     return run(parser.parse_args(arguments))
 
 
-_DESCRIPTION = "Tells what is wrong with Kinematics-DSL documents."
-
-
 if __name__ == "__main__":
     sys.exit(main())
+
+
+def only_paths(arguments: list[str]) -> SimpleNamespace | None:
+    """Return the options for arguments that are paths and nothing else, None for others.
+
+    So the usual call needs no parser of arguments, which takes longer than reading a document.
+    """
+    if any(argument.startswith("-") and argument != "-" for argument in arguments):
+        return None
+    return SimpleNamespace(paths=arguments, **DEFAULTS)

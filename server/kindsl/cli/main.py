@@ -86,13 +86,13 @@ def with_joined_negatives(arguments: list[str]) -> list[str]:
 def _run(command: str, arguments: list[str]) -> int:
     import argparse
 
-    from kindsl.cli.help_formatter import HelpFormatter
+    from kindsl.cli.process import help_formatter
 
     module = import_module(f"kindsl.cli.{_module(command)}")
     if command != "lint":
         gc.enable()
     parser = argparse.ArgumentParser(
-        prog=f"kindsl {command}", description=module.__doc__, formatter_class=HelpFormatter
+        prog=f"kindsl {command}", description=module.__doc__, formatter_class=help_formatter
     )
     module.add_arguments(parser)
     try:

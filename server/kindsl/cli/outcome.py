@@ -2,11 +2,14 @@
 
 from collections.abc import Sequence
 from functools import cached_property
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.rules.base import Severity
 from kindsl.text.lines import LineIndex
+
+if TYPE_CHECKING:
+    from kindsl.config.errors import ConfigurationError
 
 
 class Failure(NamedTuple):
@@ -93,3 +96,11 @@ class Outcome(NamedTuple):
     def count(self, severity: Severity) -> int:
         """Return how many findings have a severity."""
         return sum(file.count(severity) for file in self.files)
+
+
+def as_failures(error: "ConfigurationError") -> list[Failure]:
+    """Return what is wrong with a configuration file as failures."""
+    return [
+        Failure(problem.path, problem.message, problem.place.line, problem.place.column)
+        for problem in error.problems
+    ]

@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kindsl.cli.documents.run_choices import choices_of
+from kindsl.cli.documents.choices import choices_of
 from kindsl.cli.documents.sources import read_source
 from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import Failure

@@ -4,9 +4,13 @@ import gc
 import os
 import sys
 from collections.abc import Callable
-from typing import NoReturn
+from typing import TYPE_CHECKING, NoReturn
+
+if TYPE_CHECKING:
+    import argparse
 
 DEFECT = 2
+_WIDTH = 98
 
 
 def run_and_exit(command: Callable[[], int]) -> NoReturn:
@@ -36,3 +40,12 @@ def _flush() -> None:
             stream.flush()
         except (OSError, ValueError):
             continue
+
+
+def help_formatter(prog: str) -> "argparse.HelpFormatter":
+    """Return what lays out `--help`, without importing what measures the terminal."""
+    import argparse
+
+    columns = os.environ.get("COLUMNS", "")
+    width = int(columns) - 2 if columns.isdigit() else _WIDTH
+    return argparse.RawDescriptionHelpFormatter(prog, width=width)

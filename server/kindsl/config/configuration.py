@@ -5,8 +5,7 @@ from typing import NamedTuple
 
 from kindsl.analysis.settings import Settings
 from kindsl.config.decisions import Decisions, overridden
-from kindsl.config.errors import ConfigurationError
-from kindsl.config.problems import ConfigurationProblem
+from kindsl.config.errors import ConfigurationError, ConfigurationProblem
 
 __all__ = ["Configuration", "ConfigurationError", "ConfigurationProblem", "DocumentTable"]
 

@@ -1,9 +1,34 @@
-"""The error of a wrong configuration; apart from the problems, so that it imports nothing."""
+"""What is wrong in a configuration file, and where."""
 
-from typing import TYPE_CHECKING
+from typing import NamedTuple
 
-if TYPE_CHECKING:
-    from kindsl.config.problems import ConfigurationProblem
+
+class Place(NamedTuple):
+    """Where a key stands: line and column from 1, offsets from 0, all in code points."""
+
+    line: int
+    column: int
+    start: int
+    end: int
+
+
+class ConfigurationProblem(NamedTuple):
+    """Something wrong in a configuration file.
+
+    Attributes:
+        path: The file.
+        place: Where in it.
+        key: The key in question, dotted; empty where the file as a whole is meant.
+        message: One sentence without final period.
+    """
+
+    path: str
+    place: Place
+    key: str
+    message: str
+
+    def __str__(self) -> str:
+        return f"{self.path}:{self.place.line}:{self.place.column}: error: {self.message}"
 
 
 class ConfigurationError(Exception):
@@ -13,6 +38,6 @@ class ConfigurationError(Exception):
         problems: All that is wrong with it, in the order of the file.
     """
 
-    def __init__(self, problems: "tuple[ConfigurationProblem, ...]") -> None:
+    def __init__(self, problems: tuple[ConfigurationProblem, ...]) -> None:
         super().__init__("\n".join(map(str, problems)))
         self.problems = problems

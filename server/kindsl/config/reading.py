@@ -6,9 +6,8 @@ import tomllib
 from typing import Any
 
 from kindsl.config.configuration import Configuration, DocumentTable
-from kindsl.config.errors import ConfigurationError
+from kindsl.config.errors import ConfigurationError, ConfigurationProblem, Place
 from kindsl.config.file_names import PYTHON_FILE, PYTHON_TABLE
-from kindsl.config.problems import ConfigurationProblem, Place
 from kindsl.config.tables import DOCUMENT_KEYS, KEYS, Checker, bindings, decisions
 from kindsl.config.toml_places import toml_places
 from kindsl.semantics.parameters import Binding

@@ -5,8 +5,7 @@ from collections.abc import Collection, Mapping
 from typing import Any
 
 from kindsl.config.decisions import Decisions
-from kindsl.config.errors import ConfigurationError
-from kindsl.config.problems import ConfigurationProblem, Place
+from kindsl.config.errors import ConfigurationError, ConfigurationProblem, Place
 from kindsl.config.toml_places import KeyPath, Places
 from kindsl.rules.base import Severity
 from kindsl.rules.context import TARGETS

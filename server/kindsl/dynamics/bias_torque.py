@@ -28,3 +28,14 @@ def bias_torque(bodies: Bodies, q: Array, qd: Array, base_velocity: Array, gravi
     if not bodies.is_floating:
         return tau
     return np.concatenate((np.broadcast_to(wrench, (*tau.shape[:-1], 6)), tau), axis=-1)
+
+
+def gravity_torque(bodies: Bodies, q: Array, gravity: Array) -> Array:
+    """Return the forces at rest, shape (..., nv), base rows first with a floating base.
+
+    Args:
+        bodies: The mechanism.
+        q: Joint positions, shape (..., n), radians and metres.
+        gravity: Shape (..., 3), m/s^2, base coordinates.
+    """
+    return bias_torque(bodies, q, np.zeros_like(q), np.zeros(6), gravity)

@@ -1,9 +1,9 @@
 """Give a link, joint, frame, parameter, constant or the robot another name, everywhere."""
 
+import re
 from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
-from kindsl.features.names import objection
 from kindsl.features.symbol_at import (
     Entity,
     EntityKind,
@@ -12,8 +12,12 @@ from kindsl.features.symbol_at import (
     occurrences,
     symbol_at,
 )
+from kindsl.syntax.tables import KEYWORDS
 from kindsl.text.edits import TextEdit
 from kindsl.text.span import Span
+
+_NAME = re.compile(r"[^\W\d]\w*")
+_VALUES = frozenset((EntityKind.PARAMETER, EntityKind.CONSTANT))
 
 
 class Renaming(NamedTuple):
@@ -101,3 +105,24 @@ def _clash_of_things(analysis: Analysis, new_name: str) -> str | None:
     if frame is not None:
         return f"a frame named '{new_name}' exists already, on link '{frame.link}'"
     return f"the robot is named '{new_name}'" if model.name == new_name else None
+
+
+def objection(word: str, kind: EntityKind, targets: frozenset[str]) -> str | None:
+    """Return why a word cannot name such a thing, or None if it can.
+
+    Args:
+        word: The wanted name.
+        kind: What it is to name.
+        targets: The generators that must accept it.
+    """
+    if not _NAME.fullmatch(word):
+        return f"'{word}' is no name: letters, digits and '_' make one, a digit does not begin it"
+    if word.lower() == "pi":
+        return f"'{word}' means the number pi"
+    if word in KEYWORDS:
+        return f"'{word}' is a keyword"
+    if not word.isascii() and "robcogen" in targets:
+        return f"'{word}' has letters that robcogen does not take in a name"
+    if kind in _VALUES and word.lower().startswith("pi") and "robcogen2" in targets:
+        return f"'{word}' begins with 'pi', where robcogen2 stops reading"
+    return None

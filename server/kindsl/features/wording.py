@@ -1,6 +1,8 @@
 """Pieces of sentences that several features say."""
 
+from collections.abc import Iterable
 from math import degrees
+from typing import NamedTuple
 
 from kindsl.features.quantity_text import vector
 from kindsl.rigid.pose import RigidPose
@@ -10,3 +12,17 @@ def pose_text(pose: RigidPose) -> str:
     """Return a pose: origin in metres, intrinsic x, y, z angles in degrees."""
     turned = vector(degrees(angle) for angle in pose.angles)
     return f"origin {vector(pose.translation)} m, turned {turned}° about x, y, z"
+
+
+class Hover(NamedTuple):
+    """A text in Markdown about a stretch of the document."""
+
+    start: int
+    end: int
+    markdown: str
+
+
+def paragraph(title: str, lines: Iterable[str]) -> str:
+    """Return a title and a list below it."""
+    items = "\n".join(f"- {line}" for line in lines if line)
+    return f"{title}\n\n{items}" if items else title

@@ -7,7 +7,8 @@ import signal
 import sys
 
 from kindsl.lsp.server import KindslLanguageServer
-from kindsl.lsp.session import memory, tasks
+from kindsl.lsp.session import memory
+from kindsl.lsp.session.worker import start_task
 from kindsl.lsp.wire import parent_watch
 from kindsl.lsp.wire.transport import MessageWriter, TransportWriter, open_stdio, read_messages
 
@@ -61,5 +62,5 @@ def _watch_parent(process_id: int | None, reading: "asyncio.Future[None]") -> No
         await parent_watch.wait_for_exit(process_id)
         reading.cancel()
 
-    task = tasks.start(watch())
+    task = start_task(watch())
     reading.add_done_callback(lambda _: task.cancel())

@@ -17,7 +17,6 @@ from kindsl.lsp.handlers import (
     diagnostics,
     formatting,
     highlighting,
-    lifecycle,
     navigation,
     presentation,
     renaming,
@@ -44,7 +43,6 @@ Look = Callable[[View, Callable[[], Any]], Awaitable[Any]]
 _LONG = 200_000
 _PATIENCE = 0.1
 _HANDLERS: "tuple[Handlers, ...]" = (
-    lifecycle.handlers,
     configuration.handlers,
     diagnostics.handlers,
     navigation.handlers,

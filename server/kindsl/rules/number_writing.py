@@ -1,10 +1,12 @@
 """New numbers in the hand of the author: his precision, his zeros."""
 
 from collections.abc import Sequence
-from math import floor, isfinite, log10
+from math import floor, isfinite, log10, pi
 
 from kindsl.rules.base import Change
 from kindsl.semantics.expressions import Expression
+
+_DIVISORS = ("", "2.0", "4.0", "3.0", "6.0", "1.5", "0.5", "8.0", "12.0")
 
 
 def rewritten(group: Sequence[Expression], values: Sequence[float]) -> list[Change] | None:
@@ -64,3 +66,13 @@ def plain(value: float, digits: int) -> str:
 
 def _without_minus_zero(text: str) -> str:
     return text.lstrip("-") if not float(text) else text
+
+
+def as_fraction_of_pi(angle: float, tolerance: float) -> str | None:
+    """Return `PI/2.0` and the like for an angle that close to it in radians, else None."""
+    for divisor in _DIVISORS:
+        value = pi / float(divisor or 1.0)
+        if abs(abs(angle) - value) <= tolerance:
+            sign = "-" if angle < 0.0 else ""
+            return f"{sign}PI/{divisor}" if divisor else f"{sign}PI"
+    return None

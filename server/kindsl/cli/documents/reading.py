@@ -1,20 +1,25 @@
 """Reads the one document that a command is about."""
 
 import sys
+from typing import TYPE_CHECKING
 
 from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.cli.console import write
 from kindsl.cli.documents.choices import Choices
-from kindsl.cli.documents.sources import STDIN, read_source
-from kindsl.cli.linter.run import UNNAMED, as_failures
-from kindsl.cli.outcome import Failure
+from kindsl.cli.documents.sources import STDIN, UNNAMED, read_source
+from kindsl.cli.outcome import Failure, as_failures
 from kindsl.config.errors import ConfigurationError
 from kindsl.rules.base import Severity
 from kindsl.semantics.places import Located
 from kindsl.text.lines import LineIndex
 from kindsl.text.printable import printable
 
+if TYPE_CHECKING:
+    from kindsl.dynamics.bodies import Bodies
+
 _SYNTAX = "KD0"
+
+BINDING_HINT = "bind it with --param NAME=VALUE or in kindsl.toml"
 
 
 class CommandError(Exception):
@@ -84,3 +89,28 @@ def defect(path: str, analysis: Analysis, message: str, at: Located | None) -> C
         return CommandError([Failure(shown_name(path), message)], status=1)
     line, column = LineIndex(analysis.text).position(analysis.resolver.span(at)[0])
     return CommandError([Failure(shown_name(path), message, line + 1, column + 1)], status=1)
+
+
+def bodies_of_document(path: str, analysis: Analysis) -> "Bodies":
+    """Return the bodies of a document.
+
+    Raises:
+        CommandError: It does not describe a mechanism, or NumPy is missing.
+    """
+    from kindsl.mechanism.errors import ModelError, UnboundParameterError
+
+    require_syntax(path, analysis)
+    try:
+        return analysis.mechanism().bodies
+    except UnboundParameterError as error:
+        raise defect(path, analysis, f"{error}; {BINDING_HINT}", error.at) from None
+    except ModelError as error:
+        raise defect(path, analysis, str(error), error.at) from None
+    except ModuleNotFoundError as error:
+        raise missing_module(path, error, "numpy") from None
+
+
+def missing_module(path: str, error: ModuleNotFoundError, extra: str) -> CommandError:
+    """Return the error for a library that is not installed."""
+    message = f"{error.name} is not installed: pip install 'kindsl[{extra}]'"
+    return CommandError([Failure(path, message)])

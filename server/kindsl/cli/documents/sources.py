@@ -9,6 +9,7 @@ from kindsl.cli.outcome import Failure
 from kindsl.text.lines import LineIndex
 
 STDIN = "-"
+UNNAMED = "<stdin>"
 BOM = "\ufeff"
 
 # Bytes that are no UTF-8, and NUL: a text in Latin-1 has some, noise consists of them.

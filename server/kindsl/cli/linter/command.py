@@ -5,11 +5,11 @@ from collections.abc import Sequence
 from typing import Any
 
 from kindsl.cli.console import write
-from kindsl.cli.documents.run_choices import choices_of
-from kindsl.cli.documents.sources import STDIN
+from kindsl.cli.documents.choices import choices_of
+from kindsl.cli.documents.sources import STDIN, UNNAMED
 from kindsl.cli.linter.one_document import Mending
-from kindsl.cli.linter.run import UNNAMED, Plan, as_failures, lint
-from kindsl.cli.outcome import Failure, Outcome
+from kindsl.cli.linter.run import Plan, lint
+from kindsl.cli.outcome import Failure, Outcome, as_failures
 from kindsl.cli.output import renderer
 from kindsl.config.errors import ConfigurationError
 from kindsl.rules.base import Severity

@@ -5,9 +5,14 @@ from enum import Enum
 from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis, analyse
+from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.analysis.settings import Settings
 from kindsl.cli.documents.sources import STDIN, NotText, is_decodable, read_text
 from kindsl.cli.outcome import Failure, LintedFile
+from kindsl.rules.base import Severity
+
+_CODE = "KD004"
+_NAME = "invalid-character"
 
 
 class Mending(Enum):
@@ -49,8 +54,6 @@ def check(task: Task) -> Checked:
     if isinstance(text, Failure):
         return Checked(None, text)
     if isinstance(text, NotText):
-        from kindsl.cli.linter.no_text import no_document
-
         return Checked(no_document(task.shown, text), None)
     try:
         return _checked(task, text)
@@ -94,3 +97,11 @@ def _file(
     parameters = frozenset(str(parameter.name) for parameter in analysis.model.parameters)
     found = analysis.findings
     return LintedFile(task.shown, analysis.text, found, parameters, original, n_fixed)
+
+
+def no_document(shown: str, content: NotText) -> LintedFile:
+    """Return the file whose content is no text, with the one finding that says so."""
+    end = min(content.offset + 1, len(content.text))
+    message = f"the document {content.message}"
+    finding = Diagnostic(_CODE, _NAME, Severity.ERROR, message, content.offset, end)
+    return LintedFile(shown, content.text, [finding])

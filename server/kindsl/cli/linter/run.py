@@ -7,17 +7,16 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 from kindsl.cli.documents.choices import Choices
-from kindsl.cli.documents.sources import STDIN
+from kindsl.cli.documents.sources import STDIN, UNNAMED
 from kindsl.cli.documents.walking import documents
 from kindsl.cli.linter.one_document import Checked, Mending, Task
 from kindsl.cli.linter.parallel import check_all
-from kindsl.cli.outcome import Failure, LintedFile, Outcome
+from kindsl.cli.outcome import Failure, LintedFile, Outcome, as_failures
 from kindsl.config.errors import ConfigurationError
 
 if TYPE_CHECKING:
     from kindsl.config.configuration import Configuration
 
-UNNAMED = "<stdin>"
 _FEW = 200
 # The garbage of so many documents fits into memory.
 _FEW_TO_COLLECT = 16
@@ -79,14 +78,6 @@ def _prepared(
             configurations[shown] = configuration
         tasks.append(Task(document, shown, settings, plan.mending, plan.with_unsafe))
     return tasks, failures, configurations
-
-
-def as_failures(error: ConfigurationError) -> list[Failure]:
-    """Return what is wrong with a configuration file as failures."""
-    return [
-        Failure(problem.path, problem.message, problem.place.line, problem.place.column)
-        for problem in error.problems
-    ]
 
 
 def _unused(

@@ -10,8 +10,7 @@ from kindsl.dynamics import energy
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.evaluation.arguments import common_batch_shape, unknown_name, vectors
 from kindsl.dynamics.evaluation.forms import Forms
-from kindsl.dynamics.evaluation.free_motion import FreeMotion, FreeMotionTorque
-from kindsl.dynamics.evaluation.results import Poses
+from kindsl.dynamics.evaluation.results import FreeMotion, FreeMotionTorque, Poses
 from kindsl.dynamics.forward_kinematics import joint_poses
 from kindsl.dynamics.jacobian import jacobian
 from kindsl.dynamics.quantities import (

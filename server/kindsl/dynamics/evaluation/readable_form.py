@@ -4,12 +4,11 @@ from functools import partial
 
 import numpy as np
 
-from kindsl.dynamics.bias_torque import bias_torque
+from kindsl.dynamics.bias_torque import bias_torque, gravity_torque
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.evaluation.chunks import evaluate_in_chunks
 from kindsl.dynamics.forward_dynamics import forward_dynamics
 from kindsl.dynamics.forward_kinematics import body_poses, frame_poses
-from kindsl.dynamics.gravity_torque import gravity_torque
 from kindsl.dynamics.inverse_dynamics import floating_base_inverse_dynamics, inverse_dynamics
 from kindsl.dynamics.joint_space_inertia import joint_space_inertia
 from kindsl.dynamics.quantities import Quantity

@@ -1,6 +1,7 @@
 """The poses of a mechanism's links and frames, by name."""
 
 from collections.abc import Iterator, Mapping
+from typing import NamedTuple
 
 import numpy as np
 
@@ -40,3 +41,29 @@ class Poses(Mapping[str, Array]):
 
     def __repr__(self) -> str:
         return repr(dict(self))
+
+
+class FreeMotionTorque(NamedTuple):
+    """Inverse dynamics with a floating base on which no wrench acts.
+
+    Attributes:
+        tau: Joint forces, shape (..., n), N m and N.
+        base_acceleration: Spatial acceleration, gravity's effect included, shape (..., 6), base
+            coordinates, angular part first.
+    """
+
+    tau: Array
+    base_acceleration: Array
+
+
+class FreeMotion(NamedTuple):
+    """Forward dynamics with a floating base on which no wrench acts.
+
+    Attributes:
+        qdd: Joint accelerations, shape (..., n).
+        base_acceleration: Spatial acceleration, gravity's effect included, shape (..., 6), base
+            coordinates, angular part first.
+    """
+
+    qdd: Array
+    base_acceleration: Array

@@ -1,21 +1,36 @@
 """What an editor offers at a selection: fixes, fixes of all like it, suppressions, refactorings."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from weakref import WeakKeyDictionary
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.features.actions.action import CodeAction
-from kindsl.features.actions.bind_parameter import bind_parameter
+from kindsl.features.actions.add_sections import add_sections
+from kindsl.features.actions.extract_parameter import extract_parameter
 from kindsl.features.actions.fix_all import disjoint_fixes, fix_all
-from kindsl.features.actions.refactorings import refactorings
+from kindsl.features.actions.inline_parameter import inline_parameter
+from kindsl.features.actions.move_inertia import move_inertia
+from kindsl.features.actions.sort_links import renumber_links, sort_links
+from kindsl.features.symbol_at import EntityKind, symbol_at
+from kindsl.semantics.declarations import ValueKind
 from kindsl.text.edits import TextEdit
 
 FIX_ALL = "source.fixAll.kindsl"
 QUICK_FIX = "quickfix"
 _fixed: "WeakKeyDictionary[Analysis, tuple[TextEdit, ...]]" = WeakKeyDictionary()
 _BLANKS = re.compile(r"[ \t]*")
+
+_REFACTORINGS: tuple[Callable[[Analysis, int, int], Iterator[CodeAction]], ...] = (
+    extract_parameter,
+    inline_parameter,
+    move_inertia,
+    add_sections,
+    renumber_links,
+    sort_links,
+)
+_UNBOUND = "KD401"
 
 
 def code_actions(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, ...]:
@@ -72,3 +87,27 @@ def _ignoring(text: str, finding: Diagnostic) -> TextEdit:
     indent = blanks[0] if blanks else ""
     newline = "\r\n" if "\r\n" in text else "\n" if "\n" in text or "\r" not in text else "\r"
     return TextEdit(line, line, f"{indent}// kindsl: ignore[{finding.code}]{newline}")
+
+
+def refactorings(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, ...]:
+    """Return the refactorings that make sense at a range."""
+    return tuple(action for offer in _REFACTORINGS for action in offer(analysis, start, end))
+
+
+def bind_parameter(analysis: Analysis, start: int, end: int) -> Iterator[CodeAction]:
+    """Offer a binding for the parameter at a range, if it has no value.
+
+    The value is a stand-in, 0.0 or for a dynamics parameter 1.0, to be replaced by the right one.
+    """
+    symbol = symbol_at(analysis, start)
+    if symbol is None or symbol.entity.kind is not EntityKind.PARAMETER or end > symbol.end:
+        return
+    name = symbol.entity.name
+    parameter = next((p for p in analysis.model.parameters if p.name == name), None)
+    if parameter is None or name in analysis.context.values:
+        return
+    value = 1.0 if parameter.kind is ValueKind.DYNAMICS else 0.0
+    first, _ = analysis.resolver.span(parameter.name)
+    mended = tuple(d for d in analysis.findings if d.code == _UNBOUND and d.start == first)
+    title = f"Bind '{name}' in kindsl.toml"
+    yield CodeAction(title, QUICK_FIX, (), mended, bindings=((name, value),))

@@ -1,4 +1,4 @@
-"""Put the links' blocks in an order in which parents stand before their children."""
+"""Put links in order: parents before children, as blocks and by number."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -8,7 +8,7 @@ from kindsl.analysis.analysis import Analysis
 from kindsl.features.actions.action import CodeAction
 from kindsl.features.actions.layout_edits import newline_of
 from kindsl.features.tree_path import token_at
-from kindsl.rules.renumbering import regular_order
+from kindsl.rules.renumbering import regular_order, renumbering
 from kindsl.semantics.declarations import Link
 from kindsl.text.edits import TextEdit
 
@@ -65,3 +65,14 @@ def _end_of_line(text: str, offset: int) -> int:
 def _apart(piece: str, newline: str) -> str:
     """Return a piece that can stand behind one that ends in a comment."""
     return piece if piece[:1] in ("\n", "\r") else newline + piece
+
+
+def renumber_links(analysis: Analysis, start: int, _end: int) -> Iterator[CodeAction]:
+    """Offer to renumber, at the head of a link and at its id, if a number would change."""
+    found = token_at(analysis.syntax, start)
+    if found is None or not found.path or found.path[-1].kind not in (*_WHERE, "id"):
+        return
+    fix = renumbering(analysis.model)
+    if fix is not None:
+        edits = tuple(TextEdit(*analysis.resolver.span(c.at), c.text) for c in fix.changes)
+        yield CodeAction(fix.title, _KIND, edits)

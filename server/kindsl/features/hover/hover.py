@@ -1,19 +1,22 @@
 """What an editor shows under the pointer."""
 
+from collections.abc import Iterator
+
 from kindsl.analysis.analysis import Analysis
-from kindsl.features.hover.declared_thing import declared_thing
-from kindsl.features.hover.hover_frame import frame_hover
-from kindsl.features.hover.hover_value import value_hover
-from kindsl.features.hover.joint import joint_hover
+from kindsl.features.hover.joint import frame_hover, joint_hover
 from kindsl.features.hover.keyword import keyword_hover
 from kindsl.features.hover.link import link_hover
 from kindsl.features.hover.parameter import constant_hover, parameter_hover
 from kindsl.features.hover.robot import robot_hover
-from kindsl.features.hover_text import Hover
-from kindsl.features.symbol_at import EntityKind, Symbol, symbol_at
+from kindsl.features.quantity_text import quantity
+from kindsl.features.symbol_at import EntityKind, Role, Symbol, symbol_at
 from kindsl.features.tree_path import TokenAt, token_at
-from kindsl.features.value_place import expression_at, value_place
-from kindsl.semantics.declarations import Frame, Joint, Link
+from kindsl.features.unknown import why_unknown
+from kindsl.features.value_place import ValuePlace, expression_at, value_place
+from kindsl.features.wording import Hover
+from kindsl.semantics.declarations import Declarations, Frame, Joint, Link
+from kindsl.semantics.expressions import Expression
+from kindsl.semantics.lowering import declarations
 
 
 def hover(analysis: Analysis, offset: int) -> Hover | None:
@@ -37,7 +40,7 @@ def _named(analysis: Analysis, found: TokenAt, symbol: Symbol) -> str:
         text = parameter_hover(analysis, name) if is_parameter else constant_hover(analysis, name)
         value = _value(analysis, found)
         return f"{text}\n\n{value.markdown}" if value is not None else text
-    thing = declared_thing(analysis, symbol)
+    thing = _declared_thing(analysis, symbol)
     if isinstance(thing, Link):
         return link_hover(analysis, thing)
     if isinstance(thing, Joint):
@@ -65,4 +68,38 @@ def _value(analysis: Analysis, found: TokenAt) -> Hover | None:
     if expression is None or place is None:
         return None
     start, end = found.origin + expression.start, found.origin + expression.end
-    return Hover(start, end, value_hover(analysis, expression, place))
+    return Hover(start, end, _value_hover(analysis, expression, place))
+
+
+def _value_hover(analysis: Analysis, expression: Expression, place: ValuePlace) -> str:
+    """Return the value of an expression in SI units, angles in degrees too."""
+    values = analysis.context.values
+    value = expression.value(values)
+    title = f"{place.label} of {place.owner}" if place.owner else place.label
+    if value is None:
+        return f"{title}: not known, {why_unknown((expression,), values).reason}"
+    return f"{title}: **{quantity(value, place.kind, place.unit)}**"
+
+
+def _declared_thing(analysis: Analysis, symbol: Symbol) -> Link | Joint | Frame | None:
+    """Return what a name means; where it is declared, exactly that of several of one name."""
+    if symbol.role is Role.DECLARATION:
+        place = analysis.syntax.island_at(symbol.start)
+        local = symbol.start - place.start
+        here = _things(declarations(place.island))
+        return next((thing for thing in here if thing.name.start == local), None)
+    entity = symbol.entity
+    if entity.kind is EntityKind.LINK:
+        return analysis.model.body_named.get(entity.name)
+    if entity.kind is EntityKind.JOINT:
+        return analysis.model.joint_named.get(entity.name)
+    body = analysis.model.body_named.get(entity.link)
+    frames = body.frames if body is not None else ()
+    return next((frame for frame in frames if frame.name == entity.name), None)
+
+
+def _things(declared: Declarations) -> Iterator[Link | Joint | Frame]:
+    yield from declared.joints
+    for body in declared.bodies():
+        yield body
+        yield from body.frames

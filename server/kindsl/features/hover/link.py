@@ -3,16 +3,21 @@
 from collections.abc import Iterator
 
 from kindsl.analysis.analysis import Analysis
-from kindsl.features.hover.inertia_verdict import inertia_verdict
-from kindsl.features.hover_text import paragraph
 from kindsl.features.link_inertia import link_inertia, principal_moments_about_com
 from kindsl.features.quantity_text import INERTIA, KILOGRAMS, number, vector
 from kindsl.features.subtree import own_mass, subtree_of
 from kindsl.features.unknown import Unknown
-from kindsl.features.wording import pose_text
+from kindsl.features.wording import paragraph, pose_text
 from kindsl.features.zero_configuration import body_pose
+from kindsl.rules.base import Severity
+from kindsl.rules.registry import all_rules
 from kindsl.semantics.declarations import Link
+from kindsl.semantics.lowering import declarations
 from kindsl.text.words import counted, listed
+
+_CODES = ("KD301", "KD302", "KD303", "KD305", "KD306", "KD307", "KD308")
+_MARKS = {Severity.ERROR: "✗ ", Severity.WARNING: "⚠ "}
+_CONSISTENT = "✓ physically consistent"
 
 
 def link_hover(analysis: Analysis, body: Link) -> str:
@@ -81,3 +86,16 @@ def _pose_lines(analysis: Analysis, body: Link) -> Iterator[str]:
         yield f"zero-configuration pose is not known: {pose.reason}"
     else:
         yield f"zero configuration, in the base: {pose_text(pose)}"
+
+
+def inertia_verdict(analysis: Analysis, body: Link) -> str:
+    """Return what the rules of single bodies say of a link's inertia, the worst first."""
+    declared = declarations(body.island)
+    for rule in all_rules():
+        if rule.code not in _CODES or rule.check_island is None:
+            continue
+        for finding in rule.check_island(declared, analysis.context):
+            if body.start <= finding.at.start < body.end:
+                severity = finding.severity or rule.severity
+                return f"{_MARKS.get(severity, '')}{finding.message} ({rule.code})"
+    return _CONSISTENT

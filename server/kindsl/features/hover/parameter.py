@@ -3,11 +3,11 @@
 from collections.abc import Iterator, Sequence
 
 from kindsl.analysis.analysis import Analysis
-from kindsl.features.hover_text import paragraph
 from kindsl.features.quantity_text import number, quantity
 from kindsl.features.tree_path import path_at
 from kindsl.features.unknown import Unknown, why_unknown
 from kindsl.features.value_place import ValuePlace, value_place
+from kindsl.features.wording import paragraph
 from kindsl.semantics.declarations import ValueKind
 from kindsl.semantics.parameters import Parameter
 from kindsl.semantics.places import Name

@@ -3,10 +3,10 @@
 from collections.abc import Iterator
 
 from kindsl.analysis.analysis import Analysis
-from kindsl.features.hover_text import paragraph
 from kindsl.features.quantity_text import KILOGRAMS, number
 from kindsl.features.subtree import subtree_of
 from kindsl.features.unknown import Unknown
+from kindsl.features.wording import paragraph
 from kindsl.text.words import counted, listed
 
 

@@ -3,20 +3,34 @@
 from typing import TYPE_CHECKING
 
 from lsprotocol import types
+from pygls.capabilities import ServerCapabilitiesBuilder
 
 from kindsl.lsp.handlers.table import Handlers
 from kindsl.lsp.session.warm_up import warm_up
 from kindsl.lsp.session.workspace import CONFIGURATION_FILES
 from kindsl.lsp.text import uris
-from kindsl.lsp.wire.client import asked
+from kindsl.lsp.wire.client import Client, asked
 
 if TYPE_CHECKING:
     from kindsl.lsp.server import KindslLanguageServer
+
 
 handlers = Handlers()
 
 _SECTION = "kindsl"
 _WATCHED = ("**/*.kindsl", *(f"**/{name}" for name in CONFIGURATION_FILES))
+
+
+@handlers.server(types.INITIALIZE)
+def initialize(server: "KindslLanguageServer", params: types.InitializeParams) -> None:
+    """Learn who is at the other end."""
+    capabilities = params.capabilities
+    server.client = Client(capabilities, params.initialization_options)
+    server.documents.encoding = ServerCapabilitiesBuilder.choose_position_encoding(capabilities)
+    folders = params.workspace_folders or _root(params)
+    server.settings.add_folders(folders)
+    server.settings.set_editor_settings(params.initialization_options)
+    server.on_parent_known(params.process_id)
 
 
 @handlers.server(types.INITIALIZED)
@@ -115,3 +129,8 @@ def refresh(server: "KindslLanguageServer") -> None:
     ):
         if server.client.can(capability):
             ask(None)
+
+
+def _root(params: types.InitializeParams) -> list[types.WorkspaceFolder]:
+    """Return the one folder of a client that knows no others."""
+    return [types.WorkspaceFolder(params.root_uri, "")] if params.root_uri else []

@@ -6,7 +6,7 @@ from kindsl.lsp.handlers.table import Handlers
 from kindsl.lsp.session.configuration_files import bound_places, rename_binding
 from kindsl.lsp.session.view import View
 from kindsl.lsp.wire.edits import text_edits, workspace_edit
-from kindsl.lsp.wire.errors import RequestFailed
+from kindsl.lsp.wire.protocol import RequestFailed
 
 handlers = Handlers()
 

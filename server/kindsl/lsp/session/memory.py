@@ -9,8 +9,7 @@ what was set aside, since what they make anew is looked at as ever.
 import asyncio
 import gc
 
-from kindsl.lsp.session import tasks
-from kindsl.lsp.session.worker import Urgency, Worker
+from kindsl.lsp.session.worker import Urgency, Worker, start_task
 from kindsl.lsp.text.document import Document
 from kindsl.lsp.text.open_documents import Documents
 
@@ -39,7 +38,7 @@ def collect_after_close(documents: Documents, worker: Worker) -> None:
     def closed(_: Document) -> None:
         while pending:
             pending.pop().cancel()
-        pending.append(tasks.start(collect()))
+        pending.append(start_task(collect()))
 
     documents.on_close.append(closed)
 

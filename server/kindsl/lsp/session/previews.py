@@ -5,11 +5,11 @@ from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types
 
-from kindsl.lsp.session import tasks
+from kindsl.lsp.session.worker import start_task
 from kindsl.lsp.text import uris
 from kindsl.lsp.text.document import Document
 from kindsl.lsp.wire.client import asked
-from kindsl.lsp.wire.errors import RequestFailed
+from kindsl.lsp.wire.protocol import RequestFailed
 
 if TYPE_CHECKING:
     from kindsl.lsp.server import KindslLanguageServer
@@ -100,4 +100,4 @@ class Previews:
         if document is not None and self._server.client.can("window.show_document.support"):
             selection = document.range(*span)
             shown = types.ShowDocumentParams(document.uri, False, True, selection)
-            tasks.start(asked(self._server.window_show_document_async(shown)))
+            start_task(asked(self._server.window_show_document_async(shown)))

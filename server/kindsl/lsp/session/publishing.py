@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types
 
-from kindsl.lsp.session import memory, tasks
+from kindsl.lsp.session import memory
 from kindsl.lsp.session.configuration_diagnostics import (
     configuration_diagnostics,
     configuration_problems,
@@ -13,7 +13,7 @@ from kindsl.lsp.session.configuration_diagnostics import (
 )
 from kindsl.lsp.session.findings import diagnostics
 from kindsl.lsp.session.status import tell_status
-from kindsl.lsp.session.worker import Urgency
+from kindsl.lsp.session.worker import Urgency, start_task
 from kindsl.lsp.text import uris
 from kindsl.lsp.text.document import Document
 from kindsl.lsp.wire.protocol import Encoded
@@ -50,7 +50,7 @@ class Publisher:
         key = uris.key(document.uri)
         if key in self._tasks:
             self._tasks[key].cancel()
-        self._tasks[key] = tasks.start(self._publish_later(document, delay))
+        self._tasks[key] = start_task(self._publish_later(document, delay))
 
     def leave_to_pull(self, document: Document) -> None:
         """Push no more for a document that the client pulls for."""

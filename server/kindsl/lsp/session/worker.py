@@ -3,14 +3,18 @@
 import asyncio
 import contextlib
 import itertools
+import logging
 import queue
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Coroutine
 from concurrent.futures import Future
 from enum import IntEnum
 from typing import Any, Generic, TypeVar
 
 T = TypeVar("T")
+
+logger = logging.getLogger(__name__)
+_running: set["asyncio.Task[Any]"] = set()
 
 
 class Urgency(IntEnum):
@@ -99,3 +103,17 @@ class _Job(Generic[T]):
                 self.future.set_exception(error)
             else:
                 self.future.set_result(result)
+
+
+def start_task(work: Coroutine[Any, Any, Any]) -> "asyncio.Task[Any]":
+    """Run something that nobody waits for; a failure is logged."""
+    task = asyncio.ensure_future(work)
+    _running.add(task)
+    task.add_done_callback(_ended)
+    return task
+
+
+def _ended(task: "asyncio.Task[Any]") -> None:
+    _running.discard(task)
+    if not task.cancelled() and (error := task.exception()) is not None:
+        logger.error("background work failed", exc_info=error)

@@ -30,10 +30,13 @@ from pygls.protocol import LanguageServerProtocol, lsp_method
 if TYPE_CHECKING:
     from kindsl.lsp.server import KindslLanguageServer
 
+
 logger = logging.getLogger(__name__)
 
 
 T = TypeVar("T")
+
+_REQUEST_FAILED = -32803
 
 
 class Encoded(NamedTuple):
@@ -263,3 +266,10 @@ def _sentence(error: BaseException) -> str:
     """The first line of what an exception says, or its kind."""
     lines = str(error).splitlines()
     return lines[0] if lines else type(error).__name__
+
+
+class RequestFailed(JsonRpcException):
+    """A request that makes sense to the protocol but not to the document; says why."""
+
+    def __init__(self, message: str) -> None:
+        super().__init__(message, _REQUEST_FAILED)

@@ -22,13 +22,13 @@ Removes the repetition if it names the same joint. Safe: it says nothing new.
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Finding, Fix, Related, Rule, Severity, Tag
-from kindsl.rules.checks.removal import removal
+from kindsl.rules.base import Change, Finding, Fix, Related, Rule, Severity, Tag
 from kindsl.rules.context import ROBCOGEN2, Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.reference_defects import reference_defects
 from kindsl.semantics.declarations import Child
 from kindsl.semantics.model import Model
+from kindsl.semantics.places import Located, Place
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
@@ -59,3 +59,18 @@ RULE = Rule(
     good=(_arm(""),),
     bad=(_arm("arm via shoulder"),),
 )
+
+
+def removal(at: Located) -> Change:
+    """Return the change that removes a piece, with its lines if nothing else is on them."""
+    text, start, end = at.island.text, at.start, at.end
+    while start > 0 and text[start - 1] in " \t":
+        start -= 1
+    while end < len(text) and text[end] in " \t":
+        end += 1
+    is_first = start == 0 or text[start - 1] in "\r\n"
+    is_last = end < len(text) and text[end] in "\r\n"
+    if is_first and is_last:
+        end += 2 if text.startswith("\r\n", end) else 1
+        return Change(Place(at.island, start, end), "")
+    return Change(Place(at.island, at.start, end if not is_last else at.end), "")

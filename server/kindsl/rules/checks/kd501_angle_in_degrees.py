@@ -22,8 +22,7 @@ from kindsl.rules.base import Change, Finding, Fix, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint
 from kindsl.rules.geometry import rotations
-from kindsl.rules.multiples_of_pi import as_fraction_of_pi
-from kindsl.rules.number_writing import plain
+from kindsl.rules.number_writing import as_fraction_of_pi, plain
 from kindsl.semantics.declarations import Declarations
 from kindsl.semantics.expressions import Expression
 

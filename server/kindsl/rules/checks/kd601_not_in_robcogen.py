@@ -23,8 +23,7 @@ from collections.abc import Iterator
 from kindsl.rules.base import Example, Finding, Rule, Severity
 from kindsl.rules.context import ROBCOGEN, Context
 from kindsl.rules.examples import STEEL_BALL, joint, link, robot
-from kindsl.rules.portability_findings import refused_by
-from kindsl.rules.refusals import load_refusal
+from kindsl.rules.refusals import load_refusal, refused_by
 from kindsl.semantics.model import Model
 
 

@@ -24,8 +24,7 @@ from collections.abc import Iterator
 from kindsl.rules.base import Example, Finding, Rule, Severity
 from kindsl.rules.context import ROBCOGEN2, Context
 from kindsl.rules.examples import joint
-from kindsl.rules.portability_findings import refused_by
-from kindsl.rules.refusals import load_refusal
+from kindsl.rules.refusals import load_refusal, refused_by
 from kindsl.semantics.model import Model
 
 
