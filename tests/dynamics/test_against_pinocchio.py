@@ -14,6 +14,7 @@ from tests.dynamics.random_bodies import tree_of_seed
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.evaluation import readable_form as readable
 from kindsl.dynamics.evaluation.mechanics import Mechanics
+from kindsl.dynamics.evaluation.request import Request
 from kindsl.dynamics.quantities import JOINT_VECTORS, Quantity
 
 TREES_PER_BLOCK = 30
@@ -79,9 +80,9 @@ def _evaluated(
         yield "api", "center_of_mass_jacobian", mechanics.center_of_mass_jacobian(q)
     quantities: list[Quantity] = list(JOINT_VECTORS)
     for quantity in quantities:
-        vectors = [q, qd, x][: len(JOINT_VECTORS[quantity])]
-        got = readable.evaluate(bodies, quantity, (), vectors, base_velocity, GRAVITY)
-        yield "readable", quantity, got
+        vectors = (q, qd, x)[: len(JOINT_VECTORS[quantity])]
+        request = Request(quantity, (), vectors, base_velocity, GRAVITY)
+        yield "readable", quantity, readable.evaluate(bodies, request)
 
 
 def _assert_close(label: str, got: np.ndarray, expected: np.ndarray) -> None:

@@ -15,6 +15,7 @@ from kindsl.dynamics.evaluation.forms import (
 from kindsl.dynamics.evaluation.generated_form import CHUNK, SMALLEST_BATCH, GeneratedForm
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.dynamics.evaluation.path_form import PathForm
+from kindsl.dynamics.evaluation.request import Request
 from kindsl.dynamics.quantities import JOINT_VECTORS, STANDARD_GRAVITY, Quantity
 
 # Rounding only; forward dynamics loses the digits of the inertia's condition.
@@ -33,13 +34,13 @@ def test_forms_are_equal(quantity: Quantity, is_floating: bool, is_at_rest: bool
         form = GeneratedForm(bodies)
         for shape in SHAPES:
             n_vectors = len(JOINT_VECTORS[quantity])
-            vectors = list(generator.uniform(-3.0, 3.0, (n_vectors, *shape, n_links)))
+            vectors = generator.uniform(-3.0, 3.0, (n_vectors, *shape, n_links))
             v, gravity = np.zeros(6), np.array(STANDARD_GRAVITY)
             if not is_at_rest:
                 v = generator.uniform(-1.0, 1.0, (*shape, 6)) * is_floating
                 gravity = generator.uniform(-9.0, 9.0, 3)
-            got = form.evaluate(quantity, shape, vectors, v, gravity)
-            expected = readable.evaluate(bodies, quantity, shape, vectors, v, gravity)
+            request = Request(quantity, shape, tuple(vectors), v, gravity)
+            got, expected = form.evaluate(request), readable.evaluate(bodies, request)
             assert got.shape == expected.shape
             scale = abs(expected).max(initial=1e-3)
             assert abs(got - expected).max(initial=0.0) <= TOLERANCE * scale
@@ -77,10 +78,10 @@ def test_the_path_form_is_equal_too(quantity: Quantity, is_floating: bool) -> No
         bodies = random_bodies(generator, n_links, is_floating)
         for shape in ((), (3, 2), (0,)):
             n_vectors = len(JOINT_VECTORS[quantity])
-            vectors = list(generator.uniform(-3.0, 3.0, (n_vectors, *shape, n_links)))
+            vectors = generator.uniform(-3.0, 3.0, (n_vectors, *shape, n_links))
             v, gravity = generator.uniform(-9.0, 9.0, 6) * is_floating, np.array([1.0, 2.0, 3.0])
-            got = PathForm(bodies).evaluate(quantity, shape, vectors, v, gravity)
-            expected = readable.evaluate(bodies, quantity, shape, vectors, v, gravity)
+            request = Request(quantity, shape, tuple(vectors), v, gravity)
+            got, expected = PathForm(bodies).evaluate(request), readable.evaluate(bodies, request)
             assert got.shape == expected.shape
             scale = abs(expected).max(initial=1e-3)
             assert abs(got - expected).max(initial=0.0) <= TOLERANCE * scale
@@ -95,9 +96,10 @@ def test_long_chains_never_wait_for_code(
     forms = Forms(random_bodies(np.random.default_rng(0), n_links, is_floating=True))
     traced = []
     monkeypatch.setattr(generated, "trace", lambda *_: traced.append(1))
-    vectors = [np.zeros(n_links) for _ in JOINT_VECTORS[quantity]]
+    vectors = tuple(np.zeros(n_links) for _ in JOINT_VECTORS[quantity])
+    at_rest = np.zeros(6), np.array(STANDARD_GRAVITY)
     for size in (1, WORTH_READABLE, WORTH_READABLE + 1):
-        forms.evaluate(quantity, (size,), vectors, np.zeros(6), np.array(STANDARD_GRAVITY))
+        forms.evaluate(Request(quantity, (size,), vectors, *at_rest))
     assert not traced
 
 

@@ -1,13 +1,14 @@
 """Chooses the form that answers soonest."""
 
 import math
+from collections.abc import Callable
 from functools import partial
 
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.evaluation import readable_form as readable
-from kindsl.dynamics.evaluation.chunks import BatchEvaluator
 from kindsl.dynamics.evaluation.generated_form import GeneratedForm
 from kindsl.dynamics.evaluation.path_form import PathForm
+from kindsl.dynamics.evaluation.request import Request
 from kindsl.dynamics.quantities import Quantity
 from kindsl.spatial.arrays import Array
 
@@ -37,31 +38,16 @@ class Forms:
         self._readable = partial(readable.evaluate, bodies)
         self._path: PathForm | None = None
 
-    def evaluate(
-        self,
-        quantity: Quantity,
-        batch_shape: tuple[int, ...],
-        joint_vectors: list[Array],
-        base_velocity: Array,
-        gravity: Array,
-    ) -> Array:
+    def evaluate(self, request: Request) -> Array:
         """Return a quantity's entries in one row per configuration, shape (..., entries).
-
-        Args:
-            quantity: What to compute.
-            batch_shape: What the leading dimensions of all that follows broadcast to.
-            joint_vectors: As `quantities.JOINT_VECTORS` lists them, shape (..., n).
-            base_velocity: Shape (..., 6), zero for a fixed base.
-            gravity: Shape (..., 3).
 
         Raises:
             SingularInertiaError, ZeroDivisionError, numpy.linalg.LinAlgError: If nothing resists a
                 motion; or the result holds values that are not finite.
         """
-        chosen = self._chosen(quantity, math.prod(batch_shape))
-        return chosen(quantity, batch_shape, joint_vectors, base_velocity, gravity)
+        return self._chosen(request.quantity, math.prod(request.batch_shape))(request)
 
-    def _chosen(self, quantity: Quantity, size: int) -> BatchEvaluator:
+    def _chosen(self, quantity: Quantity, size: int) -> Callable[[Request], Array]:
         is_short = self.generated.bodies.n_links <= MOST_LINKS_TO_GENERATE_FOR
         if is_short or (quantity in LINEAR and size >= WORTH_GENERATING):
             return self.generated.evaluate

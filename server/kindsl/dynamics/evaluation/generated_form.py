@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from kindsl.dynamics.bodies import Bodies
+from kindsl.dynamics.evaluation.request import Request
 from kindsl.dynamics.generation.emitters.numpy_rows import (
     BatchFunction,
     batch_function,
@@ -48,31 +49,18 @@ class GeneratedForm:
         self._batch: dict[tuple[Quantity, Conditions], BatchFunction] = {}
         self._tree: Tree | None = None
 
-    def evaluate(
-        self,
-        quantity: Quantity,
-        batch_shape: tuple[int, ...],
-        joint_vectors: list[Array],
-        base_velocity: Array,
-        gravity: Array,
-    ) -> Array:
+    def evaluate(self, request: Request) -> Array:
         """Return a quantity's entries in one row per configuration, shape (..., entries).
-
-        Args:
-            quantity: What to compute.
-            batch_shape: What the leading dimensions of all that follows broadcast to.
-            joint_vectors: As `quantities.JOINT_VECTORS` lists them, shape (..., n).
-            base_velocity: Shape (..., 6), zero for a fixed base.
-            gravity: Shape (..., 3).
 
         Raises:
             ZeroDivisionError: For a few configurations, if nothing resists a motion; a batch
                 holds values that are not finite then.
             SingularInertiaError: If nothing resists a motion in any configuration.
         """
+        quantity, batch_shape, joint_vectors, base_velocity, gravity = request
         is_at_rest = not base_velocity.any() and tuple(gravity.tolist()) == STANDARD_GRAVITY
         conditions: Conditions = "at_rest" if is_at_rest else "any"
-        arguments = joint_vectors if is_at_rest else [*joint_vectors, base_velocity, gravity]
+        arguments = joint_vectors if is_at_rest else (*joint_vectors, base_velocity, gravity)
         size = math.prod(batch_shape)
         if 0 < size < SMALLEST_BATCH:
             rows = [_flattened(argument, batch_shape) for argument in arguments]

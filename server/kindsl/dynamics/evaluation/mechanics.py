@@ -10,6 +10,7 @@ from kindsl.dynamics import energy
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.evaluation.arguments import common_batch_shape, unknown_name, vectors
 from kindsl.dynamics.evaluation.forms import Forms
+from kindsl.dynamics.evaluation.request import Request
 from kindsl.dynamics.evaluation.results import FreeMotion, FreeMotionTorque, Poses
 from kindsl.dynamics.forward_kinematics import joint_poses
 from kindsl.dynamics.jacobian import jacobian
@@ -243,14 +244,16 @@ class Mechanics:
     def _computed(
         self, quantity: Quantity, arrays: dict[str, Array], conditions: dict[str, Array]
     ) -> Array:
-        batch_shape = common_batch_shape(arrays | conditions)
-        base_velocity = conditions.get("base_velocity", AT_REST)
-        gravity = conditions.get("gravity", GRAVITY)
+        request = Request(
+            quantity,
+            common_batch_shape(arrays | conditions),
+            tuple(arrays.values()),
+            base_velocity=conditions.get("base_velocity", AT_REST),
+            gravity=conditions.get("gravity", GRAVITY),
+        )
         try:
             with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-                return self._forms.evaluate(
-                    quantity, batch_shape, list(arrays.values()), base_velocity, gravity
-                )
+                return self._forms.evaluate(request)
         except (ZeroDivisionError, np.linalg.LinAlgError):
             raise SingularInertiaError from None
         except OverflowError:

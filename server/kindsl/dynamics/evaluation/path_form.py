@@ -14,6 +14,7 @@ import numpy.typing as npt
 
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.evaluation.chunks import evaluate_in_chunks
+from kindsl.dynamics.evaluation.request import Request
 from kindsl.dynamics.joints import (
     apply,
     motion_cross_product,
@@ -21,7 +22,6 @@ from kindsl.dynamics.joints import (
     solve,
     uniform_acceleration,
 )
-from kindsl.dynamics.quantities import Quantity
 from kindsl.spatial.arrays import Array
 from kindsl.spatial.cross_products import cross
 from kindsl.spatial.inertia import move_inertia, spatial_inertia
@@ -64,39 +64,17 @@ class PathForm:
         self._joint_in_parent = homogeneous(bodies.p_R_j, bodies.p_r_j)
         self._jumps = _jumps(bodies)
 
-    def evaluate(
-        self,
-        quantity: Quantity,
-        batch_shape: tuple[int, ...],
-        joint_vectors: list[Array],
-        base_velocity: Array,
-        gravity: Array,
-    ) -> Array:
+    def evaluate(self, request: Request) -> Array:
         """Return a quantity's entries in one row per configuration, shape (..., entries).
-
-        Args:
-            quantity: What to compute.
-            batch_shape: What the leading dimensions of all that follows broadcast to.
-            joint_vectors: As `quantities.JOINT_VECTORS` lists them, shape (..., n).
-            base_velocity: Shape (..., 6), zero for a fixed base.
-            gravity: Shape (..., 3).
 
         Raises:
             numpy.linalg.LinAlgError: If an inertia is singular.
         """
-        return evaluate_in_chunks(
-            self._entries,
-            max(1, BODIES_AT_A_TIME // self.bodies.n_links),
-            quantity,
-            batch_shape,
-            joint_vectors,
-            base_velocity,
-            gravity,
-        )
+        chunk = max(1, BODIES_AT_A_TIME // self.bodies.n_links)
+        return evaluate_in_chunks(self._entries, chunk, request)
 
-    def _entries(
-        self, quantity: Quantity, joint_vectors: list[Array], base_velocity: Array, gravity: Array
-    ) -> Array:
+    def _entries(self, request: Request) -> Array:
+        quantity, _, joint_vectors, base_velocity, gravity = request
         q, weight = joint_vectors[0], uniform_acceleration(gravity)
         if quantity == "poses":
             return self._named_poses(self._poses(q))

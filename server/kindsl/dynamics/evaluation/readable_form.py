@@ -7,56 +7,29 @@ import numpy as np
 from kindsl.dynamics.bias_torque import bias_torque, gravity_torque
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.evaluation.chunks import evaluate_in_chunks
+from kindsl.dynamics.evaluation.request import Request
 from kindsl.dynamics.forward_dynamics import forward_dynamics
 from kindsl.dynamics.forward_kinematics import body_poses, frame_poses
 from kindsl.dynamics.inverse_dynamics import floating_base_inverse_dynamics, inverse_dynamics
 from kindsl.dynamics.joint_space_inertia import joint_space_inertia
-from kindsl.dynamics.quantities import Quantity
 from kindsl.spatial.arrays import Array
 
 # The working set is some dozens of 6x6 matrices per body and configuration.
 BODIES_AT_A_TIME = 20_000
 
 
-def evaluate(
-    bodies: Bodies,
-    quantity: Quantity,
-    batch_shape: tuple[int, ...],
-    joint_vectors: list[Array],
-    base_velocity: Array,
-    gravity: Array,
-) -> Array:
+def evaluate(bodies: Bodies, request: Request) -> Array:
     """Return a quantity's entries in one row per configuration, shape (..., entries).
-
-    Args:
-        bodies: The mechanism.
-        quantity: What to compute.
-        batch_shape: What the leading dimensions of all that follows broadcast to.
-        joint_vectors: As `quantities.JOINT_VECTORS` lists them, shape (..., n).
-        base_velocity: Shape (..., 6), zero for a fixed base.
-        gravity: Shape (..., 3).
 
     Raises:
         numpy.linalg.LinAlgError: If a floating base's inertia is singular.
     """
-    return evaluate_in_chunks(
-        partial(_entries, bodies),
-        max(1, BODIES_AT_A_TIME // bodies.n_links),
-        quantity,
-        batch_shape,
-        joint_vectors,
-        base_velocity,
-        gravity,
-    )
+    chunk = max(1, BODIES_AT_A_TIME // bodies.n_links)
+    return evaluate_in_chunks(partial(_entries, bodies), chunk, request)
 
 
-def _entries(
-    bodies: Bodies,
-    quantity: Quantity,
-    joint_vectors: list[Array],
-    base_velocity: Array,
-    gravity: Array,
-) -> Array:
+def _entries(bodies: Bodies, request: Request) -> Array:
+    quantity, _, joint_vectors, base_velocity, gravity = request
     q = joint_vectors[0]
     if quantity == "poses":
         poses = body_poses(bodies, q)
