@@ -41,12 +41,12 @@ async def wait(*_: object) -> None:
 
 @server.feature("test/busy")
 async def keep_the_worker_busy(seconds: float) -> None:
-    await server.worker.run(lambda: time.sleep(seconds))
+    await server.session.worker.run(lambda: time.sleep(seconds))
 
 
 @server.feature("test/scan")
 async def scan(seconds: float) -> None:
-    async with Progress(server, "Scanning", None) as progress:
+    async with Progress(server.session, "Scanning", None) as progress:
         for done in range(4):
             await progress.report(done, 4)
             await asyncio.sleep(seconds / 4)
@@ -59,7 +59,7 @@ async def mark(number: int) -> None:
 
 @server.feature("test/markInWorker")
 async def mark_in_worker(number: int) -> None:
-    await server.worker.run(lambda: ran.append(number))
+    await server.session.worker.run(lambda: ran.append(number))
 
 
 @server.feature("test/marks")

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from kindsl.analysis.analysis import analyse
 from kindsl.features import semantic_tokens
 from kindsl.lsp.handlers import highlighting
+from kindsl.lsp.session.tokens import TokenMemory
 from kindsl.lsp.text.document import document
 
 steady = settings(deadline=None, derandomize=True)
@@ -24,7 +25,7 @@ def test_the_legend_is_that_of_the_feature() -> None:
 @steady
 @given(st.lists(numbers, min_size=2, max_size=5))
 def test_differences_lead_from_one_row_to_the_next(rows: list[list[int]]) -> None:
-    memory = highlighting.TokenMemory()
+    memory = TokenMemory()
     known = memory.tell("untitled:r", array("I", rows[0]), None)["resultId"]
     for old, new in pairwise(rows):
         answer = memory.tell("untitled:r", array("I", new), known)
@@ -36,7 +37,7 @@ def test_differences_lead_from_one_row_to_the_next(rows: list[list[int]]) -> Non
 
 
 def test_an_unknown_result_is_answered_with_everything() -> None:
-    memory = highlighting.TokenMemory()
+    memory = TokenMemory()
     assert memory.tell("untitled:r", array("I", [1]), "elsewhere")["data"] == [1]
 
 

@@ -39,15 +39,15 @@ async def _serve(
     server: KindslLanguageServer, reader: asyncio.StreamReader, writer: MessageWriter
 ) -> int:
     memory.tune()
-    server.loop = asyncio.get_running_loop()
+    server.session.loop = asyncio.get_running_loop()
     server.protocol.set_writer(writer)
     reading = asyncio.ensure_future(read_messages(reader, server.protocol.receive))
-    server.on_parent_known = lambda process_id: _watch_parent(process_id, reading)
+    server.session.on_parent_known = lambda process_id: _watch_parent(process_id, reading)
     with contextlib.suppress(NotImplementedError):
         asyncio.get_running_loop().add_signal_handler(signal.SIGTERM, reading.cancel)
     with contextlib.suppress(asyncio.CancelledError):
         await reading
-    await server.close()
+    await server.session.close()
     await writer.flush()
     writer.close()
     return server.protocol.exit_code

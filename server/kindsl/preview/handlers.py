@@ -2,17 +2,16 @@
 
 import asyncio
 from contextlib import suppress
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from tornado.web import Application, HTTPError, RequestHandler
 from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
+from kindsl.preview.access import Access
 from kindsl.preview.assets import assets, live_page
 from kindsl.preview.channel import Tab
-from kindsl.preview.requests import MOST_BYTES, parse_request
-
-if TYPE_CHECKING:
-    from kindsl.preview.server import PreviewServer
+from kindsl.preview.document_preview import DocumentPreview
+from kindsl.preview.requests import MOST_BYTES, Request, parse_request
 
 # The viewer and its control library set styles from scripts; nothing may evaluate text as code.
 # An editor shows the page in a frame: VS Code's own pages, or a local server's.
@@ -25,7 +24,31 @@ POLICY = "; ".join((
 ))  # fmt: skip
 
 
-def application(server: "PreviewServer") -> Application:
+class Server(Protocol):
+    """What requests are answered from."""
+
+    @property
+    def access(self) -> Access:
+        """Who may talk to it."""
+
+    @property
+    def token(self) -> str:
+        """What each request must show."""
+
+    def document(self, identifier: str | None) -> DocumentPreview | None:
+        """Return the document of a page's address, the first for None."""
+
+    def connected(self, line: "LiveHandler") -> None:
+        """Know a tab's line."""
+
+    def disconnected(self, line: "LiveHandler") -> None:
+        """Forget a line that is closed."""
+
+    def receive(self, document: DocumentPreview, tab: Tab, request: Request) -> None:
+        """Do what a page asks for."""
+
+
+def application(server: Server) -> Application:
     """Return what answers requests; there is nothing but the page, its parts and the socket."""
     common = {"server": server}
     routes = [(r"/", PageHandler), (r"/live", LiveHandler), (r"/(.*)", AssetHandler)]
@@ -43,7 +66,7 @@ def _log_nothing(_handler: RequestHandler) -> None:
 class CheckedHandler(RequestHandler):
     """Refuses what is not ours before anything else."""
 
-    def initialize(self, server: "PreviewServer") -> None:
+    def initialize(self, server: Server) -> None:
         """Take what all handlers share."""
         self.server = server
 

@@ -65,7 +65,7 @@ def _action(view: View, action: "CodeAction") -> types.CodeAction | None:
         title=action.title,
         kind=action.kind,
         diagnostics=[
-            view.server.protocol.structured(each, types.Diagnostic)
+            view.state.editor.protocol.structured(each, types.Diagnostic)
             for each in diagnostics(view.document, action.diagnostics, view.client)
         ]
         or None,

@@ -30,10 +30,10 @@ class Binding(NamedTuple):
 def bound(view: View, values: Iterable[tuple[str, float]]) -> Binding | None:
     """Return the edit that binds parameters; None where there is no file and no place for one."""
     lines = [f"{_key(name)} = {value!r}" for name, value in values]
-    file = view.server.settings.configuration_file(view.document)
+    file = view.state.workspace.configuration_file(view.document)
     if file is None:
         return _new_file(view, lines)
-    found = view.server.documents.get(uris.uri(file))
+    found = view.state.documents.get(uris.uri(file))
     if found is None:
         return None
     prefix = "tool.kindsl." if file.name == "pyproject.toml" else ""
@@ -45,7 +45,7 @@ def _new_file(view: View, lines: list[str]) -> Binding | None:
     path = uris.path(view.document.uri)
     if path is None:
         return None
-    around = [folder for folder in view.server.settings.paths() if path.is_relative_to(folder)]
+    around = [folder for folder in view.state.workspace.paths() if path.is_relative_to(folder)]
     file = max(around, key=lambda folder: len(folder.parts), default=path.parent) / OWN_FILE
     if file.exists():
         return None  # it is there but says something wrong

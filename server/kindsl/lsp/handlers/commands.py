@@ -1,18 +1,19 @@
 """The commands of `workspace/executeCommand`."""
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types
 from pygls.exceptions import JsonRpcInvalidParams
 
 from kindsl.lsp.handlers.table import Handlers
+from kindsl.lsp.session.session import Session
 from kindsl.lsp.session.view import View
 from kindsl.lsp.wire.client import asked
 from kindsl.lsp.wire.edits import text_edits, workspace_edit
 from kindsl.lsp.wire.protocol import RequestFailed
 
 if TYPE_CHECKING:
-    from kindsl.lsp.server import KindslLanguageServer
     from kindsl.mechanism.build import Mechanism
     from kindsl.reports.computation import Request
 
@@ -25,7 +26,7 @@ _OURS = ("gravity", "forward", "parameters", "configurations")
 
 @handlers.command("kindsl.preview")
 async def preview(
-    server: "KindslLanguageServer", uri: object = None, options: object = None, *_: object
+    session: Session, uri: object = None, options: object = None, *_: object
 ) -> dict[str, str]:
     """Show a document in the live preview; return its page's address.
 
@@ -34,41 +35,39 @@ async def preview(
     origin = (
         options.get("origin") if isinstance(options, dict) else getattr(options, "origin", None)
     )
-    return {"url": await server.previews.open(_uri(uri), origin)}
+    return {"url": await session.previews.open(_uri(uri), origin)}
 
 
 @handlers.command("kindsl.exportUrdf")
-async def export_urdf(server: "KindslLanguageServer", uri: object = None, *_: object) -> str:
+async def export_urdf(session: Session, uri: object = None, *_: object) -> str:
     """Return a document as URDF."""
-    return str(await _of_document(server, uri, _urdf))
+    return str(await _of_document(session, uri, _urdf))
 
 
 @handlers.command("kindsl.compute")
-async def compute(
-    server: "KindslLanguageServer", uri: object = None, options: object = None, *_: object
-) -> Any:
+async def compute(session: Session, uri: object = None, options: object = None, *_: object) -> Any:
     """Return poses, inertia and forces in some configurations."""
-    return await _of_document(server, uri, lambda view: computed(view, options))
+    return await _of_document(session, uri, lambda view: _computed(view, options))
 
 
 @handlers.command("kindsl.applyFixAll")
-async def apply_fix_all(server: "KindslLanguageServer", uri: object = None, *_: object) -> bool:
+async def apply_fix_all(session: Session, uri: object = None, *_: object) -> bool:
     """Make every safe fix of a document; return whether there was one and the client made it."""
-    edit = await _of_document(server, uri, _all_fixes)
+    edit = await _of_document(session, uri, _all_fixes)
     if edit is None:
         return False
     params = types.ApplyWorkspaceEditParams(edit, label="Fix all that is safe to fix")
-    answer = await asked(server.workspace_apply_edit_async(params))
+    answer = await asked(session.editor.workspace_apply_edit_async(params))
     return answer is not None and answer.applied
 
 
-async def _of_document(server: "KindslLanguageServer", uri: object, handler: Any) -> Any:
+async def _of_document(session: Session, uri: object, handler: Callable[[View], Any]) -> Any:
     """Ask a handler, in the worker, since commands may take long."""
-    document = server.documents.get(_uri(uri))
+    document = session.documents.get(_uri(uri))
     if document is None or document.is_toml:
         raise RequestFailed(f"'{uri}' is no document of the language")
-    view = View(document, await server.analyses.of(document), server)
-    return await server.worker.run(lambda: handler(view))
+    view = await session.view(document)
+    return await session.worker.run(lambda: handler(view))
 
 
 def _uri(uri: object) -> str:
@@ -96,7 +95,7 @@ def _all_fixes(view: View) -> types.WorkspaceEdit | None:
     return workspace_edit(view.client, [(view.document, edits)]) if edits else None
 
 
-def computed(view: View, options: object) -> dict[str, Any]:
+def _computed(view: View, options: object) -> dict[str, Any]:
     """Return poses, inertia and forces in some configurations.
 
     Args:

@@ -5,12 +5,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from lsprotocol import types
 
 from kindsl.lsp.handlers.table import Handlers
+from kindsl.lsp.session.session import Session
 from kindsl.lsp.session.view import View, plain
 
 if TYPE_CHECKING:
     from kindsl.features.completion.completion import Completions
     from kindsl.features.completion.item import CompletionItem
-    from kindsl.lsp.server import KindslLanguageServer
 
 handlers = Handlers()
 
@@ -41,11 +41,11 @@ def complete(view: View, params: types.CompletionParams) -> dict[str, Any]:
     return {"isIncomplete": found.is_incomplete, "items": items}
 
 
-@handlers.server(types.COMPLETION_ITEM_RESOLVE)
-def resolve(server: "KindslLanguageServer", item: types.CompletionItem) -> Any:
+@handlers.session(types.COMPLETION_ITEM_RESOLVE)
+def resolve(session: Session, item: types.CompletionItem) -> Any:
     """Add the text beside the list."""
     data = item.data if isinstance(item.data, dict) else {}
-    return server.ask(_with_documentation, str(data.get("uri", "")), item)
+    return session.ask(_with_documentation, str(data.get("uri", "")), item)
 
 
 def _with_documentation(view: View, item: types.CompletionItem) -> types.CompletionItem:

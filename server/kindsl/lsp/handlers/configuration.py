@@ -1,19 +1,16 @@
-"""Settings and files: what the client sends, and what it is asked for."""
+"""The start of a session, its settings and files: what the client says, and what it is asked."""
 
-from typing import TYPE_CHECKING
+from collections.abc import Iterator
 
 from lsprotocol import types
 from pygls.capabilities import ServerCapabilitiesBuilder
 
 from kindsl.lsp.handlers.table import Handlers
+from kindsl.lsp.session.session import Session
 from kindsl.lsp.session.warm_up import warm_up
 from kindsl.lsp.session.workspace import CONFIGURATION_FILES
 from kindsl.lsp.text import uris
 from kindsl.lsp.wire.client import Client, asked
-
-if TYPE_CHECKING:
-    from kindsl.lsp.server import KindslLanguageServer
-
 
 handlers = Handlers()
 
@@ -21,114 +18,116 @@ _SECTION = "kindsl"
 _WATCHED = ("**/*.kindsl", *(f"**/{name}" for name in CONFIGURATION_FILES))
 
 
-@handlers.server(types.INITIALIZE)
-def initialize(server: "KindslLanguageServer", params: types.InitializeParams) -> None:
+@handlers.session(types.INITIALIZE)
+def initialize(session: Session, params: types.InitializeParams) -> None:
     """Learn who is at the other end."""
     capabilities = params.capabilities
-    server.client = Client(capabilities, params.initialization_options)
-    server.documents.encoding = ServerCapabilitiesBuilder.choose_position_encoding(capabilities)
+    session.client = Client(capabilities, params.initialization_options)
+    session.documents.encoding = ServerCapabilitiesBuilder.choose_position_encoding(capabilities)
     folders = params.workspace_folders or _root(params)
-    server.settings.add_folders(folders)
-    server.settings.set_editor_settings(params.initialization_options)
-    server.on_parent_known(params.process_id)
+    session.workspace.add_folders(folders)
+    session.workspace.set_editor_settings(params.initialization_options)
+    session.on_parent_known(params.process_id)
 
 
-@handlers.server(types.INITIALIZED)
-async def initialized(server: "KindslLanguageServer", _: types.InitializedParams) -> None:
+@handlers.session(types.INITIALIZED)
+async def initialized(session: Session, _: types.InitializedParams) -> None:
     """Load what comes next, ask to be told of changes, then for the settings."""
-    warm_up(server.worker)
-    registrations = []
-    if server.client.can("workspace.did_change_watched_files.dynamic_registration"):
-        watchers = [types.FileSystemWatcher(pattern) for pattern in _WATCHED]
-        options = types.DidChangeWatchedFilesRegistrationOptions(watchers)
-        method = types.WORKSPACE_DID_CHANGE_WATCHED_FILES
-        registrations.append(types.Registration("kindsl-files", method, options))
-    if server.client.can("workspace.did_change_configuration.dynamic_registration"):
-        section = {"section": _SECTION}
-        method = types.WORKSPACE_DID_CHANGE_CONFIGURATION
-        registrations.append(types.Registration("kindsl-settings", method, section))
+    warm_up(session.worker)
+    registrations = list(_registrations(session.client))
     if registrations:
         params = types.RegistrationParams(registrations)
-        await asked(server.client_register_capability_async(params))
-    await ask_for_settings(server)
+        await asked(session.editor.client_register_capability_async(params))
+    await ask_for_settings(session)
 
 
-@handlers.server(types.WORKSPACE_DID_CHANGE_CONFIGURATION)
+@handlers.session(types.WORKSPACE_DID_CHANGE_CONFIGURATION)
 async def change_configuration(
-    server: "KindslLanguageServer", params: types.DidChangeConfigurationParams
+    session: Session, params: types.DidChangeConfigurationParams
 ) -> None:
     """Take new settings, or ask for them."""
     if isinstance(params.settings, dict) and any(params.settings.values()):
-        server.settings.set_editor_settings(params.settings)
-    await ask_for_settings(server)
-    refresh(server)
+        session.workspace.set_editor_settings(params.settings)
+    await ask_for_settings(session)
+    refresh(session)
 
 
-@handlers.server(types.WORKSPACE_DID_CHANGE_WORKSPACE_FOLDERS)
-async def change_folders(
-    server: "KindslLanguageServer", params: types.DidChangeWorkspaceFoldersParams
-) -> None:
+@handlers.session(types.WORKSPACE_DID_CHANGE_WORKSPACE_FOLDERS)
+async def change_folders(session: Session, params: types.DidChangeWorkspaceFoldersParams) -> None:
     """Open and close folders."""
-    server.settings.add_folders(params.event.added)
-    server.settings.remove_folders(params.event.removed)
-    await ask_for_settings(server)
-    refresh(server)
+    session.workspace.add_folders(params.event.added)
+    session.workspace.remove_folders(params.event.removed)
+    await ask_for_settings(session)
+    refresh(session)
 
 
-@handlers.server(types.WORKSPACE_DID_CHANGE_WATCHED_FILES)
-def change_files(server: "KindslLanguageServer", params: types.DidChangeWatchedFilesParams) -> None:
+@handlers.session(types.WORKSPACE_DID_CHANGE_WATCHED_FILES)
+def change_files(session: Session, params: types.DidChangeWatchedFilesParams) -> None:
     """See what has changed outside the editor."""
-    server.news.set()
+    session.news.set()
     for change in params.changes:
-        if change.type == types.FileChangeType.Deleted and not server.documents.is_open(change.uri):
-            server.publisher.clear(change.uri)
+        is_gone = change.type == types.FileChangeType.Deleted
+        if is_gone and not session.documents.is_open(change.uri):
+            session.publisher.clear(change.uri)
     if any(uris.basename(change.uri) in CONFIGURATION_FILES for change in params.changes):
-        server.settings.forget()
-        refresh(server)
-    elif server.client.can("workspace.diagnostics.refresh_support"):
-        server.workspace_diagnostic_refresh(None)
+        session.workspace.forget()
+        refresh(session)
+    elif session.client.can("workspace.diagnostics.refresh_support"):
+        session.editor.workspace_diagnostic_refresh(None)
 
 
-@handlers.server(types.TEXT_DOCUMENT_DID_SAVE, types.SaveOptions(include_text=False))
-def save(server: "KindslLanguageServer", params: types.DidSaveTextDocumentParams) -> None:
+@handlers.session(types.TEXT_DOCUMENT_DID_SAVE, types.SaveOptions(include_text=False))
+def save(session: Session, params: types.DidSaveTextDocumentParams) -> None:
     """See a configuration file that was saved here, in case the client watches no files."""
-    server.news.set()
-    server.previews.saved(params.text_document.uri)
+    session.news.set()
+    session.previews.saved(params.text_document.uri)
     if uris.basename(params.text_document.uri) in CONFIGURATION_FILES:
-        server.settings.forget()
-        refresh(server)
+        session.workspace.forget()
+        refresh(session)
 
 
-async def ask_for_settings(server: "KindslLanguageServer") -> None:
+async def ask_for_settings(session: Session) -> None:
     """Ask for the section `kindsl`, once for all and once a folder; check again if it is new."""
-    if server.client.can("workspace.configuration"):
-        scopes = [None, *server.settings.folders.values()]
+    if session.client.can("workspace.configuration"):
+        scopes = [None, *session.workspace.folders.values()]
         items = [types.ConfigurationItem(scope_uri=scope, section=_SECTION) for scope in scopes]
         params = types.ConfigurationParams(items)
-        answers = await asked(server.workspace_configuration_async(params)) or ()
+        answers = await asked(session.editor.workspace_configuration_async(params)) or ()
         given = [(answer, s) for s, answer in zip(scopes, answers, strict=False) if answer]
-        news = [server.settings.set_editor_settings(*each) for each in given]
+        news = [session.workspace.set_editor_settings(*each) for each in given]
         if any(news):
-            refresh(server)
-    for problem in server.settings.problems():
-        server.window_log_message(types.LogMessageParams(types.MessageType.Warning, problem))
+            refresh(session)
+    for problem in session.workspace.problems():
+        message = types.LogMessageParams(types.MessageType.Warning, problem)
+        session.editor.window_log_message(message)
 
 
-def refresh(server: "KindslLanguageServer") -> None:
+def refresh(session: Session) -> None:
     """Check all open documents again and let the client ask again for what it shows."""
-    server.news.set()
-    server.publisher.refresh()
-    for capability, ask in (
-        ("workspace.diagnostics.refresh_support", server.workspace_diagnostic_refresh),
-        ("workspace.inlay_hint.refresh_support", server.workspace_inlay_hint_refresh),
-        ("workspace.code_lens.refresh_support", server.workspace_code_lens_refresh),
-        (
-            "workspace.semantic_tokens.refresh_support",
-            server.workspace_semantic_tokens_refresh,
-        ),
+    session.news.set()
+    session.publisher.refresh()
+    editor = session.editor
+    for shown, ask in (
+        ("diagnostics", editor.workspace_diagnostic_refresh),
+        ("inlay_hint", editor.workspace_inlay_hint_refresh),
+        ("code_lens", editor.workspace_code_lens_refresh),
+        ("semantic_tokens", editor.workspace_semantic_tokens_refresh),
     ):
-        if server.client.can(capability):
+        if session.client.can(f"workspace.{shown}.refresh_support"):
             ask(None)
+
+
+def _registrations(client: Client) -> Iterator[types.Registration]:
+    """Yield what a client is asked to tell of, as far as it can be asked."""
+    if client.can("workspace.did_change_watched_files.dynamic_registration"):
+        watchers = [types.FileSystemWatcher(pattern) for pattern in _WATCHED]
+        options = types.DidChangeWatchedFilesRegistrationOptions(watchers)
+        method = types.WORKSPACE_DID_CHANGE_WATCHED_FILES
+        yield types.Registration("kindsl-files", method, options)
+    if client.can("workspace.did_change_configuration.dynamic_registration"):
+        section = {"section": _SECTION}
+        method = types.WORKSPACE_DID_CHANGE_CONFIGURATION
+        yield types.Registration("kindsl-settings", method, section)
 
 
 def _root(params: types.InitializeParams) -> list[types.WorkspaceFolder]:

@@ -1,8 +1,6 @@
 """Diagnostics that the client asks for."""
 
 import itertools
-from collections.abc import Iterable, Iterator
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from lsprotocol import types
@@ -11,6 +9,7 @@ from kindsl.lsp.handlers.table import Handlers
 from kindsl.lsp.session.configuration_diagnostics import configuration_diagnostics
 from kindsl.lsp.session.findings import SOURCE, diagnostics
 from kindsl.lsp.session.progress import Progress
+from kindsl.lsp.session.session import Session
 from kindsl.lsp.session.worker import Urgency
 from kindsl.lsp.text import uris
 from kindsl.lsp.text.document import Document
@@ -18,7 +17,6 @@ from kindsl.lsp.text.document import Document
 if TYPE_CHECKING:
     from kindsl.analysis.diagnostics import Diagnostic
     from kindsl.analysis.settings import Settings
-    from kindsl.lsp.server import KindslLanguageServer
 
 Report = dict[str, Any]
 
@@ -31,49 +29,47 @@ _OPTIONS = types.DiagnosticOptions(
 )
 
 
-@handlers.server(types.TEXT_DOCUMENT_DIAGNOSTIC, _OPTIONS)
-async def pull(server: "KindslLanguageServer", params: types.DocumentDiagnosticParams) -> Report:
+@handlers.session(types.TEXT_DOCUMENT_DIAGNOSTIC, _OPTIONS)
+async def pull(session: Session, params: types.DocumentDiagnosticParams) -> Report:
     """Answer what is wrong with a document, or that nothing has changed."""
-    document = server.documents.get(params.text_document.uri)
+    document = session.documents.get(params.text_document.uri)
     if document is None:
         return {"kind": "full", "items": []}
-    server.publisher.leave_to_pull(document)
+    session.publisher.leave_to_pull(document)
     if document.is_toml:
-        return {"kind": "full", "items": await configuration_diagnostics(server, document)}
-    findings = await server.analyses.findings(document)
+        return {"kind": "full", "items": await configuration_diagnostics(session, document)}
+    findings = await session.analyses.findings(document)
     result_id = result_id_of(document, findings)
     if result_id == params.previous_result_id:
         return {"kind": "unchanged", "resultId": result_id}
-    items = diagnostics(document, findings, server.client)
+    items = diagnostics(document, findings, session.client)
     return {"kind": "full", "resultId": result_id, "items": items}
 
 
-@handlers.server(types.WORKSPACE_DIAGNOSTIC)
-async def pull_all(
-    server: "KindslLanguageServer", params: types.WorkspaceDiagnosticParams
-) -> Report:
+@handlers.session(types.WORKSPACE_DIAGNOSTIC)
+async def pull_all(session: Session, params: types.WorkspaceDiagnosticParams) -> Report:
     """Answer what is wrong with every robot in the workspace, whether open or not.
 
     A client that takes partial results asks again and again; it has its answer when there is news.
     """
-    reports = await _workspace_reports(server, params)
+    reports = await _workspace_reports(session, params)
     while params.partial_result_token is not None and not any(map(_is_news, reports)):
-        server.news.clear()
-        await server.news.wait()
-        reports = await _workspace_reports(server, params)
+        session.news.clear()
+        await session.news.wait()
+        reports = await _workspace_reports(session, params)
     return {"items": reports}
 
 
 async def _workspace_reports(
-    server: "KindslLanguageServer", params: types.WorkspaceDiagnosticParams
+    session: Session, params: types.WorkspaceDiagnosticParams
 ) -> list[Report]:
     known = {uris.key(each.uri): each.value for each in params.previous_result_ids}
     reports: list[Report] = []
-    async with Progress(server, "Checking robots", params.work_done_token) as progress:
-        files = await server.worker.run(lambda: list(server.settings.files()), Urgency.BACKGROUND)
-        for number, uri in enumerate(open_and_closed(server, files)):
-            await progress.report(number, len(files))
-            report = await _workspace_report(server, uri, known.get(uris.key(uri)))
+    async with Progress(session, "Checking robots", params.work_done_token) as progress:
+        robots = await session.open_and_closed()
+        for number, uri in enumerate(robots):
+            await progress.report(number, len(robots))
+            report = await _workspace_report(session, uri, known.get(uris.key(uri)))
             reports += [report] if report is not None else []
     listed = {uris.key(report["uri"]) for report in reports}
     gone = (each for each in params.previous_result_ids if uris.key(each.uri) not in listed)
@@ -92,29 +88,27 @@ def _is_news(report: Report) -> bool:
     return bool(report["kind"] == "full")
 
 
-async def _workspace_report(
-    server: "KindslLanguageServer", uri: str, known: str | None
-) -> Report | None:
-    document = server.documents.get(uri)
+async def _workspace_report(session: Session, uri: str, known: str | None) -> Report | None:
+    document = session.documents.get(uri)
     if document is None or document.is_toml:
         return None
-    report = await _report(server, document)
+    report = await _report(session, document)
     told = {"uri": uri, "version": document.version, "resultId": report.result_id}
     if report.result_id == known:
         return {**told, "kind": "unchanged"}
     return {**told, "kind": "full", "items": report.items}
 
 
-async def _report(server: "KindslLanguageServer", document: Document) -> "_Report":
+async def _report(session: Session, document: Document) -> "_Report":
     """Return what is wrong with a document; of a file that is not open only this is kept."""
-    settings = await server.analyses.settings(document)
+    settings = await session.analyses.settings(document)
     report = document.facts.get(_Report)
     if report is None or report.settings != settings:
-        findings = await server.analyses.findings(document, Urgency.BACKGROUND)
-        items = diagnostics(document, findings, server.client)
+        findings = await session.analyses.findings(document, Urgency.BACKGROUND)
+        items = diagnostics(document, findings, session.client)
         report = _Report(settings, result_id_of(document, findings), items)
         document.facts[_Report] = report
-        server.analyses.rest(document)
+        session.analyses.rest(document)
     return cast(_Report, report)
 
 
@@ -124,18 +118,6 @@ class _Report(NamedTuple):
     settings: "Settings"
     result_id: str
     items: list[dict[str, Any]]
-
-
-def open_and_closed(server: "KindslLanguageServer", files: Iterable[Path]) -> Iterator[str]:
-    """Yield the URI of every robot that is open or lies in the workspace, each once."""
-    seen = set()
-    for document in server.documents:
-        seen.add(uris.key(document.uri))
-        yield document.uri
-    for file in files:
-        uri = uris.uri(file)
-        if uris.key(uri) not in seen:
-            yield uri
 
 
 def result_id_of(document: Document, findings: "tuple[Diagnostic, ...]") -> str:

@@ -57,5 +57,5 @@ def _formatted(
     except FormattingRefusedError as error:
         refuse(f"Not formatted: {error}")
         return None
-    view.server.refused.discard(view.document.uri)
+    view.state.refused.discard(view.document.uri)
     return edits

@@ -1,16 +1,13 @@
 """Semantic tokens: whole, in a range, and what has changed since the last time."""
 
-import itertools
 from array import array
-from bisect import bisect_left
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types
 
 from kindsl.lsp.handlers.table import Handlers
 from kindsl.lsp.session.view import View
-from kindsl.lsp.text import uris
 from kindsl.lsp.text.document import Document
 
 if TYPE_CHECKING:
@@ -31,29 +28,6 @@ _OPTIONS = types.SemanticTokensRegistrationOptions(
 )
 _TYPE_NUMBERS = {name: number for number, name in enumerate(TYPES)}
 _MODIFIER_BITS = {name: 1 << number for number, name in enumerate(MODIFIERS)}
-_SERIAL = itertools.count(1)
-
-
-class TokenMemory:
-    """The tokens that were told last for each document, to tell only what has changed."""
-
-    __slots__ = ("_told",)
-
-    def __init__(self) -> None:
-        self._told: dict[str, tuple[str, bytes]] = {}
-
-    def tell(self, uri: str, data: "array[int]", known: str | None) -> dict[str, Any]:
-        """Return tokens, or the difference to the ones that the client says it knows."""
-        result_id, new = str(next(_SERIAL)), data.tobytes()
-        before = self._told.get(uris.key(uri))
-        self._told[uris.key(uri)] = result_id, new
-        if before is None or before[0] != known:
-            return {"resultId": result_id, "data": data.tolist()}
-        return {"resultId": result_id, "edits": _difference(before[1], new)}
-
-    def forget(self, document: Document) -> None:
-        """Drop what was told of a document."""
-        self._told.pop(uris.key(document.uri), None)
 
 
 @handlers.document(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL, _OPTIONS)
@@ -62,7 +36,7 @@ def whole(view: View, _: types.SemanticTokensParams) -> dict[str, Any]:
     from kindsl.features.semantic_tokens import semantic_tokens
 
     data = encoded(view.document, semantic_tokens(view.analysis))
-    return view.server.tokens.tell(view.document.uri, data, None)
+    return view.state.tokens.tell(view.document.uri, data, None)
 
 
 @handlers.document(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL_DELTA, _OPTIONS)
@@ -71,7 +45,7 @@ def delta(view: View, params: types.SemanticTokensDeltaParams) -> dict[str, Any]
     from kindsl.features.semantic_tokens import semantic_tokens
 
     data = encoded(view.document, semantic_tokens(view.analysis))
-    return view.server.tokens.tell(view.document.uri, data, params.previous_result_id)
+    return view.state.tokens.tell(view.document.uri, data, params.previous_result_id)
 
 
 @handlers.document(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_RANGE, _OPTIONS)
@@ -101,24 +75,3 @@ def encoded(document: Document, tokens: "Iterable[SemanticToken]") -> "array[int
         bits = sum(map(_MODIFIER_BITS.__getitem__, modifiers))
         data.extend((line - before, step, length, _TYPE_NUMBERS[kind], bits))
     return data
-
-
-def _difference(old: bytes, new: bytes) -> list[dict[str, Any]]:
-    """Return the one edit between what two rows of numbers have in common at either end."""
-    size = array("I").itemsize
-    shorter = min(len(old), len(new)) // size
-    prefix = _common(shorter, lambda n: old[: n * size] == new[: n * size])
-    suffix = _common(
-        shorter - prefix, lambda n: old[len(old) - n * size :] == new[len(new) - n * size :]
-    )
-    if (prefix + suffix) * size == len(old) == len(new):
-        return []
-    inserted = array("I")
-    inserted.frombytes(new[prefix * size : len(new) - suffix * size])
-    deleted = len(old) // size - prefix - suffix
-    return [{"start": prefix, "deleteCount": deleted, "data": inserted.tolist()}]
-
-
-def _common(most: int, is_common: Callable[[int], bool]) -> int:
-    """Return the greatest number up to `most` of which it is true, as of all below it."""
-    return bisect_left(range(1, most + 1), True, key=lambda n: not is_common(n))

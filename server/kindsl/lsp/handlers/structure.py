@@ -4,16 +4,14 @@ from typing import TYPE_CHECKING, Any, cast
 
 from lsprotocol import types
 
-from kindsl.lsp.handlers.diagnostics import open_and_closed
 from kindsl.lsp.handlers.table import Handlers
 from kindsl.lsp.session.configuration_files import configuration_links
 from kindsl.lsp.session.progress import Progress
+from kindsl.lsp.session.session import Session
 from kindsl.lsp.session.view import View
-from kindsl.lsp.session.worker import Urgency
 
 if TYPE_CHECKING:
     from kindsl.features.document_symbols import DocumentSymbol
-    from kindsl.lsp.server import KindslLanguageServer
 
 handlers = Handlers()
 
@@ -45,31 +43,31 @@ def outline(
     ]
 
 
-@handlers.server(types.WORKSPACE_SYMBOL, types.WorkspaceSymbolOptions())
+@handlers.session(types.WORKSPACE_SYMBOL, types.WorkspaceSymbolOptions())
 async def workspace_symbols(
-    server: "KindslLanguageServer", params: types.WorkspaceSymbolParams
+    session: Session, params: types.WorkspaceSymbolParams
 ) -> list[types.SymbolInformation]:
     """Find named things in all robots of the workspace."""
     from kindsl.features.workspace_symbols import is_match
 
     found: list[types.SymbolInformation] = []
-    async with Progress(server, "Reading robots", params.work_done_token) as progress:
-        files = await server.worker.run(lambda: list(server.settings.files()), Urgency.BACKGROUND)
-        for number, uri in enumerate(open_and_closed(server, files)):
-            await progress.report(number, len(files))
-            symbols = await _symbols_of(server, uri)
+    async with Progress(session, "Reading robots", params.work_done_token) as progress:
+        robots = await session.open_and_closed()
+        for number, uri in enumerate(robots):
+            await progress.report(number, len(robots))
+            symbols = await _symbols_of(session, uri)
             found += [symbol for symbol in symbols if is_match(params.query, symbol.name)]
     return found[:_MOST_SYMBOLS]
 
 
-async def _symbols_of(server: "KindslLanguageServer", uri: str) -> list[types.SymbolInformation]:
+async def _symbols_of(session: Session, uri: str) -> list[types.SymbolInformation]:
     """Return the symbols of a document; of a file that is not open only they are kept."""
-    document = server.documents.get(uri)
+    document = session.documents.get(uri)
     if document is None or document.is_toml:
         return []
     if _symbols_of not in document.facts:
-        document.facts[_symbols_of] = await server.ask_at_once(_all_symbols, uri, None)
-        server.analyses.rest(document)
+        document.facts[_symbols_of] = await session.ask_at_once(_all_symbols, uri, None)
+        session.analyses.rest(document)
     return cast(list[types.SymbolInformation], document.facts[_symbols_of])
 
 
@@ -121,13 +119,13 @@ def linked_editing(
     return types.LinkedEditingRanges([view.range(*span) for span in found]) if found else None
 
 
-@handlers.server(types.TEXT_DOCUMENT_DOCUMENT_LINK, types.DocumentLinkOptions())
-def links(server: "KindslLanguageServer", params: types.DocumentLinkParams) -> Any:
+@handlers.session(types.TEXT_DOCUMENT_DOCUMENT_LINK, types.DocumentLinkOptions())
+def links(session: Session, params: types.DocumentLinkParams) -> Any:
     """Find addresses in comments, and documents that a configuration file names."""
-    document = server.documents.get(params.text_document.uri)
+    document = session.documents.get(params.text_document.uri)
     if document is not None and document.is_toml:
         return configuration_links(document)
-    return server.ask(_links, params.text_document.uri, params)
+    return session.ask(_links, params.text_document.uri, params)
 
 
 def _links(view: View, _: types.DocumentLinkParams) -> list[types.DocumentLink]:

@@ -5,18 +5,18 @@ there when the request came, however the editor goes on typing meanwhile.
 """
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
-if TYPE_CHECKING:
-    from kindsl.lsp.server import KindslLanguageServer
+from kindsl.lsp.session.session import Session
 
 F = TypeVar("F", bound=Callable[..., Any])
+Bind = Callable[[Session, Callable[..., Any]], Callable[..., Any]]
 
 
 class _Entry(NamedTuple):
     method: str
     options: Any
-    bind: "Callable[[KindslLanguageServer], Callable[..., Any]]"
+    bind: Callable[[Session], Callable[..., Any]]
 
 
 class Handlers:
@@ -44,52 +44,49 @@ class Handlers:
         """Register a handler `(view, params) -> result` of the document of `params.item`."""
         return self._add(method, options, _on_item)
 
-    def server(self, method: str, options: Any = None) -> Callable[[F], F]:
-        """Register a handler `(server, params) -> result`, which may be awaitable."""
-        return self._add(method, options, _on_server)
+    def session(self, method: str, options: Any = None) -> Callable[[F], F]:
+        """Register a handler `(session, params) -> result`, which may be awaitable."""
+        return self._add(method, options, _on_session)
 
     def command(self, name: str) -> Callable[[F], F]:
-        """Register a command `(server, *arguments) -> result`, which may be awaitable."""
+        """Register a command `(session, *arguments) -> result`, which may be awaitable."""
 
         def register(handler: F) -> F:
-            self._commands.append(_Entry(name, None, lambda server: _on_server(server, handler)))
+            self._commands.append(_Entry(name, None, lambda session: _on_session(session, handler)))
             return handler
 
         return register
 
-    def register(self, server: "KindslLanguageServer") -> None:
-        """Announce everything to pygls."""
+    def register(self, session: Session) -> None:
+        """Announce everything to the editor."""
         for method, options, bind in self._entries:
-            server.feature(method, options)(bind(server))
+            session.editor.feature(method, options)(bind(session))
         for name, _, bind in self._commands:
-            server.command(name)(bind(server))
+            session.editor.command(name)(bind(session))
 
-    def _add(self, method: str, options: Any, bind: "_Bind") -> Callable[[F], F]:
+    def _add(self, method: str, options: Any, bind: Bind) -> Callable[[F], F]:
         def register(handler: F) -> F:
-            self._entries.append(_Entry(method, options, lambda server: bind(server, handler)))
+            self._entries.append(_Entry(method, options, lambda session: bind(session, handler)))
             return handler
 
         return register
 
 
-def _on_server(server: "KindslLanguageServer", handler: Callable[..., Any]) -> Callable[..., Any]:
-    return lambda *arguments: handler(server, *arguments)
+def _on_session(session: Session, handler: Callable[..., Any]) -> Callable[..., Any]:
+    return lambda *arguments: handler(session, *arguments)
 
 
-def _on_place(server: "KindslLanguageServer", handler: Callable[..., Any]) -> Callable[..., Any]:
-    return lambda params: server.ask_at_once(handler, params.text_document.uri, params)
+def _on_place(session: Session, handler: Callable[..., Any]) -> Callable[..., Any]:
+    return lambda params: session.ask_at_once(handler, params.text_document.uri, params)
 
 
-def _on_document(server: "KindslLanguageServer", handler: Callable[..., Any]) -> Callable[..., Any]:
-    return lambda params: server.ask(handler, params.text_document.uri, params)
+def _on_document(session: Session, handler: Callable[..., Any]) -> Callable[..., Any]:
+    return lambda params: session.ask(handler, params.text_document.uri, params)
 
 
-def _on_judged(server: "KindslLanguageServer", handler: Callable[..., Any]) -> Callable[..., Any]:
-    return lambda params: server.ask_judged(handler, params.text_document.uri, params)
+def _on_judged(session: Session, handler: Callable[..., Any]) -> Callable[..., Any]:
+    return lambda params: session.ask_judged(handler, params.text_document.uri, params)
 
 
-def _on_item(server: "KindslLanguageServer", handler: Callable[..., Any]) -> Callable[..., Any]:
-    return lambda params: server.ask(handler, params.item.uri, params)
-
-
-_Bind = Callable[["KindslLanguageServer", Callable[..., Any]], Callable[..., Any]]
+def _on_item(session: Session, handler: Callable[..., Any]) -> Callable[..., Any]:
+    return lambda params: session.ask(handler, params.item.uri, params)

@@ -13,6 +13,7 @@ from lsprotocol import types
 from kindsl.config.robots import robots_below
 from kindsl.lsp.session.configuration_files import configuration_of
 from kindsl.lsp.session.findings import SOURCE, diagnostics
+from kindsl.lsp.session.state import State
 from kindsl.lsp.session.worker import Urgency
 from kindsl.lsp.text import uris
 from kindsl.lsp.text.document import Document
@@ -21,17 +22,14 @@ if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis
     from kindsl.analysis.diagnostics import Diagnostic
     from kindsl.config.unused_bindings import Names
-    from kindsl.lsp.server import KindslLanguageServer
 
 
-async def configuration_diagnostics(
-    server: "KindslLanguageServer", document: Document
-) -> list[dict[str, Any]]:
+async def configuration_diagnostics(state: State, document: Document) -> list[dict[str, Any]]:
     """Return mistakes in a configuration file, else what it binds in vain, as they are sent."""
-    problems = await server.worker.run(lambda: configuration_problems(document))
+    problems = await state.worker.run(lambda: configuration_problems(document))
     if problems:
         return problems
-    return diagnostics(document, await _unused_bindings(server, document), server.client)
+    return diagnostics(document, await _unused_bindings(state, document), state.client)
 
 
 def configuration_problems(document: Document) -> list[dict[str, Any]]:
@@ -58,21 +56,19 @@ def parameter_names(analysis: "Analysis") -> frozenset[str]:
     return frozenset(str(parameter.name) for parameter in analysis.model.parameters)
 
 
-async def _unused_bindings(
-    server: "KindslLanguageServer", document: Document
-) -> "list[Diagnostic]":
+async def _unused_bindings(state: State, document: Document) -> "list[Diagnostic]":
     """Return what a configuration file, as it is in the editor, binds in vain."""
     file = uris.path(document.uri)
     if file is None:
         return []
-    settings = await server.analyses.settings(document)
-    used = await _parameters_of_open(server, file.parent)
+    settings = await state.analyses.settings(document)
+    used = await _parameters_of_open(state, file.parent)
 
     def others() -> "Iterator[Names]":
         from kindsl.config.unused_bindings import words_of
 
         for path in robots_below(file.parent):
-            server.worker.checkpoint()
+            state.worker.checkpoint()
             if str(path) not in used:
                 yield str(path), words_of(_text(path))
 
@@ -82,18 +78,16 @@ async def _unused_bindings(
         configuration = configuration_of(document)
         return unused_bindings(configuration, settings, used, others) if configuration else []
 
-    return await server.worker.run(check, Urgency.DIAGNOSTICS)
+    return await state.worker.run(check, Urgency.DIAGNOSTICS)
 
 
-async def _parameters_of_open(
-    server: "KindslLanguageServer", folder: Path
-) -> dict[str, frozenset[str]]:
+async def _parameters_of_open(state: State, folder: Path) -> dict[str, frozenset[str]]:
     """Return the parameters of the robots below a folder that the editor shows, by path."""
     found = {}
-    for robot in server.documents:
+    for robot in state.documents:
         path = uris.path(robot.uri)
         if path is not None and not robot.is_toml and path.is_relative_to(folder):
-            found[str(path)] = parameter_names(await server.analyses.of(robot))
+            found[str(path)] = parameter_names(await state.analyses.of(robot))
     return found
 
 

@@ -55,8 +55,8 @@ def bound_places(view: "View", parameter: str) -> Iterator[BoundPlace]:
     """Yield where the configuration file of a document gives a parameter a value."""
     from kindsl.config.configuration import ConfigurationError
 
-    file = view.server.settings.configuration_file(view.document)
-    document = view.server.documents.get(uris.uri(file)) if file else None
+    file = view.state.workspace.configuration_file(view.document)
+    document = view.state.documents.get(uris.uri(file)) if file else None
     if document is None:
         return
     try:

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types
 
+from kindsl.lsp.session.state import State
 from kindsl.lsp.session.worker import start_task
 from kindsl.lsp.text import uris
 from kindsl.lsp.text.document import Document
@@ -12,7 +13,6 @@ from kindsl.lsp.wire.client import asked
 from kindsl.lsp.wire.protocol import RequestFailed
 
 if TYPE_CHECKING:
-    from kindsl.lsp.server import KindslLanguageServer
     from kindsl.preview.server import PreviewServer
     from kindsl.text.span import Span
 
@@ -20,12 +20,13 @@ if TYPE_CHECKING:
 class Previews:
     """Shows documents, keeps them up to date, carries clicks back to the editor."""
 
-    __slots__ = ("_preview", "_server", "_starting")
+    __slots__ = ("_preview", "_starting", "_state")
 
-    def __init__(self, server: "KindslLanguageServer") -> None:
-        self._server = server
+    def __init__(self, state: State) -> None:
+        self._state = state
         self._preview: PreviewServer | None = None
         self._starting = asyncio.Lock()
+        state.on_cursor.append(self._highlight)
 
     async def open(self, uri: str, origin: object = None) -> str:
         """Show a document and return the address of its page.
@@ -37,7 +38,7 @@ class Previews:
         Raises:
             RequestFailed: There is no such document, no such origin, or something is not installed.
         """
-        document = self._server.documents.get(uri)
+        document = self._state.documents.get(uri)
         if document is None or document.is_toml:
             raise RequestFailed(f"'{uri}' is no document that can be shown")
         preview = await self._started()
@@ -59,26 +60,20 @@ class Previews:
         if self._preview is not None:
             self._preview.saved(uris.key(uri))
 
-    def highlight(self, uri: str, kind: str, name: str) -> None:
-        """Light up what the cursor is on; from any thread."""
-        if self._preview is not None:
-            show = self._preview.highlight
-            self._server.loop.call_soon_threadsafe(show, uris.key(uri), kind, name)
-
     async def stop(self) -> None:
         """Close all pages."""
         if self._preview is not None:
             await self._preview.stop()
 
     async def _show(self, preview: "PreviewServer", document: Document) -> None:
-        analysis = await self._server.analyses.of(document)
-        findings = await self._server.analyses.findings(document)
+        analysis = await self._state.analyses.of(document)
+        findings = await self._state.analyses.findings(document)
         await preview.show(uris.key(document.uri), analysis, findings, uris.basename(document.uri))
 
     async def _started(self) -> "PreviewServer":
         async with self._starting:
             if self._preview is None:
-                preview = await self._server.worker.run(self._load)
+                preview = await self._state.worker.run(self._load)
                 try:
                     await preview.start()
                 except (ImportError, OSError, RuntimeError) as error:
@@ -96,8 +91,14 @@ class Previews:
 
     def _reveal(self, key: str, span: "Span", _: Any) -> None:
         """Show in the editor what was clicked in a page."""
-        document = self._server.documents.get(key)
-        if document is not None and self._server.client.can("window.show_document.support"):
+        document = self._state.documents.get(key)
+        if document is not None and self._state.client.can("window.show_document.support"):
             selection = document.range(*span)
             shown = types.ShowDocumentParams(document.uri, False, True, selection)
-            start_task(asked(self._server.window_show_document_async(shown)))
+            start_task(asked(self._state.editor.window_show_document_async(shown)))
+
+    def _highlight(self, uri: str, kind: str, name: str) -> None:
+        """Light up what the cursor is on; from any thread."""
+        if self._preview is not None:
+            show = self._preview.highlight
+            self._state.loop.call_soon_threadsafe(show, uris.key(uri), kind, name)

@@ -2,13 +2,12 @@
 
 import time
 import uuid
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from lsprotocol import types
 from pygls.exceptions import JsonRpcException
 
-if TYPE_CHECKING:
-    from kindsl.lsp.server import KindslLanguageServer
+from kindsl.lsp.session.state import State
 
 _WHOLE = 100
 _PATIENCE = 0.5
@@ -20,20 +19,18 @@ class Progress:
     With a token of the client's it is shown at once, else when the work has taken half a second.
 
     Args:
-        server: Whom the client talks to.
+        state: Of the session.
         title: What is being done.
         token: The client's, if it gave one; else one is asked for, if the client can show it.
     """
 
-    def __init__(
-        self, server: "KindslLanguageServer", title: str, token: types.ProgressToken | None
-    ) -> None:
-        self._server = server
+    def __init__(self, state: State, title: str, token: types.ProgressToken | None) -> None:
+        self._state = state
         self._title = title
         self._token = token
         self._shown = -1
         self._start = time.monotonic()
-        self._may_begin = token is None and server.client.can("window.work_done_progress")
+        self._may_begin = token is None and state.client.can("window.work_done_progress")
 
     async def __aenter__(self) -> "Progress":
         self._send(types.WorkDoneProgressBegin(self._title, percentage=0))
@@ -57,7 +54,7 @@ class Progress:
         token = str(uuid.uuid4())
         params = types.WorkDoneProgressCreateParams(token)
         try:
-            await self._server.window_work_done_progress_create_async(params)
+            await self._state.editor.window_work_done_progress_create_async(params)
         except JsonRpcException:
             return
         self._token = token
@@ -65,4 +62,4 @@ class Progress:
 
     def _send(self, value: Any) -> None:
         if self._token is not None:
-            self._server.progress(types.ProgressParams(self._token, value))
+            self._state.editor.progress(types.ProgressParams(self._token, value))

@@ -12,6 +12,8 @@ from kindsl.lsp.session.configuration_diagnostics import (
     parameter_names,
 )
 from kindsl.lsp.session.findings import diagnostics
+from kindsl.lsp.session.previews import Previews
+from kindsl.lsp.session.state import State
 from kindsl.lsp.session.status import tell_status
 from kindsl.lsp.session.worker import Urgency, start_task
 from kindsl.lsp.text import uris
@@ -20,7 +22,6 @@ from kindsl.lsp.wire.protocol import Encoded
 
 if TYPE_CHECKING:
     from kindsl.analysis.diagnostics import Diagnostic
-    from kindsl.lsp.server import KindslLanguageServer
 
 _MANY = 200
 
@@ -31,19 +32,29 @@ class Publisher:
     Documents that the client pulls diagnostics for are left to it, lest each is shown twice.
     """
 
-    __slots__ = ("_broken", "_checked", "_parameters", "_pulled", "_server", "_shown", "_tasks")
+    __slots__ = (
+        "_broken",
+        "_checked",
+        "_parameters",
+        "_previews",
+        "_pulled",
+        "_shown",
+        "_state",
+        "_tasks",
+    )
 
-    def __init__(self, server: "KindslLanguageServer") -> None:
-        self._server = server
+    def __init__(self, state: State, previews: Previews) -> None:
+        self._state = state
+        self._previews = previews
         self._tasks: dict[str, asyncio.Task[None]] = {}
         self._pulled: set[str] = set()
         self._checked: set[str] = set()
         self._shown: set[str] = set()
         self._broken: set[str] = set()
         self._parameters: dict[str, frozenset[str]] = {}
-        server.documents.on_open.append(lambda document: self.schedule(document, 0.0))
-        server.documents.on_change.append(self._changed)
-        server.documents.on_close.append(self._close)
+        state.documents.on_open.append(lambda document: self.schedule(document, 0.0))
+        state.documents.on_change.append(self._changed)
+        state.documents.on_close.append(self._close)
 
     def schedule(self, document: Document, delay: float) -> None:
         """Publish for this version after some seconds, unless another one comes before."""
@@ -55,14 +66,14 @@ class Publisher:
     def leave_to_pull(self, document: Document) -> None:
         """Push no more for a document that the client pulls for."""
         key = uris.key(document.uri)
-        if self._server.client.can("text_document.diagnostic") and key not in self._pulled:
+        if self._state.client.can("text_document.diagnostic") and key not in self._pulled:
             self._pulled.add(key)
             if key in self._shown:
                 self._publish(document.uri, None, [])
 
     def refresh(self) -> None:
         """Publish for all open documents again."""
-        for document in self._server.documents:
+        for document in self._state.documents:
             self.schedule(document, 0.0)
 
     def clear(self, uri: str) -> None:
@@ -70,7 +81,7 @@ class Publisher:
         self._publish(uri, None, [])
 
     def _changed(self, document: Document) -> None:
-        settings = self._server.settings.editor_settings(document.uri)
+        settings = self._state.workspace.editor_settings(document.uri)
         self.schedule(document, settings.diagnostics_delay)
 
     def _close(self, document: Document) -> None:
@@ -93,59 +104,59 @@ class Publisher:
             self._checked.add(uris.key(document.uri))
             memory.set_aside()
         shown = await self._encoded(document, findings)
-        if self._server.documents.is_current(document):
+        if self._state.documents.is_current(document):
             if uris.key(document.uri) not in self._pulled:
                 self._send(document.uri, shown, bool(findings))
             self._publish_broken_files()
             await self._check_configurations(document)
-            await tell_status(self._server, document, findings)
-            await self._server.previews.update(document)
+            await tell_status(self._state, document, findings)
+            await self._previews.update(document)
 
     async def _findings(self, document: Document) -> "tuple[Diagnostic, ...]":
-        await self._server.analyses.of(document)
-        await self._server.until_quiet()
-        return await self._server.analyses.findings(document, Urgency.DIAGNOSTICS)
+        await self._state.analyses.of(document)
+        await self._state.until_quiet()
+        return await self._state.analyses.findings(document, Urgency.DIAGNOSTICS)
 
     async def _encoded(self, document: Document, findings: "tuple[Diagnostic, ...]") -> Encoded:
         """Return findings as they are sent; many are made ready in the worker."""
 
         def encoded() -> Encoded:
-            shown = diagnostics(document, findings, self._server.client)
+            shown = diagnostics(document, findings, self._state.client)
             params = {"uri": document.uri, "version": document.version, "diagnostics": shown}
-            return self._server.protocol.encoded(params)
+            return self._state.editor.protocol.encoded(params)
 
         if len(findings) < _MANY:
             return encoded()
-        return await self._server.worker.run(encoded, Urgency.DIAGNOSTICS)
+        return await self._state.worker.run(encoded, Urgency.DIAGNOSTICS)
 
     async def _publish_configuration(self, document: Document) -> None:
         """Publish what is wrong with a configuration file as it is in the editor."""
-        shown = await configuration_diagnostics(self._server, document)
+        shown = await configuration_diagnostics(self._state, document)
         is_pulled = uris.key(document.uri) in self._pulled
-        if self._server.documents.is_current(document) and not is_pulled:
+        if self._state.documents.is_current(document) and not is_pulled:
             self._publish(document.uri, document.version, shown)
 
     async def _check_configurations(self, document: Document) -> None:
         """Check open configuration files again if a robot has got other parameters."""
-        configurations = [other for other in self._server.documents if other.is_toml]
+        configurations = [other for other in self._state.documents if other.is_toml]
         if not configurations:
             return
         key = uris.key(document.uri)
-        parameters = parameter_names(await self._server.analyses.of(document))
+        parameters = parameter_names(await self._state.analyses.of(document))
         if self._parameters.get(key, frozenset()) == parameters:
             return
         self._parameters[key] = parameters
         for other in configurations:
             if uris.key(other.uri) not in self._pulled:
                 self.schedule(other, 0.0)
-            elif self._server.client.can("workspace.diagnostics.refresh_support"):
-                self._server.workspace_diagnostic_refresh(None)
+            elif self._state.client.can("workspace.diagnostics.refresh_support"):
+                self._state.editor.workspace_diagnostic_refresh(None)
 
     def _publish_broken_files(self) -> None:
         """Publish what is wrong with configuration files that no editor shows."""
-        broken = {uris.uri(path) for path in self._server.settings.broken}
+        broken = {uris.uri(path) for path in self._state.workspace.broken}
         for uri in broken ^ self._broken:
-            document = self._server.documents.get(uri)
+            document = self._state.documents.get(uri)
             if document is not None and document.version is None:
                 self._publish(uri, None, configuration_problems(document))
         self._broken = broken
@@ -154,8 +165,8 @@ class Publisher:
         params: dict[str, Any] = {"uri": uri, "diagnostics": diagnostics}
         if version is not None:
             params["version"] = version
-        self._send(uri, self._server.protocol.encoded(params), bool(diagnostics))
+        self._send(uri, self._state.editor.protocol.encoded(params), bool(diagnostics))
 
     def _send(self, uri: str, params: Encoded, has_findings: bool) -> None:
         (self._shown.add if has_findings else self._shown.discard)(uris.key(uri))
-        self._server.protocol.notify_encoded(types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS, params)
+        self._state.editor.protocol.notify_encoded(types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS, params)

@@ -2,28 +2,26 @@
 
 from typing import TYPE_CHECKING
 
+from kindsl.lsp.session.state import State
 from kindsl.lsp.session.worker import Urgency
 from kindsl.lsp.text.document import Document
 
 if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis
     from kindsl.analysis.diagnostics import Diagnostic
-    from kindsl.lsp.server import KindslLanguageServer
 
 METHOD = "kindsl/status"
 
 _BASE_FREEDOM = 6
 
 
-async def tell_status(
-    server: "KindslLanguageServer", document: Document, findings: "tuple[Diagnostic, ...]"
-) -> None:
+async def tell_status(state: State, document: Document, findings: "tuple[Diagnostic, ...]") -> None:
     """Send a status to a client that listens to it."""
-    if server.client.announces(METHOD):
-        analysis = await server.analyses.of(document)
-        status = await server.worker.run(lambda: _status(analysis), Urgency.DIAGNOSTICS)
+    if state.client.announces(METHOD):
+        analysis = await state.analyses.of(document)
+        status = await state.worker.run(lambda: _status(analysis), Urgency.DIAGNOSTICS)
         found = {"uri": document.uri, "findings": len(findings)}
-        server.protocol.notify(METHOD, found | status)
+        state.editor.protocol.notify(METHOD, found | status)
 
 
 def _status(analysis: "Analysis") -> dict[str, object]:

@@ -5,14 +5,13 @@ from typing import TYPE_CHECKING
 
 from lsprotocol import types
 
+from kindsl.lsp.session.state import State
 from kindsl.lsp.text.document import Document
 from kindsl.lsp.wire.client import Client
 
 if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis
-    from kindsl.lsp.server import KindslLanguageServer
     from kindsl.lsp.session.settings import EditorSettings
-
 
 _MARKS = re.compile(r"\*\*|`|\\(?=[^\w\s])")
 
@@ -23,17 +22,15 @@ class View:
     Attributes:
         document: The text.
         analysis: What it means.
-        server: The settings, the client, the other documents.
+        state: The settings, the client, the other documents.
     """
 
-    __slots__ = ("analysis", "document", "server")
+    __slots__ = ("analysis", "document", "state")
 
-    def __init__(
-        self, document: Document, analysis: "Analysis", server: "KindslLanguageServer"
-    ) -> None:
+    def __init__(self, document: Document, analysis: "Analysis", state: State) -> None:
         self.document = document
         self.analysis = analysis
-        self.server = server
+        self.state = state
 
     def offset(self, position: types.Position) -> int:
         """Return the code point that a client's position means."""
@@ -42,12 +39,12 @@ class View:
     @property
     def client(self) -> Client:
         """What the editor can do."""
-        return self.server.client
+        return self.state.client
 
     @property
     def editor_settings(self) -> "EditorSettings":
         """What the user decided in the editor."""
-        return self.server.settings.editor_settings(self.document.uri)
+        return self.state.workspace.editor_settings(self.document.uri)
 
     def markup(self, markdown: str, capability: str) -> types.MarkupContent:
         """Return a text as Markdown, or plain to a client that lists other formats only."""
@@ -57,18 +54,19 @@ class View:
         return types.MarkupContent(kind, markdown if is_known else plain(markdown))
 
     def follow_cursor(self, position: types.Position) -> None:
-        """Light up in the preview what the cursor is on."""
+        """Tell who listens what the cursor is on."""
         from kindsl.features.symbol_at import symbol_at
 
         symbol = symbol_at(self.analysis, self.offset(position))
         kind, name = (symbol.entity.kind, symbol.entity.name) if symbol else ("", "")
-        self.server.previews.highlight(self.document.uri, kind, name)
+        for listener in self.state.on_cursor:
+            listener(self.document.uri, kind, name)
 
     def refuse(self, message: str) -> None:
         """Tell the user why something was not done; not again at each save of a broken document."""
-        if self.document.uri not in self.server.refused:
-            self.server.refused.add(self.document.uri)
-            self.server.show_warning(message)
+        if self.document.uri not in self.state.refused:
+            self.state.refused.add(self.document.uri)
+            self.state.show_warning(message)
 
     def location(self, start: int, end: int) -> types.Location:
         """Return the client's place of a stretch of code points."""

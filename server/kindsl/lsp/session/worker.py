@@ -1,4 +1,4 @@
-"""One thread that does the long work, apart from the one that reads messages."""
+"""Work beside the reading of messages: in one thread of its own, or as a task nobody waits for."""
 
 import asyncio
 import contextlib
@@ -82,6 +82,14 @@ class Worker:
             self._under_way = None
 
 
+def start_task(work: Coroutine[Any, Any, Any]) -> "asyncio.Task[Any]":
+    """Run something that nobody waits for; a failure is logged."""
+    task = asyncio.ensure_future(work)
+    _running.add(task)
+    task.add_done_callback(_ended)
+    return task
+
+
 class _Job(Generic[T]):
     """Work to do, who gets its result, and whether they still want it."""
 
@@ -103,14 +111,6 @@ class _Job(Generic[T]):
                 self.future.set_exception(error)
             else:
                 self.future.set_result(result)
-
-
-def start_task(work: Coroutine[Any, Any, Any]) -> "asyncio.Task[Any]":
-    """Run something that nobody waits for; a failure is logged."""
-    task = asyncio.ensure_future(work)
-    _running.add(task)
-    task.add_done_callback(_ended)
-    return task
 
 
 def _ended(task: "asyncio.Task[Any]") -> None:

@@ -12,9 +12,9 @@ import json
 import logging
 from collections.abc import Callable
 from concurrent.futures import Future
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
-from cattrs import transform_error
+from cattrs import Converter, transform_error
 from lsprotocol import types
 from pygls.exceptions import (
     JsonRpcException,
@@ -25,14 +25,12 @@ from pygls.exceptions import (
     JsonRpcRequestCancelled,
     JsonRpcServerNotInitialized,
 )
+from pygls.lsp.server import LanguageServer
 from pygls.protocol import LanguageServerProtocol, lsp_method
 
-if TYPE_CHECKING:
-    from kindsl.lsp.server import KindslLanguageServer
-
+from kindsl.lsp.text.open_documents import Documents
 
 logger = logging.getLogger(__name__)
-
 
 T = TypeVar("T")
 
@@ -46,10 +44,18 @@ class Encoded(NamedTuple):
 
 
 class KindslProtocol(LanguageServerProtocol):
-    """Answers messages; keeps pygls' registry, types and capabilities."""
+    """Answers messages; keeps pygls' registry, types and capabilities.
 
-    _server: "KindslLanguageServer"
+    Attributes:
+        documents: What the editor shows.
+        is_initialized: Whether the client has said who it is.
+    """
+
     is_initialized = False
+
+    def __init__(self, server: LanguageServer, converter: Converter) -> None:
+        super().__init__(server, converter)
+        self.documents = Documents()
 
     @property
     def exit_code(self) -> int:
@@ -249,17 +255,17 @@ class KindslProtocol(LanguageServerProtocol):
     @lsp_method(types.TEXT_DOCUMENT_DID_OPEN)
     def lsp_text_document__did_open(self, params: types.DidOpenTextDocumentParams) -> None:
         """Keep the text that the editor shows."""
-        self._server.documents.open(params.text_document)
+        self.documents.open(params.text_document)
 
     @lsp_method(types.TEXT_DOCUMENT_DID_CHANGE)
     def lsp_text_document__did_change(self, params: types.DidChangeTextDocumentParams) -> None:
         """Follow the editor's changes."""
-        self._server.documents.change(params)
+        self.documents.change(params)
 
     @lsp_method(types.TEXT_DOCUMENT_DID_CLOSE)
     def lsp_text_document__did_close(self, params: types.DidCloseTextDocumentParams) -> None:
         """Forget the text that the editor showed."""
-        self._server.documents.close(params.text_document.uri)
+        self.documents.close(params.text_document.uri)
 
 
 def _sentence(error: BaseException) -> str:

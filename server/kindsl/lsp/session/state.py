@@ -1,0 +1,93 @@
+"""What belongs to one session with an editor, as all that takes part in it sees it."""
+
+import asyncio
+import contextlib
+from collections.abc import Callable, Iterator
+
+from lsprotocol import types
+
+from kindsl.lsp.session import memory
+from kindsl.lsp.session.analyses import Analyses
+from kindsl.lsp.session.tokens import TokenMemory
+from kindsl.lsp.session.worker import Urgency, Worker
+from kindsl.lsp.session.workspace import Workspace
+from kindsl.lsp.text import uris
+from kindsl.lsp.wire.client import Client
+from kindsl.lsp.wire.editor import Editor
+
+_PATIENCE = 0.1
+
+
+class State:
+    """What one session knows; it decides nothing.
+
+    Attributes:
+        editor: Who is told and asked.
+        client: What the editor can do.
+        documents: What the editor shows.
+        worker: The thread for long work.
+        workspace: The folders and their settings.
+        analyses: What is known about each version of a document.
+        tokens: The semantic tokens that the client knows.
+        news: Set when files or settings may have changed.
+        refused: Documents of which the user was told that they are too broken to format.
+        loop: Where messages are read, once they are.
+        on_cursor: Called with a document, and the kind and name of what the cursor is on there.
+        on_parent_known: Called with the id of the process that started the server, if it says so.
+    """
+
+    def __init__(self, editor: Editor) -> None:
+        self.editor = editor
+        self.client = Client(types.ClientCapabilities(), {})
+        self.documents = editor.protocol.documents
+        self.worker = Worker()
+        self.workspace = Workspace()
+        self.analyses = Analyses(self.worker, self.workspace)
+        self.tokens = TokenMemory()
+        self.news = asyncio.Event()
+        self.refused: set[str] = set()
+        self.loop: asyncio.AbstractEventLoop
+        self.on_cursor: list[Callable[[str, str, str], None]] = []
+        self.on_parent_known: Callable[[int | None], None] = lambda _: None
+        self._questions = 0
+        self._quiet = asyncio.Event()
+        self._quiet.set()
+        self.documents.on_close += [
+            self.tokens.forget,
+            lambda document: self.refused.discard(document.uri),
+            lambda _: self.news.set(),
+        ]
+        memory.collect_after_close(self.documents, self.worker)
+
+    @contextlib.contextmanager
+    def question(self) -> Iterator[None]:
+        """Count a question as open while it is answered."""
+        self._questions += 1
+        self._quiet.clear()
+        try:
+            yield
+        finally:
+            self._questions -= 1
+            if not self._questions:
+                self._quiet.set()
+
+    async def until_quiet(self) -> None:
+        """Wait until no question is open, but not for long: answers go before what is unasked."""
+        if not self._quiet.is_set():
+            with contextlib.suppress(TimeoutError):
+                await asyncio.wait_for(self._quiet.wait(), _PATIENCE)
+
+    def show_warning(self, message: str) -> None:
+        """Tell the user why something that they asked for was not done; from any thread."""
+        params = types.ShowMessageParams(types.MessageType.Warning, message)
+        self.loop.call_soon_threadsafe(self.editor.window_show_message, params)
+
+    async def open_and_closed(self) -> list[str]:
+        """Return the URI of every document that is open and robot in the workspace, each once."""
+        files = await self.worker.run(
+            lambda: [uris.uri(file) for file in self.workspace.files()], Urgency.BACKGROUND
+        )
+        found = {uris.key(document.uri): document.uri for document in self.documents}
+        for uri in files:
+            found.setdefault(uris.key(uri), uri)
+        return list(found.values())

@@ -1,0 +1,76 @@
+"""The house keeps its shape: no circle of files, and no folder that takes more than one glance.
+
+What must not import what is import-linter's; see `pyproject.toml`.
+"""
+
+from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
+
+import grimp
+import pytest
+
+import kindsl
+
+HOUSE = Path(kindsl.__file__).parent
+FILES_OF_ONE_GLANCE = 35
+FOLDERS_OF_ONE_FILE_RULES = {"rules/checks"}
+
+
+def circles(names: Iterable[str], imported: Callable[[str], Iterable[str]]) -> Iterator[list[str]]:
+    """Yield the names on each circle of imports, by Tarjan's algorithm."""
+    number: dict[str, int] = {}
+    lowest: dict[str, int] = {}
+    open_names: list[str] = []
+
+    def visit(name: str) -> Iterator[list[str]]:
+        number[name] = lowest[name] = len(number)
+        open_names.append(name)
+        for other in imported(name):
+            if other not in number:
+                yield from visit(other)
+                lowest[name] = min(lowest[name], lowest[other])
+            elif other in open_names:
+                lowest[name] = min(lowest[name], number[other])
+        if lowest[name] == number[name]:
+            start = open_names.index(name)
+            component = open_names[start:]
+            del open_names[start:]
+            if len(component) > 1:
+                yield sorted(component)
+
+    for name in sorted(names):
+        if name not in number:
+            yield from visit(name)
+
+
+@pytest.mark.parametrize(
+    ("imports", "expected"),
+    [
+        ({"a": "b", "b": "c", "c": ""}, []),
+        ({"a": "b", "b": "a", "c": "a"}, [["a", "b"]]),
+        ({"a": "bc", "b": "", "c": "d", "d": "a"}, [["a", "c", "d"]]),
+        ({"a": "b", "b": "a", "c": "d", "d": "c"}, [["a", "b"], ["c", "d"]]),
+    ],
+)
+def test_circles_are_found(imports: dict[str, str], expected: list[list[str]]) -> None:
+    assert list(circles(imports, imports.__getitem__)) == expected
+
+
+def test_no_files_import_each_other_in_a_circle() -> None:
+    """Imports in functions and for annotations count, too."""
+    graph = grimp.build_graph("kindsl", exclude_type_checking_imports=False, cache_dir=None)
+    assert len(graph.modules) > 300
+    assert "kindsl.analysis.analysis" in graph.find_modules_directly_imported_by(
+        "kindsl.lsp.session.view"
+    ), "imports for annotations are not seen"
+    assert list(circles(graph.modules, graph.find_modules_directly_imported_by)) == []
+
+
+def test_a_folder_fits_one_glance() -> None:
+    folders = {path.parent for path in HOUSE.rglob("*.py")}
+    too_full = {
+        folder.relative_to(HOUSE).as_posix()
+        for folder in folders
+        if len(list(folder.glob("*.py"))) > FILES_OF_ONE_GLANCE
+    }
+    assert too_full <= FOLDERS_OF_ONE_FILE_RULES
