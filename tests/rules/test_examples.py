@@ -1,5 +1,6 @@
 """Every rule's own examples, through the whole analysis."""
 
+import re
 from collections import Counter
 
 import pytest
@@ -8,7 +9,7 @@ from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.analysis.settings import Settings
 from kindsl.rules.base import Example, Rule
-from kindsl.rules.examples import bindings_of, document_of
+from kindsl.rules.examples import bindings_of, document_of, fixed_document_of
 from kindsl.rules.registry import all_rules, page_of
 from kindsl.text.edits import apply_edits
 
@@ -55,6 +56,22 @@ def test_bad_example_has_one_finding_of_the_rule(rule: Rule, example: str | Exam
 
 
 @pytest.mark.parametrize(("rule", "example"), cases("bad"))
+def test_fix_writes_what_the_example_promises(rule: Rule, example: str | Example) -> None:
+    before = analysed(rule, example)
+    (finding,) = of_rule(rule, before)
+    fixed = apply_edits(before.text, finding.fix.edits) if finding.fix else None
+    assert fixed == fixed_document_of(example)
+
+
+@pytest.mark.parametrize(("rule", "example"), cases("bad"))
+def test_fix_is_as_safe_as_its_page_says(rule: Rule, example: str | Example) -> None:
+    for finding in of_rule(rule, analysed(rule, example)):
+        if finding.fix is not None:
+            section = page_of(rule).partition("## Fix")[2].lower()
+            assert re.search(r"\bsafe\b" if finding.fix.is_safe else r"\bunsafe\b", section)
+
+
+@pytest.mark.parametrize(("rule", "example"), cases("bad"))
 def test_fix_removes_the_finding_and_brings_none(rule: Rule, example: str | Example) -> None:
     before = analysed(rule, example)
     fixes = [finding.fix for finding in of_rule(rule, before) if finding.fix is not None]
@@ -71,6 +88,8 @@ def test_rule_is_complete(rule: Rule) -> None:
     page = page_of(rule)
     for heading in ("## What it does", "## Why is this bad?", "## Example"):
         assert heading in page
+    has_fixed_example = any(fixed_document_of(example) is not None for example in rule.bad)
+    assert has_fixed_example == ("## Fix" in page)
 
 
 def test_codes_and_names_are_unique() -> None:

@@ -82,12 +82,14 @@ class Example(NamedTuple):
         targets: The generators that must accept it.
         parameters: Values by name.
         ranges: Least and greatest values by name, of some of the parameters.
+        fixed: The text with the fix of the rule's finding applied, if it offers one.
     """
 
     text: str
     targets: tuple[str, ...] = ()
     parameters: tuple[tuple[str, float], ...] = ()
     ranges: tuple[tuple[str, float, float], ...] = ()
+    fixed: str | None = None
 
 
 DocumentCheck = Callable[[Model, Context], Iterator[Finding]]
@@ -110,7 +112,7 @@ class Rule(NamedTuple):
         check_island: See above.
         is_default: Whether it runs without being selected or needed by a target.
         good: Documents, or single blocks, in which it finds nothing.
-        bad: The same, in which it finds something.
+        bad: The same, in which it finds something; with the fixed text where there is a fix.
     """
 
     code: str

@@ -28,6 +28,11 @@ def joint(name: str, height: float = 0.3, rotation: str = "PI/2.0, 0.0, 0.0") ->
     )
 
 
+def pitched_joint(angle: str) -> str:
+    """Return a revolute joint whose second angle is given."""
+    return joint("elbow", rotation=f"0.0, {angle}, 0.0")
+
+
 def robot(*links: str, base: str = "", joints: str = "", name: str = "Arm") -> str:
     """Return a document.
 
@@ -55,6 +60,13 @@ def document_of(example: str | Example) -> str:
     """Return the whole document of an example; single blocks are given a robot around them."""
     text = example if isinstance(example, str) else example.text
     return text if _IS_DOCUMENT.search(text) else _around(text)
+
+
+def fixed_document_of(example: str | Example) -> str | None:
+    """Return the whole document of an example as its fix leaves it, if there is a fix."""
+    if isinstance(example, str) or example.fixed is None:
+        return None
+    return document_of(example).replace(example.text, example.fixed, 1)
 
 
 def _around(text: str) -> str:

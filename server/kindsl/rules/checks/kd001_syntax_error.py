@@ -18,13 +18,15 @@ Pairs of a link and a joint follow each other without commas.
 Where one small change makes the block whole, the fix makes it. Unsafe: it is a guess.
 """
 
-from kindsl.rules.base import Rule, Severity
+from kindsl.rules.base import Example, Rule, Severity
 from kindsl.rules.examples import link
+
+_LINK = link("upper", 1, "lower via elbow wrist via roll")
 
 RULE = Rule(
     "KD001",
     "syntax-error",
     Severity.ERROR,
-    good=(link("upper", 1, "lower via elbow wrist via roll"),),
-    bad=(link("upper", 1, "lower via elbow, wrist via roll"),),
+    good=(_LINK,),
+    bad=(Example(link("upper", 1, "lower via elbow, wrist via roll"), fixed=_LINK),),
 )

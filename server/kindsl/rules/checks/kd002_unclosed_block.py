@@ -18,13 +18,15 @@ link upper {
 Inserts the brace where the indentation says that the block ends. Unsafe: it is a guess.
 """
 
-from kindsl.rules.base import Rule, Severity
+from kindsl.rules.base import Example, Rule, Severity
 from kindsl.rules.examples import link
+
+_LINK = link("upper", 1, "lower via elbow")
 
 RULE = Rule(
     "KD002",
     "unclosed-block",
     Severity.ERROR,
-    good=(link("upper", 1, "lower via elbow"),),
-    bad=(link("upper", 1, "lower via elbow").removesuffix("}\n"),),
+    good=(_LINK,),
+    bad=(Example(link("upper", 1, "lower via elbow").removesuffix("}\n"), fixed=_LINK),),
 )

@@ -17,13 +17,15 @@ link RF_hip { id = 4 children {} }
 Writes the `*/`. Unsafe: the comment may be meant to end elsewhere.
 """
 
-from kindsl.rules.base import Rule, Severity
+from kindsl.rules.base import Example, Rule, Severity
 from kindsl.rules.examples import link
+
+_LINK = link("upper", 1)
 
 RULE = Rule(
     "KD003",
     "unterminated-comment",
     Severity.ERROR,
-    good=("/* the first link */\n" + link("upper", 1),),
-    bad=("/* the first link\n" + link("upper", 1),),
+    good=("/* the first link */\n" + _LINK,),
+    bad=(Example("/* the first link\n" + _LINK, fixed="/* the first link */\n" + _LINK),),
 )

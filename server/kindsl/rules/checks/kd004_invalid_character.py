@@ -17,13 +17,18 @@ link upper { id = 1; children {} }
 Removes the character, or puts a blank in its place. Safe: such a character has no meaning.
 """
 
-from kindsl.rules.base import Rule, Severity
+from kindsl.rules.base import Example, Rule, Severity
 from kindsl.rules.examples import link
+
+_LINK = link("upper", 1)
 
 RULE = Rule(
     "KD004",
     "invalid-character",
     Severity.ERROR,
-    good=(link("upper", 1),),
-    bad=(link("upper", 1).replace("id = 1", "\xa0id = 1"),),
+    good=(_LINK,),
+    bad=(
+        Example(_LINK.replace("id = 1", "id\xa0= 1"), fixed=_LINK),
+        Example(_LINK.replace("id = 1", "id = 1\xa7"), fixed=_LINK),
+    ),
 )

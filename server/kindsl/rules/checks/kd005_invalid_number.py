@@ -14,16 +14,22 @@ translation = (1, 0, 0)
 ```
 
 ## Fix
-Writes `1.0` for `1`. Safe: the value stays.
+Writes `1.0` for `1`. Safe: the value stays. Writes `1.5` for `1,5` and the like. Unsafe: it is a
+guess.
 """
 
-from kindsl.rules.base import Rule, Severity
+from kindsl.rules.base import Example, Rule, Severity
 from kindsl.rules.examples import joint
+
+_ELBOW = joint("elbow", 1.0)
 
 RULE = Rule(
     "KD005",
     "invalid-number",
     Severity.ERROR,
-    good=(joint("elbow", 1.0),),
-    bad=(joint("elbow", 1),),
+    good=(_ELBOW,),
+    bad=(
+        Example(_ELBOW.replace("1.0", "1"), fixed=_ELBOW),
+        Example(_ELBOW.replace("1.0", "1,0"), fixed=_ELBOW),
+    ),
 )

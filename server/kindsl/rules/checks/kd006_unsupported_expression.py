@@ -13,16 +13,21 @@ rotation = (3.0*PI/4.0, 0.0, 0.0)
 ```
 
 ## Fix
-Writes the number, where no name is in it. Safe: the value stays, to all digits that are kept.
+Writes the number, where no name is in it. Unsafe: it is rounded to 15 digits. Parentheses around
+what the language has are removed, which is safe.
 """
 
-from kindsl.rules.base import Rule, Severity
-from kindsl.rules.examples import joint
+from kindsl.rules.base import Example, Rule, Severity
+from kindsl.rules.examples import pitched_joint
 
 RULE = Rule(
     "KD006",
     "unsupported-expression",
     Severity.ERROR,
-    good=(joint("elbow", rotation="PI/4.0, 0.0, 0.0"),),
-    bad=(joint("elbow", rotation="3.0*PI/4.0, 0.0, 0.0"),),
+    good=(pitched_joint("PI/4.0"),),
+    bad=(
+        Example(pitched_joint("3.0*PI/4.0"), fixed=pitched_joint("2.35619449019234")),
+        Example(pitched_joint("(PI/4.0)"), fixed=pitched_joint("PI/4.0")),
+        pitched_joint("tilt+0.1"),
+    ),
 )

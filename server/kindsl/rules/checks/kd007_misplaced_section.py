@@ -16,16 +16,27 @@ ref_frame {
 ```
 
 ## Fix
-Moves the section. Safe: the order means nothing.
+Moves the section and the comments before it. Unsafe: it is a guess which comments belong to it.
 """
 
-from kindsl.rules.base import Rule, Severity
+from kindsl.rules.base import Example, Rule, Severity
 from kindsl.rules.examples import link
+
+_SECTIONS = {
+    "mass": "\n        mass = 4.1",
+    "CoM": "\n        CoM = (0.0, 0.0, 0.0)",
+}
+
+
+def _link(first: str, second: str) -> str:
+    usual, written = _SECTIONS["mass"] + _SECTIONS["CoM"], _SECTIONS[first] + _SECTIONS[second]
+    return link("upper", 1).replace(usual, written)
+
 
 RULE = Rule(
     "KD007",
     "misplaced-section",
     Severity.ERROR,
-    good=(link("upper", 1),),
-    bad=(link("upper", 1).replace("mass = 4.1", "").replace("Ix=", "mass = 4.1 Ix="),),
+    good=(_link("mass", "CoM"),),
+    bad=(Example(_link("CoM", "mass"), fixed=_link("mass", "CoM")),),
 )

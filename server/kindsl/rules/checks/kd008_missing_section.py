@@ -13,16 +13,23 @@ link upper { children {} }
 ```
 
 ## Fix
-Inserts the section where it belongs, with zeros. Unsafe: zeros are seldom what is meant.
+Removes a `frames` without a frame. Unsafe: a frame may be meant.
 """
 
-from kindsl.rules.base import Rule, Severity
+from kindsl.rules.base import Example, Rule, Severity
 from kindsl.rules.examples import link
+
+_LINK = link("upper", 1)
 
 RULE = Rule(
     "KD008",
     "missing-section",
     Severity.ERROR,
-    good=(link("upper", 1),),
-    bad=(link("upper", 1).replace("id = 1", ""),),
+    good=(_LINK,),
+    bad=(
+        _LINK.replace("id = 1", ""),
+        Example(
+            _LINK.replace("{  }", "{  }\n    frames {}"), fixed=_LINK.replace("{  }", "{  }\n    ")
+        ),
+    ),
 )

@@ -16,16 +16,22 @@ link upper {
 ```
 
 ## Fix
-Removes the repetition if it says the same, which is safe.
+Removes the second one, or gives it the keyword of the section that is missing. Unsafe: each is a
+guess.
 """
 
-from kindsl.rules.base import Rule, Severity
+from kindsl.rules.base import Example, Rule, Severity
 from kindsl.rules.examples import link
+
+_LINK = link("upper", 1)
 
 RULE = Rule(
     "KD009",
     "repeated-section",
     Severity.ERROR,
-    good=(link("upper", 1),),
-    bad=(link("upper", 1).replace("id = 1", "id = 1 id = 1"),),
+    good=(_LINK,),
+    bad=(
+        Example(_LINK.replace("id = 1", "id = 1 id = 1"), fixed=_LINK),
+        Example(_LINK.replace("Iy=", "Ix="), fixed=_LINK),
+    ),
 )

@@ -17,13 +17,15 @@ There are `r_joint` and `p_joint` only. A fixed part belongs to the link that ca
 Writes the keyword that is meant. Unsafe: it is a guess.
 """
 
-from kindsl.rules.base import Rule, Severity
+from kindsl.rules.base import Example, Rule, Severity
 from kindsl.rules.examples import link
+
+_LINK = link("upper", 1)
 
 RULE = Rule(
     "KD010",
     "unknown-keyword",
     Severity.ERROR,
-    good=(link("upper", 1),),
-    bad=(link("upper", 1).replace("children", "childrn"),),
+    good=(_LINK,),
+    bad=(Example(_LINK.replace("children", "childrn"), fixed=_LINK),),
 )

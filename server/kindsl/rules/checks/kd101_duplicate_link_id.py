@@ -22,7 +22,7 @@ programs that use the generated code know joints by their numbers.
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Finding, Related, Rule, Severity
+from kindsl.rules.base import Example, Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.duplicates import repeats
 from kindsl.rules.examples import link, robot
@@ -41,13 +41,16 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         yield Finding(again.id_place or again.name, message, (related,), fix)
 
 
-_UPPER = link("upper", 1, "lower via elbow")
+def _arm(second: int) -> str:
+    links = link("upper", 1, "lower via elbow"), link("lower", second)
+    return robot(*links, base="upper via shoulder", joints="shoulder elbow")
+
 
 RULE = Rule(
     "KD101",
     "duplicate-link-id",
     Severity.ERROR,
     check_document=check_document,
-    good=(robot(_UPPER, link("lower", 2), base="upper via shoulder", joints="shoulder elbow"),),
-    bad=(robot(_UPPER, link("lower", 1), base="upper via shoulder", joints="shoulder elbow"),),
+    good=(_arm(2),),
+    bad=(Example(_arm(1), fixed=_arm(2)),),
 )

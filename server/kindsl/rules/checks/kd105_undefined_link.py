@@ -19,7 +19,7 @@ Unsafe: each is a guess.
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Change, Finding, Fix, Rule, Severity
+from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.new_blocks import new_link
@@ -52,18 +52,28 @@ def _swap(child: Child) -> Fix:
     return Fix("Exchange link and joint", changes)
 
 
-_ARM = link("upper", 1, "forearm via elbow"), link("forearm", 2)
 _JOINTS = "shoulder elbow"
+_WITH_CAMERA = "upper via shoulder camera via pan"
+_CAMERA = "\nlink camera {\n    id = 3\n    children {}\n}\n"
+
+
+def _arm(base: str, more: str = "", joints: str = _JOINTS) -> str:
+    links = link("upper", 1, "forearm via elbow"), link("forearm", 2)
+    return robot(*links, more, base=base, joints=joints)
+
 
 RULE = Rule(
     "KD105",
     "undefined-link",
     Severity.ERROR,
     check_document=check_document,
-    good=(robot(*_ARM, base="upper via shoulder", joints=_JOINTS),),
+    good=(_arm("upper via shoulder"),),
     bad=(
-        robot(*_ARM, base="uper via shoulder", joints=_JOINTS),
-        robot(*_ARM, base="shoulder via upper", joints=_JOINTS),
-        robot(*_ARM, base="upper via shoulder camera via pan", joints="pan " + _JOINTS),
+        Example(_arm("uper via shoulder"), fixed=_arm("upper via shoulder")),
+        Example(_arm("shoulder via upper"), fixed=_arm("upper via shoulder")),
+        Example(
+            _arm(_WITH_CAMERA, joints=_JOINTS + " pan"),
+            fixed=_arm(_WITH_CAMERA, _CAMERA, joints=_JOINTS + " pan"),
+        ),
     ),
 )

@@ -19,7 +19,7 @@ a guess.
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Change, Finding, Fix, Rule, Severity
+from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.new_blocks import new_joint
@@ -44,16 +44,33 @@ def _rename(child: Child, meant: str | None) -> Fix | None:
     return Fix(f"Change to '{meant}'", (Change(child.joint, meant),)) if meant else None
 
 
-_ARM = link("upper", 1, "forearm via elbow"), link("forearm", 2)
+def _arm(joint: str, joints: str) -> str:
+    links = link("upper", 1, f"forearm via {joint}"), link("forearm", 2)
+    return robot(*links, base="upper via shoulder", joints=joints)
+
+
+_ELBOW = """
+
+r_joint elbow {
+    ref_frame {
+        translation = (0.0, 0.0, 0.0)
+        rotation = (0.0, 0.0, 0.0)
+    }
+}
+}
+"""
 
 RULE = Rule(
     "KD106",
     "undefined-joint",
     Severity.ERROR,
     check_document=check_document,
-    good=(robot(*_ARM, base="upper via shoulder", joints="shoulder elbow"),),
+    good=(_arm("elbow", "shoulder elbow"),),
     bad=(
-        robot(*_ARM, base="upper via shoulder", joints="shoulder elbwo"),
-        robot(*_ARM, base="upper via shoulder", joints="shoulder"),
+        Example(_arm("elbow", "shoulder elbwo"), fixed=_arm("elbwo", "shoulder elbwo")),
+        Example(
+            _arm("elbow", "shoulder"),
+            fixed=_arm("elbow", "shoulder").removesuffix("\n}\n") + _ELBOW,
+        ),
     ),
 )

@@ -23,7 +23,7 @@ Writes the name of the link's frame that is probably meant. Unsafe: it is a gues
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Change, Finding, Fix, Rule, Severity
+from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
@@ -70,5 +70,5 @@ RULE = Rule(
     Severity.ERROR,
     check_document=check_document,
     good=(_LINK % "fr_COM",),
-    bad=(_LINK % "fr_CoM", _LINK % "gripper", _LINK % "upper"),
+    bad=(Example(_LINK % "fr_CoM", fixed=_LINK % "fr_COM"), _LINK % "gripper", _LINK % "upper"),
 )

@@ -22,7 +22,7 @@ programs that use the generated code know joints by their numbers.
 from collections.abc import Iterator
 from itertools import pairwise
 
-from kindsl.rules.base import Finding, Rule, Severity
+from kindsl.rules.base import Example, Finding, Rule, Severity
 from kindsl.rules.broken_text import has_problem_within
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
@@ -73,16 +73,19 @@ def _message(low: int, high: int, number: int) -> str:
     return f"{which} missing, and id {number} is out of sequence"
 
 
-_UPPER = link("upper", 1, "lower via elbow")
+def _arm(first: int, second: int) -> str:
+    links = link("upper", first, "lower via elbow"), link("lower", second)
+    return robot(*links, base="upper via shoulder", joints="shoulder elbow")
+
 
 RULE = Rule(
     "KD109",
     "gap-in-ids",
     Severity.ERROR,
     check_document=check_document,
-    good=(robot(_UPPER, link("lower", 2), base="upper via shoulder", joints="shoulder elbow"),),
+    good=(_arm(1, 2),),
     bad=(
-        robot(_UPPER, link("lower", 4), base="upper via shoulder", joints="shoulder elbow"),
-        robot(link("only", 7), base="only via shoulder", joints="shoulder"),
+        Example(_arm(1, 4), fixed=_arm(1, 2)),
+        Example(_arm(7, 8), fixed=_arm(1, 2)),
     ),
 )

@@ -22,7 +22,7 @@ use the generated code know joints by their numbers.
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Finding, Fix, Related, Rule, Severity
+from kindsl.rules.base import Example, Finding, Fix, Related, Rule, Severity
 from kindsl.rules.context import ROBCOGEN2, Context
 from kindsl.rules.duplicates import repeats
 from kindsl.rules.examples import link, robot
@@ -71,5 +71,5 @@ RULE = Rule(
     Severity.WARNING,
     check_document=check_document,
     good=(_chain(1, 2),),
-    bad=(_chain(2, 1),),
+    bad=(Example(_chain(2, 1), fixed=_chain(1, 2)),),
 )

@@ -22,7 +22,7 @@ Removes the repetition if it names the same joint. Safe: it says nothing new.
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Change, Finding, Fix, Related, Rule, Severity, Tag
+from kindsl.rules.base import Change, Example, Finding, Fix, Related, Rule, Severity, Tag
 from kindsl.rules.context import ROBCOGEN2, Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.reference_defects import reference_defects
@@ -48,7 +48,7 @@ def _removal(child: Child) -> Fix:
 
 
 def _arm(children: str) -> str:
-    return robot(link("arm", 1), base=f"arm via shoulder {children}", joints="shoulder")
+    return robot(link("arm", 1), base=f"arm via shoulder{children}", joints="shoulder")
 
 
 RULE = Rule(
@@ -57,7 +57,11 @@ RULE = Rule(
     Severity.WARNING,
     check_document=check_document,
     good=(_arm(""),),
-    bad=(_arm("arm via shoulder"),),
+    bad=(
+        Example(_arm(" arm via shoulder"), fixed=_arm("")),
+        Example(_arm("\n        arm via shoulder\n"), fixed=_arm("\n")),
+        _arm(" arm via elbow"),
+    ),
 )
 
 

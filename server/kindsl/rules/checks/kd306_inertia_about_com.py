@@ -26,7 +26,7 @@ product `Ixy`, and so on, in the author's precision. Unsafe: it is a guess, thou
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Finding, Rule, Severity
+from kindsl.rules.base import Example, Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link
 from kindsl.rules.inertia.causes import Slip
@@ -39,17 +39,20 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
     yield from explained(declared, context, Slip.REFERENCE)
 
 
-_INERTIA = """inertia_params {
+def _upper(moment: str) -> str:
+    inertia = f"""inertia_params {{
         mass = 2.0
         CoM = (0.0, 0.0, 0.3)
-        Ix=%s Iy=%s Iz=0.002 Ixy=0.0 Ixz=0.0 Iyz=0.0
-    }"""
+        Ix={moment} Iy={moment} Iz=0.002 Ixy=0.0 Ixz=0.0 Iyz=0.0
+    }}"""
+    return link("upper", 1, inertia=inertia)
+
 
 RULE = Rule(
     "KD306",
     "inertia-about-com",
     Severity.INFORMATION,
     check_island=check_island,
-    good=(link("upper", 1, inertia=_INERTIA % ("0.200", "0.200")),),
-    bad=(link("upper", 1, inertia=_INERTIA % ("0.020", "0.020")),),
+    good=(_upper("0.2"),),
+    bad=(Example(_upper("0.020"), fixed=_upper("0.2")),),
 )

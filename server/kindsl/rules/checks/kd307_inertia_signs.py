@@ -24,7 +24,7 @@ Negates these products. Unsafe: it is a guess, though a likely one.
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Finding, Rule, Severity
+from kindsl.rules.base import Example, Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link
 from kindsl.rules.inertia.causes import Slip
@@ -42,12 +42,13 @@ _INERTIA = """inertia_params {
         CoM = (0.2, 0.0, 0.3)
         Ix=0.22 Iy=0.32 Iz=0.12 Ixy=0.0 Ixz=%s Iyz=0.0
     }"""
+_LINK = link("upper", 1, inertia=_INERTIA)
 
 RULE = Rule(
     "KD307",
     "inertia-signs",
     Severity.INFORMATION,
     check_island=check_island,
-    good=(link("upper", 1, inertia=_INERTIA % "0.12"),),
-    bad=(link("upper", 1, inertia=_INERTIA % "-0.12"),),
+    good=(_LINK % "0.12",),
+    bad=(Example(_LINK % "-0.12", fixed=_LINK % "0.12"),),
 )

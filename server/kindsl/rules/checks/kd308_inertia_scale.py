@@ -22,7 +22,7 @@ Multiplies the moments, keeping the significant digits. Unsafe: it is a guess, t
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Finding, Rule, Severity
+from kindsl.rules.base import Example, Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link
 from kindsl.rules.inertia.causes import Slip
@@ -40,12 +40,14 @@ _INERTIA = """inertia_params {
         CoM = (0.0, 0.0, 0.0)
         Ix=%s Iy=%s Iz=%s Ixy=0.0 Ixz=0.0 Iyz=0.0
     }"""
+_LINK = link("motor", 1, inertia=_INERTIA)
+_MOMENTS = ("0.00015", "0.00015", "0.00009")
 
 RULE = Rule(
     "KD308",
     "inertia-scale",
     Severity.INFORMATION,
     check_island=check_island,
-    good=(link("motor", 1, inertia=_INERTIA % ("0.00015", "0.00015", "0.00009")),),
-    bad=(link("motor", 1, inertia=_INERTIA % ("150000.0", "150000.0", "90000.0")),),
+    good=(_LINK % _MOMENTS,),
+    bad=(Example(_LINK % ("150000.0", "150000.0", "90000.0"), fixed=_LINK % _MOMENTS),),
 )

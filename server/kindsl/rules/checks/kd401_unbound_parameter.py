@@ -64,5 +64,8 @@ RULE = Rule(
         Example(_JOINT, parameters=(("length", 0.3),)),
         joint("elbow").replace("0.3", "length[0.3]"),
     ),
-    bad=(_JOINT, Example(_JOINT, targets=("robcogen2",))),
+    bad=(
+        _JOINT,
+        Example(_JOINT, targets=("robcogen2",), fixed=_JOINT.replace("length", "length[0.0]")),
+    ),
 )

@@ -10,11 +10,14 @@ RobCoGen2 stops without a place; nothing can be drawn or computed.
 ```kindsl
 translation = (<reach>, 0.0, 0.0)
 ```
+
+## Fix
+Writes the name of the constant that is probably meant. Unsafe: it is a guess.
 """
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Change, Finding, Fix, Rule, Severity
+from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint
 from kindsl.semantics.model import Model
@@ -48,5 +51,5 @@ RULE = Rule(
     Severity.ERROR,
     check_document=check_document,
     good=(_joint("<reach>"),),
-    bad=(_joint("<raech>"), _joint("<width>")),
+    bad=(Example(_joint("<raech>"), fixed=_joint("<reach>")), _joint("<width>")),
 )

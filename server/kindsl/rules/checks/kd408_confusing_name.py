@@ -19,7 +19,7 @@ Writes `PI`. Unsafe: for RobCoGen the parameter ceases to be.
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Change, Finding, Fix, Related, Rule, Severity
+from kindsl.rules.base import Change, Example, Finding, Fix, Related, Rule, Severity
 from kindsl.rules.broken_text import is_doubtful
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint
@@ -65,7 +65,10 @@ RULE = Rule(
     check_document=check_document,
     good=(joint("elbow", rotation="PI/2.0, tilt, 0.0"),),
     bad=(
-        joint("elbow", rotation="pi/2.0, 0.0, 0.0"),
+        Example(
+            joint("elbow", rotation="pi/2.0, 0.0, 0.0"),
+            fixed=joint("elbow", rotation="PI/2.0, 0.0, 0.0"),
+        ),
         joint("elbow", rotation="elbow, 0.0, 0.0"),
         joint("elbow", rotation="0.0, pitch, 0.0"),
     ),

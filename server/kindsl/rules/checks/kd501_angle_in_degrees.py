@@ -18,9 +18,9 @@ Writes the angle in radians, as a fraction of `PI` where it is one. Unsafe: degr
 from collections.abc import Iterator
 from math import inf, pi, radians
 
-from kindsl.rules.base import Change, Finding, Fix, Rule, Severity
+from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
 from kindsl.rules.context import Context
-from kindsl.rules.examples import joint
+from kindsl.rules.examples import joint, pitched_joint
 from kindsl.rules.geometry import rotations
 from kindsl.rules.number_writing import as_fraction_of_pi, plain
 from kindsl.semantics.declarations import Declarations
@@ -51,7 +51,7 @@ RULE = Rule(
     check_island=check_island,
     good=(joint("elbow", rotation="PI/2.0, 3.0, 2.0 PI"),),
     bad=(
-        joint("elbow", rotation="90.0, 0.0, 0.0"),
-        joint("elbow", rotation="0.0, -37.5, 0.0"),
+        Example(pitched_joint("90.0"), fixed=pitched_joint("PI/2.0")),
+        Example(pitched_joint("-37.5"), fixed=pitched_joint("-0.65449847")),
     ),
 )

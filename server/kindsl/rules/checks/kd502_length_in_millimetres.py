@@ -17,7 +17,7 @@ Divides the vector by 1000. Unsafe: millimetres are a guess.
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Finding, Fix, Rule, Severity
+from kindsl.rules.base import Example, Finding, Fix, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint
 from kindsl.rules.geometry import lengths
@@ -48,5 +48,5 @@ RULE = Rule(
     Severity.WARNING,
     check_island=check_island,
     good=(joint("elbow", 1.5),),
-    bad=(joint("elbow", 425.0),),
+    bad=(Example(joint("elbow", 425.0), fixed=joint("elbow", 0.425)),),
 )

@@ -14,14 +14,14 @@ rotation = (1.5708, 0.0, 0.0)
 ```
 
 ## Fix
-Writes the fraction. Safe where the number has five digits or more.
+Writes the fraction. Safe where the number has five digits or more, otherwise unsafe.
 """
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Change, Finding, Fix, Rule, Severity
+from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
 from kindsl.rules.context import Context
-from kindsl.rules.examples import joint
+from kindsl.rules.examples import joint, pitched_joint
 from kindsl.rules.geometry import rotations
 from kindsl.rules.number_writing import as_fraction_of_pi, significant_digits
 from kindsl.semantics.declarations import Declarations
@@ -55,8 +55,8 @@ RULE = Rule(
     check_island=check_island,
     good=(joint("elbow", rotation="PI/2.0, 1.5, 1.6"),),
     bad=(
-        joint("elbow", rotation="1.5708, 0.0, 0.0"),
-        joint("elbow", rotation="0.0, -3.1415, 0.0"),
-        joint("elbow", rotation="0.0, 0.0, 0.785398"),
+        Example(pitched_joint("1.5708"), fixed=pitched_joint("PI/2.0")),
+        Example(pitched_joint("-3.14"), fixed=pitched_joint("-PI")),
+        Example(pitched_joint("0.785398"), fixed=pitched_joint("PI/4.0")),
     ),
 )

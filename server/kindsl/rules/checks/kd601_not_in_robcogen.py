@@ -33,11 +33,12 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     yield from load_refusal(ROBCOGEN, model, context)
 
 
-def _arm(height: str) -> Example:
+def _arm(height: str, fixed: str | None = None) -> Example:
     shoulder = joint("shoulder").replace("0.3", height)
     text = robot(link("arm", 1), shoulder, base="arm via shoulder")
     text = text.replace("ground {", "ground {\n    " + STEEL_BALL, 1)
-    return Example(text, (ROBCOGEN,), (("reach", 0.3),))
+    example = Example(text, (ROBCOGEN,), (("reach", 0.3),))
+    return example._replace(fixed=text.replace(height, fixed)) if fixed else example
 
 
 RULE = Rule(
@@ -47,5 +48,9 @@ RULE = Rule(
     check_document=check_document,
     is_default=False,
     good=(_arm("0.003"), _arm("reach/2.0")),
-    bad=(_arm("3.0e-3"), _arm("2.0*reach"), _arm("reach[0.3]")),
+    bad=(
+        _arm("3.0e-3", "0.003"),
+        _arm("2.0*reach", "reach/0.5"),
+        _arm("reach[0.3]"),
+    ),
 )

@@ -46,5 +46,11 @@ RULE = Rule(
     check_document=check_document,
     is_default=False,
     good=(_joint("0.3"), _joint("reach/2.0"), _joint("0.3", "// seen from above\n")),
-    bad=(_joint("2.0 reach"), _joint("pitch"), _joint("0.3", "/* seen from above */\n")),
+    bad=(
+        _joint("2.0 reach")._replace(fixed=_joint("reach/0.5").text),
+        _joint("pitch"),
+        _joint("0.3", "/* seen from above */\n")._replace(
+            fixed=_joint("0.3", "// seen from above\n").text
+        ),
+    ),
 )

@@ -18,7 +18,7 @@ Writes the keyword that the document uses more often, at all places. Safe: they 
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Change, Finding, Fix, Rule, Severity
+from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import STEEL_BALL, link, robot
 from kindsl.rules.inertia.judgements import keyword
@@ -54,5 +54,5 @@ RULE = Rule(
     Severity.HINT,
     check_document=check_document,
     good=(_arm("inertia_params"),),
-    bad=(_arm("inertia_properties"),),
+    bad=(Example(_arm("inertia_properties"), fixed=_arm("inertia_params")),),
 )

@@ -19,7 +19,7 @@ Removes the code, or the comment with its last code. Safe: a comment means nothi
 
 from collections.abc import Iterable, Iterator
 
-from kindsl.rules.base import Change, Finding, Fix, Rule, Severity, Tag
+from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity, Tag
 from kindsl.rules.examples import link
 from kindsl.rules.suppression import Suppression
 from kindsl.semantics.places import Place
@@ -71,5 +71,9 @@ RULE = Rule(
     "unused-suppression",
     Severity.WARNING,
     good=(_LINK % "KD304",),
-    bad=(_LINK % "KD301", _LINK % "KD304, KD301"),
+    bad=(
+        Example(_LINK % "KD301", fixed=_LINK.replace(" // kindsl: ignore[%s]", "")),
+        Example(_LINK % "KD304, KD301", fixed=_LINK % "KD304"),
+        Example(_LINK % "KD301, KD304", fixed=_LINK % "KD304"),
+    ),
 )
