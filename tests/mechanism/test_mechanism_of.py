@@ -9,7 +9,7 @@ import pytest
 import kindsl
 from kindsl.analysis.settings import Settings
 from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.mechanism.build import drawable_bodies
+from kindsl.mechanism.drawable import drawable_skeleton
 from kindsl.spatial.inertia import move_inertia
 from kindsl.spatial.transforms import rotation_from_intrinsic_xyz
 
@@ -112,8 +112,8 @@ def test_defects_are_told_with_their_names(message: str) -> None:
 def test_drawing_needs_no_ids_and_passes_over_what_hangs_nowhere() -> None:
     text = ARM.replace("id = 2", "id = 1").replace("wrist_2_link via wrist_2", "")
     model = kindsl.parse(text, Settings()).model
-    bodies = drawable_bodies(model, {"tool_length": 0.1})
-    assert bodies.link_names == ("shoulder", "upper_arm", "forearm", "wrist_1_link")
+    skeleton = drawable_skeleton(model, {"tool_length": 0.1})
+    assert skeleton.link_names == ("shoulder", "upper_arm", "forearm", "wrist_1_link")
 
 
 def test_a_fixed_base_does_not_matter() -> None:

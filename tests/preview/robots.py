@@ -2,14 +2,17 @@
 
 import os
 import shutil
+from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
 from tests.support.models import Style, random_model
 
 from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.dynamics.bodies import Bodies
-from kindsl.mechanism.build import drawable_bodies
+from kindsl.dynamics.evaluation.mechanics import Mechanics
+from kindsl.mechanism.bodies import bodies_of
+from kindsl.mechanism.drawable import drawable_skeleton
+from kindsl.mechanism.skeleton import Skeleton
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples"
@@ -85,10 +88,19 @@ PARAMETRIC_ARM = ARM.replace("translation = (0.4, 0.0, 0.0)", "translation = (re
 BROKEN_ARM = ARM.replace("slider via lift", "slider via", 1)
 
 
-def bodies_of(text: str) -> Bodies:
-    """Return the bodies of a document without unbound parameters."""
-    analysis = analyse(text)
-    return drawable_bodies(analysis.model, analysis.context.values)
+def skeleton_of(text: str) -> Skeleton:
+    """Return what there is to draw of a document without unbound parameters."""
+    return skeleton_in(analyse(text))
+
+
+def skeleton_in(analysis: Analysis, values: Mapping[str, float] | None = None) -> Skeleton:
+    """Return what there is to draw of a document, some parameters at given values."""
+    return drawable_skeleton(analysis.model, {**analysis.context.values, **(values or {})})
+
+
+def mechanics_of(skeleton: Skeleton) -> Mechanics:
+    """Return the mechanics of what is drawn."""
+    return Mechanics(bodies_of(skeleton))
 
 
 def plain_robot(links: int, seed: int = 0) -> Analysis:

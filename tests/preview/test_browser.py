@@ -18,14 +18,14 @@ from tests.preview.robots import (
     CORPUS,
     EXAMPLES,
     PARAMETRIC_ARM,
-    bodies_of,
+    mechanics_of,
     plain_robot,
+    skeleton_in,
+    skeleton_of,
 )
 
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.mechanism.build import drawable_bodies
 from kindsl.preview.scene.picture import picture
 from kindsl.preview.server import PreviewServer
 from kindsl.rules.base import Severity
@@ -66,15 +66,15 @@ def documents():
 async def test_every_category_is_in_the_picture(browser, server, file):
     text = file.read_text()
     analysis = analyse(text)
-    bodies = picture(analysis.model, analysis.context.values, None).bodies
-    kinds = set(bodies.joint_kinds)
+    shown = picture(analysis.model, analysis.context.values, None).skeleton
+    kinds = set(shown.joint_kinds)
     async with opened(browser, await show(server, text)) as page:
         await until_shown(page, str(analysis.model.name))
         painted = await page.evaluate(PAINTED)
         visible = await page.evaluate("[...kindsl.scene.marks.values()].map((m) => m.category)")
     assert painted.pop("nothing") == 0
     absent = {"revolute", "prismatic"} - kinds
-    absent |= {"ghost"} | (set() if bodies.frames else {"optional-frame"})
+    absent |= {"ghost"} | (set() if shown.frames else {"optional-frame"})
     empty = {category for category, count in painted.items() if count < 10}
     assert empty - {"torque"} == absent
     assert set(visible) == set(painted) - absent - {"ground"}
@@ -106,7 +106,7 @@ async def test_gravity_torques_are_in_the_picture(browser, server):
         await until_shown(page, "Arm")
         await page.locator("[data-category=torque]").check()
         bars = page.locator("#joints .torque .amount")
-        expected = Mechanics(bodies_of(ARM)).gravity_torque(np.zeros(2))
+        expected = mechanics_of(skeleton_of(ARM)).gravity_torque(np.zeros(2))
         await until(page, "document.querySelector('#joints .amount').textContent !== ''")
         assert [float(text.split()[0]) for text in await bars.all_text_contents()] == pytest.approx(
             np.asarray(expected).tolist(), abs=1e-3
@@ -116,7 +116,7 @@ async def test_gravity_torques_are_in_the_picture(browser, server):
 
 async def test_sliders_move_links_by_our_kinematics(browser, server):
     analysis = plain_robot(9, 4)
-    mechanics = Mechanics(drawable_bodies(analysis.model, {}))
+    mechanics = mechanics_of(skeleton_in(analysis))
     rng = np.random.default_rng(3)
     await server.show("robot", analysis, ())
     async with opened(browser, server.url("robot")) as page:
@@ -165,7 +165,7 @@ async def test_an_edit_moves_things_without_drawing_them_anew(browser, server):
         await show(server, LONGER_ARM)
         await until(page, "kindsl.scene.trees.robot.joints.get('lift').placement[12] === 0.6")
         assert await page.evaluate(meshes) == before
-        pose = Mechanics(bodies_of(LONGER_ARM)).forward_kinematics([0.5, 0.0])["slider"]
+        pose = mechanics_of(skeleton_of(LONGER_ARM)).forward_kinematics([0.5, 0.0])["slider"]
         drawn = (await page.evaluate(WORLD_POSES))["links slider"]
         np.testing.assert_allclose(np.reshape(drawn, (4, 4)), pose, atol=1e-9)
 

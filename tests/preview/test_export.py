@@ -8,11 +8,9 @@ import numpy as np
 import pytest
 import umsgpack
 from tests.preview.browser import PAINTED, WORLD_POSES, chromium, opened, until, until_shown
-from tests.preview.robots import ARM, bodies_of, plain_robot
+from tests.preview.robots import ARM, mechanics_of, plain_robot, skeleton_in, skeleton_of
 
 from kindsl.analysis.analysis import analyse
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.mechanism.build import drawable_bodies
 from kindsl.preview.document_preview import DocumentPreview
 from kindsl.preview.export import exported_page
 from kindsl.preview.scene.formulas import formula_messages
@@ -34,7 +32,7 @@ async def test_it_works_from_the_file_system(browser, tmp_path):
     analysis = plain_robot(7, 2)
     file = tmp_path / "robot.html"
     file.write_text(exported(analysis), encoding="utf-8")
-    mechanics = Mechanics(drawable_bodies(analysis.model, {}))
+    mechanics = mechanics_of(skeleton_in(analysis))
     q = np.random.default_rng(1).uniform(-2.0, 2.0, 7)
     async with opened(browser, file.as_uri()) as page:
         requests = []
@@ -82,7 +80,7 @@ def test_the_state_is_in_it_once():
     keys = [(message["path"], message["type"]) for message in messages]
     assert len(keys) == len(set(keys))
     joints = [message["name"] for message in messages if message["type"] == "joint"]
-    assert joints == list(bodies_of(ARM).joint_names)
+    assert joints == list(skeleton_of(ARM).joint_names)
 
 
 PARAMETRIC = (
@@ -104,21 +102,21 @@ async def test_its_parameters_move_what_depends_on_them(browser, tmp_path):
     file = tmp_path / "arm.html"
     file.write_text(with_formulas(analysis), encoding="utf-8")
     values = {"reach": 0.55, "tilt": -0.4, "rise": 0.2}
-    bodies = drawable_bodies(analysis.model, values)
+    skeleton = skeleton_in(analysis, values)
     async with opened(browser, file.as_uri()) as page:
         await until_shown(page, "Arm")
         for name, value in values.items():
             await page.get_by_label(f"{name}, typed").fill(str(value))
             await page.get_by_label(f"{name}, typed").press("Enter")
         drawn = await page.evaluate(WORLD_POSES)
-        for name, pose in Mechanics(bodies).forward_kinematics([0.0, 0.0]).items():
+        for name, pose in mechanics_of(skeleton).forward_kinematics([0.0, 0.0]).items():
             found = drawn.get(f"links {name}", drawn.get(f"frames {name}"))
             np.testing.assert_allclose(np.reshape(found, (4, 4)), pose, atol=1e-9)
         rod = await page.evaluate(
             """() => kindsl.viewer.scene_tree.find(
               ["kindsl", "robot", "links", "upper", "body", "segment-lift"]).object.scale.y"""
         )
-        assert rod == pytest.approx(np.linalg.norm(bodies.p_r_j[1]))
+        assert rod == pytest.approx(np.linalg.norm(skeleton.placements[1].translation))
         await page.locator("#parameters .row", has_text="reach").locator(".reset").click()
         await until(page, "kindsl.scene.trees.robot.joints.get('lift').placement[12] === 0.4")
 

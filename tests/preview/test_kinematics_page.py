@@ -5,10 +5,16 @@ import subprocess
 
 import numpy as np
 import pytest
-from tests.preview.robots import ARM, ROOT, bodies_of, plain_robot, require
+from tests.preview.robots import (
+    ARM,
+    ROOT,
+    mechanics_of,
+    plain_robot,
+    require,
+    skeleton_in,
+    skeleton_of,
+)
 
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.mechanism.build import drawable_bodies
 from kindsl.preview.scene.robot import robot_messages
 
 SCRIPT = ROOT / "server" / "kindsl" / "preview" / "page" / "kinematics.js"
@@ -33,19 +39,22 @@ console.log(JSON.stringify(cases.map(({ links, joints, frames, q }) => {
 @pytest.fixture(scope="module")
 def cases():
     rng = np.random.default_rng(7)
-    robots = [bodies_of(ARM), bodies_of(ARM.replace("base {", "base floating {"))]
-    robots += [drawable_bodies(plain_robot(links, links).model, {}) for links in (1, 2, 7, 14, 40)]
+    robots = [skeleton_of(ARM), skeleton_of(ARM.replace("base {", "base floating {"))]
+    robots += [skeleton_in(plain_robot(links, links)) for links in (1, 2, 7, 14, 40)]
     return [
-        (bodies, q)
-        for bodies in robots
-        for q in [np.zeros(bodies.n_links), *rng.uniform(-3, 3, (2, bodies.n_links))]
+        (skeleton, q)
+        for skeleton in robots
+        for q in [
+            np.zeros(len(skeleton.link_names)),
+            *rng.uniform(-3, 3, (2, len(skeleton.link_names))),
+        ]
     ]
 
 
 @pytest.fixture(scope="module")
 def answers(cases):
     node = require("node", "nodejs")
-    given = json.dumps([page_input(bodies, q) for bodies, q in cases])
+    given = json.dumps([page_input(skeleton, q) for skeleton, q in cases])
     command = [node, "-e", DRIVER, str(SCRIPT)]
     run = subprocess.run(
         command, input=given, capture_output=True, text=True, timeout=60, check=True
@@ -53,13 +62,13 @@ def answers(cases):
     return json.loads(run.stdout)
 
 
-def page_input(bodies, q):
-    messages = robot_messages("robot", bodies).values()
+def page_input(skeleton, q):
+    messages = robot_messages("robot", skeleton).values()
     groups = {
         kind + "s": [m for m in messages if m["type"] == kind]
         for kind in ("link", "joint", "frame")
     }
-    return {**groups, "q": dict(zip(bodies.joint_names, q.tolist(), strict=True))}
+    return {**groups, "q": dict(zip(skeleton.joint_names, q.tolist(), strict=True))}
 
 
 def matrix(numbers):
@@ -67,25 +76,27 @@ def matrix(numbers):
 
 
 def test_poses_are_ours(cases, answers):
-    for (bodies, q), answer in zip(cases, answers, strict=True):
-        ours = Mechanics(bodies).forward_kinematics(q)
+    for (skeleton, q), answer in zip(cases, answers, strict=True):
+        ours = mechanics_of(skeleton).forward_kinematics(q)
         theirs = {**answer["links"], **answer["frames"]}
-        assert set(ours) == set(theirs) - {bodies.base_name}
+        assert set(ours) == set(theirs) - {skeleton.base_name}
         for name, pose in ours.items():
             np.testing.assert_allclose(matrix(theirs[name]), pose, atol=1e-10)
-        for name, pose in Mechanics(bodies).joint_poses(q).items():
+        for name, pose in mechanics_of(skeleton).joint_poses(q).items():
             np.testing.assert_allclose(matrix(answer["joints"][name]), pose, atol=1e-10)
 
 
 def test_centres_of_mass_are_ours(cases, answers):
-    for (bodies, q), answer in zip(cases, answers, strict=True):
-        np.testing.assert_allclose(answer["com"], Mechanics(bodies).center_of_mass(q), atol=1e-9)
+    for (skeleton, q), answer in zip(cases, answers, strict=True):
+        np.testing.assert_allclose(
+            answer["com"], mechanics_of(skeleton).center_of_mass(q), atol=1e-9
+        )
 
 
 def test_gravity_torques_are_ours(cases, answers):
-    for (bodies, q), answer in zip(cases, answers, strict=True):
-        ours = np.asarray(Mechanics(bodies).gravity_torque(q))[-bodies.n_links :]
-        theirs = [answer["torques"][name] for name in bodies.joint_names]
+    for (skeleton, q), answer in zip(cases, answers, strict=True):
+        ours = np.asarray(mechanics_of(skeleton).gravity_torque(q))[-len(skeleton.link_names) :]
+        theirs = [answer["torques"][name] for name in skeleton.joint_names]
         np.testing.assert_allclose(theirs, ours, atol=1e-7, rtol=1e-9)
 
 

@@ -1,13 +1,14 @@
 """The scene as data: what an edit changes, and that all kinds of things are in it."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from tests.preview.robots import ARM, CORPUS, EXAMPLES, bodies_of, plain_robot
+from tests.preview.robots import ARM, CORPUS, EXAMPLES, plain_robot, skeleton_in, skeleton_of
 
 from kindsl.analysis.analysis import analyse
-from kindsl.mechanism.build import drawable_bodies
 from kindsl.preview.scene.changes import changes
 from kindsl.preview.scene.messages import encode
 from kindsl.preview.scene.picture import picture
@@ -31,14 +32,14 @@ def documents():
 @pytest.mark.parametrize("file", documents())
 def test_every_category_is_drawn(file):
     analysis = analyse(file.read_text())
-    bodies = picture(analysis.model, analysis.context.values, None).bodies
-    wanted = CATEGORIES | set(bodies.joint_kinds) | ({"optional-frame"} if bodies.frames else set())
-    assert categories(robot_messages("robot", bodies)) >= wanted
+    shown = picture(analysis.model, analysis.context.values, None).skeleton
+    wanted = CATEGORIES | set(shown.joint_kinds) | ({"optional-frame"} if shown.frames else set())
+    assert categories(robot_messages("robot", shown)) >= wanted
 
 
 def test_a_moved_joint_moves_transforms_only():
-    old = robot_messages("Arm", bodies_of(ARM))
-    new = robot_messages("Arm", bodies_of(ARM.replace("(0.4, 0.0, 0.0)", "(0.41, 0.0, 0.0)")))
+    old = robot_messages("Arm", skeleton_of(ARM))
+    new = robot_messages("Arm", skeleton_of(ARM.replace("(0.4, 0.0, 0.0)", "(0.41, 0.0, 0.0)")))
     sent = changes(old, new)
     assert {message["type"] for message in sent} == {"joint", "set_transform", "model", "link"}
     assert {m["name"] for m in sent if m["type"] == "joint"} == {"lift"}
@@ -46,16 +47,16 @@ def test_a_moved_joint_moves_transforms_only():
 
 
 def test_a_new_mass_redraws_no_body():
-    old = robot_messages("Arm", bodies_of(ARM))
-    new = robot_messages("Arm", bodies_of(ARM.replace("mass = 2.0", "mass = 2.5")))
+    old = robot_messages("Arm", skeleton_of(ARM))
+    new = robot_messages("Arm", skeleton_of(ARM.replace("mass = 2.0", "mass = 2.5")))
     sent = changes(old, new)
     assert {message["type"] for message in sent} == {"set_transform", "link"}
     assert all("inertia" in m["path"] for m in sent if m["type"] == "set_transform")
 
 
 def test_a_renamed_link_takes_its_marks_along():
-    old = robot_messages("Arm", bodies_of(ARM))
-    new = robot_messages("Arm", bodies_of(ARM.replace("slider", "carriage")))
+    old = robot_messages("Arm", skeleton_of(ARM))
+    new = robot_messages("Arm", skeleton_of(ARM.replace("slider", "carriage")))
     deleted = [message["path"] for message in changes(old, new) if message["type"] == "delete"]
     assert deleted == ["/kindsl/robot/links/slider"]
 
@@ -63,23 +64,23 @@ def test_a_renamed_link_takes_its_marks_along():
 @given(links=st.integers(1, 30), seed=st.integers(0, 20), which=st.integers(0, 29))
 @settings(max_examples=25, deadline=None)
 def test_a_digit_of_any_joint_changes_few_messages(links, seed, which):
-    bodies = drawable_bodies(plain_robot(links, seed).model, {})
-    moved = bodies.p_r_j.copy()
-    moved[which % links, 0] += 0.01
-    fields = {name: getattr(bodies, name) for name in bodies.__dataclass_fields__}
-    edited = type(bodies)(**{**fields, "p_r_j": moved})
-    sent = changes(robot_messages("r", bodies), robot_messages("r", edited))
+    skeleton = skeleton_in(plain_robot(links, seed))
+    placements = list(skeleton.placements)
+    (x, y, z), joint = placements[which % links].translation, which % links
+    placements[joint] = placements[joint]._replace(translation=(x + 0.01, y, z))
+    edited = replace(skeleton, placements=tuple(placements))
+    sent = changes(robot_messages("r", skeleton), robot_messages("r", edited))
     assert sum(len(encode(message)) for message in sent) < 5000
 
 
 def test_placements_are_the_joints_homogeneous_matrices_by_columns():
-    messages = robot_messages("Arm", bodies_of(ARM))
+    messages = robot_messages("Arm", skeleton_of(ARM))
     joint = next(m for m in messages.values() if m["type"] == "joint" and m["name"] == "shoulder")
     wanted = [[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0.5], [0, 0, 0, 1]]
     np.testing.assert_allclose(np.reshape(joint["placement"], (4, 4)).T, wanted, atol=1e-15)
 
 
 def test_a_ghost_is_made_of_bodies_alone():
-    messages = ghost_messages(bodies_of(ARM))
+    messages = ghost_messages(skeleton_of(ARM))
     assert categories(messages) == {"body"}
     assert all(key.path.startswith("/kindsl/ghost/") for key in messages)

@@ -4,20 +4,19 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from tests.preview.robots import ARM, bodies_of, plain_robot
+from tests.preview.robots import ARM, plain_robot, skeleton_in, skeleton_of
 
-from kindsl.mechanism.build import drawable_bodies
 from kindsl.preview.scene.size import LARGEST_RADIUS, STEP, extent
 
 
 @given(links=st.integers(1, 12), seed=st.integers(0, 50))
 @settings(max_examples=40, deadline=None)
 def test_the_box_holds_all_bodies(links, seed):
-    bodies = drawable_bodies(plain_robot(links, seed).model, {})
-    size = extent(bodies)
+    skeleton = skeleton_in(plain_robot(links, seed))
+    size = extent(skeleton)
     assert size.size > 0.0
     assert 0.0 < size.radius <= LARGEST_RADIUS * size.size * STEP
-    assert len(size.segments) == bodies.n_links + 1
+    assert len(size.segments) == len(skeleton.masses)
     for own in size.segments:
         assert all(np.linalg.norm(segment.end) <= 1.001 * size.size for segment in own)
 
@@ -26,23 +25,23 @@ def test_the_box_holds_all_bodies(links, seed):
 def test_all_sizes_look_alike(scale):
     text = ARM.replace("0.5)", f"{0.5 * scale})").replace("(0.4,", f"({0.4 * scale},")
     text = text.replace("0.3)", f"{0.3 * scale})")
-    assert extent(bodies_of(text)).radius / extent(bodies_of(text)).size == pytest.approx(
-        extent(bodies_of(ARM)).radius / extent(bodies_of(ARM)).size, rel=0.12
+    assert extent(skeleton_of(text)).radius / extent(skeleton_of(text)).size == pytest.approx(
+        extent(skeleton_of(ARM)).radius / extent(skeleton_of(ARM)).size, rel=0.12
     )
 
 
 def test_a_leaf_reaches_to_its_frames():
-    size = extent(bodies_of(ARM))
+    size = extent(skeleton_of(ARM))
     assert [segment.name for segment in size.segments[2]] == ["tool"]
 
 
 def test_the_ground_lies_below_a_floating_robot_and_under_a_fixed_base():
-    assert extent(bodies_of(ARM)).ground == 0.0
-    assert extent(bodies_of(ARM.replace("base {", "base floating {"))).ground < 0.0
+    assert extent(skeleton_of(ARM)).ground == 0.0
+    assert extent(skeleton_of(ARM.replace("base {", "base floating {"))).ground < 0.0
 
 
 def test_a_robot_without_extent_has_a_size():
     text = ARM
     for length in ("0.5)", "(0.4,", "(0.2,", "0.1)", "0.3)"):
         text = text.replace(length, length.replace(length.strip("(),"), "0.0"))
-    assert extent(bodies_of(text)).size == 1.0
+    assert extent(skeleton_of(text)).size == 1.0

@@ -3,7 +3,8 @@
 import numpy as np
 
 from kindsl.analysis.analysis import Analysis
-from kindsl.mechanism.build import drawable_bodies
+from kindsl.mechanism.bodies import bodies_of
+from kindsl.mechanism.drawable import drawable_skeleton
 
 
 def mechanics_by_name(analysis: Analysis, values: dict[str, float] | None = None):
@@ -13,7 +14,8 @@ def mechanics_by_name(analysis: Analysis, values: dict[str, float] | None = None
         analysis: A document whose base carries something.
         values: Of its unbound parameters.
     """
-    bodies = drawable_bodies(analysis.model, {**(values or {}), **analysis.context.values})
+    known = {**(values or {}), **analysis.context.values}
+    bodies = bodies_of(drawable_skeleton(analysis.model, known))
     names = (bodies.base_name, *bodies.link_names)
     found = {
         ("base",): (bodies.base_name, bodies.is_floating),

@@ -5,13 +5,12 @@ from collections.abc import Mapping
 from kindsl.features.unknown import Unknown, pose_expressions, why_unknown
 from kindsl.rigid.body import (
     MassDistribution,
-    Symmetric,
     eigensystem,
-    moments_of,
     principal_moments,
     second_moments_about_com,
+    seen_from,
 )
-from kindsl.rigid.pose import RigidPose, Triple
+from kindsl.rigid.pose import Triple
 from kindsl.rules.inertia.judgements import mass_distribution
 from kindsl.semantics.declarations import Inertia, Link, inertia_values
 from kindsl.semantics.numbers import written_pose
@@ -39,23 +38,6 @@ def link_inertia(link: Link, values: Mapping[str, float]) -> MassDistribution | 
     return seen_from(written, pose)
 
 
-def seen_from(body: MassDistribution, pose: RigidPose) -> MassDistribution:
-    """Return a body in frame A, `pose` being the pose in A of the frame that it is given in."""
-    turned = _turned(second_moments_about_com(body), pose)
-    x, y, z = com = pose.point(body.com)
-    of_point = (x * x, y * y, z * z, x * y, x * z, y * z)
-    xx, yy, zz, xy, xz, yz = (s + body.mass * p for s, p in zip(turned, of_point, strict=True))
-    return MassDistribution(body.mass, com, moments_of((xx, yy, zz, xy, xz, yz)))
-
-
 def principal_moments_about_com(body: MassDistribution) -> Triple:
     """Return the ascending principal moments about the centre of mass, kg·m²."""
     return principal_moments(eigensystem(second_moments_about_com(body)))
-
-
-def _turned(matrix: Symmetric, pose: RigidPose) -> Symmetric:
-    """Return `R S R^T`."""
-    xx, yy, zz, xy, xz, yz = matrix
-    columns = (pose.turn((xx, xy, xz)), pose.turn((xy, yy, yz)), pose.turn((xz, yz, zz)))
-    a, b, c = (pose.turn(row) for row in zip(*columns, strict=True))
-    return a[0], b[1], c[2], a[1], a[2], b[2]

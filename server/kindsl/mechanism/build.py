@@ -3,11 +3,13 @@
 from collections.abc import Mapping
 from dataclasses import replace
 
-from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanism.bodies import bodies_of
-from kindsl.mechanism.errors import UnboundParameterError
-from kindsl.mechanism.numbering import numbered_by_id, numbered_by_tree
+from kindsl.mechanism.errors import ModelError, UnboundParameterError
+from kindsl.mechanism.numbering import numbered_by_id, require_base
+from kindsl.mechanism.skeleton import Skeleton, skeleton_of
+from kindsl.mechanism.strict_reading import StrictReader
+from kindsl.rigid.body import NO_BODY
 from kindsl.semantics.model import Model
 
 Mechanism = Mechanics
@@ -29,28 +31,21 @@ def mechanism_of(model: Model, values: Mapping[str, float]) -> Mechanism:
     """
     edges = numbered_by_id(model)
     try:
-        return Mechanism(_moving(bodies_of(model, edges, values)))
+        skeleton = skeleton_of(model, edges, StrictReader(values))
+        return Mechanism(bodies_of(_moving(skeleton)))
     except UnboundParameterError as error:
         raise UnboundParameterError(_unbound(model, values) or error.names, error.at) from None
+    except ModelError:
+        raise
+    except ValueError as error:
+        raise ModelError(str(error), require_base(model)) from error
 
 
-def drawable_bodies(model: Model, values: Mapping[str, float]) -> Bodies:
-    """Return the bodies that the base carries, numbered parents first, whatever their ids.
-
-    Raises:
-        UnboundParameterError: A parameter has no value.
-        ModelError: There is no base, or a value is missing.
-    """
-    return bodies_of(model, numbered_by_tree(model), values)
-
-
-def _moving(bodies: Bodies) -> Bodies:
-    """Return the bodies with nothing known of a fixed base's mass, which does not matter."""
-    if bodies.is_floating:
-        return bodies
-    masses, coms, inertias = (x.copy() for x in (bodies.masses, bodies.coms, bodies.inertias))
-    masses[0] = coms[0] = inertias[0] = 0.0
-    return replace(bodies, masses=masses, coms=coms, inertias=inertias)
+def _moving(skeleton: Skeleton) -> Skeleton:
+    """Return the skeleton with nothing known of a fixed base's mass, which does not matter."""
+    if skeleton.is_floating:
+        return skeleton
+    return replace(skeleton, masses=(NO_BODY, *skeleton.masses[1:]))
 
 
 def _unbound(model: Model, values: Mapping[str, float]) -> tuple[str, ...]:

@@ -5,12 +5,10 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-import numpy as np
-
 from kindsl.analysis.analysis import Analysis
 from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.dynamics.bodies import Bodies
-from kindsl.mechanism.build import drawable_bodies
+from kindsl.mechanism.drawable import drawable_skeleton
+from kindsl.mechanism.skeleton import Skeleton
 from kindsl.preview.channel import Channel, Tab
 from kindsl.preview.scene.findings import finding_messages, status_message
 from kindsl.preview.scene.messages import Message, Messages, keyed, path_of
@@ -56,8 +54,8 @@ class DocumentPreview:
         self._label = label
         self._joints: dict[str, float] = {}
         self._parameters: dict[str, float] = {}
-        self._last_good: Bodies | None = None
-        self._ghost: Bodies | None = None
+        self._last_good: Skeleton | None = None
+        self._ghost: Skeleton | None = None
 
     def show(self, analysis: Analysis, findings: Sequence[Diagnostic]) -> None:
         """Show a version; values that were set by sliders stay."""
@@ -67,8 +65,9 @@ class DocumentPreview:
         """Return what there is to show of a version; changes nothing, so any thread may ask."""
         given = {**analysis.context.values, **self._parameters}
         drawn = picture(analysis.model, given, self._last_good)
-        bodies = drawn.bodies
-        robot = robot_messages(str(analysis.model.name), bodies) if bodies is not None else None
+        skeleton = drawn.skeleton
+        name = str(analysis.model.name)
+        robot = robot_messages(name, skeleton) if skeleton is not None else None
         return Drawing(given, drawn, robot)
 
     def put(self, analysis: Analysis, findings: Sequence[Diagnostic], drawing: Drawing) -> None:
@@ -91,7 +90,7 @@ class DocumentPreview:
         Raises:
             ModelError: It has no bodies.
         """
-        self._ghost = drawable_bodies(other.model, other.context.values)
+        self._ghost = drawable_skeleton(other.model, other.context.values)
         self._draw_ghost()
 
     def set_joint(self, name: str, value: float, sender: Tab | None = None) -> None:
@@ -128,7 +127,7 @@ class DocumentPreview:
 
     def _put(self, analysis: Analysis, drawing: Drawing) -> None:
         if drawing.picture.state is State.LIVE:
-            self._last_good = drawing.picture.bodies
+            self._last_good = drawing.picture.skeleton
         if drawing.robot is not None:
             self.channel.replace("robot", drawing.robot)
         rows = parameter_messages(analysis.model, analysis.settings.bindings, self._parameters)
@@ -152,16 +151,14 @@ def _joint_value(name: str, value: float) -> Message:
     return {"type": "value", "path": path_of("values", name), "name": name, "value": value}
 
 
-def _stand_alike(a: Bodies, b: Bodies) -> bool:
+def _stand_alike(a: Skeleton, b: Skeleton) -> bool:
     """Return whether the bodies of two mechanisms cover each other."""
+    return _placed(a) == _placed(b)
+
+
+def _placed(skeleton: Skeleton) -> tuple[object, ...]:
+    frames = [(frame.name, frame.pose.translation) for frame in skeleton.frames]
     return (
-        (a.link_names, a.joint_names, a.joint_kinds, a.parents)
-        == (b.link_names, b.joint_names, b.joint_kinds, b.parents)
-        and np.array_equal(a.p_R_j, b.p_R_j)
-        and np.array_equal(a.p_r_j, b.p_r_j)
-        and [f.name for f in a.frames] == [f.name for f in b.frames]
-        and all(
-            np.array_equal(f.body_r_frame, g.body_r_frame)
-            for f, g in zip(a.frames, b.frames, strict=True)
-        )
+        *(skeleton.link_names, skeleton.joint_names, skeleton.joint_kinds, skeleton.parents),
+        *(skeleton.placements, frames),
     )

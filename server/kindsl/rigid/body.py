@@ -18,6 +18,8 @@ parameter identification; Traversaro et al. 2016.
 from math import copysign, hypot, inf, pi, sqrt
 from typing import NamedTuple
 
+from kindsl.rigid.pose import RigidPose
+
 Vector3 = tuple[float, float, float]
 Symmetric = tuple[float, float, float, float, float, float]
 
@@ -36,6 +38,9 @@ class MassDistribution(NamedTuple):
     mass: float
     com: Vector3
     moments: Symmetric
+
+
+NO_BODY = MassDistribution(0.0, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
 
 
 class Eigenpair(NamedTuple):
@@ -82,6 +87,15 @@ def shifted(body: MassDistribution, sign: float = 1.0) -> MassDistribution:
             iyz + m * y * z,
         )
     )
+
+
+def seen_from(body: MassDistribution, pose: RigidPose) -> MassDistribution:
+    """Return a body in frame A, `pose` being the pose in A of the frame that it is given in."""
+    turned = _turned(second_moments_about_com(body), pose)
+    x, y, z = com = pose.point(body.com)
+    of_point = (x * x, y * y, z * z, x * y, x * z, y * z)
+    xx, yy, zz, xy, xz, yz = (s + body.mass * p for s, p in zip(turned, of_point, strict=True))
+    return MassDistribution(body.mass, com, moments_of((xx, yy, zz, xy, xz, yz)))
 
 
 def principal_moments(pairs: tuple[Eigenpair, Eigenpair, Eigenpair]) -> Vector3:
@@ -214,3 +228,11 @@ def equivalent_density(mass: float, eigenvalues: Vector3) -> float:
     for value in eigenvalues:
         volume *= sqrt(5.0 * max(value, least) / mass)
     return mass / volume if volume else inf
+
+
+def _turned(matrix: Symmetric, pose: RigidPose) -> Symmetric:
+    """Return `R S R^T`."""
+    xx, yy, zz, xy, xz, yz = matrix
+    columns = (pose.turn((xx, xy, xz)), pose.turn((xy, yy, yz)), pose.turn((xz, yz, zz)))
+    a, b, c = (pose.turn(row) for row in zip(*columns, strict=True))
+    return a[0], b[1], c[2], a[1], a[2], b[2]

@@ -9,10 +9,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.actions.action import CodeAction
 from kindsl.features.actions.layout_edits import inserted_section, line_indent
-from kindsl.features.link_inertia import link_inertia, seen_from
+from kindsl.features.link_inertia import link_inertia
 from kindsl.features.tree_path import path_at
 from kindsl.features.unknown import Unknown, pose_expressions
-from kindsl.rigid.body import MassDistribution
+from kindsl.rigid.body import MassDistribution, seen_from
 from kindsl.rigid.pose import IDENTITY, RigidPose
 from kindsl.rules.context import ROBCOGEN2
 from kindsl.rules.inertia.judgements import is_plain

@@ -1,12 +1,15 @@
 """The solid ellipsoid that has a link's mass and inertia."""
 
-from dataclasses import dataclass
+from math import sqrt
+from typing import NamedTuple
 
-import numpy as np
-
-from kindsl.dynamics.bodies import Bodies
-from kindsl.spatial.arrays import Array
-from kindsl.spatial.inertia import point_inertia, second_moment
+from kindsl.rigid.body import (
+    MassDistribution,
+    Vector3,
+    eigensystem,
+    moments_of,
+    second_moments_about_com,
+)
 
 # As in Drake: an axis is never drawn thinner than this share of the largest.
 THINNEST = 0.01
@@ -14,40 +17,46 @@ THINNEST = 0.01
 TOLERANCE = 0.02
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class InertiaEllipsoids:
-    """Ellipsoids of all bodies, the base first.
+class InertiaEllipsoid(NamedTuple):
+    """The ellipsoid of a body.
 
     Attributes:
-        semi_axes: Shape (n + 1, 3), metres; zeros for a body without mass or extent.
-        rotations: `body_R_ellipsoid`, shape (n + 1, 3, 3).
-        about_com: Inertia tensors about the centres of mass, body axes, (n + 1, 3, 3), kg m^2.
-        is_consistent: Whether a rigid body with such an inertia exists, shape (n + 1,).
+        semi_axes: Right-handed, ascending, each a vector in the body's axes, metres; None for a
+            body without mass or extent.
+        about_com: Inertia tensor about the centre of mass, body axes, row by row, kg m^2.
+        is_consistent: Whether a rigid body with such an inertia exists.
     """
 
-    semi_axes: Array
-    rotations: Array
-    about_com: Array
-    is_consistent: tuple[bool, ...]
+    semi_axes: tuple[Vector3, Vector3, Vector3] | None
+    about_com: tuple[float, ...]
+    is_consistent: bool
 
 
-def inertia_ellipsoids(bodies: Bodies) -> InertiaEllipsoids:
-    """Return the solid ellipsoid of the same mass and inertia for each body.
+def inertia_ellipsoid(body: MassDistribution) -> InertiaEllipsoid:
+    """Return the solid ellipsoid of the same mass and inertia.
 
     A solid ellipsoid's second moment along a semi-axis `a` is `m a^2 / 5`.
     """
-    about_com = bodies.inertias - point_inertia(bodies.masses, bodies.coms)
-    moments, axes = np.linalg.eigh(second_moment(about_com))
-    largest = moments[:, 2]
-    has_body = (bodies.masses > 0.0) & (largest > 0.0)
-    mass = np.where(has_body, bodies.masses, 1.0)
-    squares = np.where(has_body[:, None], 5.0 * moments / mass[:, None], 0.0)
-    semi_axes = np.sqrt(np.maximum(squares, THINNEST**2 * squares[:, 2:]))
-    consistent = (bodies.masses >= 0.0) & (moments[:, 0] >= -TOLERANCE * np.abs(largest))
-    is_consistent = tuple(bool(value) for value in consistent)
-    return InertiaEllipsoids(semi_axes, _right_handed(axes), about_com, is_consistent)
+    second_moments = second_moments_about_com(body)
+    Ix, Iy, Iz, Ixy, Ixz, Iyz = moments_of(second_moments)
+    about_com = (Ix, -Ixy, -Ixz, -Ixy, Iy, -Iyz, -Ixz, -Iyz, Iz)
+    least, middle, largest = eigensystem(second_moments)
+    is_consistent = body.mass >= 0.0 and least.value >= -TOLERANCE * abs(largest.value)
+    if body.mass <= 0.0 or largest.value <= 0.0:
+        return InertiaEllipsoid(None, about_com, is_consistent)
+    thinnest = THINNEST * THINNEST * largest.value
+    lengths = [
+        sqrt(5.0 * max(pair.value, thinnest) / body.mass) for pair in (least, middle, largest)
+    ]
+    axes = (least.axis, middle.axis, _cross(least.axis, middle.axis))
+    a, b, c = (_scaled(axis, length) for axis, length in zip(axes, lengths, strict=True))
+    return InertiaEllipsoid((a, b, c), about_com, is_consistent)
 
 
-def _right_handed(axes: Array) -> Array:
-    signs = np.sign(np.linalg.det(axes))
-    return np.concatenate((axes[..., :2], axes[..., 2:] * signs[:, None, None]), axis=-1)
+def _scaled(vector: Vector3, factor: float) -> Vector3:
+    x, y, z = vector
+    return factor * x, factor * y, factor * z
+
+
+def _cross(a: Vector3, b: Vector3) -> Vector3:
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]

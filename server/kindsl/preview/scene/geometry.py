@@ -1,22 +1,22 @@
-"""Shapes of the scene, and their form in meshcat's geometry classes.
+"""Shapes of the scene, and their form in meshcat's protocol, which is three.js's JSON.
 
-`meshcat/__init__` starts a visualizer's worth of imports (IPython, ZMQ: 300 ms, 50 MB) that a
-preview does not need, so the geometry module is loaded as part of a package of our own name.
+The viewer's script comes with the package meshcat; its Python side starts a visualizer's worth of
+imports (IPython, ZMQ, NumPy) that a picture does not need, so the few objects are written here.
 """
 
-import importlib
-import importlib.machinery
 import importlib.util
-import sys
+from array import array
+from collections.abc import Sequence
 from enum import Enum
 from functools import cache
+from itertools import chain
 from pathlib import Path
-from types import ModuleType
 from typing import Any, NamedTuple
 
-from kindsl.preview.scene.meshes import Mesh, lathe, triad
+import umsgpack  # type: ignore[import-untyped]
 
-_ALIAS = "_kindsl_meshcat"
+from kindsl.preview.scene.meshes import Mesh, lathe, triad
+from kindsl.rigid.pose import Triple
 
 # A joint's mark and its axis stand out of the bodies, whose radius is 1.
 ARROW_PROFILE = ((0.0, -3.0), (0.2, -3.0), (0.2, 5.0), (0.62, 5.0), (0.0, 7.0))
@@ -52,17 +52,30 @@ class PreviewUnavailableError(RuntimeError):
 
 @cache
 def lowered(shape: Shape) -> dict[str, Any]:
-    """Return a shape as an object of meshcat's wire protocol.
-
-    Raises:
-        PreviewUnavailableError: If meshcat is not installed.
-    """
-    g = _geometry_module()
+    """Return a shape as an object of meshcat's protocol."""
     is_triad = shape.form in (Form.TRIAD, Form.SHORT_TRIAD)
-    material = g.MeshBasicMaterial if is_triad else g.MeshLambertMaterial
-    look = material(color=shape.color, vertexColors=is_triad, depthTest=not shape.on_top)
-    result: dict[str, Any] = g.Mesh(_meshcat_geometry(g, shape.form), look).lower()
-    return result
+    name = f"{shape.form.name}-{shape.color:06x}"
+    return {
+        "metadata": {"version": 4.5, "type": "Object"},
+        "geometries": [{"uuid": f"{name}-geometry", **_geometry(shape.form)}],
+        "materials": [
+            {
+                "uuid": f"{name}-material",
+                "type": "MeshBasicMaterial" if is_triad else "MeshLambertMaterial",
+                "color": shape.color,
+                **_LOOK,
+                "vertexColors": 2 if is_triad else 0,
+                "depthTest": not shape.on_top,
+            }
+        ],
+        "object": {
+            "uuid": name,
+            "type": "Mesh",
+            "geometry": f"{name}-geometry",
+            "material": f"{name}-material",
+            "matrix": _IDENTITY,
+        },
+    }
 
 
 @cache
@@ -75,19 +88,56 @@ def viewer_script() -> Path:
     return _meshcat_folder() / "viewer" / "dist" / "main.min.js"
 
 
-def _meshcat_geometry(g: ModuleType, form: Form) -> Any:
-    primitives = {
-        Form.BALL: lambda: g.Sphere(1.0),
-        Form.POINT: lambda: g.Sphere(0.62),
-        Form.CYLINDER: lambda: g.Cylinder(1.0, 1.0),
-        Form.DRUM: lambda: g.Cylinder(2.8, 1.42),
-        Form.BLOCK: lambda: g.Box([2.2, 2.2, 4.4]),
-        Form.SLAB: lambda: g.Box([7.0, 7.0, 1.0]),
-    }
-    if form in primitives:
-        return primitives[form]()
+_IDENTITY = [float(row == column) for row in range(4) for column in range(4)]
+_LOOK = {
+    "reflectivity": 0.5, "side": 2, "transparent": False, "opacity": 1.0, "linewidth": 1.0,
+    "wireframe": False, "wireframeLinewidth": 1.0,
+}  # fmt: skip
+_FLOAT32, _UINT32 = 0x17, 0x16
+
+
+def _sphere(radius: float) -> dict[str, Any]:
+    return {"type": "SphereGeometry", "radius": radius, "widthSegments": 20, "heightSegments": 20}
+
+
+def _cylinder(radius: float, height: float) -> dict[str, Any]:
+    size = {"radiusTop": radius, "radiusBottom": radius, "height": height}
+    return {"type": "CylinderGeometry", **size, "radialSegments": 50}
+
+
+def _box(width: float, height: float, depth: float) -> dict[str, Any]:
+    return {"type": "BoxGeometry", "width": width, "height": height, "depth": depth}
+
+
+_PRIMITIVES = {
+    Form.BALL: _sphere(1.0),
+    Form.POINT: _sphere(0.62),
+    Form.CYLINDER: _cylinder(1.0, 1.0),
+    Form.DRUM: _cylinder(1.42, 2.8),
+    Form.BLOCK: _box(2.2, 2.2, 4.4),
+    Form.SLAB: _box(7.0, 7.0, 1.0),
+}
+
+
+def _geometry(form: Form) -> dict[str, Any]:
+    if form in _PRIMITIVES:
+        return _PRIMITIVES[form]
     mesh = _mesh(form)
-    return g.TriangularMeshGeometry(mesh.vertices, mesh.faces, mesh.colors)
+    attributes = {"position": _floats(mesh.vertices)}
+    if mesh.colors is not None:
+        attributes["color"] = _floats(mesh.colors)
+    corners = array("I", chain.from_iterable(mesh.faces))
+    index = _buffer("Uint32Array", umsgpack.Ext(_UINT32, corners.tobytes()))
+    return {"type": "BufferGeometry", "data": {"attributes": attributes, "index": index}}
+
+
+def _floats(rows: Sequence[Triple]) -> dict[str, Any]:
+    numbers = array("f", chain.from_iterable(rows))
+    return _buffer("Float32Array", umsgpack.Ext(_FLOAT32, numbers.tobytes()))
+
+
+def _buffer(kind: str, data: umsgpack.Ext) -> dict[str, Any]:
+    return {"itemSize": 3, "type": kind, "array": data, "normalized": False}
 
 
 def _mesh(form: Form) -> Mesh:
@@ -96,14 +146,6 @@ def _mesh(form: Form) -> Mesh:
     if form is Form.FORCE:
         return lathe(FORCE_PROFILE)
     return triad(0.24, 5.0) if form is Form.TRIAD else triad(0.18, 3.6)
-
-
-@cache
-def _geometry_module() -> ModuleType:
-    spec = importlib.machinery.ModuleSpec(_ALIAS, None, is_package=True)
-    spec.submodule_search_locations = [str(_meshcat_folder())]
-    sys.modules[_ALIAS] = importlib.util.module_from_spec(spec)
-    return importlib.import_module(f"{_ALIAS}.geometry")
 
 
 def _meshcat_folder() -> Path:

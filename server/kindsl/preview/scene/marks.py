@@ -4,11 +4,12 @@ import math
 from collections.abc import Iterator
 from functools import lru_cache
 
-from kindsl.preview.scene.ellipsoids import InertiaEllipsoids
+from kindsl.preview.scene.ellipsoids import InertiaEllipsoid
 from kindsl.preview.scene.geometry import Form, Shape
 from kindsl.preview.scene.messages import Message, path_of, set_object, set_transform
 from kindsl.preview.scene.size import Point, Segment
-from kindsl.spatial.arrays import Array
+from kindsl.rigid.body import Vector3
+from kindsl.rigid.pose import RigidPose, transposed
 
 LINK = 0x8EA3BA
 BASE = 0x56667A
@@ -34,10 +35,10 @@ JOINT_TURNS = {
 _MOST_KNOWN = 1 << 12
 
 
-def column_major(T: Array) -> list[list[float]]:
-    """Return homogeneous matrices (n, 4, 4) as 16 numbers each, column by column."""
-    numbers: list[list[float]] = T.transpose(0, 2, 1).reshape(-1, 16).tolist()
-    return numbers
+def column_major(pose: RigidPose) -> list[float]:
+    """Return a pose as the 16 numbers of its homogeneous matrix, column by column."""
+    x, y, z = transposed(pose.rotation)
+    return [*x, 0.0, *y, 0.0, *z, 0.0, *pose.translation, 1.0]
 
 
 def body_marks(
@@ -61,23 +62,20 @@ def base_mark(link: str) -> Iterator[Message]:
     yield set_object(path_of("robot", "links", link, "base", "slab"), Shape(Form.SLAB, BASE))
 
 
-def link_marks(
-    link: str, com: Array, ellipsoids: InertiaEllipsoids, body: int
-) -> Iterator[Message]:
+def link_marks(link: str, com: Vector3, ellipsoid: InertiaEllipsoid) -> Iterator[Message]:
     """Yield a link's frame, and if it has mass its centre of mass and inertia ellipsoid."""
     place = ("robot", "links", link)
     yield set_object(path_of(*place, "link-frame", "triad"), Shape(Form.TRIAD, WHITE))
-    semi_axes = ellipsoids.semi_axes[body]
-    if not semi_axes.any():
+    if ellipsoid.semi_axes is None:
         return
     ball = path_of(*place, "com", "ball")
     yield set_object(ball, Shape(Form.POINT, COM, on_top=True))
-    x, y, z = com.tolist()
-    yield set_transform(ball, _at((x, y, z)))
-    ellipsoid = path_of(*place, "inertia", "ellipsoid")
-    color = INERTIA if ellipsoids.is_consistent[body] else BAD_INERTIA
-    yield set_object(ellipsoid, Shape(Form.BALL, color))
-    yield set_transform(ellipsoid, _matrix(ellipsoids.rotations[body] * semi_axes, com))
+    yield set_transform(ball, _at(com))
+    mark = path_of(*place, "inertia", "ellipsoid")
+    color = INERTIA if ellipsoid.is_consistent else BAD_INERTIA
+    yield set_object(mark, Shape(Form.BALL, color))
+    x, y, z = ellipsoid.semi_axes
+    yield set_transform(mark, (*x, 0.0, *y, 0.0, *z, 0.0, *com, 1.0))
 
 
 @lru_cache(maxsize=_MOST_KNOWN)
@@ -135,8 +133,3 @@ def _along(end: Point) -> tuple[float, ...]:
     third = ((b * z - c * y) / length, (c * x - a * z) / length, (a * y - b * x) / length)
     middle = (0.5 * x, 0.5 * y, 0.5 * z)
     return (a, b, c, 0.0, x, y, z, 0.0, *third, 0.0, *middle, 1.0)
-
-
-def _matrix(columns: Array, position: Array) -> tuple[float, ...]:
-    x, y, z = columns.T.tolist()
-    return (*x, 0.0, *y, 0.0, *z, 0.0, *position.tolist(), 1.0)

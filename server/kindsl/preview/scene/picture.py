@@ -3,10 +3,10 @@
 from dataclasses import dataclass
 from enum import StrEnum
 
-from kindsl.dynamics.bodies import Bodies
-from kindsl.mechanism.build import drawable_bodies
+from kindsl.mechanism.drawable import drawable_skeleton
 from kindsl.mechanism.errors import ModelError
-from kindsl.mechanism.fragments import bodies_as_far_as_known
+from kindsl.mechanism.fragments import skeleton_as_far_as_known
+from kindsl.mechanism.skeleton import Skeleton
 from kindsl.semantics.declarations import ValueKind
 from kindsl.semantics.model import Model
 from kindsl.semantics.parameters import values_of
@@ -30,17 +30,17 @@ class Picture:
     """What to draw.
 
     Attributes:
-        bodies: None if there has never been anything.
+        skeleton: None if there has never been anything.
         state: See there.
         message: What is the matter, for people; empty if nothing.
     """
 
-    bodies: Bodies | None
+    skeleton: Skeleton | None
     state: State
     message: str = ""
 
 
-def picture(model: Model, given: dict[str, float], last_good: Bodies | None) -> Picture:
+def picture(model: Model, given: dict[str, float], last_good: Skeleton | None) -> Picture:
     """Choose what to draw of a document.
 
     Args:
@@ -51,19 +51,19 @@ def picture(model: Model, given: dict[str, float], last_good: Bodies | None) -> 
     values = values_of(model.parameters, model.constants, given)
     unbound = [p for p in model.parameters if str(p.name) not in values]
     stand_ins = {str(p.name): 0.0 for p in unbound}
-    bodies: Bodies | None
+    skeleton: Skeleton | None
     try:
-        bodies = drawable_bodies(model, {**stand_ins, **values})
+        skeleton = drawable_skeleton(model, {**stand_ins, **values})
         defect = _defect(model)
     except ModelError as error:
-        bodies = bodies_as_far_as_known(model, {**stand_ins, **values})
+        skeleton = skeleton_as_far_as_known(model, {**stand_ins, **values})
         defect = str(error)
     if defect:
-        shown = last_good or bodies
+        shown = last_good or skeleton
         return Picture(shown, State.BROKEN, _sentence(defect, last_good, shown))
     if any(p.kind is not ValueKind.DYNAMICS for p in unbound):
-        return Picture(last_good or bodies, State.UNBOUND, _unbound_message(list(stand_ins)))
-    return Picture(bodies, State.LIVE, _unbound_message(list(stand_ins)) if unbound else "")
+        return Picture(last_good or skeleton, State.UNBOUND, _unbound_message(list(stand_ins)))
+    return Picture(skeleton, State.LIVE, _unbound_message(list(stand_ins)) if unbound else "")
 
 
 def _defect(model: Model) -> str:
@@ -82,7 +82,7 @@ def _defect(model: Model) -> str:
     return ""
 
 
-def _sentence(problem: str, last_good: Bodies | None, shown: Bodies | None) -> str:
+def _sentence(problem: str, last_good: Skeleton | None, shown: Skeleton | None) -> str:
     if last_good is not None:
         consequence = "the last complete version is shown"
     else:

@@ -5,12 +5,10 @@ message tells, so another size of robot changes one message. Bodies hang under t
 joints' marks under their joint's, and the page places these nodes by forward kinematics.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-import numpy as np
-
-from kindsl.dynamics.bodies import Bodies
-from kindsl.preview.scene.ellipsoids import InertiaEllipsoids, inertia_ellipsoids
+from kindsl.mechanism.skeleton import Skeleton
+from kindsl.preview.scene.ellipsoids import InertiaEllipsoid, inertia_ellipsoid
 from kindsl.preview.scene.marks import (
     base_mark,
     body_marks,
@@ -22,113 +20,103 @@ from kindsl.preview.scene.marks import (
 )
 from kindsl.preview.scene.messages import Message, Messages, keyed, path_of
 from kindsl.preview.scene.size import Extent, Segment, extent
-from kindsl.spatial.transforms import homogeneous
 
 
-def robot_messages(name: str, bodies: Bodies) -> Messages:
+def robot_messages(name: str, skeleton: Skeleton) -> Messages:
     """Return everything that is drawn of a mechanism, and the numbers the page places it by."""
-    size = extent(bodies)
-    ellipsoids = inertia_ellipsoids(bodies)
-    messages = [_model(name, bodies, size)]
-    messages.extend(_numbers("robot", bodies, size, ellipsoids))
-    messages.extend(_robot_marks(bodies, size, ellipsoids))
+    size = extent(skeleton)
+    ellipsoids = [inertia_ellipsoid(body) for body in skeleton.masses]
+    messages = [_model(name, skeleton, size)]
+    messages.extend(_numbers("robot", skeleton, size, ellipsoids))
+    messages.extend(_robot_marks(skeleton, size, ellipsoids))
     return keyed(messages)
 
 
-def ghost_messages(bodies: Bodies) -> Messages:
+def ghost_messages(skeleton: Skeleton) -> Messages:
     """Return the bodies of a former version, to stand behind the present one."""
-    size = extent(bodies)
-    messages = list(_numbers("ghost", bodies, size, inertia_ellipsoids(bodies)))
-    for link, segments in zip(_names(bodies), size.segments, strict=True):
+    size = extent(skeleton)
+    ellipsoids = [inertia_ellipsoid(body) for body in skeleton.masses]
+    messages = list(_numbers("ghost", skeleton, size, ellipsoids))
+    for link, segments in zip(skeleton.body_names, size.segments, strict=True):
         messages.extend(body_marks("ghost", link, segments, "body"))
     return keyed(messages)
 
 
-def _model(name: str, bodies: Bodies, size: Extent) -> Message:
+def _model(name: str, skeleton: Skeleton, size: Extent) -> Message:
     return {
         "type": "model",
         "path": path_of("model"),
         "name": name,
-        "is_floating": bodies.is_floating,
+        "is_floating": skeleton.is_floating,
         "size": size.size,
-        "center": size.center.tolist(),
+        "center": list(size.center),
         "ground": size.ground,
         "unit": size.radius,
     }
 
 
-def _robot_marks(bodies: Bodies, size: Extent, ellipsoids: InertiaEllipsoids) -> Iterator[Message]:
-    for body, link in enumerate(_names(bodies)):
+def _robot_marks(
+    skeleton: Skeleton, size: Extent, ellipsoids: Sequence[InertiaEllipsoid]
+) -> Iterator[Message]:
+    for body, link in enumerate(skeleton.body_names):
         yield from body_marks("robot", link, size.segments[body], "body" if body else "base")
-        yield from link_marks(link, bodies.coms[body], ellipsoids, body)
-    if not bodies.is_floating:
-        yield from base_mark(bodies.base_name)
-    for joint, kind in zip(bodies.joint_names, bodies.joint_kinds, strict=True):
+        yield from link_marks(link, skeleton.masses[body].com, ellipsoids[body])
+    if not skeleton.is_floating:
+        yield from base_mark(skeleton.base_name)
+    for joint, kind in zip(skeleton.joint_names, skeleton.joint_kinds, strict=True):
         yield from joint_marks(joint, kind)
-    for frame in bodies.frames:
+    for frame in skeleton.frames:
         yield from frame_marks(frame.name)
     yield from robot_com_marks()
 
 
 def _numbers(
-    tree: str, bodies: Bodies, size: Extent, ellipsoids: InertiaEllipsoids
+    tree: str, skeleton: Skeleton, size: Extent, ellipsoids: Sequence[InertiaEllipsoid]
 ) -> Iterator[Message]:
     """Yield what the page needs for kinematics, gravity torques and its panel."""
-    names = _names(bodies)
-    joints = ("", *bodies.joint_names)
-    masses, coms = bodies.masses.tolist(), bodies.coms.tolist()
-    inertias = ellipsoids.about_com.reshape(-1, 9).tolist()
-    for body, name in enumerate(names):
-        is_at_rest = body == 0 and not bodies.is_floating
+    joints = ("", *skeleton.joint_names)
+    for body, name in enumerate(skeleton.body_names):
+        is_at_rest = body == 0 and not skeleton.is_floating
         yield {
             "type": "link",
             "path": path_of(tree, "links", name),
             "name": name,
             "index": body,
             "joint": joints[body],
-            "mass": masses[body],
-            "com": coms[body],
-            "inertia": inertias[body],
-            "is_consistent": is_at_rest or ellipsoids.is_consistent[body],
+            "mass": skeleton.masses[body].mass,
+            "com": list(skeleton.masses[body].com),
+            "inertia": list(ellipsoids[body].about_com),
+            "is_consistent": is_at_rest or ellipsoids[body].is_consistent,
             **_shape(size.segments[body]),
         }
-    yield from _joints(tree, bodies, names)
-    yield from _frames(tree, bodies, names)
+    yield from _joints(tree, skeleton)
+    yield from _frames(tree, skeleton)
 
 
-def _joints(tree: str, bodies: Bodies, names: tuple[str, ...]) -> Iterator[Message]:
-    placements = column_major(homogeneous(bodies.p_R_j, bodies.p_r_j))
-    for link, parent in bodies.links():
+def _joints(tree: str, skeleton: Skeleton) -> Iterator[Message]:
+    names = skeleton.body_names
+    for link, parent in skeleton.links():
         yield {
             "type": "joint",
-            "path": path_of(tree, "joints", bodies.joint_names[link - 1]),
-            "name": bodies.joint_names[link - 1],
+            "path": path_of(tree, "joints", skeleton.joint_names[link - 1]),
+            "name": skeleton.joint_names[link - 1],
             "index": link,
-            "kind": bodies.joint_kinds[link - 1],
+            "kind": skeleton.joint_kinds[link - 1],
             "predecessor": names[parent],
             "successor": names[link],
-            "placement": placements[link - 1],
+            "placement": column_major(skeleton.placements[link - 1]),
         }
 
 
-def _frames(tree: str, bodies: Bodies, names: tuple[str, ...]) -> Iterator[Message]:
-    if not bodies.frames:
-        return
-    R = np.stack([frame.body_R_frame for frame in bodies.frames])
-    r = np.stack([frame.body_r_frame for frame in bodies.frames])
-    placements = column_major(homogeneous(R, r))
-    for frame, placement in zip(bodies.frames, placements, strict=True):
+def _frames(tree: str, skeleton: Skeleton) -> Iterator[Message]:
+    for frame in skeleton.frames:
         yield {
             "type": "frame",
             "path": path_of(tree, "frames", frame.name),
             "name": frame.name,
-            "link": names[frame.body],
-            "placement": placement,
+            "link": skeleton.body_names[frame.body],
+            "placement": column_major(frame.pose),
         }
-
-
-def _names(bodies: Bodies) -> tuple[str, ...]:
-    return (bodies.base_name, *bodies.link_names)
 
 
 def _shape(segments: tuple[Segment, ...]) -> dict[str, object]:

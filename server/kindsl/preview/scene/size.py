@@ -5,10 +5,8 @@ from dataclasses import dataclass
 from statistics import median
 from typing import NamedTuple, TypeAlias
 
-import numpy as np
-
-from kindsl.dynamics.bodies import Bodies
-from kindsl.spatial.arrays import Array
+from kindsl.mechanism.skeleton import Skeleton
+from kindsl.rigid.pose import IDENTITY
 
 # A body's radius is a share of the median segment, within shares of the whole robot.
 RADIUS_PER_SEGMENT = 0.11
@@ -41,60 +39,57 @@ class Extent:
     Attributes:
         segments: Of each body, the base first.
         size: Diagonal of the box around all bodies, metres.
-        center: That box's middle in the base's frame, shape (3,).
+        center: That box's middle in the base's frame, metres.
         ground: Height of the ground, metres.
         radius: Radius to draw bodies with, metres.
     """
 
     segments: tuple[tuple[Segment, ...], ...]
     size: float
-    center: Array
+    center: Point
     ground: float
     radius: float
 
 
-def extent(bodies: Bodies) -> Extent:
+def extent(skeleton: Skeleton) -> Extent:
     """Measure a mechanism."""
-    segments = _segments(bodies)
-    points = _points(bodies, segments)
-    low, high = points.min(axis=0), points.max(axis=0)
-    diagonal = float(np.linalg.norm(high - low))
+    segments = _segments(skeleton)
+    xs, ys, zs = zip(*_points(skeleton, segments), strict=True)
+    low, high = (min(xs), min(ys), min(zs)), (max(xs), max(ys), max(zs))
+    diagonal = math.dist(low, high)
     size = diagonal if diagonal > NEGLIGIBLE else 1.0
     radius = _radius(segments, size)
-    ground = float(low[2]) - 0.5 * radius if bodies.is_floating else min(0.0, float(low[2]))
-    return Extent(segments, size, 0.5 * (low + high), ground, radius)
+    ground = low[2] - 0.5 * radius if skeleton.is_floating else min(0.0, low[2])
+    x, y, z = (0.5 * (a + b) for a, b in zip(low, high, strict=True))
+    return Extent(segments, size, (x, y, z), ground, radius)
 
 
-def _segments(bodies: Bodies) -> tuple[tuple[Segment, ...], ...]:
+def _segments(skeleton: Skeleton) -> tuple[tuple[Segment, ...], ...]:
     """Return each body's pieces: to its joints, else to its frames, else through its CoM."""
-    ends: list[list[Segment]] = [[] for _ in range(bodies.n_links + 1)]
-    places = bodies.p_r_j.tolist()
-    for link, parent in bodies.links():
-        ends[parent].append(Segment(bodies.joint_names[link - 1], tuple(places[link - 1])))
+    ends: list[list[Segment]] = [[] for _ in skeleton.body_names]
+    for link, parent in skeleton.links():
+        place = skeleton.placements[link - 1].translation
+        ends[parent].append(Segment(skeleton.joint_names[link - 1], place))
     is_leaf = [not own for own in ends]
-    for frame in bodies.frames:
+    for frame in skeleton.frames:
         if is_leaf[frame.body]:
-            ends[frame.body].append(Segment(frame.name, tuple(frame.body_r_frame.tolist())))
+            ends[frame.body].append(Segment(frame.name, frame.pose.translation))
     drawn = [tuple(piece for piece in own if piece.length > NEGLIGIBLE) for own in ends]
     for body, is_bare in enumerate(is_leaf):
-        through = Segment("com", tuple((2.0 * bodies.coms[body]).tolist()))
+        x, y, z = skeleton.masses[body].com
+        through = Segment("com", (2.0 * x, 2.0 * y, 2.0 * z))
         if is_bare and not drawn[body] and through.length > NEGLIGIBLE:
             drawn[body] = (through,)
     return tuple(drawn)
 
 
-def _points(bodies: Bodies, segments: tuple[tuple[Segment, ...], ...]) -> Array:
+def _points(skeleton: Skeleton, segments: tuple[tuple[Segment, ...], ...]) -> list[Point]:
     """Return where bodies begin and end at the zero configuration, in the base's frame."""
-    R, r = [np.eye(3)], [np.zeros(3)]
-    for link, parent in bodies.links():
-        R.append(R[parent] @ bodies.p_R_j[link - 1])
-        r.append(R[parent] @ bodies.p_r_j[link - 1] + r[parent])
-    owners = [body for body, own in enumerate(segments) for _ in own]
-    if not owners:
-        return np.stack(r)
-    ends = np.array([piece.end for own in segments for piece in own])
-    rotated = np.einsum("kij,kj->ki", np.stack(R)[owners], ends)
-    return np.concatenate((np.stack(r), rotated + np.stack(r)[owners]))
+    poses = [IDENTITY]
+    for link, parent in skeleton.links():
+        poses.append(poses[parent].then(skeleton.placements[link - 1]))
+    ends = [pose.point(s.end) for pose, own in zip(poses, segments, strict=True) for s in own]
+    return [*(pose.translation for pose in poses), *ends]
 
 
 def _radius(segments: tuple[tuple[Segment, ...], ...], size: float) -> float:

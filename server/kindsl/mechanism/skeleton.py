@@ -1,0 +1,152 @@
+"""A mechanism in plain floats: names, parents, poses, masses. What pictures need, without NumPy."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from math import isfinite
+from typing import NamedTuple, Protocol
+
+from kindsl.mechanism.numbering import require_base
+from kindsl.rigid.body import MassDistribution
+from kindsl.rigid.pose import RigidPose
+from kindsl.semantics.declarations import Frame, Joint, Link
+from kindsl.semantics.kinematic_tree import Edge
+from kindsl.semantics.model import Model
+
+
+class AttachedFrame(NamedTuple):
+    """A named frame fixed to a body.
+
+    Attributes:
+        name: Its name, unique among the links and frames.
+        body: Index of the body that carries it, 0 for the base.
+        pose: The frame in the body's frame.
+    """
+
+    name: str
+    body: int
+    pose: RigidPose
+
+
+@dataclass(frozen=True, slots=True)
+class Skeleton:
+    """A tree of rigid bodies: the base, body 0, and the links 1 to n, parents before children.
+
+    Link i and its supporting joint i have the index i - 1 in what has a length of n.
+
+    Attributes:
+        base_name: The base's name.
+        link_names: Names of the n links, unique together with the base's and the frames'.
+        joint_names: Names of the n supporting joints.
+        joint_kinds: `"revolute"` or `"prismatic"`.
+        parents: Body index of each link's parent, less than the link's own.
+        placements: Joint frames in their predecessors' frames, n of them.
+        masses: Of the base and the links, about the bodies' origins and axes, n + 1 of them.
+        is_floating: Whether the base is free to move; if not, its inertia does not matter.
+        frames: Further named frames.
+
+    Raises:
+        ValueError: On construction, if there is no link, a name is used twice, or a value is not
+            finite.
+    """
+
+    base_name: str
+    link_names: tuple[str, ...]
+    joint_names: tuple[str, ...]
+    joint_kinds: tuple[str, ...]
+    parents: tuple[int, ...]
+    placements: tuple[RigidPose, ...]
+    masses: tuple[MassDistribution, ...]
+    is_floating: bool
+    frames: tuple[AttachedFrame, ...] = ()
+
+    def __post_init__(self) -> None:
+        if not self.link_names:
+            raise ValueError("a mechanism has at least one link")
+        _check_unique((*self.body_names, *(frame.name for frame in self.frames)))
+        _check_unique(self.joint_names)
+        for name, pose in zip(self.joint_names, self.placements, strict=True):
+            _check_finite(f"pose of joint '{name}'", _numbers_of(pose))
+        for frame in self.frames:
+            _check_finite(f"pose of frame '{frame.name}'", _numbers_of(frame.pose))
+        for name, body in zip(self.body_names, self.masses, strict=True):
+            _check_finite(f"inertia of '{name}'", (body.mass, *body.com, *body.moments))
+
+    @property
+    def body_names(self) -> tuple[str, ...]:
+        """The base's name and the links'."""
+        return (self.base_name, *self.link_names)
+
+    def links(self) -> Iterator[tuple[int, int]]:
+        """Yield each link's body index and its parent's, parents first."""
+        return enumerate(self.parents, start=1)
+
+
+class Reader(Protocol):
+    """How what is written becomes numbers: strictly, or as far as known."""
+
+    def joint_pose(self, joint: Joint) -> RigidPose:
+        """Return a joint's frame in its predecessor's."""
+
+    def frame_pose(self, frame: Frame) -> RigidPose:
+        """Return an optional frame in its link's."""
+
+    def body(self, link: Link) -> MassDistribution:
+        """Return a link's mass distribution about its frame."""
+
+
+def skeleton_of(model: Model, edges: Sequence[Edge], reader: Reader) -> Skeleton:
+    """Return the numbered bodies.
+
+    Args:
+        model: The document's model.
+        edges: The supporting edge of each link, in the order of the bodies 1 to n.
+        reader: Makes numbers of what is written.
+
+    Raises:
+        ValueError: A name stands for two things, a value is infinite, there is no link; besides,
+            what the reader raises.
+    """
+    base = require_base(model)
+    links = [edge.link for edge in edges if edge.link is not None]
+    joints = [edge.joint for edge in edges if edge.joint is not None]
+    index = {body: i for i, body in enumerate([base, *links])}
+    return Skeleton(
+        str(base.name),
+        tuple(str(link.name) for link in links),
+        tuple(str(joint.name) for joint in joints),
+        tuple(joint.kind for joint in joints),
+        tuple(index[edge.predecessor] for edge in edges),
+        tuple(reader.joint_pose(joint) for joint in joints),
+        tuple(reader.body(body) for body in index),
+        base.is_floating,
+        tuple(_frames(index, reader)),
+    )
+
+
+def _frames(index: Mapping[Link, int], reader: Reader) -> Iterator[AttachedFrame]:
+    """Yield the optional frames; one whose name is taken is called `link.frame`."""
+    taken = {str(body.name) for body in index}
+    for body, number in index.items():
+        for frame in body.frames:
+            pose = reader.frame_pose(frame)
+            name = str(frame.name) if frame.name not in taken else f"{body.name}.{frame.name}"
+            if name not in taken:
+                taken.add(name)
+                yield AttachedFrame(name, number, pose)
+
+
+def _check_unique(names: Sequence[str]) -> None:
+    seen: set[str] = set()
+    for name in names:
+        if name in seen:
+            raise ValueError(f"the name '{name}' is used twice")
+        seen.add(name)
+
+
+def _check_finite(quantity: str, numbers: Sequence[float]) -> None:
+    if not all(map(isfinite, numbers)):
+        raise ValueError(f"{quantity} holds a value that is not finite")
+
+
+def _numbers_of(pose: RigidPose) -> tuple[float, ...]:
+    return (*pose.translation, *(number for row in pose.rotation for number in row))

@@ -1,0 +1,84 @@
+"""What is written as numbers, where all of it must be there."""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from kindsl.mechanism.errors import ModelError, UnboundParameterError
+from kindsl.rigid.body import NO_BODY, MassDistribution, Vector3, seen_from
+from kindsl.rigid.pose import RigidPose, pose_from
+from kindsl.semantics.declarations import MOMENTS, Frame, Inertia, Joint, Link, Pose, Vector
+from kindsl.semantics.expressions import ConstantUse, Expression, symbols
+from kindsl.semantics.places import Located
+
+
+class StrictReader(NamedTuple):
+    """Reads every number, or says which is missing.
+
+    Attributes:
+        values: Of parameters by name, and of constants by `<name>`.
+
+    Its methods raise:
+        UnboundParameterError: A value needs a parameter that has none.
+        ModelError: A value is missing or not defined.
+    """
+
+    values: Mapping[str, float]
+
+    def joint_pose(self, joint: Joint) -> RigidPose:
+        """Return a joint's frame in its predecessor's."""
+        return self._pose(f"joint '{joint.name}'", joint, joint.pose)
+
+    def frame_pose(self, frame: Frame) -> RigidPose:
+        """Return an optional frame in its link's."""
+        return self._pose(f"frame '{frame.name}'", frame, frame.pose)
+
+    def body(self, link: Link) -> MassDistribution:
+        """Return a link's mass distribution about its frame; nothing where none is given.
+
+        A fixed base's inertia does not matter, so it may hang on unbound parameters.
+        """
+        if link.inertia is None:
+            return NO_BODY
+        try:
+            return self._given(link, link.inertia)
+        except UnboundParameterError:
+            if link.is_base and not link.is_floating:
+                return NO_BODY
+            raise
+
+    def _given(self, link: Link, inertia: Inertia) -> MassDistribution:
+        owner = f"inertia of '{link.name}'"
+        mass = self._number(owner, "mass", inertia.mass, inertia)
+        com = self._vector(owner, "CoM", inertia.com, inertia)
+        ix, iy, iz, ixy, ixz, iyz = (
+            self._number(owner, name, inertia.moments.get(name), inertia) for name in MOMENTS
+        )
+        given = MassDistribution(mass, com, (ix, iy, iz, ixy, ixz, iyz))
+        if inertia.frame is None:
+            return given
+        frame = next((f for f in link.frames if f.name == inertia.frame), None)
+        if frame is None:
+            raise ModelError(f"'{link.name}' has no frame '{inertia.frame}'", inertia.frame)
+        return seen_from(given, self.frame_pose(frame))
+
+    def _pose(self, owner: str, at: Located, pose: Pose) -> RigidPose:
+        translation = self._vector(owner, "translation", pose.translation, at)
+        return pose_from(translation, self._vector(owner, "rotation", pose.rotation, at))
+
+    def _vector(self, owner: str, what: str, vector: Vector | None, at: Located) -> Vector3:
+        if vector is None or len(vector.components) != 3:
+            raise ModelError(f"{owner}: '{what}' needs three components", vector or at)
+        x, y, z = (self._number(owner, what, component, at) for component in vector.components)
+        return x, y, z
+
+    def _number(self, owner: str, what: str, value: Expression | None, at: Located) -> float:
+        if value is None:
+            raise ModelError(f"{owner}: '{what}' is missing", at)
+        number = value.value(self.values)
+        if number is not None:
+            return number
+        unbound = [s.name for s in symbols(value) if not isinstance(s, ConstantUse)]
+        missing = [name for name in unbound if name not in self.values]
+        if missing:
+            raise UnboundParameterError(tuple(str(name) for name in missing), missing[0])
+        raise ModelError(f"{owner}: '{what}' has no value: {value.text}", value)
