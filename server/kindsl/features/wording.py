@@ -5,12 +5,12 @@ from math import degrees
 from typing import NamedTuple
 
 from kindsl.features.quantity_text import vector
-from kindsl.rigid.pose import RigidPose
+from kindsl.rigid.pose import PLAIN, RigidPose, angles
 
 
 def pose_text(pose: RigidPose) -> str:
     """Return a pose: origin in metres, intrinsic x, y, z angles in degrees."""
-    turned = vector(degrees(angle) for angle in pose.angles)
+    turned = vector(degrees(angle) for angle in angles(pose.rotation, PLAIN))
     return f"origin {vector(pose.translation)} m, turned {turned}° about x, y, z"
 
 

@@ -1,7 +1,7 @@
 """A robot description as a document of the Kinematics-DSL."""
 
 from collections.abc import Iterable, Sequence
-from math import atan2, cos, pi, sin
+from math import pi
 
 from kindsl.interchange.names import valid_name, valid_names
 from kindsl.interchange.robot_description import (
@@ -10,6 +10,7 @@ from kindsl.interchange.robot_description import (
     MassProperties,
     RobotDescription,
 )
+from kindsl.rigid.pose import angles
 from kindsl.spatial.arrays import Array
 
 _DECIMALS = 15
@@ -27,19 +28,6 @@ def kindsl_text(robot: RobotDescription) -> str:
     blocks += [_joint(link, names) for link in robot.links if link.parent is not None]
     head = f"Robot {valid_name(robot.name)} {{"
     return "\n\n".join((head, *blocks)) + "\n}\n"
-
-
-def intrinsic_xyz(R: Array) -> tuple[float, float, float]:
-    """Return `(rx, ry, rz)` with `R = Rx @ Ry @ Rz`, radians.
-
-    rx is ill-defined near ry = +-pi/2; the other two are read off what rx leaves, so that the
-    product is R all the same.
-    """
-    rx = atan2(-R[1, 2], R[2, 2])
-    cos_x, sin_x = cos(rx), sin(rx)
-    row_y = cos_x * R[1] + sin_x * R[2]
-    z_z = cos_x * R[2, 2] - sin_x * R[1, 2]
-    return rx, atan2(R[0, 2], z_z), atan2(row_y[0], row_y[1])
 
 
 def _things(links: Sequence[DescribedLink]) -> Iterable[tuple[str, str]]:
@@ -108,7 +96,7 @@ def _joint(link: DescribedLink, names: _Names) -> str:
 def _pose(T: Array, indent: str) -> list[str]:
     return [
         f"{indent}translation = {_vector(map(_number, T[:3, 3]))}",
-        f"{indent}rotation = {_vector(map(_angle, intrinsic_xyz(T[:3, :3])))}",
+        f"{indent}rotation = {_vector(map(_angle, angles(T[:3, :3].tolist(), within=0.0)))}",
     ]
 
 

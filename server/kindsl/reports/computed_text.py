@@ -2,12 +2,10 @@
 
 from collections.abc import Iterator, Sequence
 
-import numpy as np
-
 from kindsl.reports.columns import aligned
 from kindsl.reports.computation import Results
 from kindsl.reports.robot_text import printable_lines
-from kindsl.spatial.arrays import Array
+from kindsl.rigid.pose import PLAIN, angles
 
 _POSITION = {"revolute": "rad", "prismatic": "m"}
 _FORCE = {"revolute": "N m", "prismatic": "N"}
@@ -55,11 +53,13 @@ def _joints(results: Results, k: int) -> str:
 
 
 def _poses(results: Results, k: int) -> str:
-    rows = [("pose in the base", "x / m", "y / m", "z / m", "rx / rad", "ry / rad", "rz / rad")]
+    rows: list[Sequence[str]] = [
+        ("pose in the base", "x / m", "y / m", "z / m", "rx / rad", "ry / rad", "rz / rad")
+    ]
     for name, poses in results.poses.items():
         pose = poses[k]
-        numbers = (*pose[:3, 3], *intrinsic_xyz(pose[:3, :3]))
-        rows.append((name, *(_fixed(value) for value in numbers)))  # type: ignore[arg-type]
+        numbers = (*pose[:3, 3], *angles(pose[:3, :3].tolist(), PLAIN))
+        rows.append((name, *(_fixed(value) for value in numbers)))
     return aligned(rows, frozenset(range(1, 7)))
 
 
@@ -82,17 +82,6 @@ def _inertia(results: Results, k: int) -> str:
         (f"{i} {name}", *(_fixed(value) for value in matrix[i])) for i, name in enumerate(names)
     ]
     return aligned(rows, frozenset(range(1, len(names) + 1)))
-
-
-def intrinsic_xyz(R: Array) -> tuple[float, float, float]:
-    """Return the intrinsic rotations about x, y, z that make a rotation matrix, radians.
-
-    Where y is a quarter turn, z is zero.
-    """
-    ry = float(np.arcsin(np.clip(R[0, 2], -1.0, 1.0)))
-    if abs(R[0, 2]) > 1.0 - 1e-12:
-        return float(np.arctan2(R[2, 1], R[1, 1])), ry, 0.0
-    return float(np.arctan2(-R[1, 2], R[2, 2])), ry, float(np.arctan2(-R[0, 1], R[0, 0]))
 
 
 def _fixed(value: float) -> str:

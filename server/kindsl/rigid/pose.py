@@ -1,7 +1,10 @@
-"""Poses on plain floats, for what an editor shows without NumPy."""
+"""Poses on plain floats, without NumPy."""
 
 from math import atan2, cos, hypot, sin
 from typing import NamedTuple
+
+# For people: nearer to a quarter turn, one sum is plainer than two angles.
+PLAIN = 1e-9
 
 Triple = tuple[float, float, float]
 Rotation = tuple[Triple, Triple, Triple]
@@ -43,15 +46,6 @@ class RigidPose(NamedTuple):
         x, y, z = turned.turn(self.translation)
         return RigidPose(turned.rotation, (-x, -y, -z))
 
-    @property
-    def angles(self) -> Triple:
-        """Intrinsic x, y, z angles in radians; the last is 0 where two of them turn alike."""
-        (r00, r01, r02), (_, r11, r12), (_, r21, r22) = self.rotation
-        y = atan2(r02, hypot(r00, r01))
-        if hypot(r00, r01) < 1e-9:
-            return atan2(r21, r11), y, 0.0
-        return atan2(-r12, r22), y, atan2(-r01, r00)
-
 
 IDENTITY = RigidPose(_IDENTITY, (0.0, 0.0, 0.0))
 
@@ -70,6 +64,27 @@ def pose_from(translation: Triple, angles: Triple) -> RigidPose:
         (sx * sz - cx * sy * cz, sx * cz + cx * sy * sz, cx * cy),
     )
     return RigidPose(rotation, translation)
+
+
+def angles(rotation: Rotation, within: float) -> Triple:
+    """Return the turns about x, the new y, the newest z that make a rotation, radians.
+
+    Where y is a quarter turn, x and z turn about one axis and only their sum counts. The turn about
+    x is ill-defined nearby, so the other two are read off what it leaves: together they make the
+    rotation to the last digit all the same.
+
+    Args:
+        rotation: `A_R_B`, rows.
+        within: How near to a quarter turn z is taken for zero and x for the sum, radians; then
+            the rotation is met to that much.
+    """
+    (r00, r01, r02), (r10, r11, r12), (r20, r21, r22) = rotation
+    cos_y = hypot(r00, r01)
+    if cos_y <= within:
+        return atan2(r21, r11), atan2(r02, cos_y), 0.0
+    x = atan2(-r12, r22)
+    c, s = cos(x), sin(x)
+    return x, atan2(r02, c * r22 - s * r12), atan2(c * r10 + s * r20, c * r11 + s * r21)
 
 
 def transposed(rotation: Rotation) -> Rotation:

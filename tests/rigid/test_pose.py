@@ -1,0 +1,89 @@
+"""Poses in plain floats, against NumPy's and against their own definitions."""
+
+from math import pi
+
+import numpy as np
+import pytest
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+
+from kindsl.rigid.pose import IDENTITY, PLAIN, Rotation, Triple, angles, pose_from
+from kindsl.spatial.transforms import homogeneous, rotation_from_intrinsic_xyz
+
+# Rounding of sums and products of numbers up to one.
+ROUNDING = 1e-15
+
+turns = st.one_of(
+    st.floats(-7.0, 7.0),
+    st.sampled_from([0.0, pi / 2, -pi / 2, pi, -pi, 3 * pi / 2]),
+    # Around a quarter turn, at all distances.
+    st.builds(
+        lambda e, sign: sign * (pi / 2 - 10.0**e), st.floats(-17.0, -1.0), st.sampled_from([1, -1])
+    ),
+)
+triples = st.tuples(turns, turns, turns)
+places = st.tuples(*[st.floats(-10.0, 10.0)] * 3)
+many = settings(max_examples=400, deadline=None, derandomize=True)
+
+
+def _matrix(rotation: Rotation) -> np.ndarray:
+    return np.array(rotation)
+
+
+def _again(rotation: Rotation, within: float) -> np.ndarray:
+    return _matrix(pose_from((0.0, 0.0, 0.0), angles(rotation, within)).rotation)
+
+
+@many
+@given(triples)
+def test_turns_are_those_of_batches(given_angles: Triple) -> None:
+    ours = _matrix(pose_from((0.0, 0.0, 0.0), given_angles).rotation)
+    theirs = rotation_from_intrinsic_xyz(np.array(given_angles))
+    np.testing.assert_allclose(ours, theirs, rtol=0, atol=ROUNDING)
+
+
+@many
+@given(triples)
+@example((0.4, pi / 2, -1.1))
+@example((0.4, pi / 2 - 1e-9, -1.1))
+@example((0.4, pi / 2 - 3e-8, -1.1))
+@example((0.3, -pi / 2, 0.4))
+def test_angles_make_the_rotation_again(given_angles: Triple) -> None:
+    """For files nothing may be lost, least of all near a quarter turn."""
+    rotation = pose_from((0.0, 0.0, 0.0), given_angles).rotation
+    np.testing.assert_allclose(_again(rotation, 0.0), _matrix(rotation), rtol=0, atol=2 * ROUNDING)
+    np.testing.assert_allclose(_again(rotation, PLAIN), _matrix(rotation), rtol=0, atol=2 * PLAIN)
+
+
+@pytest.mark.parametrize("quarter", [pi / 2, -pi / 2])
+@given(turns, turns)
+@many
+def test_at_a_quarter_turn_people_read_one_sum(quarter: float, x: float, z: float) -> None:
+    got_x, got_y, got_z = angles(pose_from((0.0, 0.0, 0.0), (x, quarter, z)).rotation, PLAIN)
+    assert (got_y, got_z) == (pytest.approx(quarter, abs=1e-8), 0.0)
+    total = x + z if quarter > 0.0 else x - z
+    assert abs(np.exp(1j * got_x) - np.exp(1j * total)) < 1e-8
+
+
+def test_exact_quarter_turns_are_read_without_noise() -> None:
+    """Matrices that files hold in whole numbers have no rounding to tell the angles apart."""
+    up: Rotation = ((0.0, 0.0, 1.0), (0.0, 1.0, 0.0), (-1.0, 0.0, 0.0))
+    assert angles(up, within=0.0) == (0.0, pi / 2, 0.0)
+
+
+@many
+@given(places, triples, places, triples, places)
+def test_poses_chain_as_matrices_do(
+    r: Triple, a: Triple, r_next: Triple, a_next: Triple, point: Triple
+) -> None:
+    first, second = pose_from(r, a), pose_from(r_next, a_next)
+    T = homogeneous(_matrix(first.rotation), np.array(r)) @ homogeneous(
+        _matrix(second.rotation), np.array(r_next)
+    )
+    both = first.then(second)
+    np.testing.assert_allclose(_matrix(both.rotation), T[:3, :3], rtol=0, atol=1e-14)
+    np.testing.assert_allclose(both.translation, T[:3, 3], rtol=0, atol=1e-13)
+    np.testing.assert_allclose(both.point(point), (T @ [*point, 1.0])[:3], rtol=0, atol=1e-12)
+    back = first.inverse().then(first)
+    np.testing.assert_allclose(_matrix(back.rotation), _matrix(IDENTITY.rotation), atol=1e-14)
+    np.testing.assert_allclose(back.translation, IDENTITY.translation, atol=1e-13)
