@@ -66,6 +66,11 @@ def test_an_unbound_parameter_says_so_everywhere():
     assert why in shown(ARM.replace("tip {", "ti$0p {"))
 
 
+def test_a_number_beyond_all_bounds_places_nothing():
+    text = shown(ARM.replace("reach", "1e999").replace("tip {", "ti$0p {"))
+    assert "not known: `1e999` is not finite" in text
+
+
 def test_a_default_is_told():
     assert "default 1.5, in the document" in shown(PARAMETRIC.replace("m[1.5]", "$0m[1.5]"))
 

@@ -11,9 +11,8 @@ from kindsl.rigid.body import (
     seen_from,
 )
 from kindsl.rigid.pose import Triple
-from kindsl.rules.inertia.judgements import mass_distribution
 from kindsl.semantics.declarations import Inertia, Link, inertia_values
-from kindsl.semantics.numbers import written_pose
+from kindsl.semantics.numbers import mass_distribution, written_pose
 
 
 def written_inertia(inertia: Inertia, values: Mapping[str, float]) -> MassDistribution | Unknown:

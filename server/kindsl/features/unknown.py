@@ -1,6 +1,7 @@
 """What cannot be said of a model, and why."""
 
 from collections.abc import Iterable, Mapping
+from math import isfinite
 from typing import NamedTuple
 
 from kindsl.semantics.declarations import Pose, Vector
@@ -16,8 +17,11 @@ class Unknown(NamedTuple):
 def why_unknown(values: Iterable[Expression], bindings: Mapping[str, float]) -> Unknown:
     """Return why some of these values are not known."""
     for expression in values:
-        if expression.value(bindings) is not None:
-            continue
+        value = expression.value(bindings)
+        if value is not None:
+            if isfinite(value):
+                continue
+            return Unknown(f"`{expression.text}` is not finite")
         for symbol in symbols(expression):
             if isinstance(symbol, ConstantUse):
                 if f"<{symbol.name}>" not in bindings:

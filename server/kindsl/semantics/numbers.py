@@ -1,22 +1,67 @@
-"""What is written, as numbers: poses and vectors at given values of the parameters."""
+"""What is written, as numbers: poses, vectors and bodies at given values of the parameters.
+
+What comes from an island without parameters and constants is computed once in the island's life.
+"""
 
 from collections.abc import Mapping
+from math import isfinite
 
+from kindsl.rigid.body import MassDistribution
 from kindsl.rigid.pose import RigidPose, Triple, pose_from
-from kindsl.semantics.declarations import Pose, Vector
+from kindsl.semantics.declarations import MOMENTS, Inertia, Pose, Vector
+from kindsl.semantics.lowering import declarations
+from kindsl.semantics.parameters import island_symbols
+from kindsl.syntax.tree import Island
 
 
 def written_pose(pose: Pose, values: Mapping[str, float]) -> RigidPose | None:
-    """Return a pose as the document gives it, None where a value is missing or unbound."""
+    """Return a pose in numbers, None where one is missing, unbound or infinite."""
+    if pose.translation is None or pose.rotation is None:
+        return None
+    island, key = pose.translation.island, ("pose", pose.translation.start)
+    known = island.facts.get(key)
+    if isinstance(known, RigidPose):
+        return known
     translation, angles = triple(pose.translation, values), triple(pose.rotation, values)
     if translation is None or angles is None:
         return None
-    return pose_from(translation, angles)
+    written = pose_from(translation, angles)
+    if _is_literal(island):
+        island.facts[key] = written
+    return written
+
+
+def mass_distribution(inertia: Inertia, values: Mapping[str, float]) -> MassDistribution | None:
+    """Return the numbers of an inertia, None where one is missing, unbound or infinite."""
+    island, key = inertia.island, ("body", inertia.start)
+    known = island.facts.get(key)
+    if isinstance(known, MassDistribution):
+        return known
+    mass = inertia.mass.value(values) if inertia.mass is not None else None
+    com = triple(inertia.com, values)
+    given = inertia.moments
+    moments = tuple([given[name].value(values) for name in MOMENTS if name in given])
+    if mass is None or com is None or None in moments or len(moments) != len(MOMENTS):
+        return None
+    if not isfinite(0.0 * mass + 0.0 * sum(moments)):  # type: ignore[arg-type]
+        return None
+    written = MassDistribution(mass, com, moments)  # type: ignore[arg-type]
+    if _is_literal(island):
+        island.facts[key] = written
+    return written
 
 
 def triple(vector: Vector | None, values: Mapping[str, float]) -> Triple | None:
-    """Return the three numbers of a vector, None where there are not three."""
+    """Return three components as written, None where one is missing, unbound or infinite."""
     if vector is None or len(vector.components) != 3:
         return None
-    x, y, z = (component.value(values) for component in vector.components)
-    return None if x is None or y is None or z is None else (x, y, z)
+    first, second, third = vector.components
+    x, y, z = first.value(values), second.value(values), third.value(values)
+    if x is None or y is None or z is None or not isfinite(0.0 * x + 0.0 * y + 0.0 * z):
+        return None
+    return x, y, z
+
+
+def _is_literal(island: Island) -> bool:
+    """Return whether an island has the same numbers whatever the parameters' values are."""
+    return not any(island_symbols(island, declarations(island)))

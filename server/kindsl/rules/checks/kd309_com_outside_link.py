@@ -28,12 +28,12 @@ from kindsl.rigid.body import MassDistribution, Vector3, second_moments_about_co
 from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint, link, robot
-from kindsl.rules.geometry import placement
-from kindsl.rules.inertia.judgements import is_moving, mass_distribution
+from kindsl.rules.inertia.judgements import is_moving
 from kindsl.rules.inertia.plausibility import GREATEST_LENGTH
 from kindsl.rules.inertia.wording import with_unit
 from kindsl.semantics.declarations import Inertia, Link
 from kindsl.semantics.model import Model
+from kindsl.semantics.numbers import mass_distribution, written_pose
 
 _FAR = 3.0
 _WIDE = 10.0
@@ -55,7 +55,7 @@ def _known_points(model: Model, body: Link, context: Context) -> list[Vector3]:
     """Return the origins of the children's joints and of the frames, in the link frame."""
     poses = [frame.pose for frame in body.frames]
     poses += [e.joint.pose for e in model.tree.successor_edges(body) if e.joint is not None]
-    placed = (placement(pose, context.values) for pose in poses)
+    placed = (written_pose(pose, context.values) for pose in poses)
     return [place.translation for place in placed if place is not None]
 
 
@@ -96,8 +96,8 @@ def _in_link_frame(body: Link, inertia: Inertia, com: Vector3, context: Context)
     if inertia.frame is None:
         return com
     frame = next((frame for frame in body.frames if frame.name == inertia.frame), None)
-    place = placement(frame.pose, context.values) if frame is not None else None
-    return place.applied_to(com) if place is not None else None
+    place = written_pose(frame.pose, context.values) if frame is not None else None
+    return place.point(com) if place is not None else None
 
 
 def _distance_to_segment(point: Vector3, end: Vector3) -> float:

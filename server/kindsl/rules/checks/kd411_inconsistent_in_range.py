@@ -32,11 +32,11 @@ from kindsl.rules.inertia.judgements import (
     is_moving,
     is_plain,
     keyword,
-    mass_distribution,
     verdict_of,
 )
 from kindsl.semantics.declarations import Declarations, Inertia, inertia_values
 from kindsl.semantics.expressions import ParameterUse, symbols
+from kindsl.semantics.numbers import mass_distribution
 
 _STEPS = 8
 _MOST_CORNERS = 64

@@ -21,8 +21,9 @@ from math import cos
 from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint
-from kindsl.rules.geometry import rotations, vector3
+from kindsl.rules.geometry import rotations
 from kindsl.semantics.declarations import Declarations
+from kindsl.semantics.numbers import triple
 
 _RIGHT = 1e-4
 
@@ -32,7 +33,7 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
     for rotation in rotations(declared):
         if any(angle.literal == 0.0 for angle in rotation.components[::2]):
             continue
-        angles = vector3(rotation, context.values)
+        angles = triple(rotation, context.values)
         if angles is not None and angles[0] and angles[2] and abs(cos(angles[1])) < _RIGHT:
             which = "difference" if angles[1] < 0.0 else "sum"
             message = f"with ry at a right angle only the {which} of rx and rz matters"

@@ -14,15 +14,19 @@ r_joint right { ref_frame { translation = (0.0, 0.1, 0.0) rotation = (0.0, 0.0, 
 ```
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
+from kindsl.rigid.pose import Triple
 from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint, link, robot
-from kindsl.rules.geometry import Placement, placement
-from kindsl.semantics.declarations import Joint
+from kindsl.semantics.declarations import Joint, Pose
 from kindsl.semantics.kinematic_tree import Edge
 from kindsl.semantics.model import Model
+from kindsl.semantics.numbers import triple
+
+# Translation and angles as written, so that nothing is compared but what was copied.
+Placed = tuple[Triple, Triple]
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
@@ -33,15 +37,20 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
 
 
 def _siblings(edges: list[Edge], context: Context) -> Iterator[Finding]:
-    known: dict[tuple[str, Placement], Joint] = {}
+    known: dict[tuple[str, Placed], Joint] = {}
     for edge in edges:
-        here = placement(edge.joint.pose, context.values) if edge.joint is not None else None
+        here = _placed(edge.joint.pose, context.values) if edge.joint is not None else None
         if edge.joint is not None and here is not None:
             first = known.setdefault((edge.joint.kind, here), edge.joint)
             if first is not edge.joint:
                 message = f"joint '{edge.joint.name}' has the frame of joint '{first.name}'"
                 related = Related(first.name, f"joint '{first.name}'")
                 yield Finding(edge.joint.name, message, (related,))
+
+
+def _placed(pose: Pose, values: Mapping[str, float]) -> Placed | None:
+    translation, angles = triple(pose.translation, values), triple(pose.rotation, values)
+    return (translation, angles) if translation is not None and angles is not None else None
 
 
 def _hand(height: float) -> str:

@@ -21,9 +21,9 @@ from math import hypot
 from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint, link, robot
-from kindsl.rules.geometry import placement
 from kindsl.semantics.declarations import Joint
 from kindsl.semantics.model import Model
+from kindsl.semantics.numbers import written_pose
 
 _PARALLEL = 1e-6
 _COINCIDENT = 1e-6
@@ -44,10 +44,10 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
 
 def _is_coaxial(joint: Joint, context: Context) -> bool:
     """Return whether a joint's axis is the z axis of the frame that it is given in."""
-    here = placement(joint.pose, context.values)
+    here = written_pose(joint.pose, context.values)
     if here is None:
         return False
-    x, y, _ = here.z_axis()
+    (_, _, x), (_, _, y), _ = here.rotation
     offset = hypot(here.translation[0], here.translation[1])
     return hypot(x, y) < _PARALLEL and (joint.kind == "prismatic" or offset < _COINCIDENT)
 

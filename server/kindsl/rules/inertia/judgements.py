@@ -12,7 +12,7 @@ language wants a decimal point, so of `55.0` and `120.0` two digits are believed
 
 from collections.abc import Mapping, Sequence
 from enum import Enum
-from math import isfinite, sqrt
+from math import sqrt
 from operator import mul
 from typing import NamedTuple
 
@@ -39,6 +39,7 @@ from kindsl.rules.inertia.plausibility import (
 from kindsl.semantics.declarations import MOMENTS, Declarations, Inertia, Link, inertia_values
 from kindsl.semantics.expressions import Expression, ParameterUse, half_unit, symbols
 from kindsl.semantics.lowering import declarations
+from kindsl.semantics.numbers import mass_distribution
 from kindsl.semantics.places import Place
 
 _KEY = "inertia"
@@ -138,21 +139,6 @@ def at_values(inertia: Inertia, values: Mapping[str, float]) -> str:
     names = dict.fromkeys(str(use.name) for use in uses if isinstance(use, ParameterUse))
     told = [f"{name} = {values[name]:g}" for name in names if name in values]
     return f" at {', '.join(told)}" if told else ""
-
-
-def mass_distribution(inertia: Inertia, values: Mapping[str, float]) -> MassDistribution | None:
-    """Return the numbers of an inertia, None where one is missing, unbound or infinite."""
-    com, moments = inertia.com, inertia.moments
-    if inertia.mass is None or com is None or len(com.components) != 3 or len(moments) != 6:
-        return None
-    mass = inertia.mass.value(values)
-    x, y, z = (component.value(values) for component in com.components)
-    given = [moments[name].value(values) for name in MOMENTS]
-    if mass is None or x is None or y is None or z is None or None in given:
-        return None
-    if not isfinite(0.0 * (mass + x + y + z) + 0.0 * sum(given)):  # type: ignore[arg-type]
-        return None
-    return MassDistribution(mass, (x, y, z), tuple(given))  # type: ignore[arg-type]
 
 
 def half_widths(inertia: Inertia, values: Mapping[str, float]) -> MassDistribution:
