@@ -3,8 +3,10 @@
 import asyncio
 import json
 from collections.abc import Iterator
+from typing import Any
 
 import pytest
+import umsgpack
 from tests.support.lsp import RawClient, ready_client
 
 pytest.importorskip("tornado", reason="the preview needs tornado")
@@ -47,6 +49,10 @@ async def received(connection: WebSocketClientConnection) -> object:
     return await asyncio.wait_for(connection.read_message(), 20)
 
 
+async def message_of(connection: WebSocketClientConnection) -> dict[str, Any]:
+    return dict(umsgpack.unpackb(await received(connection)))
+
+
 def test_a_document_keeps_its_address(client: RawClient) -> None:
     assert preview(client) == preview(client)
     assert preview(client).startswith("http://127.0.0.1:")
@@ -71,6 +77,31 @@ async def test_a_keystroke_is_seen(client: RawClient) -> None:
     place = {"start": {"line": 3, "character": 53}, "end": {"line": 3, "character": 54}}
     client.change(URI, 2, {"range": place, "text": "9"})
     assert await received(connection)
+    await hang_up(connection)
+
+
+async def test_a_keystroke_is_seen_long_before_it_is_checked() -> None:
+    settings = {"kindsl": {"diagnostics": {"delay": 60_000}}}
+    with ready_client(SHOWS, initializationOptions=settings) as client:
+        client.open(URI, ROBOT)
+        client.diagnostics(URI)
+        connection = await connected(client)
+        place = {"start": {"line": 3, "character": 53}, "end": {"line": 3, "character": 54}}
+        client.change(URI, 2, {"range": place, "text": "9"})
+        while (await message_of(connection)).get("placement", [])[12:15] != [0.0, 0.0, 9.5]:
+            pass
+        await hang_up(connection)
+        checked = [m["params"].get("version") for m in client.messages if "params" in m]
+        assert 2 not in checked
+
+
+async def test_what_is_wrong_is_listed_when_it_is_known(client: RawClient) -> None:
+    connection = await connected(client)
+    end = {"line": 3, "character": 0}
+    client.change(URI, 3, {"range": {"start": end, "end": end}, "text": "link one { id = 2 }\n"})
+    while (await message_of(connection)).get("line") != 4:
+        pass
+    client.change(URI, 4, {"text": ROBOT})
     await hang_up(connection)
 
 

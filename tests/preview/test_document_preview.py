@@ -15,6 +15,7 @@ from kindsl.preview.document_preview import DocumentPreview
 from kindsl.preview.requests import Reveal
 from kindsl.preview.reveal import place_of
 from kindsl.preview.scene.findings import MOST_LISTED
+from kindsl.preview.server import PreviewServer
 from kindsl.rules.base import Severity
 from kindsl.semantics.parameters import Binding
 
@@ -137,6 +138,31 @@ def test_findings_are_listed_the_worst_first_with_their_places():
     first = page.at("/kindsl/findings/0")["finding"]
     assert (first["code"], first["line"], first["column"]) == ("KD101", 9, 1)
     assert page.at("/kindsl/findings/1")["finding"]["severity"] == "info"
+
+
+def test_what_was_found_stays_listed_until_it_is_known_for_the_next_version():
+    preview = preview_of(ARM, findings=[finding("KD101", 0, 1)])
+    longer = analyse(ARM.replace("0.4,", "0.6,"))
+    preview.put(longer, preview.drawing(longer))
+    assert joint_x(preview) == 0.6
+    assert status(preview)["total"] == 1
+    assert page_of(preview).at("/kindsl/findings/0")
+    preview.tell([])
+    assert status(preview)["total"] == 0
+    assert not page_of(preview).at("/kindsl/findings/0")
+
+
+async def test_a_version_is_drawn_once_and_then_only_told_of(monkeypatch):
+    drawn = []
+    drawing = DocumentPreview.drawing
+    monkeypatch.setattr(
+        DocumentPreview, "drawing", lambda self, a: drawn.append(a) or drawing(self, a)
+    )
+    server, analysis = PreviewServer(), analyse(ARM)
+    await server.show("arm", analysis)
+    await server.show("arm", analysis, [finding("KD101", 0, 1)])
+    assert drawn == [analysis]
+    assert status(server.document(None))["total"] == 1
 
 
 def test_of_many_findings_some_are_listed_and_all_are_counted():

@@ -59,7 +59,7 @@ async def serve(command: Command) -> None:
     session = os.path.abspath(command.file)  # noqa: PTH100 (a path may hold any bytes)
     server = PreviewServer(print_place, port=command.port, session=session)
     address = await server.start()
-    await server.show(command.file, command.first)
+    await _show(server, command.file, command.first)
     if command.old is not None:
         server.compare(command.file, command.old)
     print(address, flush=True)
@@ -80,7 +80,13 @@ async def _reload(command: Command, server: PreviewServer, texts: dict[str, str]
             print(analysis, file=sys.stderr, flush=True)
             continue
         texts["shown"] = analysis.text
-        await server.show(command.file, analysis)
+        await _show(server, command.file, analysis)
+
+
+async def _show(server: PreviewServer, file: str, analysis: Analysis) -> None:
+    """Show a version, then what is found in it."""
+    await server.show(file, analysis)
+    await server.show(file, analysis, await asyncio.to_thread(lambda: analysis.findings))
 
 
 async def _until_stopped(reloading: "asyncio.Future[None]") -> None:

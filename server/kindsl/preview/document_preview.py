@@ -40,7 +40,7 @@ class DocumentPreview:
     Attributes:
         channel: The state and the tabs.
         analysis: The document as last shown, None before.
-        findings: What was found in it.
+        findings: What was found in it, or in an earlier version until that is known.
         newest: The version that was last asked for, maybe not yet shown.
         turn: Held while a version is drawn.
     """
@@ -54,12 +54,14 @@ class DocumentPreview:
         self._label = label
         self._joints: dict[str, float] = {}
         self._parameters: dict[str, float] = {}
+        self._picture: Picture | None = None
         self._last_good: Skeleton | None = None
         self._ghost: Skeleton | None = None
 
     def show(self, analysis: Analysis, findings: Sequence[Diagnostic]) -> None:
-        """Show a version; values that were set by sliders stay."""
-        self.put(analysis, findings, self.drawing(analysis))
+        """Show a version and what was found in it; values that were set by sliders stay."""
+        self.put(analysis, self.drawing(analysis))
+        self.tell(findings)
 
     def drawing(self, analysis: Analysis) -> Drawing:
         """Return what there is to show of a version; changes nothing, so any thread may ask."""
@@ -70,14 +72,19 @@ class DocumentPreview:
         robot = robot_messages(name, skeleton) if skeleton is not None else None
         return Drawing(given, drawn, robot)
 
-    def put(self, analysis: Analysis, findings: Sequence[Diagnostic], drawing: Drawing) -> None:
-        """Show a version of which a drawing was made."""
+    def put(self, analysis: Analysis, drawing: Drawing) -> None:
+        """Show a version of which a drawing was made; what was found before stays listed."""
         self.analysis = analysis
-        self.findings = findings
         if drawing.given != {**analysis.context.values, **self._parameters}:
             drawing = self.drawing(analysis)
         self._put(analysis, drawing)
-        self.channel.replace("findings", finding_messages(findings, analysis.text))
+
+    def tell(self, findings: Sequence[Diagnostic]) -> None:
+        """List what was found in the version that is shown."""
+        self.findings = findings
+        text = "" if self.analysis is None else self.analysis.text
+        self.channel.replace("findings", finding_messages(findings, text))
+        self._tell_status()
 
     def keep_as_ghost(self) -> None:
         """Make the version that is drawn the one that stands behind later ones."""
@@ -132,9 +139,14 @@ class DocumentPreview:
             self.channel.replace("robot", drawing.robot)
         rows = parameter_messages(analysis.model, analysis.settings.bindings, self._parameters)
         self.channel.replace("parameters", rows)
-        status = status_message(drawing.picture, len(self.findings), self._label)
-        self.channel.replace("status", keyed([status]))
+        self._picture = drawing.picture
+        self._tell_status()
         self._draw_ghost()
+
+    def _tell_status(self) -> None:
+        if self._picture is not None:
+            status = status_message(self._picture, len(self.findings), self._label)
+            self.channel.replace("status", keyed([status]))
 
     def _draw_ghost(self) -> None:
         ghost, present = self._ghost, self._last_good

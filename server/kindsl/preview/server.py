@@ -14,7 +14,7 @@ from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.preview.access import ADDRESS, Access, new_token
 from kindsl.preview.assets import assets
 from kindsl.preview.channel import Tab
-from kindsl.preview.document_preview import DocumentPreview
+from kindsl.preview.document_preview import DocumentPreview, Drawing
 from kindsl.preview.handlers import LiveHandler, application
 from kindsl.preview.requests import Hello, Request, Reveal, SetJoint, SetParameter
 from kindsl.preview.reveal import place_of
@@ -145,21 +145,19 @@ class PreviewServer:
 
         Args:
             key: The document's.
-            analysis: The version.
-            findings: What to list; None for the analysis' own.
+            analysis: The version; it is drawn once.
+            findings: What to list; None while it is not known, then what was listed stays.
             label: What to call the document; the first time counts.
         """
-        found = analysis.findings if findings is None else findings
         document = self._document(key, label)
         document.newest = analysis
         async with document.turn:
             if document.newest is not analysis:
                 return
-            if len(analysis.model.links) <= FEW_LINKS:
-                document.show(analysis, found)
-            else:
-                drawing = await asyncio.to_thread(document.drawing, analysis)
-                document.put(analysis, found, drawing)
+            if document.analysis is not analysis:
+                document.put(analysis, await _drawing(document, analysis))
+            if findings is not None:
+                document.tell(findings)
 
     def saved(self, key: str) -> None:
         """Let the version that is shown stand as a ghost behind later ones."""
@@ -228,6 +226,13 @@ class PreviewServer:
 
     def _address(self) -> str:
         return f"http://{ADDRESS}:{self._access.port}/?token={self._access.token}"
+
+
+async def _drawing(document: DocumentPreview, analysis: Analysis) -> Drawing:
+    """Return what there is to show of a version; a long one does not keep the loop waiting."""
+    if len(analysis.model.links) <= FEW_LINKS:
+        return document.drawing(analysis)
+    return await asyncio.to_thread(document.drawing, analysis)
 
 
 def _listening_socket(port: int) -> socket.socket:

@@ -106,6 +106,7 @@ def refresh(session: Session) -> None:
     """Check all open documents again and let the client ask again for what it shows."""
     session.news.set()
     session.publisher.refresh()
+    session.previews.refresh()
     editor = session.editor
     for shown, ask in (
         ("diagnostics", editor.workspace_diagnostic_refresh),

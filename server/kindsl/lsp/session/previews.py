@@ -1,31 +1,53 @@
-"""The live preview of open documents, in the server's own event loop."""
+"""The live preview of documents, in the server's own event loop.
+
+A version is drawn as soon as its model is there and no question waits for an answer; what is wrong
+with it is listed when that is known. Of versions that come while one is drawn only the newest is
+drawn, and drawing takes at most half the time.
+"""
 
 import asyncio
-from typing import TYPE_CHECKING, Any
+import time
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from lsprotocol import types
 
 from kindsl.lsp.session.state import State
-from kindsl.lsp.session.worker import start_task
+from kindsl.lsp.session.worker import Urgency, start_task
 from kindsl.lsp.text import uris
 from kindsl.lsp.text.document import Document
 from kindsl.lsp.wire.client import asked
 from kindsl.lsp.wire.protocol import RequestFailed
 
 if TYPE_CHECKING:
+    from kindsl.analysis.diagnostics import Diagnostic
     from kindsl.preview.server import PreviewServer
     from kindsl.text.span import Span
+
+_FRAME = 0.03
+
+
+class _Version(NamedTuple):
+    """A version to show, and what is wrong with it if that is known."""
+
+    document: Document
+    findings: "Sequence[Diagnostic] | None" = None
 
 
 class Previews:
     """Shows documents, keeps them up to date, carries clicks back to the editor."""
 
-    __slots__ = ("_preview", "_starting", "_state")
+    __slots__ = ("_drawing", "_newest", "_preview", "_starting", "_state")
 
     def __init__(self, state: State) -> None:
         self._state = state
         self._preview: PreviewServer | None = None
         self._starting = asyncio.Lock()
+        self._newest: dict[str, _Version] = {}
+        self._drawing: set[str] = set()
+        state.documents.on_open.append(self._changed)
+        state.documents.on_change.append(self._changed)
+        state.on_findings.append(self._found)
         state.on_cursor.append(self._highlight)
 
     async def open(self, uri: str, origin: object = None) -> str:
@@ -47,13 +69,14 @@ class Previews:
                 preview.admit(origin)
             except ValueError as error:
                 raise RequestFailed(str(error)) from None
-        await self._show(preview, document)
+        await self._show(preview, _Version(document))
+        start_task(self._judge(uri))
         return preview.url(uris.key(uri))
 
-    async def update(self, document: Document) -> None:
-        """Show a new version of a document that is shown."""
-        if self._preview is not None and self._preview.shows(uris.key(document.uri)):
-            await self._show(self._preview, document)
+    def refresh(self) -> None:
+        """Show all open documents again, for the settings have changed."""
+        for document in self._state.documents:
+            self._changed(document)
 
     def saved(self, uri: str) -> None:
         """Let the version that was saved stand as a ghost behind later ones."""
@@ -65,10 +88,45 @@ class Previews:
         if self._preview is not None:
             await self._preview.stop()
 
-    async def _show(self, preview: "PreviewServer", document: Document) -> None:
+    def _changed(self, document: Document) -> None:
+        self._follow(_Version(document))
+
+    def _found(self, document: Document, findings: "Sequence[Diagnostic]") -> None:
+        self._follow(_Version(document, findings))
+
+    def _follow(self, version: _Version) -> None:
+        """Show a version of a document that is shown, unless a newer one comes first."""
+        key = uris.key(version.document.uri)
+        if self._preview is None or not self._preview.shows(key):
+            return
+        self._newest[key] = version
+        if key not in self._drawing:
+            self._drawing.add(key)
+            start_task(self._draw(self._preview, key))
+
+    async def _draw(self, preview: "PreviewServer", key: str) -> None:
+        """Show the newest version until it is shown, with a pause after each."""
+        try:
+            while (version := self._newest.pop(key, None)) is not None:
+                start = time.monotonic()
+                await self._show(preview, version)
+                await asyncio.sleep(max(_FRAME, time.monotonic() - start))
+        finally:
+            self._drawing.discard(key)
+
+    async def _show(self, preview: "PreviewServer", version: _Version) -> None:
+        document, findings = version
         analysis = await self._state.analyses.of(document)
-        findings = await self._state.analyses.findings(document)
+        await self._state.until_quiet()
         await preview.show(uris.key(document.uri), analysis, findings, uris.basename(document.uri))
+
+    async def _judge(self, uri: str) -> None:
+        """List what is wrong with a document that is shown for the first time."""
+        document = self._state.documents.get(uri)
+        if document is not None:
+            findings = await self._state.analyses.findings(document, Urgency.DIAGNOSTICS)
+            if self._state.documents.get(uri) is document:
+                self._found(document, findings)
 
     async def _started(self) -> "PreviewServer":
         async with self._starting:

@@ -12,7 +12,6 @@ from kindsl.lsp.session.configuration_diagnostics import (
     parameter_names,
 )
 from kindsl.lsp.session.findings import diagnostics
-from kindsl.lsp.session.previews import Previews
 from kindsl.lsp.session.state import State
 from kindsl.lsp.session.status import tell_status
 from kindsl.lsp.session.worker import Urgency, start_task
@@ -36,16 +35,14 @@ class Publisher:
         "_broken",
         "_checked",
         "_parameters",
-        "_previews",
         "_pulled",
         "_shown",
         "_state",
         "_tasks",
     )
 
-    def __init__(self, state: State, previews: Previews) -> None:
+    def __init__(self, state: State) -> None:
         self._state = state
-        self._previews = previews
         self._tasks: dict[str, asyncio.Task[None]] = {}
         self._pulled: set[str] = set()
         self._checked: set[str] = set()
@@ -107,10 +104,11 @@ class Publisher:
         if self._state.documents.is_current(document):
             if uris.key(document.uri) not in self._pulled:
                 self._send(document.uri, shown, bool(findings))
+            for listener in self._state.on_findings:
+                listener(document, findings)
             self._publish_broken_files()
             await self._check_configurations(document)
             await tell_status(self._state, document, findings)
-            await self._previews.update(document)
 
     async def _findings(self, document: Document) -> "tuple[Diagnostic, ...]":
         await self._state.analyses.of(document)

@@ -28,7 +28,7 @@ class Session(State):
     def __init__(self, editor: Editor) -> None:
         super().__init__(editor)
         self.previews = Previews(self)
-        self.publisher = Publisher(self, self.previews)
+        self.publisher = Publisher(self)
 
     def ask_at_once(self, handler: Handler, uri: str, params: Any) -> Awaitable[Any]:
         """Ask a handler about a place of the document as it is now; None without a robot."""
@@ -40,7 +40,7 @@ class Session(State):
 
     def ask_judged(self, handler: Handler, uri: str, params: Any) -> Awaitable[Any]:
         """Ask a handler that needs to know what is wrong with the document as it is now."""
-        return self._answer(handler, self.documents.get(uri), params, self._judge)
+        return self._judged(handler, self.documents.get(uri), params)
 
     async def view(self, document: Document) -> View:
         """Return a version of a document with its analysis."""
@@ -67,9 +67,11 @@ class Session(State):
             return ask()
         return await self.worker.run(lambda: self._encoded(ask))
 
-    async def _judge(self, view: View, ask: Callable[[], Any]) -> Any:
-        await self.analyses.findings(view.document)
-        return await self._read(view, ask)
+    async def _judged(self, handler: Handler, document: Document | None, params: Any) -> Any:
+        """Answer once it is known what is wrong; until then the question holds up nothing."""
+        if document is not None and not document.is_toml:
+            await self.analyses.findings(document)
+        return await self._answer(handler, document, params, self._read)
 
     def _encoded(self, ask: Callable[[], Any]) -> Encoded:
         """Answer in the worker, as long as somebody waits for it."""

@@ -2,7 +2,8 @@
 
 import asyncio
 import contextlib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from lsprotocol import types
 
@@ -12,8 +13,12 @@ from kindsl.lsp.session.tokens import TokenMemory
 from kindsl.lsp.session.worker import Urgency, Worker
 from kindsl.lsp.session.workspace import Workspace
 from kindsl.lsp.text import uris
+from kindsl.lsp.text.document import Document
 from kindsl.lsp.wire.client import Client
 from kindsl.lsp.wire.editor import Editor
+
+if TYPE_CHECKING:
+    from kindsl.analysis.diagnostics import Diagnostic
 
 _PATIENCE = 0.1
 
@@ -33,6 +38,7 @@ class State:
         refused: Documents of which the user was told that they are too broken to format.
         loop: Where messages are read, once they are.
         on_cursor: Called with a document, and the kind and name of what the cursor is on there.
+        on_findings: Called with an open document and what was found in that version.
         on_parent_known: Called with the id of the process that started the server, if it says so.
     """
 
@@ -48,6 +54,7 @@ class State:
         self.refused: set[str] = set()
         self.loop: asyncio.AbstractEventLoop
         self.on_cursor: list[Callable[[str, str, str], None]] = []
+        self.on_findings: list[Callable[[Document, Sequence[Diagnostic]], None]] = []
         self.on_parent_known: Callable[[int | None], None] = lambda _: None
         self._questions = 0
         self._quiet = asyncio.Event()

@@ -1,0 +1,147 @@
+"""Which versions are drawn while someone types faster than they can be drawn."""
+
+import asyncio
+from typing import Any
+
+import pytest
+from lsprotocol import types
+
+pytest.importorskip("tornado", reason="the preview needs tornado")
+
+from kindsl.lsp.server import KindslLanguageServer
+from kindsl.lsp.session.session import Session
+from kindsl.preview import server as preview_server
+
+URI = "untitled:typed"
+ROBOT = "Robot R {{\nRobotBase base {{ children {{ }} }}\n// {}\n}}\n"
+
+
+class Slow:
+    """A preview that takes its time: a version is drawn when it is let go on."""
+
+    def __init__(self, **_: object) -> None:
+        self.begun: list[str] = []
+        self.told: list[str] = []
+        self.may_draw = asyncio.Semaphore(0)
+
+    async def start(self) -> None: ...
+
+    async def stop(self) -> None: ...
+
+    def shows(self, _: str) -> bool:
+        return bool(self.begun)
+
+    def url(self, _: str) -> str:
+        return "address"
+
+    async def show(self, _key: str, analysis: Any, findings: Any, _label: str) -> None:
+        comment = analysis.text.partition("// ")[2].split()[0]
+        self.begun.append(comment)
+        await self.may_draw.acquire()
+        if findings is not None:
+            self.told.append(comment)
+
+
+@pytest.fixture
+async def session(monkeypatch: pytest.MonkeyPatch) -> Session:
+    monkeypatch.setattr(preview_server, "PreviewServer", Slow)
+    session = KindslLanguageServer().session
+    session.loop = asyncio.get_running_loop()
+    session.workspace.set_editor_settings({"diagnostics": {"delay": 60_000}})
+    session.documents.open(types.TextDocumentItem(URI, "kindsl", 0, ROBOT.format("first")))
+    return session
+
+
+@pytest.fixture
+async def slow(session: Session) -> Slow:
+    opening = asyncio.ensure_future(session.previews.open(URI))
+    while session.previews._preview is None:
+        await asyncio.sleep(0)
+    slow = session.previews._preview
+    assert isinstance(slow, Slow)
+    slow.may_draw.release()
+    await opening
+    return slow
+
+
+def type_comment(session: Session, version: int, comment: str) -> None:
+    whole = types.TextDocumentContentChangeWholeDocument(ROBOT.format(comment))
+    identifier = types.VersionedTextDocumentIdentifier(version, URI)
+    session.documents.change(types.DidChangeTextDocumentParams(identifier, [whole]))
+
+
+async def until(condition: Any) -> None:
+    async with asyncio.timeout(30):
+        while not condition():
+            await asyncio.sleep(0.001)
+
+
+async def test_of_what_is_typed_while_a_version_is_drawn_only_the_newest_is_drawn(
+    session: Session, slow: Slow
+) -> None:
+    type_comment(session, 1, "one")
+    await until(lambda: "one" in slow.begun)
+    for version in range(2, 20):
+        type_comment(session, version, f"version-{version}")
+    type_comment(session, 20, "last")
+    slow.may_draw.release()
+    await until(lambda: "last" in slow.begun)
+    slow.may_draw.release()
+    assert slow.begun == ["first", "one", "last"]
+
+
+async def test_the_first_keystroke_is_drawn_without_a_delay(session: Session, slow: Slow) -> None:
+    type_comment(session, 1, "one")
+    await until(lambda: "one" in slow.begun)
+    assert slow.told == []
+
+
+async def test_what_was_found_follows_unless_something_was_typed_since(
+    session: Session, slow: Slow
+) -> None:
+    for _ in range(10):
+        slow.may_draw.release()
+    await until(lambda: slow.told)
+    type_comment(session, 1, "one")
+    one = session.documents.get(URI)
+    assert one is not None
+    await until(lambda: "one" in slow.begun)
+    for listener in session.on_findings:
+        listener(one, ())
+    await until(lambda: "one" in slow.told)
+    for listener in session.on_findings:
+        listener(one, ())
+    type_comment(session, 2, "two")
+    await until(lambda: "two" in slow.begun)
+    assert slow.told.count("one") == 1
+
+
+async def test_new_settings_draw_again(session: Session, slow: Slow) -> None:
+    for _ in range(10):
+        slow.may_draw.release()
+    drawn = len(slow.begun)
+    session.previews.refresh()
+    await until(lambda: len(slow.begun) > drawn)
+
+
+async def test_an_answer_goes_before_a_picture(session: Session, slow: Slow) -> None:
+    for _ in range(10):
+        slow.may_draw.release()
+    await until(lambda: slow.told)
+    order: list[str] = []
+
+    def handler(*_: object) -> None:
+        order.append("answer")
+
+    session.on_cursor.clear()
+    drawn = slow.show
+
+    async def show(*arguments: Any) -> None:
+        order.append("picture")
+        await drawn(*arguments)
+
+    slow.show = show  # type: ignore[method-assign]
+    type_comment(session, 1, "one")
+    await session.ask_at_once(handler, URI, None)
+    await until(lambda: "one" in slow.begun)
+    assert order == ["answer", "picture"]
