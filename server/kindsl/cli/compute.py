@@ -24,6 +24,7 @@ from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import Failure, as_failures
 from kindsl.config.errors import ConfigurationError
 from kindsl.reports.motions import Motion, MotionError, Robot
+from kindsl.text.nearest import hint, nearest_name
 
 if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis
@@ -97,11 +98,8 @@ def _check_names(path: str, analysis: "Analysis") -> None:
     known = [str(parameter.name) for parameter in analysis.model.parameters]
     for name, binding in analysis.settings.bindings.items():
         if binding.origin == "--param" and name not in known:
-            from difflib import get_close_matches
-
-            close = get_close_matches(name, known, n=1)
-            hint = f", did you mean '{close[0]}'?" if close else ""
-            message = f"there is no parameter '{name}'{hint}"
+            meant = hint(nearest_name(name, known), after=",")
+            message = f"there is no parameter '{name}'{meant}"
             raise CommandError([Failure(shown_name(path), message)])
 
 

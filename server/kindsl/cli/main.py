@@ -106,13 +106,12 @@ def _module(command: str) -> str:
 
 
 def _unknown(command: str) -> str:
-    from difflib import get_close_matches
+    from kindsl.text.nearest import hint, nearest_word
 
     if command.startswith("-"):
         return f"unknown option '{command}'; 'kindsl --help' tells all"
-    close = get_close_matches(command, list(available()), n=1)
-    hint = f", did you mean '{close[0]}'?" if close else "; 'kindsl --help' tells all"
-    return f"unknown command '{command}'{hint}"
+    near = hint(nearest_word(command, available()), after=",")
+    return f"unknown command '{command}'" + (near or "; 'kindsl --help' tells all")
 
 
 if __name__ == "__main__":

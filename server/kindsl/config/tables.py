@@ -12,6 +12,7 @@ from kindsl.rules.context import TARGETS
 from kindsl.rules.registry import all_rules
 from kindsl.semantics.parameters import Binding
 from kindsl.text.lines import LineIndex
+from kindsl.text.nearest import hint, nearest_word
 
 KEYS = ("target", "select", "ignore", "severity", "parameters", "document")
 DOCUMENT_KEYS = ("path", "target", "select", "ignore", "severity", "parameters")
@@ -128,10 +129,7 @@ def is_code(text: str) -> bool:
 
 def did_you_mean(word: str, known: Collection[str]) -> str:
     """Return a hint at the nearest known word, empty if none is near."""
-    from difflib import get_close_matches
-
-    close = get_close_matches(word, list(known), n=1)
-    return f", did you mean '{close[0]}'?" if close else f" (known: {', '.join(known)})"
+    return hint(nearest_word(word, known), after=",") or f" (known: {', '.join(known)})"
 
 
 def dotted(keys: KeyPath) -> str:

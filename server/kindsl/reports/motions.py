@@ -4,6 +4,8 @@ import sys
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
+from kindsl.text.nearest import hint, nearest_name
+
 JOINT_KEYS = ("q", "qd", "qdd", "tau")
 BASE_KEY = "base_velocity"
 KEYS = (*JOINT_KEYS, BASE_KEY)
@@ -97,7 +99,8 @@ def _joint_values(name: str, value: object, joints: Sequence[str]) -> tuple[floa
     if isinstance(value, dict):
         for joint in value:
             if joint not in joints:
-                raise MotionError(f"{name}: there is no joint '{joint}'{_near(joint, joints)}")
+                near = hint(nearest_name(joint, joints), after=",")
+                raise MotionError(f"{name}: there is no joint '{joint}'{near}")
         numbers = dict(zip(value, _numbers(name, list(value.values())), strict=True))
         return tuple(numbers.get(joint, 0.0) for joint in joints)
     found = _numbers(name, value)
@@ -116,13 +119,6 @@ def _numbers(name: str, value: object) -> tuple[float, ...]:
         if not abs(entry) <= sys.float_info.max:
             raise MotionError(f"{name} holds a number that is not finite")
     return tuple(float(entry) for entry in value)
-
-
-def _near(word: str, known: Sequence[str]) -> str:
-    from difflib import get_close_matches
-
-    close = get_close_matches(word, known, n=1)
-    return f", did you mean '{close[0]}'?" if close else ""
 
 
 def _count(number: int) -> str:

@@ -14,7 +14,7 @@ from kindsl.rules.duplicates import repeated_names
 from kindsl.semantics.declarations import Joint, Link
 from kindsl.semantics.kinematic_tree import Edge
 from kindsl.semantics.model import Model
-from kindsl.text.nearest import did_you_mean
+from kindsl.text.nearest import nearest_name
 
 _KEY = "reference defects"
 _MOST_SUGGESTIONS = 20
@@ -74,7 +74,7 @@ def suggestion(name: str, position: int, idle: Iterable[str], others: Iterable[s
     """
     if position >= _MOST_SUGGESTIONS:
         return None
-    return did_you_mean(name, idle) or did_you_mean(name, others)
+    return nearest_name(name, idle) or nearest_name(name, others)
 
 
 def _defects(model: Model) -> ReferenceDefects:
@@ -196,7 +196,7 @@ def _unexcused(things: list[_Thing], wrong: list[str], others: int) -> list[_Thi
     left = dict.fromkeys(things)
     by_name = {str(thing.name): thing for thing in things}
     for name in wrong[:_MOST_SUGGESTIONS]:
-        meant = did_you_mean(name, by_name)
+        meant = nearest_name(name, by_name)
         if meant is not None:
             left.pop(by_name.pop(meant), None)
     excused = max(0, len(wrong) + others - (len(things) - len(left)))

@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from kindsl.syntax.scanner import word_kind
-from kindsl.syntax.spelling import nearest
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
 from kindsl.syntax.words import (
     BLOCK_KINDS,
@@ -15,6 +14,7 @@ from kindsl.syntax.words import (
     spelled,
     supplied,
 )
+from kindsl.text.nearest import nearest_word
 
 _BLOCK_WORDS = ("Robot", "RobotBase", "link", "r_joint", "p_joint")
 _NAME_KINDS = frozenset({"NAME", "PI_PREFIXED", "UNICODE_NAME", "ESCAPED_NAME", "LOWER_PI"})
@@ -129,7 +129,7 @@ def _without_keyword(tokens: Sequence[Token], index: int, previous: str) -> Open
 
 def _misspelt(tokens: Sequence[Token], index: int, previous: str) -> Opening | None:
     token = tokens[index]
-    meant = nearest(token.text, _BLOCK_WORDS)
+    meant = nearest_word(token.text, _BLOCK_WORDS)
     start = BLOCK_STARTS[word_kind(meant)] if meant else _guess(tokens, index, previous)
     if start is None:
         return None

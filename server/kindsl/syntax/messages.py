@@ -4,10 +4,10 @@ from collections.abc import Sequence
 
 from kindsl.syntax.indentation import indentation
 from kindsl.syntax.repair import Change
-from kindsl.syntax.spelling import nearest
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
 from kindsl.syntax.words import SPELLINGS, called, shown, spelled
+from kindsl.text.nearest import nearest_word
 
 _WRITTEN = frozenset("{}()=,]>")
 _TITLED = frozenset({"link", "Robot", "RobotBase", "JOINT_KIND"})
@@ -134,7 +134,7 @@ def _instead(change: Change, gone: Sequence[Token], text: str, moment: str) -> t
         return "KD005", f"id '{shown(word)}' is not a natural number"
     near = None
     if word not in KEYWORDS and word[:1].isidentifier():
-        near = nearest(word, SPELLINGS.get(change.kind, ()))
+        near = nearest_word(word, SPELLINGS.get(change.kind, ()))
     if near is not None:
         return "KD010", f"unknown keyword '{shown(word)}', did you mean '{near}'"
     return "KD001", f"expected {_called(change.kind, moment)} instead of '{shown(text)}'"
@@ -188,7 +188,7 @@ def _edit(
         return None
     if change.action == "replace":
         token = tokens[change.at]
-        near = nearest(token.text, SPELLINGS.get(change.kind, ()))
+        near = nearest_word(token.text, SPELLINGS.get(change.kind, ()))
         return Edit(token.start, token.end, near or new)
     position = tokens[change.at - 1].end if change.at > 0 else 0
     if change.kind == "}":

@@ -16,10 +16,10 @@ from kindsl.syntax.indentation import lost_closing
 from kindsl.syntax.messages import closing_problem, leftover_problem, repair_problem
 from kindsl.syntax.preferences import moments_around, preferences
 from kindsl.syntax.repair import Change, Found, completion, search
-from kindsl.syntax.spelling import nearest
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Node, Problem, Token
 from kindsl.syntax.words import SPELLINGS, supplied
+from kindsl.text.nearest import nearest_word
 
 MOST_PROBLEMS = 12
 _BACK = 4
@@ -219,7 +219,7 @@ class _Block:
             end = token.end if token is not None else self._end()
             return supplied(change.kind, end, text)
         if change.kind in SPELLINGS:
-            text = nearest(token.text, SPELLINGS[change.kind]) or text
+            text = nearest_word(token.text, SPELLINGS[change.kind]) or text
             new = supplied(change.kind, 0, text)
             return Token(change.kind, new.text, token.lead, token.start, token.end)
         return Token(change.kind, token.text, token.lead, token.start, token.end)

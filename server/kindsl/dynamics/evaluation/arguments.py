@@ -1,12 +1,12 @@
 """Checks what callers pass in."""
 
 from collections.abc import Iterable
-from difflib import get_close_matches
 
 import numpy as np
 import numpy.typing as npt
 
 from kindsl.spatial.arrays import Array
+from kindsl.text.nearest import hint, nearest_name
 
 
 def vectors(quantity: str, values: npt.ArrayLike, components: int) -> Array:
@@ -47,6 +47,4 @@ def common_batch_shape(arrays: dict[str, Array]) -> tuple[int, ...]:
 
 def unknown_name(kind: str, name: str, known: Iterable[str]) -> ValueError:
     """Return the error for a name that is not there, with the nearest one that is."""
-    close = get_close_matches(name, list(known), n=1)
-    hint = f", did you mean '{close[0]}'?" if close else ""
-    return ValueError(f"there is no {kind} '{name}'{hint}")
+    return ValueError(f"there is no {kind} '{name}'{hint(nearest_name(name, known), after=',')}")

@@ -27,7 +27,7 @@ from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
-from kindsl.text.nearest import did_you_mean, hint
+from kindsl.text.nearest import hint, nearest_name
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
@@ -40,7 +40,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         if known is None:
             known = {str(frame.name) for frame in model.frames}
         if name not in known and not _may_be_lost(model, body, name):
-            meant = did_you_mean(name, (str(frame.name) for frame in body.frames))
+            meant = nearest_name(name, (str(frame.name) for frame in body.frames))
             fix = Fix(f"Change to '{meant}'", (Change(name, meant),)) if meant else None
             message = f"link '{body.name}' has no frame '{name}'{hint(meant)}"
             yield Finding(name, message, fix=fix)

@@ -19,7 +19,7 @@ from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from kindsl.rules.base import Rule, Severity
-from kindsl.text.nearest import did_you_mean, hint
+from kindsl.text.nearest import hint, nearest_name
 
 
 class UnusedBinding(NamedTuple):
@@ -41,7 +41,7 @@ def unused_bindings(bound: Iterable[str], used: Iterable[str]) -> Iterator[Unuse
     free = [name for name in known if name not in names]
     for name in names:
         if name not in known:
-            meant = did_you_mean(name, free)
+            meant = nearest_name(name, free)
             yield UnusedBinding(name, f"no document has a parameter '{name}'{hint(meant)}")
 
 

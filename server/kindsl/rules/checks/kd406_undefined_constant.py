@@ -22,7 +22,7 @@ from kindsl.rules.context import Context
 from kindsl.rules.examples import joint
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Name
-from kindsl.text.nearest import did_you_mean, hint
+from kindsl.text.nearest import hint, nearest_name
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
@@ -31,7 +31,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         name = constant.name
         if name and not constant.definitions and not _may_be_lost(model, name):
             known = (str(other.name) for other in model.constants if other.definitions)
-            meant = did_you_mean(name, known)
+            meant = nearest_name(name, known)
             changes = tuple(Change(use.name, meant) for use in constant.uses) if meant else ()
             fix = Fix(f"Change to '{meant}'", changes) if meant else None
             yield Finding(name, f"constant '{name}' has no value{hint(meant)}", fix=fix)
