@@ -7,10 +7,19 @@ interrupts from all that it starts so.
 
 import signal
 
+import pytest
 from hypothesis import settings
+from tests.support.published import ABSENT, CORPUS
 
 settings.register_profile("kindsl", deadline=None, derandomize=True)
 settings.load_profile("kindsl")
 
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    """Skip what needs published models where they are absent: one line in the summary."""
+    if not CORPUS.is_dir() and item.get_closest_marker("published"):
+        pytest.skip(ABSENT)

@@ -4,10 +4,9 @@ import subprocess
 import sys
 from pathlib import Path
 
-import pytest
+from tests.support.published import published
 
 ROOT = Path(__file__).parents[2]
-CORPUS = ROOT / ".." / "shared" / "corpus"
 COMMAND = [sys.executable, str(ROOT / "docs" / "pictures" / "published_models.py"), "--check"]
 
 
@@ -17,7 +16,7 @@ def check(*arguments: str) -> subprocess.CompletedProcess[str]:
     )
 
 
-@pytest.mark.skipif(not CORPUS.is_dir(), reason="the published models are not here")
+@published
 def test_page_is_up_to_date() -> None:
     run = check()
     assert run.returncode == 0, run.stderr or "run python docs/pictures/published_models.py"

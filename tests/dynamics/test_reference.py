@@ -1,40 +1,41 @@
-"""Published models give the stored reference numbers.
-
-Where the folder with the numbers is absent, the tests are skipped.
-"""
+"""Documents give the stored reference numbers, see the README beside these."""
 
 import json
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from tests.support.documents import REFERENCE
+from tests.support.published import CORPUS, published
 
+import kindsl
+from kindsl.analysis.settings import Settings
 from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.mechanism.build import mechanism_of
-from kindsl.semantics.model import Model
-from kindsl.syntax.document import parse
 
-SHARED = Path(__file__).parents[2] / ".." / "shared"
-REFERENCE, CORPUS = SHARED / "reference", SHARED / "corpus"
-MODELS = ("ur5_rmt", "hyq", "anymal")
-# The reference was computed in double precision; entries are below 1000.
+# The reference was computed in double precision, RobCoGen's code in single.
 TOLERANCE = 1e-9
+SINGLE = 3e-6
 
-pytestmark = pytest.mark.skipif(not REFERENCE.is_dir(), reason=f"{REFERENCE} is not there")
+
+def references() -> Iterator[object]:
+    for path in sorted(REFERENCE.glob("*.json")):
+        yield pytest.param(path, id=path.stem)
+    for path in sorted((REFERENCE / "published").glob("*.json")):
+        yield pytest.param(path, id=path.stem, marks=published)
 
 
-@pytest.fixture(scope="module", params=MODELS)
+@pytest.fixture(scope="module", params=references())
 def reference(request: pytest.FixtureRequest) -> dict[str, Any]:
-    stored: dict[str, Any] = json.loads((REFERENCE / f"{request.param}.json").read_text())
+    stored: dict[str, Any] = json.loads(request.param.read_text(encoding="utf-8"))
+    folder = CORPUS if request.param.parent.name == "published" else REFERENCE
+    stored["text"] = (folder / stored["source"]).read_text(encoding="utf-8")
     return stored
 
 
 @pytest.fixture(scope="module")
 def mechanics(reference: dict[str, Any]) -> Mechanics:
-    text = (CORPUS / reference["source"]).read_text()
-    return mechanism_of(Model(parse(text).islands), {})
+    return kindsl.parse(reference["text"], Settings()).mechanism({})
 
 
 def test_numbers_are_those_of_the_reference(
@@ -53,6 +54,19 @@ def test_batches_give_the_same_numbers(reference: dict[str, Any], mechanics: Mec
         computed = _computed(mechanics, q, qd, qdd, configuration["base_vel"])
         last = {name: values[-1] for name, values in computed.items()}
         _compare(configuration, last)
+
+
+def test_numbers_are_those_of_generated_code(
+    reference: dict[str, Any], mechanics: Mechanics
+) -> None:
+    for configuration in reference["configurations"]:
+        theirs = configuration.get("robcogen_octave")
+        if theirs is not None:
+            q, qd, qdd = (np.array(configuration[name]) for name in ("q", "qd", "qdd"))
+            ours = _computed(mechanics, q, qd, qdd, configuration["base_vel"])
+            np.testing.assert_allclose(ours["M"], theirs["M"], rtol=0, atol=SINGLE)
+            for name, pose in theirs["poses"].items():
+                np.testing.assert_allclose(ours[name], pose, rtol=0, atol=SINGLE)
 
 
 def _computed(

@@ -9,6 +9,7 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
+from tests.support.documents import SOUND_EXAMPLES, sound_documents
 from tests.support.mechanisms import assert_same_mechanism, mechanics_by_name
 
 from kindsl.analysis.analysis import Analysis, analyse
@@ -17,12 +18,6 @@ from kindsl.features.actions.fix_all import fix_all
 from kindsl.rules.base import Severity
 from kindsl.text.edits import apply_edits
 
-ROOT = Path(__file__).parents[2]
-CORPUS = ROOT / ".." / "shared" / "corpus"
-EXAMPLES = [
-    path for path in sorted((ROOT / "examples").glob("*.kindsl")) if "broken" not in path.stem
-]
-ROBOTS = [*EXAMPLES, *sorted(CORPUS.glob("*.kindsl"))]
 ALL = Settings(select=("KD",))
 OF_EACH = 3
 
@@ -55,7 +50,7 @@ MISTAKES = {
 
 
 @pytest.mark.parametrize("mistake", MISTAKES)
-@pytest.mark.parametrize("path", ROBOTS, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", sound_documents())
 def test_a_fix_does_what_it_promises(path: Path, mistake: str) -> None:
     sound = path.read_text(encoding="utf-8")
     before = analyse(MISTAKES[mistake](sound), ALL)
@@ -73,7 +68,7 @@ def test_a_fix_does_what_it_promises(path: Path, mistake: str) -> None:
 
 
 @pytest.mark.parametrize("mistake", MISTAKES)
-@pytest.mark.parametrize("path", ROBOTS, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", sound_documents())
 def test_all_safe_fixes_together_do_what_they_promise(path: Path, mistake: str) -> None:
     before = analyse(MISTAKES[mistake](path.read_text(encoding="utf-8")), ALL)
     edits = fix_all(before)
@@ -108,7 +103,7 @@ def comments(analysis: Analysis) -> list[str]:
 
 def test_the_mistakes_are_found() -> None:
     found = Counter[str]()
-    for path in ROBOTS:
+    for path in SOUND_EXAMPLES:
         for make in MISTAKES.values():
             found += codes(analyse(make(path.read_text(encoding="utf-8")), ALL))
     assert found.keys() >= {"KD004", "KD005", "KD007", "KD101", "KD503", "KD602", "KD702", "KD704"}

@@ -1,8 +1,7 @@
-from pathlib import Path
-
 import pytest
 from tests.features.samples import ARM, PARAMETRIC
 from tests.support.cursor import at_cursor
+from tests.support.documents import sound_documents
 from tests.support.mechanisms import assert_same_mechanism, mechanics_by_name
 
 from kindsl.analysis.analysis import analyse
@@ -12,8 +11,6 @@ from kindsl.features.rename import rename
 from kindsl.features.symbol_at import named_places
 from kindsl.semantics.parameters import Binding
 from kindsl.text.edits import apply_edits
-
-CORPUS = Path(__file__).parents[2] / ".." / "shared" / "corpus"
 
 
 def offered(marked, settings=None):
@@ -216,13 +213,8 @@ def test_optional_sections_can_be_added():
         assert not [problem for island in islands for problem in island.problems]
 
 
-def corpus():
-    return sorted(CORPUS.glob("*.kindsl")) if CORPUS.is_dir() else []
-
-
-@pytest.mark.skipif(not corpus(), reason="the published models are not here")
-@pytest.mark.parametrize("path", corpus(), ids=lambda path: path.stem)
-def test_refactorings_keep_published_mechanisms(path):
+@pytest.mark.parametrize("path", sound_documents())
+def test_refactorings_keep_the_mechanism(path):
     text = path.read_text(encoding="utf-8")
     analysis = analyse(text)
     values = {str(p.name): 0.3 for p in analysis.model.parameters}
@@ -240,9 +232,8 @@ def test_refactorings_keep_published_mechanisms(path):
     assert done
 
 
-@pytest.mark.skipif(not corpus(), reason="the published models are not here")
-@pytest.mark.parametrize("path", corpus(), ids=lambda path: path.stem)
-def test_renaming_keeps_published_documents(path):
+@pytest.mark.parametrize("path", sound_documents())
+def test_renaming_keeps_the_document(path):
     analysis = analyse(path.read_text(encoding="utf-8"))
     before = [f.code for f in analysis.findings if f.code < "KD3"]
     names = {

@@ -5,6 +5,7 @@ import re
 from pathlib import Path
 
 import pytest
+from tests.support.documents import SOUND_EXAMPLES, sound_documents
 
 from kindsl.formatting.format import FormattingRefusedError, format_document, format_range
 from kindsl.syntax.document import SyntaxDocument, parse
@@ -12,9 +13,6 @@ from kindsl.text.edits import apply_edits
 from kindsl.text.span import Span
 
 ROOT = Path(__file__).parents[2]
-CORPUS = ROOT.parent / "shared" / "corpus"
-DOCUMENTS = [*sorted((ROOT / "examples").glob("*.kindsl")), *sorted(CORPUS.glob("*.kindsl"))]
-CORRECT = [path for path in DOCUMENTS if path.stem != "broken_arm"]
 
 LAYOUTS = """Robot R{RobotBase b{children{l via j}frames{f{translation=(1.0,2.0,3.0)
 rotation=(PI/2.0,-PI,- 1.0)}}{g{translation=(<k=1.0>,x[2],2.0*y) rotation=(2.0PI,- x,0.0)}}}
@@ -116,7 +114,7 @@ def test_one_style() -> None:
     assert formatted(LAYOUTS) == FORMATTED
 
 
-@pytest.mark.parametrize("path", CORRECT, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", sound_documents())
 def test_keeps_tokens_and_comments_and_is_stable(path: Path) -> None:
     before = parse(path.read_text())
     after = parse(formatted(before.text))
@@ -134,7 +132,7 @@ def test_blanks_of_the_author_do_not_matter(seed: int) -> None:
     assert format_document(parse(formatted(other))) == []
 
 
-@pytest.mark.parametrize("path", CORRECT[:3], ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", SOUND_EXAMPLES, ids=lambda path: path.stem)
 def test_examples_are_formatted(path: Path) -> None:
     assert formatted(path.read_text()) == path.read_text()
 

@@ -2,13 +2,13 @@
 
 import subprocess
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.preview.robots import PLAIN, random_model
+from tests.support.documents import EXAMPLES, all_documents
 
 from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.mechanism.drawable import drawable_skeleton
@@ -18,9 +18,6 @@ from kindsl.semantics.declarations import MOMENTS
 from kindsl.spatial.inertia import move_inertia
 from kindsl.spatial.transforms import rotation_from_intrinsic_xyz
 
-ROOT = Path(__file__).parents[2]
-EXAMPLES = sorted((ROOT / "examples").glob("*.kindsl"))
-CORPUS = sorted((ROOT.parent / "shared" / "corpus").glob("*.kindsl"))
 WITHOUT_NUMPY = """
 import sys
 sys.modules["numpy"] = None
@@ -78,7 +75,7 @@ def numbers(vector, values):
     return np.array([component.value(values) for component in vector.components])
 
 
-@pytest.mark.parametrize("file", [*EXAMPLES, *CORPUS], ids=lambda file: file.stem)
+@pytest.mark.parametrize("file", all_documents())
 def test_written_robots(file):
     analysis = analyse(file.read_text())
     try:

@@ -16,7 +16,6 @@ from kindsl.mechanism.skeleton import Skeleton
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples"
-CORPUS = ROOT / ".." / "shared" / "corpus"
 
 PLAIN = Style(has_expressions=False)
 

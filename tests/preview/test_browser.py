@@ -15,14 +15,13 @@ from tests.preview.browser import (
 from tests.preview.robots import (
     ARM,
     BROKEN_ARM,
-    CORPUS,
-    EXAMPLES,
     PARAMETRIC_ARM,
     mechanics_of,
     plain_robot,
     skeleton_in,
     skeleton_of,
 )
+from tests.support.documents import all_documents
 
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.diagnostics import Diagnostic
@@ -57,12 +56,7 @@ async def show(server, text, findings=(), key="arm.kindsl"):
     return server.url(key)
 
 
-def documents():
-    files = sorted(EXAMPLES.glob("*.kindsl")) + sorted(CORPUS.glob("*.kindsl"))
-    return [pytest.param(file, id=file.stem) for file in files]
-
-
-@pytest.mark.parametrize("file", documents())
+@pytest.mark.parametrize("file", all_documents())
 async def test_every_category_is_in_the_picture(browser, server, file):
     text = file.read_text()
     analysis = analyse(text)

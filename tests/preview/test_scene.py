@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from tests.preview.robots import ARM, CORPUS, EXAMPLES, plain_robot, skeleton_in, skeleton_of
+from tests.preview.robots import ARM, plain_robot, skeleton_in, skeleton_of
+from tests.support.documents import all_documents
 
 from kindsl.analysis.analysis import analyse
 from kindsl.preview.scene.changes import changes
@@ -24,12 +25,7 @@ def categories(messages):
     return {path.split("/")[5] for path in drawn}
 
 
-def documents():
-    files = sorted(EXAMPLES.glob("*.kindsl")) + sorted(CORPUS.glob("*.kindsl"))
-    return [pytest.param(file, id=file.stem) for file in files]
-
-
-@pytest.mark.parametrize("file", documents())
+@pytest.mark.parametrize("file", all_documents())
 def test_every_category_is_drawn(file):
     analysis = analyse(file.read_text())
     shown = picture(analysis.model, analysis.context.values, None).skeleton

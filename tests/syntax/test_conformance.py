@@ -1,19 +1,16 @@
 """The verdicts of the two reference implementations, case by case."""
 
-import csv
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from tests.support.conformance import accepted_cases, cases
 from tests.support.mutants import messages
+from tests.support.published import published_models
 
 from kindsl.syntax.document import SyntaxDocument, parse
 from kindsl.syntax.portability import portability
 from kindsl.syntax.tree import Node, Token
-
-SHARED = Path(__file__).parents[2] / ".." / "shared"
-VERDICTS = SHARED / "conformance" / "verdicts.tsv"
-pytestmark = pytest.mark.skipif(not VERDICTS.is_file(), reason="no conformance cases here")
 
 # robcogen2 refuses these for what the tree means, after reading it; rules above the syntax tell.
 BY_MEANING = frozenset(
@@ -35,46 +32,32 @@ BY_MEANING = frozenset(
 )
 
 
-def cases() -> Iterator[tuple[dict[str, str], SyntaxDocument]]:
-    with VERDICTS.open(newline="", encoding="utf-8") as file:
-        for row in csv.DictReader(file, delimiter="\t"):
-            data = (VERDICTS.parent / "cases" / f"{row['name']}.kindsl").read_bytes()
-            yield row, parse(data.decode("utf-8", errors="surrogateescape"))
-
-
 def test_what_a_reference_accepts_has_no_problem() -> None:
-    wrong = {
-        row["name"]: messages(document)
-        for row, document in cases()
-        if "accept" in (row["A"], row["B"]) and messages(document)
-    }
-    assert wrong == {}
+    found = {case.name: messages(parse(case.text)) for case in accepted_cases()}
+    assert {name: told for name, told in found.items() if told} == {}
 
 
-@pytest.mark.parametrize(("target", "column"), [("robcogen", "A"), ("robcogen2", "B")])
-def test_verdicts_for_a_target(target: str, column: str) -> None:
-    count, wrong = 0, []
-    for row, document in cases():
-        count += 1
+@pytest.mark.parametrize("target", ["robcogen", "robcogen2"])
+def test_verdicts_for_a_target(target: str) -> None:
+    assert len(cases()) == 191
+    wrong = set()
+    for case in cases():
+        document = parse(case.text)
         notes = [n for i in document.islands for n in portability(i) if n.target == target]
         refused = bool(messages(document) or notes or undefined(document, target))
-        if refused != (row[column] == "reject"):
-            wrong.append(row["name"])
-    assert count > 180
-    expected = BY_MEANING if target == "robcogen2" else frozenset()
-    assert set(wrong) == expected
+        if refused == (target in case.accepted_by):
+            wrong.add(case.name)
+    assert wrong == (BY_MEANING if target == "robcogen2" else frozenset())
 
 
 def test_one_message_a_case() -> None:
-    many = {row["name"]: len(messages(document)) for row, document in cases()}
+    many = {case.name: len(messages(parse(case.text))) for case in cases()}
     # The misspelt name stands twice in these; a file in another encoding is told as such elsewhere.
     several = {"id_digit_start", "id_dot", "ws_utf16"}
     assert {name for name, count in many.items() if count > 1} == several
 
 
-@pytest.mark.parametrize(
-    "path", sorted((SHARED / "corpus").glob("*.kindsl")), ids=lambda path: path.stem
-)
+@pytest.mark.parametrize("path", published_models())
 def test_published_models_have_no_problem(path: Path) -> None:
     assert messages(parse(path.read_text(encoding="utf-8"))) == []
 
