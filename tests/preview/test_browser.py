@@ -90,6 +90,7 @@ HALF_A_STATE = """() => {
 async def test_the_camera_waits_for_the_whole_robot(browser, server):
     async with opened(browser, await show(server, ARM)) as page:
         await until_shown(page, "Arm")
+        await until(page, "kindsl.stage.framedSize > 0")
         before, halfway, after = await page.evaluate(HALF_A_STATE)
     assert halfway == before
     assert after == pytest.approx(10 * before)
