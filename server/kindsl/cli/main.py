@@ -16,6 +16,7 @@ COMMANDS = {
     "compute": "compute poses, inertia and forces",
     "preview": "show the robot in 3D while its document is edited",
     "convert": "convert from and to URDF",
+    "generate": "write code for kinematics and dynamics",
     "diff": "tell what changed mechanically between two documents",
     "language-server": "serve an editor",
 }

@@ -123,16 +123,23 @@ def skeleton_of(model: Model, edges: Sequence[Edge], reader: Reader) -> Skeleton
     )
 
 
-def _frames(index: Mapping[Link, int], reader: Reader) -> Iterator[AttachedFrame]:
-    """Yield the optional frames; one whose name is taken is called `link.frame`."""
+def named_frames(index: Mapping[Link, int]) -> Iterator[tuple[str, int, Frame]]:
+    """Yield name, body and declaration of the optional frames.
+
+    One whose name is taken is called `link.frame`.
+    """
     taken = {str(body.name) for body in index}
     for body, number in index.items():
         for frame in body.frames:
-            pose = reader.frame_pose(frame)
             name = str(frame.name) if frame.name not in taken else f"{body.name}.{frame.name}"
             if name not in taken:
                 taken.add(name)
-                yield AttachedFrame(name, number, pose)
+                yield name, number, frame
+
+
+def _frames(index: Mapping[Link, int], reader: Reader) -> Iterator[AttachedFrame]:
+    for name, number, frame in named_frames(index):
+        yield AttachedFrame(name, number, reader.frame_pose(frame))
 
 
 def _check_unique(names: Sequence[str]) -> None:

@@ -9,6 +9,7 @@ from kindsl.dynamics import center_of_mass as masses
 from kindsl.dynamics import energy
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.evaluation.arguments import common_batch_shape, unknown_name, vectors
+from kindsl.dynamics.evaluation.differentiable import AT_REST, Differentiable
 from kindsl.dynamics.evaluation.forms import Forms
 from kindsl.dynamics.evaluation.request import Request
 from kindsl.dynamics.evaluation.results import FreeMotion, FreeMotionTorque, Poses
@@ -23,7 +24,6 @@ from kindsl.dynamics.quantities import (
 from kindsl.spatial.arrays import Array
 from kindsl.spatial.transforms import homogeneous
 
-AT_REST = np.zeros(6)
 GRAVITY = np.array(STANDARD_GRAVITY)
 # Quantities that divide by inertia.
 ACCELERATING = ("inverse_dynamics", "forward_dynamics")
@@ -38,7 +38,7 @@ NOT_READY = (
 )
 
 
-class Mechanics:
+class Mechanics(Differentiable):
     """Kinematics and dynamics of a tree of bodies.
 
     Leading dimensions of all arguments are batches and broadcast. What concerns joints is in the
@@ -57,6 +57,21 @@ class Mechanics:
         self._generated = self._forms.generated
         names = (*bodies.link_names, *(frame.name for frame in bodies.frames))
         self._pose_indices = {name: index for index, name in enumerate(names)}
+
+    @property
+    def joint_names(self) -> tuple[str, ...]:
+        """The joints, in the order of all joint vectors."""
+        return self.bodies.joint_names
+
+    @property
+    def link_names(self) -> tuple[str, ...]:
+        """The links; each joint supports the link of the same index."""
+        return self.bodies.link_names
+
+    @property
+    def n_joints(self) -> int:
+        """Number of joints."""
+        return self.bodies.n_links
 
     def forward_kinematics(self, q: npt.ArrayLike) -> Poses:
         """Return `base_T_x` (..., 4, 4) of each link and frame x by name, links first."""

@@ -2,11 +2,13 @@
 
 An algorithm that is run on `Expression` inputs leaves a graph of what it computed. Operations on
 constants are folded, zeros and ones drop out, multiples of one value become one, negations move
-outwards, and equal operations are recorded once. The graph's nodes are tuples `(operation,
-operand, ...)`; an operand is the index of an earlier node, or a float.
+outwards, and equal operations are recorded once. A copy is opaque: nothing looks through it. The
+graph's nodes are tuples `(operation, operand, ...)`; an operand is the index of an earlier node,
+or a float.
 """
 
 import math
+from collections.abc import Iterable
 from typing import TypeAlias, Union
 
 Scalar: TypeAlias = Union["Expression", float]
@@ -151,6 +153,26 @@ class Expression:
 
     def _operand(self, operand: Operand) -> "Expression":
         return Expression(self.graph, int(operand))
+
+
+def needed(graph: Graph, values: Iterable[Scalar]) -> list[int]:
+    """Return the nodes that values depend on, operands first."""
+    found: set[int] = set()
+    waiting = [value.index for value in values if isinstance(value, Expression)]
+    while waiting:
+        index = waiting.pop()
+        if index not in found:
+            found.add(index)
+            waiting += operand_nodes(graph, index)
+    return sorted(found)
+
+
+def operand_nodes(graph: Graph, index: int) -> list[int]:
+    """Return the nodes that a node depends on directly."""
+    operation, *operands = graph.nodes[index]
+    if operation == "input":
+        return []
+    return [operand for operand in operands if isinstance(operand, int)]
 
 
 def cosine_and_sine(angle: Scalar) -> tuple[Scalar, Scalar]:

@@ -1,25 +1,41 @@
 """Linear systems with a symmetric matrix and the zeros that a tree's branches leave in it."""
 
+from typing import NamedTuple
+
 from kindsl.dynamics.generation.expressions import Scalar
 from kindsl.dynamics.generation.vectors import Matrix, Vector
 from kindsl.dynamics.quantities import SingularInertiaError
 
 
-def solve_symmetric(A: Matrix, b: Vector) -> Vector:
-    """Solve `A x = b` by `A = L^T D L`, skipping zeros.
+class Factorization(NamedTuple):
+    """A symmetric matrix as `L^T D L`, with `L` unit lower triangular.
 
-    The factorization starts at the last row, so a mechanism's branches stay zero.
+    Attributes:
+        L: The lower triangle by rows; what stands on the diagonal is `D`.
+        inverse_pivots: The diagonal of `D^-1`.
+    """
+
+    L: Matrix
+    inverse_pivots: Vector
+
+
+def solve_symmetric(A: Matrix, b: Vector) -> Vector:
+    """Solve `A x = b`, skipping zeros; see `factorize`."""
+    return solve_factorized(factorize(A), b)
+
+
+def factorize(A: Matrix) -> Factorization:
+    """Factorize from the last row on, so that a mechanism's branches stay zero.
 
     Args:
         A: Symmetric, definite; only the lower triangle is read.
-        b: The right side.
 
     Raises:
         SingularInertiaError: If a pivot is a constant zero.
 
     Source: Featherstone 2008, sec. 6.5.
     """
-    size = len(b)
+    size = len(A)
     L = [list(row[: index + 1]) for index, row in enumerate(A)]
     inverse_pivots: Vector = [0.0] * size
     for k in reversed(range(size)):
@@ -30,15 +46,12 @@ def solve_symmetric(A: Matrix, b: Vector) -> Vector:
             for j in (j for j in support if j <= i):
                 L[i][j] = L[i][j] - factor * L[k][j]
             L[k][i] = factor
-    return _substitute(L, inverse_pivots, b)
+    return Factorization(L, inverse_pivots)
 
 
-def is_zero(value: Scalar) -> bool:
-    """Return whether a value is a constant zero."""
-    return isinstance(value, float) and value == 0.0
-
-
-def _substitute(L: Matrix, inverse_pivots: Vector, b: Vector) -> Vector:
+def solve_factorized(factorization: Factorization, b: Vector) -> Vector:
+    """Solve `A x = b` for a factorized `A`."""
+    L, inverse_pivots = factorization
     x = list(b)
     for k in reversed(range(len(x))):
         for i in range(k):
@@ -48,6 +61,11 @@ def _substitute(L: Matrix, inverse_pivots: Vector, b: Vector) -> Vector:
         for i in range(k):
             x[k] = x[k] - L[k][i] * x[i]
     return x
+
+
+def is_zero(value: Scalar) -> bool:
+    """Return whether a value is a constant zero."""
+    return isinstance(value, float) and value == 0.0
 
 
 def _inverse(pivot: Scalar) -> Scalar:

@@ -5,6 +5,8 @@ ones: a body's point r accelerates by `a + W r`, which takes about a third fewer
 accelerations are relative to gravity throughout.
 """
 
+from collections.abc import Sequence
+
 from kindsl.dynamics.generation.composite_bodies import (
     composites,
     joint_reaction,
@@ -26,7 +28,14 @@ from kindsl.dynamics.generation.vectors import (
 
 
 def newton_euler(
-    tree: Tree, q: Vector, qd: Vector, qdd: Vector, base_w: Vector, base_a: Vector
+    tree: Tree,
+    q: Vector,
+    qd: Vector,
+    qdd: Vector,
+    base_w: Vector,
+    base_a: Vector,
+    base_wd: Vector = ZERO,
+    external: Sequence[Vector] = (),
 ) -> tuple[Vector, Vector]:
     """Return the joint forces and the base's wrench, moment first.
 
@@ -35,13 +44,16 @@ def newton_euler(
         q: Joint positions.
         qd: Joint velocities.
         qdd: Joint accelerations.
-        base_w: Angular velocity of the base, whose angular acceleration is zero.
+        base_w: Angular velocity of the base.
         base_a: Acceleration of the base's origin, relative to gravity.
+        base_wd: Angular acceleration of the base.
+        external: The wrench that acts on each body, in its coordinates at its origin, moment
+            first; none if empty.
     """
     joints = joint_motions(tree, q)
     # Outward: accelerations, and the force and moment that each body's motion takes.
-    w, wd, a = [base_w], [ZERO], [base_a]
-    W = [acceleration_field(base_w, ZERO)]
+    w, wd, a = [base_w], [base_wd], [base_a]
+    W = [acceleration_field(base_w, base_wd)]
     forces = [tree.masses[0].force(base_a, W[0])]
     moments = [tree.masses[0].moment(base_a, W[0])]
     for i in tree.links():
@@ -60,6 +72,9 @@ def newton_euler(
         W.append(acceleration_field(w_i, wd_i))
         forces.append(tree.masses[i].force(a_i, W[i]))
         moments.append(tree.masses[i].moment(a_i, W[i]))
+    for i, wrench in enumerate(external):
+        moments[i] = subtract(moments[i], wrench[:3])
+        forces[i] = subtract(forces[i], wrench[3:])
     # Inward: each joint carries its whole subtree.
     tau: Vector = [0.0] * len(tree.links())
     for i in tree.links_leaves_first():
@@ -73,19 +88,51 @@ def newton_euler(
 
 
 def inverse_dynamics(
-    tree: Tree, q: Vector, qd: Vector, qdd: Vector, gravity: Vector
+    tree: Tree,
+    q: Vector,
+    qd: Vector,
+    qdd: Vector,
+    gravity: Vector,
+    external: Sequence[Vector] = (),
 ) -> list[Scalar]:
     """Return the joint forces of a mechanism with a fixed base."""
-    tau, _ = newton_euler(tree, q, qd, qdd, ZERO, subtract(ZERO, gravity))
+    up = subtract(ZERO, gravity)
+    tau, _ = newton_euler(tree, q, qd, qdd, ZERO, up, external=external)
     return tau
 
 
+def actuated_base_inverse_dynamics(
+    tree: Tree,
+    q: Vector,
+    qd: Vector,
+    qdd: Vector,
+    base_velocity: Vector,
+    base_acceleration: Vector,
+    gravity: Vector,
+    external: Sequence[Vector] = (),
+) -> list[Scalar]:
+    """Return the base's wrench, if it floats, and the joint forces of a given motion.
+
+    The base's acceleration is a spatial one, like its velocity in base coordinates.
+    """
+    w, v = base_velocity[:3], base_velocity[3:]
+    a = subtract(add(base_acceleration[3:], cross(w, v)), gravity)
+    tau, wrench = newton_euler(tree, q, qd, qdd, w, a, base_acceleration[:3], external)
+    return [*wrench, *tau] if tree.is_floating else tau
+
+
 def floating_base_inverse_dynamics(
-    tree: Tree, q: Vector, qd: Vector, qdd: Vector, base_velocity: Vector, gravity: Vector
+    tree: Tree,
+    q: Vector,
+    qd: Vector,
+    qdd: Vector,
+    base_velocity: Vector,
+    gravity: Vector,
+    external: Sequence[Vector] = (),
 ) -> list[Scalar]:
     """Return the joint forces and the spatial acceleration of a base without any wrench."""
     w, v = base_velocity[:3], base_velocity[3:]
-    tau, wrench = newton_euler(tree, q, qd, qdd, w, ZERO)
+    tau, wrench = newton_euler(tree, q, qd, qdd, w, ZERO, external=external)
     joints, composite = joint_motions(tree, q), composites(tree, q)
     base_acceleration = solve_symmetric(
         rigid_body_inertia(composite[0]), subtract([0.0] * 6, wrench)
@@ -105,10 +152,8 @@ def bias_torque(
     tree: Tree, q: Vector, qd: Vector, base_velocity: Vector, gravity: Vector
 ) -> list[Scalar]:
     """Return the forces at zero joint and spatial base acceleration, base rows first."""
-    w, v = base_velocity[:3], base_velocity[3:]
-    a = subtract(cross(w, v), gravity)
-    tau, wrench = newton_euler(tree, q, qd, [0.0] * len(q), w, a)
-    return [*wrench, *tau] if tree.is_floating else tau
+    rest: Vector = [0.0] * len(q)
+    return actuated_base_inverse_dynamics(tree, q, qd, rest, base_velocity, [0.0] * 6, gravity)
 
 
 def spatial_acceleration(

@@ -58,7 +58,13 @@ def tree_of(bodies: Bodies) -> Tree:
         kinds=["revolute", *bodies.joint_kinds],
         rotations=rotations.tolist(),
         positions=positions.tolist(),
-        masses=_masses_near_base(bodies, rotations.tolist(), positions.tolist()),
+        masses=masses_near_base(
+            ["revolute", *bodies.joint_kinds],
+            [0, *bodies.parents],
+            rotations.tolist(),
+            positions.tolist(),
+            mass_distributions(bodies),
+        ),
         is_floating=bodies.is_floating,
     )
 
@@ -113,28 +119,45 @@ def joint_motions(tree: Tree, q: Vector) -> list[JointMotion]:
     return [links[0], *links]
 
 
-def _masses_near_base(
-    bodies: Bodies, rotations: list[Matrix], positions: list[Vector]
-) -> list[MassDistribution]:
+def mass_distributions(bodies: Bodies) -> list[MassDistribution]:
+    """Return each body's moments of mass about its own origin, base first."""
     firsts = bodies.masses[:, None] * bodies.coms
-    masses = [
+    rows = zip(second_moment(bodies.inertias), firsts, bodies.masses, strict=True)
+    return [
         MassDistribution(second.tolist(), first.tolist(), float(mass))
-        for second, first, mass in zip(
-            second_moment(bodies.inertias), firsts, bodies.masses, strict=True
-        )
+        for second, first, mass in rows
     ]
-    for i, parent in bodies.links_leaves_first():
-        part = carried_by_predecessor(bodies.joint_kinds[i - 1], masses[i])
+
+
+def masses_near_base(
+    kinds: list[JointKind],
+    parents: list[int],
+    rotations: list[Matrix],
+    positions: list[Vector],
+    bodies: list[MassDistribution],
+) -> list[MassDistribution]:
+    """Return bodies that take the same forces, with all that can moved towards the base.
+
+    All lists are by body, base first; see `Tree`.
+    """
+    masses = list(bodies)
+    for i in range(len(parents) - 1, 0, -1):
+        part = carried_by_predecessor(kinds[i], masses[i])
         masses[i] = _without_rounding(without(masses[i], part))
-        masses[parent] += part.rotated(rotations[i]).displaced(positions[i])
+        masses[parents[i]] += part.rotated(rotations[i]).displaced(positions[i])
     return masses
 
 
 def _without_rounding(body: MassDistribution) -> MassDistribution:
-    second, first = np.array(body.second, dtype=float), np.array(body.first, dtype=float)
-    for moments in (second, first):
-        moments[abs(moments) < ROUNDING * abs(moments).max(initial=0.0)] = 0.0
-    return MassDistribution(second.tolist(), first.tolist(), body.mass)
+    """Return a body without the constants that only rounding left."""
+    second, (first,) = _cleared(body.second), _cleared([body.first])
+    return MassDistribution(second, first, body.mass)
+
+
+def _cleared(rows: Matrix) -> Matrix:
+    constants = [abs(x) for row in rows for x in row if isinstance(x, float)]
+    least = ROUNDING * max(constants, default=0.0)
+    return [[0.0 if isinstance(x, float) and abs(x) < least else x for x in row] for row in rows]
 
 
 def _snapped(rotations: Array) -> Array:

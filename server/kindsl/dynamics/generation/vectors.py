@@ -8,6 +8,7 @@ Vector: TypeAlias = list[Scalar]
 Matrix: TypeAlias = list[list[Scalar]]
 
 ZERO: Vector = [0.0, 0.0, 0.0]
+EYE: Matrix = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
 
 
 def add(a: Vector, b: Vector) -> Vector:

@@ -1,0 +1,174 @@
+"""Generates code for kinematics and dynamics: a library in C or C++, or one file in Python.
+
+Unbound parameters stay inputs of the code. All files go to one folder at once; what was not
+generated there is never overwritten without --force.
+"""
+
+import argparse
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from kindsl.cli.console import write
+from kindsl.cli.documents.choices import choices_of
+from kindsl.cli.documents.reading import (
+    BINDING_HINT,
+    CommandError,
+    defect,
+    missing_module,
+    note_errors,
+    read_document,
+    require_syntax,
+    shown_name,
+)
+from kindsl.cli.documents.sources import reason
+from kindsl.cli.options import add_parameter_arguments
+from kindsl.cli.outcome import Failure, as_failures
+from kindsl.config.errors import ConfigurationError
+from kindsl.text.printable import printable
+from kindsl.text.words import counted
+
+if TYPE_CHECKING:
+    from kindsl.codegen.generating import Source
+    from kindsl.codegen.library import Library, Options
+
+LANGUAGES = ("c", "cpp", "python", "jax", "casadi")
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    add = parser.add_argument
+    add("file", metavar="FILE", help="the document, or '-' for stdin")
+    add("--language", choices=LANGUAGES, help="what to write")
+    add("-o", "--output", metavar="DIR", help="the folder to write to")
+    add("--name", metavar="PREFIX", help="what all names begin with (default: the robot's name)")
+    add("--quantities", metavar="LIST", help="separated by commas (default: all but derivatives)")
+    add("--derivatives", action="store_true", help="derivatives and the regressor too")
+    add(
+        "--parameters", metavar="unbound|all|NAMES", default="unbound",
+        help="which parameters stay inputs of the code besides the unbound ones",
+    )  # fmt: skip
+    add("--real", choices=("double", "float"), default="double", help="the type of numbers in C")
+    add("--single-header", action="store_true", help="C in one file")
+    add("--force", action="store_true", help="overwrite files that were not generated")
+    add("--check", metavar="DIR", help="tell whether the code in DIR still fits FILE")
+    add("-q", "--quiet", action="store_true", help="no remarks")
+    add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
+
+
+def run(args: argparse.Namespace) -> int:
+    """Generate or check.
+
+    Returns:
+        0; 1 if the document gives no mechanism, or code does not fit it; 2 for wrong usage or what
+        cannot be read or written.
+    """
+    try:
+        return _run(args)
+    except CommandError as error:
+        return error.tell()
+    except ConfigurationError as error:
+        return CommandError(as_failures(error)).tell()
+    except ModuleNotFoundError as error:
+        if error.name != "numpy":
+            raise
+        return missing_module(args.file, error, "numpy").tell()
+
+
+def _run(args: argparse.Namespace) -> int:
+    if args.check is None and (args.language is None or args.output is None):
+        write(sys.stderr, "kindsl generate: error: --language and -o DIR are needed\n")
+        return 2
+    source = _source(args)
+    return _generate(args, source)
+
+
+def _source(args: argparse.Namespace) -> "Source":
+    from kindsl.codegen.generating import Source
+
+    analysis = read_document(args.file, choices_of(args))
+    require_syntax(args.file, analysis)
+    note_errors(args.file, analysis)
+    return Source(Path(shown_name(args.file)).name, analysis, dict(args.param))
+
+
+def _generate(args: argparse.Namespace, source: "Source") -> int:
+    from kindsl.codegen.library import GenerationError
+    from kindsl.codegen.writing import refuse_foreign, write_files
+
+    library, files = _generated(args, source, _options(args, source))
+    folder = Path(args.output)
+    try:
+        if not args.force:
+            refuse_foreign(folder, files)
+        write_files(folder, files)
+    except GenerationError as error:
+        raise CommandError([Failure(shown_name(args.file), str(error))]) from None
+    except OSError as error:
+        why = reason(args.output, error).replace("read", "written")
+        raise CommandError([Failure(args.output, why)]) from None
+    if not args.quiet:
+        write(sys.stderr, _remarks(library, args.output, len(files)))
+    return 0
+
+
+def _generated(
+    args: argparse.Namespace, source: "Source", options: "Options"
+) -> "tuple[Library, dict[str, str]]":
+    from kindsl.codegen.generating import generate
+    from kindsl.codegen.library import GenerationError
+    from kindsl.mechanism.errors import ModelError, UnboundParameterError
+
+    try:
+        return generate(source, options)
+    except GenerationError as error:
+        raise CommandError([Failure(shown_name(args.file), str(error))], status=1) from None
+    except UnboundParameterError as error:
+        raise defect(args.file, source.analysis, f"{error}; {BINDING_HINT}", error.at) from None
+    except ModelError as error:
+        raise defect(args.file, source.analysis, str(error), error.at) from None
+
+
+def _options(args: argparse.Namespace, source: "Source") -> "Options":
+    from kindsl.codegen.library import Options
+    from kindsl.codegen.names import UnusableNameError, prefix_of
+
+    try:
+        prefix = prefix_of(str(source.analysis.model.name or ""), args.name)
+    except UnusableNameError as error:
+        raise CommandError([Failure(shown_name(args.file), str(error))]) from None
+    return Options(
+        args.language, _quantities(args), args.real, args.single_header, args.parameters, prefix
+    )
+
+
+def _quantities(args: argparse.Namespace) -> tuple[str, ...]:
+    from kindsl.dynamics.generation.functions import QUANTITIES
+    from kindsl.text.nearest import hint, nearest_word
+
+    listed = args.quantities or ""
+    chosen = [name.strip() for name in listed.split(",") if name.strip()]
+    for name in chosen:
+        if name not in QUANTITIES:
+            close = hint(nearest_word(name, QUANTITIES))
+            message = f"--quantities: there is no quantity '{name}'{close}"
+            raise CommandError([Failure(shown_name(args.file), message)])
+    return tuple(
+        name
+        for name, quantity in QUANTITIES.items()
+        if name in chosen
+        or (quantity.is_derivative and args.derivatives)
+        or not (chosen or quantity.is_derivative)
+    )
+
+
+def _remarks(library: "Library", folder: str, n_files: int) -> str:
+    lines = [f"{folder}: {counted(n_files, 'file')} written\n"]
+    lines += [
+        f"{folder}: note: '{printable(name)}' is '{safe}' in the code\n"
+        for name, safe in library.renamed.items()
+    ]
+    prefix = library.prefix
+    if prefix != library.robot_name.lower() and not library.robot_name:
+        lines.append(f"{folder}: note: the robot has no name, so the prefix is '{prefix}'\n")
+    return "".join(lines)

@@ -1,0 +1,157 @@
+"""The sources of a library in C: one file a quantity, and one for parameters and names."""
+
+from collections.abc import Iterator, Sequence
+
+from kindsl.codegen.c_text import (
+    EXTERNAL,
+    batch_declaration,
+    dialect,
+    macro,
+    parameters,
+    real,
+    stamp_comment,
+)
+from kindsl.codegen.library import Library
+from kindsl.dynamics.generation.emitters.c import CArray, CBody, c_definition, literal
+from kindsl.dynamics.generation.function import Function, Result
+
+
+def sources(library: Library) -> Iterator[tuple[str, str]]:
+    """Yield name and text of each file."""
+    p = library.prefix
+    includes = f'#include "{p}.h"\n\n#include <math.h>\n#include <stddef.h>\n\n'
+    summary = f"Parameters and names of {library.robot_name}."
+    head = f"{stamp_comment(library, summary)}{includes}{noinline(library)}\n"
+    yield f"{p}_model.c", f"{head}{model_source(library)}"
+    for quantity, functions in library.functions.items():
+        summary = f"Of {library.robot_name}: {quantity.replace('_', ' ')}."
+        head = f"{stamp_comment(library, summary)}{includes}{noinline(library)}\n"
+        yield f"{p}_{quantity}.c", f"{head}{quantity_source(library, functions)}"
+
+
+def noinline(library: Library) -> str:
+    """Return the macro that keeps parts of long functions apart."""
+    name = f"{macro(library)}_NOINLINE"
+    return (
+        f"#ifndef {name}\n#if defined(__GNUC__)\n#define {name} __attribute__((noinline))\n"
+        f"#else\n#define {name}\n#endif\n#endif\n"
+    )
+
+
+def model_source(library: Library) -> str:
+    """Return the code that sets parameters up."""
+    p, number = library.prefix, real(library)
+    names = list(library.parameter_names.values()) or ["none"]
+    defaults = [library.defaults[name] for name in library.parameter_names] or [0.0]
+    style = dialect(library)
+    values = [f"({number})NAN" if v is None else literal(v, style) for v in defaults]
+    fields = "\n".join(
+        f"    parameters.{name} = {value};" for name, value in zip(names, values, strict=True)
+    )
+    known = {
+        parameter.index: f"parameters->{library.parameter_names[name]}"
+        for name, parameter in library.robot.parameters.items()
+    }
+    constants = CArray("c", f"{number} *restrict c", library.setup or [0.0])
+    context = ("parameters", f"const {p}_parameters *parameters")
+    setup = c_definition(
+        library.robot.graph,
+        CBody(f"{p}_set_up", [], [constants], known, context),
+        style,
+        "static ",
+    )
+    joints = ", ".join(f'"{name}"' for name in library.robot.joint_names)
+    return f"""\
+{p}_parameters {p}_default_parameters(void)
+{{
+    {p}_parameters parameters;
+{fields}
+    return parameters;
+}}
+
+{setup}
+void {p}_model_init({p}_model *model, const {p}_parameters *parameters)
+{{
+    {p}_set_up(parameters, model->c);
+}}
+
+{_default_model(library)}const char *{p}_joint_name(int joint)
+{{
+    static const char *const names[{macro(library)}_NJ] = {{{joints}}};
+    return joint >= 0 && joint < {macro(library)}_NJ ? names[joint] : NULL;
+}}
+"""
+
+
+def _default_model(library: Library) -> str:
+    if not library.is_bound:
+        return ""
+    style = dialect(library)
+    values = ", ".join(literal(value, style) for value in library.setup_values or [0.0])
+    p = library.prefix
+    return f"const {p}_model {p}_default_model = {{{{{values}}}}};\n\n"
+
+
+def quantity_source(library: Library, functions: Sequence[Function]) -> str:
+    """Return the code of some functions."""
+    return "\n".join(
+        f"{_definition(library, function)}\n{_batch(library, function)}" for function in functions
+    )
+
+
+def _definition(library: Library, function: Function) -> str:
+    name = f"{library.prefix}_{library.function_names[function.name]}"
+    if function.loaded is None:
+        return _body(library, function, name, function.results, "")
+    free = _body(library, function, f"{name}_free", function.results, "static ")
+    loaded = _body(library, function, f"{name}_loaded", function.loaded, "static ")
+    names = [declared.split("[")[0].split(" ")[-1].lstrip("*")
+             for declared in parameters(library, function)]  # fmt: skip
+    without = ", ".join(n for n in names if n != EXTERNAL)
+    head = f"void {name}({', '.join(parameters(library, function, 'restrict '))})"
+    call = (
+        f"{{\n    if ({EXTERNAL} != NULL) {{\n        {name}_loaded({', '.join(names)});\n"
+        f"    }} else {{\n        {name}_free({without});\n    }}\n}}\n"
+    )
+    return f"{free}\n{loaded}\n{head}\n{call}"
+
+
+def _body(
+    library: Library, function: Function, name: str, results: Sequence[Result], linkage: str
+) -> str:
+    number, p = real(library), library.prefix
+    takes = [
+        CArray(a.name, f"const {number} *restrict {a.name}", a.components)
+        for a in function.arguments
+    ]
+    if results is function.loaded:
+        takes.append(CArray(EXTERNAL, f"const {number} *restrict {EXTERNAL}", library.external))
+    gives = [CArray(r.name, f"{number} *restrict {r.name}", r.entries) for r in results]
+    if not linkage:
+        declared = dict(zip(
+            ("m", *(a.name for a in (*takes, *gives))),
+            parameters(library, function, "restrict "), strict=True,
+        ))  # fmt: skip
+        takes = [array._replace(declaration=declared[array.name]) for array in takes]
+        gives = [array._replace(declaration=declared[array.name]) for array in gives]
+    known = {value.index: f"m->c[{place}]" for place, value in enumerate(library.setup)}
+    context = ("m", f"const {p}_model *m")
+    body = CBody(name, takes, gives, known, context)
+    return c_definition(library.robot.graph, body, dialect(library), linkage)
+
+
+def _batch(library: Library, function: Function) -> str:
+    name = f"{library.prefix}_{library.function_names[function.name]}"
+    arguments = ["m"]
+    for argument in function.arguments:
+        is_shared = argument.name == "g"
+        stride = len(argument.components)
+        arguments.append(argument.name if is_shared else f"{argument.name} + i * {stride}")
+    if function.loaded is not None:
+        stride = len(library.external)
+        arguments.append(f"{EXTERNAL} != NULL ? {EXTERNAL} + i * {stride} : NULL")
+    arguments += [f"{r.name} + i * {len(r.entries)}" for r in function.results]
+    return (
+        f"{batch_declaration(library, function)}\n{{\n    for (long i = 0; i < n; i++) {{\n"
+        f"        {name}({', '.join(arguments)});\n    }}\n}}\n"
+    )

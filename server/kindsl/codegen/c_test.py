@@ -1,0 +1,116 @@
+"""A program that compares a library in C with numbers computed when it was generated."""
+
+from collections.abc import Iterable, Sequence
+
+from kindsl.codegen.c_text import EXTERNAL, real, stamp_comment
+from kindsl.codegen.library import Library
+from kindsl.codegen.reference import Reference
+from kindsl.dynamics.generation.function import Function
+from kindsl.spatial.arrays import Array
+
+# Of the greatest number of a result, or of one.
+TOLERANCES = {"double": 1e-9, "float": 2e-3}
+
+
+def test_program(
+    library: Library, reference: Reference, parameters: dict[str, float], include: str
+) -> str:
+    """Return the program.
+
+    Args:
+        library: What is tested.
+        reference: The right answers.
+        parameters: The values that these hold for.
+        include: The lines that include the library.
+    """
+    p, number = library.prefix, real(library)
+    tests = [_test(library, reference, function) for function in library.all_functions]
+    used = sorted({name for function in library.all_functions for name, _ in function.arguments})
+    if any(function.loaded is not None for function in library.all_functions):
+        used.append(EXTERNAL)
+    values = "\n".join(_array(number, name, reference.values[name]) for name in used)
+    given = "\n".join(
+        f"    parameters.{library.parameter_names[name]} = ({number}){value!r};"
+        for name, value in parameters.items()
+    )
+    calls = "\n".join(f"    failures += test_{n}(&model);" for n in library.function_names.values())
+    summary = f"Compares the library of {library.robot_name} with reference numbers."
+    return f"""\
+{stamp_comment(library, summary)}{include}
+
+#include <math.h>
+#include <stddef.h>
+#include <stdio.h>
+
+{values}
+
+static int differs(const char *what, const {number} *found, const double *expected, int length)
+{{
+    double largest = 1.0, worst = 0.0;
+    for (int i = 0; i < length; i++) {{
+        largest = fmax(largest, fabs(expected[i]));
+    }}
+    for (int i = 0; i < length; i++) {{
+        const double difference = fabs((double)found[i] - expected[i]);
+        worst = difference <= worst ? worst : difference;
+    }}
+    const int is_wrong = !(worst <= {TOLERANCES[library.options.real]!r} * largest);
+    printf("%s %s (%.1e)\\n", is_wrong ? "FAILED" : "ok", what, worst / largest);
+    return is_wrong;
+}}
+
+{"".join(tests)}int main(void)
+{{
+    int failures = 0;
+    {p}_model model;
+    {p}_parameters parameters = {p}_default_parameters();
+{given}
+    {p}_model_init(&model, &parameters);
+{calls}
+    return failures != 0;
+}}
+"""
+
+
+def _test(library: Library, reference: Reference, function: Function) -> str:
+    number, name = real(library), library.function_names[function.name]
+    results = function.results
+    lines = [f"    {number} {r.name}_[{len(r.entries)}];" for r in results]
+    lines.append("    int failures = 0;")
+    arguments = ["model", *(argument.name for argument in function.arguments)]
+    tables, cases = [], [("", "NULL", reference.results(function))]
+    if function.loaded is not None:
+        cases.append((" with forces", EXTERNAL, reference.loaded_results(function)))
+    for suffix, external, answers in cases:
+        given = [*arguments, *([external] if function.loaded is not None else [])]
+        call = ", ".join([*given, *(f"{r.name}_" for r in results)])
+        lines.append(f"    {library.prefix}_{name}({call});")
+        for result, answer in zip(results, answers, strict=True):
+            table = f"{name}_{result.name}{suffix.replace(' ', '_')}"
+            tables.append(_array("double", table, answer))
+            what = f'"{name}: {result.name}{suffix}"'
+            lines.append(
+                f"    failures += differs({what}, {result.name}_, {table}, {len(result.entries)});"
+            )
+    head = f"static int test_{name}(const {library.prefix}_model *model)"
+    body = "\n".join([*lines, "    return failures;"])
+    return "\n".join([*tables, "", f"{head}\n{{\n{body}\n}}\n\n"])
+
+
+def _array(number: str, name: str, values: Array) -> str:
+    flat = values.ravel().tolist()
+    cast = "" if number == "double" else f"({number})"
+    lines = [", ".join(f"{cast}{x!r}" for x in flat[k : k + 4]) for k in range(0, len(flat), 4)]
+    return f"static const {number} {name}[{len(flat)}] = {{\n    {_joined(lines)}}};"
+
+
+def _joined(lines: Sequence[str]) -> str:
+    return ",\n    ".join(lines)
+
+
+def parameter_values(defaults: Iterable[tuple[str, float | None]]) -> dict[str, float]:
+    """Return values of parameters to test with: the defaults, any others where unbound."""
+    return {
+        name: 0.3 + 0.05 * number if value is None else value
+        for number, (name, value) in enumerate(defaults)
+    }

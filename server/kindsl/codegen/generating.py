@@ -1,0 +1,95 @@
+"""From a document and options to the text of all files."""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from kindsl import __version__
+from kindsl.analysis.analysis import Analysis
+from kindsl.codegen.c_library import c_files
+from kindsl.codegen.c_test import parameter_values
+from kindsl.codegen.library import (
+    GenerationError,
+    Library,
+    Options,
+    Stamp,
+    library_of,
+)
+from kindsl.codegen.manifest import NAME, digest, manifest_text
+from kindsl.codegen.reference import Reference, sample
+from kindsl.mechanism.symbolic import symbolic_robot
+from kindsl.text.nearest import hint, nearest_name
+
+
+class Source(NamedTuple):
+    """A document to generate code for.
+
+    Attributes:
+        name: Its file's name.
+        analysis: The document.
+        bindings: Parameters bound on the command line.
+        transforms: The text of a transforms document, None without one.
+    """
+
+    name: str
+    analysis: Analysis
+    bindings: Mapping[str, float]
+    transforms: str | None = None
+
+
+def generate(source: Source, options: Options) -> tuple[Library, dict[str, str]]:
+    """Return a library and the text of its files by their names, the manifest last.
+
+    Raises:
+        GenerationError: A quantity or a name cannot be generated.
+        kindsl.mechanism.errors.ModelError: The document describes no mechanism.
+    """
+    model, values = source.analysis.model, source.analysis.context.values
+    inputs = _inputs(source.analysis, options.parameters)
+    robot = symbolic_robot(model, values, inputs)
+    stamp = Stamp(
+        f"kindsl {__version__}",
+        source.name,
+        digest(source.analysis.text.encode("utf-8", "surrogateescape")),
+        _typed(options, source),
+    )
+    defaults = {name: values.get(name) for name in inputs}
+    name = str(model.name or "robot")
+    try:
+        library = library_of(robot, name, defaults, options, stamp)
+        files = _files(source.analysis, library)
+    except OverflowError as error:
+        raise GenerationError(str(error)) from None
+    files[NAME] = manifest_text(stamp, options, source.bindings, source.transforms, files)
+    return library, files
+
+
+def _files(analysis: Analysis, library: Library) -> dict[str, str]:
+    parameters = parameter_values(library.defaults.items())
+    mechanics = analysis.mechanism(parameters)
+    reference = Reference(mechanics, sample(mechanics.bodies))
+    return c_files(library, reference, parameters)
+
+
+def _inputs(analysis: Analysis, choice: str) -> list[str]:
+    """Return the parameters that stay inputs, in the order of the document."""
+    names = [str(parameter.name) for parameter in analysis.model.parameters]
+    unbound = {name for name in names if analysis.context.values.get(name) is None}
+    if choice == "all":
+        return names
+    chosen = set() if choice == "unbound" else {n.strip() for n in choice.split(",") if n.strip()}
+    for name in sorted(chosen - set(names)):
+        close = hint(nearest_name(name, names))
+        raise GenerationError(f"--parameters: there is no parameter '{name}'{close}")
+    return [name for name in names if name in unbound | chosen]
+
+
+def _typed(options: Options, source: Source) -> str:
+    """Return options as they could be typed."""
+    parts = [
+        f"kindsl generate {source.name} --language {options.language}",
+        f"--name {options.prefix} --real {options.real} --parameters {options.parameters}",
+        f"--quantities {','.join(options.quantities)}",
+        *(["--single-header"] if options.is_single_header else []),
+        *(f"--param {name}={value!r}" for name, value in source.bindings.items()),
+    ]
+    return " ".join(parts)

@@ -1,0 +1,209 @@
+"""What a library of generated code consists of, whatever the language."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+from kindsl.codegen.names import identifiers
+from kindsl.dynamics.generation.emitters.numbers import evaluate
+from kindsl.dynamics.generation.emitters.straight_line import setup_nodes
+from kindsl.dynamics.generation.expressions import Expression, Scalar, needed, operand_nodes
+from kindsl.dynamics.generation.function import Function, Inputs, inputs_of
+from kindsl.dynamics.generation.functions import QUANTITIES
+from kindsl.dynamics.generation.masses import total_mass
+from kindsl.dynamics.generation.robot import Robot
+from kindsl.dynamics.quantities import SingularInertiaError
+
+Language = Literal["c", "cpp", "python", "jax", "casadi"]
+Real = Literal["double", "float"]
+
+
+class GenerationError(ValueError):
+    """Code cannot be generated for a document as asked."""
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """What is asked for.
+
+    Attributes:
+        language: In which language.
+        quantities: Which, by the names of `QUANTITIES`.
+        real: The type of all numbers, in C.
+        is_single_header: Whether C is one file.
+        parameters: `unbound`, `all`, or names separated by commas: what stays an input.
+        prefix: What all names begin with.
+    """
+
+    language: Language
+    quantities: tuple[str, ...]
+    real: Real
+    is_single_header: bool
+    parameters: str
+    prefix: str
+
+
+@dataclass(frozen=True, slots=True)
+class Stamp:
+    """Where generated code comes from.
+
+    Attributes:
+        generator: Name and version of this program.
+        document: The document's file name.
+        sha256: Of the document's bytes.
+        options: As they could be typed.
+    """
+
+    generator: str
+    document: str
+    sha256: str
+    options: str
+
+
+@dataclass(frozen=True)
+class Library:
+    """Functions of one robot, named.
+
+    Attributes:
+        options: What was asked for.
+        stamp: Where it comes from.
+        robot_name: As in the document.
+        robot: What the functions are recorded for.
+        functions: By quantity.
+        defaults: The values of the parameters that stay inputs, None where unbound.
+        inputs: All that functions may depend on.
+    """
+
+    options: Options
+    stamp: Stamp
+    robot_name: str
+    robot: Robot
+    functions: Mapping[str, tuple[Function, ...]]
+    defaults: Mapping[str, float | None]
+    inputs: Inputs
+
+    @property
+    def external(self) -> list[Scalar]:
+        """The wrenches on all bodies, one after the other."""
+        return [component for wrench in self.inputs.external for component in wrench]
+
+    @property
+    def prefix(self) -> str:
+        """What all names begin with."""
+        return self.options.prefix
+
+    @property
+    def all_functions(self) -> tuple[Function, ...]:
+        """The functions of all quantities, in order."""
+        return tuple(function for group in self.functions.values() for function in group)
+
+    @cached_property
+    def function_names(self) -> dict[str, str]:
+        """The names of functions in code, without prefix."""
+        return identifiers(function.name for function in self.all_functions)
+
+    @cached_property
+    def body_names(self) -> dict[str, str]:
+        """The names of bodies in code, base first."""
+        return identifiers((self.robot.base_name, *self.robot.link_names))
+
+    @cached_property
+    def joint_names(self) -> dict[str, str]:
+        """The names of joints in code."""
+        return identifiers(self.robot.joint_names)
+
+    @cached_property
+    def pose_names(self) -> dict[str, str]:
+        """The names of links and frames in code."""
+        return identifiers(target.name for target in self.robot.targets)
+
+    @cached_property
+    def parameter_names(self) -> dict[str, str]:
+        """The names of parameters in code."""
+        return identifiers(self.robot.parameters)
+
+    @cached_property
+    def renamed(self) -> dict[str, str]:
+        """The names that are others in code."""
+        groups = (self.joint_names, self.body_names, self.pose_names, self.parameter_names)
+        return {name: safe for group in groups for name, safe in group.items() if name != safe}
+
+    @property
+    def is_bound(self) -> bool:
+        """Whether every parameter that stays an input has a default."""
+        return all(value is not None for value in self.defaults.values())
+
+    @cached_property
+    def setup(self) -> list[Expression]:
+        """What depends on parameters only and is used by what does not: the model's constants."""
+        graph = self.robot.graph
+        values: list[Scalar] = []
+        for function in self.all_functions:
+            for result in (*function.results, *(function.loaded or ())):
+                values += result.entries
+        order = needed(graph, values)
+        parameters = [p.index for p in self.robot.parameters.values()]
+        fixed = setup_nodes(graph, parameters, order)
+        crossing = {v.index for v in values if isinstance(v, Expression)} & fixed
+        for node in order:
+            if node not in fixed:
+                crossing.update(fixed.intersection(operand_nodes(graph, node)))
+        return [Expression(graph, node) for node in sorted(crossing)]
+
+    @cached_property
+    def setup_values(self) -> list[float]:
+        """The model's constants for the defaults; all parameters must be bound."""
+        inputs = {p.index: self.defaults[name] or 0.0 for name, p in self.robot.parameters.items()}
+        return evaluate(self.robot.graph, inputs, self.setup)
+
+
+def library_of(
+    robot: Robot,
+    robot_name: str,
+    defaults: Mapping[str, float | None],
+    options: Options,
+    stamp: Stamp,
+) -> Library:
+    """Record all functions that are asked for.
+
+    Raises:
+        GenerationError: A quantity is not defined for this robot.
+    """
+    inputs = inputs_of(robot)
+    functions = {}
+    for name in options.quantities:
+        if group := tuple(_recorded(robot, inputs, name)):
+            functions[name] = group
+    if not functions:
+        raise GenerationError("none of the quantities exists for a fixed base")
+    return Library(options, stamp, robot_name, robot, functions, defaults, inputs)
+
+
+def _recorded(robot: Robot, inputs: Inputs, name: str) -> list[Function]:
+    quantity = QUANTITIES[name]
+    is_massless = total_mass(robot) == 0.0
+    if quantity.needs_mass and is_massless:
+        raise GenerationError(
+            f"'{name}' is not defined: the total mass is zero; "
+            "use --quantities to choose others, such as poses,jacobians"
+        )
+    try:
+        functions = quantity.build(robot, inputs)
+    except (SingularInertiaError, ZeroDivisionError):
+        raise GenerationError(
+            f"'{name}' is not defined: nothing resists some motion, the inertia matrix is "
+            "singular; use --quantities to choose others, such as poses,jacobians"
+        ) from None
+    for function in functions:
+        for result in (*function.results, *(function.loaded or ())):
+            if not all(math.isfinite(x) for x in result.entries if isinstance(x, float)):
+                raise GenerationError(f"'{name}': the values of the document are too large")
+    return [_with_safe_results(function) for function in functions]
+
+
+def _with_safe_results(function: Function) -> Function:
+    names = identifiers(result.name for result in function.results)
+    results = tuple(r._replace(name=names[r.name]) for r in function.results)
+    return function._replace(results=results)

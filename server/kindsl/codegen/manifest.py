@@ -1,0 +1,99 @@
+"""What a folder of generated code says about itself, so that it can be checked and replaced."""
+
+import hashlib
+import json
+from collections.abc import Mapping
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from kindsl.codegen.library import GenerationError, Options, Stamp
+
+NAME = "kindsl-generated.json"
+
+
+class Manifest(NamedTuple):
+    """The record of one generation.
+
+    Attributes:
+        document: The document's file name.
+        sha256: Of the document.
+        options: What was asked for.
+        bindings: Parameters bound on the command line.
+        transforms: The text of the transforms document, None without one.
+        files: SHA-256 of each file, by its name.
+    """
+
+    document: str
+    sha256: str
+    options: Options
+    bindings: dict[str, float]
+    transforms: str | None
+    files: dict[str, str]
+
+
+def manifest_text(
+    stamp: Stamp,
+    options: Options,
+    bindings: Mapping[str, float],
+    transforms: str | None,
+    files: Mapping[str, str],
+) -> str:
+    """Return the manifest of some files."""
+    record = {
+        "generator": stamp.generator,
+        "document": stamp.document,
+        "sha256": stamp.sha256,
+        "options": asdict(options),
+        "bindings": dict(bindings),
+        "transforms": transforms,
+        "files": {name: digest(text.encode("utf-8")) for name, text in files.items()},
+    }
+    return json.dumps(record, indent=2, ensure_ascii=False) + "\n"
+
+
+def read_manifest(folder: Path) -> Manifest | None:
+    """Return the manifest in a folder, None if there is none.
+
+    Raises:
+        GenerationError: It is not what this program writes.
+        OSError: It cannot be read.
+    """
+    try:
+        text = (folder / NAME).read_text(encoding="utf-8")
+    except FileNotFoundError:
+        return None
+    try:
+        return _manifest(json.loads(text))
+    except (ValueError, KeyError, TypeError, AttributeError):
+        raise GenerationError(f"'{folder / NAME}' is not a manifest of generated code") from None
+
+
+def _manifest(record: dict[str, Any]) -> Manifest:
+    options = record["options"]
+    return Manifest(
+        str(record["document"]),
+        str(record["sha256"]),
+        Options(**{**options, "quantities": tuple(options["quantities"])}),
+        {str(name): float(value) for name, value in record["bindings"].items()},
+        record["transforms"],
+        {str(name): str(value) for name, value in record["files"].items()},
+    )
+
+
+def digest(content: bytes) -> str:
+    """Return the SHA-256 of something, in hexadecimal digits."""
+    return hashlib.sha256(content).hexdigest()
+
+
+def changed_files(folder: Path, manifest: Manifest) -> list[str]:
+    """Return the files that are not as they were generated: edited or gone."""
+    found = []
+    for name, expected in manifest.files.items():
+        try:
+            content = (folder / name).read_bytes()
+        except OSError:
+            content = None
+        if content is None or digest(content) != expected:
+            found.append(name)
+    return found

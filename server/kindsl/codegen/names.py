@@ -1,0 +1,66 @@
+"""Names of a document as names in generated code."""
+
+import keyword
+import re
+from collections.abc import Iterable
+
+_UNSAFE = re.compile(r"[^A-Za-z0-9_]")
+_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
+
+# Of C, C++ and Python; what one of them reserves is no name in any.
+_C_AND_CPP = """
+    alignas alignof and and_eq asm auto bitand bitor bool break case catch char char16_t
+    char32_t char8_t class compl concept const const_cast consteval constexpr constinit
+    continue co_await co_return co_yield decltype default delete do double dynamic_cast else
+    enum explicit export extern false float for friend goto if inline int long main mutable
+    namespace new noexcept not not_eq nullptr operator or or_eq private protected public
+    register reinterpret_cast requires restrict return short signed sizeof static
+    static_assert static_cast std struct switch template this thread_local throw true try
+    typedef typeid typename union unsigned using virtual void volatile wchar_t while xor
+    xor_eq errno linux unix
+"""
+RESERVED = frozenset(_C_AND_CPP.split()) | frozenset(keyword.kwlist)
+
+
+class UnusableNameError(ValueError):
+    """A name cannot be used in generated code."""
+
+
+def prefix_of(robot: str, given: str | None) -> str:
+    """Return what all names of a library begin with.
+
+    Args:
+        robot: The robot's name.
+        given: What was asked for, if anything.
+
+    Raises:
+        UnusableNameError: What was asked for is not a name in C, C++ and Python.
+    """
+    if given is not None:
+        if not _NAME.fullmatch(given) or given in RESERVED:
+            what = "a reserved word" if given in RESERVED else "not a valid name"
+            raise UnusableNameError(f"--name: '{given}' is {what} in C, C++ or Python")
+        return given
+    return identifier(robot.lower()) if robot else "robot"
+
+
+def identifier(name: str) -> str:
+    """Return the nearest name that all languages take."""
+    safe = _UNSAFE.sub("_", name).strip("_") or "x"
+    if safe[0].isdigit():
+        safe = f"x{safe}"
+    return f"{safe}_" if safe in RESERVED else safe
+
+
+def identifiers(names: Iterable[str]) -> dict[str, str]:
+    """Return each name's form in code; two names never share one."""
+    found: dict[str, str] = {}
+    taken: set[str] = set()
+    for name in names:
+        safe = wanted = identifier(name)
+        number = 2
+        while safe in taken:
+            safe, number = f"{wanted}_{number}", number + 1
+        taken.add(safe)
+        found[name] = safe
+    return found

@@ -1,0 +1,146 @@
+"""What generated functions should give, from the mechanics that the rest of this program uses."""
+
+import random
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from kindsl.dynamics.bodies import Bodies
+from kindsl.dynamics.evaluation.mechanics import Mechanics
+from kindsl.dynamics.generation.function import Function
+from kindsl.dynamics.joints import solve
+from kindsl.spatial.arrays import Array
+
+Values = Mapping[str, Array]
+
+
+def sample(bodies: Bodies, seed: int = 1) -> dict[str, Array]:
+    """Return some values of all arguments, by their names in code; equal seeds, equal values."""
+    generator = random.Random(seed)
+    n = bodies.n_links
+    lengths = {"q": n, "qd": n, "qdd": n, "tau": n, "v0": 6, "a0": 6, "fext": 6 * (n + 1)}
+    values = {
+        name: np.array([round(generator.uniform(-1.0, 1.0), 3) for _ in range(length)])
+        for name, length in lengths.items()
+    }
+    return {**values, "g": np.array([0.3, -0.2, -9.7])}
+
+
+class Reference:
+    """Answers for one configuration of a mechanism.
+
+    Attributes:
+        mechanics: The mechanism.
+        values: Of all arguments, by their names in code.
+    """
+
+    def __init__(self, mechanics: Mechanics, values: Values) -> None:
+        self.mechanics = mechanics
+        self.values = values
+        self._base = values["v0"] if mechanics.bodies.is_floating else None
+        self._first = 6 if mechanics.bodies.is_floating else 0
+
+    def results(self, function: Function) -> list[Array]:
+        """Return what a function gives without external forces, one array a result."""
+        return self._answer(function, np.zeros(self._first + self.mechanics.bodies.n_links))
+
+    def loaded_results(self, function: Function) -> list[Array]:
+        """Return what a function gives under external forces."""
+        q, bodies = self.values["q"], self.mechanics.bodies
+        forces = self.values["fext"].reshape(-1, 6)
+        load = np.zeros(bodies.n_velocities)
+        load[: self._first] = forces[0][: self._first]
+        for name, force in zip(bodies.link_names, forces[1:], strict=True):
+            load += self.mechanics.jacobian(q, name).T @ force
+        return self._answer(function, load)
+
+    def _answer(self, function: Function, load: Array) -> list[Array]:
+        name = function.name
+        if name == "foot_jacobians":
+            return [self._foot_jacobian(foot) for foot in function.about]
+        if function.about:
+            is_own = name == f"jacobian_{function.about[0]}"
+            return [self._jacobian(function.about[0], is_own)]
+        if name in ("inverse_dynamics", "inverse_dynamics_actuated", "forward_dynamics"):
+            return self._dynamics(name, load)
+        return self._plain(name)
+
+    def _jacobian(self, name: str, is_own: bool) -> Array:
+        """Return a Jacobian in the frame's own or in base coordinates."""
+        J = self.mechanics.jacobian(self.values["q"], name)
+        if is_own:
+            return J
+        R = self.mechanics.forward_kinematics(self.values["q"])[name][:3, :3]
+        return np.concatenate((R @ J[:3], R @ J[3:]))
+
+    def _foot_jacobian(self, name: str) -> Array:
+        bodies = self.mechanics.bodies
+        owners = {frame.name: frame.body for frame in bodies.frames}
+        body = owners[name] if name in owners else bodies.link_names.index(name) + 1
+        columns = [self._first + joint - 1 for joint in bodies.support(body)[::-1]]
+        return self._jacobian(name, is_own=False)[:, columns]
+
+    def _dynamics(self, name: str, load: Array) -> list[Array]:
+        """Return forces or accelerations, from `M a + bias = forces + load`."""
+        q, qd, g = (self.values[key] for key in ("q", "qd", "g"))
+        M = self.mechanics.joint_space_inertia(q)
+        rest = self.mechanics.bias_torque(q, qd, self._base, g) - load
+        k = self._first
+        if name == "forward_dynamics":
+            a = solve(M, np.concatenate((np.zeros(k), self.values["tau"])) - rest)
+            return [a[k:], a[:k]] if k else [a]
+        a0 = self.values["a0"][:k]
+        if name == "inverse_dynamics" and k:
+            a0 = solve(M[:k, :k], -rest[:k] - M[:k, k:] @ self.values["qdd"])
+        forces = M @ np.concatenate((a0, self.values["qdd"])) + rest
+        if not k:
+            return [forces]
+        return [forces[k:], a0 if name == "inverse_dynamics" else forces[:k]]
+
+    def _plain(self, name: str) -> list[Array]:
+        m, base = self.mechanics, self._base
+        q, qd, qdd, tau, g = (self.values[key] for key in ("q", "qd", "qdd", "tau", "g"))
+        if name == "poses":
+            return [np.array([pose[:3] for pose in m.forward_kinematics(q).values()])]
+        if name == "joint_space_inertia":
+            return [m.joint_space_inertia(q)]
+        if name == "inertia_factorization":
+            return _factors(m.joint_space_inertia(q))
+        if name == "gravity_torque":
+            return [m.gravity_torque(q, g)]
+        if name == "bias_torque":
+            return [m.bias_torque(q, qd, base, g)]
+        if name == "kinetic_energy":
+            return [np.array([m.kinetic_energy(q, qd, base)])]
+        if name == "potential_energy":
+            return [np.array([m.potential_energy(q, g)])]
+        if name == "center_of_mass":
+            return [m.center_of_mass(q)]
+        if name == "center_of_mass_jacobian":
+            return [m.center_of_mass_jacobian(q)]
+        a0 = self.values["a0"] if base is not None else None
+        if name == "forward_dynamics_derivatives":
+            return [*m.forward_dynamics_derivatives(q, qd, tau, base, g)]
+        if name == "inverse_dynamics_derivatives":
+            return [*m.inverse_dynamics_derivatives(q, qd, qdd, base, a0, g)]
+        return [m.regressor(q, qd, qdd, base, a0, g)]
+
+
+def _factors(M: Array) -> list[Array]:
+    """Return `L` and `D` of `M = L^T D L`, from the last row on."""
+    rest, L = M.copy(), np.eye(len(M))
+    D = np.zeros(len(M))
+    for k in reversed(range(len(M))):
+        D[k] = rest[k, k]
+        L[k, :k] = rest[k, :k] / D[k]
+        rest[:k, :k] -= D[k] * np.outer(L[k, :k], L[k, :k])
+    return [L, D]
+
+
+def worst_difference(found: Sequence[Array], expected: Sequence[Array]) -> float:
+    """Return the greatest difference, relative to the greatest entry or one."""
+    return max(
+        float(np.max(abs(np.ravel(a) - np.ravel(b)), initial=0.0))
+        / (1.0 + float(np.max(abs(b), initial=0.0)))
+        for a, b in zip(found, expected, strict=True)
+    )

@@ -1,0 +1,145 @@
+"""Derivatives of inverse and forward dynamics, and the inertial-parameter regressor.
+
+A floating base's six rows come first: the wrench on the base, or its spatial acceleration. Its
+six columns are small displacements of the base, in base coordinates: a turn, which only gravity
+feels, and a shift, which nothing does. Velocity and acceleration of the base keep their
+coordinates in the base while it is displaced.
+"""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from kindsl.dynamics.generation.composite_bodies import joint_space_inertia
+from kindsl.dynamics.generation.derivatives import held, jacobian_matrix, unit_directions
+from kindsl.dynamics.generation.expressions import Expression, Scalar
+from kindsl.dynamics.generation.factorization import Factorization, factorize, solve_factorized
+from kindsl.dynamics.generation.function import Function, Inputs, Result, flat
+from kindsl.dynamics.generation.inverse_dynamics import actuated_base_inverse_dynamics
+from kindsl.dynamics.generation.mass_moments import MassDistribution
+from kindsl.dynamics.generation.robot import Robot, massless
+from kindsl.dynamics.generation.vectors import (
+    EYE,
+    Matrix,
+    Vector,
+    cross,
+    scale,
+    subtract,
+    transpose,
+)
+
+# The order of a body's inertial parameters in the regressor's columns.
+TENSOR_ENTRIES = ((0, 0), (0, 1), (1, 1), (0, 2), (1, 2), (2, 2))
+PARAMETERS_PER_BODY = 10
+
+
+def inverse_dynamics_derivatives(robot: Robot, inputs: Inputs) -> list[Function]:
+    """Record what the forces change by with positions, velocities and accelerations."""
+    tau = actuated_base_inverse_dynamics(
+        robot.tree, inputs.q, inputs.qd, inputs.qdd, inputs.v0, inputs.a0, inputs.g
+    )
+    dq = jacobian_matrix(robot.graph, tau, position_directions(robot, inputs))
+    dqd = jacobian_matrix(robot.graph, tau, unit_directions([*inputs.v0, *inputs.qd]))
+    M = joint_space_inertia(robot.tree, inputs.q)
+    shape = (len(tau), len(tau))
+    results = (
+        Result("dtau_dq", shape, flat(dq)),
+        Result("dtau_dqd", shape, flat(dqd)),
+        Result("dtau_dqdd", shape, flat(M)),
+    )
+    summary = "the derivatives of the forces that a motion takes"
+    arguments = inputs.motion("qdd", "a0")
+    return [Function("inverse_dynamics_derivatives", summary, arguments, results)]
+
+
+def forward_dynamics_derivatives(robot: Robot, inputs: Inputs) -> list[Function]:
+    """Record what the accelerations change by with positions, velocities and forces.
+
+    At the solution, `M d qdd = -d tau` with the accelerations held.
+    """
+    rest: Vector = [0.0] * len(inputs.q)
+    bias = actuated_base_inverse_dynamics(
+        robot.tree, inputs.q, inputs.qd, rest, inputs.v0, [0.0] * 6, inputs.g
+    )
+    factors = factorize(joint_space_inertia(robot.tree, inputs.q))
+    forces: Vector = [*[0.0] * (len(bias) - len(inputs.tau)), *inputs.tau]
+    solution = held(robot.graph, solve_factorized(factors, subtract(forces, bias)))
+    n_base = len(bias) - len(inputs.q)
+    base, joints = solution[:n_base] or [0.0] * 6, solution[n_base:]
+    tau = actuated_base_inverse_dynamics(
+        robot.tree, inputs.q, inputs.qd, joints, inputs.v0, base, inputs.g
+    )
+    dq = jacobian_matrix(robot.graph, tau, position_directions(robot, inputs))
+    dqd = jacobian_matrix(robot.graph, tau, unit_directions([*inputs.v0, *inputs.qd]))
+    shape = (len(tau), len(tau))
+    results = (
+        Result("dqdd_dq", shape, flat(_solved(factors, dq))),
+        Result("dqdd_dqd", shape, flat(_solved(factors, dqd))),
+        Result("dqdd_dtau", shape, flat(_inverse(factors))),
+    )
+    summary = "the derivatives of the accelerations under forces"
+    return [Function("forward_dynamics_derivatives", summary, inputs.motion("tau"), results)]
+
+
+def regressor(robot: Robot, inputs: Inputs) -> list[Function]:
+    """Record `Y`, with the forces of a motion `Y @ (inertial parameters of all bodies)`.
+
+    Columns are ten a body, a floating base's first: mass, mass times CoM, then the entries
+    xx, xy, yy, xz, yz, zz of the inertia tensor about the body's origin.
+    """
+    tree = robot.tree
+    columns = []
+    for body in range(0 if tree.is_floating else 1, len(tree.parents)):
+        for unit in unit_bodies():
+            alone = [massless() for _ in tree.parents]
+            alone[body] = unit
+            columns.append(
+                actuated_base_inverse_dynamics(
+                    replace(tree, masses=alone),
+                    inputs.q, inputs.qd, inputs.qdd, inputs.v0, inputs.a0, inputs.g,
+                )
+            )  # fmt: skip
+    Y = Result("Y", (len(columns[0]), len(columns)), flat(transpose(columns)))
+    summary = "the matrix that takes the bodies' inertial parameters to the forces of a motion"
+    return [Function("regressor", summary, inputs.motion("qdd", "a0"), (Y,))]
+
+
+def unit_bodies() -> list[MassDistribution]:
+    """Return bodies with one inertial parameter of one each, in the regressor's order."""
+    none = massless()
+    units = [replace(none, mass=1.0)]
+    units += [replace(none, first=[*axis]) for axis in EYE]
+    for row, column in TENSOR_ENTRIES:
+        tensor: list[list[float]] = [[0.0] * 3 for _ in range(3)]
+        tensor[row][column] = tensor[column][row] = 1.0
+        half = 0.5 * (tensor[0][0] + tensor[1][1] + tensor[2][2])
+        second: Matrix = [[half * (i == j) - tensor[i][j] for j in range(3)] for i in range(3)]
+        units.append(replace(none, second=second))
+    return units
+
+
+def position_directions(robot: Robot, inputs: Inputs) -> list[Mapping[int, Scalar]]:
+    """Return the directions of small displacements: of a floating base, then of the joints."""
+    directions: list[Mapping[int, Scalar]] = []
+    if robot.tree.is_floating:
+        # Gravity is given in base coordinates: it turns the other way.
+        gravity = [x for x in inputs.g if isinstance(x, Expression)]
+        for axis in EYE:
+            rates = cross(inputs.g, axis)
+            directions.append({x.index: rate for x, rate in zip(gravity, rates, strict=True)})
+        directions += [{}, {}, {}]
+    return [*directions, *unit_directions(inputs.q)]
+
+
+def _solved(factors: Factorization, rates: Matrix) -> Matrix:
+    columns = [solve_factorized(factors, scale(-1.0, column)) for column in transpose(rates)]
+    return transpose(columns)
+
+
+def _inverse(factors: Factorization) -> Matrix:
+    """Return the inverse of a factorized matrix, whose upper half mirrors the lower one."""
+    size = len(factors.inverse_pivots)
+    columns = [
+        solve_factorized(factors, [float(row == column) for row in range(size)])
+        for column in range(size)
+    ]
+    return [[columns[min(r, c)][max(r, c)] for c in range(size)] for r in range(size)]

@@ -1,0 +1,84 @@
+"""The order of a graph's operations, cut into parts that a compiler can take in."""
+
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
+from kindsl.dynamics.generation.expressions import Expression, Graph, Scalar, needed, operand_nodes
+
+OPERATORS = ("+", "-", "*", "/")
+
+
+class Part(NamedTuple):
+    """Some operations, one after the other.
+
+    Attributes:
+        nodes: The operations.
+        kept: Those whose results later parts need, each with its place among kept values.
+    """
+
+    nodes: list[int]
+    kept: dict[int, int]
+
+
+class Parts(NamedTuple):
+    """All operations of a function.
+
+    Attributes:
+        parts: In order.
+        n_kept: How many places kept values take.
+    """
+
+    parts: list[Part]
+    n_kept: int
+
+
+def computed(graph: Graph, values: Iterable[Scalar], known: Iterable[int]) -> list[int]:
+    """Return the nodes to compute for values, operands first, when some nodes are known."""
+    found: set[int] = set(known)
+    given = frozenset(found)
+    waiting = [value.index for value in values if isinstance(value, Expression)]
+    while waiting:
+        index = waiting.pop()
+        if index not in found:
+            found.add(index)
+            waiting += operand_nodes(graph, index)
+    return [i for i in sorted(found - given) if graph.nodes[i][0] != "input"]
+
+
+def cut(graph: Graph, order: Sequence[int], size: int) -> Parts:
+    """Cut operations into parts of a size; a place is used again when its value is not needed."""
+    pieces = [list(order[start : start + size]) for start in range(0, len(order), size)]
+    home = {node: number for number, piece in enumerate(pieces) for node in piece}
+    last_use: dict[int, int] = {}
+    for number, piece in enumerate(pieces):
+        for node in piece:
+            last_use.update((o, number) for o in operand_nodes(graph, node) if o in home)
+    parts, free, n_kept = [], list[int](), 0
+    leaving: dict[int, list[int]] = {}
+    for number, piece in enumerate(pieces):
+        free += leaving.pop(number - 1, [])
+        kept = {}
+        for node in piece:
+            if last_use.get(node, number) > number:
+                if not free:
+                    free.append(n_kept)
+                    n_kept += 1
+                kept[node] = free.pop()
+                leaving.setdefault(last_use[node], []).append(kept[node])
+        parts.append(Part(piece, kept))
+    return Parts(parts or [Part([], {})], n_kept)
+
+
+def setup_nodes(graph: Graph, parameters: Iterable[int], order: Iterable[int]) -> set[int]:
+    """Return the nodes that depend on parameters only, these among them."""
+    found = set(parameters)
+    for index in order:
+        operands = operand_nodes(graph, index)
+        if operands and all(operand in found for operand in operands):
+            found.add(index)
+    return found
+
+
+def operations(graph: Graph, values: Iterable[Scalar]) -> int:
+    """Return how many operations values take."""
+    return sum(graph.nodes[index][0] != "input" for index in needed(graph, values))

@@ -1,0 +1,115 @@
+"""Poses of single frames and geometric Jacobians, for tracing."""
+
+from dataclasses import dataclass
+
+from kindsl.dynamics.generation.robot import PlacedFrame, Robot
+from kindsl.dynamics.generation.tree import Tree, joint_motions
+from kindsl.dynamics.generation.vectors import (
+    EYE,
+    ZERO,
+    Matrix,
+    Vector,
+    add,
+    cross,
+    multiply,
+    subtract,
+    transform,
+    transpose,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class BodyPoses:
+    """Where each body is in the base.
+
+    Attributes:
+        rotations: `base_R_i`, by body.
+        positions: `base_r_i`, by body, metres.
+    """
+
+    rotations: list[Matrix]
+    positions: list[Vector]
+
+
+def body_poses(tree: Tree, q: Vector) -> BodyPoses:
+    """Return the poses of all bodies, base first."""
+    joints = joint_motions(tree, q)
+    poses = BodyPoses([EYE], [[0.0, 0.0, 0.0]])
+    for i in tree.links():
+        R, r = poses.rotations[tree.parents[i]], poses.positions[tree.parents[i]]
+        poses.positions.append(add(r, transform(R, joints[i].offset)))
+        poses.rotations.append(joints[i].rotation_in(R))
+    return poses
+
+
+def frame_pose(poses: BodyPoses, frame: PlacedFrame) -> tuple[Matrix, Vector]:
+    """Return rotation and position of a frame in the base."""
+    R, r = poses.rotations[frame.body], poses.positions[frame.body]
+    return multiply(R, frame.R), add(r, transform(R, frame.r))
+
+
+def support(tree: Tree, body: int) -> list[int]:
+    """Return the joints between the base and a body, nearest to the base first."""
+    joints = []
+    while body:
+        joints.append(body)
+        body = tree.parents[body]
+    return joints[::-1]
+
+
+def joint_columns(
+    tree: Tree, poses: BodyPoses, body: int, r: Vector
+) -> dict[int, tuple[Vector, Vector]]:
+    """Return what each supporting joint's rate does to a point `r` of a body.
+
+    Returns:
+        By joint, angular and linear velocity in base coordinates.
+    """
+    columns: dict[int, tuple[Vector, Vector]] = {}
+    for joint in support(tree, body):
+        axis = [row[2] for row in poses.rotations[joint]]
+        columns[joint] = (ZERO, axis)
+        if tree.kinds[joint] == "revolute":
+            columns[joint] = (axis, cross(axis, subtract(r, poses.positions[joint])))
+    return columns
+
+
+def jacobian(robot: Robot, poses: BodyPoses, frame: PlacedFrame, seen_from: Matrix) -> Matrix:
+    """Return `J` (6, nv) of a frame's origin, a floating base's six columns first.
+
+    Args:
+        robot: The mechanism.
+        poses: Its bodies' poses.
+        frame: The frame.
+        seen_from: Rotation to the base from the coordinates that velocities are wanted in.
+    """
+    _, r = frame_pose(poses, frame)
+    E = transpose(seen_from)
+    moved = joint_columns(robot.tree, poses, frame.body, r)
+    columns = [moved.get(joint, (ZERO, ZERO)) for joint in robot.tree.links()]
+    if robot.tree.is_floating:
+        turns = [(axis, cross(axis, r)) for axis in EYE]
+        columns = [*turns, *((ZERO, axis) for axis in EYE), *columns]
+    rotated = [[*transform(E, w), *transform(E, v)] for w, v in columns]
+    return transpose(rotated)
+
+
+def jacobian_relative_to_base(robot: Robot, poses: BodyPoses, frame: PlacedFrame) -> Matrix:
+    """Return `J` (6, k) of a frame's velocity relative to the base, in base coordinates.
+
+    It has the columns of the k joints that carry the frame only, nearest to the base first.
+    """
+    _, r = frame_pose(poses, frame)
+    columns = joint_columns(robot.tree, poses, frame.body, r).values()
+    return transpose([[*w, *v] for w, v in columns]) if columns else [[] for _ in range(6)]
+
+
+def feet(robot: Robot) -> tuple[PlacedFrame, ...]:
+    """Return the frames on links that carry no other link; such a link itself if it has none."""
+    parents = set(robot.tree.parents[1:])
+    found = []
+    for link in robot.targets[: len(robot.link_names)]:
+        if link.body not in parents:
+            on_it = [frame for frame in robot.frames if frame.body == link.body]
+            found += on_it or [link]
+    return tuple(found)

@@ -1,0 +1,48 @@
+"""Libraries of code for tests."""
+
+from pathlib import Path
+
+import numpy as np
+from tests.dynamics.random_bodies import random_bodies
+
+from kindsl.codegen.c_library import c_files
+from kindsl.codegen.library import Library, Options, Stamp, library_of
+from kindsl.codegen.reference import Reference, sample
+from kindsl.dynamics.bodies import Bodies
+from kindsl.dynamics.evaluation.mechanics import Mechanics
+from kindsl.dynamics.generation.functions import QUANTITIES
+from kindsl.dynamics.generation.robot import robot_of
+
+PLAIN = tuple(name for name, quantity in QUANTITIES.items() if not quantity.is_derivative)
+ALL = tuple(QUANTITIES)
+STAMP = Stamp("kindsl test", "robot.kindsl", "0" * 64, "none")
+
+
+def bodies_of_seed(seed: int, most_links: int = 6) -> Bodies:
+    """Return a random tree with revolute and prismatic joints, floating for odd seeds."""
+    generator = np.random.default_rng(seed)
+    n_links = int(generator.integers(1, most_links + 1))
+    return random_bodies(generator, n_links, is_floating=bool(seed % 2))
+
+
+def library(bodies: Bodies, quantities: tuple[str, ...] = PLAIN, **options: object) -> Library:
+    """Return the library of a mechanism."""
+    chosen = {
+        "language": "c", "quantities": quantities, "real": "double", "is_single_header": False,
+        "parameters": "unbound", "prefix": "robot", **options,
+    }  # fmt: skip
+    return library_of(robot_of(bodies), "robot", {}, Options(**chosen), STAMP)
+
+
+def reference(bodies: Bodies) -> Reference:
+    """Return the right answers for a mechanism."""
+    return Reference(Mechanics(bodies), sample(bodies))
+
+
+def write_c(bodies: Bodies, folder: Path, quantities: tuple[str, ...] = PLAIN, **options) -> Path:
+    """Write a mechanism's library in C."""
+    files = c_files(library(bodies, quantities, **options), reference(bodies), {})
+    folder.mkdir(exist_ok=True)
+    for name, text in files.items():
+        (folder / name).write_text(text, encoding="utf-8")
+    return folder

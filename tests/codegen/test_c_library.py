@@ -1,0 +1,170 @@
+"""Libraries in C compile without warnings and compute what the mechanics do."""
+
+import ctypes
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+from tests.codegen.compiling import (
+    COMPILERS,
+    Compiler,
+    build,
+    each_compiler,
+    needs_compiler,
+    run_tests,
+)
+from tests.codegen.robots import PLAIN, bodies_of_seed, library, reference, write_c
+
+from kindsl.codegen.c_test import TOLERANCES
+from kindsl.codegen.reference import worst_difference
+from kindsl.dynamics.bodies import Bodies
+from kindsl.dynamics.generation.function import Function
+from kindsl.spatial.arrays import Array
+
+pytestmark = needs_compiler
+FEW = ("poses", "foot_jacobians", "inverse_dynamics", "forward_dynamics")
+EXTREMES = (0.0, 1e-308, 1e4, 1e8, 1e300, np.inf, -np.inf, np.nan)
+
+
+class Loaded:
+    """A library in C as functions in Python."""
+
+    def __init__(self, folder: Path, bodies: Bodies, compiler: Compiler) -> None:
+        path = build(compiler, folder, ["-O1", "-shared", "-fPIC"], "robot.so")
+        self.code = ctypes.CDLL(str(path))
+        self.library = library(bodies)
+        self.model = np.zeros(max(1, len(self.library.setup)))
+
+    def call(
+        self, function: Function, values: dict[str, Array], n: int | None = None
+    ) -> list[Array]:
+        """Call a function, or with a number of configurations its batch."""
+        name = f"robot_{self.library.function_names[function.name]}"
+        outputs = [np.full((n or 1) * len(r.entries), -7.0) for r in function.results]
+        given = [values[a.name] for a in function.arguments]
+        if function.loaded is not None:
+            given.append(values.get("fext"))
+        pointers = [_pointer(a) for a in (self.model, *given, *outputs)]
+        if n is None:
+            getattr(self.code, name)(*pointers)
+        else:
+            getattr(self.code, f"{name}_batch")(ctypes.c_long(n), *pointers)
+        return outputs
+
+
+def _pointer(array: Array | None) -> ctypes.c_void_p:
+    return ctypes.c_void_p(None if array is None else array.ctypes.data)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_numbers_are_the_mechanics(seed: int, tmp_path: Path) -> None:
+    bodies = bodies_of_seed(seed)
+    loaded = Loaded(write_c(bodies, tmp_path), bodies, COMPILERS[0])
+    expected = reference(bodies)
+    free = {**expected.values, "fext": None}
+    for function in loaded.library.all_functions:
+        found = loaded.call(function, free)
+        assert worst_difference(found, expected.results(function)) < 1e-12, function.name
+        if function.loaded is not None:
+            found = loaded.call(function, expected.values)
+            assert worst_difference(found, expected.loaded_results(function)) < 1e-12
+
+
+def test_batches_are_the_single_answers(tmp_path: Path) -> None:
+    bodies = bodies_of_seed(3)
+    loaded = Loaded(write_c(bodies, tmp_path), bodies, COMPILERS[0])
+    generator = np.random.default_rng(1)
+    one = reference(bodies).values
+    many = {k: generator.uniform(-1.0, 1.0, (5, len(v))) for k, v in one.items()}
+    many["g"] = one["g"]
+    for function in loaded.library.all_functions:
+        batch = loaded.call(function, many, n=5)
+        for k in range(5):
+            row = {key: v if key == "g" else np.ascontiguousarray(v[k]) for key, v in many.items()}
+            for whole, single in zip(batch, loaded.call(function, row), strict=True):
+                np.testing.assert_array_equal(whole.reshape(5, -1)[k], single)
+
+
+def test_extreme_values_give_numbers_or_none_but_never_a_trap(tmp_path: Path) -> None:
+    bodies = bodies_of_seed(5)
+    loaded = Loaded(write_c(bodies, tmp_path), bodies, COMPILERS[0])
+    generator = np.random.default_rng(2)
+    for _ in range(40):
+        values = {
+            k: np.where(generator.random(len(v)) < 0.3, generator.choice(EXTREMES, len(v)), v)
+            for k, v in reference(bodies).values.items()
+        }
+        for function in loaded.library.all_functions:
+            loaded.call(function, values)
+        inverse = next(f for f in loaded.library.all_functions if f.name == "inverse_dynamics")
+        broken = {**values, "g": np.full(3, np.nan)}
+        assert np.isnan(loaded.call(inverse, broken)[0]).any()
+
+
+@each_compiler
+@pytest.mark.parametrize("options", [{}, {"is_single_header": True}, {"real": "float"}])
+def test_the_test_program_succeeds_under_sanitizers(
+    compiler: Compiler, options: dict[str, object], tmp_path: Path
+) -> None:
+    folder = write_c(bodies_of_seed(7, 3), tmp_path, FEW, **options)
+    told = run_tests(build(compiler, folder, ["-g", *compiler.sanitizers], "tests"))
+    assert "FAILED" not in told
+    assert "ok inverse_dynamics: tau with forces" in told
+
+
+def test_the_test_program_fails_for_wrong_numbers(tmp_path: Path) -> None:
+    folder = write_c(bodies_of_seed(2), tmp_path, ("gravity_torque",))
+    source = folder / "robot_gravity_torque.c"
+    text = source.read_text()
+    source.write_text(text.replace("tau[0] = ", "tau[0] = 1.0 + ", 1))
+    program = build(COMPILERS[0], folder, [], "tests")
+    done = subprocess.run([program], capture_output=True, text=True, check=False)
+    assert done.returncode == 1
+    assert "FAILED gravity_torque: tau" in done.stdout
+
+
+def test_long_functions_are_cut_without_loss(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("kindsl.dynamics.generation.emitters.c.OPERATIONS_PER_PART", 7)
+    folder = write_c(bodies_of_seed(9, 3), tmp_path, FEW)
+    assert "robot_inverse_dynamics_free_part5(" in (folder / "robot_inverse_dynamics.c").read_text()
+    assert "FAILED" not in run_tests(build(COMPILERS[0], folder, [], "tests"))
+
+
+def test_tolerances_of_the_test_program_are_those_of_the_type() -> None:
+    assert TOLERANCES["double"] < 1e-8 < TOLERANCES["float"]
+
+
+@pytest.mark.skipif(shutil.which("cmake") is None, reason="there is no CMake")
+def test_cmake_builds_tests_installs_and_finds(tmp_path: Path) -> None:
+    folder = write_c(bodies_of_seed(2), tmp_path / "robot", ("poses", "gravity_torque"))
+    program = tmp_path / "program"
+    program.mkdir()
+    (program / "main.c").write_text(
+        "#include <robot.h>\n"
+        "int main(void) { double q[ROBOT_NJ] = {0}, T[ROBOT_NPOSES * 12];\n"
+        "robot_poses(&robot_default_model, q, T); return T[0] < -2.0; }\n"
+    )
+    (program / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.13)\nproject(program C)\nfind_package(robot REQUIRED)\n"
+        "add_executable(program main.c)\ntarget_link_libraries(program robot::robot)\n"
+    )
+    steps = [
+        ["cmake", "-S", folder, "-B", tmp_path / "b", f"-DCMAKE_INSTALL_PREFIX={tmp_path / 'i'}"],
+        ["cmake", "--build", tmp_path / "b", "--target", "install"],
+        ["ctest", "--test-dir", tmp_path / "b"],
+        ["cmake", "-S", program, "-B", tmp_path / "p", f"-DCMAKE_PREFIX_PATH={tmp_path / 'i'}"],
+        ["cmake", "--build", tmp_path / "p"],
+        [tmp_path / "p" / "program"],
+    ]
+    for step in steps:
+        done = subprocess.run(step, capture_output=True, text=True, timeout=120, check=False)
+        assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_every_quantity_is_a_file(tmp_path: Path) -> None:
+    folder = write_c(bodies_of_seed(1), tmp_path)
+    assert {path.name for path in folder.glob("robot_*.c")} >= {f"robot_{q}.c" for q in PLAIN}
