@@ -1,8 +1,6 @@
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
-from kindsl.rules.number_writing import decimals, plain, rewritten, significant_digits
+from kindsl.rules.number_writing import decimals, rewritten, significant_digits
 from kindsl.semantics.expressions import Expression
 from kindsl.syntax.document import parse
 
@@ -33,14 +31,6 @@ def test_numbers_are_written_in_the_authors_hand(
         texts,
         [t.replace("0.013", "0.012") for t in texts],
     )
-
-
-@settings(deadline=None)
-@given(st.floats(1e-9, 1e9), st.integers(1, 12))
-def test_plain_numbers_keep_their_digits(value: float, digits: int) -> None:
-    text = plain(value, digits)
-    assert "e" not in text and "." in text
-    assert float(text) == pytest.approx(value, rel=0.51 * 10.0 ** (1 - digits))
 
 
 @pytest.mark.parametrize(

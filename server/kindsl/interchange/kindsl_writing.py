@@ -12,6 +12,7 @@ from kindsl.interchange.robot_description import (
 )
 from kindsl.rigid.pose import angles
 from kindsl.spatial.arrays import Array
+from kindsl.text.decimals import fixed_decimal
 
 _DECIMALS = 15
 _ANGLE_TOLERANCE = 1e-14
@@ -111,7 +112,4 @@ def _angle(angle: float) -> str:
 
 
 def _number(value: float) -> str:
-    """Return a decimal without exponent, which both generators take."""
-    text = f"{float(value):.{_DECIMALS}f}".rstrip("0")
-    text += "0" if text.endswith(".") else ""
-    return "0.0" if text == "-0.0" else text
+    return fixed_decimal(value, _DECIMALS)

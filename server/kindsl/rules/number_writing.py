@@ -1,10 +1,11 @@
 """New numbers in the hand of the author: his precision, his zeros."""
 
 from collections.abc import Sequence
-from math import floor, isfinite, log10, pi
+from math import isfinite, pi
 
 from kindsl.rules.base import Change
 from kindsl.semantics.expressions import Expression
+from kindsl.text.decimals import fixed_decimal, significant_decimal
 
 _DIVISORS = ("", "2.0", "4.0", "3.0", "6.0", "1.5", "0.5", "8.0", "12.0")
 
@@ -22,13 +23,13 @@ def rewritten(group: Sequence[Expression], values: Sequence[float]) -> list[Chan
     changes = []
     for expression, value in zip(group, values, strict=True):
         if value != expression.literal:
-            text = f"{value:.{max(counts)}f}"
             if has_exponents:
-                text = plain(value, 6)
+                text = significant_decimal(value, 6)
             elif min(counts) != max(counts):
-                text = text.rstrip("0")
-                text += "0" if text.endswith(".") else ""
-            changes.append(Change(expression, _without_minus_zero(text)))
+                text = fixed_decimal(value, max(counts))
+            else:
+                text = f"{value:z.{max(counts)}f}"
+            changes.append(Change(expression, text))
     return changes
 
 
@@ -41,7 +42,11 @@ def rescaled(group: Sequence[Expression], values: Sequence[float]) -> list[Chang
         return None
     digits = max(significant_digits(expression.text) for expression in group)
     pairs = zip(group, values, strict=True)
-    return [Change(expression, plain(value, digits)) for expression, value in pairs if value]
+    return [
+        Change(expression, significant_decimal(value, digits))
+        for expression, value in pairs
+        if value
+    ]
 
 
 def significant_digits(text: str) -> int:
@@ -53,19 +58,6 @@ def significant_digits(text: str) -> int:
 def decimals(text: str) -> int:
     """Return how many digits stand behind the point."""
     return len(text.lower().partition("e")[0].partition(".")[2])
-
-
-def plain(value: float, digits: int) -> str:
-    """Return a value with significant digits and a decimal point, without exponent."""
-    if not value:
-        return "0.0"
-    places = max(1, digits - 1 - floor(log10(abs(value))))
-    text = f"{value:.{places}f}".rstrip("0")
-    return text + "0" if text.endswith(".") else text
-
-
-def _without_minus_zero(text: str) -> str:
-    return text.lstrip("-") if not float(text) else text
 
 
 def as_fraction_of_pi(angle: float, tolerance: float) -> str | None:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from kindsl.syntax.forms import accepted_by, form_kind, kinds_accepted_by
 from kindsl.syntax.tree import Edit, Node, Problem, Repair, Token
 from kindsl.syntax.words import shown
+from kindsl.text.decimals import significant_decimal
 
 DEEPEST = 60
 
@@ -116,13 +117,7 @@ def _evaluated(node: Node, tokens: Sequence[Token], start: int, end: int) -> Rep
     value = _constant(node) if len(tokens) <= DEEPEST else None
     if value is None or not math.isfinite(value):
         return None
-    number = f"{value:.15g}"
-    if "e" in number:
-        number = f"{value:.18f}".rstrip("0")
-    if "." not in number:
-        number += ".0"
-    elif number.endswith("."):
-        number += "0"
+    number = significant_decimal(value, 15)
     return Repair(f"Write {number}", (Edit(start, end, number),), False)
 
 

@@ -1,11 +1,21 @@
 """Numbers as the document takes them: decimal, with a point, never with an exponent."""
 
 from decimal import Decimal
+from math import floor, log10
+
+_EXACT = 15
 
 
 def exact_decimal(value: float) -> str:
     """Return the shortest decimal number that is read as the same value."""
-    return _pointed(f"{Decimal(repr(value)):f}")
+    return _short(f"{Decimal(repr(value + 0.0)):f}")
+
+
+def significant_decimal(value: float, digits: int) -> str:
+    """Return a finite number with so many significant digits, and at least one decimal."""
+    if not value:
+        return "0.0"
+    return fixed_decimal(value, max(1, digits - 1 - floor(log10(abs(value)))))
 
 
 def rounded_decimal(value: float, scale: float) -> str:
@@ -15,11 +25,14 @@ def rounded_decimal(value: float, scale: float) -> str:
         value: The number.
         scale: Size of the numbers that it was computed from; what is dust beside it becomes zero.
     """
-    if abs(value) <= 4e-16 * scale:
-        return "0.0"
-    return _pointed(f"{Decimal(f'{value:.15g}'):f}")
+    return significant_decimal(value, _EXACT) if abs(value) > 4e-16 * scale else "0.0"
 
 
-def _pointed(text: str) -> str:
+def fixed_decimal(value: float, decimals: int) -> str:
+    """Return a number rounded to so many decimals, at least one, without trailing zeros."""
+    return _short(f"{value:z.{decimals}f}")
+
+
+def _short(text: str) -> str:
     whole, point, decimals = text.partition(".")
     return f"{whole}{point or '.'}{decimals.rstrip('0') or '0'}"

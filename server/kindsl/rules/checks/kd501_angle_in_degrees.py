@@ -22,9 +22,10 @@ from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint, pitched_joint
 from kindsl.rules.geometry import rotations
-from kindsl.rules.number_writing import as_fraction_of_pi, plain
+from kindsl.rules.number_writing import as_fraction_of_pi
 from kindsl.semantics.declarations import Declarations
 from kindsl.semantics.expressions import Expression
+from kindsl.text.decimals import significant_decimal
 
 _WHOLE_TURN = 2.0 * pi * 1.001
 
@@ -40,7 +41,7 @@ def check_island(declared: Declarations, _: Context) -> Iterator[Finding]:
 
 def _fix(angle: Expression, degrees: float) -> Fix:
     value = radians(degrees)
-    text = as_fraction_of_pi(value, 1e-9) or plain(value, 8)
+    text = as_fraction_of_pi(value, 1e-9) or significant_decimal(value, 8)
     return Fix(f"Write {text}", (Change(angle, text),))
 
 
