@@ -1,6 +1,6 @@
 """A mechanism in plain floats: names, parents, poses, masses. What pictures need, without NumPy."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from math import isfinite
 from typing import NamedTuple, Protocol
@@ -119,27 +119,25 @@ def skeleton_of(model: Model, edges: Sequence[Edge], reader: Reader) -> Skeleton
         tuple(reader.joint_pose(joint) for joint in joints),
         tuple(reader.body(body) for body in index),
         base.is_floating,
-        tuple(_frames(index, reader)),
+        tuple(
+            AttachedFrame(name, index[body], reader.frame_pose(frame))
+            for name, body, frame in named_frames(index)
+        ),
     )
 
 
-def named_frames(index: Mapping[Link, int]) -> Iterator[tuple[str, int, Frame]]:
-    """Yield name, body and declaration of the optional frames.
+def named_frames(bodies: Collection[Link]) -> Iterator[tuple[str, Link, Frame]]:
+    """Yield the optional frames of bodies by the names under which they are drawn.
 
     One whose name is taken is called `link.frame`.
     """
-    taken = {str(body.name) for body in index}
-    for body, number in index.items():
+    taken = {str(body.name) for body in bodies}
+    for body in bodies:
         for frame in body.frames:
             name = str(frame.name) if frame.name not in taken else f"{body.name}.{frame.name}"
             if name not in taken:
                 taken.add(name)
-                yield name, number, frame
-
-
-def _frames(index: Mapping[Link, int], reader: Reader) -> Iterator[AttachedFrame]:
-    for name, number, frame in named_frames(index):
-        yield AttachedFrame(name, number, reader.frame_pose(frame))
+                yield name, body, frame
 
 
 def _check_unique(names: Sequence[str]) -> None:

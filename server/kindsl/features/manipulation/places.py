@@ -1,0 +1,33 @@
+"""Where else a parameter or constant stands, so that a card can say what moves along."""
+
+from kindsl.analysis.analysis import Analysis
+from kindsl.features.tree_path import path_at
+from kindsl.features.value_place import owner, value_place
+from kindsl.semantics.expressions import ConstantUse, Expression, ParameterUse
+from kindsl.semantics.places import Name
+
+
+def places_moved_by(
+    analysis: Analysis, use: ParameterUse | ConstantUse, but: Expression
+) -> tuple[str, ...]:
+    """Return the values that a symbol stands in but one: `joint 'knee' translation x`."""
+    model = analysis.model
+    if isinstance(use, ParameterUse):
+        parameter = next((p for p in model.parameters if p.name == use.name), None)
+        names = [each.name for each in parameter.uses] if parameter is not None else []
+    else:
+        constant = next((c for c in model.constants if c.name == use.name), None)
+        names = [each.name for each in constant.uses] if constant is not None else []
+    elsewhere = [name for name in names if not _is_within(name, but)]
+    return tuple(dict.fromkeys(_place_of(name) for name in elsewhere))
+
+
+def _is_within(name: Name, value: Expression) -> bool:
+    return name.island is value.island and value.start <= name.start < value.end
+
+
+def _place_of(name: Name) -> str:
+    path = path_at(name.island, name.start)
+    place = value_place(path, name.start)
+    whose = owner(path).replace("`", "'")
+    return f"{whose} {place.label}" if place is not None else whose
