@@ -9,8 +9,9 @@ from tests.support.models import random_model
 
 from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.analysis.settings import Settings
+from kindsl.features.manipulation.gesture import Refusal
 from kindsl.features.manipulation.handles import handles
-from kindsl.features.manipulation.set_component import Change, Refusal, set_component
+from kindsl.features.manipulation.set_component import Change, set_component
 from kindsl.features.manipulation.things import Thing
 from kindsl.mechanism.skeleton import named_frames
 from kindsl.semantics.parameters import Binding

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.manipulation.carrier import Carrier, carrier_of, has_names, unsolvable
+from kindsl.features.manipulation.gesture import Refusal
 from kindsl.features.manipulation.things import ANGLES, Missing, Thing, component
 from kindsl.features.manipulation.written_value import Written, written_angle, written_number
 from kindsl.semantics.expressions import ConstantUse, Expression, ParameterUse
@@ -32,12 +33,6 @@ class Change(NamedTuple):
     edits: tuple[TextEdit, ...] = ()
     bindings: tuple[tuple[str, float], ...] = ()
     preview: tuple[tuple[str, float], ...] = ()
-
-
-class Refusal(NamedTuple):
-    """Why nothing changes: one sentence without final period."""
-
-    reason: str
 
 
 def set_component(

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from kindsl.semantics.expressions import Expression
 from kindsl.syntax.tree import Node
+from kindsl.text.decimals import rounded_decimal
 
 MOST_DECIMALS = 10
 _PI_KINDS = frozenset(("pi", "juxtaposed_pi"))
@@ -24,6 +25,12 @@ def written_angle(value: float, old: Expression) -> Written:
     if old.literal == 0.0 or _has_pi(old.node):
         return fraction_of_pi(value) or written_number(value, "")
     return written_number(value, old.text)
+
+
+def exact_angle(value: float) -> str:
+    """Return an angle in radians to the last digit: a fraction of PI where it is one."""
+    written = fraction_of_pi(value)
+    return written.text if written is not None else rounded_decimal(value, 1.0)
 
 
 def fraction_of_pi(value: float) -> Written | None:

@@ -1,12 +1,14 @@
 """Links that are the same part on another side, told by their names."""
 
 import re
+from collections.abc import Mapping
 
 _PART = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")
 _SIDES = {
     "l": "r", "lf": "rf", "lh": "rh", "lr": "rr", "lb": "rb", "lm": "rm",
     "fl": "fr", "hl": "hr", "rl": "rr", "bl": "br", "ml": "mr", "left": "right",
 }  # fmt: skip
+_LEFT_OF = {right: left for left, right in reversed(_SIDES.items())}
 _EITHER = frozenset(_SIDES) | frozenset(_SIDES.values())
 _ENDS = frozenset(("front", "hind", "rear", "back", "middle", "mid", "fore"))
 
@@ -22,8 +24,17 @@ def mirrored_name(name: str) -> str | None:
 
     Only a whole word of the name can tell the side: `LF_hip`, `left_arm`, `armLeft`, `wheel_l`.
     """
+    return _with_side(name, _SIDES)
+
+
+def other_side(name: str) -> str | None:
+    """Return the name of the twin of a left or a right part, None where no word tells a side."""
+    return _with_side(name, _SIDES) or _with_side(name, _LEFT_OF)
+
+
+def _with_side(name: str, sides: Mapping[str, str]) -> str | None:
     for match in _PART.finditer(name):
-        other = _SIDES.get(match[0].lower())
+        other = sides.get(match[0].lower())
         if other is not None:
             if match[0].isupper():
                 other = other.upper()

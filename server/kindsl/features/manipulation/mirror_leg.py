@@ -1,0 +1,123 @@
+"""Write the right leg that mirrors the left one, or the reverse.
+
+Mirrored in the plane of x and z of what carries the leg, with each frame mirrored in its own: then
+every number stays, but for the signs of y, of the turns about x and z, and of Ixy and Iyz. A
+mirrored revolute joint turns the other way, a mirrored prismatic joint slides alike.
+"""
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+
+from kindsl.analysis.analysis import Analysis
+from kindsl.features.manipulation.gesture import Gesture, Refusal
+from kindsl.features.manipulation.new_blocks import behind_last, next_ids, with_child
+from kindsl.rules.inertia.twins import other_side
+from kindsl.semantics.declarations import Joint, Link, Pose, Vector
+from kindsl.semantics.expressions import Expression
+from kindsl.semantics.kinematic_tree import Edge
+from kindsl.semantics.model import Model
+from kindsl.semantics.places import Construct, Name
+from kindsl.text.edits import TextEdit, apply_edits
+
+_MIRRORED_PRODUCTS = ("Ixy", "Iyz")
+_SIGN = re.compile(r"([+-])\s*")
+
+
+def mirror_leg(analysis: Analysis, link: str) -> Gesture | Refusal:
+    """Return the edits that add the mirror image of a link with all that it carries."""
+    model = analysis.model
+    root = model.body_named.get(link)
+    edge = model.tree.supporting_edge(root) if root is not None else None
+    if root is None or edge is None or edge.joint is None:
+        return Refusal(f"there is no link '{link}' with a supporting joint")
+    edges = [edge, *_edges_below(model, root)]
+    names = _mirrored_names(model, edges)
+    if isinstance(names, Refusal):
+        return names
+    links = [each.link for each in edges if each.link is not None]
+    joints = [each.joint for each in edges if each.joint is not None]
+    ids = {body: number for number, body in enumerate(links, next_ids(model))}
+    listed = with_child(analysis, edge.predecessor, names[link], names[str(edge.joint.name)])
+    new_links = [_mirrored_link(body, names, ids[body]) for body in links]
+    new_joints = [_mirrored_joint(joint, names) for joint in joints]
+    linked = behind_last(analysis, model.links, new_links)
+    jointed = behind_last(analysis, model.joints, new_joints)
+    if listed is None or linked is None or jointed is None:
+        return Refusal(f"link '{link}' is not whole")
+    title = f"Mirror '{link}' as '{names[link]}'"
+    return Gesture(title, tuple(sorted((listed, linked, jointed))), tuple(names.values()))
+
+
+def _edges_below(model: Model, root: Link) -> Iterator[Edge]:
+    for link in model.tree.in_topological_order(root):
+        edge = model.tree.supporting_edge(link)
+        if edge is not None and edge.joint is not None:
+            yield edge
+
+
+def _mirrored_names(model: Model, edges: Sequence[Edge]) -> dict[str, str] | Refusal:
+    """Return the new name of each link, joint and frame of a leg, all of which must be free."""
+    own = [str(edge.child.link) for edge in edges] + [str(edge.child.joint) for edge in edges]
+    own += [str(frame.name) for edge in edges if edge.link for frame in edge.link.frames]
+    names: dict[str, str] = {}
+    for name in own:
+        other = other_side(name)
+        if other is None:
+            return Refusal(f"the name '{name}' tells no side, such as 'LF' or 'left'")
+        names[name] = other
+    taken = {*model.body_named, *model.joint_named, *(str(frame.name) for frame in model.frames)}
+    clash = next((name for name in names.values() if name in taken), None)
+    return Refusal(f"'{clash}' is already defined") if clash is not None else names
+
+
+def _mirrored_link(link: Link, names: Mapping[str, str], number: int) -> str:
+    changes = [_renamed(link.name, names)]
+    if link.id_place is not None:
+        changes.append(TextEdit(link.id_place.start, link.id_place.end, str(number)))
+    for child in link.children:
+        changes += [_renamed(child.link, names), _renamed(child.joint, names)]
+    for frame in link.frames:
+        changes += [_renamed(frame.name, names), *_mirrored_pose(frame.pose)]
+    inertia = link.inertia
+    if inertia is not None:
+        changes += _negated(inertia.com, (1,))
+        products = [inertia.moments[name] for name in _MIRRORED_PRODUCTS if name in inertia.moments]
+        changes += [_opposite(product) for product in products]
+        changes += [_renamed(inertia.frame, names)] if inertia.frame is not None else []
+    return _rewritten(link, changes)
+
+
+def _mirrored_joint(joint: Joint, names: Mapping[str, str]) -> str:
+    return _rewritten(joint, [_renamed(joint.name, names), *_mirrored_pose(joint.pose)])
+
+
+def _mirrored_pose(pose: Pose) -> Iterator[TextEdit]:
+    yield from _negated(pose.translation, (1,))
+    yield from _negated(pose.rotation, (0, 2))
+
+
+def _negated(vector: Vector | None, axes: Sequence[int]) -> Iterator[TextEdit]:
+    if vector is not None and len(vector.components) == 3:
+        yield from (_opposite(vector.components[axis]) for axis in axes)
+
+
+def _opposite(value: Expression) -> TextEdit:
+    """Return the edit that gives a value the other sign, in its own form."""
+    sign = _SIGN.match(value.text)
+    if value.literal == 0.0:
+        text = value.text
+    elif sign is None:
+        text = f"-{value.text}"
+    else:
+        text = ("" if sign[1] == "-" else "-") + value.text[sign.end() :]
+    return TextEdit(value.start, value.end, text)
+
+
+def _renamed(name: Name, names: Mapping[str, str]) -> TextEdit:
+    return TextEdit(name.start, name.end, names.get(str(name), str(name)))
+
+
+def _rewritten(block: Construct, changes: Sequence[TextEdit]) -> str:
+    """Return the text of a block with changes told in its island's offsets."""
+    moved = [TextEdit(e.start - block.start, e.end - block.start, e.text) for e in changes]
+    return apply_edits(block.island.text[block.start : block.end], sorted(moved))
