@@ -59,7 +59,10 @@ def symbolic_robot(model: Model, values: Mapping[str, float], inputs: Collection
         tuple(str(joint.name) for joint in joints),
         tuple(
             PlacedFrame(
-                name, index[body], reader.rotation(frame.pose), reader.vector(frame.pose.translation)
+                name,
+                index[body],
+                reader.rotation(frame.pose),
+                reader.vector(frame.pose.translation),
             )
             for name, body, frame in named_frames(index)
         ),
