@@ -34,6 +34,16 @@ def rule_module(name: str) -> ModuleType:
 
 
 def _module_names() -> Iterator[str]:
-    for name in os.listdir(os.path.dirname(checks.__file__)):
-        if name.startswith("kd") and name.endswith(".py"):
-            yield name.removesuffix(".py")
+    return (name for name in _listed() if name.startswith("kd"))
+
+
+def _listed() -> Iterator[str]:
+    """Yield the names of the modules in `checks`, which in a browser is a folder in a zip."""
+    folder = os.path.dirname(checks.__file__)
+    if os.path.isdir(folder):
+        yield from (n.removesuffix(".py") for n in os.listdir(folder) if n.endswith(".py"))
+    else:
+        # Imported for zips only, since it delays the linter's start.
+        import pkgutil
+
+        yield from (found.name for found in pkgutil.iter_modules(checks.__path__))
