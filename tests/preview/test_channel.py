@@ -3,7 +3,6 @@
 import asyncio
 from contextlib import suppress
 
-import umsgpack
 from hypothesis import given
 from hypothesis import strategies as st
 from tests.preview.page import Page
@@ -18,17 +17,13 @@ class Socket:
     """A socket whose other end can stall."""
 
     def __init__(self):
-        self.frames = []
+        self.messages = []
         self.is_free = asyncio.Event()
         self.is_free.set()
 
-    async def write(self, frames):
+    async def write(self, messages):
         await self.is_free.wait()
-        self.frames.extend(frames)
-
-    @property
-    def messages(self):
-        return [umsgpack.unpackb(frame) for frame in self.frames]
+        self.messages.extend(messages)
 
 
 async def settle():

@@ -4,7 +4,7 @@ import asyncio
 from collections.abc import Awaitable, Callable
 
 from kindsl.preview.scene.changes import changes
-from kindsl.preview.scene.messages import Key, Message, Messages, encode, key_of
+from kindsl.preview.scene.messages import Key, Message, Messages, key_of
 
 
 class Tab:
@@ -13,8 +13,8 @@ class Tab:
     So a tab that stalls costs at most one state, and nobody waits for it.
     """
 
-    def __init__(self, write: Callable[[list[bytes]], Awaitable[None]]) -> None:
-        """Take the function that writes frames and returns when the socket has taken them."""
+    def __init__(self, write: Callable[[list[Message]], Awaitable[None]]) -> None:
+        """Take the function that writes messages and returns when the page has taken them."""
         self._write = write
         self._waiting: dict[Key, Message] = {}
         self._has_work = asyncio.Event()
@@ -35,7 +35,7 @@ class Tab:
             await self._has_work.wait()
             self._has_work.clear()
             messages, self._waiting = self._waiting, {}
-            await self._write([encode(message) for message in messages.values()])
+            await self._write(list(messages.values()))
 
     def _drop_below(self, path: str) -> None:
         below = path + "/"

@@ -12,6 +12,7 @@ from kindsl.preview.assets import assets, live_page
 from kindsl.preview.channel import Tab
 from kindsl.preview.document_preview import DocumentPreview
 from kindsl.preview.requests import MOST_BYTES, Request, parse_request
+from kindsl.preview.scene.messages import Message, encode
 
 # The viewer and its control library set styles from scripts; nothing may evaluate text as code.
 # An editor shows the page in a frame: VS Code's own pages, or a local server's.
@@ -153,10 +154,10 @@ class LiveHandler(CheckedHandler, WebSocketHandler):
             self.writer.cancel()
             self.server.disconnected(self)
 
-    async def _write(self, frames: list[bytes]) -> None:
-        """Write frames; a line that is closing loses them, and `on_close` follows."""
+    async def _write(self, messages: list[Message]) -> None:
+        """Write messages; a line that is closing loses them, and `on_close` follows."""
         written = []
         with suppress(WebSocketClosedError):
-            for frame in frames:
-                written.append(self.write_message(frame, binary=True))
+            for message in messages:
+                written.append(self.write_message(encode(message), binary=True))
         await asyncio.gather(*written, return_exceptions=True)

@@ -41,11 +41,15 @@ Request = SetJoint | SetParameter | Reveal | Hello
 
 
 def parse_request(text: str) -> Request | None:
-    """Return what a page asks for, None for anything that is no request."""
+    """Return what a page asks for in JSON, None for anything that is no request."""
     try:
-        data = json.loads(text)
+        return request_of(json.loads(text))
     except (ValueError, RecursionError):
         return None
+
+
+def request_of(data: object) -> Request | None:
+    """Return what a page asks for, None for anything that is no request."""
     if not isinstance(data, dict):
         return None
     if data.get("type") == "hello":

@@ -13,8 +13,6 @@ from itertools import chain
 from pathlib import Path
 from typing import Any, NamedTuple
 
-import umsgpack  # type: ignore[import-untyped]
-
 from kindsl.preview.scene.meshes import Mesh, lathe, triad
 from kindsl.rigid.pose import Triple
 
@@ -52,7 +50,7 @@ class PreviewUnavailableError(RuntimeError):
 
 @cache
 def lowered(shape: Shape) -> dict[str, Any]:
-    """Return a shape as an object of meshcat's protocol."""
+    """Return a shape as an object of meshcat's protocol, its numbers in typed arrays."""
     is_triad = shape.form in (Form.TRIAD, Form.SHORT_TRIAD)
     name = f"{shape.form.name}-{shape.color:06x}"
     return {
@@ -93,7 +91,6 @@ _LOOK = {
     "reflectivity": 0.5, "side": 2, "transparent": False, "opacity": 1.0, "linewidth": 1.0,
     "wireframe": False, "wireframeLinewidth": 1.0,
 }  # fmt: skip
-_FLOAT32, _UINT32 = 0x17, 0x16
 
 
 def _sphere(radius: float) -> dict[str, Any]:
@@ -126,17 +123,15 @@ def _geometry(form: Form) -> dict[str, Any]:
     attributes = {"position": _floats(mesh.vertices)}
     if mesh.colors is not None:
         attributes["color"] = _floats(mesh.colors)
-    corners = array("I", chain.from_iterable(mesh.faces))
-    index = _buffer("Uint32Array", umsgpack.Ext(_UINT32, corners.tobytes()))
+    index = _buffer("Uint32Array", array("I", chain.from_iterable(mesh.faces)))
     return {"type": "BufferGeometry", "data": {"attributes": attributes, "index": index}}
 
 
 def _floats(rows: Sequence[Triple]) -> dict[str, Any]:
-    numbers = array("f", chain.from_iterable(rows))
-    return _buffer("Float32Array", umsgpack.Ext(_FLOAT32, numbers.tobytes()))
+    return _buffer("Float32Array", array("f", chain.from_iterable(rows)))
 
 
-def _buffer(kind: str, data: umsgpack.Ext) -> dict[str, Any]:
+def _buffer(kind: str, data: "array[Any]") -> dict[str, Any]:
     return {"itemSize": 3, "type": kind, "array": data, "normalized": False}
 
 

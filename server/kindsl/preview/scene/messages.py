@@ -5,18 +5,20 @@ and are understood by our page only. All have a type and most a path, which is t
 scene that they speak of: `/kindsl/TREE/GROUP/NAME/CATEGORY/MARK`.
 """
 
+import json
+from array import array
 from collections.abc import Iterable, Mapping
 from functools import lru_cache
 from typing import Any, NamedTuple, TypeAlias
 from urllib.parse import quote
-
-import umsgpack  # type: ignore[import-untyped]
 
 from kindsl.preview.scene.geometry import Shape, lowered
 
 Message: TypeAlias = Mapping[str, Any]
 
 ROOT = "/kindsl"
+# MessagePack's extension types of the viewer, by the kind of number in a typed array.
+_EXTENSIONS = {"f": 0x17, "I": 0x16}
 
 
 class Key(NamedTuple):
@@ -62,14 +64,27 @@ def delete(path: str) -> Message:
 
 def encode(message: Message) -> bytes:
     """Return a message's MessagePack bytes, with its shape in meshcat's form."""
-    shape = message.get("object")
-    if isinstance(shape, Shape):
-        message = {**message, "object": lowered(shape)}
+    import umsgpack  # type: ignore[import-untyped]
+
+    def extension(numbers: "array[Any]") -> Any:
+        return umsgpack.Ext(_EXTENSIONS[numbers.typecode], numbers.tobytes())
+
+    handlers = {array: extension}
     try:
-        packed: bytes = umsgpack.packb(dict(message))
+        packed: bytes = umsgpack.packb(_whole(message), ext_handlers=handlers)
     except UnicodeEncodeError:
-        packed = umsgpack.packb(_printable(dict(message)))
+        packed = umsgpack.packb(_printable(_whole(message)), ext_handlers=handlers)
     return packed
+
+
+def as_json(message: Message) -> str:
+    """Return a message as JSON, with its shape in meshcat's form and arrays as lists."""
+    return json.dumps(_whole(message), default=list, separators=(",", ":"))
+
+
+def _whole(message: Message) -> dict[str, Any]:
+    shape = message.get("object")
+    return {**message, "object": lowered(shape)} if isinstance(shape, Shape) else dict(message)
 
 
 def _printable(value: Any) -> Any:
