@@ -1,0 +1,156 @@
+"""The previews of many documents, whoever carries them to their pages."""
+
+import hashlib
+from abc import ABC, abstractmethod
+from collections.abc import Awaitable, Callable, Sequence
+from typing import Any
+
+from kindsl.analysis.analysis import Analysis
+from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.preview.channel import Tab
+from kindsl.preview.document_preview import DocumentPreview, Drawing
+from kindsl.preview.requests import Hello, Request, Reveal, SetJoint, SetParameter
+from kindsl.preview.reveal import place_of
+from kindsl.text.span import Span
+
+# Longer robots are drawn beside the loop, to keep it free for the editor.
+FEW_LINKS = 60
+
+OnReveal = Callable[[str, Span, Reveal], None]
+Beside = Callable[..., Awaitable[Any]]
+
+
+class DocumentPreviews(ABC):
+    """Shows any number of documents, each on any number of pages.
+
+    Documents are known by keys of the caller's choice: URIs, paths. All methods are to be called
+    in the loop that `start` was awaited in, and none of them waits for a page.
+    """
+
+    def __init__(self, on_reveal: OnReveal | None, *, beside: Beside) -> None:
+        """Prepare to show documents.
+
+        Args:
+            on_reveal: Called with the document's key, the place in its text (code points) and
+                what was clicked.
+            beside: Awaits a function's result and lets the loop go on meanwhile, if it can.
+        """
+        self._on_reveal = on_reveal or _reveal_nowhere
+        self._beside = beside
+        self._documents: dict[str, DocumentPreview] = {}
+        self._keys: dict[str, str] = {}
+
+    @abstractmethod
+    async def start(self) -> str:
+        """Be ready for pages; return the address of the first document's page."""
+
+    @abstractmethod
+    async def stop(self) -> None:
+        """Leave all pages."""
+
+    @abstractmethod
+    def url(self, key: str) -> str:
+        """Return the address of a document's page."""
+
+    @abstractmethod
+    def admit(self, origin: str) -> None:
+        """Let pages of one more origin in."""
+
+    def shows(self, key: str) -> bool:
+        """Return whether a document has a preview."""
+        return key in self._documents
+
+    async def show(
+        self,
+        key: str,
+        analysis: Analysis,
+        findings: Sequence[Diagnostic] | None = None,
+        label: str = "",
+    ) -> None:
+        """Show a version of a document; one that is overtaken by a newer one is left out.
+
+        Args:
+            key: The document's.
+            analysis: The version; it is drawn once.
+            findings: What to list; None while it is not known, then what was listed stays.
+            label: What to call the document; the first time counts.
+        """
+        document = self._document(key, label)
+        document.newest = analysis
+        async with document.turn:
+            if document.newest is not analysis:
+                return
+            if document.analysis is not analysis:
+                document.put(analysis, await self._drawing(document, analysis))
+            if findings is not None:
+                document.tell(findings)
+
+    def saved(self, key: str) -> None:
+        """Let the version that is shown stand as a ghost behind later ones."""
+        if key in self._documents:
+            self._documents[key].keep_as_ghost()
+
+    def compare(self, key: str, other: Analysis) -> None:
+        """Let another document stand as a ghost behind this one.
+
+        Raises:
+            ModelError: The other document has no bodies.
+        """
+        self._document(key, "").compare(other)
+
+    def highlight(self, key: str, kind: str, name: str) -> None:
+        """Light up a `"link"`, `"joint"` or `"frame"`; nothing for an empty name."""
+        if key in self._documents:
+            self._documents[key].highlight(kind, name)
+
+    def close(self, key: str) -> None:
+        """Forget a document."""
+        self._documents.pop(key, None)
+        self._keys.pop(identifier(key), None)
+
+    def document(self, identifier: str | None) -> DocumentPreview | None:
+        """Return the document of a page's address, the first for None."""
+        first = next(iter(self._documents), None)
+        key = first if identifier is None else self._keys.get(identifier)
+        return None if key is None else self._documents[key]
+
+    def receive(self, document: DocumentPreview, tab: Tab, request: Request) -> None:
+        """Do what a page asks for."""
+        if isinstance(request, SetJoint):
+            document.set_joint(request.name, request.value, tab)
+        elif isinstance(request, SetParameter):
+            document.set_parameter(request.name, request.value)
+        elif isinstance(request, Hello):
+            document.adopt(request.joints, request.parameters)
+        else:
+            self._reveal(document, request)
+
+    def _reveal(self, document: DocumentPreview, chosen: Reveal) -> None:
+        key = next((key for key, known in self._documents.items() if known is document), None)
+        if key is None or document.analysis is None:
+            return
+        span = place_of(chosen, document.analysis, document.findings)
+        if span is not None:
+            self._on_reveal(key, span, chosen)
+
+    def _document(self, key: str, label: str) -> DocumentPreview:
+        if key not in self._documents:
+            self._documents[key] = DocumentPreview(label or key)
+            self._keys[identifier(key)] = key
+        return self._documents[key]
+
+    async def _drawing(self, document: DocumentPreview, analysis: Analysis) -> Drawing:
+        """Return what there is to show of a version."""
+        if len(analysis.model.links) <= FEW_LINKS:
+            return document.drawing(analysis)
+        drawing: Drawing = await self._beside(document.drawing, analysis)
+        return drawing
+
+
+def identifier(key: str) -> str:
+    """Return a short name of a document for its page's address, which tells nothing of its path."""
+    return hashlib.sha256(key.encode(errors="surrogatepass")).hexdigest()[:12]
+
+
+def _reveal_nowhere(_key: str, _span: Span, _chosen: Reveal) -> None:
+    """Stand in for a callback."""
