@@ -14,6 +14,7 @@ from kindsl.lsp.handlers import (
     structure,
 )
 from kindsl.lsp.session.session import Session
+from kindsl.lsp.session.surroundings import Surroundings, process
 from kindsl.lsp.wire.editor import Editor
 
 _HANDLERS = (
@@ -38,8 +39,8 @@ class KindslLanguageServer(Editor):
         session: What they share.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, surroundings: Surroundings | None = None) -> None:
         super().__init__()
-        self.session = Session(self)
+        self.session = Session(self, surroundings or process())
         for handlers in _HANDLERS:
             handlers.register(self.session)

@@ -21,7 +21,7 @@ from kindsl.lsp.wire.protocol import RequestFailed
 
 if TYPE_CHECKING:
     from kindsl.analysis.diagnostics import Diagnostic
-    from kindsl.preview.server import PreviewServer
+    from kindsl.preview.documents import DocumentPreviews
     from kindsl.text.span import Span
 
 _FRAME = 0.03
@@ -41,7 +41,7 @@ class Previews:
 
     def __init__(self, state: State) -> None:
         self._state = state
-        self._preview: PreviewServer | None = None
+        self._preview: DocumentPreviews | None = None
         self._starting = asyncio.Lock()
         self._newest: dict[str, _Version] = {}
         self._drawing: set[str] = set()
@@ -104,7 +104,7 @@ class Previews:
             self._drawing.add(key)
             start_task(self._draw(self._preview, key))
 
-    async def _draw(self, preview: "PreviewServer", key: str) -> None:
+    async def _draw(self, preview: "DocumentPreviews", key: str) -> None:
         """Show the newest version until it is shown, with a pause after each."""
         try:
             while (version := self._newest.pop(key, None)) is not None:
@@ -114,7 +114,7 @@ class Previews:
         finally:
             self._drawing.discard(key)
 
-    async def _show(self, preview: "PreviewServer", version: _Version) -> None:
+    async def _show(self, preview: "DocumentPreviews", version: _Version) -> None:
         document, findings = version
         analysis = await self._state.analyses.of(document)
         await self._state.until_quiet()
@@ -128,7 +128,7 @@ class Previews:
             if self._state.documents.get(uri) is document:
                 self._found(document, findings)
 
-    async def _started(self) -> "PreviewServer":
+    async def _started(self) -> "DocumentPreviews":
         async with self._starting:
             if self._preview is None:
                 preview = await self._state.worker.run(self._load)
@@ -139,13 +139,12 @@ class Previews:
                 self._preview = preview
         return self._preview
 
-    def _load(self) -> "PreviewServer":
+    def _load(self) -> "DocumentPreviews":
         try:
-            from kindsl.preview.server import PreviewServer
+            return self._state.surroundings.new_previews(self._reveal)
         except ImportError as error:
             hint = "install it with: pip install 'kindsl[preview]'"
             raise RequestFailed(f"the preview needs {error.name}; {hint}") from None
-        return PreviewServer(on_reveal=self._reveal)
 
     def _reveal(self, key: str, span: "Span", _: Any) -> None:
         """Show in the editor what was clicked in a page."""

@@ -6,6 +6,7 @@ from typing import Any
 from kindsl.lsp.session.previews import Previews
 from kindsl.lsp.session.publishing import Publisher
 from kindsl.lsp.session.state import State
+from kindsl.lsp.session.surroundings import Surroundings
 from kindsl.lsp.session.view import View
 from kindsl.lsp.text.document import Document
 from kindsl.lsp.wire.editor import Editor
@@ -25,8 +26,8 @@ class Session(State):
         publisher: Pushes diagnostics.
     """
 
-    def __init__(self, editor: Editor) -> None:
-        super().__init__(editor)
+    def __init__(self, editor: Editor, surroundings: Surroundings) -> None:
+        super().__init__(editor, surroundings)
         self.previews = Previews(self)
         self.publisher = Publisher(self)
 

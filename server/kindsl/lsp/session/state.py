@@ -9,8 +9,9 @@ from lsprotocol import types
 
 from kindsl.lsp.session import memory
 from kindsl.lsp.session.analyses import Analyses
+from kindsl.lsp.session.surroundings import Surroundings
 from kindsl.lsp.session.tokens import TokenMemory
-from kindsl.lsp.session.worker import Urgency, Worker
+from kindsl.lsp.session.worker import Urgency
 from kindsl.lsp.session.workspace import Workspace
 from kindsl.lsp.text import uris
 from kindsl.lsp.text.document import Document
@@ -28,9 +29,10 @@ class State:
 
     Attributes:
         editor: Who is told and asked.
+        surroundings: What it runs on.
         client: What the editor can do.
         documents: What the editor shows.
-        worker: The thread for long work.
+        worker: Does the long work.
         workspace: The folders and their settings.
         analyses: What is known about each version of a document.
         tokens: The semantic tokens that the client knows.
@@ -42,11 +44,12 @@ class State:
         on_parent_known: Called with the id of the process that started the server, if it says so.
     """
 
-    def __init__(self, editor: Editor) -> None:
+    def __init__(self, editor: Editor, surroundings: Surroundings) -> None:
         self.editor = editor
+        self.surroundings = surroundings
         self.client = Client(types.ClientCapabilities(), {})
         self.documents = editor.protocol.documents
-        self.worker = Worker()
+        self.worker = surroundings.worker
         self.workspace = Workspace()
         self.analyses = Analyses(self.worker, self.workspace)
         self.tokens = TokenMemory()

@@ -77,9 +77,24 @@ class Worker:
 
     def _run(self) -> None:
         while True:
-            self._under_way = self._jobs.get()[-1]
-            self._under_way.execute()
-            self._under_way = None
+            self._do_next()
+
+    def _do_next(self) -> None:
+        self._under_way = self._jobs.get()[-1]
+        self._under_way.execute()
+        self._under_way = None
+
+
+class InlineWorker(Worker):
+    """Does each job in a turn of the event loop, where there are no threads."""
+
+    __slots__ = ()
+
+    def _put(self, work: Callable[[], T], urgency: Urgency) -> "_Job[T]":
+        job = _Job(work)
+        self._jobs.put((urgency, next(self._count), job))
+        asyncio.get_running_loop().call_soon(self._do_next)
+        return job
 
 
 def start_task(work: Coroutine[Any, Any, Any]) -> "asyncio.Task[Any]":

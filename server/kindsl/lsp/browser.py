@@ -1,0 +1,72 @@
+"""Runs the server in a browser's worker: no pipes, no threads, messages as JSON texts in and out.
+
+Besides the protocol's own messages, those of the previews' pages pass here. `kindsl.preview`
+answers with a page's identifier; `kindsl/previewRequest` carries `{"document", "request"}` from the
+page of that identifier, `kindsl/previewMessages` carries `{"document", "messages"}` to it.
+"""
+
+import asyncio
+import json
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+from kindsl.lsp.server import KindslLanguageServer
+from kindsl.lsp.session.surroundings import Surroundings
+from kindsl.lsp.session.worker import InlineWorker
+from kindsl.lsp.wire.protocol import Encoded
+
+if TYPE_CHECKING:
+    from kindsl.preview.documents import OnReveal
+    from kindsl.preview.posted import PostedPreviews
+
+PREVIEW_REQUEST = "kindsl/previewRequest"
+PREVIEW_MESSAGES = "kindsl/previewMessages"
+
+PostText = Callable[[str], object]
+
+
+def start(post: PostText) -> Callable[[str], bool]:
+    """Return what takes the client's messages; call it in the event loop that is to serve.
+
+    Args:
+        post: Sends a message to the client.
+    """
+    pages: list[PostedPreviews] = []
+
+    def new_previews(on_reveal: "OnReveal") -> "PostedPreviews":
+        from kindsl.preview.posted import PostedPreviews
+
+        pages.append(PostedPreviews(post_to_page, on_reveal))
+        return pages[-1]
+
+    def post_to_page(document: str, messages: Sequence[str]) -> None:
+        params = f'{{"document":{json.dumps(document)},"messages":[{",".join(messages)}]}}'
+        server.protocol.notify_encoded(PREVIEW_MESSAGES, Encoded(params))
+
+    server = KindslLanguageServer(Surroundings(InlineWorker(), new_previews))
+    server.session.loop = asyncio.get_event_loop()
+    server.protocol.set_writer(_PostingWriter(post))
+
+    @server.feature(PREVIEW_REQUEST)
+    def take(params: Any) -> None:
+        if pages and isinstance(params, dict):
+            pages[-1].take(str(params.get("document")), params.get("request"))
+
+    return lambda text: server.protocol.receive(text.encode())
+
+
+class _PostingWriter:
+    """Sends the body of each framed message."""
+
+    def __init__(self, post: PostText) -> None:
+        self._post = post
+
+    def write(self, data: bytes) -> None:
+        """Send a message."""
+        self._post(data.partition(b"\r\n\r\n")[2].decode("ascii"))
+
+    def close(self) -> None:
+        """Do nothing: the worker ends with its page."""
+
+    async def flush(self) -> None:
+        """Everything has been sent already."""

@@ -1,0 +1,33 @@
+"""What a session runs on: a process of its own, or a browser's worker."""
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, NamedTuple
+
+from kindsl.lsp.session.worker import Worker
+
+if TYPE_CHECKING:
+    from kindsl.preview.documents import DocumentPreviews, OnReveal
+
+
+class Surroundings(NamedTuple):
+    """What a session is given.
+
+    Attributes:
+        worker: Does the long work.
+        new_previews: Makes what shows documents and tells what was clicked; raises ImportError
+            if something is not installed.
+    """
+
+    worker: Worker
+    new_previews: "Callable[[OnReveal], DocumentPreviews]"
+
+
+def process() -> Surroundings:
+    """Return what a process offers: a thread, and a server on the loopback interface."""
+    return Surroundings(Worker(), _preview_server)
+
+
+def _preview_server(on_reveal: "OnReveal") -> "DocumentPreviews":
+    from kindsl.preview.server import PreviewServer
+
+    return PreviewServer(on_reveal)

@@ -1,0 +1,123 @@
+"""The server as it runs in a browser's worker: one event loop, texts in and out."""
+
+import asyncio
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from kindsl.analysis.analysis import analyse
+from kindsl.lsp.browser import PREVIEW_MESSAGES, PREVIEW_REQUEST, start
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+URI = "file:///arm.kindsl"
+TEXT = (EXAMPLES / "broken_arm.kindsl").read_text()
+
+
+class Client:
+    """The page's side of the messages."""
+
+    def __init__(self):
+        self.messages = []
+        self.news = asyncio.Event()
+        self.receive = start(self._take)
+        self.count = 0
+
+    def _take(self, text):
+        self.messages.append(json.loads(text))
+        self.news.set()
+
+    def notify(self, method, params):
+        self.receive(json.dumps({"jsonrpc": "2.0", "method": method, "params": params}))
+
+    async def ask(self, method, params):
+        self.count += 1
+        self.receive(
+            json.dumps({"jsonrpc": "2.0", "id": self.count, "method": method, "params": params})
+        )
+        number = self.count
+        return (await self.seen(lambda m: m.get("id") == number and "method" not in m))["result"]
+
+    async def seen(self, is_wanted):
+        async with asyncio.timeout(20):
+            while True:
+                found = [message for message in self.messages if is_wanted(message)]
+                if found:
+                    return found[-1]
+                self.news.clear()
+                await self.news.wait()
+
+    async def open(self, text):
+        await self.ask("initialize", {"processId": None, "rootUri": None, "capabilities": {}})
+        self.notify("initialized", {})
+        document = {"uri": URI, "languageId": "kinematics-dsl", "version": 1, "text": text}
+        self.notify("textDocument/didOpen", {"textDocument": document})
+
+    async def told(self, kind):
+        def is_told(message):
+            messages = message.get("params", {}).get("messages", ())
+            return message.get("method") == PREVIEW_MESSAGES and any(
+                part["type"] == kind for part in messages
+            )
+
+        params = (await self.seen(is_told))["params"]
+        return next(part for part in params["messages"] if part["type"] == kind)
+
+
+@pytest.fixture
+async def client():
+    return Client()
+
+
+async def test_it_finds_what_the_linter_finds(client):
+    await client.open(TEXT)
+    method = "textDocument/publishDiagnostics"
+    published = await client.seen(lambda message: message.get("method") == method)
+    codes = [diagnostic["code"] for diagnostic in published["params"]["diagnostics"]]
+    assert sorted(codes) == sorted(finding.code for finding in analyse(TEXT).findings)
+
+
+async def test_it_answers_questions(client):
+    await client.open(TEXT)
+    place = {"textDocument": {"uri": URI}, "position": {"line": 0, "character": 2}}
+    assert await client.ask("textDocument/documentSymbol", place)
+
+
+async def test_a_page_is_sent_the_robot_and_what_it_asks_for_is_done(client):
+    text = (EXAMPLES / "quadruped.kindsl").read_text()
+    await client.open(text)
+    page = (await client.ask("workspace/executeCommand", command("kindsl.preview", URI)))["url"]
+    hello = {"type": "hello", "joints": {}, "parameters": {}}
+    client.notify(PREVIEW_REQUEST, {"document": page, "request": hello})
+    assert (await client.told("model"))["name"] == "Quadruped"
+    assert isinstance((await client.told("set_object"))["object"], dict)
+    client.messages.clear()
+    changed = {"range": whole_range(text), "text": text.replace("Robot Quadruped", "Robot other")}
+    document = {"uri": URI, "version": 2}
+    client.notify("textDocument/didChange", {"textDocument": document, "contentChanges": [changed]})
+    assert (await client.told("model"))["name"] == "other"
+
+
+async def test_what_is_no_request_of_a_page_is_passed_over(client):
+    await client.open(TEXT)
+    for params in (None, [], {}, {"document": "x", "request": {"type": "hello"}}):
+        client.notify(PREVIEW_REQUEST, params)
+    assert await client.ask("textDocument/documentSymbol", {"textDocument": {"uri": URI}})
+
+
+def test_it_needs_nothing_that_a_browser_lacks():
+    missing = ("numpy", "tornado", "umsgpack", "ssl")
+    code = f"import sys; sys.modules.update(dict.fromkeys({missing}));"
+    code += "import kindsl.lsp.browser, kindsl.preview.posted, kindsl.preview.scene.robot"
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def command(name, *arguments):
+    return {"command": name, "arguments": list(arguments)}
+
+
+def whole_range(text):
+    end = {"line": text.count("\n") + 1, "character": 0}
+    return {"start": {"line": 0, "character": 0}, "end": end}
