@@ -25,6 +25,7 @@ def test_status_of_the_process(folder: Path, text: str, status: int) -> None:
     (folder / "a.kindsl").write_text(text)
     assert run(*LINT, "a.kindsl").returncode == status
     assert run(*KINDSL, "lint", "a.kindsl").returncode == status
+    assert run(sys.executable, "-m", "kindsl.cli.lint", "a.kindsl").returncode == status
     assert run(*LINT, "missing.kindsl").returncode == 2
     assert run(*LINT, "--nonsense").returncode == 2
 

@@ -57,7 +57,6 @@ def main(arguments: list[str] | None = None) -> int:
     """Run as a command of its own; ends the process if the arguments are the process's."""
     if arguments is None:
         run_and_exit(lambda: main(sys.argv[1:]))
-
     options = only_paths(arguments)
     if options is not None:
         return run(options)
@@ -72,10 +71,6 @@ def main(arguments: list[str] | None = None) -> int:
     return run(parser.parse_args(arguments))
 
 
-if __name__ == "__main__":
-    sys.exit(main())
-
-
 def only_paths(arguments: list[str]) -> SimpleNamespace | None:
     """Return the options for arguments that are paths and nothing else, None for others.
 
@@ -84,3 +79,7 @@ def only_paths(arguments: list[str]) -> SimpleNamespace | None:
     if any(argument.startswith("-") and argument != "-" for argument in arguments):
         return None
     return SimpleNamespace(paths=arguments, **DEFAULTS)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,6 +1,5 @@
 """Numbers as the document takes them: decimal, with a point, never with an exponent."""
 
-from decimal import Decimal
 from math import floor, log10
 
 _EXACT = 15
@@ -8,7 +7,13 @@ _EXACT = 15
 
 def exact_decimal(value: float) -> str:
     """Return the shortest decimal number that is read as the same value."""
-    return _short(f"{Decimal(repr(value + 0.0)):f}")
+    text = repr(value + 0.0)
+    if "e" in text:
+        # Only what is written with an exponent is worth the time to load this.
+        from decimal import Decimal
+
+        text = f"{Decimal(text):f}"
+    return _short(text)
 
 
 def significant_decimal(value: float, digits: int) -> str:
