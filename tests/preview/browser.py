@@ -12,11 +12,12 @@ ARGUMENTS = (
     "--no-first-run", "--disable-background-networking", "--disable-component-update",
     "--disable-sync",
 )  # fmt: skip
+TIMEOUT = 60_000  # milliseconds
 SIZE = {"width": 960, "height": 640}
 
 # Of each category, shown alone: how many pixels it paints.
 PAINTED = """() => {
-  const { viewer, scene, stage } = kindsl, gl = viewer.renderer.getContext();
+  const { viewer, scene } = kindsl, gl = viewer.renderer.getContext();
   const paint = () => {
     viewer.render();
     const [w, h] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
@@ -26,7 +27,9 @@ PAINTED = """() => {
     for (let i = 3; i < pixels.length; i += 4) if (pixels[i]) count++;
     return count;
   };
-  const views = new Map(scene.view), keys = [...views.keys()].filter((key) => key !== "names");
+  const views = new Map(scene.view);
+  const keys = [...views.keys()].filter((key) => !key.endsWith("-names"));
+  kindsl.actions.showOversized(true);
   const show = (key, visible) => {
     kindsl.actions.setView(key, visible, Math.max(0.3, views.get(key).opacity));
   };
@@ -37,18 +40,22 @@ PAINTED = """() => {
   return counts;
 }"""
 
-# base_T_x of every link, as three.js will draw it, row by row.
+# base_T_x of every link, joint and frame, as its triad is drawn, row by row.
 WORLD_POSES = """() => {
-  kindsl.scene.update();
-  kindsl.viewer.scene.updateMatrixWorld(true);
-  const toBase = kindsl.viewer.scene.matrixWorld.clone().invert(), poses = {};
-  for (const group of ["links", "joints", "frames"]) {
-    for (const name of kindsl.scene.trees.robot[group].keys()) {
-      const path = ["kindsl", "robot", group, encodeURIComponent(name)];
-      const world = kindsl.viewer.scene_tree.find(path).object.matrixWorld;
-      poses[group + " " + name] = toBase.clone().multiply(world).transpose().toArray();
-    }
+  const { scene, presets } = kindsl, before = presets.name, poses = {};
+  presets.choose("All");
+  scene.update();
+  for (const { mesh, marks } of scene.batches.byKey.values()) {
+    if (!["link-frame", "joint-frame", "optional-frame"].includes(marks[0].category)) continue;
+    marks.forEach(({ group, name }, i) => {
+      const drawn = Array.from(mesh.instanceMatrix.array.slice(16 * i, 16 * i + 16));
+      const pose = drawn.map((value, k) => (k < 12 ? value / scene.model.unit : value));
+      pose[15] = 1;
+      const rows = [0, 1, 2, 3].map((row) => [0, 4, 8, 12].map((column) => pose[column + row]));
+      poses[group + " " + name] = rows.flat();
+    });
   }
+  presets.choose(before);
   return poses;
 }"""
 
@@ -82,7 +89,7 @@ async def opened(browser: Browser, url: str) -> AsyncIterator[Page]:
     """Open a page; any error in it fails the test."""
     page = await browser.new_page(viewport=SIZE)
     errors: list[str] = []
-    page.set_default_timeout(60_000)
+    page.set_default_timeout(TIMEOUT)
     page.on("pageerror", lambda error: errors.append(str(error)))
     await page.goto(url)
     await until(page, "typeof kindsl !== 'undefined'")
@@ -97,7 +104,7 @@ async def until(page: Page, condition: str, argument: object = None) -> None:
     As a function always: the page's policy forbids what evaluates an expression again and again.
     """
     function = condition if argument is not None else f"() => ({condition})"
-    await page.wait_for_function(function, arg=argument, timeout=60_000)
+    await page.wait_for_function(function, arg=argument, timeout=TIMEOUT)
 
 
 async def until_shown(page: Page, robot: str) -> None:

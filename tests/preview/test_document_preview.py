@@ -60,11 +60,11 @@ def test_a_parameter_is_typed_kept_and_given_back():
     preview = preview_of(PARAMETRIC_ARM.replace("(reach,", "(reach[0.4],"))
     row = page_of(preview).at("/kindsl/parameters/reach")["parameter"]
     assert (row["value"], row["minimum"], row["maximum"]) == (0.4, 0.0, 0.8)
-    preview.set_parameter("reach", 0.7)
+    preview.set_parameters({"reach": 0.7})
     preview.show(analyse(PARAMETRIC_ARM.replace("(reach,", "(reach[0.5],")), ())
     assert joint_x(preview) == 0.7
     assert page_of(preview).at("/kindsl/parameters/reach")["parameter"]["is_overridden"]
-    preview.set_parameter("reach", None)
+    preview.set_parameters({"reach": None})
     assert joint_x(preview) == 0.5
 
 
@@ -74,13 +74,14 @@ def test_a_configured_range_is_the_sliders():
     assert (row["value"], row["minimum"], row["maximum"]) == (0.35, 0.2, 0.5)
 
 
-def test_an_unbound_parameter_has_a_row_without_value():
+def test_a_parameter_without_a_value_has_a_row_with_a_guess():
     preview = preview_of(PARAMETRIC_ARM)
     row = page_of(preview).at("/kindsl/parameters/reach")["parameter"]
-    assert row["value"] is None
-    assert row["minimum"] < row["maximum"]
-    assert status(preview)["state"] == "unbound"
-    preview.set_parameter("reach", 0.3)
+    assert (row["value"], row["is_guess"]) == (0.5, True)
+    assert (row["minimum"], row["maximum"]) == (0.0, 1.0)
+    assert status(preview)["state"] == "guessed"
+    assert page_of(preview).at("/kindsl/robot/joints/lift")["joint"]["is_guess"]
+    preview.set_parameters({"reach": 0.3})
     assert status(preview)["state"] == "live"
 
 
@@ -99,7 +100,7 @@ def test_a_page_cannot_fill_the_memory(monkeypatch):
     preview = preview_of(ARM)
     for number in range(100):
         preview.set_joint(f"joint{number}", 0.1)
-        preview.set_parameter(f"parameter{number}", 0.1)
+        preview.set_parameters({f"parameter{number}": 0.1})
     preview.set_joint("joint0", 0.2)
     values = [key.path for key in page_of(preview).state if key.type == "value"]
     assert len(values) == len(preview._parameters) == 5

@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 from tests.preview.robots import ARM, skeleton_of
 
 from kindsl.preview.scene.ellipsoids import inertia_ellipsoid
-from kindsl.preview.scene.marks import link_marks
+from kindsl.preview.scene.marks import mass_marks
 from kindsl.rigid.body import NO_BODY, MassDistribution
 from kindsl.spatial.inertia import move_inertia
 from kindsl.spatial.transforms import rotation_from_intrinsic_xyz
@@ -48,7 +48,7 @@ def test_an_impossible_inertia_is_told_and_stays_drawable():
 
 
 def test_no_mass_no_ellipsoid():
-    marks = list(link_marks("link", NO_BODY.com, inertia_ellipsoid(NO_BODY)))
+    marks = list(mass_marks("link", NO_BODY.com, inertia_ellipsoid(NO_BODY)))
     assert not [message for message in marks if "inertia" in message["path"]]
 
 

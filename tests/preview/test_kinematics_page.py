@@ -17,17 +17,18 @@ from tests.preview.robots import (
 
 from kindsl.preview.scene.robot import robot_messages
 
-SCRIPT = ROOT / "server" / "kindsl" / "preview" / "page" / "kinematics.js"
+SCRIPT = ROOT / "server" / "kindsl" / "preview" / "page" / "picture" / "kinematics.js"
 DRIVER = """
 const kinematics = require(process.argv[1]);
 const cases = JSON.parse(require("fs").readFileSync(0, "utf8"));
 const byName = (list) => new Map(list.map((item) => [item.name, item]));
-console.log(JSON.stringify(cases.map(({ links, joints, frames, q }) => {
+console.log(JSON.stringify(cases.map(({ links, joints, frames, q, isFloating }) => {
   const robot = { links: byName(links), joints: byName(joints), frames: byName(frames) };
   const poses = kinematics.forwardKinematics(robot, new Map(Object.entries(q)));
   return {
     links: Object.fromEntries(poses.links), joints: Object.fromEntries(poses.joints),
-    frames: Object.fromEntries(poses.frames), com: kinematics.centerOfMass(robot, poses).com,
+    frames: Object.fromEntries(poses.frames),
+    com: kinematics.centerOfMass(robot, poses, isFloating).com,
     torques: Object.fromEntries(kinematics.gravityTorques(robot, poses)),
     angles: Object.fromEntries(
       [...poses.links].map(([name, T]) => [name, kinematics.intrinsicXyz(T)])),
@@ -68,7 +69,8 @@ def page_input(skeleton, q):
         kind + "s": [m for m in messages if m["type"] == kind]
         for kind in ("link", "joint", "frame")
     }
-    return {**groups, "q": dict(zip(skeleton.joint_names, q.tolist(), strict=True))}
+    values = dict(zip(skeleton.joint_names, q.tolist(), strict=True))
+    return {**groups, "q": values, "isFloating": skeleton.is_floating}
 
 
 def matrix(numbers):

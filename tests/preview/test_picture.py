@@ -26,7 +26,6 @@ def test_a_good_document_is_drawn():
         pytest.param(ARM.replace("via lift", "via lfit"), id="undefined joint"),
         pytest.param(ARM.replace("children {}", "children { upper via lift }"), id="loop"),
         pytest.param(ARM.replace("        slider via lift\n", ""), id="unreachable"),
-        pytest.param(ARM.replace("(0.4, 0.0, 0.0)", "(0.4, 0.0)"), id="two components"),
         pytest.param("", id="empty"),
     ],
 )
@@ -41,7 +40,7 @@ def test_the_last_complete_version_stays(broken):
 def test_what_there_is_is_shown_where_nothing_was_before():
     drawn = picture_of(ARM.replace("children {}", "children { upper via lift }"))
     assert drawn.skeleton.link_names == ("upper", "slider")
-    assert "what there is of it is shown" in drawn.message
+    assert drawn.message.endswith("showing the rest")
 
 
 def test_fragments_without_values_count_as_zero():
@@ -57,11 +56,48 @@ def test_nothing_can_be_shown_of_nothing():
     assert drawn.message.endswith("nothing can be shown yet")
 
 
-def test_an_unbound_length_is_told_and_counts_as_zero():
+@pytest.mark.parametrize(
+    "edited",
+    [
+        pytest.param(ARM.replace("mass = 1.0", "mass = 9"), id="KD005"),
+        pytest.param(ARM.replace("mass = 1.0", "mass = (4.0 + 5.0)"), id="KD006"),
+        pytest.param(ARM.replace("mass = 1.0", "mass = 9.0 9.0"), id="KD001"),
+        pytest.param(
+            ARM.replace("        mass = 1.0\n", "").replace(
+                "CoM = (0.0, 0.0, 0.1)", "CoM = (0.0, 0.0, 0.1)\n mass = 9.0"
+            ),
+            id="KD007",
+        ),
+    ],
+)
+def test_a_defect_of_form_does_not_stop_the_picture(edited):
+    drawn = picture_of(edited, last_good=skeleton_of(ARM))
+    assert drawn.state is State.LIVE
+    assert drawn.skeleton.masses[2].mass == 9.0
+
+
+@pytest.mark.parametrize("vector", ["(0.4, 0.0)", "(, 0.0, 0.0)", "(0.4, 0.0, 1.0/0.0)"])
+def test_a_pose_that_is_not_whole_stays_where_it_was(vector):
+    text = ARM.replace("(0.4, 0.0, 0.0)", vector).replace("(0.0, 0.0, 0.5)", "(0.0, 0.0, 0.7)")
+    drawn = picture_of(text, last_good=skeleton_of(ARM))
+    assert drawn.state is State.LIVE
+    assert _places(drawn) == [(0.0, 0.0, 0.7), (0.4, 0.0, 0.0)]
+    assert drawn.message == "The pose of joint 'lift' is incomplete: drawn as far as known"
+
+
+def test_a_length_without_a_value_is_the_robots_typical_one():
     drawn = picture_of(PARAMETRIC_ARM)
-    assert drawn.state is State.UNBOUND
-    assert "'reach'" in drawn.message
-    assert _places(drawn)[1] == (0.0, 0.0, 0.0)
+    assert drawn.state is State.GUESSED
+    assert drawn.message == "1 parameter has no value: drawn at a guess"
+    assert _places(drawn)[1] == (0.5, 0.0, 0.0)
+    assert (drawn.guesses.joints, drawn.guesses.frames) == ({"lift"}, frozenset())
+    alone = picture_of(PARAMETRIC_ARM.replace("(0.0, 0.0, 0.5)", "(0.0, 0.0, height)"))
+    assert _places(alone) == [(0.0, 0.0, 0.3), (0.3, 0.0, 0.0)]
+
+
+def test_an_angle_without_a_value_is_zero():
+    drawn = picture_of(ARM.replace("(-PI/2.0, 0.0, 0.0)", "(tilt, 0.0, 0.0)"))
+    assert drawn.guesses.values == {"tilt": 0.0}
 
 
 def test_a_value_binds_it():
@@ -70,10 +106,11 @@ def test_a_value_binds_it():
     assert _places(drawn)[1] == (0.7, 0.0, 0.0)
 
 
-def test_an_unbound_mass_is_told_but_the_picture_is_good():
+def test_a_mass_without_a_value_is_left_out():
     drawn = picture_of(ARM.replace("mass = 1.0", "mass = payload"))
-    assert drawn.state is State.LIVE
-    assert "'payload'" in drawn.message
+    assert drawn.message == "1 parameter has no value: left out of masses and inertia"
+    assert drawn.skeleton.masses[2].mass == 0.0
+    assert drawn.guesses.values == {}
 
 
 def _places(drawn):

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kindsl.preview.requests import Hello, Reveal, SetJoint, SetParameter, parse_request
+from kindsl.preview.requests import Hello, Reveal, SetJoint, SetParameters, parse_request
 
 json_values = st.recursive(
     st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=20),
@@ -37,7 +37,7 @@ def test_requests_are_well_formed(kind, name, value, what, joints):
     ("message", "request_"),
     [
         ({"type": "set-joint", "name": "a", "value": 1}, SetJoint("a", 1.0)),
-        ({"type": "set-parameter", "name": "a", "value": None}, SetParameter("a", None)),
+        ({"type": "set-parameter", "name": "a", "value": None}, SetParameters({"a": None})),
         ({"type": "reveal", "kind": "link", "name": "a"}, Reveal("link", "a")),
         ({"type": "reveal", "kind": "file", "name": "/etc/passwd"}, None),
         ({"type": "set-joint", "name": "a", "value": "1"}, None),

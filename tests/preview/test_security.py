@@ -13,7 +13,7 @@ from tornado.websocket import websocket_connect
 
 from kindsl.analysis.analysis import analyse
 from kindsl.preview.access import Access, new_token
-from kindsl.preview.assets import SCRIPTS, STYLE
+from kindsl.preview.assets import SCRIPTS, STYLES
 from kindsl.preview.server import PreviewServer
 
 FOREIGN_HOSTS = [
@@ -73,7 +73,7 @@ def at(server, text):
 
 
 async def test_the_page_and_its_parts_are_served(server):
-    for path in ("/", *(f"/{name}" for name in SCRIPTS), f"/{STYLE}"):
+    for path in ("/", *(f"/{name}" for name in SCRIPTS), *(f"/{name}" for name in STYLES)):
         assert await status(server, path) == 200
     assert await websocket_status(server, Origin=f"http://127.0.0.1:{server.port}") == 101
 

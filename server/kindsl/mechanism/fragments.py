@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from math import isfinite
+from types import MappingProxyType
 from typing import NamedTuple
 
 from kindsl.mechanism.numbering import numbered_by_tree
@@ -12,16 +13,23 @@ from kindsl.semantics.declarations import MOMENTS, Frame, Joint, Link, Pose, Vec
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.model import Model
 
+# Nothing is known of earlier versions.
+NOTHING: Mapping[str, RigidPose] = MappingProxyType({})
+_NUMBERS_OF_POSE = 6
 
-def skeleton_as_far_as_known(model: Model, values: Mapping[str, float]) -> Skeleton | None:
+
+def skeleton_as_far_as_known(
+    model: Model, values: Mapping[str, float], earlier: Mapping[str, RigidPose] = NOTHING
+) -> Skeleton | None:
     """Return the bodies that the base carries, None if there is not even one.
 
     Args:
         model: A document's model, however broken.
         values: Of parameters by name, and of constants by `<name>`.
+        earlier: Where joints were, by name: it stands for a pose that is not whole.
     """
     try:
-        return skeleton_of(model, numbered_by_tree(model), LenientReader(values))
+        return skeleton_of(model, numbered_by_tree(model), LenientReader(values, earlier))
     except ValueError:
         # No base, no link at all, or names that are used twice: there is no tree to draw.
         return None
@@ -32,13 +40,22 @@ class LenientReader(NamedTuple):
 
     Attributes:
         values: Of parameters by name, and of constants by `<name>`.
+        earlier: Poses of joints by name, for those that are not whole.
     """
 
     values: Mapping[str, float]
+    earlier: Mapping[str, RigidPose] = NOTHING
 
     def joint_pose(self, joint: Joint) -> RigidPose:
         """Return a joint's frame in its predecessor's."""
-        return self._pose(joint.pose)
+        known = self.earlier.get(joint.name)
+        return self._pose(joint.pose) if known is None or self.is_whole(joint.pose) else known
+
+    def is_whole(self, pose: Pose) -> bool:
+        """Return whether all six numbers of a pose are known."""
+        vectors = (pose.translation, pose.rotation)
+        numbers = [self._value(c) for v in vectors if v is not None for c in v.components]
+        return len(numbers) == _NUMBERS_OF_POSE and None not in numbers
 
     def frame_pose(self, frame: Frame) -> RigidPose:
         """Return an optional frame in its link's."""

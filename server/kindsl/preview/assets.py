@@ -9,12 +9,18 @@ from kindsl.preview.scene.geometry import viewer_script
 VIEWER = "viewer.js"
 # Each uses the ones before it.
 SCRIPTS = (
-    VIEWER, "kinematics.js", "categories.js", "elements.js", "stage.js", "scene.js", "labels.js",
-    "picking.js", "slider_row.js", "joint_rows.js", "parameter_rows.js", "legend.js",
-    "selection.js", "findings.js", "formulas.js", "inbox.js", "connection.js", "embedded.js",
+    VIEWER, "elements.js", "units.js", "theme.js", "selection.js", "picture/kinematics.js",
+    "picture/categories.js", "picture/palette.js", "picture/hidden.js", "picture/marks.js",
+    "picture/places.js", "picture/batches.js", "picture/scene.js", "picture/stage.js",
+    "picture/camera.js", "picture/line_art.js", "picture/presets.js", "picture/label_places.js",
+    "picture/labels.js", "picture/picking.js", "picture/compass.js", "picture/measure.js",
+    "picture/motion.js", "picture/snapshot.js", "panel/virtual_list.js", "panel/slider_row.js",
+    "panel/joint_rows.js", "panel/parameter_rows.js", "panel/tree.js", "panel/legend.js",
+    "panel/card.js", "panel/findings.js", "panel/title.js", "panel/keys.js", "formulas.js",
+    "inbox.js", "history.js", "address.js", "actions.js", "connection.js", "embedded.js",
     "start.js",
 )  # fmt: skip
-STYLE = "page.css"
+STYLES = ("theme.css", "page.css", "panel/panel.css")
 PAGE = "page.html"
 
 
@@ -27,20 +33,20 @@ class Asset(NamedTuple):
 
 @cache
 def assets() -> dict[str, Asset]:
-    """Return the page's scripts and style by name.
+    """Return the page's scripts and styles by name.
 
     Raises:
         PreviewUnavailableError: If meshcat is not installed.
     """
     scripts = {name: Asset(_read(name), "text/javascript") for name in SCRIPTS}
-    return {**scripts, STYLE: Asset(_read(STYLE), "text/css")}
+    return {**scripts, **{name: Asset(_read(name), "text/css") for name in STYLES}}
 
 
 def live_page(token: str) -> str:
     """Return the page that loads its parts from the server, which wants the token for each."""
-    style = f'<link rel="stylesheet" href="{STYLE}?token={token}">'
+    styles = (f'<link rel="stylesheet" href="{name}?token={token}">' for name in STYLES)
     scripts = (f'<script src="{name}?token={token}"></script>' for name in SCRIPTS)
-    return page(style, "\n".join(scripts))
+    return page("\n".join(styles), "\n".join(scripts))
 
 
 def page(head: str, scripts: str) -> str:

@@ -2,7 +2,7 @@
 
 import asyncio
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
@@ -69,7 +69,7 @@ class DocumentPreview:
         drawn = picture(analysis.model, given, self._last_good)
         skeleton = drawn.skeleton
         name = str(analysis.model.name)
-        robot = robot_messages(name, skeleton) if skeleton is not None else None
+        robot = robot_messages(name, skeleton, drawn.guesses) if skeleton is not None else None
         return Drawing(given, drawn, robot)
 
     def put(self, analysis: Analysis, drawing: Drawing) -> None:
@@ -106,22 +106,24 @@ class DocumentPreview:
             self._joints[name] = value
             self.channel.put("joints", _joint_value(name, value), sender)
 
-    def set_parameter(self, name: str, value: float | None) -> None:
-        """Give a parameter a value, or its own back for None."""
-        if value is None:
-            self._parameters.pop(name, None)
-        elif math.isfinite(value) and _has_room(self._parameters, name):
-            self._parameters[name] = value
-        self._draw()
+    def set_parameters(self, values: Mapping[str, float | None]) -> None:
+        """Give parameters values, or their own back for None; draws once."""
+        before = dict(self._parameters)
+        for name, value in values.items():
+            if value is None:
+                self._parameters.pop(name, None)
+            elif math.isfinite(value) and _has_room(self._parameters, name):
+                self._parameters[name] = value
+        if before != self._parameters:
+            self._draw()
 
-    def adopt(self, joints: dict[str, float], parameters: dict[str, float]) -> None:
+    def adopt(self, joints: Mapping[str, float], parameters: Mapping[str, float]) -> None:
         """Take over the values of a page that was there before this server, where none are set."""
         for name, value in joints.items():
             if name not in self._joints:
                 self.set_joint(name, value)
-        for name, value in parameters.items():
-            if name not in self._parameters:
-                self.set_parameter(name, value)
+        known = self._parameters
+        self.set_parameters({name: v for name, v in parameters.items() if name not in known})
 
     def highlight(self, kind: str, name: str) -> None:
         """Light up a link, joint or frame; nothing for an empty name."""
@@ -133,11 +135,14 @@ class DocumentPreview:
             self._put(self.analysis, self.drawing(self.analysis))
 
     def _put(self, analysis: Analysis, drawing: Drawing) -> None:
-        if drawing.picture.state is State.LIVE:
+        if drawing.picture.state is not State.BROKEN:
             self._last_good = drawing.picture.skeleton
         if drawing.robot is not None:
             self.channel.replace("robot", drawing.robot)
-        rows = parameter_messages(analysis.model, analysis.settings.bindings, self._parameters)
+        guessed = drawing.picture.guesses.values
+        rows = parameter_messages(
+            analysis.model, analysis.settings.bindings, self._parameters, guessed
+        )
         self.channel.replace("parameters", rows)
         self._picture = drawing.picture
         self._tell_status()
@@ -145,7 +150,7 @@ class DocumentPreview:
 
     def _tell_status(self) -> None:
         if self._picture is not None:
-            status = status_message(self._picture, len(self.findings), self._label)
+            status = status_message(self._picture, self.findings, self._label)
             self.channel.replace("status", keyed([status]))
 
     def _draw_ghost(self) -> None:

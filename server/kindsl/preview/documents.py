@@ -2,14 +2,22 @@
 
 import hashlib
 from abc import ABC, abstractmethod
-from collections.abc import Awaitable, Callable, Sequence
+from collections.abc import Awaitable, Callable, Mapping, Sequence
 from typing import Any
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.preview.channel import Tab
 from kindsl.preview.document_preview import DocumentPreview, Drawing
-from kindsl.preview.requests import Hello, Request, Reveal, SetJoint, SetParameter
+from kindsl.preview.requests import (
+    Hello,
+    Request,
+    Reveal,
+    SetJoint,
+    SetJoints,
+    SetParameters,
+    WriteParameters,
+)
 from kindsl.preview.reveal import place_of
 from kindsl.text.span import Span
 
@@ -17,6 +25,8 @@ from kindsl.text.span import Span
 FEW_LINKS = 60
 
 OnReveal = Callable[[str, Span, Reveal], None]
+# Returns what to tell the page: lines to be written by hand, empty if they are written for it.
+OnWrite = Callable[[str, Mapping[str, float]], str]
 Beside = Callable[..., Awaitable[Any]]
 
 
@@ -27,15 +37,19 @@ class DocumentPreviews(ABC):
     in the loop that `start` was awaited in, and none of them waits for a page.
     """
 
-    def __init__(self, on_reveal: OnReveal | None, *, beside: Beside) -> None:
+    def __init__(
+        self, on_reveal: OnReveal | None, on_write: OnWrite | None = None, *, beside: Beside
+    ) -> None:
         """Prepare to show documents.
 
         Args:
             on_reveal: Called with the document's key, the place in its text (code points) and
                 what was clicked.
+            on_write: Called with the document's key and values of parameters to be kept.
             beside: Awaits a function's result and lets the loop go on meanwhile, if it can.
         """
         self._on_reveal = on_reveal or _reveal_nowhere
+        self._on_write = on_write
         self._beside = beside
         self._documents: dict[str, DocumentPreview] = {}
         self._keys: dict[str, str] = {}
@@ -118,15 +132,33 @@ class DocumentPreviews(ABC):
         """Do what a page asks for."""
         if isinstance(request, SetJoint):
             document.set_joint(request.name, request.value, tab)
-        elif isinstance(request, SetParameter):
-            document.set_parameter(request.name, request.value)
+        elif isinstance(request, SetJoints):
+            for name, value in request.values.items():
+                document.set_joint(name, value, tab)
+        elif isinstance(request, SetParameters):
+            document.set_parameters(request.values)
+        elif isinstance(request, WriteParameters):
+            self._write(document, tab, request.values)
         elif isinstance(request, Hello):
             document.adopt(request.joints, request.parameters)
         else:
             self._reveal(document, request)
 
+    def _key(self, document: DocumentPreview) -> str | None:
+        return next((key for key, known in self._documents.items() if known is document), None)
+
+    def _write(self, document: DocumentPreview, tab: Tab, values: Mapping[str, float]) -> None:
+        key = self._key(document)
+        if key is None or self._on_write is None or document.analysis is None:
+            return
+        names = {str(parameter.name) for parameter in document.analysis.model.parameters}
+        known = {name: value for name, value in values.items() if name in names}
+        lines = self._on_write(key, known) if known else ""
+        if lines:
+            tab.send({"type": "lines", "text": lines})
+
     def _reveal(self, document: DocumentPreview, chosen: Reveal) -> None:
-        key = next((key for key, known in self._documents.items() if known is document), None)
+        key = self._key(document)
         if key is None or document.analysis is None:
             return
         span = place_of(chosen, document.analysis, document.findings)

@@ -5,7 +5,7 @@ import hashlib
 import struct
 from collections.abc import Iterable
 
-from kindsl.preview.assets import SCRIPTS, STYLE, assets, page
+from kindsl.preview.assets import SCRIPTS, STYLES, assets, page
 from kindsl.preview.scene.messages import Message, encode
 
 _POLICY = (
@@ -29,7 +29,7 @@ def exported_page(state: Iterable[Message]) -> str:
     policy = _POLICY.format(hashes=" ".join(map(_hash, scripts)))
     head = (
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
-        f"<style>{assets()[STYLE].content}</style>"
+        f"<style>{''.join(assets()[name].content for name in STYLES)}</style>"
     )
     frames = base64.b64encode(_joined(state)).decode("ascii")
     data = f'<script id="embedded-state" type="text/plain">{frames}</script>'

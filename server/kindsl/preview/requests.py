@@ -16,11 +16,22 @@ class SetJoint(NamedTuple):
     value: float
 
 
-class SetParameter(NamedTuple):
-    """Give a parameter a value, or its own back for None."""
+class SetJoints(NamedTuple):
+    """Move several joints, radians or metres by name."""
 
-    name: str
-    value: float | None
+    values: dict[str, float]
+
+
+class WriteParameters(NamedTuple):
+    """Give parameters these values in the configuration file."""
+
+    values: dict[str, float]
+
+
+class SetParameters(NamedTuple):
+    """Give parameters values by name, or their own back for None."""
+
+    values: dict[str, float | None]
 
 
 class Reveal(NamedTuple):
@@ -37,7 +48,7 @@ class Hello(NamedTuple):
     parameters: dict[str, float]
 
 
-Request = SetJoint | SetParameter | Reveal | Hello
+Request = SetJoint | SetJoints | SetParameters | WriteParameters | Reveal | Hello
 
 
 def parse_request(text: str) -> Request | None:
@@ -54,6 +65,12 @@ def request_of(data: object) -> Request | None:
         return None
     if data.get("type") == "hello":
         return Hello(_numbers(data.get("joints")), _numbers(data.get("parameters")))
+    if data.get("type") == "set-joints":
+        return SetJoints(_numbers(data.get("values")))
+    if data.get("type") == "set-parameters":
+        return SetParameters({**_numbers(data.get("values"))})
+    if data.get("type") == "write-parameters":
+        return WriteParameters(_numbers(data.get("values")))
     name, value = data.get("name"), data.get("value")
     if not isinstance(name, str) or not 0 < len(name) <= _LONGEST_NAME:
         return None
@@ -65,7 +82,7 @@ def _named_request(data: dict[str, Any], name: str, value: object) -> Request | 
     if kind == "set-joint" and _is_number(value):
         return SetJoint(name, float(value))  # type: ignore[arg-type]
     if kind == "set-parameter" and (value is None or _is_number(value)):
-        return SetParameter(name, None if value is None else float(value))  # type: ignore[arg-type]
+        return SetParameters({name: None if value is None else float(value)})  # type: ignore[arg-type]
     if kind == "reveal" and data.get("kind") in _REVEALED:
         return Reveal(str(data["kind"]), name)
     return None
@@ -74,7 +91,7 @@ def _named_request(data: dict[str, Any], name: str, value: object) -> Request | 
 def _numbers(data: object) -> dict[str, float]:
     if not isinstance(data, dict):
         return {}
-    return {str(k): float(v) for k, v in data.items() if len(k) <= _LONGEST_NAME and _is_number(v)}
+    return {k: float(v) for k, v in data.items() if 0 < len(k) <= _LONGEST_NAME and _is_number(v)}
 
 
 def _is_number(value: object) -> bool:

@@ -22,7 +22,7 @@ const KindslFormulas = (() => {
 
   // The capsule from the carrying link's frame to the joint or frame.
   function moveBody(scene, { rod, end }, translation) {
-    if (!scene.marks.has(rod)) return;
+    if (!scene.marks.byPath.has(rod)) return;
     scene.apply({ type: "set_transform", path: rod, matrix: along(translation) });
     scene.apply({ type: "set_transform", path: end, matrix: KindslKinematics.placement(translation, [0, 0, 0]) });
   }

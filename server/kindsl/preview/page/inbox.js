@@ -2,7 +2,8 @@
 "use strict";
 
 const KindslInbox = (() => {
-  const JOINT_NEWS = ["model", "joint", "delete", "value", "end"];
+  const ROW_NEWS = ["model", "link", "joint", "frame", "delete", "end"]; // other rows
+  const VALUE_NEWS = ["value", "motion", "view"]; // other values in them
 
   class Inbox {
     constructor(scene) {
@@ -10,15 +11,19 @@ const KindslInbox = (() => {
       this.parameters = new Map(); // by path
       this.findings = new Map(); // by path
       this.formulas = []; // of an exported page
-      this.status = { state: "empty", message: "", total: 0 };
-      this.cursor = null; // what the editor's cursor is on
-      this.stale = new Set(["joints", "parameters", "findings", "camera"]);
+      this.status = { state: "empty", message: "", total: 0, counts: {} };
+      this.stale = new Set(["rows", "parameters", "findings", "camera"]);
       scene.onRemove = (path) => this.forget(path);
       scene.onChange((what) => {
-        if (JOINT_NEWS.includes(what)) this.stale.add("joints");
+        if (ROW_NEWS.includes(what)) this.stale.add("rows");
+        if (VALUE_NEWS.includes(what)) this.stale.add("values");
         if (what === "model") this.stale.add("camera");
       });
     }
+
+    // Called with what the editor's cursor is on, and with lines to add to a file.
+    onCursor() {}
+    onLines() {}
 
     take(message) {
       if (message.type === "parameter") this.keep("parameters", message);
@@ -27,7 +32,8 @@ const KindslInbox = (() => {
       else if (message.type === "status") {
         this.status = message;
         this.stale.add("findings");
-      } else if (message.type === "highlight") this.follow(message);
+      } else if (message.type === "highlight") this.onCursor(message.name ? message : null);
+      else if (message.type === "lines") this.onLines(message.text);
       this.scene.apply(message);
       this.scene.viewer.set_dirty();
     }
@@ -35,11 +41,6 @@ const KindslInbox = (() => {
     keep(list, message) {
       this[list].set(message.path, message);
       this.stale.add(list);
-    }
-
-    follow({ kind, name }) {
-      this.cursor = name ? { kind, name } : null;
-      this.onCursor();
     }
 
     forget(path) {
@@ -60,9 +61,9 @@ const KindslInbox = (() => {
     // Give a parameter a value without a server; null is its own.
     setParameter(name, value) {
       const parameter = [...this.parameters.values()].find((candidate) => candidate.name === name);
-      if (!("own" in parameter)) parameter.own = parameter.value;
-      parameter.value = value === null ? parameter.own : value;
-      parameter.is_overridden = parameter.value !== parameter.own;
+      if (!("own" in parameter)) parameter.own = { value: parameter.value, is_guess: parameter.is_guess };
+      Object.assign(parameter, value === null ? parameter.own : { value, is_guess: false });
+      parameter.is_overridden = value !== null && (value !== parameter.own.value || Boolean(parameter.own.is_guess));
       this.stale.add("parameters");
       const values = new Map([...this.parameters.values()].map((known) => [known.name, known.value]));
       KindslFormulas.apply(this.scene, this.formulas, values);

@@ -1,64 +1,37 @@
-// The numbers of the selected link, joint or frame.
+// What is chosen, what the mouse is on, and what the editor's cursor is on: each a {kind, name} or null.
 "use strict";
 
 const KindslSelection = (() => {
-  const { format, make } = KindslElements;
-  const vector = (values, digits) => `(${values.map((value) => format(value, digits)).join(", ")})`;
-  const moment = (value) => (value === 0 ? "0" : Number(value.toPrecision(4)).toString());
+  const KINDS = ["link", "joint", "frame"];
+  const isSame = (a, b) => a === b || Boolean(a && b && a.kind === b.kind && a.name === b.name);
 
-  const position = (pose) => `${vector(KindslKinematics.origin(pose))} m`;
-  const rotation = (pose) => `${vector(KindslKinematics.intrinsicXyz(pose))} rad`;
-  const axis = (pose) => vector(KindslKinematics.zAxis(pose));
+  class Selection {
+    constructor() {
+      Object.assign(this, { chosen: null, hovered: null, cursor: null, listeners: [] });
+    }
 
-  // Rows of [title, text] for the chosen thing; null if it is not there.
-  function rows(scene, { kind, name }) {
-    const poses = scene.poses.robot, tree = scene.trees.robot, group = kind + "s";
-    const entity = tree[group] && tree[group].get(name);
-    const pose = poses && poses[group] && poses[group].get(name);
-    if (!entity || !pose) return null;
-    const more = { link: () => linkRows(entity, tree, poses), joint: () => jointRows(scene, entity, pose) }[kind];
-    const list = [["Position", position(pose)], ["Rotation", rotation(pose)]];
-    return list.concat(more ? more() : [["Fixed to", entity.link]]);
+    // Called with "chosen", "hovered" or "cursor" when that one changes.
+    onChange(listener) { this.listeners.push(listener); }
+
+    // What lights up.
+    get lit() { return this.hovered || this.cursor || this.chosen; }
+
+    choose(thing) {
+      if (thing && !KINDS.includes(thing.kind)) return;
+      this.set("cursor", null);
+      this.set("chosen", thing);
+    }
+
+    hover(thing) { this.set("hovered", thing); }
+    follow(thing) { this.set("cursor", thing); }
+
+    set(what, thing) {
+      const now = thing ? { kind: thing.kind, name: thing.name } : null;
+      if (isSame(this[what], now)) return;
+      this[what] = now;
+      for (const listener of this.listeners) listener(what);
+    }
   }
 
-  function linkRows(link, tree, poses) {
-    const list = [];
-    const joint = tree.joints.get(link.joint);
-    if (joint) list.push(["Moved by", `${joint.name} (${joint.kind})`], ["Axis", axis(poses.joints.get(joint.name))]);
-    list.push(["Mass", `${format(link.mass, 5)} kg`], ["Centre of mass", `${vector(link.com)} m`]);
-    // The tensor's other entries are the products of inertia with their signs changed.
-    const [xx, , , xy, yy, , xz, yz, zz] = link.inertia;
-    list.push(["Inertia", [xx, yy, zz].map(moment).join("  ")]);
-    list.push(["Products", [xy, xz, yz].map((entry) => moment(0 - entry)).join("  ")]);
-    list.push(["", "about the centre of mass, link axes, kg m²"]);
-    if (!link.is_consistent) list.push(["", "no rigid body has this inertia"]);
-    return list;
-  }
-
-  function jointRows(scene, joint, pose) {
-    const [unit, force] = joint.kind === "prismatic" ? ["m", "N"] : ["rad", "N m"];
-    return [
-      ["Kind", joint.kind], ["Axis", axis(pose)],
-      ["Moves", `${joint.predecessor} → ${joint.successor}`],
-      ["Value", `${format(scene.q.get(joint.name) || 0)} ${unit}`],
-      ["Gravity", `${format(scene.torques.get(joint.name) || 0, 3)} ${force}`],
-    ];
-  }
-
-  // One line about the whole robot.
-  function summary(scene) {
-    return `${scene.trees.robot.joints.size} joints, ${format(scene.total.mass, 3)} kg`;
-  }
-
-  function show(scene, chosen, section) {
-    const list = chosen && rows(scene, chosen);
-    section.hidden = !list;
-    if (!list) return;
-    section.querySelector("h2").textContent = `${chosen.kind} ${chosen.name}`;
-    const table = section.querySelector("dl");
-    table.replaceChildren();
-    for (const [title, text] of list) table.append(make("dt", "", title), make("dd", title ? "" : "note", text));
-  }
-
-  return { show, summary };
+  return { KINDS, Selection, isSame };
 })();

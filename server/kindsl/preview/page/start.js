@@ -6,112 +6,157 @@ const kindsl = (() => {
   const byId = (id) => document.getElementById(id);
   const pane = byId("pane"), embedded = byId("embedded-state");
   const viewer = openViewer();
-  const scene = new KindslScene.Scene(viewer);
-  const stage = new KindslStage.Stage(viewer, scene);
-  const inbox = new KindslInbox.Inbox(scene);
-  let connection = null, selected = null, hovered = null;
+  const theme = new KindslTheme.Theme();
+  const scene = new KindslScene.Scene(viewer, theme.colors);
+  const page = { viewer, scene, theme, pane, isStatic: Boolean(embedded), connection: null };
+  page.send = (message) => page.connection && page.connection.send(message);
+  page.stage = new KindslStage.Stage(viewer, scene);
+  page.camera = new KindslCamera.Camera(viewer, scene, pane);
+  page.selection = new KindslSelection.Selection();
+  page.presets = new KindslPresets.Presets(scene);
+  page.units = new KindslUnits.Units();
+  page.inbox = new KindslInbox.Inbox(scene);
+  page.measure = new KindslMeasure.Measure(scene, page.units, pane);
+  page.actions = KindslActions.make(page);
+  page.labels = new KindslLabels.Labels(scene, pane, page.actions);
+  page.picking = new KindslPicking.Picking(scene, pane, page.actions);
+  page.lineArt = new KindslLineArt.LineArt(scene, pane);
+  page.compass = new KindslCompass.Compass(scene, pane, page.camera);
+  page.joints = new KindslJointRows.JointRows(scene, page.units, page.actions);
+  page.parameters = new KindslParameterRows.ParameterRows(page.units, page.actions);
+  page.tree = new KindslTree.Tree(scene, page.selection, page.actions);
+  page.findings = new KindslFindings.Findings(pane, page.inbox, page.actions);
+  page.legend = new KindslLegend.Legend(scene, page.presets, page.actions);
+  page.address = new KindslAddress.Address(page);
+  page.history = new KindslHistory.History(takeState, putState);
+  page.keys = new KindslKeys.Keys(pane, page);
+  page.motion = new KindslMotion.Motion(scene, {
+    range: (joint) => page.joints.range(joint),
+    onStep: () => {},
+    onStop(names) {
+      page.actions.tellPose(names.map((name) => [name, scene.q.get(name)]));
+      page.actions.note();
+    },
+  });
+  let connectionState = "connecting", isBegun = false;
 
   function openViewer() {
     try {
       return new MeshCat.Viewer(pane);
     } catch (error) {
-      byId("overlay").hidden = false;
-      byId("overlay").querySelector("h2").textContent = "The preview needs WebGL, which this browser does not offer";
+      byId("notice").hidden = false;
+      byId("notice").firstElementChild.textContent = "The preview needs WebGL, which this browser does not offer";
       throw error;
     }
   }
 
-  const send = (message) => connection && connection.send(message);
-  const showHighlight = () => scene.highlight(hovered || inbox.cursor || selected);
+  // Pose and view, for undoing them.
+  function takeState() {
+    return JSON.stringify([[...scene.q].filter(([, value]) => value !== 0).sort(), KindslAddress.eyeText(page.camera.state())]);
+  }
 
-  const actions = {
-    isStatic: Boolean(embedded),
-    setJoint(name, value) {
-      scene.q.set(name, value);
-      scene.changed("value");
-      send({ type: "set-joint", name, value });
-    },
-    setParameter(name, value) {
-      if (embedded) inbox.setParameter(name, value);
-      else send({ type: "set-parameter", name, value });
-    },
-    setView(key, visible, opacity) {
-      scene.setView(key, visible, opacity);
-      stage.styleGround();
-    },
-    hover(chosen) {
-      const isSame = JSON.stringify(chosen) === JSON.stringify(hovered);
-      hovered = chosen;
-      if (!isSame) showHighlight();
-    },
-    reveal(chosen) {
-      if (["link", "joint", "frame"].includes(chosen.kind)) selected = chosen;
-      inbox.cursor = null;
-      showHighlight();
-      send({ type: "reveal", ...chosen });
-    },
-    clear() {
-      selected = inbox.cursor = null;
-      showHighlight();
-    },
-  };
+  function putState(text) {
+    const [pose, eye] = JSON.parse(text), zeros = [...scene.q.keys()].map((name) => [name, 0]);
+    page.actions.setPose(new Map([...zeros, ...pose]));
+    if (eye !== KindslAddress.eyeText(page.camera.state())) page.camera.restore(KindslAddress.eyeOf(eye));
+  }
 
-  const labels = new KindslLabels.Labels(scene, pane, actions);
-  const picking = new KindslPicking.Picking(scene, pane, actions);
-  const joints = new KindslJointRows.JointRows(scene, actions);
-  const parameters = new KindslParameterRows.ParameterRows(actions);
-  const findings = new KindslFindings.Findings(pane, inbox, actions);
-  KindslLegend.fill(byId("legend"), actions.setView);
-  byId("zero").addEventListener("click", () => joints.zero());
-  byId("frame").addEventListener("click", () => stage.frame());
-  inbox.onCursor = showHighlight;
+  // The first whole robot: the view of the address, if there is one.
+  function begin() {
+    isBegun = true;
+    page.address.restore();
+    scene.update();
+    page.history.begin();
+  }
 
-  function frameRobot() {
-    stage.follow();
-    stage.styleGround();
+  function follow() {
+    page.presets.refresh();
+    page.labels.forget();
+    page.camera.follow();
+    page.stage.drawGround();
   }
 
   function refresh() {
     scene.update();
-    if (scene.isWhole && scene.trees.robot.links.size && inbox.isStale("camera")) frameRobot();
-    if (inbox.isStale("joints")) joints.update();
-    if (inbox.isStale("parameters")) parameters.update([...inbox.parameters.values()]);
-    if (inbox.isStale("findings")) findings.show();
-    joints.updateTorques();
-    KindslSelection.show(scene, selected, byId("selection"));
-    byId("robot").textContent = scene.model.name;
-    byId("dof").textContent = scene.model.name ? KindslSelection.summary(scene) : "";
+    const isDrawn = scene.isWhole && scene.trees.robot.links.size > 0;
+    if (isDrawn && page.inbox.isStale("camera")) follow();
+    if (isDrawn && !isBegun) begin();
+    if (page.inbox.isStale("rows")) showRows();
+    if (page.inbox.isStale("values")) page.joints.update();
+    if (page.inbox.isStale("parameters")) page.parameters.update([...page.inbox.parameters.values()]);
+    if (page.inbox.isStale("findings")) page.findings.show();
+    if (page.selection.chosen) KindslCard.show(scene, page.selection.chosen, byId("selection"));
+    page.lineArt.update();
+    page.measure.update((position) => page.labels.project(position));
+    page.stage.styleGround();
+  }
+
+  function showRows() {
+    page.joints.update();
+    page.tree.update();
+    page.legend.show();
+    const { name } = scene.model;
+    byId("robot").textContent = name;
+    byId("pane-title").textContent = name;
+    byId("dof").textContent = name ? KindslCard.summary(scene) : "";
+    showTitle();
+  }
+
+  function showTitle() {
+    const { counts, inbox: { status } } = { counts: page.findings.counts, inbox: page.inbox };
+    KindslTitle.show({ name: scene.model.name, words: page.findings.words(), counts, state: status.state, connection: connectionState });
   }
 
   // Before each picture everything is brought up to date, after it the names are put in place.
   const render = viewer.render.bind(viewer);
-  viewer.render = () => { refresh(); render(); labels.place(); };
+  viewer.render = () => {
+    refresh();
+    render();
+    page.labels.place();
+    page.compass.update();
+  };
 
   // Only meshcat's drawing commands and our own messages; anything else, such as `set_control`, is ignored.
-  viewer.handle_command = (message) => inbox.take(message);
+  viewer.handle_command = (message) => page.inbox.take(message);
 
   // The canvas fills its pane, not the window.
   viewer.set_3d_pane_size = () => {
     viewer.camera.aspect = pane.clientWidth / Math.max(1, pane.clientHeight);
     viewer.camera.updateProjectionMatrix();
     viewer.renderer.setSize(pane.clientWidth, pane.clientHeight);
-    stage.resized();
+    page.camera.resized();
     viewer.set_dirty();
   };
 
   function onState(state) {
+    connectionState = state;
     document.body.dataset.state = state;
     byId("state").textContent = STATES[state];
+    if (scene.model.name) showTitle();
   }
 
-  document.body.classList.toggle("picture", location.hash === "#picture");
+  theme.onChange = () => {
+    scene.setColors(theme.colors);
+    page.legend.show();
+  };
+  page.inbox.onCursor = (thing) => page.selection.follow(thing);
+  page.inbox.onFindings = showTitle;
+  page.inbox.onLines = (text) => KindslActions.showText("Lines to add to kindsl.toml", text);
+  page.camera.onMove(page.actions.note);
+  page.selection.onChange(() => {
+    scene.highlight(page.selection.lit);
+    KindslCard.show(scene, page.selection.chosen, byId("selection"));
+  });
+
+  const hash = new URLSearchParams(location.hash.slice(1));
+  document.body.classList.toggle("picture", hash.has("picture"));
   const onFrame = (frame) => viewer.handle_command_bytearray(frame);
-  const greeting = () => ({ type: "hello", joints: Object.fromEntries(scene.q), parameters: inbox.typedValues() });
+  const greeting = () => ({ type: "hello", joints: Object.fromEntries(scene.q), parameters: page.inbox.typedValues() });
   if (embedded) {
     onState("exported");
     KindslEmbedded.frames(embedded.textContent.trim()).forEach(onFrame);
-  } else connection = new KindslConnection.Connection({ onFrame, onState, greeting });
+  } else page.connection = new KindslConnection.Connection({ onFrame, onState, greeting });
   new ResizeObserver(() => viewer.set_3d_pane_size()).observe(pane);
 
-  return { actions, connection, inbox, labels, picking, refresh, scene, stage, viewer };
+  return page;
 })();

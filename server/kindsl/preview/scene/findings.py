@@ -1,5 +1,6 @@
 """What the linter says, for the list over the picture."""
 
+from collections import Counter
 from collections.abc import Sequence
 
 from kindsl.analysis.diagnostics import Diagnostic
@@ -26,14 +27,16 @@ def finding_messages(findings: Sequence[Diagnostic], text: str) -> Messages:
     return keyed(_finding(index, finding, lines) for index, finding in enumerate(listed(findings)))
 
 
-def status_message(drawn: Picture, n_findings: int, label: str) -> Message:
-    """Return the message about the state of the picture."""
+def status_message(drawn: Picture, findings: Sequence[Diagnostic], label: str) -> Message:
+    """Return the message about the state of the picture and how many findings there are."""
+    counts = Counter(str(finding.severity) for finding in findings)
     return {
         "type": "status",
         "path": path_of("status"),
         "state": str(drawn.state),
         "message": drawn.message,
-        "total": n_findings,
+        "total": len(findings),
+        "counts": dict(counts),
         "label": label,
     }
 

@@ -62,10 +62,15 @@ def base_mark(link: str) -> Iterator[Message]:
     yield set_object(path_of("robot", "links", link, "base", "slab"), Shape(Form.SLAB, BASE))
 
 
-def link_marks(link: str, com: Vector3, ellipsoid: InertiaEllipsoid) -> Iterator[Message]:
-    """Yield a link's frame, and if it has mass its centre of mass and inertia ellipsoid."""
+def link_frame(link: str) -> Message:
+    """Return a link's frame."""
+    path = path_of("robot", "links", link, "link-frame", "triad")
+    return set_object(path, Shape(Form.TRIAD, WHITE))
+
+
+def mass_marks(link: str, com: Vector3, ellipsoid: InertiaEllipsoid) -> Iterator[Message]:
+    """Yield a link's centre of mass and inertia ellipsoid, nothing without mass or extent."""
     place = ("robot", "links", link)
-    yield set_object(path_of(*place, "link-frame", "triad"), Shape(Form.TRIAD, WHITE))
     if ellipsoid.semi_axes is None:
         return
     ball = path_of(*place, "com", "ball")

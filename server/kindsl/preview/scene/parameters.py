@@ -17,7 +17,10 @@ _USUAL = {
 
 
 def parameter_messages(
-    model: Model, bindings: Mapping[str, Binding], typed: Mapping[str, float]
+    model: Model,
+    bindings: Mapping[str, Binding],
+    typed: Mapping[str, float],
+    guessed: Mapping[str, float],
 ) -> Messages:
     """Return a row for each parameter, in the order of the document.
 
@@ -25,20 +28,24 @@ def parameter_messages(
         model: The document's model.
         bindings: Values and ranges from its surroundings.
         typed: Values that were set in the page; they win.
+        guessed: Values that are drawn where there is none; a mass or moment counts as zero.
     """
     rows = []
     for index, parameter in enumerate(model.parameters):
         name = str(parameter.name)
         binding = bindings.get(name)
         own = binding.value if binding else parameter.value
-        minimum, maximum = _range(parameter, binding, own)
+        is_guess = own is None and name not in typed
+        shown = guessed.get(name, 0.0) if own is None else own
+        minimum, maximum = _range(parameter, binding, shown)
         rows.append({
             "type": "parameter",
             "path": path_of("parameters", name),
             "index": index,
             "name": name,
             "kind": str(parameter.kind),
-            "value": typed.get(name, own),
+            "value": typed.get(name, shown),
+            "is_guess": is_guess,
             "minimum": minimum,
             "maximum": maximum,
             "is_overridden": name in typed,
@@ -46,9 +53,7 @@ def parameter_messages(
     return keyed(rows)
 
 
-def _range(
-    parameter: Parameter, binding: Binding | None, value: float | None
-) -> tuple[float, float]:
+def _range(parameter: Parameter, binding: Binding | None, value: float) -> tuple[float, float]:
     """Return the slider's range: the configured one, else one around the value."""
     low, high = _usual_range(parameter.kind, value)
     if binding is not None:
@@ -57,7 +62,7 @@ def _range(
     return (low, high) if low < high else (low, low + 1.0)
 
 
-def _usual_range(kind: ValueKind, value: float | None) -> tuple[float, float]:
+def _usual_range(kind: ValueKind, value: float) -> tuple[float, float]:
     if kind is ValueKind.ANGLE or not value:
         return _USUAL[kind]
     return (0.0, 2.0 * value) if value > 0.0 else (2.0 * value, 0.0)

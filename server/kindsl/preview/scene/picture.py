@@ -1,17 +1,21 @@
-"""Which bodies to draw for a document, and what to say over them."""
+"""Which bodies to draw for a document, and what to say over them.
 
+As long as there is a tree the document itself is drawn, whatever is wrong with its form or numbers.
+"""
+
+from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
 from kindsl.mechanism.drawable import drawable_skeleton
 from kindsl.mechanism.errors import ModelError
-from kindsl.mechanism.fragments import skeleton_as_far_as_known
+from kindsl.mechanism.fragments import LenientReader, skeleton_as_far_as_known
 from kindsl.mechanism.skeleton import Skeleton
-from kindsl.semantics.declarations import ValueKind
+from kindsl.preview.scene.guesses import NO_GUESSES, Guesses, guesses
+from kindsl.rigid.pose import RigidPose
 from kindsl.semantics.model import Model
 from kindsl.semantics.parameters import values_of
-
-MOST_NAMED = 3
+from kindsl.text.words import counted
 
 
 class State(StrEnum):
@@ -21,8 +25,8 @@ class State(StrEnum):
     """It is the document."""
     BROKEN = "broken"
     """The document has no complete tree; it is the last one that had, or what there is."""
-    UNBOUND = "unbound"
-    """A length or angle has no value."""
+    GUESSED = "guessed"
+    """It is the document, with guesses for values that it has not."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,11 +37,13 @@ class Picture:
         skeleton: None if there has never been anything.
         state: See there.
         message: What is the matter, for people; empty if nothing.
+        guesses: What was drawn with.
     """
 
     skeleton: Skeleton | None
     state: State
     message: str = ""
+    guesses: Guesses = NO_GUESSES
 
 
 def picture(model: Model, given: dict[str, float], last_good: Skeleton | None) -> Picture:
@@ -49,51 +55,74 @@ def picture(model: Model, given: dict[str, float], last_good: Skeleton | None) -
         last_good: The bodies of the last version that had a complete tree.
     """
     values = values_of(model.parameters, model.constants, given)
-    unbound = [p for p in model.parameters if str(p.name) not in values]
-    stand_ins = {str(p.name): 0.0 for p in unbound}
-    skeleton: Skeleton | None
-    try:
-        skeleton = drawable_skeleton(model, {**stand_ins, **values})
-        defect = _defect(model)
-    except ModelError as error:
-        skeleton = skeleton_as_far_as_known(model, {**stand_ins, **values})
-        defect = str(error)
+    guessed = guesses(model, values)
+    values.update(guessed.values)
+    earlier = (
+        dict(zip(last_good.joint_names, last_good.placements, strict=True)) if last_good else {}
+    )
+    skeleton = skeleton_as_far_as_known(model, values, earlier)
+    defect = _defect(model) or (_refusal(model, values) if skeleton is None else "")
     if defect:
         shown = last_good or skeleton
-        return Picture(shown, State.BROKEN, _sentence(defect, last_good, shown))
-    if any(p.kind is not ValueKind.DYNAMICS for p in unbound):
-        return Picture(last_good or skeleton, State.UNBOUND, _unbound_message(list(stand_ins)))
-    return Picture(skeleton, State.LIVE, _unbound_message(list(stand_ins)) if unbound else "")
+        return Picture(shown, State.BROKEN, _sentence(defect, last_good, shown), guessed)
+    message = _message(guessed) or _incomplete(model, values)
+    state = State.GUESSED if guessed.values or guessed.left_out else State.LIVE
+    return Picture(skeleton, state, message, guessed)
+
+
+def _places(last_good: Skeleton | None) -> dict[str, RigidPose]:
+    """Return where joints were, by name."""
+    if last_good is None:
+        return {}
+    return dict(zip(last_good.joint_names, last_good.placements, strict=True))
 
 
 def _defect(model: Model) -> str:
     """Return what keeps the document from having one complete tree, or an empty text."""
-    if any(problem for island in model.broken_islands for problem in island.problems):
-        return "The document has syntax errors"
     if model.tree.loops:
-        return "The links form a kinematic loop"
+        return "the links form a kinematic loop"
     for edge in model.tree.edges:
         if edge.link is None:
-            return f"There is no link '{edge.child.link}'"
+            return f"there is no link '{edge.child.link}'"
         if edge.joint is None:
-            return f"There is no joint '{edge.child.joint}'"
+            return f"there is no joint '{edge.child.joint}'"
     if any(link not in model.tree.reachable for link in model.links):
-        return "Not all links hang on the base"
+        lost = "the document has syntax errors"
+        return lost if model.broken_islands else "some links are not connected to the base"
     return ""
+
+
+def _refusal(model: Model, values: Mapping[str, float]) -> str:
+    """Return why there are no bodies at all."""
+    try:
+        drawable_skeleton(model, values)
+    except ModelError as error:
+        return str(error)
+    return "there are no links"
 
 
 def _sentence(problem: str, last_good: Skeleton | None, shown: Skeleton | None) -> str:
     if last_good is not None:
         consequence = "the last complete version is shown"
     else:
-        consequence = "what there is of it is shown" if shown else "nothing can be shown yet"
+        consequence = "showing the rest" if shown else "nothing can be shown yet"
     return f"{problem[:1].upper()}{problem[1:]}: {consequence}"
 
 
-def _unbound_message(names: list[str]) -> str:
-    if len(names) == 1:
-        return f"The parameter '{names[0]}' has no value: it counts as zero until you type one"
-    listed = ", ".join(f"'{name}'" for name in names[:MOST_NAMED])
-    if len(names) > MOST_NAMED:
-        listed += f" and {len(names) - MOST_NAMED} more"
-    return f"The parameters {listed} have no value: they count as zero until you type one"
+def _message(guessed: Guesses) -> str:
+    count = len(guessed.values) + len(guessed.left_out)
+    if not count:
+        return ""
+    has = "has" if count == 1 else "have"
+    consequence = "drawn at a guess" if guessed.values else "left out of masses and inertia"
+    return f"{counted(count, 'parameter')} {has} no value: {consequence}"
+
+
+def _incomplete(model: Model, values: Mapping[str, float]) -> str:
+    """Return which joint is drawn where it was, because its pose is not whole."""
+    reader = LenientReader(values)
+    names = [str(j.name) for j in model.joints if not reader.is_whole(j.pose)]
+    if not names:
+        return ""
+    more = f" and {len(names) - 1} more" if len(names) > 1 else ""
+    return f"The pose of joint '{names[0]}'{more} is incomplete: drawn as far as known"

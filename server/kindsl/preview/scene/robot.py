@@ -9,25 +9,33 @@ from collections.abc import Iterator, Sequence
 
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.preview.scene.ellipsoids import InertiaEllipsoid, inertia_ellipsoid
+from kindsl.preview.scene.guesses import NO_GUESSES, Guesses
 from kindsl.preview.scene.marks import (
     base_mark,
     body_marks,
     column_major,
     frame_marks,
     joint_marks,
-    link_marks,
+    link_frame,
+    mass_marks,
     robot_com_marks,
 )
 from kindsl.preview.scene.messages import Message, Messages, keyed, path_of
 from kindsl.preview.scene.size import Extent, Segment, extent
 
 
-def robot_messages(name: str, skeleton: Skeleton) -> Messages:
-    """Return everything that is drawn of a mechanism, and the numbers the page places it by."""
+def robot_messages(name: str, skeleton: Skeleton, guessed: Guesses = NO_GUESSES) -> Messages:
+    """Return everything that is drawn of a mechanism, and the numbers the page places it by.
+
+    Args:
+        name: The robot's.
+        skeleton: Its bodies.
+        guessed: Which places are guesses.
+    """
     size = extent(skeleton)
     ellipsoids = [inertia_ellipsoid(body) for body in skeleton.masses]
     messages = [_model(name, skeleton, size)]
-    messages.extend(_numbers("robot", skeleton, size, ellipsoids))
+    messages.extend(_numbers("robot", skeleton, size, ellipsoids, guessed))
     messages.extend(_robot_marks(skeleton, size, ellipsoids))
     return keyed(messages)
 
@@ -36,7 +44,7 @@ def ghost_messages(skeleton: Skeleton) -> Messages:
     """Return the bodies of a former version, to stand behind the present one."""
     size = extent(skeleton)
     ellipsoids = [inertia_ellipsoid(body) for body in skeleton.masses]
-    messages = list(_numbers("ghost", skeleton, size, ellipsoids))
+    messages = list(_numbers("ghost", skeleton, size, ellipsoids, NO_GUESSES))
     for link, segments in zip(skeleton.body_names, size.segments, strict=True):
         messages.extend(body_marks("ghost", link, segments, "body"))
     return keyed(messages)
@@ -60,7 +68,10 @@ def _robot_marks(
 ) -> Iterator[Message]:
     for body, link in enumerate(skeleton.body_names):
         yield from body_marks("robot", link, size.segments[body], "body" if body else "base")
-        yield from link_marks(link, skeleton.masses[body].com, ellipsoids[body])
+        yield link_frame(link)
+        # A fixed base's inertia does not matter.
+        if body or skeleton.is_floating:
+            yield from mass_marks(link, skeleton.masses[body].com, ellipsoids[body])
     if not skeleton.is_floating:
         yield from base_mark(skeleton.base_name)
     for joint, kind in zip(skeleton.joint_names, skeleton.joint_kinds, strict=True):
@@ -71,7 +82,11 @@ def _robot_marks(
 
 
 def _numbers(
-    tree: str, skeleton: Skeleton, size: Extent, ellipsoids: Sequence[InertiaEllipsoid]
+    tree: str,
+    skeleton: Skeleton,
+    size: Extent,
+    ellipsoids: Sequence[InertiaEllipsoid],
+    guessed: Guesses,
 ) -> Iterator[Message]:
     """Yield what the page needs for kinematics, gravity torques and its panel."""
     joints = ("", *skeleton.joint_names)
@@ -89,11 +104,11 @@ def _numbers(
             "is_consistent": is_at_rest or ellipsoids[body].is_consistent,
             **_shape(size.segments[body]),
         }
-    yield from _joints(tree, skeleton)
-    yield from _frames(tree, skeleton)
+    yield from _joints(tree, skeleton, guessed)
+    yield from _frames(tree, skeleton, guessed)
 
 
-def _joints(tree: str, skeleton: Skeleton) -> Iterator[Message]:
+def _joints(tree: str, skeleton: Skeleton, guessed: Guesses) -> Iterator[Message]:
     names = skeleton.body_names
     for link, parent in skeleton.links():
         yield {
@@ -105,10 +120,11 @@ def _joints(tree: str, skeleton: Skeleton) -> Iterator[Message]:
             "predecessor": names[parent],
             "successor": names[link],
             "placement": column_major(skeleton.placements[link - 1]),
+            "is_guess": skeleton.joint_names[link - 1] in guessed.joints,
         }
 
 
-def _frames(tree: str, skeleton: Skeleton) -> Iterator[Message]:
+def _frames(tree: str, skeleton: Skeleton, guessed: Guesses) -> Iterator[Message]:
     for frame in skeleton.frames:
         yield {
             "type": "frame",
@@ -116,6 +132,7 @@ def _frames(tree: str, skeleton: Skeleton) -> Iterator[Message]:
             "name": frame.name,
             "link": skeleton.body_names[frame.body],
             "placement": column_major(frame.pose),
+            "is_guess": frame.name in guessed.frames,
         }
 
 

@@ -95,11 +95,14 @@ const KindslKinematics = (() => {
     return sums;
   }
 
-  // Return {mass, com} of the whole robot; com is null without mass.
-  function centerOfMass(robot, poses) {
-    const base = inOrder(robot)[0];
-    if (!base) return { mass: 0, com: null };
-    const { mass, moment } = subtreeMoments(robot, poses).get(base.name);
+  // Return {mass, com} of all that moves: the whole robot, without a base that is fixed. com is null without mass.
+  function centerOfMass(robot, poses, isFloating) {
+    let mass = 0, moment = [0, 0, 0];
+    for (const link of inOrder(robot).slice(isFloating ? 0 : 1)) {
+      const com = transformPoint(poses.links.get(link.name), link.com);
+      mass += link.mass;
+      moment = moment.map((sum, i) => sum + link.mass * com[i]);
+    }
     return { mass, com: mass > 0 ? moment.map((value) => value / mass) : null };
   }
 

@@ -21,7 +21,7 @@ const KindslPicking = (() => {
     }
 
     hover(event) {
-      if (event.buttons) return this.show(null);
+      if (event.buttons || event.pointerType === "touch") return this.show(null);
       const found = this.at(event);
       this.show(found, event);
       this.actions.hover(found && { kind: found.kind, name: found.name });
@@ -53,10 +53,9 @@ const KindslPicking = (() => {
       const ray = new MeshCat.THREE.Raycaster();
       ray.setFromCamera(point, this.scene.viewer.camera);
       const hits = [];
-      for (const mark of this.scene.marks.values()) {
-        const owner = mark.mesh.visible && mark.mesh.isMesh && this.scene.owner(mark);
-        const hit = owner && ray.intersectObject(mark.mesh, false)[0];
-        if (hit) hits.push({ ...owner, distance: hit.distance });
+      for (const { distance, object, instanceId } of ray.intersectObjects(this.scene.batches.meshes, false)) {
+        const owner = this.scene.owner(object.userData.marks[instanceId]);
+        if (owner) hits.push({ ...owner, distance });
       }
       hits.sort((a, b) => a.pick - b.pick || a.distance - b.distance);
       return hits[0] || null;
