@@ -8,6 +8,7 @@ from kindsl.lsp.handlers import (
     diagnostics,
     formatting,
     highlighting,
+    manipulating,
     navigation,
     presentation,
     renaming,
@@ -29,6 +30,7 @@ _HANDLERS = (
     presentation.handlers,
     completing.handlers,
     commands.handlers,
+    manipulating.handlers,
 )
 
 

@@ -117,6 +117,11 @@ class DocumentPreviews(ABC):
         if key in self._documents:
             self._documents[key].highlight(kind, name)
 
+    def set_parameter(self, key: str, name: str, value: float) -> None:
+        """Give a parameter a value in the picture only."""
+        if key in self._documents:
+            self._documents[key].set_parameter(name, value)
+
     def close(self, key: str) -> None:
         """Forget a document."""
         self._documents.pop(key, None)

@@ -63,11 +63,20 @@ async def apply_fix_all(session: Session, uri: object = None, *_: object) -> boo
 
 async def _of_document(session: Session, uri: object, handler: Callable[[View], Any]) -> Any:
     """Ask a handler, in the worker, since commands may take long."""
+    view = await view_of(session, uri)
+    return await session.worker.run(lambda: handler(view))
+
+
+async def view_of(session: Session, uri: object) -> View:
+    """Return a document as it is now.
+
+    Raises:
+        RequestFailed: There is no such document of the language.
+    """
     document = session.documents.get(_uri(uri))
     if document is None or document.is_toml:
         raise RequestFailed(f"'{uri}' is no document of the language")
-    view = await session.view(document)
-    return await session.worker.run(lambda: handler(view))
+    return await session.view(document)
 
 
 def _uri(uri: object) -> str:

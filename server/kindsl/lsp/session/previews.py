@@ -83,6 +83,11 @@ class Previews:
         if self._preview is not None:
             self._preview.saved(uris.key(uri))
 
+    def set_parameter(self, uri: str, name: str, value: float) -> None:
+        """Let a parameter that nothing binds have a value in the picture."""
+        if self._preview is not None:
+            self._preview.set_parameter(uris.key(uri), name, value)
+
     async def stop(self) -> None:
         """Close all pages."""
         if self._preview is not None:
