@@ -120,7 +120,7 @@ class DocumentPreviews(ABC):
     def set_parameter(self, key: str, name: str, value: float) -> None:
         """Give a parameter a value in the picture only."""
         if key in self._documents:
-            self._documents[key].set_parameter(name, value)
+            self._documents[key].set_parameters({name: value})
 
     def close(self, key: str) -> None:
         """Forget a document."""
