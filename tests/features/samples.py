@@ -1,62 +1,8 @@
 """Small documents that the tests of the features share."""
 
-ARM = """\
-Robot Arm {
+from tests.support import robots
 
-RobotBase base {
-    inertia_params {
-        mass = 0.0
-        CoM = (0.0, 0.0, 0.0)
-        Ix=0.0 Iy=0.0 Iz=0.0 Ixy=0.0 Ixz=0.0 Iyz=0.0
-    }
-    children {
-        upper via shoulder
-    }
-}
-
-link upper {
-    id = 1
-    inertia_params {
-        mass = 2.0
-        CoM = (0.25, 0.0, 0.0)
-        Ix=0.01 Iy=0.2 Iz=0.2 Ixy=0.0 Ixz=0.0 Iyz=0.0
-    }
-    children {
-        lower via elbow
-    }
-}
-
-link lower {
-    id = 2
-    inertia_params {
-        mass = 1.0
-        CoM = (0.25, 0.0, 0.0)
-        Ix=0.01 Iy=0.1 Iz=0.1 Ixy=0.0 Ixz=0.0 Iyz=0.0
-    }
-    children {}
-    frames {
-        tip {
-            translation = (reach, 0.0, 0.0)
-            rotation = (0.0, PI/2.0, 0.0)
-        }
-    }
-}
-
-r_joint shoulder {
-    ref_frame {
-        translation = (0.0, 0.0, 0.5)
-        rotation = (-PI/2.0, 0.0, 0.0)
-    }
-}
-
-p_joint elbow {
-    ref_frame {
-        translation = (0.5, 0.0, 0.0)
-        rotation = (0.0, 0.0, 0.0)
-    }
-}
-}
-"""
+ARM = robots.ARM
 
 PARAMETRIC = """\
 Robot Gripper {

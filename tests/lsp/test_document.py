@@ -3,21 +3,14 @@
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from lsprotocol import types
+from tests.support import robots
 
 from kindsl.lsp.text.document import document
 from kindsl.syntax.document import parse
 
 steady = settings(deadline=None, derandomize=True)
 
-TEXT = """\
-Robot R {
-RobotBase base { children { one via first } }
-link one { id = 1 children { two via second } }
-link two { id = 2 children {} }
-r_joint first { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } }
-r_joint second { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } }
-}
-"""
+TEXT = robots.ONE_LINK
 pieces = st.sampled_from(
     ["", "{", "}", "link ", "\n", "x", "/*", "*/", "1.0", "link z { id = 3 }\n"]
 )

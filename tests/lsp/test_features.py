@@ -12,57 +12,13 @@ import pytest
 import pytest_lsp
 from lsprotocol import types
 from pytest_lsp import ClientServerConfig, LanguageClient, client_capabilities
+from tests.support import robots
 
 from kindsl.lsp.text import uris
 
-ARM = """\
-Robot Arm {
-// See https://example.org/arm.
-RobotBase base {
-    children {
-        upper via shoulder
-    }
-}
-link upper {
-    id = 1
-    inertia_params {
-        mass = m
-        CoM = (0.0, 0.0, 0.1)
-        Ix = 0.4
-        Iy = 0.4
-        Iz = 0.1
-        Ixy = 0.0
-        Ixz = 0.0
-        Iyz = 0.0
-    }
-    children {
-        lower via elbow
-    }
-    frames {
-        tip {
-            translation = (0.0, 0.0, reach)
-            rotation = (0.0, 0.0, 0.0)
-        }
-    }
-}
-link lower {
-    id = 2
-    children {}
-}
-r_joint shoulder {
-    ref_frame {
-        translation = (0.0, 0.0, 0.0)
-        rotation = (0.0, PI/2.0, 0.0)
-    }
-}
-r_joint elbow {
-    ref_frame {
-        translation = (0.0, 0.0, reach)
-        rotation = (0.0, 0.0, 0.0)
-    }
-}
-}
-"""
+HEAD = "Robot Arm {\n"
+ARM = robots.ARM.replace(HEAD, HEAD + "// See https://example.org/arm.\n").replace("2.0", "m", 1)
+ARM = ARM.replace("(0.5, 0.0", "(reach, 0.0")
 BROKEN = ARM.replace("lower via elbow", "lowest via elbow")
 CONFIGURATION = """\
 [parameters]
@@ -166,7 +122,7 @@ async def test_definition_and_declaration(client: LanguageClient, folder: Path) 
 
 async def test_a_bound_parameter_leads_to_its_value(client: LanguageClient, folder: Path) -> None:
     found = await client.text_document_definition_async(
-        at(types.DefinitionParams, folder, "reach)")
+        at(types.DefinitionParams, folder, "reach,")
     )
     assert isinstance(found, list)
     targets = {p.target_uri if isinstance(p, types.LocationLink) else p.uri for p in found}
@@ -188,11 +144,11 @@ async def test_references_and_highlights(client: LanguageClient, folder: Path) -
 
 async def test_rename_follows_the_configuration(client: LanguageClient, folder: Path) -> None:
     prepared = await client.text_document_prepare_rename_async(
-        at(types.PrepareRenameParams, folder, "reach)")
+        at(types.PrepareRenameParams, folder, "reach,")
     )
-    assert prepared == span(ARM, "reach)", 5)
+    assert prepared == span(ARM, "reach,", 5)
     edit = await client.text_document_rename_async(
-        at(types.RenameParams, folder, "reach)", new_name="length")
+        at(types.RenameParams, folder, "reach,", new_name="length")
     )
     assert edit is not None
     edits = edits_by_name(edit)
@@ -339,12 +295,14 @@ async def test_formatting(client: LanguageClient, folder: Path) -> None:
         types.DocumentFormattingParams(document, options)
     )
     assert edits
+    place = span(crooked, "id=1")
     part = await client.text_document_range_formatting_async(
-        types.DocumentRangeFormattingParams(document, span(crooked, "id=1"), options)
+        types.DocumentRangeFormattingParams(document, place, options)
     )
     assert part
+    below = types.Position(place.start.line + 1, 0)
     typed = await client.text_document_on_type_formatting_async(
-        types.DocumentOnTypeFormattingParams(document, types.Position(9, 0), "\n", options)
+        types.DocumentOnTypeFormattingParams(document, below, "\n", options)
     )
     assert typed
 

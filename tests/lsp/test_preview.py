@@ -7,19 +7,19 @@ from typing import Any
 
 import pytest
 import umsgpack
+from tests.support import robots
 from tests.support.lsp import RawClient, ready_client
 
 pytest.importorskip("tornado", reason="the preview needs tornado")
 from tests.preview.hanging_up import hang_up
 from tornado.websocket import WebSocketClientConnection, websocket_connect
 
-ROBOT = """\
-Robot R {
-RobotBase base { children { one via first } }
-link one { id = 1 children {} }
-r_joint first { ref_frame { translation = (0.0, 0.0, 0.5) rotation = (0.0, 0.0, 0.0) } }
+ROBOT = robots.ONE_LINK.replace("mass = m", "mass = 1.0").replace("0.0) rot", "0.5) rot")
+JOINT_LINE = 4
+HEIGHT = {
+    "start": {"line": JOINT_LINE, "character": 53},
+    "end": {"line": JOINT_LINE, "character": 54},
 }
-"""
 URI = "untitled:shown"
 SHOWS = {"window": {"showDocument": {"support": True}}}
 
@@ -63,7 +63,7 @@ async def test_a_click_shows_the_source(client: RawClient) -> None:
     await connection.write_message(json.dumps({"type": "reveal", "kind": "joint", "name": "first"}))
     shown = await asyncio.to_thread(client.notification, "window/showDocument")
     assert shown["uri"] == URI
-    assert shown["selection"]["start"]["line"] == 3
+    assert shown["selection"]["start"]["line"] == JOINT_LINE
     await hang_up(connection)
 
 
@@ -74,7 +74,10 @@ async def test_a_keystroke_is_seen(client: RawClient) -> None:
             await asyncio.wait_for(connection.read_message(), 0.3)
         except TimeoutError:
             break
-    place = {"start": {"line": 3, "character": 53}, "end": {"line": 3, "character": 54}}
+    place = {
+        "start": {"line": JOINT_LINE, "character": 53},
+        "end": {"line": JOINT_LINE, "character": 54},
+    }
     client.change(URI, 2, {"range": place, "text": "9"})
     assert await received(connection)
     await hang_up(connection)
@@ -86,7 +89,10 @@ async def test_a_keystroke_is_seen_long_before_it_is_checked() -> None:
         client.open(URI, ROBOT)
         client.diagnostics(URI)
         connection = await connected(client)
-        place = {"start": {"line": 3, "character": 53}, "end": {"line": 3, "character": 54}}
+        place = {
+            "start": {"line": JOINT_LINE, "character": 53},
+            "end": {"line": JOINT_LINE, "character": 54},
+        }
         client.change(URI, 2, {"range": place, "text": "9"})
         while (await message_of(connection)).get("placement", [])[12:15] != [0.0, 0.0, 9.5]:
             pass
@@ -97,9 +103,9 @@ async def test_a_keystroke_is_seen_long_before_it_is_checked() -> None:
 
 async def test_what_is_wrong_is_listed_when_it_is_known(client: RawClient) -> None:
     connection = await connected(client)
-    end = {"line": 3, "character": 0}
+    end = {"line": JOINT_LINE, "character": 0}
     client.change(URI, 3, {"range": {"start": end, "end": end}, "text": "link one { id = 2 }\n"})
-    while (await message_of(connection)).get("line") != 4:
+    while (await message_of(connection)).get("line") != JOINT_LINE + 1:
         pass
     client.change(URI, 4, {"text": ROBOT})
     await hang_up(connection)

@@ -6,18 +6,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.support import robots
 from tests.support.lsp import RawClient, raw_client, ready_client
 
 from kindsl.lsp.text import uris
 
-ROBOT = """\
-Robot R {
-RobotBase base { children { one via first } }
-link one { id = 1 inertia_params { mass = m CoM = (0.0, 0.0, 0.0)
-    Ix = 0.1 Iy = 0.1 Iz = 0.1 Ixy = 0.0 Ixz = 0.0 Iyz = 0.0 } children {} }
-r_joint first { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } }
-}
-"""
+ROBOT = robots.ONE_LINK
 UNBOUND = "KD401"
 WATCHES = {"workspace": {"didChangeWatchedFiles": {"dynamicRegistration": True}}}
 CONFIGURES = {"workspace": {"configuration": True}}

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
+from tests.support import robots
 from tests.support.models import Style, random_model
 
 from kindsl.analysis.analysis import Analysis, analyse
@@ -19,69 +20,7 @@ EXAMPLES = ROOT / "examples"
 
 PLAIN = Style(has_expressions=False)
 
-ARM = """\
-Robot Arm {
-
-RobotBase base {
-    children {
-        upper via shoulder
-    }
-}
-
-link upper {
-    id = 1
-    inertia_params {
-        mass = 2.0
-        CoM = (0.2, 0.0, 0.0)
-        Ix = 0.01
-        Iy = 0.12
-        Iz = 0.12
-        Ixy = 0.0
-        Ixz = 0.0
-        Iyz = 0.0
-    }
-    children {
-        slider via lift
-    }
-}
-
-link slider {
-    id = 2
-    inertia_params {
-        mass = 1.0
-        CoM = (0.0, 0.0, 0.1)
-        Ix = 0.02
-        Iy = 0.02
-        Iz = 0.005
-        Ixy = 0.0
-        Ixz = 0.0
-        Iyz = 0.0
-    }
-    children {}
-    frames {
-        tool {
-            translation = (0.0, 0.0, 0.3)
-            rotation = (0.0, 0.0, 0.0)
-        }
-    }
-}
-
-r_joint shoulder {
-    ref_frame {
-        translation = (0.0, 0.0, 0.5)
-        rotation = (PI/2.0, 0.0, 0.0)
-    }
-}
-
-p_joint lift {
-    ref_frame {
-        translation = (0.4, 0.0, 0.0)
-        rotation = (-PI/2.0, 0.0, 0.0)
-    }
-}
-
-}
-"""
+ARM = robots.LIFT
 
 PARAMETRIC_ARM = ARM.replace("translation = (0.4, 0.0, 0.0)", "translation = (reach, 0.0, 0.0)")
 BROKEN_ARM = ARM.replace("slider via lift", "slider via", 1)

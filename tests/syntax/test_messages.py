@@ -1,36 +1,13 @@
 """What is said about a mistake, and that the repair mends it."""
 
 import pytest
+from tests.support import robots
 from tests.support.mutants import messages
 from tests.support.syntax_checks import repaired
 
 from kindsl.syntax.document import parse
 
-MODEL = """\
-Robot arm {
-RobotBase base {
-    inertia_params { mass = 1.0 CoM = (0.0, 0.0, 0.1) Ix=0.2 Iy=0.2 Iz=0.1 Ixy=0.0 Ixz=0.0 Iyz=0.0 }
-    children { upper via shoulder }
-}
-link upper {
-    id = 1
-    inertia_params { mass = 2.0 CoM = (0.0, 0.0, 0.2) Ix=0.3 Iy=0.3 Iz=0.1 Ixy=0.0 Ixz=0.0 Iyz=0.0 }
-    children { }
-    frames {
-        tip {
-            translation = (0.0, 0.0, 0.3)
-            rotation = (PI/2.0, 0.0, 0.0)
-        }
-    }
-}
-r_joint shoulder {
-    ref_frame {
-        translation = (0.0, 0.1, 0.3)
-        rotation = (0.0, 0.0, 0.0)
-    }
-}
-}
-"""
+MODEL = robots.STUB
 
 MENDED = [
     ("(0.0, 0.1, 0.3)", "(0.0, 1, 0.3)", "KD005", "number '1' has no decimal point"),
