@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanism.bodies import bodies_of
@@ -12,7 +13,28 @@ from kindsl.mechanism.strict_reading import StrictReader
 from kindsl.rigid.body import NO_BODY
 from kindsl.semantics.model import Model
 
-Mechanism = Mechanics
+if TYPE_CHECKING:
+    from kindsl.dynamics.evaluation.compiled import CompiledMechanics
+
+
+class Mechanism(Mechanics):
+    """The mechanics of a document."""
+
+    __slots__ = ()
+
+    def compiled(self, threads: int = 1) -> "CompiledMechanics":
+        """Return the same mechanics compiled, which takes seconds once; needs a C compiler.
+
+        Args:
+            threads: How many threads share the work of large batches.
+
+        Raises:
+            kindsl.dynamics.evaluation.compiling.CompileError: There is no compiler, or it fails.
+            SingularInertiaError: If nothing resists a motion in any configuration.
+        """
+        from kindsl.dynamics.evaluation.compiled import CompiledMechanics
+
+        return CompiledMechanics(self.bodies, threads)
 
 
 def mechanism_of(model: Model, values: Mapping[str, float]) -> Mechanism:

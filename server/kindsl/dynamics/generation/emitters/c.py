@@ -28,11 +28,13 @@ class Dialect:
         type: The type of all values.
         suffix: Of numbers and of the functions `sin` and `cos`.
         noinline: What stands before a function that is to stay one.
+        constant: How a number is written that is a result by itself.
     """
 
     type: str
     suffix: str
     noinline: str = ""
+    constant: str = "{}"
 
 
 class CArray(NamedTuple):
@@ -171,6 +173,8 @@ class _Writer:
         lines, uses = list(last.lines), set(last.uses)
         for array, place, entry in self._rest:
             text = self._operand(entry, set(), uses)
+            if not isinstance(entry, Expression):
+                text = self._dialect.constant.format(text)
             uses.add(array)
             lines.append(f"{place} = {text};")
         return _Written(lines, frozenset(uses))

@@ -1,0 +1,207 @@
+"""The same interface as `Mechanics`, computed by compiled code."""
+
+import math
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from kindsl.dynamics.bodies import Bodies
+from kindsl.dynamics.evaluation.arguments import unknown_name
+from kindsl.dynamics.evaluation.compiling import compiled_module
+from kindsl.dynamics.evaluation.differentiable import Differentiable
+from kindsl.dynamics.evaluation.kernels import DERIVATIVE_KERNELS, RESULT_CLASSES, kernels_of
+from kindsl.dynamics.evaluation.mechanics import Mechanics
+from kindsl.dynamics.evaluation.request import Request
+from kindsl.dynamics.evaluation.results import Poses
+from kindsl.dynamics.generation.emitters.extension import MODULE, extension_source
+from kindsl.dynamics.generation.robot import Robot, robot_of
+from kindsl.dynamics.quantities import STANDARD_GRAVITY
+from kindsl.spatial.arrays import Array
+
+Method = Callable[..., Any]
+# Methods that answer by themselves for float64 arrays of the right shape.
+DIRECT = (
+    "joint_space_inertia", "inverse_dynamics", "forward_dynamics", "gravity_torque", "bias_torque",
+    "kinetic_energy", "potential_energy", "center_of_mass", "center_of_mass_jacobian",
+)  # fmt: skip
+# A thread is worth its start from about so many configurations on.
+ROWS_PER_THREAD = 500
+
+
+class CompiledMechanics(Mechanics):
+    """Mechanics compiled for one mechanism.
+
+    Methods take and return what those of `Mechanics` do; those of dynamics and masses also take
+    `out`, an array (or a tuple of arrays for several results) that is filled and returned.
+    Derivatives are compiled on their first use.
+    """
+
+    __slots__ = ("_batch", "_extension", "_jacobians", "_pose_entries", "_threads", *DIRECT,
+                 *DERIVATIVE_KERNELS)  # fmt: skip
+
+    def __init__(self, bodies: Bodies, threads: int = 1) -> None:
+        """Compile, or find what was compiled before.
+
+        Args:
+            bodies: The mechanism.
+            threads: How many threads share the work of large batches.
+
+        Raises:
+            CompileError: There is no C compiler, or it fails.
+            SingularInertiaError: If nothing resists a motion in any configuration.
+        """
+        super().__init__(bodies)
+        robot = robot_of(bodies)
+        self._threads = threads
+        self._extension = _Extension(robot, is_derivative=False)
+        self._generated = _Forms(self)  # type: ignore[assignment]
+        self._forms = self._generated  # type: ignore[assignment]
+        for name in DIRECT:
+            if name in self._extension.names:
+                general = partial(_general, getattr(Mechanics, name), self)
+                setattr(self, name, self._extension.bind(name, general, threads == 1))
+            else:
+                setattr(self, name, partial(getattr(Mechanics, name), self))
+        for name in DERIVATIVE_KERNELS:
+            setattr(self, name, partial(_compile_derivatives, self, robot, name))
+        self._pose_entries = self._extension.bind("poses", _not_direct, True)
+        self._jacobians = {
+            name: self._extension.bind(f"jacobian_{number}", _not_direct, True)
+            for number, name in enumerate(self._pose_indices)
+        }
+
+    def forward_kinematics(self, q: npt.ArrayLike) -> Poses:
+        """Return `base_T_x` (..., 4, 4) of each link and frame x by name, links first."""
+        entries = self._pose_entries(q)
+        if entries is None:
+            return super().forward_kinematics(q)
+        return Poses(self._pose_indices, entries if entries.ndim == 3 else entries.swapaxes(0, 1))
+
+    def jacobian(self, q: npt.ArrayLike, name: str) -> Array:
+        """Return the geometric Jacobian (..., 6, nv) of a link or frame; see `Mechanics`."""
+        compiled = self._jacobians.get(name)
+        answer: Array | None = compiled(q) if compiled is not None else None
+        if answer is not None:
+            return answer
+        if compiled is None and name != self.bodies.base_name:
+            raise unknown_name("link or frame", name, [self.bodies.base_name, *self._jacobians])
+        return super().jacobian(q, name)
+
+
+class _Extension:
+    """A compiled module and the names in it."""
+
+    def __init__(self, robot: Robot, *, is_derivative: bool) -> None:
+        kernels = kernels_of(robot, is_derivative=is_derivative)
+        self.names = frozenset(kernel.name for kernel in kernels)
+        self.shapes = {
+            kernel.name: [result.shape for result in kernel.results] for kernel in kernels
+        }
+        source = extension_source(robot.graph, kernels, STANDARD_GRAVITY)
+        self._module = compiled_module(MODULE, source)
+
+    def bind(self, name: str, general: Method, batches: bool) -> Method:
+        """Return a compiled function that calls `general` for what it does not take."""
+        bound: Method = self._module.bind(name, general, RESULT_CLASSES.get(name), batches)
+        return bound
+
+
+class _Forms:
+    """What `Mechanics` asks where a compiled function does not answer directly."""
+
+    def __init__(self, owner: CompiledMechanics) -> None:
+        self.at_rest: dict[str, Method] = {}
+        self.pose_entries = None
+        self._extension = owner._extension
+        self._threads = owner._threads
+        self._is_floating = owner.bodies.is_floating
+
+    def evaluate(self, request: Request) -> Array:
+        """Return a quantity's entries in one row per configuration, shape (..., entries)."""
+        name = request.quantity
+        vectors = [*request.joint_vectors]
+        has_base = name in ("inverse_dynamics", "forward_dynamics", "bias_torque")
+        if has_base and self._is_floating:
+            vectors.append(request.base_velocity)
+        if name not in ("poses", "joint_space_inertia"):
+            vectors.append(request.gravity)
+        size = math.prod(request.batch_shape)
+        rows = [_rows(vector, request.batch_shape, size) for vector in vectors]
+        rows[0] = np.ascontiguousarray(np.broadcast_to(rows[0], (size, rows[0].shape[-1])))
+        run = self._extension.bind(name, _refuse, True)
+        if has_base and not self._is_floating:
+            run = partial(_at_fixed_base, run)
+        shapes = self._extension.shapes[name]
+        outs = tuple(np.empty((size, *shape)) for shape in shapes)
+        _run_in_threads(run, rows, outs, self._threads)
+        entries = np.concatenate([out.reshape((size, -1)) for out in outs], axis=1)
+        return entries.reshape((*request.batch_shape, entries.shape[-1]))
+
+
+def _at_fixed_base(run: Method, *arguments: Array, out: object) -> object:
+    *joints, gravity = arguments
+    return run(*joints, None, gravity, out=out)
+
+
+def _run_in_threads(run: Method, rows: list[Array], outs: tuple[Array, ...], threads: int) -> None:
+    size = len(outs[0])
+    parts = max(1, min(threads, size // ROWS_PER_THREAD))
+    edges = [size * k // parts for k in range(parts + 1)]
+
+    def part(k: int) -> None:
+        chosen = slice(edges[k], edges[k + 1])
+        given = [row[chosen] if row.ndim == 2 else row for row in rows]
+        results = tuple(out[chosen] for out in outs)
+        run(*given, out=results if len(results) > 1 else results[0])
+
+    if parts == 1:
+        part(0)
+        return
+    with ThreadPoolExecutor(parts) as pool:
+        list(pool.map(part, range(parts)))
+
+
+def _rows(vector: Array, batch_shape: tuple[int, ...], size: int) -> Array:
+    """Return one vector for all, or one row a configuration."""
+    if vector.ndim == 1:
+        return np.ascontiguousarray(vector)
+    full = np.broadcast_to(vector, (*batch_shape, vector.shape[-1]))
+    return np.ascontiguousarray(full.reshape((size, vector.shape[-1])))
+
+
+def _general(method: Method, owner: Mechanics, *arguments: Any, **named: Any) -> Any:
+    """Answer in Python, for arguments of any shape; with a clear error for wrong ones."""
+    out = named.pop("out", None)
+    answer = method(owner, *arguments, **named)
+    if out is None:
+        return answer
+    pairs = zip(answer, out, strict=True) if isinstance(answer, tuple) else [(answer, out)]
+    for values, place in pairs:
+        if np.shape(place) != np.shape(values):
+            raise ValueError(f"'out' has shape {np.shape(place)}, expected {np.shape(values)}")
+        place[...] = values
+    return out
+
+
+def _compile_derivatives(
+    owner: CompiledMechanics, robot: Robot, name: str, *arguments: Any, **named: Any
+) -> Any:
+    """Compile all derivatives, put them in place, and answer."""
+    extension = _Extension(robot, is_derivative=True)
+    for each in DERIVATIVE_KERNELS:
+        general = partial(_general, getattr(Differentiable, each), owner)
+        setattr(owner, each, extension.bind(each, general, True))
+    return getattr(owner, name)(*arguments, **named)
+
+
+def _not_direct(*_: object, **__: object) -> None:
+    """Tell that Python has to look at the arguments."""
+
+
+def _refuse(*_: object, **__: object) -> None:
+    # What Python has checked is only refused for results that are not finite.
+    raise ZeroDivisionError

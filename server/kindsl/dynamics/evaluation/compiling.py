@@ -1,0 +1,111 @@
+"""Compiles an extension once, and finds it again in the user's cache folder."""
+
+import contextlib
+import hashlib
+import importlib.machinery
+import importlib.util
+import io
+import os
+import platform
+import sys
+import sysconfig
+import tempfile
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+
+OPTIONS = ("-O2", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off", "-march=native")
+
+
+class CompileError(RuntimeError):
+    """A mechanism cannot be compiled here."""
+
+
+def cache_folder() -> Path:
+    """Return where compiled mechanisms are kept: `KINDSL_CACHE`, else the user's cache folder."""
+    if given := os.environ.get("KINDSL_CACHE"):
+        return Path(given)
+    if sys.platform == "win32":
+        base = Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local")
+    elif sys.platform == "darwin":
+        base = Path.home() / "Library" / "Caches"
+    else:
+        base = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
+    return base / "kindsl" / "compiled"
+
+
+def compiled_module(name: str, source: str) -> ModuleType:
+    """Return the extension of a source, compiled unless that was done before.
+
+    Args:
+        name: The module's name, as in its source.
+        source: In C.
+
+    Raises:
+        CompileError: There is no compiler, it fails, or the cache cannot be written.
+    """
+    suffix = sysconfig.get_config_var("EXT_SUFFIX") or ".so"
+    path = cache_folder() / f"{_key(source)}{suffix}"
+    try:
+        if not path.is_file():
+            path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
+            _compile(name, source, path)
+        return _loaded(name, path)
+    except OSError as error:
+        why = error.strerror or str(error)
+        raise CompileError(f"the cache '{path.parent}' cannot be used: {why}") from None
+    except ImportError as error:
+        raise CompileError(f"the compiled code cannot be loaded: {error}") from None
+
+
+def _key(source: str) -> str:
+    """Return what differs for all that must not be mixed up: code, Python, NumPy, processor."""
+    parts = (source, sys.version, np.__version__, platform.machine(), _processor(), *OPTIONS)
+    return hashlib.sha256("\0".join(parts).encode("utf-8")).hexdigest()[:32]
+
+
+def _processor() -> str:
+    """Return what the processor can do, as far as the system tells."""
+    try:
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
+    except OSError:
+        return platform.processor()
+    return next((line for line in lines if line.startswith(("flags", "Features"))), "")
+
+
+def _compile(name: str, source: str, path: Path) -> None:
+    """Compile beside the cache's files, then move the result to its place."""
+    try:
+        from setuptools import Distribution, Extension
+        from setuptools.command.build_ext import build_ext
+    except ModuleNotFoundError:
+        message = "compiling needs setuptools; install it with: pip install 'kindsl[compile]'"
+        raise CompileError(message) from None
+    with tempfile.TemporaryDirectory(prefix="build-", dir=path.parent) as folder:
+        file = Path(folder) / f"{name}.c"
+        file.write_text(source, encoding="utf-8")
+        options = [] if sys.platform == "win32" else list(OPTIONS)
+        extension = Extension(
+            name, [str(file)], include_dirs=[np.get_include()], extra_compile_args=options
+        )
+        command = build_ext(Distribution({"ext_modules": [extension]}))
+        command.build_lib = command.build_temp = folder
+        told = io.StringIO()
+        try:
+            with contextlib.redirect_stdout(told), contextlib.redirect_stderr(told):
+                command.ensure_finalized()
+                command.run()
+        except Exception as error:
+            raise CompileError(f"the C compiler failed: {error}") from None
+        Path(command.get_ext_fullpath(name)).replace(path)
+
+
+def _loaded(name: str, path: Path) -> ModuleType:
+    loader = importlib.machinery.ExtensionFileLoader(name, str(path))
+    spec = importlib.util.spec_from_file_location(name, path, loader=loader)
+    if spec is None:
+        raise ImportError(f"'{path}' is not a module")
+    module = importlib.util.module_from_spec(spec)
+    loader.exec_module(module)
+    return module

@@ -1,0 +1,222 @@
+"""Writes functions as a CPython extension that reads and fills NumPy arrays."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from kindsl.dynamics.generation.emitters.c import CArray, CBody, Dialect, c_definition
+from kindsl.dynamics.generation.expressions import Expression, Graph, Scalar
+
+MODULE = "compiled_mechanism"
+RUNTIME = Path(__file__).with_name("extension_runtime.c")
+NOINLINE = "__attribute__((noinline)) "
+PLAIN = Dialect("double", "", "KEPT_APART ")
+WIDE = Dialect("lanes", "", "KEPT_APART ", "spread({})")
+
+
+class KernelArgument(NamedTuple):
+    """A vector that a kernel takes.
+
+    Attributes:
+        name: Its keyword.
+        length: Number of components; 0 for one that only Python may refuse.
+        components: The inputs of the graph.
+        default: What None stands for, in C; None for a required argument.
+    """
+
+    name: str
+    length: int
+    components: Sequence[Scalar]
+    default: str | None = None
+
+
+class KernelResult(NamedTuple):
+    """An array that a kernel fills: its dimensions, and its entries by rows."""
+
+    shape: tuple[int, ...]
+    entries: Sequence[Scalar]
+
+
+class Kernel(NamedTuple):
+    """One function of the extension.
+
+    Attributes:
+        name: Its name.
+        arguments: What it takes; the first is joint positions.
+        results: What it gives.
+        accelerates: Whether a result that is not finite means that nothing resists a motion.
+        is_wide: Whether batches are computed in lanes.
+    """
+
+    name: str
+    arguments: Sequence[KernelArgument]
+    results: Sequence[KernelResult]
+    accelerates: bool = False
+    is_wide: bool = True
+
+
+def extension_source(graph: Graph, kernels: Sequence[Kernel], gravity: Sequence[float]) -> str:
+    """Return the source of a module with a function `bind(name, python, class, batches)`.
+
+    It returns a function that answers as far as it can, and else calls `python`.
+
+    Args:
+        graph: Where the kernels are recorded.
+        kernels: What it computes.
+        gravity: What the default `GRAVITY` is.
+    """
+    numbers = ", ".join(map(repr, gravity))
+    texts = [
+        RUNTIME.read_text(encoding="utf-8"),
+        "#if defined(__GNUC__)\n#define KEPT_APART __attribute__((noinline))\n"
+        "#else\n#define KEPT_APART\n#define restrict __restrict\n#endif\n",
+        f"static const double GRAVITY[3] = {{{numbers}}};\n",
+        *(_kernel_text(graph, number, kernel) for number, kernel in enumerate(kernels)),
+        _tables(kernels),
+    ]
+    return "\n".join(texts)
+
+
+def _kernel_text(graph: Graph, number: int, kernel: Kernel) -> str:
+    """Return the code of one kernel: for one configuration and for many."""
+    takes = [CArray(f"a{i}", _const(f"a{i}"), a.components) for i, a in _given(kernel)]
+    gives = [CArray(f"o{i}", f"double *restrict o{i}", r.entries)
+             for i, r in enumerate(kernel.results)]  # fmt: skip
+    body = CBody(f"scalar_{number}", takes, gives, {})
+    places = [f"in[{i}]" for i, _ in _given(kernel)] + [f"out[{i}]" for i in range(len(gives))]
+    many = _many(number, kernel)
+    return f"""\
+{c_definition(graph, body, PLAIN, "static ")}
+static void run_{number}(const double *const *in, double *const *out)
+{{
+    scalar_{number}({", ".join(places)});
+}}
+
+{_wide(graph, number, kernel) if kernel.is_wide else ""}
+static void run_many_{number}(npy_intp n, const double *const *in, const npy_intp *strides,
+                              double *const *out)
+{{
+{many}}}
+"""
+
+
+def _many(number: int, kernel: Kernel) -> str:
+    given = [f"in[{i}] + i * strides[{i}]" for i, _ in _given(kernel)]
+    given += [f"out[{i}] + i * {len(r.entries)}" for i, r in enumerate(kernel.results)]
+    loop = (
+        f"    for (npy_intp i = 0; i < n; i++) {{\n        scalar_{number}({', '.join(given)});\n"
+        "    }\n"
+    )
+    if not kernel.is_wide:
+        return loop
+    n_angles = kernel.arguments[0].length
+    lines = [f"lanes sines[{n_angles}], cosines[{n_angles}];"]
+    for i, argument in _given(kernel):
+        lines.append(f"lanes a{i}[{argument.length}];")
+    for i, result in enumerate(kernel.results):
+        lines.append(f"lanes o{i}[{len(result.entries)}];")
+    lines.append("for (npy_intp i = 0; i < n; i += LANES) {")
+    lines.append("    const npy_intp width = n - i < LANES ? n - i : LANES;")
+    for i, argument in _given(kernel):
+        row = f"in[{i}] + i * strides[{i}], strides[{i}]"
+        lines.append(f"    gather(a{i}, {row}, {argument.length}, width);")
+    lines.append(f"    for (int k = 0; k < {n_angles}; k++) {{")
+    lines.append("        sine_and_cosine(a0[k], &sines[k], &cosines[k]);")
+    lines.append("    }")
+    given_names = [*(f"a{i}" for i, _ in _given(kernel)), "cosines", "sines"]
+    names = [*given_names, *(f"o{i}" for i in range(len(kernel.results)))]
+    lines.append(f"    wide_{number}({', '.join(names)});")
+    for i, result in enumerate(kernel.results):
+        size = len(result.entries)
+        lines.append(f"    scatter(out[{i}] + i * {size}, o{i}, {size}, width);")
+    lines.append("}")
+    text = "".join(f"    {line}\n" for line in lines)
+    return f"#if defined(LANES)\n{text}#else\n{loop}#endif\n"
+
+
+def _wide(graph: Graph, number: int, kernel: Kernel) -> str:
+    angles = [x for x in kernel.arguments[0].components if isinstance(x, Expression)]
+    cosines = [graph.record("cos", x.index) for x in angles]
+    sines = [graph.record("sin", x.index) for x in angles]
+    takes = [(f"a{i}", a.components) for i, a in _given(kernel)]
+    arrays = [CArray(name, f"const lanes *restrict {name}", c) for name, c in takes]
+    trigonometry = [CArray("cosines", "const lanes *restrict cosines", cosines),
+                    CArray("sines", "const lanes *restrict sines", sines)]  # fmt: skip
+    gives = [CArray(f"o{i}", f"lanes *restrict o{i}", r.entries)
+             for i, r in enumerate(kernel.results)]  # fmt: skip
+    body = CBody(f"wide_{number}", [*arrays, *trigonometry], gives, {})
+    text = c_definition(graph, body, WIDE, "static ")
+    return f"#if defined(LANES)\n{text}#endif\n"
+
+
+def _given(kernel: Kernel) -> list[tuple[int, KernelArgument]]:
+    """Return the arguments that matter, with their positions."""
+    return [(i, a) for i, a in enumerate(kernel.arguments) if a.length]
+
+
+def _const(name: str) -> str:
+    return f"const double *restrict {name}"
+
+
+def _tables(kernels: Sequence[Kernel]) -> str:
+    rows = ",\n".join(_row(number, kernel) for number, kernel in enumerate(kernels))
+    names = "".join(f'#define KERNELS_NAME_{i} "{k.name}"\n' for i, k in enumerate(kernels))
+    entries = "".join(f"ENTRY({i})\n" for i in range(len(kernels)))
+    methods = ",\n    ".join(f"METHOD({i})" for i in range(len(kernels)))
+    return f"""\
+static const kernel KERNELS[{len(kernels)}] = {{
+{rows}
+}};
+{names}{entries}
+static PyMethodDef METHODS[{len(kernels)}] = {{
+    {methods}
+}};
+
+static PyObject *bind(PyObject *module, PyObject *args)
+{{
+    const char *name;
+    PyObject *python, *class, *batches, *self, *function = NULL;
+    (void)module;
+    if (!PyArg_ParseTuple(args, "sOOO", &name, &python, &class, &batches)) {{
+        return NULL;
+    }}
+    for (size_t i = 0; i < sizeof METHODS / sizeof METHODS[0]; i++) {{
+        if (strcmp(METHODS[i].ml_name, name) == 0) {{
+            self = PyTuple_Pack(3, python, class, batches);
+            if (self != NULL) {{
+                function = PyCFunction_New(&METHODS[i], self);
+                Py_DECREF(self);
+            }}
+            return function;
+        }}
+    }}
+    PyErr_SetString(PyExc_KeyError, name);
+    return NULL;
+}}
+
+static PyMethodDef MODULE_METHODS[] = {{
+    {{"bind", bind, METH_VARARGS, NULL}}, {{NULL, NULL, 0, NULL}}}};
+static struct PyModuleDef DEFINITION = {{
+    PyModuleDef_HEAD_INIT, "{MODULE}", NULL, -1, MODULE_METHODS, NULL, NULL, NULL, NULL}};
+
+PyMODINIT_FUNC PyInit_{MODULE}(void)
+{{
+    (void)ZEROS;
+    (void)GRAVITY;
+    import_array();
+    return PyModule_Create(&DEFINITION);
+}}
+"""
+
+
+def _row(number: int, kernel: Kernel) -> str:
+    arguments, results = kernel.arguments, kernel.results
+    n_required = sum(argument.default is None for argument in arguments)
+    shapes = ", ".join(f"{{{', '.join(map(str, r.shape)) or '0'}}}" for r in results)
+    return f"""\
+    {{"{kernel.name}", {len(arguments)}, {n_required}, {int(kernel.accelerates)}, {len(results)},
+     {{{", ".join(f'"{a.name}"' for a in arguments)}}},
+     {{{", ".join(str(a.length) for a in arguments)}}},
+     {{{", ".join(a.default or "NULL" for a in arguments)}}},
+     {{{", ".join(str(len(r.shape)) for r in results)}}}, {{{shapes}}},
+     {{{", ".join(str(len(r.entries)) for r in results)}}}, run_{number}, run_many_{number}}}"""

@@ -1,0 +1,202 @@
+"""Compiled mechanics answer what the others do, whatever they are given."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from tests.cli.samples import GOOD
+from tests.codegen.compiling import needs_compiler
+from tests.codegen.robots import bodies_of_seed
+
+import kindsl
+from kindsl.dynamics.evaluation.compiled import CompiledMechanics
+from kindsl.dynamics.evaluation.compiling import CompileError
+from kindsl.dynamics.evaluation.mechanics import Mechanics
+from kindsl.dynamics.quantities import SingularInertiaError
+
+pytestmark = needs_compiler
+EXTREMES = (0.0, 1e-308, 1e4, 1e6, 1e12, 1e300, np.inf, np.nan)
+
+
+@pytest.fixture(scope="module", params=[2, 3], ids=["fixed", "floating"])
+def pair(
+    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[tuple[CompiledMechanics, Mechanics]]:
+    """A mechanism, compiled and not."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("KINDSL_CACHE", str(tmp_path_factory.mktemp("cache")))
+        mechanics = Mechanics(bodies_of_seed(request.param, 4))
+        yield CompiledMechanics(mechanics.bodies), mechanics
+
+
+def _calls(n: int, is_floating: bool, shape: tuple[int, ...] = (), reach: float = 3.0):
+    """Yield names of methods and arguments."""
+    generator = np.random.default_rng(n)
+    q, qd, qdd = (generator.uniform(-reach, reach, (*shape, n)) for _ in range(3))
+    v0, a0 = (generator.uniform(-1.0, 1.0, (*shape, 6)) for _ in range(2))
+    base, moving = ((v0,), (v0, a0)) if is_floating else ((None,), (None, None))
+    g = np.array([0.3, -0.2, -9.7])
+    yield "joint_space_inertia", (q,)
+    yield "center_of_mass", (q,)
+    yield "center_of_mass_jacobian", (q,)
+    yield "gravity_torque", (q,)
+    yield "gravity_torque", (q, g)
+    yield "potential_energy", (q, g)
+    yield "kinetic_energy", (q, qd, *base)
+    for name in ("inverse_dynamics", "forward_dynamics"):
+        yield name, (q, qd, qdd)
+        yield name, (q, qd, qdd, *base, g)
+    yield "bias_torque", (q, qd, *base, g)
+    yield "inverse_dynamics_derivatives", (q, qd, qdd, *moving, g)
+    yield "forward_dynamics_derivatives", (q, qd, qdd, *base, g)
+    yield "regressor", (q, qd, qdd, *moving, g)
+
+
+def _assert_close(found: object, expected: object, tolerance: float = 1e-12) -> None:
+    assert type(found) is type(expected)
+    parts = zip(found, expected, strict=True) if isinstance(found, tuple) else [(found, expected)]
+    for mine, other in parts:
+        assert mine.shape == other.shape
+        scale = max(1.0, float(np.max(abs(other))))
+        np.testing.assert_allclose(mine, other, rtol=0.0, atol=tolerance * scale)
+
+
+@pytest.mark.parametrize("shape", [(), (1,), (11,), (2, 3), (0,)], ids=str)
+def test_answers_of_any_shape(
+    pair: tuple[CompiledMechanics, Mechanics], shape: tuple[int, ...]
+) -> None:
+    compiled, mechanics = pair
+    for name, arguments in _calls(compiled.n_joints, compiled.bodies.is_floating, shape):
+        if shape == (0,):
+            assert getattr(compiled, name)(*arguments) is not None
+            continue
+        found = getattr(compiled, name)(*arguments)
+        _assert_close(found, getattr(mechanics, name)(*arguments), 1e-11)
+
+
+@pytest.mark.parametrize("shape", [(), (7,), (2, 3)], ids=str)
+def test_poses_and_jacobians(
+    pair: tuple[CompiledMechanics, Mechanics], shape: tuple[int, ...]
+) -> None:
+    compiled, mechanics = pair
+    q = np.random.default_rng(1).uniform(-3.0, 3.0, (*shape, compiled.n_joints))
+    poses, expected = compiled.forward_kinematics(q), mechanics.forward_kinematics(q)
+    assert list(poses) == list(expected)
+    for name in expected:
+        _assert_close(poses[name], expected[name])
+        _assert_close(compiled.jacobian(q, name), mechanics.jacobian(q, name))
+    with pytest.raises(ValueError, match="there is no link or frame 'nothing'"):
+        compiled.jacobian(q, "nothing")
+
+
+def test_large_angles_are_as_exact_as_the_library(
+    pair: tuple[CompiledMechanics, Mechanics],
+) -> None:
+    compiled, mechanics = pair
+    for reach in (1e4, 1e6, 1e12):
+        arguments = next(_calls(compiled.n_joints, False, (64,), reach))[1]
+        found = compiled.joint_space_inertia(*arguments)
+        single = np.stack([mechanics.joint_space_inertia(row) for row in arguments[0]])
+        np.testing.assert_allclose(found, single, rtol=1e-11, atol=1e-11 * abs(single).max())
+
+
+def test_results_go_where_they_are_wanted(pair: tuple[CompiledMechanics, Mechanics]) -> None:
+    compiled, mechanics = pair
+    for shape in ((), (5,), (2, 2)):
+        q = np.full((*shape, compiled.n_joints), 0.3)
+        out = np.empty((*shape, *(compiled.bodies.n_velocities,) * 2))
+        assert compiled.joint_space_inertia(q, out=out) is out
+        _assert_close(out, mechanics.joint_space_inertia(q))
+    with pytest.raises(ValueError, match="'out' has shape"):
+        compiled.joint_space_inertia(q, out=np.empty(3))
+
+
+def test_lists_strides_and_keywords_are_taken(pair: tuple[CompiledMechanics, Mechanics]) -> None:
+    compiled, mechanics = pair
+    n = compiled.n_joints
+    wide = np.random.default_rng(4).uniform(-1.0, 1.0, (2 * n, 6)).T
+    for q in ([0.1] * n, wide[0, ::2], wide[:, :n], wide[:, :n].astype(np.float32)):
+        found = compiled.inverse_dynamics(q=q, qdd=q, qd=q, gravity=(0.0, 0.0, -1.0))
+        expected = mechanics.inverse_dynamics(q, q, q, gravity=(0.0, 0.0, -1.0))
+        tolerance = 1e-6 if getattr(q, "dtype", None) == np.float32 else 1e-11
+        _assert_close(found, expected, tolerance)
+
+
+def test_wrong_arguments_are_named(pair: tuple[CompiledMechanics, Mechanics]) -> None:
+    compiled, _ = pair
+    q = np.zeros(compiled.n_joints)
+    with pytest.raises(ValueError, match=r"'qd' has shape \(1,\)"):
+        compiled.inverse_dynamics(q, np.zeros(1), q)
+    with pytest.raises(ValueError, match="'q' holds a value that is not finite"):
+        compiled.joint_space_inertia(np.full(compiled.n_joints, np.nan))
+    with pytest.raises(ValueError, match="'q' holds something that is not a real number"):
+        compiled.joint_space_inertia("q")
+    with pytest.raises(TypeError):
+        compiled.inverse_dynamics(q, q)
+    if not compiled.bodies.is_floating:
+        with pytest.raises(ValueError, match="the base is fixed"):
+            compiled.inverse_dynamics(q, q, q, np.zeros(6))
+
+
+def test_extreme_values(pair: tuple[CompiledMechanics, Mechanics]) -> None:
+    """The same numbers, or a clear error where nothing finite comes out."""
+    compiled, mechanics = pair
+    generator, n = np.random.default_rng(5), compiled.n_joints
+    for _ in range(60):
+        q, qd, qdd = generator.choice(EXTREMES, (3, n))
+        try:
+            expected = np.concatenate(np.atleast_2d(mechanics.inverse_dynamics(q, qd, qdd)[0]))
+        except ValueError:
+            expected = np.array([np.nan])
+        try:
+            found = np.concatenate(np.atleast_2d(compiled.inverse_dynamics(q, qd, qdd)[0]))
+        except ValueError:
+            assert not np.isfinite(expected).all()
+            continue
+        np.testing.assert_allclose(found, expected, rtol=1e-9)
+
+
+def test_threads_change_nothing(
+    pair: tuple[CompiledMechanics, Mechanics],
+) -> None:
+    compiled, _ = pair
+    threaded = CompiledMechanics(compiled.bodies, threads=2)
+    for name, arguments in _calls(compiled.n_joints, compiled.bodies.is_floating, (1003,)):
+        _assert_close(getattr(threaded, name)(*arguments), getattr(compiled, name)(*arguments))
+
+
+def test_documents_are_compiled(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv("KINDSL_CACHE", str(tmp_path))
+    mechanism = kindsl.parse(GOOD).mechanism()
+    compiled = mechanism.compiled()
+    _assert_close(compiled.gravity_torque([0.1, 0.2]), mechanism.gravity_torque([0.1, 0.2]))
+
+
+def test_a_second_time_nothing_is_compiled(
+    pair: tuple[CompiledMechanics, Mechanics], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("kindsl.dynamics.evaluation.compiling._compile", None)
+    CompiledMechanics(pair[1].bodies)
+
+
+def test_without_a_compiler(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv("KINDSL_CACHE", str(tmp_path))
+    monkeypatch.setenv("CC", "/no/such/compiler")
+    with pytest.raises(CompileError, match="the C compiler failed: "):
+        CompiledMechanics(bodies_of_seed(4, 2))
+    assert list(tmp_path.iterdir()) == []
+    (tmp_path / "file").write_text("")
+    monkeypatch.setenv("KINDSL_CACHE", str(tmp_path / "file"))
+    with pytest.raises(CompileError, match="cannot be used"):
+        CompiledMechanics(bodies_of_seed(4, 2))
+
+
+def test_what_nothing_resists(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    from dataclasses import replace
+
+    monkeypatch.setenv("KINDSL_CACHE", str(tmp_path))
+    bodies = bodies_of_seed(4, 2)
+    weightless = replace(bodies, masses=0 * bodies.masses, inertias=0 * bodies.inertias)
+    with pytest.raises(SingularInertiaError):
+        CompiledMechanics(weightless)
