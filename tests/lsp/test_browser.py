@@ -33,12 +33,15 @@ class Client:
         self.receive(json.dumps({"jsonrpc": "2.0", "method": method, "params": params}))
 
     async def ask(self, method, params):
+        return (await self.answer(method, params))["result"]
+
+    async def answer(self, method, params):
         self.count += 1
         self.receive(
             json.dumps({"jsonrpc": "2.0", "id": self.count, "method": method, "params": params})
         )
         number = self.count
-        return (await self.seen(lambda m: m.get("id") == number and "method" not in m))["result"]
+        return await self.seen(lambda m: m.get("id") == number and "method" not in m)
 
     async def seen(self, is_wanted):
         async with asyncio.timeout(20):
@@ -105,6 +108,19 @@ async def test_what_is_no_request_of_a_page_is_passed_over(client):
     for params in (None, [], {}, {"document": "x", "request": {"type": "hello"}}):
         client.notify(PREVIEW_REQUEST, params)
     assert await client.ask("textDocument/documentSymbol", {"textDocument": {"uri": URI}})
+
+
+@pytest.mark.parametrize(
+    ("name", "needed"), [("kindsl.exportUrdf", "yourdfpy"), ("kindsl.compute", "numpy")]
+)
+async def test_what_needs_more_says_what_to_install(client, monkeypatch, name, needed):
+    for module in ("kindsl.interchange.urdf_writing", "kindsl.reports.computation"):
+        monkeypatch.delitem(sys.modules, module, raising=False)
+    monkeypatch.setitem(sys.modules, "numpy", None)
+    await client.open((EXAMPLES / "quadruped.kindsl").read_text())
+    answer = await client.answer("workspace/executeCommand", command(name, URI))
+    assert "needs numpy" in answer["error"]["message"]
+    assert answer["error"]["data"] == {"missing": [needed]}
 
 
 def test_it_needs_nothing_that_a_browser_lacks():

@@ -1,23 +1,41 @@
-// Put the server and its pure-Python libraries into bundled/libs.
+// Put the server and its pure-Python libraries into bundled/libs, and all their licences into one file.
 //
-// NumPy and meshcat are left out: NumPy is bound to a platform, and both come from the user's interpreter.
+// NumPy is left out: it is bound to a platform, and only mechanics need it.
 import { execFileSync } from "node:child_process";
-import { cp, mkdir, readFile, readdir, rm } from "node:fs/promises";
+import { cp, mkdir, readFile, readdir, rm, writeFile } from "node:fs/promises";
 import path from "node:path";
+import { notices, nodeParts, pythonParts, viewerParts } from "./notices.mjs";
 
 const libs = path.resolve("bundled/libs");
 const python = process.env.PYTHON ?? "python3";
-const superfluous = /^bin$|^__pycache__$|\.pyc$/;
+// What tornado gains by C does not matter to a server for one person, and meshcat's own Python is not imported.
+const unused = /^bin$|^__pycache__$|\.pyc$|^tornado\/(test$|speedups\.)|^meshcat\/(?!__init__\.py$|viewer(\/dist(\/main\.min\.js)?)?$)/;
 
 await rm(libs, { recursive: true, force: true });
 await mkdir(libs, { recursive: true });
-await installLibraries();
+installLibraries();
+await writeNotices();
+await prune();
 await copyServer();
-await prune(libs);
 
-async function installLibraries() {
+function installLibraries() {
   const pip = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-compile", "--no-deps"];
   execFileSync(python, [...pip, "--target", libs, "--requirement", "requirements.txt"], { stdio: "inherit" });
+}
+
+async function writeNotices() {
+  const scripts = JSON.parse(await readFile("out/extension.meta.json", "utf8"));
+  const viewer = path.join(libs, "meshcat/viewer/dist/main.min.js.THIRD_PARTY_LICENSES.json");
+  const parts = [...(await pythonParts(libs)), ...(await viewerParts(viewer)), ...(await nodeParts(scripts, "."))];
+  await writeFile("THIRD_PARTY_NOTICES.txt", notices(parts));
+}
+
+async function prune() {
+  for (const name of await readdir(libs, { recursive: true })) {
+    const place = name.split(path.sep).join("/");
+    const isUnused = unused.test(place) || unused.test(path.basename(place));
+    if (isUnused) await rm(path.join(libs, name), { recursive: true, force: true });
+  }
   const natives = (await readdir(libs, { recursive: true })).filter((name) => /\.(so|pyd|dylib)$/.test(name));
   if (natives.length > 0) throw new Error(`not pure Python: ${natives.join(", ")}`);
 }
@@ -27,14 +45,7 @@ async function copyServer() {
   const version = /^__version__ = "(.+)"$/m.exec(server)?.[1];
   const own = JSON.parse(await readFile("package.json", "utf8")).version;
   if (version !== own) throw new Error(`the server has version ${version}, package.json ${own}`);
-  await cp("../server/kindsl", path.join(libs, "kindsl"), { recursive: true });
+  const isSource = (place) => !/(^|[\\/])__pycache__$/.test(place);
+  await cp("../server/kindsl", path.join(libs, "kindsl"), { recursive: true, filter: isSource });
   await cp("../grammar/kindsl.lark", path.join(libs, "kindsl/grammar/kindsl.lark"));
-}
-
-async function prune(folder) {
-  for (const entry of await readdir(folder, { withFileTypes: true })) {
-    const place = path.join(folder, entry.name);
-    if (superfluous.test(entry.name)) await rm(place, { recursive: true });
-    else if (entry.isDirectory()) await prune(place);
-  }
 }

@@ -1,5 +1,5 @@
 // Compile the extension (or, with --tests, its unit tests) into out/.
-import { readdir } from "node:fs/promises";
+import { readdir, writeFile } from "node:fs/promises";
 import { build } from "esbuild";
 
 const common = { bundle: true, platform: "node", format: "cjs", target: "node20", logLevel: "warning" };
@@ -13,11 +13,13 @@ if (process.argv.includes("--tests")) {
     sourcemap: "inline",
   });
 } else {
-  await build({
+  const { metafile } = await build({
     ...common,
     entryPoints: ["src/extension.ts"],
     outfile: "out/extension.js",
     external: ["vscode"],
     minify: true,
+    metafile: true,
   });
+  await writeFile("out/extension.meta.json", JSON.stringify(metafile));
 }

@@ -2,6 +2,8 @@
 import * as vscode from "vscode";
 import { ExecuteCommandRequest } from "vscode-languageclient/node";
 import { LANGUAGE } from "./client";
+import { installAction } from "./packages";
+import { RESTART, SHOW_LOG, showError } from "./problems";
 import type { Server } from "./server";
 
 export async function newFile(): Promise<void> {
@@ -13,7 +15,7 @@ export async function newFile(): Promise<void> {
 export async function showUrdf(uri: vscode.Uri, server: Server): Promise<void> {
   const client = await server.client();
   if (client === undefined) {
-    void vscode.window.showErrorMessage("The conversion needs the language server, which is not running");
+    void showError("The conversion needs the language server, which is not running", [RESTART, SHOW_LOG]);
     return;
   }
   const parameters = { command: "kindsl.exportUrdf", arguments: [client.code2ProtocolConverter.asUri(uri)] };
@@ -22,6 +24,6 @@ export async function showUrdf(uri: vscode.Uri, server: Server): Promise<void> {
     const urdf = await vscode.workspace.openTextDocument({ language: "xml", content });
     await vscode.window.showTextDocument(urdf, { viewColumn: vscode.ViewColumn.Beside, preview: true });
   } catch (error) {
-    void vscode.window.showErrorMessage(`No URDF: ${(error as Error).message}`);
+    void showError(`No URDF: ${(error as Error).message}`, installAction(error));
   }
 }

@@ -4,7 +4,9 @@ import type { Location, Position } from "vscode-languageclient/node";
 import { LANGUAGE } from "./client";
 import { newFile, showUrdf } from "./documents";
 import { selectInterpreter } from "./interpreterChoice";
+import type { Home } from "./launch";
 import { onSelectionChange } from "./msPython";
+import { installPackages } from "./packages";
 import { Previews } from "./preview";
 import { report, type Problem } from "./problems";
 import { showReferences } from "./references";
@@ -28,7 +30,7 @@ let server: Server | undefined;
 
 export function activate(context: vscode.ExtensionContext): Api {
   const log = vscode.window.createOutputChannel("Kinematics-DSL", { log: true });
-  const own = (server = new Server(context.extensionUri, log, {
+  const own = (server = new Server(context, log, {
     openPreview: (uri = activeDocument(previews)) => uri && previews.open(uri),
     showStatus: (received) => status.receive(received),
   }));
@@ -37,8 +39,8 @@ export function activate(context: vscode.ExtensionContext): Api {
   const api = exported(own, context);
   context.subscriptions.push(log, own, previews, status, new KinematicTree(own));
   context.subscriptions.push(
-    registerTasks(context.extensionUri, own),
-    ...registerCommands(context.extensionUri, own, previews, log),
+    registerTasks(context, own),
+    ...registerCommands(context, own, previews, log),
     ...restartOnChange(own),
   );
   void followPythonExtension(context, own);
@@ -56,7 +58,7 @@ function exported(own: Server, context: vscode.ExtensionContext): Api {
   const problems: Problem[] = [];
   const reporting = own.onProblem((problem) => {
     problems.push(problem);
-    void report(problem, context.globalState);
+    void report(problem);
   });
   context.subscriptions.push(reporting);
   const settled = async () => {
@@ -74,7 +76,7 @@ function restartOnChange(own: Server): vscode.Disposable[] {
 }
 
 function registerCommands(
-  extension: vscode.Uri,
+  home: Home,
   own: Server,
   previews: Previews,
   log: vscode.LogOutputChannel,
@@ -92,7 +94,8 @@ function registerCommands(
     "kindsl.showUrdf": onDocument((uri) => showUrdf(uri, own)),
     "kindsl.restart": () => own.restart(),
     "kindsl.showLog": () => log.show(),
-    "kindsl.selectInterpreter": () => selectInterpreter(extension, log),
+    "kindsl.selectInterpreter": () => selectInterpreter(home, log),
+    "kindsl.installPackages": (names: readonly string[] = ["numpy"]) => installPackages(names, home, own, log),
     "kindsl.newFile": newFile,
     "kindsl.revealSymbol": revealSymbol,
     "kindsl.showReferences": (uri: string, position: Position, places: Location[]) =>

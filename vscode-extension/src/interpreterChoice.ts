@@ -1,21 +1,21 @@
 // The command "Select Python Interpreter".
 import * as vscode from "vscode";
-import { detectedCandidates } from "./launch";
+import { detectedCandidates, probeIn, type Home } from "./launch";
 import { isPythonExtensionPresent } from "./msPython";
-import { probeWith, type Command } from "./python";
+import type { Command } from "./python";
 
 interface Choice extends vscode.QuickPickItem {
   readonly run: () => unknown;
 }
 
-export async function selectInterpreter(extension: vscode.Uri, log: vscode.LogOutputChannel): Promise<void> {
-  const probe = probeWith(vscode.Uri.joinPath(extension, "python", "probe.py").fsPath);
+export async function selectInterpreter(home: Home, log: vscode.LogOutputChannel): Promise<void> {
+  const probe = probeIn(home);
   const choices: Choice[] = [];
   for (const command of await detectedCandidates(log)) {
     const interpreter = await probe(command).catch(() => undefined);
     if (interpreter === undefined) continue;
-    const missing = interpreter.missing.length > 0 ? `without ${interpreter.missing.join(", ")}` : "with NumPy and meshcat";
-    const description = `Python ${interpreter.version.join(".")}, ${missing}`;
+    const numbers = interpreter.missing.length > 0 ? "without NumPy" : "with NumPy";
+    const description = `Python ${interpreter.version.join(".")}, ${numbers}`;
     choices.push({ label: command.join(" "), description, run: () => store(command) });
   }
   choices.push({ label: "$(edit) Enter a path...", run: enterPath });

@@ -1,7 +1,7 @@
 // What is run to get a language server, or why nothing can be.
 import * as vscode from "vscode";
 import { selectedInterpreter } from "./msPython";
-import { candidates, probeWith, search, type Command, type Hints, type Interpreter } from "./python";
+import { candidates, probeWith, search, type Command, type Hints, type Interpreter, type Probe } from "./python";
 import { readSettings, workspaceFolder, type Settings } from "./settings";
 
 export interface Launch {
@@ -12,34 +12,37 @@ export interface Launch {
   readonly interpreter?: Interpreter;
 }
 
+/** Where the extension's files are, and where it may keep some. */
+export type Home = Pick<vscode.ExtensionContext, "extensionUri" | "globalStorageUri">;
+
 export interface NoPython {
   readonly rejected: readonly string[];
 }
 
-export async function findLaunch(extension: vscode.Uri, log: vscode.LogOutputChannel): Promise<Launch | NoPython> {
+export async function findLaunch(home: Home, log: vscode.LogOutputChannel): Promise<Launch | NoPython> {
   const settings = readSettings();
   const [program, ...options] = settings.path;
   if (program !== undefined) {
     return { command: program, args: [...options, ...settings.args], cwd: workspaceFolder() };
   }
-  const result = await search(await allCandidates(settings, log), probeWith(script(extension, "probe.py")));
+  const result = await search(await allCandidates(settings, log), probeIn(home));
   for (const line of result.rejected) log.warn(`Not used: ${line}`);
   if (result.found === undefined) return { rejected: result.rejected };
   log.info(`Using ${result.found.command.join(" ")}, Python ${result.found.version.join(".")}`);
-  return launchWith(result.found, extension, settings.importStrategy, ["language-server", ...settings.args]);
+  return launchWith(result.found, home, settings.importStrategy, ["language-server", ...settings.args]);
 }
 
 /** The command that runs a subcommand of kindsl in an interpreter. */
 export function launchWith(
   interpreter: Interpreter,
-  extension: vscode.Uri,
+  home: Home,
   importStrategy: Settings["importStrategy"],
   args: readonly string[],
 ): Launch {
   const [program, ...options] = interpreter.command;
   return {
     command: program,
-    args: [...options, script(extension, "launch.py"), importStrategy, ...args],
+    args: [...options, script(home, "launch.py"), importStrategy, interpreter.packages, ...args],
     cwd: workspaceFolder(),
     interpreter,
   };
@@ -65,6 +68,11 @@ async function hints(configured: readonly string[], log: vscode.LogOutputChannel
   };
 }
 
-function script(extension: vscode.Uri, name: string): string {
-  return vscode.Uri.joinPath(extension, "python", name).fsPath;
+/** What asks an interpreter what it has. */
+export function probeIn(home: Home): Probe {
+  return probeWith(script(home, "probe.py"), vscode.Uri.joinPath(home.globalStorageUri, "packages").fsPath);
+}
+
+export function script(home: Home, name: string): string {
+  return vscode.Uri.joinPath(home.extensionUri, "python", name).fsPath;
 }

@@ -3,6 +3,8 @@ import { randomBytes } from "node:crypto";
 import * as vscode from "vscode";
 import { ExecuteCommandRequest } from "vscode-languageclient/node";
 import { LANGUAGE } from "./client";
+import { installAction } from "./packages";
+import { actionsFor, describe, RESTART, SHOW_LOG, type Action } from "./problems";
 import { previewPage, type PanelContent, type PanelState } from "./previewPage";
 import { relocate } from "./relocate";
 import type { Server } from "./server";
@@ -15,6 +17,8 @@ interface Preview {
   readonly panel: vscode.WebviewPanel;
   uri: vscode.Uri;
   isPinned: boolean;
+  /** What the buttons do of a panel that shows no robot. */
+  actions: readonly Action[];
   /** Counts what was asked to be shown, so that a late answer does not replace a newer one. */
   request: number;
 }
@@ -79,10 +83,13 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
   }
 
   #adopt(panel: vscode.WebviewPanel, uri: vscode.Uri, isPinned: boolean): void {
-    const preview: Preview = { panel, uri, isPinned, request: 0 };
+    const preview: Preview = { panel, uri, isPinned, actions: [], request: 0 };
     this.#previews.add(preview);
     panel.webview.options = { enableScripts: true, localResourceRoots: [] };
     panel.iconPath = vscode.Uri.joinPath(this.extension, "images", "file.svg");
+    panel.webview.onDidReceiveMessage((message: { action?: unknown }) =>
+      preview.actions.find(({ title }) => title === message.action)?.run(),
+    );
     panel.onDidDispose(() => this.#previews.delete(preview));
     panel.onDidChangeViewState(() => this.#announcePin());
     this.#show(preview, uri);
@@ -95,27 +102,24 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
   }
 
   async #load(preview: Preview, request: number): Promise<void> {
-    const content = await this.#content(preview.uri);
+    const { content, actions } = await this.#content(preview.uri);
     if (request !== preview.request || !this.#previews.has(preview)) return;
+    preview.actions = actions;
     const state = { uri: preview.uri.toString(), isPinned: preview.isPinned };
     const nonce = randomBytes(16).toString("hex");
     preview.panel.webview.html = previewPage(content, state, nonce);
   }
 
-  async #content(uri: vscode.Uri): Promise<PanelContent> {
+  /** The page of the preview, or why there is none and what would help. */
+  async #content(uri: vscode.Uri): Promise<{ content: PanelContent; actions: readonly Action[] }> {
     try {
-      return { kind: "frame", url: await this.#url(uri) };
+      return { content: { kind: "frame", url: await this.#url(uri) }, actions: [] };
     } catch (error) {
-      return { kind: "message", text: this.#reason(error as Error) };
+      const { problem } = this.server;
+      const text = problem === undefined ? (error as Error).message : describe(problem);
+      const actions = problem === undefined ? [...installAction(error), RESTART, SHOW_LOG] : actionsFor(problem);
+      return { content: { kind: "message", text, actions: actions.map(({ title }) => title) }, actions };
     }
-  }
-
-  /** Why there is no preview: what to install, if that is the reason, else what the server says. */
-  #reason(error: Error): string {
-    const { interpreter } = this.server;
-    if (interpreter === undefined || interpreter.missing.length === 0) return error.message;
-    const { command, missing } = interpreter;
-    return `The preview needs ${missing.join(", ")}: ${command.join(" ")} -m pip install ${missing.join(" ")}`;
   }
 
   /** The address of the document's preview for the user's browser. Throws what the user should read. */

@@ -8,12 +8,16 @@ export interface PanelState {
 
 export type PanelContent =
   | { readonly kind: "frame"; readonly url: string }
-  | { readonly kind: "message"; readonly text: string };
+  | { readonly kind: "message"; readonly text: string; readonly actions: readonly string[] };
 
 const STYLE = `
 html, body { height: 100%; margin: 0; padding: 0; overflow: hidden; }
 iframe { width: 100%; height: 100%; border: 0; display: block; }
-p { margin: 2em; color: var(--vscode-descriptionForeground); font-family: var(--vscode-font-family); }
+p { margin: 2em 2em 1em; color: var(--vscode-descriptionForeground); font-family: var(--vscode-font-family); }
+nav { margin: 0 2em; display: flex; flex-wrap: wrap; gap: 0.5em; }
+button { padding: 4px 11px; border: 0; border-radius: 2px; font-family: var(--vscode-font-family); cursor: pointer;
+  color: var(--vscode-button-foreground); background: var(--vscode-button-background); }
+button:hover { background: var(--vscode-button-hoverBackground); }
 `;
 
 /** The whole page. `nonce` must be fresh for each page. */
@@ -34,15 +38,25 @@ export function previewPage(content: PanelContent, state: PanelState, nonce: str
 </head>
 <body>
 ${body(content)}
-<script nonce="${nonce}">acquireVsCodeApi().setState(${scriptLiteral(state)});</script>
+<script nonce="${nonce}">
+const editor = acquireVsCodeApi();
+editor.setState(${scriptLiteral(state)});
+for (const button of document.querySelectorAll("button")) {
+  button.addEventListener("click", () => editor.postMessage({ action: button.textContent }));
+}
+</script>
 </body>
 </html>
 `;
 }
 
 function body(content: PanelContent): string {
-  if (content.kind === "message") return `<p>${escapeHtml(content.text)}</p>`;
+  if (content.kind === "message") return `<p>${escapeHtml(content.text)}</p>\n<nav>${content.actions.map(button).join("")}</nav>`;
   return `<iframe title="Robot" src="${escapeHtml(content.url)}" allow="fullscreen"></iframe>`;
+}
+
+function button(title: string): string {
+  return `<button>${escapeHtml(title)}</button>`;
 }
 
 function scriptLiteral(value: unknown): string {

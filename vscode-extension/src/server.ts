@@ -2,11 +2,13 @@
 import * as vscode from "vscode";
 import { State as ClientState, type LanguageClient } from "vscode-languageclient/node";
 import { createClient, type Requests } from "./client";
-import { findLaunch, type Launch } from "./launch";
+import { findLaunch, type Home, type Launch } from "./launch";
 import type { Interpreter } from "./python";
 import type { Problem } from "./problems";
 
 export type ServerState = "stopped" | "starting" | "running" | "failed";
+
+const STATE_CONTEXT = "kindsl.serverState";
 
 /** A server that ends by itself more often than that within the window is left alone. */
 const CRASHES = { limit: 4, windowMilliseconds: 180_000 };
@@ -19,19 +21,25 @@ export class Server implements vscode.Disposable {
   readonly onProblem = this.#failed.event;
 
   #state: ServerState = "stopped";
+  #problem: Problem | undefined;
   #client: LanguageClient | undefined;
   #interpreter: Interpreter | undefined;
   #queue: Promise<void> = Promise.resolve();
   #crashes: number[] = [];
 
   constructor(
-    private readonly extension: vscode.Uri,
+    private readonly home: Home,
     private readonly log: vscode.LogOutputChannel,
     private readonly requests: Requests,
   ) {}
 
   get state(): ServerState {
     return this.#state;
+  }
+
+  /** Why no server runs, where that is so. */
+  get problem(): Problem | undefined {
+    return this.#state === "failed" ? this.#problem : undefined;
   }
 
   /** The interpreter that was found last, whether or not the server could run in it. */
@@ -45,9 +53,11 @@ export class Server implements vscode.Disposable {
     return this.#state === "running" ? this.#client : undefined;
   }
 
-  restart(): Promise<void> {
+  /** Start anew; `meanwhile` is done while no server runs. */
+  restart(meanwhile: () => Promise<void> = async () => undefined): Promise<void> {
     return this.#enqueue(async () => {
       await this.#stop();
+      await meanwhile().catch((error) => this.log.error(String(error)));
       this.#crashes = [];
       await this.#start();
     });
@@ -69,7 +79,7 @@ export class Server implements vscode.Disposable {
 
   async #start(): Promise<void> {
     this.#set("starting");
-    const launch = await findLaunch(this.extension, this.log);
+    const launch = await findLaunch(this.home, this.log);
     if ("rejected" in launch) {
       this.#interpreter = undefined;
       this.#fail({ kind: "noPython", rejected: launch.rejected });
@@ -77,9 +87,6 @@ export class Server implements vscode.Disposable {
     }
     this.#interpreter = launch.interpreter;
     await this.#run(launch);
-    if (this.#state === "running" && launch.interpreter?.missing.includes("numpy") === true) {
-      this.#failed.fire({ kind: "noNumpy", interpreter: launch.interpreter });
-    }
   }
 
   async #run(launch: Launch): Promise<void> {
@@ -117,6 +124,7 @@ export class Server implements vscode.Disposable {
   }
 
   #fail(problem: Problem): void {
+    this.#problem = problem;
     this.#set("failed");
     this.#failed.fire(problem);
   }
@@ -124,6 +132,7 @@ export class Server implements vscode.Disposable {
   #set(state: ServerState): void {
     if (state === this.#state) return;
     this.#state = state;
+    void vscode.commands.executeCommand("setContext", STATE_CONTEXT, state);
     this.#changed.fire(state);
   }
 }

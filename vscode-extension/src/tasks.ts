@@ -1,6 +1,6 @@
 // Tasks that run kdsl-lint with the same interpreter and libraries as the server.
 import * as vscode from "vscode";
-import { launchWith } from "./launch";
+import { launchWith, type Home } from "./launch";
 import type { Server } from "./server";
 import { readSettings } from "./settings";
 
@@ -11,19 +11,19 @@ interface LintDefinition extends vscode.TaskDefinition {
   readonly args?: readonly string[];
 }
 
-export function registerTasks(extension: vscode.Uri, server: Server): vscode.Disposable {
+export function registerTasks(home: Home, server: Server): vscode.Disposable {
   return vscode.tasks.registerTaskProvider(TASK_TYPE, {
     provideTasks: async () => {
       const tasks = await Promise.all(
         (vscode.workspace.workspaceFolders ?? []).map((folder) =>
-          lintTask({ type: TASK_TYPE, paths: ["."] }, folder, `kdsl-lint ${folder.name}`, extension, server),
+          lintTask({ type: TASK_TYPE, paths: ["."] }, folder, `kdsl-lint ${folder.name}`, home, server),
         ),
       );
       return tasks.filter((task) => task !== undefined);
     },
     resolveTask: (task) => {
       const scope = task.scope ?? vscode.TaskScope.Workspace;
-      return lintTask(task.definition as LintDefinition, scope, task.name, extension, server);
+      return lintTask(task.definition as LintDefinition, scope, task.name, home, server);
     },
   });
 }
@@ -32,13 +32,13 @@ async function lintTask(
   definition: LintDefinition,
   scope: vscode.WorkspaceFolder | vscode.TaskScope,
   name: string,
-  extension: vscode.Uri,
+  home: Home,
   server: Server,
 ): Promise<vscode.Task | undefined> {
   await server.client();
   if (server.interpreter === undefined) return undefined;
   const lint = ["lint", ...(definition.args ?? []), ...definition.paths];
-  const { command, args } = launchWith(server.interpreter, extension, readSettings().importStrategy, lint);
+  const { command, args } = launchWith(server.interpreter, home, readSettings().importStrategy, lint);
   const execution = new vscode.ProcessExecution(command, [...args]);
   const task = new vscode.Task(definition, scope, name, "kindsl", execution, "$kdsl-lint");
   task.group = vscode.TaskGroup.Test;

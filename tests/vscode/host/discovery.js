@@ -33,15 +33,14 @@ exports.run = async () => {
       assert.match(problems[0].rejected[0], /Python 3\.8\.10 is too old$/);
     },
 
-    "Python without NumPy: one message, and the findings come": async () => {
+    "Python without any package: no message, and the findings come": async () => {
       const problems = await problemsOf(() => configure("interpreter", [places.bare]));
       assert.equal(await api.settled(), "running");
-      assert.deepEqual(problems.map(({ kind }) => kind), ["noNumpy"]);
-      assert.deepEqual(problems[0].interpreter.missing, ["numpy", "meshcat", "tornado"]);
+      assert.deepEqual(problems, []);
       await eventually(() => codes(uri).includes("KD106"), "KD106");
     },
 
-    "Python without NumPy: completion works": async () => {
+    "Python without any package: completion works": async () => {
       const place = new vscode.Position(1, 4);
       const list = await vscode.commands.executeCommand("vscode.executeCompletionItemProvider", uri, place);
       assert.ok(list.items.length > 0);

@@ -12,13 +12,14 @@ test("the frame shows the address unchanged, and only its origin may be framed",
 });
 
 test("a message is text, and then nothing may be framed", () => {
-  const page = previewPage({ kind: "message", text: "<b>no</b>" }, state, "n");
+  const page = previewPage({ kind: "message", text: "<b>no</b>", actions: ["Try <it>"] }, state, "n");
   assert.match(page, /<p>&lt;b&gt;no&lt;\/b&gt;<\/p>/);
+  assert.match(page, /<button>Try &lt;it&gt;<\/button>/);
   assert.doesNotMatch(page, /frame-src|<iframe/);
 });
 
 test("a file name cannot end the script", () => {
-  const page = previewPage({ kind: "message", text: "" }, { uri: "file:///</script><x>", isPinned: true }, "n");
+  const page = previewPage({ kind: "message", text: "", actions: [] }, { uri: "file:///</script><x>", isPinned: true }, "n");
   assert.equal(page.match(/<\/script>/g)?.length, 1);
 });
 

@@ -11,7 +11,7 @@ from kindsl.lsp.session.session import Session
 from kindsl.lsp.session.view import View
 from kindsl.lsp.wire.client import asked
 from kindsl.lsp.wire.edits import text_edits, workspace_edit
-from kindsl.lsp.wire.protocol import RequestFailed
+from kindsl.lsp.wire.protocol import PackagesMissing, RequestFailed
 
 if TYPE_CHECKING:
     from kindsl.mechanism.build import Mechanism
@@ -86,13 +86,14 @@ def _uri(uri: object) -> str:
 
 
 def _urdf(view: View) -> str:
-    from kindsl.interchange.urdf_writing import urdf_text
-
     try:
+        from kindsl.interchange.urdf_writing import urdf_text
+
         return urdf_text(view.analysis.model.name, view.analysis.mechanism().bodies)
     except ImportError as error:
         hint = "install it with: pip install 'kindsl[convert]'"
-        raise RequestFailed(f"the export needs {error.name}; {hint}") from None
+        problem = f"the export needs {error.name}; {hint}"
+        raise PackagesMissing(problem, ["yourdfpy"]) from None
     except ValueError as error:
         raise RequestFailed(str(error)) from None
 
@@ -123,7 +124,8 @@ def _computed(view: View, options: object) -> dict[str, Any]:
         return compute(view.analysis, mechanism, _request(mechanism, options)).as_json()
     except ModuleNotFoundError as error:
         hint = "install it with: pip install 'kindsl[numpy]'"
-        raise RequestFailed(f"the computation needs {error.name}; {hint}") from None
+        problem = f"the computation needs {error.name}; {hint}"
+        raise PackagesMissing(problem, ["numpy"]) from None
     except (ValueError, TypeError) as error:
         raise RequestFailed(str(error)) from None
 

@@ -134,6 +134,8 @@ class KindslProtocol(LanguageServerProtocol):
 
     def _refuse(self, msg_id: Any, error: JsonRpcException) -> None:
         body = {"code": error.code, "message": error.message}
+        if error.data is not None:
+            body["data"] = error.data
         self._send_data({"jsonrpc": self.VERSION, "id": msg_id, "error": body})
 
     def _execute_handler(
@@ -277,5 +279,12 @@ def _sentence(error: BaseException) -> str:
 class RequestFailed(JsonRpcException):
     """A request that makes sense to the protocol but not to the document; says why."""
 
-    def __init__(self, message: str) -> None:
-        super().__init__(message, _REQUEST_FAILED)
+    def __init__(self, message: str, data: dict[str, Any] | None = None) -> None:
+        super().__init__(message, _REQUEST_FAILED, data)
+
+
+class PackagesMissing(RequestFailed):
+    """A request that needs packages which are not installed; an editor may offer to do that."""
+
+    def __init__(self, message: str, packages: list[str]) -> None:
+        super().__init__(message, {"missing": packages})
