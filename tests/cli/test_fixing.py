@@ -13,7 +13,7 @@ from tests.cli.samples import GOOD, INTEGER, arm
 
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.diagnostics import Diagnostic, TextFix
-from kindsl.analysis.fixing import disjoint_fixes, in_line_style, mended
+from kindsl.analysis.fixing import disjoint_fixes, in_line_style, is_mendable, mended
 from kindsl.rules.base import Severity
 from kindsl.text.edits import TextEdit, apply_edits
 
@@ -128,18 +128,29 @@ def finding(*edits: TextEdit, safe: bool = True) -> Diagnostic:
 
 def test_fixes_that_touch_each_other_wait_for_the_next_round() -> None:
     one, other = TextEdit(0, 3, "a"), TextEdit(3, 5, "b")
-    assert disjoint_fixes([finding(one), finding(other)], with_unsafe=False) == ([one], 1)
+    assert disjoint_fixes([finding(one), finding(other)]) == ([one], 1)
 
 
 def test_the_same_fix_of_two_findings_is_made_once() -> None:
     edit = TextEdit(0, 3, "a")
-    assert disjoint_fixes([finding(edit), finding(edit)], with_unsafe=False) == ([edit], 2)
+    assert disjoint_fixes([finding(edit), finding(edit)]) == ([edit], 2)
+
+
+def test_fixes_may_share_an_edit() -> None:
+    shared, one, other = TextEdit(0, 3, "a"), TextEdit(5, 6, "b"), TextEdit(8, 9, "c")
+    both = [finding(shared, other), finding(shared, one)]
+    assert disjoint_fixes(both) == ([shared, one, other], 2)
+
+
+def test_safe_fixes_come_first() -> None:
+    risky, safe = TextEdit(0, 3, "a"), TextEdit(2, 5, "b")
+    assert disjoint_fixes([finding(risky, safe=False), finding(safe)]) == ([safe], 1)
 
 
 def test_a_fix_is_made_whole_or_not_at_all() -> None:
     taken, other = TextEdit(5, 6, "a"), TextEdit(0, 1, "b")
     both = finding(other, TextEdit(5, 7, "c"))
-    assert disjoint_fixes([finding(taken), both], with_unsafe=False) == ([taken], 1)
+    assert disjoint_fixes([finding(taken), both]) == ([taken], 1)
 
 
 def test_new_lines_are_as_the_others() -> None:
@@ -155,8 +166,13 @@ def test_new_lines_are_as_the_others() -> None:
 )
 def test_fixing_ends_and_a_second_time_changes_nothing(parts: list[str]) -> None:
     analysis = analyse(arm(reach=" ".join(parts)))
-    better, n_fixed = mended(analysis, with_unsafe=True)
-    assert mended(better, with_unsafe=True)[1] == 0
+    better, n_fixed, rounds = mended(analysis, is_mendable)
+    assert mended(better, is_mendable).n_findings == 0
+    assert better.findings == analyse(better.text).findings
+    text = analysis.text
+    for edits in rounds:
+        text = apply_edits(text, edits)
+    assert text == better.text
     assert (n_fixed == 0) == (better.text == analysis.text)
     n_before = sum(f.code.startswith("KD0") for f in analysis.findings)
     assert sum(f.code.startswith("KD0") for f in better.findings) <= n_before
@@ -167,4 +183,4 @@ def test_disjoint_fixes_can_always_be_applied(text: str, data: st.DataObject) ->
     edits = st.tuples(st.integers(0, len(text)), st.integers(0, len(text)), st.text(max_size=2))
     made = data.draw(st.lists(edits, max_size=8))
     findings = [finding(TextEdit(min(a, b), max(a, b), new)) for a, b, new in made]
-    apply_edits(text, disjoint_fixes(findings, with_unsafe=False)[0])
+    apply_edits(text, disjoint_fixes(findings)[0])

@@ -4,9 +4,10 @@ from tests.features.samples import ARM
 from tests.support.cursor import at_cursor
 
 from kindsl.analysis.analysis import analyse
+from kindsl.analysis.fixing import disjoint_fixes, is_mendable
 from kindsl.analysis.settings import Settings
 from kindsl.features.actions.code_actions import code_actions, fix_all_action, quick_fixes
-from kindsl.features.actions.fix_all import disjoint_fixes, fix_all, line_edits
+from kindsl.features.actions.fix_all import fix_all, line_edits
 from kindsl.semantics.parameters import Binding
 from kindsl.text.edits import TextEdit, apply_edits
 
@@ -51,13 +52,13 @@ def test_everything_safe_is_fixed_by_one_action():
 
 def test_fixes_that_need_several_rounds_come_to_an_end():
     analysis = analyse(BAD)
-    edits = fix_all(analysis, with_unsafe=True)
-    assert not fix_all(analyse(apply_edits(BAD, edits)), with_unsafe=True)
+    edits = fix_all(analysis, is_mendable)
+    assert not fix_all(analyse(apply_edits(BAD, edits)), is_mendable)
 
 
 def test_only_the_rules_asked_for():
-    assert fix_all(analyse(BAD), ("KD101",)) == ()
-    assert disjoint_fixes(analyse(BAD), frozenset({"KD005"}), with_unsafe=False)
+    assert fix_all(analyse(BAD), lambda finding: finding.code == "KD101") == ()
+    assert fix_all(analyse(BAD), lambda finding: finding.code == "KD005")
 
 
 def test_a_finding_can_be_ignored_in_a_comment_above_it():
@@ -94,6 +95,6 @@ def test_an_unbound_parameter_can_be_bound_outside():
 
 def test_fixes_that_touch_each_other_wait():
     analysis = analyse(BAD)
-    edits = disjoint_fixes(analysis, None, with_unsafe=True)
+    edits, _ = disjoint_fixes(analysis.findings)
     assert all(a.end < b.start for a, b in pairwise(edits))
-    assert edits == tuple(sorted(edits))
+    assert edits == sorted(edits)

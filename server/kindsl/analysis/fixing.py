@@ -1,52 +1,78 @@
 """Applies the fixes of findings until nothing changes any more."""
 
-from collections.abc import Iterable
+from bisect import bisect_left, insort
+from collections.abc import Callable, Iterable
+from typing import NamedTuple
 
-from kindsl.analysis.analysis import Analysis, analyse
+from kindsl.analysis.analysis import Analysis
 from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.text.edits import TextEdit, apply_edits
+from kindsl.text.edits import TextEdit
 
 # A fix may make another possible; a hundred in a row are a defect of the rules.
 _MOST_ROUNDS = 100
 _SYNTAX = "KD0"
 
 
-def mended(analysis: Analysis, with_unsafe: bool) -> tuple[Analysis, int]:
-    """Return the analysis of the text with fixes applied, and how many findings they mended.
+class Mended(NamedTuple):
+    """What became of a document.
+
+    Attributes:
+        analysis: Of the text with fixes applied.
+        n_findings: How many findings they mended.
+        rounds: The edits that were made at once, each in the text that the round before left.
+    """
+
+    analysis: Analysis
+    n_findings: int
+    rounds: tuple[tuple[TextEdit, ...], ...]
+
+
+def mended(analysis: Analysis, is_wanted: Callable[[Diagnostic], bool]) -> Mended:
+    """Apply the wanted fixes; those that meet others wait for the next round.
 
     A round that would add errors of syntax, or lead back to an earlier text, is not made.
     """
-    n_fixed = 0
+    n_findings = 0
+    rounds: list[tuple[TextEdit, ...]] = []
     seen = {analysis.text}
-    for _ in range(_MOST_ROUNDS):
-        edits, n_mended = disjoint_fixes(analysis.findings, with_unsafe)
-        if not edits:
+    while len(rounds) < _MOST_ROUNDS:
+        fixes, n_mended = disjoint_fixes(filter(is_wanted, analysis.findings))
+        if not fixes:
             break
-        edits = [in_line_style(edit, analysis.text) for edit in edits]
-        better = analyse(apply_edits(analysis.text, edits), analysis.settings)
+        edits = tuple(in_line_style(edit, analysis.text) for edit in fixes)
+        better = analysis.edited(edits)
         if better.text in seen or _n_syntax_errors(better) > _n_syntax_errors(analysis):
             break
         seen.add(better.text)
-        analysis, n_fixed = better, n_fixed + n_mended
-    return analysis, n_fixed
+        rounds.append(edits)
+        analysis, n_findings = better, n_findings + n_mended
+    return Mended(analysis, n_findings, tuple(rounds))
 
 
-def disjoint_fixes(findings: Iterable[Diagnostic], with_unsafe: bool) -> tuple[list[TextEdit], int]:
-    """Return the edits of fixes that do not touch each other, and how many findings they mend.
+def is_safe(finding: Diagnostic) -> bool:
+    """Return whether a finding has a fix that cannot change what was meant."""
+    return finding.fix is not None and finding.fix.is_safe
 
-    A fix is taken whole or not at all; the first in the text wins, safe ones before unsafe.
+
+def is_mendable(finding: Diagnostic) -> bool:
+    """Return whether a finding has a fix, safe or not."""
+    return finding.fix is not None
+
+
+def disjoint_fixes(findings: Iterable[Diagnostic]) -> tuple[list[TextEdit], int]:
+    """Return edits that do not touch each other, in their order, and how many findings they mend.
+
+    A fix is taken whole or not at all; of two that touch each other the safe one wins, then the
+    first. Fixes may share edits.
     """
     taken: list[TextEdit] = []
-    known: set[tuple[TextEdit, ...]] = set()
     n_mended = 0
-    fixes = [finding.fix for finding in findings if finding.fix is not None]
-    wanted = [fix for fix in fixes if fix.edits and (fix.is_safe or with_unsafe)]
-    for fix in sorted(wanted, key=lambda fix: not fix.is_safe):
-        if fix.edits in known:
-            n_mended += 1
-        elif not any(_touch(edit, other) for edit in fix.edits for other in taken):
-            known.add(fix.edits)
-            taken += fix.edits
+    fixes = [finding.fix for finding in findings if finding.fix is not None and finding.fix.edits]
+    for fix in sorted(fixes, key=lambda fix: not fix.is_safe):
+        new = [edit for edit in fix.edits if not _is_among(taken, edit)]
+        if all(_is_apart(taken, edit) for edit in new):
+            for edit in new:
+                insort(taken, edit)
             n_mended += 1
     return taken, n_mended
 
@@ -61,8 +87,16 @@ def in_line_style(edit: TextEdit, text: str) -> TextEdit:
     return edit._replace(text=edit.text.replace("\r\n", "\n").replace("\n", line_end))
 
 
-def _touch(one: TextEdit, other: TextEdit) -> bool:
-    return one.start <= other.end and other.start <= one.end
+def _is_among(taken: list[TextEdit], edit: TextEdit) -> bool:
+    index = bisect_left(taken, edit)
+    return taken[index : index + 1] == [edit]
+
+
+def _is_apart(taken: list[TextEdit], edit: TextEdit) -> bool:
+    """Return whether an edit neither overlaps nor touches sorted, disjoint ones."""
+    index = bisect_left(taken, edit)
+    before, behind = taken[max(index - 1, 0) : index], taken[index : index + 1]
+    return all(t.end < edit.start for t in before) and all(edit.end < t.start for t in behind)
 
 
 def _n_syntax_errors(analysis: Analysis) -> int:

@@ -65,10 +65,10 @@ def _checked(task: Task, text: str) -> Checked:
     analysis = analyse(text, task.settings)
     if task.mending is Mending.NONE or not is_decodable(text):
         return _outcome(task, analysis)
-    from kindsl.analysis.fixing import mended
+    from kindsl.analysis.fixing import is_mendable, is_safe, mended
     from kindsl.cli.documents.writing import write_text
 
-    better, n_fixed = mended(analysis, task.with_unsafe)
+    better, n_fixed, _ = mended(analysis, is_mendable if task.with_unsafe else is_safe)
     if task.mending is Mending.WRITTEN and task.path != STDIN and better.text != text:
         failure = write_text(task.path, task.shown, text, better.text)
         if failure is not None:

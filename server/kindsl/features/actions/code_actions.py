@@ -6,10 +6,11 @@ from weakref import WeakKeyDictionary
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.analysis.fixing import disjoint_fixes
 from kindsl.features.actions.action import CodeAction
 from kindsl.features.actions.add_sections import add_sections
 from kindsl.features.actions.extract_parameter import extract_parameter
-from kindsl.features.actions.fix_all import disjoint_fixes, fix_all
+from kindsl.features.actions.fix_all import fix_all
 from kindsl.features.actions.inline_parameter import inline_parameter
 from kindsl.features.actions.move_inertia import move_inertia
 from kindsl.features.actions.sort_links import renumber_links, sort_links
@@ -68,8 +69,9 @@ def _fixes_of_rules(analysis: Analysis, touched: list[Diagnostic]) -> Iterator[C
     for code in dict.fromkeys(finding.code for finding in touched if finding.fix is not None):
         alike = tuple(d for d in analysis.findings if d.code == code and d.fix is not None)
         if len(alike) > 1:
-            edits = disjoint_fixes(analysis, frozenset((code,)), with_unsafe=True)
-            yield CodeAction(f"Fix all {len(alike)} findings of {code}", QUICK_FIX, edits, alike)
+            edits, _ = disjoint_fixes(alike)
+            title = f"Fix all {len(alike)} findings of {code}"
+            yield CodeAction(title, QUICK_FIX, tuple(edits), alike)
 
 
 def _suppressions(analysis: Analysis, touched: list[Diagnostic]) -> Iterator[CodeAction]:
