@@ -2,8 +2,9 @@
 
 ## What it does
 Reports a moving link with principal moments `a + b < c` about its centre of mass: an error if that
-holds for every choice of the numbers within the digits written, else an information. A link of
-KD301 is not reported again.
+holds for every choice of the numbers within the digits written, a warning if only zeros dropped at
+the end could explain it, else a hint, as for honest rods and plates. A link of KD301 is not
+reported again.
 
 ## Why is this bad?
 `c = a + b` is a plate without thickness; nothing is flatter than that. Simulators such as MuJoCo
@@ -42,13 +43,13 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
     for found in judgements(declared, context):
         if found.verdict in (Verdict.TRIANGLE, Verdict.WITHIN_ROUNDING):
             small, middle, large = found.moments
-            message = f"inertia of '{found.link.name}' breaks the triangle inequality: principal "
+            message = f"inertia of '{found.link.name}' violates the triangle inequality: principal "
             message += f"moments about the CoM {sum_below((small, middle), large)} kg·m²"
             message += at_values(found.inertia, context.values)
-            severity = Severity.ERROR
+            severity = Severity.ERROR if found.is_proved else Severity.WARNING
             if found.verdict is Verdict.WITHIN_ROUNDING:
-                severity = Severity.INFORMATION
-                message += ", which the digits written do not rule out"
+                severity = Severity.HINT
+                message += ", though not beyond rounding"
             yield Finding(keyword(found.inertia), message, severity=severity)
 
 

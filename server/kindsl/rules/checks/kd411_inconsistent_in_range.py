@@ -26,9 +26,9 @@ from kindsl.rigid.body import eigensystem, second_moments_about_com
 from kindsl.rules.base import Example, Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link
+from kindsl.rules.inertia.digits import half_widths
 from kindsl.rules.inertia.judgements import (
     Verdict,
-    half_widths,
     is_moving,
     is_plain,
     keyword,

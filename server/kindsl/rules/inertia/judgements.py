@@ -3,11 +3,8 @@
 Every number written stands for all that round to it. A body is called impossible only if along one
 axis no choice of its numbers within these intervals gives a second moment that is not negative:
 that axis then proves it, whatever the other numbers are. The axis tried is that of the smallest
-second moment about the CoM.
-
-Two kinds of numbers need care. A writer who drops trailing digits prints `0.0` for whatever is
-below his last digit, so a zero is taken to be as exact as the most exact number beside it. And the
-language wants a decimal point, so of `55.0` and `120.0` two digits are believed.
+second moment about the CoM. The intervals of a writer who drops zeros at the end are not known;
+see `digits` for those that prove and those that are likely.
 """
 
 from collections.abc import Mapping, Sequence
@@ -28,6 +25,7 @@ from kindsl.rigid.body import (
 )
 from kindsl.rules.broken_text import has_problem_within
 from kindsl.rules.context import Context
+from kindsl.rules.inertia.digits import half_widths, likely_half_widths
 from kindsl.rules.inertia.plausibility import (
     GREATEST_DENSITY,
     GREATEST_LENGTH,
@@ -36,8 +34,8 @@ from kindsl.rules.inertia.plausibility import (
     is_placeholder,
     is_plainly_dense_as_matter,
 )
-from kindsl.semantics.declarations import MOMENTS, Declarations, Inertia, Link, inertia_values
-from kindsl.semantics.expressions import Expression, ParameterUse, half_unit, symbols
+from kindsl.semantics.declarations import Declarations, Inertia, Link, inertia_values
+from kindsl.semantics.expressions import ParameterUse, symbols
 from kindsl.semantics.lowering import declarations
 from kindsl.semantics.numbers import mass_distribution
 from kindsl.semantics.places import Place
@@ -45,7 +43,6 @@ from kindsl.semantics.places import Place
 _KEY = "inertia"
 _ROUNDING_OF_ARITHMETIC = 1e-12
 _SINGULAR = 1e-9
-_GREATEST_WHOLE = 1e15
 
 
 class Verdict(Enum):
@@ -59,6 +56,9 @@ class Verdict(Enum):
     INDEFINITE = "not positive definite"
 
 
+IMPOSSIBLE = frozenset((Verdict.TRIANGLE, Verdict.INDEFINITE))
+
+
 class Judgement(NamedTuple):
     """A link whose inertia deserves a remark.
 
@@ -66,15 +66,19 @@ class Judgement(NamedTuple):
         link: The link.
         inertia: Its inertia.
         body: The numbers.
+        half: How far each is likely to be from what is written.
         second_moments: Eigenvalues and axes of the second moments about the CoM, ascending.
-        verdict: What is to be said.
+        verdict: What is to be said, as the numbers are likely to be meant.
+        is_proved: Whether the body is impossible in whatever manner its numbers were rounded.
     """
 
     link: Link
     inertia: Inertia
     body: MassDistribution
+    half: MassDistribution
     second_moments: tuple[Eigenpair, Eigenpair, Eigenpair]
     verdict: Verdict
+    is_proved: bool = False
 
     @property
     def moments(self) -> tuple[float, float, float]:
@@ -89,8 +93,8 @@ class Judgement(NamedTuple):
 
     @property
     def is_impossible(self) -> bool:
-        """Whether no choice within the digits makes the body possible."""
-        return self.verdict in (Verdict.TRIANGLE, Verdict.INDEFINITE)
+        """Whether no choice within the likely digits makes the body possible."""
+        return self.verdict in IMPOSSIBLE
 
 
 def judgements(declared: Declarations, context: Context) -> Sequence[Judgement]:
@@ -141,15 +145,6 @@ def at_values(inertia: Inertia, values: Mapping[str, float]) -> str:
     return f" at {', '.join(told)}" if told else ""
 
 
-def half_widths(inertia: Inertia, values: Mapping[str, float]) -> MassDistribution:
-    """Return how far each number of a complete inertia may be from what is written."""
-    assert inertia.mass is not None and inertia.com is not None
-    com = _half_widths(inertia.com.components, values)
-    moments = _half_widths([inertia.moments[name] for name in MOMENTS], values)
-    mass = _half_width(inertia.mass, values)
-    return MassDistribution(mass, tuple(com), tuple(moments))  # type: ignore[arg-type]
-
-
 def keyword(inertia: Inertia) -> Place:
     """Return the place of the section's keyword, to report the whole section at."""
     word = inertia.node.children[0]
@@ -197,16 +192,17 @@ def _judge(link: Link, values: Mapping[str, float]) -> Judgement | None:
     elif max(map(abs, body.com)) > GREATEST_LENGTH:
         return None
     pairs = eigensystem(second_moments)
-    half = half_widths(inertia, values)
+    half = likely_half_widths(inertia, values)
     verdict = verdict_of(body, half, pairs)
     if verdict is Verdict.POSSIBLE:
-        if is_dense_as_matter(body.mass, _widened(body, half, pairs)):
+        if is_dense_as_matter(body.mass, widened(body, half, pairs)):
             return None
         verdict = Verdict.IMPLAUSIBLE
-    return Judgement(link, inertia, body, pairs, verdict)
+    at_most = verdict_of(body, half_widths(inertia, values), pairs)
+    return Judgement(link, inertia, body, half, pairs, verdict, at_most in IMPOSSIBLE)
 
 
-def _widened(
+def widened(
     body: MassDistribution, half: MassDistribution, pairs: tuple[Eigenpair, Eigenpair, Eigenpair]
 ) -> tuple[Eigenpair, Eigenpair, Eigenpair]:
     """Return the eigenpairs with values moved towards a plausible density, within the digits."""
@@ -217,21 +213,3 @@ def _widened(
     )
     return first, second, third
 
-
-def _half_widths(group: Sequence[Expression], values: Mapping[str, float]) -> list[float]:
-    halves = [_half_width(value, values) for value in group]
-    finest = min((half for half in halves if half > 0.0), default=float("inf"))
-    return [
-        min(finest, half_unit(value.text)) if value.literal == 0.0 else half
-        for value, half in zip(group, halves, strict=True)
-    ]
-
-
-def _half_width(value: Expression, values: Mapping[str, float]) -> float:
-    is_whole = value.literal is not None and 10.0 <= abs(value.literal) < _GREATEST_WHOLE
-    if value.literal is None or not is_whole or not value.text.endswith(".0"):
-        return value.rounding(values)
-    whole, unit = int(abs(value.literal)), 1
-    while whole % 10 == 0 and whole >= 100:
-        whole, unit = whole // 10, unit * 10
-    return 0.5 * unit
