@@ -9,6 +9,7 @@ from kindsl.semantics.parameters import Binding, values_of
 ROBCOGEN = "robcogen"
 ROBCOGEN2 = "robcogen2"
 TARGETS = (ROBCOGEN, ROBCOGEN2)
+ZERO_FOR_ROBCOGEN2 = 5e-6
 
 
 class Context:

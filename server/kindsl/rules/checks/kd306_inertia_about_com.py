@@ -1,8 +1,12 @@
 """Moments were given about the centre of mass.
 
 ## What it does
-Says of an impossible inertia (KD301, KD302) that it is possible if its moments are meant about the
-centre of mass.
+Says of an impossible inertia (KD301, KD302) that it would be consistent if its moments were taken
+about the centre of mass. All mistakes that explain the numbers are weighed against each other: wrong
+signs, another unit, another reference point, two at once. What is left is listed, the most likely
+first, with what speaks for it: the density, axes of the link that become principal, a twin on the
+other side, the next joint. Other links of the document with the same slip count too, and where every
+link shows it, it is told once.
 
 ## Why is this bad?
 The language wants moments and products about the origin of the link frame, or of the frame that
@@ -21,7 +25,8 @@ inertia_params {
 
 ## Fix
 Adds `m (c.c 1 - c c')` to the tensor (Huygens and Steiner): `m (y^2 + z^2)` to `Ix`, `m x y` to the
-product `Ixy`, and so on, in the author's precision. Unsafe: it is a guess, though a likely one.
+product `Ixy`, and so on, in the author's precision. Offered only
+where no other cause is left. Unsafe: it is a guess, though a likely one.
 """
 
 from collections.abc import Iterator
@@ -29,14 +34,13 @@ from collections.abc import Iterator
 from kindsl.rules.base import Example, Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link
-from kindsl.rules.inertia.causes import Slip
 from kindsl.rules.inertia.repairs import explained
-from kindsl.semantics.declarations import Declarations
+from kindsl.semantics.model import Model
 
 
-def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each inertia that is possible if given about the CoM."""
-    yield from explained(declared, context, Slip.REFERENCE)
+    yield from explained(model, context, "KD306")
 
 
 def _upper(moment: str) -> str:
@@ -52,7 +56,7 @@ RULE = Rule(
     "KD306",
     "inertia-about-com",
     Severity.INFORMATION,
-    check_island=check_island,
+    check_document=check_document,
     good=(_upper("0.2"),),
     bad=(Example(_upper("0.020"), fixed=_upper("0.2")),),
 )

@@ -1,7 +1,8 @@
 """Products of inertia have the wrong sign.
 
 ## What it does
-Says of an impossible inertia (KD301, KD302) that it is possible if some products are negated.
+Says of an impossible inertia (KD301, KD302) that it would be consistent if the signs of some
+products, or of one component of the CoM, were changed. KD306 tells how causes are weighed.
 
 ## Why is this bad?
 The language wants the products themselves, `Ixy = sum m x y`. The off-diagonal entries of an
@@ -19,7 +20,8 @@ inertia_params {
 The mass alone contributes 2.0 * 0.2 * 0.3 = 0.12 kg·m² to `Ixz`.
 
 ## Fix
-Negates these products. Unsafe: it is a guess, though a likely one.
+Changes these signs. Offered only where no other cause is left. Unsafe: it is a guess, though a likely
+one.
 """
 
 from collections.abc import Iterator
@@ -27,14 +29,13 @@ from collections.abc import Iterator
 from kindsl.rules.base import Example, Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link
-from kindsl.rules.inertia.causes import Slip
 from kindsl.rules.inertia.repairs import explained
-from kindsl.semantics.declarations import Declarations
+from kindsl.semantics.model import Model
 
 
-def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each inertia that is possible with other signs."""
-    yield from explained(declared, context, Slip.SIGNS)
+    yield from explained(model, context, "KD307")
 
 
 _INERTIA = """inertia_params {
@@ -48,7 +49,7 @@ RULE = Rule(
     "KD307",
     "inertia-signs",
     Severity.INFORMATION,
-    check_island=check_island,
+    check_document=check_document,
     good=(_LINK % "0.12",),
     bad=(Example(_LINK % "-0.12", fixed=_LINK % "0.12"),),
 )

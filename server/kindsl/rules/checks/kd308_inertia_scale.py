@@ -1,8 +1,8 @@
 """Moments of inertia were given in another unit.
 
 ## What it does
-Says of an impossible inertia (KD301, KD302) or one of implausible density (KD311) that it is
-possible and plausible if its moments are multiplied by one power of ten.
+Says of an impossible inertia (KD301, KD302) or one of implausible density (KD311) that it would be
+consistent and plausible if its moments were in another unit. KD306 tells how causes are weighed.
 
 ## Why is this bad?
 CAD programs give g·mm², kg·mm² or g·cm². The language wants kg·m²; 1 kg·m² is 1 000 000 000 g·mm².
@@ -17,7 +17,8 @@ inertia_params {
 ```
 
 ## Fix
-Multiplies the moments, keeping the significant digits. Unsafe: it is a guess, though a likely one.
+Converts the moments, keeping the significant digits. Offered only where no other cause is left, and
+not where RobCoGen2 would treat all moments as zero (KD507). Unsafe: it is a guess, though a likely one.
 """
 
 from collections.abc import Iterator
@@ -25,14 +26,13 @@ from collections.abc import Iterator
 from kindsl.rules.base import Example, Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link
-from kindsl.rules.inertia.causes import Slip
 from kindsl.rules.inertia.repairs import explained
-from kindsl.semantics.declarations import Declarations
+from kindsl.semantics.model import Model
 
 
-def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each inertia that a power of ten makes a body's."""
-    yield from explained(declared, context, Slip.SCALE)
+    yield from explained(model, context, "KD308")
 
 
 _INERTIA = """inertia_params {
@@ -47,7 +47,7 @@ RULE = Rule(
     "KD308",
     "inertia-scale",
     Severity.INFORMATION,
-    check_island=check_island,
+    check_document=check_document,
     good=(_LINK % _MOMENTS,),
     bad=(Example(_LINK % ("150000.0", "150000.0", "90000.0"), fixed=_LINK % _MOMENTS),),
 )

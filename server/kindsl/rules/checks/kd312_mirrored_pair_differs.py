@@ -110,7 +110,7 @@ _INERTIA = """inertia_params {
 
 def _pair(mass: str, product: str) -> str:
     links = (
-        link("left_arm", 1, inertia=_INERTIA % ("1.24", "0.05", "0.009")),
+        link("left_arm", 1, inertia=_INERTIA % ("1.24", "0.05", "0.004")),
         link("right_arm", 2, inertia=_INERTIA % (mass, "-0.05", product)),
     )
     return robot(*links, base="left_arm via one right_arm via other", joints="one other")
@@ -121,6 +121,6 @@ RULE = Rule(
     "mirrored-pair-differs",
     Severity.WARNING,
     check_document=check_document,
-    good=(_pair("1.24", "-0.009"),),
-    bad=(_pair("1.42", "-0.009"), _pair("1.24", "0.009")),
+    good=(_pair("1.24", "-0.004"),),
+    bad=(_pair("1.42", "-0.004"), _pair("1.24", "0.004")),
 )

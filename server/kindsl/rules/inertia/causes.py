@@ -1,147 +1,160 @@
 """What may have happened to an inertia that is impossible or implausible.
 
-Hypotheses are tried from the simplest to pairs: products with wrong signs, moments given about the
-centre of mass, a factor of a power of ten. The first that makes the body possible and of a
-plausible density is named. Signs come before the reference point: a body with wrong signs is often
-possible too if it is taken to be given about its CoM, while one that is given about its CoM seldom
-becomes possible by other signs (in about 3 of 100 random bodies), and then often a much flatter
-one than it is without.
+Every hypothesis is weighed: how common the mistake is, how likely a robot's link has the numbers
+that were meant (`likelihood`), and what the rest of the robot says (`surroundings`). All that
+weigh something against the most likely one are kept. Where a single one is left, it is the cause.
+
+One author makes one mistake: that the other links of the document show a slip too makes it more
+likely here. With `w` the weight of a slip alone and `q` what the other links say of it, a slip
+weighs `0.2 w + 0.8 q`.
 """
 
-from collections.abc import Iterator
-from enum import Enum
-from itertools import combinations
+from collections.abc import Mapping, Sequence
+from math import exp, inf, log
 from typing import NamedTuple
 
-from kindsl.rigid.body import (
-    MassDistribution,
-    Symmetric,
-    eigensystem,
-    is_clearly_positive,
-    second_moments_about_com,
-    shifted,
+from kindsl.rigid.body import MassDistribution
+from kindsl.rules.inertia.judgements import (
+    IMPOSSIBLE,
+    Judgement,
+    Verdict,
+    verdict_of,
+    widened,
 )
-from kindsl.rules.inertia.judgements import Judgement
-from kindsl.rules.inertia.plausibility import (
-    density_of,
-    is_dense_as_matter,
-    is_plainly_dense_as_matter,
-)
-from kindsl.semantics.declarations import MOMENTS
+from kindsl.rules.inertia.likelihood import Shape, log_likelihood, shape_of
+from kindsl.rules.inertia.plausibility import density_of, is_dense_as_matter
+from kindsl.rules.inertia.slips import Hypothesis, Kind, Slip, hypotheses
+from kindsl.rules.inertia.surroundings import Surroundings, evidence
 
-_PRODUCTS = (3, 4, 5)
-_UNITS = (
-    (-9, "g·mm²"),
-    (-7, "g·cm²"),
-    (-6, "kg·mm²"),
-    (-4, "kg·cm²"),
-    (-3, "g·m²"),
-)
-_OTHER_POWERS = (-1, 1, -2, 2, 3, 4, 6)
+_NEGLIGIBLE = 0.1
+_MOST = 4
+_SHARED = 0.8
+_UNLIKELY = 0.01
+_WEIGHT_AS_WRITTEN = 3.0
+_LOG_TEN = log(10.0)
 _LEAST_ODD, _GREATEST_ODD = 1.0, 1e5
-_BARELY = 0.3
-
-
-class Slip(Enum):
-    """A simple mistake."""
-
-    SIGNS = "signs"
-    REFERENCE = "reference"
-    SCALE = "scale"
+_OF_DENSITY = frozenset((Slip.SCALE, Slip.MASS))
 
 
 class Cause(NamedTuple):
-    """A mistake that explains an inertia, and the numbers without it.
+    """A mistake that explains an inertia.
 
     Attributes:
-        slips: What was done wrong, one or two things.
-        body: The numbers as they were meant.
-        negated: Names of the products whose sign is wrong.
-        power: The moments are to be multiplied by ten to this power.
-        unit: The unit that explains that, or empty.
+        hypothesis: What was done, and the numbers without it.
+        shape: The second moments about the CoM without it.
+        reasons: What of the rest of the robot speaks for it.
+        log_likelihood: How likely the numbers are under it, apart from how common it is.
+        probability: Of it among all that were tried.
     """
 
-    slips: tuple[Slip, ...]
-    body: MassDistribution
-    negated: tuple[str, ...] = ()
-    power: int = 0
-    unit: str = ""
+    hypothesis: Hypothesis
+    shape: Shape
+    reasons: tuple[str, ...]
+    log_likelihood: float
+    probability: float = 0.0
 
 
-def cause_of(found: Judgement) -> Cause | None:
-    """Return the simplest mistake that explains an impossible or implausible body, if any does."""
-    cause = next((c for c in _hypotheses(found.body) if _is_good(c)), None)
-    if cause is not None and cause.slips == (Slip.SIGNS,) and any(found.body.com):
-        other = _about_origin(Cause((), found.body))
-        if _is_good(other) and _roundness(cause) < _BARELY * _roundness(other):
-            return other
-    return cause
+def candidates(found: Judgement, around: Surroundings) -> list[Cause]:
+    """Return all mistakes that explain an inertia, in no order."""
+    explained: list[Cause] = []
+    for h in hypotheses(found.body, found.half):
+        is_of_matter = not _OF_DENSITY.isdisjoint(h.slips)
+        if found.verdict is Verdict.IMPLAUSIBLE and not is_of_matter:
+            continue
+        shape = shape_of(h.body, h.half)
+        if shape is not None and _fits(h, shape):
+            explained.append(_weighed(h, shape, around))
+    return _merged(explained)
 
 
-def _roundness(cause: Cause) -> float:
-    """Return the smallest second moment about the CoM by the greatest one."""
-    pairs = eigensystem(second_moments_about_com(cause.body))
-    return pairs[0].value / pairs[2].value
+def likelihood_as_written(found: Judgement, around: Surroundings) -> float:
+    """Return the logarithm of how likely numbers are that may be right, minus infinity if not."""
+    shape = shape_of(found.body, found.half)
+    if shape is None or found.is_impossible:
+        return -inf
+    return log_likelihood(found.body.mass, shape, around.reach(found.body.com))
 
 
-def _hypotheses(body: MassDistribution) -> Iterator[Cause]:
-    signs = list(_with_other_signs(Cause((), body)))
-    yield from signs
-    has_offset = any(body.com)
-    if has_offset:
-        yield _about_origin(Cause((), body))
-    scales = sorted(_scaled(Cause((), body)), key=_distance_from_plain_units)
-    yield from scales
-    if has_offset:
-        yield from (_about_origin(cause) for cause in signs)
-        yield from (_about_origin(cause) for cause in scales)
-    for scale in scales:
-        yield from _with_other_signs(scale)
+def ranked(
+    causes: Sequence[Cause], others: Mapping[Kind, float], as_written: float = -inf
+) -> list[Cause]:
+    """Return the causes with their probabilities, the most likely first, without negligible ones.
+
+    Args:
+        causes: What explains a link.
+        others: What the other links of the document say of each kind, as `said_by` returns it.
+        as_written: Logarithm of how likely the numbers are without any mistake.
+    """
+    if not causes:
+        return []
+    shared = _shared(causes, others)
+    greatest = max(cause.log_likelihood for cause in causes)
+    weights = [exp(c.log_likelihood - greatest) * shared[c.hypothesis.kind] for c in causes]
+    total = sum(weights) + _WEIGHT_AS_WRITTEN * exp(min(as_written - greatest, 700.0))
+    likely = (
+        cause._replace(probability=weight / total)
+        for cause, weight in zip(causes, weights, strict=True)
+    )
+    kept = sorted(likely, key=lambda cause: -cause.probability)[:_MOST]
+    return [c for c in kept if c.probability >= _NEGLIGIBLE * kept[0].probability]
 
 
-def _with_other_signs(cause: Cause) -> Iterator[Cause]:
-    """Yield the cause with products negated: all of them first, as in a pasted tensor."""
-    present = [index for index in _PRODUCTS if cause.body.moments[index]]
-    for count in (len(present), *range(1, len(present))) if present else ():
-        for chosen in combinations(present, count):
-            moments = tuple(
-                -value if index in chosen else value
-                for index, value in enumerate(cause.body.moments)
-            )
-            yield cause._replace(
-                slips=(Slip.SIGNS, *cause.slips),
-                body=cause.body._replace(moments=moments),  # type: ignore[arg-type]
-                negated=tuple(MOMENTS[index] for index in chosen),
-            )
+def _weighed(h: Hypothesis, shape: Shape, around: Surroundings) -> Cause:
+    said = evidence(h, shape, around)
+    total = log_likelihood(h.body.mass, shape, around.reach(h.body.com)) + said.log_weight
+    if Slip.SCALE in h.slips:
+        total += 6.0 * h.power * _LOG_TEN
+    return Cause(h, shape, said.reasons, total)
 
 
-def _about_origin(cause: Cause) -> Cause:
-    return cause._replace(slips=(Slip.REFERENCE, *cause.slips), body=shifted(cause.body))
-
-
-def _scaled(cause: Cause) -> Iterator[Cause]:
-    for power, unit in (*_UNITS, *((power, "") for power in _OTHER_POWERS)):
-        moments: Symmetric = tuple(m * 10.0**power for m in cause.body.moments)  # type: ignore[assignment]
-        body = cause.body._replace(moments=moments)
-        yield Cause((Slip.SCALE, *cause.slips), body, power=power, unit=unit)
-
-
-def _distance_from_plain_units(cause: Cause) -> int:
-    return 0 if cause.unit else 1
-
-
-def _is_good(cause: Cause) -> bool:
+def _fits(h: Hypothesis, shape: Shape) -> bool:
     """Return whether the body is possible and plausible; a single slip may leave it a bit odd."""
-    body = cause.body
-    second_moments = second_moments_about_com(body)
-    if min(second_moments[:3]) < 0.0:
+    if verdict_of(h.body, h.half, shape.pairs) in IMPOSSIBLE:
         return False
-    is_positive = is_clearly_positive(second_moments)
-    if is_positive and is_plainly_dense_as_matter(body.mass, second_moments):
-        return True
-    pairs = eigensystem(second_moments)
-    if pairs[0].value < 0.0:
-        return False
-    if cause.slips in ((Slip.SIGNS,), (Slip.REFERENCE,)):
-        return _LEAST_ODD < density_of(body.mass, pairs) < _GREATEST_ODD
-    return is_dense_as_matter(body.mass, pairs)
+    if h.slips in ((Slip.SIGNS,), (Slip.REFERENCE,), (Slip.COM_SIGN,)):
+        return _LEAST_ODD < density_of(h.body.mass, shape.pairs) < _GREATEST_ODD
+    return is_dense_as_matter(h.body.mass, widened(h.body, h.half, shape.pairs))
+
+
+def _merged(causes: Sequence[Cause]) -> list[Cause]:
+    """Return the causes with those that mean the same numbers taken together."""
+    kept: list[Cause] = []
+    for cause in sorted(causes, key=lambda cause: -cause.hypothesis.weight):
+        if not any(_are_equal(cause.hypothesis.body, k.hypothesis.body) for k in kept):
+            kept.append(cause)
+    return kept
+
+
+def _are_equal(one: MassDistribution, other: MassDistribution) -> bool:
+    size = max(map(abs, (*one.moments, *other.moments)))
+    return (
+        one.mass == other.mass
+        and one.com == other.com
+        and all(abs(a - b) <= 1e-9 * size for a, b in zip(one.moments, other.moments, strict=True))
+    )
+
+
+def said_by(causes: Sequence[Cause]) -> dict[Kind, float]:
+    """Return how much more likely than any rare slip each kind makes a link, as a logarithm."""
+    best = max((cause.log_likelihood for cause in causes), default=0.0)
+    logs = {
+        kind: cause.log_likelihood - best - log(_UNLIKELY)
+        for cause in causes
+        for kind in cause.hypothesis.kinds
+    }
+    return {kind: value for kind, value in logs.items() if value > 0.0}
+
+
+def _shared(causes: Sequence[Cause], others: Mapping[Kind, float]) -> dict[Kind, float]:
+    """Return how common each kind of mistake is here, seeing the other links."""
+    weights = {cause.hypothesis.kind: cause.hypothesis.weight for cause in causes}
+    if not others:
+        return weights
+    logs = {kind: others.get(kind, 0.0) for kind in weights}
+    greatest = max(logs.values())
+    said = {kind: weights[kind] * exp(value - greatest) for kind, value in logs.items()}
+    whole, share = sum(weights.values()), sum(said.values())
+    return {
+        kind: (1.0 - _SHARED) * weight + _SHARED * whole * said[kind] / share
+        for kind, weight in weights.items()
+    }

@@ -10,79 +10,102 @@ whole section, for what is *likely* of them: `CoM = (0.0, 0.0, 0.1)` beside `Ix=
 mm, and not anything between 50 and 150.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from math import floor, log10
+from typing import NamedTuple
 
 from kindsl.rigid.body import MassDistribution
 from kindsl.rules.number_writing import significant_digits
 from kindsl.semantics.declarations import MOMENTS, Inertia
 from kindsl.semantics.expressions import Expression, half_unit
 
-Widths = Callable[[Inertia, Mapping[str, float]], MassDistribution]
-
 _FEWEST_DIGITS = 2
 _GREATEST_WHOLE = 1e15
 
 
+class Written(NamedTuple):
+    """A number as written.
+
+    Attributes:
+        text: The text.
+        literal: Its value if it is a plain decimal number, else None.
+        rounding: How far the value of anything else may be from what is written.
+    """
+
+    text: str
+    literal: float | None
+    rounding: float = 0.0
+
+
 def half_widths(inertia: Inertia, values: Mapping[str, float]) -> MassDistribution:
     """Return how far each number of a complete inertia may be from what is written, at most."""
-    mass, com, moments = _groups(inertia)
+    mass, *others = numbers_written(inertia, values)
+    com, moments = others[:3], others[3:]
     return MassDistribution(
-        _own_half(mass, values),
-        tuple(_halves(com, com, values)),  # type: ignore[arg-type]
-        tuple(_halves(moments, moments, values)),  # type: ignore[arg-type]
+        _own_half(mass),
+        tuple(_halves(com, com)),  # type: ignore[arg-type]
+        tuple(_halves(moments, moments)),  # type: ignore[arg-type]
     )
 
 
-def likely_half_widths(inertia: Inertia, values: Mapping[str, float]) -> MassDistribution:
-    """Return the same if all numbers were written in the same manner."""
-    mass, com, moments = _groups(inertia)
-    halves = _halves([mass, *com, *moments], [*com, *moments], values)
+def likely_half_widths(numbers: Sequence[Written]) -> MassDistribution:
+    """Return the same if all ten numbers were written in the same manner."""
+    halves = _halves(numbers, numbers[1:])
     return MassDistribution(halves[0], tuple(halves[1:4]), tuple(halves[4:]))  # type: ignore[arg-type]
 
 
-def _groups(inertia: Inertia) -> tuple[Expression, Sequence[Expression], Sequence[Expression]]:
+def numbers_written(inertia: Inertia, values: Mapping[str, float]) -> list[Written]:
+    """Return the ten numbers of a complete inertia: mass, centre of mass, moments."""
     assert inertia.mass is not None and inertia.com is not None
-    return inertia.mass, inertia.com.components, [inertia.moments[name] for name in MOMENTS]
+    moments = (inertia.moments[name] for name in MOMENTS)
+    group = (inertia.mass, *inertia.com.components, *moments)
+    return [_written(value, values) for value in group]
 
 
-def _halves(
-    group: Sequence[Expression], manner: Sequence[Expression], values: Mapping[str, float]
-) -> list[float]:
+def rewritten_number(text: str) -> Written:
+    """Return a plain number that is to be written."""
+    return Written(text, float(text), half_unit(text))
+
+
+def _written(value: Expression, values: Mapping[str, float]) -> Written:
+    return Written(value.text, value.literal, value.rounding(values))
+
+
+def _halves(group: Sequence[Written], manner: Sequence[Written]) -> list[float]:
     """Return the half-widths of a group that is written in the manner of some numbers."""
-    numbers = [value for value in manner if value.literal]
-    finest = min((half_unit(value.text) for value in numbers), default=float("inf"))
+    numbers = [number for number in manner if number.literal]
+    finest = min((half_unit(number.text) for number in numbers), default=float("inf"))
     digits = max(map(_believed_digits, numbers), default=0)
-    return [_half(value, finest, max(digits, _FEWEST_DIGITS), values) for value in group]
+    return [_half(number, finest, max(digits, _FEWEST_DIGITS)) for number in group]
 
 
-def _half(value: Expression, finest: float, digits: int, values: Mapping[str, float]) -> float:
-    own = _own_half(value, values)
-    if value.literal is None:
+def _half(number: Written, finest: float, digits: int) -> float:
+    own = _own_half(number)
+    if number.literal is None:
         return own
-    if value.literal == 0.0:
-        return min(finest, half_unit(value.text))
-    by_digits = 0.5 * 10.0 ** (floor(log10(abs(value.literal))) - digits + 1)
+    if number.literal == 0.0:
+        return min(finest, half_unit(number.text))
+    by_digits = 0.5 * 10.0 ** (floor(log10(abs(number.literal))) - digits + 1)
     return min(own, max(finest, by_digits))
 
 
-def _own_half(value: Expression, values: Mapping[str, float]) -> float:
-    """Return the half-width of a number alone; of `120.0` only the digits before its zeros count."""
-    if value.literal is None or not _is_whole(value):
-        return value.rounding(values)
-    whole, unit = int(abs(value.literal)), 1
+def _own_half(number: Written) -> float:
+    """Return the half-width of a number alone; of `120.0` the digits before its zeros count."""
+    if number.literal is None or not _is_whole(number):
+        return number.rounding
+    whole, unit = int(abs(number.literal)), 1
     while whole % 10 == 0 and whole >= 100:
         whole, unit = whole // 10, unit * 10
     return 0.5 * unit
 
 
-def _believed_digits(value: Expression) -> int:
-    if not _is_whole(value):
-        return significant_digits(value.text)
-    return len(str(int(abs(value.literal or 0.0))).rstrip("0"))
+def _believed_digits(number: Written) -> int:
+    if not _is_whole(number):
+        return significant_digits(number.text)
+    return len(str(int(abs(number.literal or 0.0))).rstrip("0"))
 
 
-def _is_whole(value: Expression) -> bool:
+def _is_whole(number: Written) -> bool:
     """Return whether the point stands there only because the language wants it."""
-    is_whole = value.literal is not None and 10.0 <= abs(value.literal) < _GREATEST_WHOLE
-    return is_whole and value.text.endswith(".0")
+    is_whole = number.literal is not None and 10.0 <= abs(number.literal) < _GREATEST_WHOLE
+    return is_whole and number.text.endswith(".0")

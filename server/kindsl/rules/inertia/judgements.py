@@ -25,7 +25,7 @@ from kindsl.rigid.body import (
 )
 from kindsl.rules.broken_text import has_problem_within
 from kindsl.rules.context import Context
-from kindsl.rules.inertia.digits import half_widths, likely_half_widths
+from kindsl.rules.inertia.digits import half_widths, likely_half_widths, numbers_written
 from kindsl.rules.inertia.plausibility import (
     GREATEST_DENSITY,
     GREATEST_LENGTH,
@@ -192,7 +192,7 @@ def _judge(link: Link, values: Mapping[str, float]) -> Judgement | None:
     elif max(map(abs, body.com)) > GREATEST_LENGTH:
         return None
     pairs = eigensystem(second_moments)
-    half = likely_half_widths(inertia, values)
+    half = likely_half_widths(numbers_written(inertia, values))
     verdict = verdict_of(body, half, pairs)
     if verdict is Verdict.POSSIBLE:
         if is_dense_as_matter(body.mass, widened(body, half, pairs)):
@@ -212,4 +212,3 @@ def widened(
         Eigenpair(max(value + (reach if is_heavy else -reach), 0.0), axis) for value, axis in pairs
     )
     return first, second, third
-

@@ -1,74 +1,183 @@
-"""What the rules KD306, KD307 and KD308 say, and the fix that they offer."""
+"""What the rules KD306, KD307 and KD308 find, and the fix that they offer."""
 
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
-from kindsl.rules.base import Finding, Fix, Severity
-from kindsl.rules.context import Context
-from kindsl.rules.inertia.causes import Cause, Slip, cause_of
-from kindsl.rules.inertia.judgements import Judgement, Verdict, judgements, keyword
+from kindsl.rigid.body import MassDistribution, eigensystem, second_moments_about_com
+from kindsl.rules.base import Change, Finding, Fix, Related, Severity
+from kindsl.rules.context import ROBCOGEN, ZERO_FOR_ROBCOGEN2, Context
+from kindsl.rules.inertia.causes import Cause, candidates, likelihood_as_written, ranked, said_by
+from kindsl.rules.inertia.digits import likely_half_widths, numbers_written, rewritten_number
+from kindsl.rules.inertia.judgements import (
+    IMPOSSIBLE,
+    Judgement,
+    Verdict,
+    at_values,
+    is_moving,
+    judgements,
+    keyword,
+    verdict_of,
+    widened,
+)
+from kindsl.rules.inertia.plausibility import is_dense_as_matter
+from kindsl.rules.inertia.slips import Kind, Slip
+from kindsl.rules.inertia.surroundings import surroundings
+from kindsl.rules.inertia.told import likely_cause, several_causes, shared_cause, title
 from kindsl.rules.number_writing import rescaled, rewritten
-from kindsl.semantics.declarations import MOMENTS, Declarations
+from kindsl.semantics.declarations import MOMENTS
+from kindsl.semantics.expressions import Expression
+from kindsl.semantics.model import Model
 
 _KEY = "inertia causes"
-_POWERS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
-_TITLES = {
-    Slip.REFERENCE: "Shift the moments to the frame's origin",
-    Slip.SIGNS: "Negate the products",
-    Slip.SCALE: "Convert the moments to kg·m²",
+_SURE = 0.85
+_MOST_RELATED = 20
+_LEAST_SHARED = 3
+_RULES = {
+    Slip.REFERENCE: "KD306",
+    Slip.SIGNS: "KD307",
+    Slip.COM_SIGN: "KD307",
+    Slip.SCALE: "KD308",
 }
 
 
-def explained(declared: Declarations, context: Context, slip: Slip) -> Iterator[Finding]:
-    """Yield a finding for each inertia that a mistake explains whose first part is `slip`."""
-    for found in judgements(declared, context):
-        if found.is_impossible or found.verdict is Verdict.IMPLAUSIBLE:
-            cause = _known_cause(found)
-            if cause is not None and cause.slips[0] is slip:
-                yield Finding(
-                    keyword(found.inertia),
-                    f"inertia of '{found.link.name}' is that of a possible body if {_told(cause)}",
-                    fix=_fix(found, cause),
-                    severity=Severity.INFORMATION,
-                )
+class Explained(NamedTuple):
+    """An inertia, and what may have happened to it, the most likely first."""
+
+    found: Judgement
+    causes: list[Cause]
 
 
-def _known_cause(found: Judgement) -> Cause | None:
-    """Return the cause, computed once for a body as long as its numbers stay."""
-    facts, key = found.inertia.island.facts, (_KEY, found.inertia.start)
-    known = facts.get(key)
-    if not isinstance(known, tuple) or known[0] != found.body:
-        known = facts[key] = (found.body, _plausible_cause(found))
-    return known[1]  # type: ignore[no-any-return]
+def explained(model: Model, context: Context, code: str) -> Iterator[Finding]:
+    """Yield a finding for each inertia whose most likely mistake belongs to a rule."""
+    known = model.facts.get(_KEY)
+    if not isinstance(known, tuple) or known[0] is not context:
+        known = model.facts[_KEY] = context, list(_findings(model, context))
+    for own_code, finding in known[1]:
+        if own_code == code:
+            yield finding
 
 
-def _plausible_cause(found: Judgement) -> Cause | None:
-    """Return the cause; signs and reference point say nothing about a wrong density."""
-    cause = cause_of(found)
-    if cause is not None and found.verdict is Verdict.IMPLAUSIBLE and not cause.power:
+def explanations(model: Model, context: Context) -> list[Explained]:
+    """Return what may have happened to each inertia that needs an explanation."""
+    suspects = [
+        found
+        for declared in model.declared
+        for found in judgements(declared, context)
+        if found.is_impossible or found.verdict is Verdict.IMPLAUSIBLE
+    ]
+    around = [surroundings(model, context, found) for found in suspects]
+    tried = [candidates(found, near) for found, near in zip(suspects, around, strict=True)]
+    said = [said_by(causes) for causes in tried]
+    by_all: Counter[Kind] = Counter()
+    for logs in said:
+        by_all.update(logs)
+    result = []
+    for found, near, causes, own in zip(suspects, around, tried, said, strict=True):
+        others = {kind: by_all[kind] - own.get(kind, 0.0) for kind in by_all}
+        others = others if len(suspects) > 1 else {}
+        likely = ranked(causes, others, likelihood_as_written(found, near))
+        result.append(Explained(found, likely))
+    return result
+
+
+def _findings(model: Model, context: Context) -> Iterator[tuple[str, Finding]]:
+    told = explanations(model, context)
+    shared = _shared(told, model, context)
+    if shared is not None:
+        yield shared
+        return
+    for found, causes in told:
+        code = next((_RULES[c.hypothesis.slips[0]] for c in causes if _has_rule(c)), None)
+        if code is not None:
+            yield code, _finding(found, causes, context)
+
+
+def _shared(
+    told: Sequence[Explained], model: Model, context: Context
+) -> tuple[str, Finding] | None:
+    """Return the one finding of a document in which every body shows the same slip."""
+    fixes = [fix for e in told if (fix := _only_fix(e, context)) is not None]
+    kinds = {e.causes[0].hypothesis.kind for e in told if e.causes}
+    moving = [body for body in model.bodies if is_moving(body) and body.inertia is not None]
+    if not _LEAST_SHARED <= len(fixes) == len(told) == len(moving) or len(kinds) != 1:
         return None
-    return cause
+    (first, (cause, *_)), *others = told
+    changes = tuple(change for fix in fixes for change in fix.changes)
+    related = [
+        Related(keyword(e.found.inertia), f"inertia of '{e.found.link.name}'") for e in others
+    ]
+    message = shared_cause(len(told), cause)
+    whole = Fix(f"{fixes[0].title} in all links", changes)
+    finding = Finding(
+        keyword(first.inertia), message, tuple(related[:_MOST_RELATED]), whole, Severity.INFORMATION
+    )
+    return _RULES[cause.hypothesis.slips[0]], finding
 
 
-def _told(cause: Cause) -> str:
-    return " and ".join(_slip_told(slip, cause) for slip in cause.slips)
+def _only_fix(explained: Explained, context: Context) -> Fix | None:
+    found, causes = explained
+    return _fix(found, causes[0], context) if len(causes) == 1 else None
 
 
-def _slip_told(slip: Slip, cause: Cause) -> str:
-    if slip is Slip.REFERENCE:
-        return "its moments are given about the CoM instead of the frame's origin"
-    if slip is Slip.SIGNS:
-        what = "the sign of" if len(cause.negated) == 1 else "the signs of"
-        verb = "is" if len(cause.negated) == 1 else "are"
-        return f"{what} {', '.join(cause.negated)} {verb} wrong"
-    if cause.unit:
-        return f"its moments are given in {cause.unit}"
-    sign = "⁻" if cause.power < 0 else ""
-    digits = "".join(_POWERS[int(digit)] for digit in str(abs(cause.power)))
-    return f"its moments are to be multiplied by 10{sign}{digits}"
+def _has_rule(cause: Cause) -> bool:
+    return cause.hypothesis.slips[0] in _RULES
 
 
-def _fix(found: Judgement, cause: Cause) -> Fix | None:
+def _finding(found: Judgement, causes: Sequence[Cause], context: Context) -> Finding:
+    at, name = at_values(found.inertia, context.values), found.link.name
+    if len(causes) > 1:
+        message, fix = several_causes(name, causes, at), None
+    else:
+        message, fix = likely_cause(name, causes[0], at), _fix(found, causes[0], context)
+    return Finding(keyword(found.inertia), message, fix=fix, severity=Severity.INFORMATION)
+
+
+def _fix(found: Judgement, cause: Cause, context: Context) -> Fix | None:
+    if cause.probability < _SURE or not _has_rule(cause):
+        return None
+    changes = _changes(found, cause)
+    if not changes or not _holds(found, changes, context):
+        return None
+    return Fix(title(cause.hypothesis), tuple(changes))
+
+
+def _changes(found: Judgement, cause: Cause) -> list[Change] | None:
+    """Return the changes that write the numbers as they were meant."""
+    h, com = cause.hypothesis, found.inertia.com
+    if Slip.COM_SIGN in h.slips:
+        return rewritten(com.components, h.body.com) if com is not None else None
     group = [found.inertia.moments[name] for name in MOMENTS]
-    rewrite = rescaled if cause.power else rewritten
-    changes = rewrite(group, cause.body.moments)
-    return Fix(_TITLES[cause.slips[0]], tuple(changes)) if changes else None
+    return (rescaled if h.power else rewritten)(group, h.body.moments)
+
+
+def _holds(found: Judgement, changes: Sequence[Change], context: Context) -> bool:
+    """Return whether no rule finds anything in the numbers as they would stand there."""
+    texts = {change.at.start: change.text for change in changes}
+    values = [*_ten_values(found)]
+    numbers = [
+        rewritten_number(texts[value.start]) if value.start in texts else number
+        for value, number in zip(
+            values, numbers_written(found.inertia, context.values), strict=True
+        )
+    ]
+    if any(n.literal is None for n in numbers):
+        return False
+    mass, x, y, z, *moments = (number.literal or 0.0 for number in numbers)
+    if max(moments[:3]) < ZERO_FOR_ROBCOGEN2 and context.targets != {ROBCOGEN}:
+        return False
+    body = MassDistribution(mass, (x, y, z), tuple(moments))  # type: ignore[arg-type]
+    pairs = eigensystem(second_moments_about_com(body))
+    half = likely_half_widths(numbers)
+    if verdict_of(body, half, pairs) in IMPOSSIBLE:
+        return False
+    return is_dense_as_matter(body.mass, widened(body, half, pairs))
+
+
+def _ten_values(found: Judgement) -> Iterator[Expression]:
+    """Yield the ten values in the order of `MassDistribution`."""
+    inertia = found.inertia
+    assert inertia.mass is not None and inertia.com is not None
+    yield inertia.mass
+    yield from inertia.com.components
+    yield from (inertia.moments[name] for name in MOMENTS)
