@@ -2,11 +2,11 @@
 
 ## What it does
 Says of an impossible inertia (KD301, KD302) that it would be consistent if its moments were taken
-about the centre of mass. All mistakes that explain the numbers are weighed against each other: wrong
-signs, another unit, another reference point, two at once. What is left is listed, the most likely
-first, with what speaks for it: the density, axes of the link that become principal, a twin on the
-other side, the next joint. Other links of the document with the same slip count too, and where every
-link shows it, it is told once.
+about the centre of mass. All mistakes that explain the numbers are weighed against each other:
+wrong signs, another unit, another reference point, two at once. What is left is listed, the most
+likely first, with what speaks for it: the density, axes of the link that become principal, a twin
+on the other side, the next joint. Other links of the document with the same slip count too, and
+where every link shows it, it is told once.
 
 ## Why is this bad?
 The language wants moments and products about the origin of the link frame, or of the frame that

@@ -20,8 +20,8 @@ inertia_params {
 The mass alone contributes 2.0 * 0.2 * 0.3 = 0.12 kg·m² to `Ixz`.
 
 ## Fix
-Changes these signs. Offered only where no other cause is left. Unsafe: it is a guess, though a likely
-one.
+Changes these signs. Offered only where no other cause is left. Unsafe: it is a guess, though a
+likely one.
 """
 
 from collections.abc import Iterator

@@ -18,11 +18,11 @@ from kindsl.rules.inertia.judgements import (
     IMPOSSIBLE,
     Judgement,
     Verdict,
+    can_be_of_matter,
     verdict_of,
-    widened,
 )
 from kindsl.rules.inertia.likelihood import Shape, log_likelihood, shape_of
-from kindsl.rules.inertia.plausibility import density_of, is_dense_as_matter
+from kindsl.rules.inertia.plausibility import density_of
 from kindsl.rules.inertia.slips import Hypothesis, Kind, Slip, hypotheses
 from kindsl.rules.inertia.surroundings import Surroundings, evidence
 
@@ -64,7 +64,8 @@ def candidates(found: Judgement, around: Surroundings) -> list[Cause]:
         shape = shape_of(h.body, h.half)
         if shape is not None and _fits(h, shape):
             explained.append(_weighed(h, shape, around))
-    return _merged(explained)
+    common = [cause for cause in explained if not cause.hypothesis.is_last_resort]
+    return _merged(common if common and found.is_impossible else explained)
 
 
 def likelihood_as_written(found: Judgement, around: Surroundings) -> float:
@@ -113,7 +114,7 @@ def _fits(h: Hypothesis, shape: Shape) -> bool:
         return False
     if h.slips in ((Slip.SIGNS,), (Slip.REFERENCE,), (Slip.COM_SIGN,)):
         return _LEAST_ODD < density_of(h.body.mass, shape.pairs) < _GREATEST_ODD
-    return is_dense_as_matter(h.body.mass, widened(h.body, h.half, shape.pairs))
+    return can_be_of_matter(h.body, h.half, shape.pairs)
 
 
 def _merged(causes: Sequence[Cause]) -> list[Cause]:

@@ -195,14 +195,23 @@ def _judge(link: Link, values: Mapping[str, float]) -> Judgement | None:
     half = likely_half_widths(numbers_written(inertia, values))
     verdict = verdict_of(body, half, pairs)
     if verdict is Verdict.POSSIBLE:
-        if is_dense_as_matter(body.mass, widened(body, half, pairs)):
+        if can_be_of_matter(body, half, pairs):
             return None
         verdict = Verdict.IMPLAUSIBLE
     at_most = verdict_of(body, half_widths(inertia, values), pairs)
     return Judgement(link, inertia, body, half, pairs, verdict, at_most in IMPOSSIBLE)
 
 
-def widened(
+def can_be_of_matter(
+    body: MassDistribution, half: MassDistribution, pairs: tuple[Eigenpair, Eigenpair, Eigenpair]
+) -> bool:
+    """Return whether the density is plausible for some choice of the numbers within the digits."""
+    if is_dense_as_matter(body.mass, pairs):
+        return True
+    return is_dense_as_matter(body.mass, _widened(body, half, pairs))
+
+
+def _widened(
     body: MassDistribution, half: MassDistribution, pairs: tuple[Eigenpair, Eigenpair, Eigenpair]
 ) -> tuple[Eigenpair, Eigenpair, Eigenpair]:
     """Return the eigenpairs with values moved towards a plausible density, within the digits."""

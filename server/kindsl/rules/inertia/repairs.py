@@ -14,13 +14,12 @@ from kindsl.rules.inertia.judgements import (
     Judgement,
     Verdict,
     at_values,
+    can_be_of_matter,
     is_moving,
     judgements,
     keyword,
     verdict_of,
-    widened,
 )
-from kindsl.rules.inertia.plausibility import is_dense_as_matter
 from kindsl.rules.inertia.slips import Kind, Slip
 from kindsl.rules.inertia.surroundings import surroundings
 from kindsl.rules.inertia.told import likely_cause, several_causes, shared_cause, title
@@ -171,7 +170,7 @@ def _holds(found: Judgement, changes: Sequence[Change], context: Context) -> boo
     half = likely_half_widths(numbers)
     if verdict_of(body, half, pairs) in IMPOSSIBLE:
         return False
-    return is_dense_as_matter(body.mass, widened(body, half, pairs))
+    return can_be_of_matter(body, half, pairs)
 
 
 def _ten_values(found: Judgement) -> Iterator[Expression]:

@@ -20,8 +20,9 @@ _UNITS = (
     (-4, "kg·cm²", 0.4),
     (-3, "g·m²", 0.1),
 )
-_OTHER_POWERS = ((-1, 0.02), (1, 0.01), (-2, 0.01), (2, 0.01), (3, 0.01), (4, 0.01), (6, 0.01))
-_MASS_POWERS = ((-3, 0.05), (-1, 0.02), (1, 0.02))
+_OTHER_POWERS = (-1, 1, -2, 2, 3, 4, 6)
+_RARE = 1e-5
+_MASS_POWERS = ((-3, 1e-3), (-1, _RARE), (1, _RARE))
 
 
 class Slip(Enum):
@@ -59,6 +60,11 @@ class Hypothesis(NamedTuple):
     unit: str = ""
     is_partial: bool = False
     has_products: bool = True
+
+    @property
+    def is_last_resort(self) -> bool:
+        """Whether it is a digit too many or too few, which can mend nearly everything."""
+        return bool(self.power) and not self.unit
 
     @property
     def kind(self) -> Kind:
@@ -121,7 +127,7 @@ def _about_origin(h: Hypothesis) -> Hypothesis:
 
 
 def _scaled(h: Hypothesis) -> Iterator[Hypothesis]:
-    powers = (*_UNITS, *((power, "", weight) for power, weight in _OTHER_POWERS))
+    powers = (*_UNITS, *((power, "", _RARE) for power in _OTHER_POWERS))
     for power, unit, weight in powers:
         yield h._replace(
             slips=(Slip.SCALE, *h.slips),
@@ -140,7 +146,7 @@ def _with_com_sign(h: Hypothesis) -> Iterator[Hypothesis]:
             body = h.body._replace(com=com)
             name = f"the {axis} of the CoM"
             slips = (Slip.COM_SIGN,)
-            yield h._replace(slips=slips, body=body, weight=0.15, names=(name,), is_partial=True)
+            yield h._replace(slips=slips, body=body, weight=0.05, names=(name,), is_partial=True)
 
 
 def _swapped(h: Hypothesis) -> Iterator[Hypothesis]:
@@ -153,7 +159,7 @@ def _swapped(h: Hypothesis) -> Iterator[Hypothesis]:
                     slips=(Slip.SWAP,),
                     body=h.body._replace(moments=_ordered(h.body.moments, order)),
                     half=h.half._replace(moments=_ordered(h.half.moments, order)),
-                    weight=0.08,
+                    weight=0.02,
                     names=(MOMENTS[one], MOMENTS[other]),
                 )
 

@@ -21,7 +21,7 @@ _NEAR = 0.02
 _ELONGATED = 2.5
 _ALONG = 0.85
 _SAME = 0.02
-_LOG_EQUAL, _LOG_MIRRORED = log(500.0), log(30.0)
+_LOG_EQUAL, _LOG_MIRRORED = log(1500.0), log(30.0)
 _LOG_ALONG, _LOG_ACROSS = log(2.5), log(0.6)
 _LOG_TOWARDS, _LOG_AWAY = log(1.2), log(0.3)
 _SIGNS: tuple[Vector3, ...] = tuple(product((1.0, -1.0), repeat=3))  # type: ignore[arg-type]
