@@ -8,7 +8,7 @@ import pytest
 from tests.lsp.test_workspace import ROBOT, roots
 from tests.support.lsp import RawClient, ready_client
 
-from kindsl.lsp.handlers.binding import _insertion
+from kindsl.lsp.session.binding import _insertion
 from kindsl.lsp.text import uris
 from kindsl.text.edits import apply_edits
 

@@ -1,7 +1,9 @@
 """`kindsl preview`: shows a robot in the browser while its document is edited."""
 
 import argparse
+import os
 import sys
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,6 +16,7 @@ from kindsl.config.configuration import ConfigurationError
 if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis
     from kindsl.preview.document_preview import DocumentPreview
+    from kindsl.preview.dragging import Writing
 
 PROBLEM = 2
 
@@ -27,6 +30,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--compare", metavar="OLD.kindsl", help="show another document translucent behind it")
     add("--export", metavar="FILE.html", type=Path, help="write one self-contained page and stop")
     add("--screenshot", metavar="FILE.png", type=Path, help="write a picture and stop")
+    add("--edit", action="store_true", help="let what is dragged in the page be written into FILE")
     add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
 
 
@@ -121,8 +125,25 @@ def _serve(args: argparse.Namespace, old: "Analysis | None") -> None:
     paths = (args.file, *([configuration.path] if configuration else []))
     known = fingerprint(paths)
     first = _read(args, args.file)
-    command = Command(args.file, reread, first, old, args.port, not args.no_open, paths, known)
-    asyncio.run(serve(command))
+    write = partial(_write_dragged, args.file) if args.edit else None
+    opens = not args.no_open
+    asyncio.run(
+        serve(Command(args.file, reread, first, old, args.port, opens, paths, known, write))
+    )
+
+
+def _write_dragged(file: str, writing: "Writing") -> str:
+    """Write what was dragged into the document; return why not, or an empty text."""
+    from kindsl.cli.documents.writing import write_text
+    from kindsl.text.edits import apply_edits
+
+    if os.path.islink(file):
+        return f"'{file}' is a link: open the file that it leads to"
+    if writing.bindings:
+        names = ", ".join(f"'{name}'" for name, _ in writing.bindings)
+        return f"{names} has its value from a configuration file: change it there"
+    failure = write_text(file, file, writing.text, apply_edits(writing.text, writing.edits))
+    return failure.message if failure is not None else ""
 
 
 def _port(text: str) -> int:

@@ -16,7 +16,7 @@ from kindsl.lsp.session.worker import InlineWorker
 from kindsl.lsp.wire.protocol import Encoded
 
 if TYPE_CHECKING:
-    from kindsl.preview.documents import OnReveal
+    from kindsl.preview.documents import OnEdit, OnReveal
     from kindsl.preview.posted import PostedPreviews
 
 PREVIEW_REQUEST = "kindsl/previewRequest"
@@ -33,10 +33,10 @@ def start(post: PostText) -> Callable[[str], bool]:
     """
     pages: list[PostedPreviews] = []
 
-    def new_previews(on_reveal: "OnReveal") -> "PostedPreviews":
+    def new_previews(on_reveal: "OnReveal", on_edit: "OnEdit") -> "PostedPreviews":
         from kindsl.preview.posted import PostedPreviews
 
-        pages.append(PostedPreviews(post_to_page, on_reveal))
+        pages.append(PostedPreviews(post_to_page, on_reveal, on_edit))
         return pages[-1]
 
     def post_to_page(document: str, messages: Sequence[str]) -> None:

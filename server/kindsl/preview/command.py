@@ -11,6 +11,8 @@ from contextlib import suppress
 from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
+from kindsl.preview.documents import OnEdit
+from kindsl.preview.dragging import Writing
 from kindsl.preview.requests import Reveal
 from kindsl.preview.server import PreviewServer
 from kindsl.preview.watch import Fingerprint, saves
@@ -30,6 +32,7 @@ class Command(NamedTuple):
         opens_browser: Whether to open the page.
         paths: The document and the configuration file that holds for it, if any.
         fingerprint: Of these files, taken before they were read.
+        write: Writes what was dragged; returns why not, or an empty text. None if nothing may be.
     """
 
     file: str
@@ -40,6 +43,7 @@ class Command(NamedTuple):
     opens_browser: bool
     paths: tuple[str, ...]
     fingerprint: Fingerprint
+    write: Callable[[Writing], str] | None = None
 
 
 async def serve(command: Command) -> None:
@@ -57,7 +61,9 @@ async def serve(command: Command) -> None:
         print(f"{key}:{line + 1}:{column + 1}: {what}", flush=True)
 
     session = os.path.abspath(command.file)  # noqa: PTH100 (a path may hold any bytes)
-    server = PreviewServer(print_place, port=command.port, session=session)
+    server = PreviewServer(
+        print_place, on_edit=_editing(command), port=command.port, session=session
+    )
     address = await server.start()
     await _show(server, command.file, command.first)
     if command.old is not None:
@@ -71,6 +77,20 @@ async def serve(command: Command) -> None:
     finally:
         reloading.cancel()
         await server.stop()
+
+
+def _editing(command: Command) -> OnEdit | None:
+    write = command.write
+    if write is None:
+        return None
+
+    async def edit(_key: str, writing: Writing) -> str:
+        reason = write(writing)
+        if not reason:
+            print(f"{command.file}: {writing.label}", flush=True)
+        return reason
+
+    return edit
 
 
 async def _reload(command: Command, server: PreviewServer, texts: dict[str, str]) -> None:

@@ -2,7 +2,7 @@
 
 import asyncio
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
@@ -43,6 +43,8 @@ class DocumentPreview:
         findings: What was found in it, or in an earlier version until that is known.
         newest: The version that was last asked for, maybe not yet shown.
         turn: Held while a version is drawn.
+        revision: How many versions have been shown.
+        on_put: Called when a version is shown.
     """
 
     def __init__(self, label: str) -> None:
@@ -51,12 +53,15 @@ class DocumentPreview:
         self.findings: Sequence[Diagnostic] = ()
         self.newest: Analysis | None = None
         self.turn = asyncio.Lock()
+        self.revision = 0
+        self.on_put: list[Callable[[], None]] = []
         self._label = label
         self._joints: dict[str, float] = {}
         self._parameters: dict[str, float] = {}
         self._picture: Picture | None = None
         self._last_good: Skeleton | None = None
         self._ghost: Skeleton | None = None
+        self._planned: Skeleton | None = None
 
     def show(self, analysis: Analysis, findings: Sequence[Diagnostic]) -> None:
         """Show a version and what was found in it; values that were set by sliders stay."""
@@ -77,14 +82,37 @@ class DocumentPreview:
         self.analysis = analysis
         if drawing.given != {**analysis.context.values, **self._parameters}:
             drawing = self.drawing(analysis)
+        self._planned = None
         self._put(analysis, drawing)
+        self.revision += 1
+        for tell in self.on_put:
+            tell()
+
+    @property
+    def typed(self) -> Mapping[str, float]:
+        """Values of parameters that were set in the page."""
+        return self._parameters
+
+    def try_out(self, trial: Analysis) -> None:
+        """Show a text as it would be, drawn and checked; the version that is shown stays known."""
+        self._put(trial, self.drawing(trial))
+        self._list(trial.findings, trial.text)
+
+    def put_back(self) -> None:
+        """Show the version that is known again, after something was tried out."""
+        if self.analysis is not None:
+            self._put(self.analysis, self.drawing(self.analysis))
+            self._list(self.findings, self.analysis.text)
+
+    def show_plan(self, planned: Analysis | None) -> None:
+        """Let a text as it would be stand as a ghost; None for none."""
+        self._planned = None if planned is None else self.drawing(planned).picture.skeleton
+        self._draw_ghost()
 
     def tell(self, findings: Sequence[Diagnostic]) -> None:
         """List what was found in the version that is shown."""
         self.findings = findings
-        text = "" if self.analysis is None else self.analysis.text
-        self.channel.replace("findings", finding_messages(findings, text))
-        self._tell_status()
+        self._list(findings, "" if self.analysis is None else self.analysis.text)
 
     def keep_as_ghost(self) -> None:
         """Make the version that is drawn the one that stands behind later ones."""
@@ -145,16 +173,20 @@ class DocumentPreview:
         )
         self.channel.replace("parameters", rows)
         self._picture = drawing.picture
-        self._tell_status()
+        self._tell_status(self.findings)
         self._draw_ghost()
 
-    def _tell_status(self) -> None:
+    def _list(self, findings: Sequence[Diagnostic], text: str) -> None:
+        self.channel.replace("findings", finding_messages(findings, text))
+        self._tell_status(findings)
+
+    def _tell_status(self, findings: Sequence[Diagnostic]) -> None:
         if self._picture is not None:
-            status = status_message(self._picture, self.findings, self._label)
+            status = status_message(self._picture, findings, self._label)
             self.channel.replace("status", keyed([status]))
 
     def _draw_ghost(self) -> None:
-        ghost, present = self._ghost, self._last_good
+        ghost, present = self._planned or self._ghost, self._last_good
         is_apart = ghost is not None and (present is None or not _stand_alike(ghost, present))
         self.channel.replace("ghost", ghost_messages(ghost) if ghost and is_apart else {})
 

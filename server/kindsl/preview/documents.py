@@ -1,14 +1,18 @@
 """The previews of many documents, whoever carries them to their pages."""
 
+import asyncio
 import hashlib
 from abc import ABC, abstractmethod
 from collections.abc import Awaitable, Callable, Mapping, Sequence
+from functools import partial
 from typing import Any
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.preview.channel import Tab
 from kindsl.preview.document_preview import DocumentPreview, Drawing
+from kindsl.preview.dragging import Dragging, Writing
+from kindsl.preview.gesture_requests import GestureRequest
 from kindsl.preview.requests import (
     Hello,
     Request,
@@ -27,6 +31,8 @@ FEW_LINKS = 60
 OnReveal = Callable[[str, Span, Reveal], None]
 # Returns what to tell the page: lines to be written by hand, empty if they are written for it.
 OnWrite = Callable[[str, Mapping[str, float]], str]
+# Returns why nothing was written, or an empty text.
+OnEdit = Callable[[str, Writing], Awaitable[str]]
 Beside = Callable[..., Awaitable[Any]]
 
 
@@ -38,7 +44,12 @@ class DocumentPreviews(ABC):
     """
 
     def __init__(
-        self, on_reveal: OnReveal | None, on_write: OnWrite | None = None, *, beside: Beside
+        self,
+        on_reveal: OnReveal | None,
+        on_write: OnWrite | None = None,
+        on_edit: OnEdit | None = None,
+        *,
+        beside: Beside,
     ) -> None:
         """Prepare to show documents.
 
@@ -46,11 +57,15 @@ class DocumentPreviews(ABC):
             on_reveal: Called with the document's key, the place in its text (code points) and
                 what was clicked.
             on_write: Called with the document's key and values of parameters to be kept.
+            on_edit: Awaited with the document's key and what was dragged; else nothing can.
             beside: Awaits a function's result and lets the loop go on meanwhile, if it can.
         """
         self._on_reveal = on_reveal or _reveal_nowhere
         self._on_write = on_write
+        self._on_edit = on_edit
         self._beside = beside
+        self._dragging: dict[str, Dragging] = {}
+        self._gestures: set[asyncio.Task[None]] = set()
         self._documents: dict[str, DocumentPreview] = {}
         self._keys: dict[str, str] = {}
 
@@ -125,6 +140,7 @@ class DocumentPreviews(ABC):
     def close(self, key: str) -> None:
         """Forget a document."""
         self._documents.pop(key, None)
+        self._dragging.pop(key, None)
         self._keys.pop(identifier(key), None)
 
     def document(self, identifier: str | None) -> DocumentPreview | None:
@@ -146,8 +162,17 @@ class DocumentPreviews(ABC):
             self._write(document, tab, request.values)
         elif isinstance(request, Hello):
             document.adopt(request.joints, request.parameters)
-        else:
+        elif isinstance(request, Reveal):
             self._reveal(document, request)
+        else:
+            self._gesture(document, request)
+
+    def _gesture(self, document: DocumentPreview, request: GestureRequest) -> None:
+        dragging = self._dragging.get(self._key(document) or "")
+        if dragging is not None:
+            gesture = asyncio.ensure_future(dragging.receive(request))
+            self._gestures.add(gesture)
+            gesture.add_done_callback(self._gestures.discard)
 
     def _key(self, document: DocumentPreview) -> str | None:
         return next((key for key, known in self._documents.items() if known is document), None)
@@ -172,8 +197,10 @@ class DocumentPreviews(ABC):
 
     def _document(self, key: str, label: str) -> DocumentPreview:
         if key not in self._documents:
-            self._documents[key] = DocumentPreview(label or key)
+            document = self._documents[key] = DocumentPreview(label or key)
             self._keys[identifier(key)] = key
+            if self._on_edit is not None:
+                self._dragging[key] = Dragging(document, partial(self._on_edit, key))
         return self._documents[key]
 
     async def _drawing(self, document: DocumentPreview, analysis: Analysis) -> Drawing:

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple, TypeVar
 
 from kindsl.preview.channel import Tab
 from kindsl.preview.document_preview import DocumentPreview
-from kindsl.preview.documents import DocumentPreviews, OnReveal
+from kindsl.preview.documents import DocumentPreviews, OnEdit, OnReveal
 from kindsl.preview.documents import identifier as identifier_of
 from kindsl.preview.requests import Hello, request_of
 from kindsl.preview.scene.messages import Message, as_json
@@ -26,9 +26,11 @@ class _Page(NamedTuple):
 class PostedPreviews(DocumentPreviews):
     """Shows documents by messages; a page is told by the identifier of its document."""
 
-    def __init__(self, post: Post, on_reveal: OnReveal | None = None) -> None:
+    def __init__(
+        self, post: Post, on_reveal: OnReveal | None = None, on_edit: OnEdit | None = None
+    ) -> None:
         """Take what sends JSON texts to the pages of a document."""
-        super().__init__(on_reveal, beside=_at_once)
+        super().__init__(on_reveal, on_edit=on_edit, beside=_at_once)
         self._post = post
         self._pages: dict[str, _Page] = {}
 

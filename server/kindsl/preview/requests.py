@@ -4,6 +4,8 @@ import json
 import math
 from typing import Any, NamedTuple
 
+from kindsl.preview.gesture_requests import GESTURES, GestureRequest, gesture_request
+
 MOST_BYTES = 1 << 16
 _LONGEST_NAME = 200
 _REVEALED = frozenset(("link", "joint", "frame", "parameter", "finding"))
@@ -48,7 +50,7 @@ class Hello(NamedTuple):
     parameters: dict[str, float]
 
 
-Request = SetJoint | SetJoints | SetParameters | WriteParameters | Reveal | Hello
+Request = SetJoint | SetJoints | SetParameters | WriteParameters | Reveal | Hello | GestureRequest
 
 
 def parse_request(text: str) -> Request | None:
@@ -71,6 +73,8 @@ def request_of(data: object) -> Request | None:
         return SetParameters({**_numbers(data.get("values"))})
     if data.get("type") == "write-parameters":
         return WriteParameters(_numbers(data.get("values")))
+    if data.get("type") in GESTURES:
+        return gesture_request(data)
     name, value = data.get("name"), data.get("value")
     if not isinstance(name, str) or not 0 < len(name) <= _LONGEST_NAME:
         return None

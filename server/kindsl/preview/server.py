@@ -9,7 +9,7 @@ from tornado.httpserver import HTTPServer
 
 from kindsl.preview.access import ADDRESS, Access, new_token
 from kindsl.preview.assets import assets
-from kindsl.preview.documents import DocumentPreviews, OnReveal, OnWrite, identifier
+from kindsl.preview.documents import DocumentPreviews, OnEdit, OnReveal, OnWrite, identifier
 from kindsl.preview.handlers import LiveHandler, application
 from kindsl.preview.scene.geometry import PreviewUnavailableError
 from kindsl.preview.session import Session, last_session, remember
@@ -26,6 +26,7 @@ class PreviewServer(DocumentPreviews):
         on_reveal: OnReveal | None = None,
         *,
         on_write: OnWrite | None = None,
+        on_edit: OnEdit | None = None,
         port: int = 0,
         token: str | None = None,
         session: str | None = None,
@@ -36,12 +37,13 @@ class PreviewServer(DocumentPreviews):
             on_reveal: Called with the document's key, the place in its text (code points) and
                 what was clicked.
             on_write: Called with the document's key and values of parameters to be kept.
+            on_edit: Awaited with the document's key and what was dragged; else nothing can.
             port: To listen on; 0 for a free one.
             token: To ask for; None for a new one.
             session: A name (of a document, a workspace). A server of the same name listens where
                 the last one did, if it can, so that pages which are still open find it.
         """
-        super().__init__(on_reveal, on_write, beside=asyncio.to_thread)
+        super().__init__(on_reveal, on_write, on_edit, beside=asyncio.to_thread)
         self._session = session
         self._access = Access(token or new_token(), port)
         self._lines: set[LiveHandler] = set()

@@ -58,6 +58,17 @@ def component(analysis: Analysis, thing: Thing, name: str) -> Expression | Missi
     return value
 
 
+def carrying_frame(model: Model, thing: Thing) -> str:
+    """Return the frame along whose axes a centre of mass is written, empty for its link's."""
+    link = model.body_named.get(thing.name) if thing.kind == "com" else None
+    inertia = link.inertia if link is not None else None
+    if link is None or inertia is None or inertia.frame is None:
+        return ""
+    found = named_frames(model.bodies)
+    names = (name for name, body, frame in found if body is link and frame.name == inertia.frame)
+    return next(names, "")
+
+
 def _vectors(model: Model, thing: Thing) -> tuple[Vector | None, Vector | None] | Missing:
     if thing.kind == "joint":
         alike = [joint for joint in model.joints if joint.name == thing.name]

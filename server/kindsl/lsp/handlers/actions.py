@@ -4,8 +4,8 @@ from typing import TYPE_CHECKING
 
 from lsprotocol import types
 
-from kindsl.lsp.handlers.binding import bound
 from kindsl.lsp.handlers.table import Handlers
+from kindsl.lsp.session.binding import bound
 from kindsl.lsp.session.findings import diagnostics
 from kindsl.lsp.session.view import View
 from kindsl.lsp.wire.edits import makes_files, text_edits, workspace_edit

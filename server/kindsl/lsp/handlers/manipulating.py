@@ -1,27 +1,16 @@
 """What is set by hand in the picture, or by a command, and written into the text."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from lsprotocol import types
 from pygls.exceptions import JsonRpcInvalidParams
 
-from kindsl.lsp.handlers.binding import bound
 from kindsl.lsp.handlers.commands import view_of
 from kindsl.lsp.handlers.table import Handlers
 from kindsl.lsp.session.session import Session
-from kindsl.lsp.session.view import View
-from kindsl.lsp.text.document import Document
-from kindsl.lsp.wire.client import asked
-from kindsl.lsp.wire.edits import text_edits, workspace_edit
-
-if TYPE_CHECKING:
-    from kindsl.features.manipulation.set_component import Change
+from kindsl.lsp.session.written import written
 
 handlers = Handlers()
-
-_CHANGED = "the document has changed meanwhile"
-_NO_FILE = "the configuration file cannot be written"
 
 
 @handlers.command("kindsl.setComponent")
@@ -42,30 +31,11 @@ async def set_component(
     change = set_component(view.analysis, Thing(kind, name), component, value, step)
     if isinstance(change, Refusal):
         return _answer("", change.reason)
-    return await applied(session, view, change, f"Set {component} of {kind} '{name}'")
-
-
-async def applied(session: Session, view: View, change: "Change", label: str) -> dict[str, Any]:
-    """Have the client make a change, as one step of its undo, and return how it went."""
-    for name, value in change.preview:
-        session.previews.set_parameter(view.document.uri, name, value)
-    edits: list[tuple[Document, list[types.TextEdit]]] = []
-    if change.edits:
-        edits.append((view.document, text_edits(view.document, change.edits)))
-    if change.bindings:
-        binding = bound(view, change.bindings)
-        if binding is None or binding.is_new:
-            return _answer("", _NO_FILE)
-        edits.append((binding.document, text_edits(binding.document, [binding.edit])))
-    if edits and not await _made(session, workspace_edit(session.client, edits), label):
-        return _answer("", _CHANGED)
-    return _answer(change.text, "")
-
-
-async def _made(session: Session, edit: types.WorkspaceEdit, label: str) -> bool:
-    params = types.ApplyWorkspaceEditParams(edit, label=label)
-    answer = await asked(session.editor.workspace_apply_edit_async(params))
-    return answer is not None and answer.applied
+    for parameter, shown in change.preview:
+        session.previews.set_parameter(view.document.uri, parameter, shown)
+    label = f"Set {component} of {kind} '{name}'"
+    reason = await written(session, view, label, change.edits, change.bindings)
+    return _answer("" if reason else change.text, reason)
 
 
 def _answer(text: str, reason: str) -> dict[str, Any]:

@@ -13,7 +13,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from lsprotocol import types
 
 from kindsl.lsp.session.state import State
+from kindsl.lsp.session.view import View
 from kindsl.lsp.session.worker import Urgency, start_task
+from kindsl.lsp.session.written import written
 from kindsl.lsp.text import uris
 from kindsl.lsp.text.document import Document
 from kindsl.lsp.wire.client import asked
@@ -22,6 +24,7 @@ from kindsl.lsp.wire.protocol import RequestFailed
 if TYPE_CHECKING:
     from kindsl.analysis.diagnostics import Diagnostic
     from kindsl.preview.documents import DocumentPreviews
+    from kindsl.preview.dragging import Writing
     from kindsl.text.span import Span
 
 _FRAME = 0.03
@@ -146,7 +149,7 @@ class Previews:
 
     def _load(self) -> "DocumentPreviews":
         try:
-            return self._state.surroundings.new_previews(self._reveal)
+            return self._state.surroundings.new_previews(self._reveal, self._write)
         except ImportError as error:
             hint = "install it with: pip install 'kindsl[preview]'"
             raise RequestFailed(f"the preview needs {error.name}; {hint}") from None
@@ -158,6 +161,14 @@ class Previews:
             selection = document.range(*span)
             shown = types.ShowDocumentParams(document.uri, False, True, selection)
             start_task(asked(self._state.editor.window_show_document_async(shown)))
+
+    async def _write(self, key: str, writing: "Writing") -> str:
+        """Write what was dragged in a page into the document, if it is still the one shown."""
+        document = self._state.documents.get(key)
+        if document is None or document.text != writing.text:
+            return "the document has changed meanwhile"
+        view = View(document, await self._state.analyses.of(document), self._state)
+        return await written(self._state, view, writing.label, writing.edits, writing.bindings)
 
     def _highlight(self, uri: str, kind: str, name: str) -> None:
         """Light up what the cursor is on; from any thread."""

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from kindsl.lsp.session.worker import Worker
 
 if TYPE_CHECKING:
-    from kindsl.preview.documents import DocumentPreviews, OnReveal
+    from kindsl.preview.documents import DocumentPreviews, OnEdit, OnReveal
 
 
 class Surroundings(NamedTuple):
@@ -14,12 +14,12 @@ class Surroundings(NamedTuple):
 
     Attributes:
         worker: Does the long work.
-        new_previews: Makes what shows documents and tells what was clicked; raises ImportError
-            if something is not installed.
+        new_previews: Makes what shows documents and tells what was clicked and dragged; raises
+            ImportError if something is not installed.
     """
 
     worker: Worker
-    new_previews: "Callable[[OnReveal], DocumentPreviews]"
+    new_previews: "Callable[[OnReveal, OnEdit], DocumentPreviews]"
 
 
 def process() -> Surroundings:
@@ -27,7 +27,7 @@ def process() -> Surroundings:
     return Surroundings(Worker(), _preview_server)
 
 
-def _preview_server(on_reveal: "OnReveal") -> "DocumentPreviews":
+def _preview_server(on_reveal: "OnReveal", on_edit: "OnEdit") -> "DocumentPreviews":
     from kindsl.preview.server import PreviewServer
 
-    return PreviewServer(on_reveal)
+    return PreviewServer(on_reveal, on_edit=on_edit)

@@ -1,0 +1,223 @@
+"""What is dragged in one document's pages: tried out while it moves, written when it is dropped.
+
+A page sends names and numbers, never text. While something moves, the text as it would be is drawn
+and checked as if it were typed, but the document stays as it is.
+"""
+
+from collections.abc import Awaitable, Callable
+from typing import NamedTuple
+
+from kindsl.analysis.analysis import Analysis
+from kindsl.analysis.settings import Settings
+from kindsl.features.manipulation.add_child import add_child
+from kindsl.features.manipulation.add_frame import add_frame
+from kindsl.features.manipulation.gesture import Gesture, Refusal
+from kindsl.features.manipulation.handles import Handle, handles
+from kindsl.features.manipulation.mirror_leg import mirror_leg
+from kindsl.features.manipulation.pose_as_zero import pose_as_zero
+from kindsl.features.manipulation.set_component import Change, set_component
+from kindsl.features.manipulation.things import Thing, carrying_frame
+from kindsl.preview.document_preview import DocumentPreview
+from kindsl.preview.gesture_requests import Drag, GestureRequest, Grasp, Plan
+from kindsl.preview.scene.messages import Message, keyed, path_of
+from kindsl.preview.steps import Steps, difference
+from kindsl.semantics.parameters import Binding
+from kindsl.text.edits import TextEdit
+
+_OUTDATED = "the document has changed meanwhile"
+
+
+class Writing(NamedTuple):
+    """What is to be written, as one step of undo.
+
+    Attributes:
+        label: What it does, in the imperative.
+        text: The document that it was made for.
+        edits: Of that text.
+        bindings: Parameters to bind anew in the configuration file.
+    """
+
+    label: str
+    text: str
+    edits: tuple[TextEdit, ...]
+    bindings: tuple[tuple[str, float], ...] = ()
+
+
+# Returns why nothing was written, or an empty text.
+Write = Callable[[Writing], Awaitable[str]]
+
+
+class Dragging:
+    """The handles of one document."""
+
+    def __init__(self, preview: DocumentPreview, write: Write) -> None:
+        """Take what is shown, and who writes."""
+        self._preview = preview
+        self._write = write
+        self._held: Thing | None = None
+        self._steps = Steps()
+        preview.on_put.append(self._tell_handles)
+        preview.channel.replace("editing", keyed([{"type": "editing", "path": path_of("editing")}]))
+
+    async def receive(self, request: GestureRequest) -> None:
+        """Do what a page asks for."""
+        if isinstance(request, Grasp):
+            self._grasp(request)
+        elif isinstance(request, Drag):
+            await self._drag(request)
+        else:
+            await self._plan(request)
+
+    def _grasp(self, request: Grasp) -> None:
+        """Show the handles of a thing; of none for an empty name."""
+        self._held = Thing(request.kind, request.name) if request.name else None
+        self._tell_handles()
+
+    async def _drag(self, request: Drag) -> None:
+        """Try a new value out, or write it, or leave all as it was."""
+        analysis = self._preview.analysis
+        if analysis is None or request.revision != self._preview.revision:
+            self._refuse(request, _OUTDATED)
+            return
+        if request.phase == "cancel":
+            self._preview.put_back()
+            self._tell_handles()
+            return
+        change = set_component(
+            analysis,
+            Thing(request.kind, request.name),
+            request.component,
+            request.value,
+            request.step,
+            self._preview.typed,
+        )
+        if isinstance(change, Refusal):
+            self._refuse(request, change.reason)
+        elif request.phase == "move":
+            self._try(analysis, request, change)
+        else:
+            await self._drop(analysis, request, change)
+
+    async def _plan(self, request: Plan) -> None:
+        """Show a gesture as a ghost, or write it when it is accepted."""
+        analysis = self._preview.analysis
+        if analysis is None or request.revision != self._preview.revision:
+            self._tell("plan", request.gesture, "", _OUTDATED)
+            return
+        if request.gesture in ("undo", "redo"):
+            await self._step(analysis.text, request.gesture)
+            return
+        gesture = _gesture(analysis, request)
+        if isinstance(gesture, Refusal):
+            self._tell("plan", request.gesture, "", gesture.reason)
+        elif request.is_accepted:
+            self._preview.show_plan(None)
+            writing = Writing(gesture.title, analysis.text, gesture.edits)
+            reason = await self._written(writing)
+            self._tell("written", request.gesture, gesture.title, reason)
+        else:
+            self._preview.show_plan(analysis.edited(gesture.edits))
+            self._tell("plan", request.gesture, gesture.title, "")
+
+    def _try(self, analysis: Analysis, request: Drag, change: Change) -> None:
+        self._preview.set_parameters(dict(change.preview))
+        self._preview.try_out(_changed(analysis, change))
+        self._answer(request, change.text, change.value, "")
+
+    async def _drop(self, analysis: Analysis, request: Drag, change: Change) -> None:
+        self._preview.set_parameters(dict(change.preview))
+        reason = ""
+        if change.edits or change.bindings:
+            label = f"Set {request.component} of {request.kind} '{request.name}'"
+            writing = Writing(label, analysis.text, change.edits, change.bindings)
+            reason = await self._written(writing)
+        if reason:
+            self._preview.put_back()
+        self._answer(request, change.text, change.value, reason)
+        self._tell_handles()
+
+    async def _written(self, writing: Writing) -> str:
+        """Have something written; return why it was not, or an empty text."""
+        reason = await self._write(writing)
+        if not reason and writing.edits:
+            self._steps.add(writing.label, writing.text, writing.edits)
+        return reason
+
+    async def _step(self, text: str, gesture: str) -> None:
+        """Take back what was written last, or make it again."""
+        steps, is_undo = self._steps, gesture == "undo"
+        step = steps.to_undo(text) if is_undo else steps.to_redo(text)
+        if isinstance(step, str):
+            self._tell("plan", gesture, "", step)
+            return
+        label = f"Undo: {step.label}" if is_undo else step.label
+        reason = await self._write(Writing(label, text, (difference(step),)))
+        if not reason:
+            (steps.undone if is_undo else steps.redone)()
+        self._tell("written", gesture, label, reason)
+
+    def _refuse(self, request: Drag, reason: str) -> None:
+        self._preview.put_back()
+        self._answer(request, "", request.value, reason)
+        self._tell_handles()
+
+    def _answer(self, request: Drag, text: str, value: float, reason: str) -> None:
+        message = {
+            "type": "dragged",
+            "path": path_of("dragged"),
+            "phase": request.phase,
+            "component": request.component,
+            "text": text,
+            "value": value,
+            "reason": reason,
+        }
+        self._preview.channel.announce(message)
+
+    def _tell(self, kind: str, gesture: str, title: str, reason: str) -> None:
+        message = {"type": kind, "path": path_of(kind), "gesture": gesture}
+        self._preview.channel.announce({**message, "title": title, "reason": reason})
+
+    def _tell_handles(self) -> None:
+        analysis, held = self._preview.analysis, self._held
+        if analysis is None or held is None:
+            self._preview.channel.replace("handles", {})
+            return
+        found = handles(analysis, held, self._preview.typed)
+        message = {
+            "type": "handles",
+            "path": path_of("handles"),
+            "kind": held.kind,
+            "name": held.name,
+            "revision": self._preview.revision,
+            "frame": carrying_frame(analysis.model, held),
+            "components": [_row(handle) for handle in found],
+        }
+        self._preview.channel.replace("handles", keyed([message]))
+
+
+def _row(handle: Handle) -> Message:
+    return {**handle._asdict(), "moves_along": list(handle.moves_along)}
+
+
+def _changed(analysis: Analysis, change: Change) -> Analysis:
+    """Return the document as it would be."""
+    trial = analysis.edited(change.edits) if change.edits else analysis
+    if not change.bindings:
+        return trial
+    return trial.with_settings(_rebound(analysis.settings, dict(change.bindings)))
+
+
+def _rebound(settings: Settings, values: dict[str, float]) -> Settings:
+    known = settings.bindings
+    new = {name: known.get(name, Binding(v))._replace(value=v) for name, v in values.items()}
+    return settings._replace(bindings={**known, **new})
+
+
+def _gesture(analysis: Analysis, request: Plan) -> Gesture | Refusal:
+    if request.gesture == "add-frame":
+        return add_frame(analysis, request.name, request.point)
+    if request.gesture == "add-child":
+        return add_child(analysis, request.name, request.point)
+    if request.gesture == "mirror-leg":
+        return mirror_leg(analysis, request.name)
+    return pose_as_zero(analysis, request.joints)

@@ -1,0 +1,170 @@
+"""What a page may drag: tried out while it moves, written once when it is dropped."""
+
+import asyncio
+
+import pytest
+from tests.preview.robots import ARM
+
+from kindsl.analysis.analysis import analyse
+from kindsl.preview.channel import Tab
+from kindsl.preview.document_preview import DocumentPreview
+from kindsl.preview.dragging import Dragging
+from kindsl.preview.requests import parse_request, request_of
+from kindsl.text.edits import apply_edits
+
+
+class Page:
+    """One page of a document whose text is kept here."""
+
+    def __init__(self, text: str, refusal: str = "") -> None:
+        self.preview = DocumentPreview("arm")
+        self.writings: list = []
+        self.refusal = refusal
+        self.dragging = Dragging(self.preview, self._write)
+        self.preview.show(analyse(text), ())
+        self.messages: list = []
+        self.tab = Tab(self._take)
+        self.preview.channel.join(self.tab)
+
+    async def ask(self, **request):
+        request.setdefault("revision", self.preview.revision)
+        await self.dragging.receive(request_of(request))
+        self.messages += list(self.tab._waiting.values())
+        self.tab._waiting.clear()
+
+    def last(self, kind: str):
+        return next((m for m in reversed(self.messages) if m["type"] == kind), None)
+
+    def state(self, kind: str):
+        return [m for m in self.preview.channel.state if m["type"] == kind]
+
+    async def _write(self, writing):
+        self.writings.append(writing)
+        if not self.refusal:
+            self.preview.show(analyse(apply_edits(writing.text, writing.edits)), ())
+        return self.refusal
+
+    async def _take(self, messages):
+        self.messages += messages
+
+
+def drag(phase="move", component="x", value=0.55, step=0.01, **more):
+    thing = {"type": "drag", "kind": "joint", "name": "lift", "component": component}
+    return {**thing, "value": value, "step": step, "phase": phase, **more}
+
+
+def place_of(page, joint):
+    return next(m["placement"][12:15] for m in page.state("joint") if m["name"] == joint)
+
+
+@pytest.fixture
+def page():
+    return Page(ARM)
+
+
+async def test_what_is_grasped_shows_its_numbers(page):
+    await page.ask(type="grasp", kind="joint", name="shoulder")
+    handles = page.last("handles")
+    assert [c["component"] for c in handles["components"]] == ["x", "y", "z", "rx", "ry", "rz"]
+    assert [c["text"] for c in handles["components"]][2:4] == ["0.5", "PI/2.0"]
+    await page.ask(type="grasp", kind="joint", name="")
+    assert not page.state("handles")
+
+
+async def test_moving_draws_and_checks_but_writes_nothing(page):
+    for value in (0.41, 0.47, 0.553):
+        await page.ask(**drag(value=value))
+    assert place_of(page, "lift") == [0.55, 0.0, 0.0]
+    assert page.last("dragged")["text"] == "0.55"
+    assert page.preview.analysis.text == ARM and not page.writings
+    await page.ask(**drag("cancel"))
+    assert place_of(page, "lift") == [0.4, 0.0, 0.0]
+
+
+async def test_dropping_writes_one_number(page):
+    await page.ask(**drag(value=0.553))
+    await page.ask(**drag("drop", value=0.553))
+    (writing,) = page.writings
+    assert writing.label == "Set x of joint 'lift'"
+    assert page.preview.analysis.text == ARM.replace("(0.4, 0.0, 0.0)", "(0.55, 0.0, 0.0)")
+    assert place_of(page, "lift") == [0.55, 0.0, 0.0]
+
+
+async def test_an_impossible_text_is_told_while_it_moves():
+    page, thing = Page(ARM), {"kind": "com", "name": "upper"}
+    await page.ask(**drag("move", "x", 40.0, None) | thing)
+    assert page.state("finding")
+    await page.ask(**drag("cancel") | thing)
+    assert not page.state("finding")
+
+
+async def test_an_edit_of_an_older_text_is_refused(page):
+    await page.ask(**drag("drop", revision=page.preview.revision - 1))
+    assert page.last("dragged")["reason"] == "the document has changed meanwhile"
+    assert not page.writings
+
+
+async def test_what_cannot_be_written_stays_as_it_was():
+    page = Page(ARM, "permission denied")
+    await page.ask(**drag())
+    await page.ask(**drag("drop"))
+    assert page.last("dragged")["reason"] == "permission denied"
+    assert place_of(page, "lift") == [0.4, 0.0, 0.0]
+
+
+async def test_what_was_dragged_is_taken_back_and_made_again(page):
+    await page.ask(**drag("drop", value=0.55))
+    await page.ask(**drag("drop", value=0.7))
+    for gesture, x in (("undo", "0.55"), ("undo", "0.4"), ("redo", "0.55"), ("redo", "0.70")):
+        await page.ask(type="plan", gesture=gesture)
+        assert page.preview.analysis.text == ARM.replace("(0.4, 0.0", f"({x}, 0.0")
+    await page.ask(type="plan", gesture="redo")
+    assert page.last("plan")["reason"] == "there is nothing to redo"
+
+
+async def test_what_somebody_typed_since_is_never_taken_back(page):
+    await page.ask(**drag("drop", value=0.55))
+    page.preview.show(analyse(page.preview.analysis.text + "\n"), ())
+    await page.ask(type="plan", gesture="undo")
+    assert page.last("plan")["reason"] == "the document has changed since"
+    assert len(page.writings) == 1
+
+
+async def test_a_gesture_is_a_ghost_until_it_is_accepted(page):
+    plan = {"type": "plan", "gesture": "add-child", "name": "slider", "point": [0.1, 0.0, 0.2]}
+    await page.ask(**plan)
+    assert page.last("plan")["title"] == "Add link 'link1' to 'slider' by joint 'joint1'"
+    assert any("/ghost/" in m["path"] for m in page.preview.channel.state) and not page.writings
+    await page.ask(**plan, accepted=True)
+    assert "link link1" in page.preview.analysis.text
+    assert not any("/ghost/" in m["path"] for m in page.preview.channel.state)
+
+
+async def test_the_pose_becomes_the_new_zero(page):
+    plan = {"type": "plan", "gesture": "pose-as-zero", "joints": {"shoulder": 0.5}}
+    await page.ask(**plan, accepted=True)
+    assert "rotation = (PI/2.0, 0.0, 0.5)" in page.preview.analysis.text
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        '{"type":"drag"}',
+        '{"type":"drag","kind":"joint","name":"j","component":"x","value":NaN,"phase":"move","revision":1}',
+        '{"type":"drag","kind":"wheel","name":"j","component":"x","value":1,"phase":"move","revision":1}',
+        '{"type":"drag","kind":"joint","name":"j","component":"x","value":1,"phase":"jump","revision":1}',
+        '{"type":"plan","gesture":"rm","name":"j","revision":1}',
+        '{"type":"plan","gesture":"add-frame","name":"j","point":[1,2],"revision":1}',
+        '{"type":"plan","gesture":"add-frame","name":"j","point":[1,2,"text"],"revision":1}',
+        '{"type":"grasp","kind":"com","name":7}',
+    ],
+)
+def test_nonsense_is_no_request(text):
+    assert parse_request(text) is None
+
+
+async def test_a_document_that_nobody_writes_has_no_handles():
+    preview = DocumentPreview("arm")
+    preview.show(analyse(ARM), ())
+    await asyncio.sleep(0)
+    assert not [m for m in preview.channel.state if m["type"] == "editing"]

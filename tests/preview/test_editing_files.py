@@ -1,0 +1,61 @@
+"""`kindsl preview --edit`: what is dragged is written into the file, or said why not."""
+
+from tests.preview.robots import ARM
+from tests.preview.test_command import line_of, message, running, tab
+
+from kindsl.cli.preview import _write_dragged
+from kindsl.preview.dragging import Writing
+from kindsl.text.edits import TextEdit
+
+AT = ARM.index("(0.4, 0.0") + 1
+WRITING = Writing("Set x of joint 'lift'", ARM, (TextEdit(AT, AT + 3, "0.55"),))
+EDITED = ARM.replace("(0.4, 0.0", "(0.55, 0.0")
+DRAG = (
+    '{"type":"drag","kind":"joint","name":"lift","component":"x","value":0.553,'
+    '"step":0.01,"phase":"drop","revision":1}'
+)
+
+
+def test_bytes_mode_and_line_ends_stay(tmp_path):
+    file = tmp_path / "arm.kindsl"
+    text = ARM.replace("\n", "\r\n")
+    file.write_bytes(text.encode())
+    file.chmod(0o640)
+    at = text.index("(0.4, 0.0") + 1
+    assert _write_dragged(str(file), Writing("", text, (TextEdit(at, at + 3, "0.55"),))) == ""
+    assert file.read_bytes() == EDITED.replace("\n", "\r\n").encode()
+    assert file.stat().st_mode & 0o777 == 0o640
+    assert [path.name for path in tmp_path.iterdir()] == ["arm.kindsl"]
+
+
+def test_what_somebody_wrote_meanwhile_stays(tmp_path):
+    file = tmp_path / "arm.kindsl"
+    file.write_text(ARM + "\n")
+    assert "has changed" in _write_dragged(str(file), WRITING)
+    assert file.read_text() == ARM + "\n"
+
+
+def test_no_link_is_followed(tmp_path):
+    (tmp_path / "real.kindsl").write_text(ARM)
+    (tmp_path / "arm.kindsl").symlink_to(tmp_path / "real.kindsl")
+    assert "is a link" in _write_dragged(str(tmp_path / "arm.kindsl"), WRITING)
+    assert (tmp_path / "real.kindsl").read_text() == ARM
+
+
+async def test_a_page_drags_and_the_file_follows(tmp_path):
+    file = tmp_path / "arm.kindsl"
+    file.write_text(ARM)
+    async with running(tmp_path, file, "--edit") as (process, address), tab(address) as page:
+        await message(page, lambda m: m["type"] == "editing")
+        await page.write_message(DRAG)
+        assert await line_of(process.stdout) == f"{file}: Set x of joint 'lift'"
+        assert file.read_text() == EDITED
+
+
+async def test_without_the_option_nothing_is_written(tmp_path):
+    file = tmp_path / "arm.kindsl"
+    file.write_text(ARM)
+    async with running(tmp_path, file) as (_, address), tab(address) as page:
+        await page.write_message(DRAG)
+        await message(page, lambda m: m["type"] == "end")
+        assert file.read_text() == ARM
