@@ -1,22 +1,21 @@
-"""What may be typed at an offset."""
+"""What may be typed at an offset: all of it to whom asks, a careful choice to whom types on."""
 
 from collections.abc import Iterable, Iterator
 from itertools import islice
 from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
-from kindsl.features.completion import snippets
 from kindsl.features.completion.context import CompletionContext, completion_context
 from kindsl.features.completion.item import CompletionItem
-from kindsl.features.completion.keywords import block_items, floating_item, section_items
+from kindsl.features.completion.keywords import block_items, keyword_items, section_items
 from kindsl.features.completion.names import (
-    child_items,
     id_items,
-    joint_items,
+    new_frame_items,
     new_joint_items,
     new_link_items,
     own_frame_items,
 )
+from kindsl.features.completion.tree_names import child_items, joint_items
 from kindsl.features.completion.values import constant_items, value_items
 from kindsl.features.hover.joint import joint_hover
 from kindsl.features.hover.keyword import keyword_hover
@@ -25,35 +24,54 @@ from kindsl.features.hover.parameter import constant_hover, parameter_hover
 from kindsl.features.workspace_symbols import is_match
 
 _MOST = 100
-_BLOCK_WORDS = frozenset(("Robot", "RobotBase", "link", "JOINT_KIND"))
 
 
 class Completions(NamedTuple):
-    """What may be typed.
+    """What may be typed; to be asked for again at each key, since the word may be whole then.
 
     Attributes:
         items: The best first.
-        start: Start of the word that they replace.
+        start: Start of the word that they replace; of its line, where blocks stand unindented.
         end: Its end.
-        is_incomplete: Whether there is more, to be asked for when more is typed.
     """
 
     items: tuple[CompletionItem, ...]
     start: int
     end: int
-    is_incomplete: bool = False
 
 
 def completions(analysis: Analysis, offset: int) -> Completions:
-    """Return what may be typed at an offset, also in half-typed text; often nothing."""
+    """Return all that may be typed at an offset, also in half-typed text; often nothing."""
     context = completion_context(analysis, offset)
     if context is None:
         return Completions((), offset, offset)
-    word = context.word.removeprefix("^")
-    fitting = (i for i in _items(analysis, context) if is_match(word, i.label))
-    found = list(islice(fitting, _MOST + 1))
-    best = sorted(dict.fromkeys(found[:_MOST]), key=lambda item: item.rank)
-    return Completions(tuple(best), context.start, context.end, len(found) > _MOST)
+    word = _typed(context)
+    fitting = (i for i in _items(analysis, context) if is_match(word, i.label) and i.text != word)
+    return _best(fitting, context)
+
+
+def narrowed(analysis: Analysis, offset: int) -> Completions:
+    """Return what is left of all that may be typed while someone goes on typing."""
+    context = completion_context(analysis, offset)
+    if context is None or _is_whole(_typed(context), _items(analysis, context)):
+        return Completions((), offset, offset)
+    return completions(analysis, offset)
+
+
+def suggestions(analysis: Analysis, offset: int) -> Completions:
+    """Return what an editor may show unasked while someone types, when Enter would accept it.
+
+    Nothing where the word that stands there is whole, or may become a new name; only what begins
+    with it.
+    """
+    context = completion_context(analysis, offset)
+    if context is None or not (context.word or context.is_after_blank):
+        return Completions((), offset, offset)
+    items = list(_items(analysis, context))
+    word = _typed(context)
+    if _is_whole(word, items):
+        return Completions((), offset, offset)
+    return _best((i for i in items if not i.is_asked_for and _begins(i.label, word)), context)
 
 
 def documentation(analysis: Analysis, item_kind: str, label: str) -> str | None:
@@ -72,21 +90,42 @@ def documentation(analysis: Analysis, item_kind: str, label: str) -> str | None:
     return keyword_hover(name)
 
 
+def _best(fitting: Iterable[CompletionItem], context: CompletionContext) -> Completions:
+    best = sorted(dict.fromkeys(islice(fitting, _MOST)), key=lambda item: item.rank)
+    start = context.line_start if context.block == "document" else context.start
+    return Completions(tuple(best), start, context.end)
+
+
+def _typed(context: CompletionContext) -> str:
+    return context.word.removeprefix("^")
+
+
+def _is_whole(word: str, items: Iterable[CompletionItem]) -> bool:
+    return bool(word) and any(word in (item.text, item.label) for item in items)
+
+
+def _begins(label: str, word: str) -> bool:
+    return label.lstrip("<-")[: len(word)].casefold() == word.casefold()
+
+
 def _items(analysis: Analysis, context: CompletionContext) -> Iterator[CompletionItem]:
     expected = context.expected
-    if expected & _BLOCK_WORDS:
-        yield from block_items(analysis, context)
-    yield from section_items(context)
-    yield from floating_item(context)
     if "FLOAT" in expected and context.value is not None:
         yield from value_items(analysis, context, context.value)
-    elif "NAME" in expected:
-        yield from _names(analysis, context)
     elif "INT" in expected:
         yield from id_items(analysis, context)
+    elif context.is_at_name:
+        yield from _names(analysis, context)
+    else:
+        yield from block_items(analysis, context)
+        yield from section_items(analysis, context)
+        yield from keyword_items(context)
+        yield from _names(analysis, context)
 
 
 def _names(analysis: Analysis, context: CompletionContext) -> Iterable[CompletionItem]:
+    if "NAME" not in context.expected:
+        return ()
     previous = context.previous.kind if context.previous is not None else ""
     if previous == "<":
         return constant_items(analysis, "{}")
@@ -95,12 +134,11 @@ def _names(analysis: Analysis, context: CompletionContext) -> Iterable[Completio
     if previous == "JOINT_KIND":
         return new_joint_items(analysis)
     if previous == "via":
-        return joint_items(analysis)
+        return joint_items(analysis, context)
     if previous == "=":
         return own_frame_items(context)
     if context.block == "children":
-        return child_items(analysis)
+        return child_items(analysis, context)
     if context.block == "frame_group":
-        text = snippets.frame()
-        return (CompletionItem("frame", "snippet", text, "a frame of this link", 1, True),)
+        return new_frame_items(context)
     return ()

@@ -21,6 +21,8 @@ _WORD_BEFORE = re.compile(r"\^?[^\W\d]\w*\Z")
 _WORD_AFTER = re.compile(r"\w*")
 _NUMBER_BEFORE = re.compile(r"[\d.]\w*\Z")
 _LONGEST_WORD = 200
+_BEFORE_NAMES = frozenset(("Robot", "RobotBase", "link", "JOINT_KIND", "via", "<"))
+_BEFORE_LISTS = frozenset(("link", "JOINT_KIND", "via", "=", "(", ",", "<"))
 _BLOCKS = frozenset((
     "base", "link", "joint", "inertia", "children", "frame_group", "frame", "joint_frame",
 ))  # fmt: skip
@@ -53,6 +55,32 @@ class CompletionContext(NamedTuple):
     sections: tuple[Node, ...]
     place: PlacedIsland
     typed: str
+
+    @property
+    def is_at_name(self) -> bool:
+        """Whether a name must stand here, never a keyword."""
+        previous = self.previous.kind if self.previous is not None else ""
+        return previous in _BEFORE_NAMES or (previous == "=" and "NAME" in self.expected)
+
+    @property
+    def line_start(self) -> int:
+        """Start of the line if only blanks stand before the word, else of the word."""
+        before = self.place.island.text[: self.start - self.place.start]
+        blanks = len(before) - len(before.rstrip(" \t"))
+        return (
+            self.start - blanks
+            if before[: len(before) - blanks].endswith(("\n", "\r"))
+            else self.start
+        )
+
+    @property
+    def is_after_blank(self) -> bool:
+        """Whether something must go on behind a blank or bracket just typed on this line."""
+        if self.previous is None:
+            return False
+        text = self.place.island.text[self.previous.end : self.start - self.place.start]
+        goes_on = self.previous.kind in _BEFORE_LISTS or "via" in self.expected
+        return goes_on and not text.strip(" \t") and (bool(text) or self.previous.kind in "(<")
 
 
 def completion_context(analysis: Analysis, offset: int) -> CompletionContext | None:

@@ -4,6 +4,7 @@ import re
 from typing import NamedTuple
 
 _PLACEHOLDER = re.compile(r"\$\{\d+:([^}]*)\}|\$\d+")
+_BLANKS = re.compile(r"\s+")
 
 
 class CompletionItem(NamedTuple):
@@ -16,6 +17,7 @@ class CompletionItem(NamedTuple):
         detail: A few words beside the label.
         rank: The smaller, the higher in the list.
         is_snippet: Whether the text has placeholders.
+        is_asked_for: Whether it is shown only to whom asks for the list, not by itself.
     """
 
     label: str
@@ -24,11 +26,16 @@ class CompletionItem(NamedTuple):
     detail: str = ""
     rank: int = 5
     is_snippet: bool = False
+    is_asked_for: bool = False
 
     @property
     def plain_text(self) -> str:
-        """The text for an editor that knows no placeholders."""
-        return without_placeholders(self.text) if self.is_snippet else self.text
+        """The text for an editor that knows no placeholders, on one line.
+
+        Some of these editors take a text of several lines for one and write NUL for each line end.
+        """
+        text = without_placeholders(self.text) if self.is_snippet else self.text
+        return _BLANKS.sub(" ", text)
 
 
 def without_placeholders(text: str) -> str:

@@ -5,8 +5,15 @@ from collections.abc import Iterator
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.completion import snippets
 from kindsl.features.completion.context import CompletionContext
+from kindsl.features.completion.fresh_names import fresh_joint, fresh_link, next_id
 from kindsl.features.completion.item import CompletionItem
-from kindsl.features.completion.names import next_id, undeclared_joints, undeclared_links
+from kindsl.features.completion.names import (
+    body_at,
+    joint_id,
+    undeclared_joints,
+    undeclared_links,
+)
+from kindsl.features.completion.tree_names import first_child
 from kindsl.features.tree_path import path_at
 from kindsl.syntax.sections import ORDER
 from kindsl.syntax.tree import Node, Token
@@ -25,27 +32,32 @@ _WORD = {
 }
 _BLOCKS = ORDER.keys() - {"document"}
 _KIND = {"inertia_params": "INERTIA"}
+_BLOCK_WORDS = frozenset(("Robot", "RobotBase", "link", "JOINT_KIND"))
 
 
 def block_items(analysis: Analysis, context: CompletionContext) -> Iterator[CompletionItem]:
-    """Yield the blocks that may come next at the document's top."""
+    """Yield the blocks that may come next at the document's top, none behind its last brace."""
     model = analysis.model
+    if not context.expected & _BLOCK_WORDS:
+        return
     before = {n.kind for nodes in _blocks_before(analysis, context) for n in nodes}
+    if "end" in before:
+        return
     if "head" not in before and not model.name:
         yield _snippet("Robot", snippets.robot(), "a whole document", 1)
     elif model.base is None and not (before & {"link", "joint"}):
         yield _snippet("RobotBase", snippets.base(""), "fixed base", 1)
         yield _snippet("RobotBase floating", snippets.base("floating"), "floating base", 2)
     if "base" in before and "joint" not in before:
-        name = next(undeclared_links(analysis), "name")
+        name = next(undeclared_links(analysis), None) or fresh_link(analysis)
         yield _snippet("link", snippets.link(name, next_id(analysis)), "link with inertia", 1)
     if "link" in before and not _has_link_behind(analysis, context):
-        name = next(undeclared_joints(analysis), "name")
+        name = next(undeclared_joints(analysis), None) or fresh_joint(analysis)
         yield _snippet("r_joint", snippets.joint("r_joint", name), "revolute joint", 2)
         yield _snippet("p_joint", snippets.joint("p_joint", name), "prismatic joint", 3)
 
 
-def section_items(context: CompletionContext) -> Iterator[CompletionItem]:
+def section_items(analysis: Analysis, context: CompletionContext) -> Iterator[CompletionItem]:
     """Yield the sections that the open block lacks and that may stand here."""
     order = ORDER[context.block] if context.block in _BLOCKS else {}
     before, behind = _sections_around(context)
@@ -56,39 +68,49 @@ def section_items(context: CompletionContext) -> Iterator[CompletionItem]:
         if kind == "moment" and first <= place.rank <= last:
             yield from _moments(context)
         elif first < place.rank < last:
-            yield from _section(context, kind)
+            yield from _section(analysis, context, kind)
 
 
-def floating_item(context: CompletionContext) -> Iterator[CompletionItem]:
+def keyword_items(context: CompletionContext) -> Iterator[CompletionItem]:
     """Yield the words that the grammar allows and that are no section: `floating`, `via`."""
     if "FLOATING" in context.expected:
         yield CompletionItem("floating", "keyword", "floating", "the base is free to move", 1)
     if "via" in context.expected and context.block == "children":
-        yield CompletionItem("via", "keyword", "via ", "joint between the two links", 1)
+        yield CompletionItem("via", "keyword", "via", "joint between the two links", 1)
 
 
-def _section(context: CompletionContext, kind: str) -> Iterator[CompletionItem]:
+def _section(analysis: Analysis, context: CompletionContext, kind: str) -> Iterator[CompletionItem]:
     word = _WORD[kind]
     if _KIND.get(word, word) not in context.expected:
         return
-    texts = {
-        "id": "id = ${1:1}",
-        "inertia": snippets.inertia(),
-        "children": snippets.children(),
-        "frames": snippets.frames(),
-        "joint_frame": snippets.joint_frame(),
-        "mass": "mass = ${1:1.0}",
-        "com": f"CoM = {snippets.vector()}",
-        "inertia_frame": "ref_frame = ${1:frame}",
-        "translation": f"translation = {snippets.vector()}",
-        "rotation": f"rotation = {snippets.vector()}",
-    }
+    if context.block == "joint" and kind == "id":
+        text = f"id = ${{1:{joint_id(analysis, context)}}}"
+        yield _snippet(word, text, "optional number of the joint", len(ORDER["joint"]) + 1)
+        return
     rank = 1 + list(ORDER[context.block]).index(kind)
-    yield _snippet(word, texts[kind], _DETAILS[kind], rank)
+    yield _snippet(word, _section_text(analysis, context, kind), _DETAILS[kind], rank)
     if kind == "children":
         yield CompletionItem("children {}", "snippet", "children {}", "no children", rank)
 
 
+def _section_text(analysis: Analysis, context: CompletionContext, kind: str) -> str:
+    if kind == "id":
+        return f"id = ${{1:{next_id(analysis, body_at(context))}}}"
+    if kind == "children":
+        return snippets.children(*first_child(analysis, context))
+    return _TEXTS[kind]
+
+
+_TEXTS = {
+    "inertia": snippets.inertia(),
+    "frames": snippets.frames(),
+    "joint_frame": snippets.joint_frame(),
+    "mass": "mass = ${1:1.0}",
+    "com": f"CoM = {snippets.vector()}",
+    "inertia_frame": "ref_frame = ${1:frame}",
+    "translation": f"translation = {snippets.vector()}",
+    "rotation": f"rotation = {snippets.vector()}",
+}
 _DETAILS = {
     "id": "number of the link",
     "inertia": "mass, CoM and moments in the link frame",

@@ -1,49 +1,20 @@
-"""Names that fit a place: children not yet attached, joints not yet used, own frames, new ones."""
+"""Names that fit a place: own frames, and new ones that are used already and not declared."""
 
 from collections.abc import Container, Iterable, Iterator
 
 from kindsl.analysis.analysis import Analysis
+from kindsl.features.completion import snippets
 from kindsl.features.completion.context import CompletionContext
+from kindsl.features.completion.fresh_names import next_id
 from kindsl.features.completion.item import CompletionItem
 from kindsl.features.tree_path import path_at
-from kindsl.semantics.declarations import Link
+from kindsl.semantics.declarations import Joint, Link
 from kindsl.semantics.lowering import declarations
-
-
-def child_items(analysis: Analysis) -> Iterator[CompletionItem]:
-    """Yield links to carry: those that nothing carries first, with a joint that is free."""
-    model = analysis.model
-    parents = {str(child.link): body for body in model.bodies for child in body.children}
-    used = {str(child.joint) for body in model.bodies for child in body.children}
-    free = next((str(j.name) for j in model.joints if j.name and j.name not in used), "joint")
-    names = [str(link.name) for link in model.links if link.name]
-    for name in names:
-        if name not in parents:
-            text, label = f"{name} via ${{1:{free}}}", f"{name} via …"
-            yield CompletionItem(label, "snippet", text, "not yet attached", 1, is_snippet=True)
-            yield CompletionItem(name, "link", name, "not yet attached", 2)
-    for name in names:
-        if name in parents:
-            yield CompletionItem(name, "link", name, f"child of {parents[name].name}", 7)
-
-
-def joint_items(analysis: Analysis) -> Iterator[CompletionItem]:
-    """Yield joints: those that connect nothing yet first."""
-    moved = {str(c.joint): str(c.link) for body in analysis.model.bodies for c in body.children}
-    joints = [joint for joint in analysis.model.joints if joint.name]
-    for joint in joints:
-        if joint.name not in moved:
-            name, detail = str(joint.name), f"{joint.kind}, free"
-            yield CompletionItem(name, "joint", name, detail, 1)
-    for joint in joints:
-        if joint.name in moved:
-            name, detail = str(joint.name), f"{joint.kind}, moves {moved[joint.name]}"
-            yield CompletionItem(name, "joint", name, detail, 7)
 
 
 def own_frame_items(context: CompletionContext) -> Iterator[CompletionItem]:
     """Yield the frames of the link around the cursor."""
-    body = _body_at(context)
+    body = body_at(context)
     for frame in body.frames if body is not None else ():
         if frame.name:
             yield CompletionItem(str(frame.name), "frame", str(frame.name), "frame of this link", 1)
@@ -61,16 +32,39 @@ def new_joint_items(analysis: Analysis) -> Iterator[CompletionItem]:
         yield CompletionItem(name, "joint", name, "used, not declared", 1)
 
 
+def new_frame_items(context: CompletionContext) -> Iterator[CompletionItem]:
+    """Yield a new frame, and the name of one that the inertia is given in and nobody declares."""
+    body = body_at(context)
+    frame = body.inertia.frame if body is not None and body.inertia is not None else None
+    declared = {str(frame.name) for frame in body.frames} if body is not None else set()
+    if frame and str(frame) not in declared:
+        text = snippets.frame(str(frame))
+        yield CompletionItem(str(frame), "frame", text, "used, not declared", 1, is_snippet=True)
+    text = snippets.frame()
+    yield CompletionItem(
+        "frame", "snippet", text, "a frame of this link", 2, is_snippet=True, is_asked_for=True
+    )
+
+
 def id_items(analysis: Analysis, context: CompletionContext) -> Iterator[CompletionItem]:
-    """Yield the smallest number that no other link has."""
-    number = str(next_id(analysis, _body_at(context)))
-    yield CompletionItem(number, "value", number, "next free id", 1)
+    """Yield the number that a link or joint is to have."""
+    if context.block == "joint":
+        number, detail = joint_id(analysis, context), "id of the link that it moves"
+    else:
+        number, detail = next_id(analysis, body_at(context)), "next free id"
+    yield CompletionItem(str(number), "value", str(number), detail, 1)
 
 
-def next_id(analysis: Analysis, own: Link | None = None) -> int:
-    """Return the smallest id that no link has, a link of one's own left out."""
-    taken = {link.id for link in analysis.model.links if link is not own}
-    return next(number for number in range(1, len(taken) + 2) if number not in taken)
+def joint_id(analysis: Analysis, context: CompletionContext) -> int:
+    """Return the number for the joint around the cursor: that of the link it moves, if known."""
+    joint = _joint_at(context)
+    children = (child for body in analysis.model.bodies for child in body.children)
+    name = str(joint.name) if joint is not None else ""
+    moved = next((str(child.link) for child in children if name and child.joint == name), "")
+    link = analysis.model.body_named.get(moved)
+    taken = {other.id for other in analysis.model.joints if other is not joint}
+    free = next(number for number in range(1, len(taken) + 2) if number not in taken)
+    return link.id if link is not None and link.id else free
 
 
 def undeclared_links(analysis: Analysis) -> Iterator[str]:
@@ -85,12 +79,21 @@ def undeclared_joints(analysis: Analysis) -> Iterator[str]:
     yield from _missing(names, analysis.model.joint_named)
 
 
+def body_at(context: CompletionContext) -> Link | None:
+    """Return the link or base around the cursor."""
+    bodies = declarations(context.place.island).bodies()
+    return next((body for body in bodies if body.node is _outermost_node(context)), None)
+
+
+def _joint_at(context: CompletionContext) -> Joint | None:
+    joints = declarations(context.place.island).joints
+    return next((joint for joint in joints if joint.node is _outermost_node(context)), None)
+
+
+def _outermost_node(context: CompletionContext) -> object:
+    path = path_at(context.place.island, context.start - context.place.start)
+    return path[0] if path else None
+
+
 def _missing(names: Iterable[str], declared: Container[str]) -> Iterator[str]:
     yield from dict.fromkeys(name for name in names if name and name not in declared)
-
-
-def _body_at(context: CompletionContext) -> Link | None:
-    island, local = context.place.island, context.start - context.place.start
-    path = path_at(island, local)
-    bodies = declarations(island).bodies()
-    return next((body for body in bodies if path and body.node is path[0]), None)

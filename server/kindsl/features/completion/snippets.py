@@ -29,12 +29,14 @@ def base(keyword_behind_name: str) -> str:
 
 
 def robot() -> str:
-    """Return a document with one link and one joint."""
+    """Return a document with one link and one joint, which nothing is wrong with."""
+    children = _in_braces("children", "${3:link1} via ${4:joint1}")
+    joint_frame = "translation = (0.0, 0.0, 0.2)\nrotation = (0.0, 0.0, 0.0)"
     blocks = (
         "Robot ${1:Name} {",
-        _in_braces("RobotBase ${2:base}", _in_braces("children", "${3:link1} via ${4:joint1}")),
-        _in_braces("link ${3:link1}", f"id = 1\n{inertia(5)}\nchildren {{}}"),
-        _in_braces("r_joint ${4:joint1}", _in_braces("ref_frame", pose(15))) + "\n}\n",
+        _in_braces("RobotBase ${2:base}", f"{_BASE_INERTIA}\n{children}"),
+        _in_braces("link ${3:link1}", f"id = 1\n{_LINK_INERTIA}\nchildren {{$0}}"),
+        _in_braces("r_joint ${4:joint1}", _in_braces("ref_frame", joint_frame)) + "\n}\n",
     )
     return "\n\n".join(blocks)
 
@@ -74,11 +76,21 @@ def joint_frame() -> str:
     return _in_braces("ref_frame", pose())
 
 
-def children() -> str:
+def children(link: str = "link", joint: str = "joint") -> str:
     """Return a section with one child."""
-    return _in_braces("children", "${1:link} via ${2:joint}")
+    return _in_braces("children", f"${{1:{link}}} via ${{2:{joint}}}")
 
 
 def _in_braces(head: str, body: str) -> str:
     lines = "\n".join(f"    {line}" for line in body.split("\n"))
     return f"{head} {{\n{lines}\n}}"
+
+
+def _inertia_of(mass: str, com: str, *moments: str) -> str:
+    pairs = zip(MOMENT_DEFAULTS, moments, strict=True)
+    lines = [f"mass = {mass}", f"CoM = ({com})", *(f"{name} = {text}" for name, text in pairs)]
+    return _in_braces("inertia_params", "\n".join(lines))
+
+
+_BASE_INERTIA = _inertia_of("1.0", "0.0, 0.0, 0.0", *MOMENT_DEFAULTS.values())
+_LINK_INERTIA = _inertia_of("1.0", "0.0, 0.0, 0.1", "0.02", "0.02", "0.01", "0.0", "0.0", "0.0")

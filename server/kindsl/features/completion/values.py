@@ -11,24 +11,30 @@ from kindsl.rules.context import ROBCOGEN
 from kindsl.semantics.declarations import ValueKind
 
 _PI_FORMS = (("PI/2.0", "90°"), ("-PI/2.0", "-90°"), ("PI", "180°"), ("-PI", "-180°"))
+_DIVISORS = {"2.0": "90°", "4.0": "45°", "3.0": "60°", "6.0": "30°"}
+_NEVER_ZERO = frozenset(("mass", "Ix", "Iy", "Iz"))
 
 
 def value_items(
     analysis: Analysis, context: CompletionContext, place: ValuePlace
 ) -> Iterator[CompletionItem]:
     """Yield what may stand in a value, what fits its class first."""
+    before = context.previous.text if context.previous is not None else ""
+    if before == "/":
+        yield from _divisors(context)
+        return
     yield from _parameters(analysis, context, place)
-    if context.previous is not None and context.previous.text in ("(", ",", "="):
+    if before in ("(", ",", "="):
         yield from _plain(place)
-    else:
-        yield CompletionItem("PI", "value", "PI", "3.142", 3)
+    elif place.kind is ValueKind.ANGLE:
+        yield CompletionItem("PI", "value", "PI", "180°", 3)
     if not (analysis.settings.targets and ROBCOGEN in analysis.settings.targets):
         yield from constant_items(analysis, "<{}>")
 
 
 def constant_items(analysis: Analysis, form: str) -> Iterator[CompletionItem]:
     """Yield the named constants, each written in a form such as `<{}>`."""
-    for constant in analysis.model.constants:
+    for constant in filter(lambda constant: constant.name, analysis.model.constants):
         value = analysis.context.values.get(f"<{constant.name}>")
         detail = "constant" if value is None else f"constant, {number(value)}"
         text = form.format(constant.name)
@@ -39,18 +45,28 @@ def _plain(place: ValuePlace) -> Iterator[CompletionItem]:
     if place.kind is ValueKind.ANGLE:
         for text, detail in _PI_FORMS:
             yield CompletionItem(text, "value", text, detail, 3)
-    yield CompletionItem("0.0", "value", "0.0", place.unit, 4)
+    if place.section not in _NEVER_ZERO:
+        yield CompletionItem("0.0", "value", "0.0", place.unit, 4, is_asked_for=True)
+
+
+def _divisors(context: CompletionContext) -> Iterator[CompletionItem]:
+    """Yield numbers to divide by, with the angle that a fraction of pi comes to."""
+    local = context.start - context.place.start
+    tokens = [t.kind for t in context.place.island.tokens if t.end <= local and not t.is_missing]
+    is_pi = tokens[-2:-1] == ["PI"]
+    for rank, (text, angle) in enumerate(_DIVISORS.items(), 1):
+        yield CompletionItem(text, "value", text, angle if is_pi else "", rank)
 
 
 def _parameters(
     analysis: Analysis, context: CompletionContext, place: ValuePlace
 ) -> Iterator[CompletionItem]:
-    """Yield the parameters; one of another class stands at the end of the list."""
-    for parameter in sorted(analysis.model.parameters, key=lambda p: p.kind is not place.kind):
-        if not parameter.name or (parameter.name == context.typed and len(parameter.uses) == 1):
+    """Yield the parameters of the place's class, but for the one that is being typed."""
+    for parameter in analysis.model.parameters:
+        name = str(parameter.name)
+        is_new = name == context.typed and len(parameter.uses) == 1
+        if not name or is_new or parameter.kind is not place.kind:
             continue
-        value = analysis.context.values.get(str(parameter.name))
+        value = analysis.context.values.get(name)
         told = "unbound" if value is None else number(value)
-        rank = 1 if parameter.kind is place.kind else 8
-        detail = f"{parameter.kind} parameter, {told}"
-        yield CompletionItem(str(parameter.name), "parameter", str(parameter.name), detail, rank)
+        yield CompletionItem(name, "parameter", name, f"{parameter.kind} parameter, {told}", 1)

@@ -14,9 +14,7 @@ if TYPE_CHECKING:
 
 handlers = Handlers()
 
-_OPTIONS = types.CompletionOptions(
-    trigger_characters=[" ", "{", "(", "=", "<", "^"], resolve_provider=True
-)
+_OPTIONS = types.CompletionOptions(trigger_characters=[" ", "(", "<", "^"], resolve_provider=True)
 _KINDS = {
     "keyword": types.CompletionItemKind.Keyword.value,
     "snippet": types.CompletionItemKind.Snippet.value,
@@ -27,18 +25,19 @@ _KINDS = {
     "constant": types.CompletionItemKind.Constant.value,
     "value": types.CompletionItemKind.Value.value,
 }
+_LIST = "a list of completions was shown"
+_KIND = types.CompletionTriggerKind
+_NEVER_TYPED = " "
 _ITEM = "text_document.completion.completion_item"
 
 
 @handlers.place(types.TEXT_DOCUMENT_COMPLETION, _OPTIONS)
 def complete(view: View, params: types.CompletionParams) -> dict[str, Any]:
     """Offer what may be typed, the best first; in the protocol's form, which is asked for often."""
-    from kindsl.features.completion.completion import completions
-
-    found = completions(view.analysis, view.offset(params.position))
+    found = _found(view, view.offset(params.position), params.context)
     form = _form(view, found, params.position)
     items = [_item(item, number, form) for number, item in enumerate(found.items)]
-    return {"isIncomplete": found.is_incomplete, "items": items}
+    return {"isIncomplete": bool(items), "items": items}
 
 
 @handlers.session(types.COMPLETION_ITEM_RESOLVE)
@@ -46,6 +45,37 @@ def resolve(session: Session, item: types.CompletionItem) -> Any:
     """Add the text beside the list."""
     data = item.data if isinstance(item.data, dict) else {}
     return session.ask(_with_documentation, str(data.get("uri", "")), item)
+
+
+def _found(view: View, offset: int, context: types.CompletionContext | None) -> "Completions":
+    """Return all that may be typed to a user who asks, less to an editor that asks unasked."""
+    from kindsl.features.completion.completion import completions, narrowed, suggestions
+
+    kind = _KIND.Invoked if context is None else context.trigger_kind
+    is_unasked = _comes_by_itself(view, offset)
+    if kind is _KIND.Invoked and not is_unasked:
+        found = completions(view.analysis, offset)
+        view.state.asked_list = (view.document.uri, found.start)
+        return found
+    if kind is _KIND.TriggerForIncompleteCompletions:
+        found = narrowed(view.analysis, offset)
+        if (view.document.uri, found.start) == view.state.asked_list:
+            return found
+    view.state.asked_list = None
+    return suggestions(view.analysis, offset)
+
+
+def _comes_by_itself(view: View, offset: int) -> bool:
+    """Whether a list is the first one for a word that was just typed.
+
+    The protocol does not tell it from one that the user asks for. Who wants to see more than comes
+    by itself asks once more.
+    """
+    document, is_first = view.document, _LIST not in view.document.facts
+    document.facts[_LIST] = True
+    touched, before = document.touched, document.lines.text(max(offset - 1, 0), offset)
+    is_typed = touched is not None and touched.start <= offset <= touched.end
+    return is_first and is_typed and (before.isalnum() or before == "_")
 
 
 def _with_documentation(view: View, item: types.CompletionItem) -> types.CompletionItem:
@@ -101,6 +131,8 @@ def _position(view: View, offset: int) -> dict[str, int]:
 def _item(item: "CompletionItem", number: int, form: _Form) -> dict[str, Any]:
     is_snippet = item.is_snippet and form.has_snippets
     format_ = types.InsertTextFormat.Snippet if is_snippet else types.InsertTextFormat.PlainText
+    # Digits that are typed are never taken for the beginning of another number.
+    filter_ = {"filterText": _NEVER_TYPED} if item.label[:1].isdigit() else {}
     return {
         "label": item.label,
         "kind": _KINDS[item.kind],
@@ -110,4 +142,5 @@ def _item(item: "CompletionItem", number: int, form: _Form) -> dict[str, Any]:
         "textEdit": {"newText": item.text if is_snippet else item.plain_text, **form.place},
         "data": {"uri": form.uri, "kind": item.kind},
         **form.mode,
+        **filter_,
     }

@@ -38,6 +38,7 @@ class State:
         tokens: The semantic tokens that the client knows.
         news: Set when files or settings may have changed.
         refused: Documents of which the user was told that they are too broken to format.
+        asked_list: URI and start of the open list of completions, if the user asked for it.
         loop: Where messages are read, once they are.
         on_cursor: Called with a document, and the kind and name of what the cursor is on there.
         on_findings: Called with an open document and what was found in that version.
@@ -55,6 +56,7 @@ class State:
         self.tokens = TokenMemory()
         self.news = asyncio.Event()
         self.refused: set[str] = set()
+        self.asked_list: tuple[str, int] | None = None
         self.loop: asyncio.AbstractEventLoop
         self.on_cursor: list[Callable[[str, str, str], None]] = []
         self.on_findings: list[Callable[[Document, Sequence[Diagnostic]], None]] = []

@@ -9,6 +9,7 @@ from kindsl.lsp.text import uris
 from kindsl.lsp.text.changes import Change, edits_of
 from kindsl.lsp.text.lines import Lines, PlainPiece
 from kindsl.text.edits import TextEdit
+from kindsl.text.span import Span
 
 if TYPE_CHECKING:
     from kindsl.syntax.document import SyntaxDocument
@@ -26,9 +27,10 @@ class Document:
         encoding: How the client counts columns.
         lines: Where its lines begin.
         facts: What was derived from this version, kept as long as it is.
+        touched: What the last notification wrote, from its first change to its last; None before.
     """
 
-    __slots__ = ("_basis", "_tree", "encoding", "facts", "lines", "uri", "version")
+    __slots__ = ("_basis", "_tree", "encoding", "facts", "lines", "touched", "uri", "version")
 
     def __init__(
         self,
@@ -43,6 +45,7 @@ class Document:
         self.encoding = encoding
         self.lines = lines
         self.facts: dict[object, Any] = {}
+        self.touched: Span | None = None
         self._basis = basis
         self._tree: SyntaxDocument | None = None
 
@@ -84,7 +87,11 @@ class Document:
         """Return the next version."""
         edits = edits_of(self.lines, changes, self.encoding)
         lines = self.lines.edited(edits)
-        return Document(self.uri, version, lines, self.encoding, self._basis_with(edits))
+        changed = Document(self.uri, version, lines, self.encoding, self._basis_with(edits))
+        if edits:
+            behind = self.lines.length - edits[-1].end
+            changed.touched = Span(edits[0].start, lines.length - behind)
+        return changed
 
     def offset(self, position: types.Position) -> int:
         """Return the code point that a client's position means, clamped."""

@@ -1,0 +1,60 @@
+"""How often a hand stumbles that types robots into VS Code's editor core.
+
+    python benchmarks/typist.py [FILE ...] [--delay 12] [--pause 250] [--closing never]
+
+Types every line of the documents (the examples and, where they are there, the published models
+beside this project), 12 ms a key, waits a quarter of a second, presses Enter. A stumble is an Enter
+that did something else than break the line. Ends with status 1 if there is one.
+"""
+
+import argparse
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from tests.typist.monaco import editor
+from tests.typist.typist import Hand, lines_to_type, type_document
+from tests.vscode.browser import chromium
+
+from kindsl.analysis.analysis import analyse
+
+ROOT = Path(__file__).resolve().parents[1]
+PUBLISHED = ROOT.parent / "shared" / "corpus"
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("files", nargs="*", type=Path)
+    parser.add_argument("--delay", type=float, default=12, help="milliseconds between two keys")
+    parser.add_argument("--pause", type=float, default=250, help="milliseconds before Enter")
+    parser.add_argument(
+        "--closing", choices=["languageDefined", "never"], default="languageDefined"
+    )
+    options = parser.parse_args()
+    files = options.files or [*sorted(ROOT.glob("examples/*.kindsl")), *published()]
+    hand = Hand(options.delay, options.pause)
+    count = sum(len(typed(file, hand, options.closing)) for file in files)
+    print(f"{count} stumbles in {len(files)} documents")
+    return int(count > 0)
+
+
+def published() -> list[Path]:
+    """Return the published models that can be parsed."""
+    files = sorted(PUBLISHED.glob("*.kindsl"))
+    return [f for f in files if not analyse(f.read_text()).syntax.problems]
+
+
+def typed(file: Path, hand: Hand, closing: str) -> list[object]:
+    """Type a document; print and return the stumbles."""
+    lines = lines_to_type(file.read_text())
+    with chromium() as browser, editor(browser, autoClosingBrackets=closing) as page:
+        stumbles = type_document(page, lines, hand)
+    print(f"{file.name:50} {len(lines):5} lines, {len(stumbles)} stumbles", flush=True)
+    for stumble in stumbles:
+        print(f"    {stumble}")
+    return list(stumbles)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

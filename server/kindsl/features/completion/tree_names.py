@@ -1,0 +1,113 @@
+"""What may stand in `children`: links to carry and the joints that move them."""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from kindsl.analysis.analysis import Analysis
+from kindsl.features.completion.context import CompletionContext
+from kindsl.features.completion.fresh_names import fresh_joint, fresh_link
+from kindsl.features.completion.item import CompletionItem
+from kindsl.features.completion.names import body_at
+
+
+class _Uses(NamedTuple):
+    """What the children of all bodies say, the child that is being typed left out.
+
+    Attributes:
+        parents: The name of the body that carries a link, by the link's name.
+        moved: The name of the link that a joint moves, by the joint's name.
+    """
+
+    parents: dict[str, str]
+    moved: dict[str, str]
+
+
+def child_items(analysis: Analysis, context: CompletionContext) -> Iterator[CompletionItem]:
+    """Yield links to carry, never one that would close a loop: those that nothing carries first."""
+    uses = _uses(analysis, context)
+    free = _free_joint(analysis, uses)
+    fitting = list(_fitting(analysis, context, uses))
+    for name in fitting:
+        if name not in uses.parents:
+            joint = free or fresh_joint(analysis, name)
+            text, label = f"{name} via ${{1:{joint}}}", f"{name} via …"
+            yield CompletionItem(label, "snippet", text, "not yet attached", 1, is_snippet=True)
+            yield CompletionItem(name, "link", name, "not yet attached", 2)
+    yield _new_child(analysis, free)
+    for name in fitting:
+        if name in uses.parents:
+            detail = f"child of {uses.parents[name]} already"
+            yield CompletionItem(name, "link", name, detail, 7, is_asked_for=True)
+
+
+def joint_items(analysis: Analysis, context: CompletionContext) -> Iterator[CompletionItem]:
+    """Yield joints: those that connect nothing yet, a new one if all do, then the others."""
+    moved = _uses(analysis, context).moved
+    joints = {str(joint.name): joint.kind for joint in analysis.model.joints if joint.name}
+    for name, kind in joints.items():
+        if name not in moved:
+            yield CompletionItem(name, "joint", name, f"{kind}, free", 1)
+    if moved.keys() >= joints.keys():
+        name = fresh_joint(analysis, _child_before(context))
+        yield CompletionItem(name, "joint", name, "new joint", 2, is_asked_for=True)
+    for name, kind in joints.items():
+        if name in moved:
+            detail = f"{kind}, moves {moved[name]} already"
+            yield CompletionItem(name, "joint", name, detail, 7, is_asked_for=True)
+
+
+def first_child(analysis: Analysis, context: CompletionContext) -> tuple[str, str]:
+    """Return the link that comes first to mind as a child of the one at the cursor, and its joint.
+
+    Both are new names where nothing is free.
+    """
+    uses = _uses(analysis, context)
+    fitting = _fitting(analysis, context, uses)
+    link = next((name for name in fitting if name not in uses.parents), "")
+    joint = _free_joint(analysis, uses) or fresh_joint(analysis, link)
+    return link or fresh_link(analysis), joint
+
+
+def _new_child(analysis: Analysis, free_joint: str) -> CompletionItem:
+    link, joint = fresh_link(analysis), free_joint or fresh_joint(analysis)
+    text, label = f"${{1:{link}}} via ${{2:{joint}}}", f"{link} via {joint}"
+    return CompletionItem(
+        label, "snippet", text, "new child", 3, is_snippet=True, is_asked_for=True
+    )
+
+
+def _uses(analysis: Analysis, context: CompletionContext) -> _Uses:
+    body, local = body_at(context), context.start - context.place.start
+    own = body.children if body is not None else ()
+    typed = next((c for c in own if any(name and name.start == local for name in c[:2])), None)
+    uses = _Uses({}, {})
+    for body in analysis.model.bodies:
+        for child in body.children:
+            if child is not typed:
+                uses.parents.setdefault(str(child.link), str(body.name))
+                uses.moved.setdefault(str(child.joint), str(child.link))
+    return uses
+
+
+def _fitting(analysis: Analysis, context: CompletionContext, uses: _Uses) -> Iterator[str]:
+    """Yield the links that the one at the cursor may carry: neither itself nor one above it."""
+    body = body_at(context)
+    name = str(body.name) if body is not None else ""
+    above: set[str] = set()
+    while name and name not in above:
+        above.add(name)
+        name = uses.parents.get(name, "")
+    names = (str(link.name) for link in analysis.model.links)
+    return (name for name in names if name and name not in above)
+
+
+def _free_joint(analysis: Analysis, uses: _Uses) -> str:
+    names = (str(joint.name) for joint in analysis.model.joints)
+    return next((name for name in names if name and name not in uses.moved), "")
+
+
+def _child_before(context: CompletionContext) -> str:
+    """Return the name of the link that a joint is typed for."""
+    local = context.start - context.place.start
+    tokens = [t for t in context.place.island.tokens if t.end <= local and not t.is_missing]
+    return tokens[-2].text if len(tokens) > 1 else ""
