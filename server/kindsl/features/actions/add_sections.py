@@ -7,8 +7,8 @@ from kindsl.analysis.analysis import Analysis
 from kindsl.features.actions.action import CodeAction
 from kindsl.features.actions.layout_edits import inserted_section
 from kindsl.features.completion import snippets
+from kindsl.features.completion.fresh_names import next_id
 from kindsl.features.completion.item import without_placeholders
-from kindsl.features.completion.names import next_id
 from kindsl.features.tree_path import path_at
 from kindsl.syntax.sections import ORDER
 from kindsl.syntax.tree import Node, Token

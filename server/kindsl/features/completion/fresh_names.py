@@ -46,6 +46,7 @@ def _fresh(names: list[str], stem: str, taken: Collection[str]) -> str:
 def _taken(analysis: Analysis) -> set[str]:
     """Return every name that something has, or is called by."""
     model = analysis.model
-    names = {str(thing.name) for thing in (*model.bodies, *model.joints, *model.frames)}
+    names = {str(body.name) for body in model.bodies} | {str(frame.name) for frame in model.frames}
+    names |= {str(joint.name) for joint in model.joints}
     names |= {str(n) for body in model.bodies for child in body.children for n in child[:2]}
     return names | {model.name}
