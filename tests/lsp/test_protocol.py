@@ -143,6 +143,17 @@ class TestMalformedMessages:
         assert client.refusal("kindsl/unknown", inner)["code"] == -32601
         assert client.refusal("kindsl/unknown", inner)["code"] == -32601
 
+    @pytest.mark.parametrize("msg_id", ["null", "true", "[]", "{}", "[1]", "NaN", "-Infinity"])
+    def test_an_id_that_is_no_number_or_string_is_refused(
+        self, client: RawClient, msg_id: str
+    ) -> None:
+        client.send_body(
+            b'{"jsonrpc": "2.0", "id": %b, "method": "kindsl/unknown"}' % msg_id.encode()
+        )
+        refusal = client.answer(None)["error"]
+        assert refusal == {"code": -32600, "message": "the request's id is no number or string"}
+        assert client.refusal("kindsl/unknown")["code"] == -32601
+
 
 class TestFrames:
     def test_other_headers_and_cases_are_understood(self, client: RawClient) -> None:
@@ -160,6 +171,16 @@ class TestFrames:
     def test_a_header_without_a_length_is_skipped(self, client: RawClient) -> None:
         client.send_bytes(b"X: 1\r\n\r\n")
         assert client.refusal("kindsl/unknown")["code"] == -32601
+
+    def test_a_wrong_length_costs_messages_but_not_the_server(self, client: RawClient) -> None:
+        body = json.dumps({"jsonrpc": "2.0", "id": "wrong", "method": "kindsl/unknown"}).encode()
+        for length in (0, 20, len(body) - 1, len(body) + 1, 2 * len(body)):
+            client.send_bytes(b"Content-Length: %d\r\n\r\n%b" % (length, body))
+            for number in range(4):
+                client.send(id=f"{length} {number}", method="kindsl/unknown")
+            assert client.answer(f"{length} 3")["error"]["code"] == -32601
+        assert client.answer(None)["error"]["code"] == -32700
+        client.drain()
 
     def test_text_in_other_scripts_survives(self, client: RawClient) -> None:
         assert "'robôt/🤖'" in client.refusal("robôt/🤖")["message"]

@@ -10,7 +10,8 @@ from kindsl.lsp.server import KindslLanguageServer
 from kindsl.lsp.session import memory
 from kindsl.lsp.session.worker import start_task
 from kindsl.lsp.wire import parent_watch
-from kindsl.lsp.wire.transport import MessageWriter, TransportWriter, open_stdio, read_messages
+from kindsl.lsp.wire.frames import read_messages
+from kindsl.lsp.wire.transport import MessageWriter, TransportWriter, open_stdio
 
 logger = logging.getLogger(__name__)
 

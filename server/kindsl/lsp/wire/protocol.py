@@ -10,6 +10,7 @@ import contextvars
 import inspect
 import json
 import logging
+import math
 from collections.abc import Callable
 from concurrent.futures import Future
 from typing import Any, NamedTuple, TypeVar
@@ -78,12 +79,21 @@ class KindslProtocol(LanguageServerProtocol):
     def _receive(self, data: Any) -> None:
         if not isinstance(data, dict) or data.get("jsonrpc") != self.VERSION:
             self._refuse(None, JsonRpcInvalidRequest("the message is not a JSON-RPC 2.0 object"))
+        elif "id" in data and not _is_id(data["id"]):
+            self._refuse_id(data)
         elif isinstance(data.get("method"), str):
             self._receive_call(data)
         elif "id" in data and ("result" in data or "error" in data):
             self._receive_response(data)
         else:
             self._refuse(None, JsonRpcInvalidRequest("the message is no request and no response"))
+
+    def _refuse_id(self, data: dict[str, Any]) -> None:
+        """Refuse a request whose answer could not name it; an answer is not answered."""
+        if "method" in data:
+            self._refuse(None, JsonRpcInvalidRequest("the request's id is no number or string"))
+        else:
+            logger.warning("an answer to no request of ours was ignored")
 
     def _receive_call(self, data: dict[str, Any]) -> None:
         """Check a request or notification and hand it to its handler."""
@@ -211,7 +221,10 @@ class KindslProtocol(LanguageServerProtocol):
             self.writer.write(b"Content-Length: %d\r\n\r\n%b" % (len(body), body))
 
     def _check_handler_result(self, future: Any) -> None:
-        if not future.cancelled() and (error := future.exception()) is not None:
+        error = None if future.cancelled() else future.exception()
+        if isinstance(error, JsonRpcException):
+            logger.warning("a notification was ignored: %s", error)
+        elif error is not None:
             logger.error("a notification failed", exc_info=error)
 
     def _handle_request(self, msg_id: Any, method_name: str, params: Any) -> None:
@@ -225,7 +238,7 @@ class KindslProtocol(LanguageServerProtocol):
         self._execute_handler(msg_id, handler, callback, args=(params,))
 
     def _handle_cancel_notification(self, msg_id: Any) -> None:
-        future = self._request_futures.get(msg_id)
+        future = self._request_futures.get(msg_id) if _is_id(msg_id) else None
         if future is not None:
             future.cancel()
 
@@ -268,6 +281,13 @@ class KindslProtocol(LanguageServerProtocol):
     def lsp_text_document__did_close(self, params: types.DidCloseTextDocumentParams) -> None:
         """Forget the text that the editor showed."""
         self.documents.close(params.text_document.uri)
+
+
+def _is_id(value: object) -> bool:
+    """Whether a value can name a request: a string or a number that JSON knows."""
+    if isinstance(value, float):
+        return math.isfinite(value)
+    return isinstance(value, str | int) and not isinstance(value, bool)
 
 
 def _sentence(error: BaseException) -> str:

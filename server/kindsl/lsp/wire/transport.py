@@ -1,4 +1,4 @@
-"""Bytes in and out: framed messages over stdio or a socket, in the running event loop.
+"""Bytes in and out: over stdio or a socket, in the running event loop.
 
 Nothing here waits in a thread while messages flow: on POSIX both pipes belong to the event loop,
 so a busy handler cannot starve the reader, and a client that does not read cannot block us.
@@ -6,24 +6,14 @@ so a busy handler cannot starve the reader, and a client that does not read cann
 
 import asyncio
 import contextlib
-import itertools
-import logging
 import os
-import re
 import stat
 import sys
 import threading
-from collections.abc import Callable
 from typing import Protocol
 
-_CONTENT_LENGTH = re.compile(
-    rb"^content-length:[ \t]*(\d+)[ \t]*\r?$", re.IGNORECASE | re.MULTILINE
-)
 _BUFFER = 1 << 24
 _READ = 1 << 16
-_TURN = 256
-
-logger = logging.getLogger(__name__)
 
 
 class MessageWriter(Protocol):
@@ -37,28 +27,6 @@ class MessageWriter(Protocol):
 
     async def flush(self) -> None:
         """Wait until all is sent."""
-
-
-async def read_messages(reader: asyncio.StreamReader, receive: Callable[[bytes], bool]) -> None:
-    """Hand the body of each message to `receive` until it says False or the input ends.
-
-    Messages that have arrived are all handed on before what they started goes on, so that a
-    cancellation overtakes the request it is about; a flood still leaves others their turn.
-    """
-    for count in itertools.count(1):
-        if count % _TURN == 0:
-            await asyncio.sleep(0)
-        try:
-            head = await reader.readuntil(b"\r\n\r\n")
-            length = _CONTENT_LENGTH.search(head)
-            if length is None:
-                logger.error("a header without Content-Length was skipped")
-                continue
-            body = await reader.readexactly(int(length[1]))
-        except (asyncio.IncompleteReadError, asyncio.LimitOverrunError, ConnectionError):
-            return
-        if not receive(body):
-            return
 
 
 async def open_stdio() -> tuple[asyncio.StreamReader, MessageWriter]:
