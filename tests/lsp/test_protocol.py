@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from tests.support.lsp import RawClient, raw_client, ready_client
+from tests.support.lsp import RawClient, StrictClient, raw_client, ready_client
 
 FAULTY = (sys.executable, str(Path(__file__).with_name("faulty_server.py")))
 HOVER = {"textDocument": {"uri": "untitled:a"}, "position": {"line": 0, "character": 0}}
@@ -23,7 +23,7 @@ def client() -> Iterator[RawClient]:
 
 @pytest.fixture(scope="module")
 def faulty() -> Iterator[RawClient]:
-    client = RawClient(FAULTY)
+    client = StrictClient(FAULTY)
     client.initialize({"window": {"showMessage": {}}})
     yield client
     client.kill()
@@ -234,6 +234,7 @@ class TestCancellation:
             {"id": "r", "method": "test/mark", "params": 8},
         ]
         bodies = [json.dumps({"jsonrpc": "2.0", **message}).encode() for message in messages]
+        faulty.asked |= {"q": "test/mark", "r": "test/mark"}
         faulty.send_bytes(b"".join(b"Content-Length: %d\r\n\r\n%b" % (len(b), b) for b in bodies))
         assert faulty.answer("q")["error"]["code"] == -32800
         assert faulty.answer("r")["result"] is None
@@ -260,7 +261,7 @@ class TestCancellation:
         assert [faulty.answer(each)["result"] for each in busy] == [None] * 6
 
     def test_shutdown_cancels_what_runs(self) -> None:
-        client = RawClient(FAULTY)
+        client = StrictClient(FAULTY)
         client.initialize()
         waiting = client.start("test/wait")
         assert client.request("shutdown") is None
@@ -272,7 +273,7 @@ class TestCancellation:
 
 class TestProgress:
     def test_work_that_takes_long_is_shown_where_the_client_can(self) -> None:
-        client = RawClient(FAULTY)
+        client = StrictClient(FAULTY)
         client.initialize({"window": {"workDoneProgress": True}})
         client.request("test/scan", 0.1)
         assert client.messages == []

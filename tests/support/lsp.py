@@ -11,6 +11,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from tests.support.lsp_messages import faults
+
 SERVER = (sys.executable, "-m", "kindsl.cli.language_server")
 TIMEOUT = 30.0
 
@@ -23,6 +25,7 @@ class RawClient:
             command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=cwd
         )
         self.messages: list[dict[str, Any]] = []
+        self.asked: dict[Any, str] = {}
         self.configuration: dict[str | None, Any] = {}
         self._arrived: queue.Queue[dict[str, Any] | None] = queue.Queue()
         self._ids = 0
@@ -42,6 +45,8 @@ class RawClient:
         self.send_bytes(b"Content-Length: %d\r\n\r\n%b" % (len(body), body))
 
     def send(self, **message: Any) -> None:
+        if isinstance(message.get("id"), str | int) and "method" in message:
+            self.asked[message["id"]] = message["method"]
         self.send_body(json.dumps({"jsonrpc": "2.0", **message}).encode())
 
     def notify(self, method: str, params: Any = None) -> None:
@@ -172,10 +177,19 @@ class RawClient:
         self._errors.extend(iter(self.process.stderr.readline, b""))
 
 
+class StrictClient(RawClient):
+    """Also holds what comes against the specification."""
+
+    def _keep(self, message: dict[str, Any]) -> None:
+        found = list(faults(message, self.asked))
+        assert found == [], found
+        super()._keep(message)
+
+
 @contextmanager
 def raw_client(*options: str, cwd: Path | None = None) -> Iterator[RawClient]:
     """A server with nothing said to it yet."""
-    client = RawClient((*SERVER, *options), cwd)
+    client = StrictClient((*SERVER, *options), cwd)
     try:
         yield client
     finally:
