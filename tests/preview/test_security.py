@@ -3,17 +3,19 @@
 import asyncio
 import json
 import socket
+from contextlib import suppress
 from urllib.parse import urlsplit
 
 import pytest
 from tests.preview.hanging_up import hang_up
 from tests.preview.robots import ARM
 from tornado.httpclient import AsyncHTTPClient, HTTPClientError, HTTPRequest
-from tornado.websocket import websocket_connect
+from tornado.websocket import WebSocketClosedError, websocket_connect
 
 from kindsl.analysis.analysis import analyse
 from kindsl.preview.access import Access, new_token
 from kindsl.preview.assets import SCRIPTS, STYLES
+from kindsl.preview.budget import Budget
 from kindsl.preview.server import PreviewServer
 
 FOREIGN_HOSTS = [
@@ -187,6 +189,50 @@ async def test_an_oversized_message_closes_the_line(server):
         continue
     connection.close()
     assert connection.close_code == 1009 or connection.close_code is None
+
+
+async def test_refused_and_failed_requests_write_no_token(server, capfd, caplog, monkeypatch):
+    assert await status(server, Origin="http://evil.example") == 403
+    assert await websocket_status(server, Origin="http://evil.example") == 403
+    assert await status(server, "/nowhere") == 404
+    assert await status(server, token="wrong") == 403
+    assert (*capfd.readouterr(), caplog.text) == ("", "", "")
+    monkeypatch.setattr("kindsl.preview.handlers.live_page", lambda token: 1 / 0)
+    assert await status(server) == 500
+    out, error = capfd.readouterr()
+    assert error == "internal error in the preview: ZeroDivisionError('division by zero')\n"
+    assert server.token not in out + error + caplog.text
+
+
+async def test_a_page_that_floods_the_server_loses_its_line(server):
+    connection = await websocket_connect(f"ws://127.0.0.1:{server.port}/live?token={server.token}")
+    hello = json.dumps({"type": "hello", "joints": {f"joint{n:05}": 1.5 for n in range(2600)}})
+    with suppress(WebSocketClosedError):
+        for _ in range(58):
+            await connection.write_message(hello)
+    while await connection.read_message() is not None:
+        continue
+    connection.close()
+    assert connection.close_code == 1008
+    assert len(server._documents["arm.kindsl"]._joints) <= 2600
+    assert await status(server) == 200
+
+
+def test_a_budget_comes_back_with_time():
+    now = [0.0]
+    budget = Budget(lambda: now[0])
+    assert all(budget.spend("") for _ in range(600))
+    assert not budget.spend("")
+    now[0] = 10.0
+    assert budget.spend("x" * 1000)
+
+
+def test_a_hand_never_meets_the_budget():
+    now = [0.0]
+    budget = Budget(lambda: now[0])
+    for _ in range(6000):
+        now[0] += 1 / 120
+        assert budget.spend('{"type": "set-joint", "name": "LF_HFE", "value": 0.123456789}')
 
 
 async def test_an_unknown_document_is_told_so(server):

@@ -1,6 +1,7 @@
 """HTTP and websocket requests: each is checked first, then answered from memory."""
 
 import asyncio
+import sys
 from contextlib import suppress
 from typing import Any, Protocol
 
@@ -9,11 +10,13 @@ from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
 from kindsl.preview.access import Access
 from kindsl.preview.assets import assets, live_page
+from kindsl.preview.budget import Budget
 from kindsl.preview.channel import Tab
 from kindsl.preview.document_preview import DocumentPreview
 from kindsl.preview.requests import MOST_BYTES, Request, parse_request
 from kindsl.preview.scene.messages import Message, encode
 
+TOO_MUCH = 1008
 # The viewer and its control library set styles from scripts; nothing may evaluate text as code.
 # An editor shows the page in a frame: VS Code's own pages, or a local server's.
 POLICY = "; ".join((
@@ -79,6 +82,14 @@ class CheckedHandler(RequestHandler):
         if reason is not None:
             raise HTTPError(403, reason)
 
+    def log_exception(self, kind: Any, error: Any, trace: Any) -> None:  # noqa: ARG002
+        """Say no more than what failed: tornado's own line has the address, token and all, in it.
+
+        A request that is refused is none of the user's business: any page can send one.
+        """
+        if not isinstance(error, HTTPError):
+            print(f"internal error in the preview: {error!r}", file=sys.stderr)
+
     def set_default_headers(self) -> None:
         """Keep the answer, and the token in its address, to ourselves."""
         self.set_header("Cache-Control", "no-store")
@@ -137,12 +148,19 @@ class LiveHandler(CheckedHandler, WebSocketHandler):
         self.set_nodelay(True)
         self.document = document
         self.tab = Tab(self._write)
+        self.budget = Budget()
         document.channel.join(self.tab)
         self.writer = asyncio.ensure_future(self.tab.run())
         self.server.connected(self)
 
     def on_message(self, message: str | bytes) -> None:
-        """Do what the page asks for; what is no request is passed over."""
+        """Do what the page asks for; what is no request is passed over.
+
+        A page that asks for more than it may loses its line; ours comes back with its values.
+        """
+        if not self.budget.spend(message):
+            self.close(TOO_MUCH, "too many messages")
+            return
         request = parse_request(message) if isinstance(message, str) else None
         if request is not None:
             self.server.receive(self.document, self.tab, request)
