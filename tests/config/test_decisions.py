@@ -2,7 +2,7 @@
 
 from kindsl.analysis.settings import Settings
 from kindsl.config.decisions import Decisions, overridden
-from kindsl.semantics.parameters import Binding
+from kindsl.semantics.parameters import Binding, JointLimits
 
 
 def test_a_value_without_range_keeps_the_range() -> None:
@@ -11,3 +11,9 @@ def test_a_value_without_range_keeps_the_range() -> None:
     assert overridden(ranged, plain).bindings == {"l": Binding(0.9, 0.2, 0.5, "--param")}
     other = Decisions(bindings={"l": Binding(0.9, 0.0, 1.0), "m": Binding(1.0)})
     assert overridden(ranged, other).bindings == {"l": Binding(0.9, 0.0, 1.0), "m": Binding(1.0)}
+
+
+def test_limits_of_joints_are_put_over_others_by_name() -> None:
+    first = overridden(Settings(), Decisions(joints={"a": JointLimits(-1.0, 1.0)}))
+    both = overridden(first, Decisions(joints={"b": JointLimits(None, 2.0)}))
+    assert both.joints == {"a": JointLimits(-1.0, 1.0), "b": JointLimits(None, 2.0)}

@@ -17,7 +17,7 @@ from kindsl.preview.reveal import place_of
 from kindsl.preview.scene.findings import MOST_LISTED
 from kindsl.preview.server import PreviewServer
 from kindsl.rules.base import Severity
-from kindsl.semantics.parameters import Binding
+from kindsl.semantics.parameters import Binding, JointLimits
 
 
 def preview_of(text, settings=None, findings=()):
@@ -72,6 +72,15 @@ def test_a_configured_range_is_the_sliders():
     settings = Settings(bindings={"reach": Binding(0.35, 0.2, 0.5)})
     row = page_of(preview_of(PARAMETRIC_ARM, settings)).at("/kindsl/parameters/reach")["parameter"]
     assert (row["value"], row["minimum"], row["maximum"]) == (0.35, 0.2, 0.5)
+
+
+def test_configured_limits_reach_the_page_and_leave_it():
+    preview = preview_of(ARM, Settings(joints={"lift": JointLimits(None, 0.2), "x": JointLimits()}))
+    assert {k.path for k in page_of(preview).state if k.type == "limits"} == {"/kindsl/limits/lift"}
+    told = page_of(preview).at("/kindsl/limits/lift")["limits"]
+    assert (told["minimum"], told["maximum"]) == (None, 0.2)
+    preview.show(analyse(ARM), ())
+    assert page_of(preview).at("/kindsl/limits/lift") == {}
 
 
 def test_a_parameter_without_a_value_has_a_row_with_a_guess():

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from kindsl.rules.base import Rule, Severity
-from kindsl.semantics.parameters import Binding
+from kindsl.semantics.parameters import Binding, JointLimits
 
 _FIRST_DIGITS_OF_SYNTAX = "KD0"
 
@@ -18,6 +18,7 @@ class Settings(NamedTuple):
         ignore: Codes or prefixes to leave out.
         severity: Severity by code or prefix, the longest match wins.
         bindings: Values of parameters.
+        joints: Limits of joints.
     """
 
     targets: frozenset[str] = frozenset()
@@ -25,6 +26,7 @@ class Settings(NamedTuple):
     ignore: tuple[str, ...] = ()
     severity: Mapping[str, Severity] = {}
     bindings: Mapping[str, Binding] = {}
+    joints: Mapping[str, JointLimits] = {}
 
 
 def is_enabled(rule: Rule, settings: Settings) -> bool:

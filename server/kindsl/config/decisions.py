@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from kindsl.analysis.settings import Settings
 from kindsl.rules.base import Severity
-from kindsl.semantics.parameters import Binding
+from kindsl.semantics.parameters import Binding, JointLimits
 
 
 class Decisions(NamedTuple):
@@ -17,6 +17,7 @@ class Decisions(NamedTuple):
         ignore: Codes or prefixes to leave out.
         severity: Severity by code or prefix.
         bindings: Values of parameters.
+        joints: Limits of joints.
     """
 
     targets: frozenset[str] | None = None
@@ -24,6 +25,7 @@ class Decisions(NamedTuple):
     ignore: tuple[str, ...] | None = None
     severity: Mapping[str, Severity] = {}
     bindings: Mapping[str, Binding] = {}
+    joints: Mapping[str, JointLimits] = {}
 
 
 def overridden(settings: Settings, table: Decisions) -> Settings:
@@ -34,6 +36,7 @@ def overridden(settings: Settings, table: Decisions) -> Settings:
         settings.ignore if table.ignore is None else table.ignore,
         {**settings.severity, **table.severity},
         {**settings.bindings, **_within(settings.bindings, table.bindings)},
+        {**settings.joints, **table.joints},
     )
 
 

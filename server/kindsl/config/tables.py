@@ -10,13 +10,14 @@ from kindsl.config.toml_places import KeyPath, Places
 from kindsl.rules.base import Severity
 from kindsl.rules.context import TARGETS
 from kindsl.rules.registry import all_rules
-from kindsl.semantics.parameters import Binding
+from kindsl.semantics.parameters import Binding, JointLimits
 from kindsl.text.lines import LineIndex
 from kindsl.text.nearest import hint, nearest_word
 
-KEYS = ("target", "select", "ignore", "severity", "parameters", "document")
-DOCUMENT_KEYS = ("path", "target", "select", "ignore", "severity", "parameters")
+KEYS = ("target", "select", "ignore", "severity", "parameters", "joints", "document")
+DOCUMENT_KEYS = ("path", "target", "select", "ignore", "severity", "parameters", "joints")
 BINDING_KEYS = ("value", "min", "max")
+LIMIT_KEYS = ("min", "max")
 
 _KINDS = {
     bool: "a boolean", int: "a number", float: "a number", str: "a string", list: "a list",
@@ -109,6 +110,7 @@ def decisions(checker: Checker, keys: KeyPath, table: Mapping[str, Any]) -> Deci
         _codes(checker, (*keys, "ignore"), table),
         _severities(checker, (*keys, "severity"), _table(checker, (*keys, "severity"), table)),
         bindings(checker, (*keys, "parameters"), _table(checker, (*keys, "parameters"), table)),
+        _joints(checker, (*keys, "joints"), _table(checker, (*keys, "joints"), table)),
     )
 
 
@@ -148,16 +150,34 @@ def _binding(checker: Checker, keys: KeyPath, value: object) -> Binding | None:
     if "value" not in value:
         checker.wrong(keys, f"'{dotted(keys)}' has no 'value'")
         return None
-    given = {
-        key: _number(checker, (*keys, key), value[key], "a number")
-        for key in BINDING_KEYS
-        if key in value
-    }
-    lowest, highest = given.get("min"), given.get("max")
+    number = _number(checker, (*keys, "value"), value["value"], "a number")
+    lowest, highest = _range(checker, keys, value)
+    return None if number is None else Binding(number, lowest, highest, checker.path)
+
+
+def _joints(checker: Checker, keys: KeyPath, table: Mapping[str, Any]) -> dict[str, JointLimits]:
+    """Return the limits of joints, radians or metres."""
+    found: dict[str, JointLimits] = {}
+    for name, value in table.items():
+        if not isinstance(value, dict):
+            checker.wrong_type((*keys, name), value, "a table with 'min', 'max'")
+            continue
+        checker.known_keys((*keys, name), value, LIMIT_KEYS)
+        found[name] = JointLimits(*_range(checker, (*keys, name), value))
+    return found
+
+
+def _range(
+    checker: Checker, keys: KeyPath, table: Mapping[str, Any]
+) -> tuple[float | None, float | None]:
+    """Return `min` and `max` of a table, None where they are not given."""
+    lowest, highest = (
+        _number(checker, (*keys, key), table[key], "a number") if key in table else None
+        for key in LIMIT_KEYS
+    )
     if lowest is not None and highest is not None and lowest > highest:
         checker.wrong((*keys, "min"), f"'{dotted((*keys, 'min'))}' is greater than 'max'")
-    number = given["value"]
-    return None if number is None else Binding(number, lowest, highest, checker.path)
+    return lowest, highest
 
 
 def _number(checker: Checker, keys: KeyPath, value: object, expected: str) -> float | None:

@@ -73,8 +73,8 @@ class DocumentPreview:
         given = {**analysis.context.values, **self._parameters}
         drawn = picture(analysis.model, given, self._last_good)
         skeleton = drawn.skeleton
-        name = str(analysis.model.name)
-        robot = robot_messages(name, skeleton, drawn.guesses) if skeleton is not None else None
+        name, limits = str(analysis.model.name), analysis.settings.joints
+        robot = robot_messages(name, skeleton, drawn.guesses, limits) if skeleton else None
         return Drawing(given, drawn, robot)
 
     def put(self, analysis: Analysis, drawing: Drawing) -> None:

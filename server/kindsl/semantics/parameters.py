@@ -72,6 +72,18 @@ class Binding(NamedTuple):
     origin: str = ""
 
 
+class JointLimits(NamedTuple):
+    """How far a joint goes, as told from outside the document, radians or metres.
+
+    Attributes:
+        minimum: Lower end, None without one.
+        maximum: Upper end, None without one.
+    """
+
+    minimum: float | None = None
+    maximum: float | None = None
+
+
 def island_symbols(island: Island, declared: Declarations) -> Symbols:
     """Return what an island uses; computed once in its life."""
     known = island.facts.get(_KEY)

@@ -2,7 +2,7 @@
 "use strict";
 
 const KindslInbox = (() => {
-  const ROW_NEWS = ["model", "link", "joint", "frame", "delete", "end"]; // other rows
+  const ROW_NEWS = ["model", "link", "joint", "frame", "limits", "delete", "end"]; // other rows
   const VALUE_NEWS = ["value", "motion", "view"]; // other values in them
 
   class Inbox {

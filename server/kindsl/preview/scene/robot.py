@@ -5,7 +5,7 @@ message tells, so another size of robot changes one message. Bodies hang under t
 joints' marks under their joint's, and the page places these nodes by forward kinematics.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.preview.scene.ellipsoids import InertiaEllipsoid, inertia_ellipsoid
@@ -22,20 +22,30 @@ from kindsl.preview.scene.marks import (
 )
 from kindsl.preview.scene.messages import Message, Messages, keyed, path_of
 from kindsl.preview.scene.size import Extent, Segment, extent
+from kindsl.semantics.parameters import JointLimits
+
+NO_LIMITS: Mapping[str, JointLimits] = {}
 
 
-def robot_messages(name: str, skeleton: Skeleton, guessed: Guesses = NO_GUESSES) -> Messages:
+def robot_messages(
+    name: str,
+    skeleton: Skeleton,
+    guessed: Guesses = NO_GUESSES,
+    limits: Mapping[str, JointLimits] = NO_LIMITS,
+) -> Messages:
     """Return everything that is drawn of a mechanism, and the numbers the page places it by.
 
     Args:
         name: The robot's.
         skeleton: Its bodies.
         guessed: Which places are guesses.
+        limits: How far joints go, by name.
     """
     size = extent(skeleton)
     ellipsoids = [inertia_ellipsoid(body) for body in skeleton.masses]
     messages = [_model(name, skeleton, size)]
     messages.extend(_numbers("robot", skeleton, size, ellipsoids, guessed))
+    messages.extend(_limits(skeleton, limits))
     messages.extend(_robot_marks(skeleton, size, ellipsoids))
     return keyed(messages)
 
@@ -122,6 +132,18 @@ def _joints(tree: str, skeleton: Skeleton, guessed: Guesses) -> Iterator[Message
             "placement": column_major(skeleton.placements[link - 1]),
             "is_guess": skeleton.joint_names[link - 1] in guessed.joints,
         }
+
+
+def _limits(skeleton: Skeleton, limits: Mapping[str, JointLimits]) -> Iterator[Message]:
+    for name in skeleton.joint_names:
+        if name in limits:
+            yield {
+                "type": "limits",
+                "path": path_of("limits", name),
+                "name": name,
+                "minimum": limits[name].minimum,
+                "maximum": limits[name].maximum,
+            }
 
 
 def _frames(tree: str, skeleton: Skeleton, guessed: Guesses) -> Iterator[Message]:

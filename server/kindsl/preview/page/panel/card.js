@@ -38,12 +38,12 @@ const KindslCard = (() => {
 
   function jointRows(scene, joint, pose) {
     const [unit, force] = joint.kind === "prismatic" ? ["m", "N"] : ["rad", "N m"];
-    const limits = [joint.minimum, joint.maximum].map((limit) => (typeof limit === "number" ? format(limit) : "none"));
+    const told = scene.limits.get(joint.name), limits = told ? [told.minimum, told.maximum] : [];
     return [
       ["Kind", joint.kind], ["Axis", axis(pose)],
       ["Moves", `${joint.predecessor} → ${joint.successor}`],
       ["Value", `${format(scene.q.get(joint.name) || 0)} ${unit}`],
-      ...(limits.every((limit) => limit === "none") ? [] : [["Limits", `${limits.join(" to ")} ${unit}`]]),
+      ...(told ? [["Limits", `${limits.map((limit) => (limit === null ? "none" : format(limit))).join(" to ")} ${unit}`]] : []),
       ...(joint.is_guess ? [["", "a parameter without a value: its place is a guess"]] : []),
       ["Gravity", `${format(scene.torques.get(joint.name) || 0, 3)} ${force}`],
     ];

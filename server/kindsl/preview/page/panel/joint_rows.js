@@ -5,6 +5,7 @@ const KindslJointRows = (() => {
   const { format, make } = KindslElements;
   const KINDS = { revolute: ["angle", "N m"], prismatic: ["length", "N"] };
   const HEIGHTS = { wide: [26, 43], narrow: [44, 60] }; // without and with torque, pixels
+  const NO_LIMITS = { minimum: null, maximum: null };
   const NARROW = 271; // pixels of the panel
 
   class JointRows {
@@ -39,7 +40,8 @@ const KindslJointRows = (() => {
 
     show(row, joint) {
       const { name, kind } = joint, [minimum, maximum] = this.range(joint), q = this.scene.q.get(name) || 0;
-      const isBeyond = (typeof joint.minimum === "number" && q < joint.minimum) || (typeof joint.maximum === "number" && q > joint.maximum);
+      const limits = this.scene.limits.get(name) || NO_LIMITS;
+      const isBeyond = (limits.minimum !== null && q < limits.minimum) || (limits.maximum !== null && q > limits.maximum);
       row.element.dataset.kind = kind;
       row.setRange(minimum, maximum, KINDS[kind][0]);
       row.setValue(q);
@@ -49,9 +51,10 @@ const KindslJointRows = (() => {
     }
 
     // The joint's limits, or half a turn, or as far as the robot is large.
-    range({ kind, minimum, maximum }) {
+    range({ name, kind }) {
+      const { minimum, maximum } = this.scene.limits.get(name) || NO_LIMITS;
       const reach = kind === "prismatic" ? Number(this.scene.model.size.toPrecision(2)) : Math.PI;
-      const low = typeof minimum === "number" ? minimum : -reach, high = typeof maximum === "number" ? maximum : reach;
+      const low = minimum === null ? -reach : minimum, high = maximum === null ? reach : maximum;
       return low < high ? [low, high] : [low - reach, low + reach];
     }
 

@@ -26,6 +26,7 @@ const KindslScene = (() => {
       this.poses = { robot: null, ghost: null };
       this.model = { name: "", unit: 0.02, size: 1, center: [0, 0, 0], ground: 0, is_floating: false };
       this.q = new Map();
+      this.limits = new Map(); // of joints by name: {minimum, maximum}, null where there is none
       this.torques = new Map();
       this.total = { mass: 0, com: null };
       this.view = new Map(KindslCategories.CATEGORIES.map((c) => [c.key, { visible: true, opacity: 1 }]));
@@ -63,6 +64,7 @@ const KindslScene = (() => {
       else if (message.type === "model") Object.assign(this.model, message);
       else if (THINGS.includes(message.type)) this.learn(message);
       else if (message.type === "value") this.q.set(message.name, message.value);
+      else if (message.type === "limits") this.limits.set(message.name, message);
       else return false;
       this.changed(message.type);
       return true;
@@ -94,6 +96,8 @@ const KindslScene = (() => {
       for (const other of [...this.paths]) if (isBelow(other)) this.paths.delete(other);
       this.marks.remove(isBelow);
       const { tree, group, name, category } = parsePath(path);
+      if (tree === "limits" && !group) this.limits.clear();
+      else if (tree === "limits") this.limits.delete(decodeURIComponent(group));
       if (!(tree in this.trees)) return;
       for (const key of ["links", "joints", "frames"]) {
         if (group && group !== key) continue;
