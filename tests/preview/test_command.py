@@ -64,6 +64,17 @@ async def running(tmp_path, *arguments):
 
 
 @asynccontextmanager
+async def running_with_errors(tmp_path, *arguments):
+    """Yield the process and its address; it may complain."""
+    process = await start(tmp_path, *arguments, "--no-open")
+    try:
+        yield process, await line_of(process.stdout)
+    finally:
+        process.kill()
+        await process.communicate()
+
+
+@asynccontextmanager
 async def tab(address):
     connection = await websocket_connect(address.replace("http:", "ws:").replace("/?", "/live?"))
     yield connection
@@ -195,3 +206,30 @@ async def test_a_document_without_bodies_cannot_stand_behind(tmp_path, file):
     code, _, err = await run(tmp_path, file, "--compare", empty, "--export", tmp_path / "x.html")
     assert code == 2
     assert err.startswith(f"kindsl preview: {empty}: the document has no")
+
+
+async def test_a_lost_file_is_told_in_the_page_and_found_again(tmp_path, file):
+    async with running_with_errors(tmp_path, file) as (_, address), tab(address) as page:
+        await message(page, lambda m: m["type"] == "end")
+        away = file.rename(tmp_path / "elsewhere.kindsl")
+        lost = await message(page, lambda m: m["type"] == "status")
+        assert (lost["state"], lost["message"]) == (
+            "gone", f"{file}: the file was moved or deleted",
+        )  # fmt: skip
+        away.rename(file)
+        assert (await message(page, lambda m: m["type"] == "status"))["state"] == "live"
+
+
+async def test_lines_for_the_configuration_are_told_and_a_ghost_shows_what_is_saved(tmp_path, file):
+    file.write_text(PARAMETRIC_ARM.replace("(reach,", "(reach[0.4],"))
+    async with running(tmp_path, file) as (process, address), tab(address) as page:
+        await message(page, lambda m: m["type"] == "end")
+        await page.write_message('{"type": "set-parameters", "values": {"reach": 0.6}}')
+        ghost = await message(page, lambda m: m.get("path") == "/kindsl/ghost/joints/lift")
+        assert ghost["placement"][12] == 0.4
+        await page.write_message('{"type": "write-parameters", "values": {"reach": 0.6, "x": 1}}')
+        lines = await message(page, lambda m: m["type"] == "lines")
+        assert lines["text"] == "[parameters]\nreach = 0.6\n"
+        assert [await line_of(process.stdout), await line_of(process.stdout)] == [
+            "[parameters]", "reach = 0.6",
+        ]  # fmt: skip

@@ -1,5 +1,7 @@
 // The HTML around the preview: the page of the language server in a frame, or a sentence why there is none.
 
+import { themeScript } from "./panelTheme";
+
 /** What a panel shows, kept by the editor across a reload of the window. */
 export interface PanelState {
   readonly uri: string;
@@ -44,15 +46,20 @@ editor.setState(${scriptLiteral(state)});
 for (const button of document.querySelectorAll("button")) {
   button.addEventListener("click", () => editor.postMessage({ action: button.textContent }));
 }
+${theme(content)}
 </script>
 </body>
 </html>
 `;
 }
 
+function theme(content: PanelContent): string {
+  return content.kind === "frame" ? themeScript(new URL(content.url).origin) : "";
+}
+
 function body(content: PanelContent): string {
   if (content.kind === "message") return `<p>${escapeHtml(content.text)}</p>\n<nav>${content.actions.map(button).join("")}</nav>`;
-  return `<iframe title="Robot" src="${escapeHtml(content.url)}" allow="fullscreen"></iframe>`;
+  return `<iframe title="Robot" src="${escapeHtml(content.url)}" allow="fullscreen; clipboard-write"></iframe>`;
 }
 
 function button(title: string): string {

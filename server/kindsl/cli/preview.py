@@ -112,6 +112,7 @@ def _document(file: str, analysis: "Analysis", old: "Analysis | None") -> "Docum
 def _serve(args: argparse.Namespace, old: "Analysis | None") -> None:
     import asyncio
 
+    from kindsl.config.parameter_lines import parameter_table
     from kindsl.preview.command import Command, serve
     from kindsl.preview.watch import fingerprint
 
@@ -127,9 +128,10 @@ def _serve(args: argparse.Namespace, old: "Analysis | None") -> None:
     first = _read(args, args.file)
     write = partial(_write_dragged, args.file) if args.edit else None
     opens = not args.no_open
-    asyncio.run(
-        serve(Command(args.file, reread, first, old, args.port, opens, paths, known, write))
+    command = Command(
+        args.file, reread, first, old, args.port, opens, paths, known, parameter_table, write
     )
+    asyncio.run(serve(command))
 
 
 def _write_dragged(file: str, writing: "Writing") -> str:

@@ -6,7 +6,7 @@ import signal
 import sys
 import threading
 import webbrowser
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from typing import NamedTuple
 
@@ -32,6 +32,7 @@ class Command(NamedTuple):
         opens_browser: Whether to open the page.
         paths: The document and the configuration file that holds for it, if any.
         fingerprint: Of these files, taken before they were read.
+        table: Returns values of parameters as lines of the configuration file.
         write: Writes what was dragged; returns why not, or an empty text. None if nothing may be.
     """
 
@@ -43,6 +44,7 @@ class Command(NamedTuple):
     opens_browser: bool
     paths: tuple[str, ...]
     fingerprint: Fingerprint
+    table: Callable[[Mapping[str, float]], str]
     write: Callable[[Writing], str] | None = None
 
 
@@ -64,8 +66,9 @@ async def serve(command: Command) -> None:
     server = PreviewServer(
         print_place, on_edit=_editing(command), port=command.port, session=session
     )
+    server.on_write = lambda _, values: _told(command.table(values))
     address = await server.start()
-    await _show(server, command.file, command.first)
+    await _show(command, server, command.first)
     if command.old is not None:
         server.compare(command.file, command.old)
     print(address, flush=True)
@@ -93,20 +96,30 @@ def _editing(command: Command) -> OnEdit | None:
     return edit
 
 
+def _told(lines: str) -> str:
+    """Say on the terminal too what a page is told to write by hand."""
+    print(lines, end="", flush=True)
+    return lines
+
+
 async def _reload(command: Command, server: PreviewServer, texts: dict[str, str]) -> None:
-    async for _ in saves(command.paths, command.fingerprint):
-        analysis = command.read()
+    async for is_there in saves(command.paths, command.fingerprint):
+        analysis = command.read() if is_there else f"{command.file}: the file was moved or deleted"
         if isinstance(analysis, str):
             print(analysis, file=sys.stderr, flush=True)
+            server.lose(command.file, analysis)
             continue
         texts["shown"] = analysis.text
-        await _show(server, command.file, analysis)
+        await _show(command, server, analysis)
 
 
-async def _show(server: PreviewServer, file: str, analysis: Analysis) -> None:
-    """Show a version, then what is found in it."""
-    await server.show(file, analysis)
-    await server.show(file, analysis, await asyncio.to_thread(lambda: analysis.findings))
+async def _show(command: Command, server: PreviewServer, analysis: Analysis) -> None:
+    """Show a saved version, then what is found in it; it stands behind values typed in a page."""
+    await server.show(command.file, analysis)
+    if command.old is None:
+        server.saved(command.file)
+    findings = await asyncio.to_thread(lambda: analysis.findings)
+    await server.show(command.file, analysis, findings)
 
 
 async def _until_stopped(reloading: "asyncio.Future[None]") -> None:

@@ -10,7 +10,7 @@ from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.mechanism.drawable import drawable_skeleton
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.preview.channel import Channel, Tab
-from kindsl.preview.scene.findings import finding_messages, status_message
+from kindsl.preview.scene.findings import finding_messages, lost_message, status_message
 from kindsl.preview.scene.messages import Message, Messages, keyed, path_of
 from kindsl.preview.scene.parameters import parameter_messages
 from kindsl.preview.scene.picture import Picture, State, picture
@@ -115,9 +115,18 @@ class DocumentPreview:
         self._list(findings, "" if self.analysis is None else self.analysis.text)
 
     def keep_as_ghost(self) -> None:
-        """Make the version that is drawn the one that stands behind later ones."""
+        """Make the document as it is the one that stands behind later ones and typed values."""
         self._ghost = self._last_good
+        if self._parameters and self.analysis is not None:
+            own = picture(self.analysis.model, {**self.analysis.context.values}, self._last_good)
+            self._ghost = self._last_good if own.state is State.BROKEN else own.skeleton
         self._draw_ghost()
+
+    def lose(self, message: str) -> None:
+        """Say that the document cannot be read; what was drawn stays until it can."""
+        status = {**lost_message(message), "total": len(self.findings), "label": self._label}
+        self.analysis = None
+        self.channel.replace("status", keyed([status]))
 
     def compare(self, other: Analysis) -> None:
         """Let another document stand behind this one.

@@ -41,6 +41,9 @@ class DocumentPreviews(ABC):
 
     Documents are known by keys of the caller's choice: URIs, paths. All methods are to be called
     in the loop that `start` was awaited in, and none of them waits for a page.
+
+    Attributes:
+        on_write: Called with a document's key and values of parameters that are to be kept.
     """
 
     def __init__(
@@ -61,7 +64,7 @@ class DocumentPreviews(ABC):
             beside: Awaits a function's result and lets the loop go on meanwhile, if it can.
         """
         self._on_reveal = on_reveal or _reveal_nowhere
-        self._on_write = on_write
+        self.on_write = on_write
         self._on_edit = on_edit
         self._beside = beside
         self._dragging: dict[str, Dragging] = {}
@@ -113,6 +116,11 @@ class DocumentPreviews(ABC):
                 document.put(analysis, await self._drawing(document, analysis))
             if findings is not None:
                 document.tell(findings)
+
+    def lose(self, key: str, message: str) -> None:
+        """Tell the pages why a document is no longer followed; showing it again ends that."""
+        if key in self._documents:
+            self._documents[key].lose(message)
 
     def saved(self, key: str) -> None:
         """Let the version that is shown stand as a ghost behind later ones."""
@@ -179,11 +187,13 @@ class DocumentPreviews(ABC):
 
     def _write(self, document: DocumentPreview, tab: Tab, values: Mapping[str, float]) -> None:
         key = self._key(document)
-        if key is None or self._on_write is None or document.analysis is None:
+        if key is None or self.on_write is None or document.analysis is None:
             return
-        names = {str(parameter.name) for parameter in document.analysis.model.parameters}
-        known = {name: value for name, value in values.items() if name in names}
-        lines = self._on_write(key, known) if known else ""
+        analysis = document.analysis
+        names = {str(parameter.name) for parameter in analysis.model.parameters}
+        free = names - analysis.settings.bindings.keys()
+        known = {name: value for name, value in values.items() if name in free}
+        lines = self.on_write(key, known) if known else ""
         if lines:
             tab.send({"type": "lines", "text": lines})
 

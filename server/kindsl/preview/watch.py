@@ -5,27 +5,34 @@ import os
 from collections.abc import AsyncIterator, Sequence
 
 INTERVAL = 0.1  # seconds
+LOOKS_UNTIL_LOST = 10
 
 Fingerprint = tuple[tuple[int, int, int] | None, ...]
 
 
 async def saves(
     paths: Sequence[str], known: Fingerprint, interval: float = INTERVAL
-) -> AsyncIterator[None]:
-    """Yield each time that a file has changed, been replaced or appeared.
+) -> AsyncIterator[bool]:
+    """Yield True each time that a file has changed, been replaced or appeared.
+
+    Yields False once when the first file has been away for so long that nobody is replacing it.
 
     Args:
         paths: The files; the first is the one that has to be there.
         known: Their fingerprint when they were last read.
         interval: Seconds between two looks.
     """
+    away = 0
     while True:
         await asyncio.sleep(interval)
         present = fingerprint(paths)
-        # A file that is away is being replaced; wait for the new one.
-        if present != known and present[0] is not None:
+        away = away + 1 if present[0] is None else 0
+        if away == LOOKS_UNTIL_LOST:
+            known = ()
+            yield False
+        elif present != known and not away:
             known = present
-            yield
+            yield True
 
 
 def fingerprint(paths: Sequence[str]) -> Fingerprint:

@@ -26,3 +26,9 @@ test("a file name cannot end the script", () => {
 test("an address that is none is refused", () => {
   assert.throws(() => previewPage({ kind: "frame", url: "no address" }, state, "n"), TypeError);
 });
+
+test("the frame is told the theme, and nobody else is", () => {
+  const html = previewPage({ kind: "frame", url: "http://127.0.0.1:4000/?token=abc" }, state, "n0nce");
+  assert.match(html, /postMessage\(\{ type: "kindsl\.theme"[^\n]*, "http:\/\/127\.0\.0\.1:4000"\)/);
+  assert.doesNotMatch(previewPage({ kind: "message", text: "none", actions: [] }, state, "n0nce"), /kindsl\.theme/);
+});

@@ -56,7 +56,7 @@ def _action(view: View, action: "CodeAction") -> types.CodeAction | None:
     edits = [(view.document, text_edits(view.document, action.edits))] if action.edits else []
     new = []
     if action.bindings:
-        binding = bound(view, action.bindings)
+        binding = bound(view.state, view.document, action.bindings)
         if binding is None or (binding.is_new and not makes_files(view.client)):
             return None
         edits.append((binding.document, text_edits(binding.document, [binding.edit])))

@@ -5,12 +5,11 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from kindsl.config.file_names import OWN_FILE
-from kindsl.lsp.session.view import View
+from kindsl.config.parameter_lines import parameter_lines
+from kindsl.lsp.session.state import State
 from kindsl.lsp.text import uris
 from kindsl.lsp.text.document import Document, document
 from kindsl.text.edits import TextEdit
-
-_BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 
 class Binding(NamedTuple):
@@ -27,29 +26,29 @@ class Binding(NamedTuple):
     edit: TextEdit
 
 
-def bound(view: View, values: Iterable[tuple[str, float]]) -> Binding | None:
-    """Return the edit that binds parameters; None where there is no file and no place for one."""
-    lines = [f"{_key(name)} = {value!r}" for name, value in values]
-    file = view.state.workspace.configuration_file(view.document)
+def bound(state: State, shown: Document, values: Iterable[tuple[str, float]]) -> Binding | None:
+    """Return the edit that binds parameters of a document; None if there is no place for one."""
+    lines = parameter_lines(values)
+    file = state.workspace.configuration_file(shown)
     if file is None:
-        return _new_file(view, lines)
-    found = view.state.documents.get(uris.uri(file))
+        return _new_file(state, shown, lines)
+    found = state.documents.get(uris.uri(file))
     if found is None:
         return None
     prefix = "tool.kindsl." if file.name == "pyproject.toml" else ""
     return Binding(found, False, _insertion(found.text, prefix, lines))
 
 
-def _new_file(view: View, lines: list[str]) -> Binding | None:
+def _new_file(state: State, shown: Document, lines: list[str]) -> Binding | None:
     """Return a new file beside the document, in the innermost workspace folder if there is one."""
-    path = uris.path(view.document.uri)
+    path = uris.path(shown.uri)
     if path is None:
         return None
-    around = [folder for folder in view.state.workspace.paths() if path.is_relative_to(folder)]
+    around = [folder for folder in state.workspace.paths() if path.is_relative_to(folder)]
     file = max(around, key=lambda folder: len(folder.parts), default=path.parent) / OWN_FILE
     if file.exists():
         return None  # it is there but says something wrong
-    empty = document(uris.uri(file), None, "", view.document.encoding)
+    empty = document(uris.uri(file), None, "", shown.encoding)
     return Binding(empty, True, TextEdit(0, 0, "\n".join(("[parameters]", *lines, ""))))
 
 
@@ -68,7 +67,3 @@ def _insertion(text: str, prefix: str, lines: list[str]) -> TextEdit:
     start = "" if not text else "\n" if text.endswith("\n") else "\n\n"
     new = "\n".join((f"[{prefix}parameters]", *lines, ""))
     return TextEdit(len(text), len(text), start + new)
-
-
-def _key(name: str) -> str:
-    return name if _BARE.fullmatch(name) else f'"{name}"'

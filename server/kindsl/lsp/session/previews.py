@@ -7,11 +7,13 @@ drawn, and drawing takes at most half the time.
 
 import asyncio
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from lsprotocol import types
 
+from kindsl.config.parameter_lines import parameter_table
+from kindsl.lsp.session.binding import bound
 from kindsl.lsp.session.state import State
 from kindsl.lsp.session.view import View
 from kindsl.lsp.session.worker import Urgency, start_task
@@ -19,6 +21,7 @@ from kindsl.lsp.session.written import written
 from kindsl.lsp.text import uris
 from kindsl.lsp.text.document import Document
 from kindsl.lsp.wire.client import asked
+from kindsl.lsp.wire.edits import makes_files, text_edits, workspace_edit
 from kindsl.lsp.wire.protocol import RequestFailed
 
 if TYPE_CHECKING:
@@ -144,6 +147,7 @@ class Previews:
                     await preview.start()
                 except (ImportError, OSError, RuntimeError) as error:
                     raise RequestFailed(f"the preview cannot start: {error}") from None
+                preview.on_write = self._keep
                 self._preview = preview
         return self._preview
 
@@ -169,6 +173,21 @@ class Previews:
             return "the document has changed meanwhile"
         view = View(document, await self._state.analyses.of(document), self._state)
         return await written(self._state, view, writing.label, writing.edits, writing.bindings)
+
+    def _keep(self, key: str, values: Mapping[str, float]) -> str:
+        """Let the editor write values of parameters; return what to write by hand if it cannot."""
+        document, client = self._state.documents.get(key), self._state.client
+        binding = bound(self._state, document, values.items()) if document is not None else None
+        is_new = binding is not None and binding.is_new
+        if binding is None or not client.can("workspace.apply_edit"):
+            return parameter_table(values)
+        if is_new and not makes_files(client):
+            return parameter_table(values)
+        edits = [(binding.document, text_edits(binding.document, [binding.edit]))]
+        edit = workspace_edit(client, edits, [binding.document] if is_new else [])
+        params = types.ApplyWorkspaceEditParams(edit, label="Give parameters values")
+        start_task(asked(self._state.editor.workspace_apply_edit_async(params)))
+        return ""
 
     def _highlight(self, uri: str, kind: str, name: str) -> None:
         """Light up what the cursor is on; from any thread."""

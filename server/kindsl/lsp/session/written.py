@@ -39,7 +39,7 @@ async def written(
     if edits:
         made.append((view.document, text_edits(view.document, edits)))
     if bindings:
-        binding = bound(view, bindings)
+        binding = bound(view.state, view.document, bindings)
         if binding is None or binding.is_new:
             return _NO_FILE
         made.append((binding.document, text_edits(binding.document, [binding.edit])))

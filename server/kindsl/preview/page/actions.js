@@ -111,6 +111,8 @@ const KindslActions = (() => {
     on("theme", () => actions.chooseTheme(page.theme.next()));
     on("close-panel", () => actions.foldPanel(true));
     on("open-panel", () => actions.foldPanel(false));
+    // The viewer's controls would take the press for the start of a turn.
+    document.getElementById("open-panel").addEventListener("pointerdown", (event) => event.stopPropagation());
     on("angle-unit", () => {
       page.units.choose(page.units.angle === "rad" ? "deg" : "rad");
       actions.note();

@@ -84,7 +84,10 @@ const kindsl = (() => {
     if (page.inbox.isStale("rows")) showRows();
     if (page.inbox.isStale("values")) page.joints.update();
     if (page.inbox.isStale("parameters")) page.parameters.update([...page.inbox.parameters.values()]);
-    if (page.inbox.isStale("findings")) page.findings.show();
+    if (page.inbox.isStale("findings")) {
+      page.findings.show();
+      showTitle();
+    }
     if (page.selection.chosen) KindslCard.show(scene, page.selection.chosen, byId("selection"));
     page.lineArt.update();
     page.measure.update((position) => page.labels.project(position));
@@ -103,8 +106,8 @@ const kindsl = (() => {
   }
 
   function showTitle() {
-    const { counts, inbox: { status } } = { counts: page.findings.counts, inbox: page.inbox };
-    KindslTitle.show({ name: scene.model.name, words: page.findings.words(), counts, state: status.state, connection: connectionState });
+    const { findings: { counts }, inbox: { status } } = page, words = page.findings.words();
+    KindslTitle.show({ name: scene.model.name, words, counts, state: status.state, connection: connectionState });
   }
 
   // Before each picture everything is brought up to date, after it the names are put in place.
@@ -140,7 +143,6 @@ const kindsl = (() => {
     page.legend.show();
   };
   page.inbox.onCursor = (thing) => page.selection.follow(thing);
-  page.inbox.onFindings = showTitle;
   page.inbox.onLines = (text) => KindslActions.showText("Lines to add to kindsl.toml", text);
   page.camera.onMove(page.actions.note);
   page.selection.onChange(() => {

@@ -6,6 +6,7 @@ const KindslTheme = (() => {
   const NAMES = ["paper", "sky", "floor", "ink", "faint", "line", "accent", "on-accent", "error", "warning", "note", "label"];
   const COLOR = /^#(?:[0-9a-f]{3,4}|[0-9a-f]{6}|[0-9a-f]{8})$|^rgba?\([\d., %]{5,40}\)$/i;
   const EDITORS = /^(?:vscode-webview|vscode-file|https?):\/\//;
+  const MIDDLE = 0.18; // luminance
   const CHOICES = ["auto", "light", "dark"];
 
   class Theme {
@@ -48,6 +49,12 @@ const KindslTheme = (() => {
       this.apply();
     }
 
+    // Marks must stand out of the editor's ground, whatever the editor calls its theme.
+    kindOfEditor() {
+      const { kind, colors } = this.editor, rgb = plainRgb(colors.sky || colors.paper || "");
+      return rgb ? (KindslPalette.luminance(rgb) < MIDDLE ? "dark" : "light") : kind;
+    }
+
     apply() {
       const root = document.documentElement, isEditors = this.choice === "auto" && this.editor !== null;
       for (const name of NAMES) {
@@ -56,11 +63,19 @@ const KindslTheme = (() => {
         else root.style.removeProperty(`--${name}`);
       }
       const own = this.choice === "auto" ? null : this.choice;
-      this.kind = own || (isEditors && this.editor.kind) || (this.system.matches ? "dark" : "light");
+      this.kind = own || (isEditors && this.kindOfEditor()) || (this.system.matches ? "dark" : "light");
       root.dataset.theme = this.kind;
       root.style.colorScheme = this.kind;
       if (this.onChange) this.onChange();
     }
+  }
+
+  // Red, green and blue of #rgb or #rrggbb, null for another way of writing.
+  function plainRgb(color) {
+    const [, digits] = /^#([0-9a-f]{3}|[0-9a-f]{6})(?:[0-9a-f]{1,2})?$/i.exec(color) || [];
+    if (!digits) return null;
+    const size = digits.length / 3;
+    return [0, 1, 2].map((i) => parseInt(digits.slice(i * size, (i + 1) * size).repeat(3 - size), 16));
   }
 
   return { CHOICES, Theme };

@@ -41,6 +41,12 @@ def status_message(drawn: Picture, findings: Sequence[Diagnostic], label: str) -
     }
 
 
+def lost_message(message: str) -> Message:
+    """Return the message that the document itself is not there."""
+    path = path_of("status")
+    return {"type": "status", "path": path, "state": "gone", "message": message, "counts": {}}
+
+
 def _finding(index: int, finding: Diagnostic, lines: LineIndex) -> Message:
     line, column = lines.position(finding.start)
     return {

@@ -46,6 +46,7 @@ def parameter_messages(
             "kind": str(parameter.kind),
             "value": typed.get(name, shown),
             "is_guess": is_guess,
+            "is_bound": binding is not None,
             "minimum": minimum,
             "maximum": maximum,
             "is_overridden": name in typed,

@@ -35,7 +35,7 @@ const KindslParameterRows = (() => {
     get guessed() { return this.parameters.filter(({ is_guess: isGuess }) => isGuess); }
 
     // What can be written: guesses that are drawn, and what was typed.
-    get kept() { return [...this.placed, ...this.parameters.filter(({ is_overridden: isTyped }) => isTyped)]; }
+    get kept() { return [...this.placed, ...this.parameters.filter(({ is_overridden: isTyped, is_bound: isBound }) => isTyped && !isBound)]; }
 
     // Those of the guesses that are drawn; masses and moments are left out until they are known.
     get placed() { return this.guessed.filter(({ kind }) => kind !== "dynamics"); }

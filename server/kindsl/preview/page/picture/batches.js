@@ -99,7 +99,8 @@ const KindslBatches = (() => {
 
   function geometryOf(shape, isCoarse) {
     const { geometry } = shape, of = geometry.parameters || {};
-    if (!shape.isLit) return geometry.clone();
+    // A triad is painted for its kind, so it has a geometry of its own; a clone shares what is noted in it.
+    if (!shape.isLit) return Object.assign(geometry.clone(), { userData: {} });
     if (!isCoarse) return geometry;
     if (geometry.type.startsWith("Sphere")) return new SphereGeometry(of.radius, 9, 6);
     if (geometry.type.startsWith("Cylinder")) return new CylinderGeometry(of.radiusTop, of.radiusBottom, of.height, 9, 1, false);

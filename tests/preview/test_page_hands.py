@@ -1,0 +1,330 @@
+"""What hands do on the page: keys, fields, undo, measuring, the tree, the address, the theme."""
+
+import asyncio
+import math
+import os
+from pathlib import Path
+
+import pytest
+from tests.preview.browser import chromium, eventually, opened, until, until_shown
+from tests.preview.robots import ARM, EXAMPLES, PARAMETRIC_ARM, ROOT
+
+from kindsl.analysis.analysis import analyse
+from kindsl.analysis.settings import Settings
+from kindsl.preview.server import PreviewServer
+from kindsl.semantics.parameters import JointLimits
+
+EYE = "KindslAddress.eyeText(kindsl.camera.state())"
+
+
+@pytest.fixture(scope="module")
+async def browser():
+    async with chromium() as running:
+        yield running
+
+
+@pytest.fixture
+async def server():
+    running = PreviewServer()
+    await running.start()
+    yield running
+    await running.stop()
+
+
+async def url_of(server, text=ARM, settings=None):
+    await server.show("robot", analyse(text, settings or Settings()), ())
+    return server.url("robot")
+
+
+async def typed(page, joint, text):
+    await page.get_by_label(f"{joint}, typed").fill(text)
+    await page.get_by_label(f"{joint}, typed").press("Enter")
+    return await page.evaluate(f"kindsl.scene.q.get('{joint}')")
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("45deg", math.pi / 4), ("90°", math.pi / 2), ("PI/4", math.pi / 4), ("0,5", 0.5),
+        ("2*(0.1 + 0.2)", 0.6), ("-1.5e-1", -0.15), ("2 PI / 3", 2 * math.pi / 3),
+    ],
+)  # fmt: skip
+async def test_fields_take_units_and_arithmetic(page_of_arm, text, value):
+    assert await typed(page_of_arm, "shoulder", text) == pytest.approx(value)
+
+
+@pytest.fixture(scope="module")
+async def page_of_arm(browser):
+    running = PreviewServer()
+    await running.start()
+    async with opened(browser, await url_of(running)) as page:
+        await until_shown(page, "Arm")
+        await until(page, "kindsl.camera.framedSize > 0")
+        yield page
+    await running.stop()
+
+
+@pytest.mark.parametrize("text", ["", "abc", "1 2", "(1", "1/0", "3 kg m stone", "(" * 99, "1;2"])
+async def test_what_is_no_value_changes_nothing(page_of_arm, text):
+    before = await typed(page_of_arm, "lift", "30 mm")
+    assert before == pytest.approx(0.03)
+    assert await typed(page_of_arm, "lift", text) == before
+    assert await page_of_arm.locator(".number.wrong").count() == 1
+
+
+async def test_degrees_are_read_and_shown(page_of_arm):
+    page = page_of_arm
+    await page.locator("#angle-unit").click()
+    assert await typed(page, "shoulder", "45") == pytest.approx(math.pi / 4)
+    assert await typed(page, "shoulder", "PI/6") == pytest.approx(math.pi / 6)
+    assert await page.get_by_label("shoulder, typed").input_value() == "30"
+    await page.locator("#angle-unit").click()
+    assert await page.get_by_label("shoulder, typed").input_value() == "0.5236"
+
+
+async def test_a_double_click_resets_a_slider(page_of_arm):
+    await typed(page_of_arm, "shoulder", "1.2")
+    await page_of_arm.get_by_label("shoulder", exact=True).dblclick()
+    assert await page_of_arm.evaluate("kindsl.scene.q.get('shoulder')") == 0
+
+
+async def test_keys_turn_move_zoom_and_choose_views(page_of_arm):
+    page = page_of_arm
+    await page.locator("#pane").focus()
+    seen = {await page.evaluate(EYE)}
+    for key in ("ArrowLeft", "ArrowUp", "Shift+ArrowLeft", "+", "-", *"1234567", "Home"):
+        await page.keyboard.press(key)
+        seen.add(await page.evaluate(EYE))
+    assert len(seen) >= 12
+    await page.keyboard.press("1")
+    state = await page.evaluate("kindsl.camera.state()")
+    assert state["position"][0] > state["target"][0] + 0.5
+    assert state["position"][1:] == pytest.approx(state["target"][1:], abs=1e-6)
+    await page.keyboard.press("?")
+    assert await page.locator("#keys[open] dt").count() > 15
+    await page.keyboard.press("Escape")
+    await page.locator("#keys[open]").wait_for(state="detached")
+
+
+async def test_f_looks_at_what_is_chosen_and_esc_chooses_nothing(page_of_arm):
+    page = page_of_arm
+    await page.locator("#tree .name", has_text="slider").click()
+    await page.locator("#selection h3", has_text="link slider").wait_for()
+    await page.keyboard.press("f")
+    pose = await page.evaluate("kindsl.scene.poses.robot.links.get('slider').slice(12, 15)")
+    target = (await page.evaluate("kindsl.camera.state()"))["target"]
+    assert math.dist(pose, target) < 0.35
+    await page.keyboard.press("Escape")
+    await page.locator("#selection").wait_for(state="hidden")
+    await page.keyboard.press("Home")
+
+
+async def test_pose_and_view_are_undone_and_redone(browser, server):
+    async with opened(browser, await url_of(server)) as page:
+        await until(page, "kindsl.history.present !== null")
+        before = await page.evaluate("kindsl.history.take()")
+        await typed(page, "shoulder", "0.7")
+        await until(page, "!document.getElementById('undo').disabled")
+        await page.keyboard.press("Escape")
+        await page.keyboard.press("5")
+        after = await page.evaluate("(kindsl.history.settle(), kindsl.history.take())")
+        await page.keyboard.press("Control+z")
+        await page.keyboard.press("Control+z")
+        assert await page.evaluate("kindsl.history.take()") == before
+        assert await page.get_by_label("shoulder, typed").input_value() in ("0", "0.7")
+        await page.keyboard.press("Control+y")
+        await page.keyboard.press("Control+y")
+        assert await page.evaluate("kindsl.history.take()") == after
+
+
+async def test_the_address_holds_the_view_and_a_reload_shows_it_again(browser, server):
+    async with opened(browser, await url_of(server)) as page:
+        await until(page, "kindsl.history.present !== null")
+        await typed(page, "shoulder", "0.75")
+        await page.locator("[data-preset=Inertia]").click()
+        await page.locator("[data-category=ground]").uncheck()
+        await page.locator("#tree .name", has_text="upper").click()
+        await page.keyboard.press("4")
+        await until(page, "location.hash.includes('eye=') && location.hash.includes('q=')")
+        eye = await page.evaluate(EYE)
+        link = await page.evaluate("kindsl.address.link()")
+        assert link.startswith(server.url("robot") + "#")
+    server._documents["robot"]._joints.clear()
+    server._documents["robot"].channel.replace("joints", {})
+    async with opened(browser, link) as page:
+        await until(page, "kindsl.history.present !== null")
+        assert await page.evaluate("kindsl.scene.q.get('shoulder')") == 0.75
+        assert await page.evaluate("kindsl.presets.name") == "Inertia"
+        assert not await page.locator("[data-category=ground]").is_checked()
+        assert await page.evaluate("kindsl.selection.chosen.name") == "upper"
+        assert await page.evaluate(EYE) == eye
+
+
+@pytest.mark.parametrize(
+    "fragment",
+    [
+        "q=%,a:b,:::",
+        "eye=1,2,3",
+        "eye=0,0,0,0,0,0",
+        "preset=Nothing&show=body:x,none:1",
+        "pick=x:y",
+    ],
+)
+async def test_an_address_that_makes_no_sense_shows_the_usual_picture(browser, server, fragment):
+    async with opened(browser, f"{await url_of(server)}#{fragment}") as page:
+        await until(page, "kindsl.history.present !== null")
+        assert await page.evaluate("kindsl.presets.name") == "Kinematics"
+        assert not await page.evaluate("kindsl.camera.isUsers")
+
+
+async def test_distance_and_angle_between_two_frames(browser, server):
+    async with opened(browser, await url_of(server)) as page:
+        await until_shown(page, "Arm")
+        await page.locator("#measure").click()
+        await page.locator("#tree .name", has_text="upper").click()
+        await page.locator("#tree .name", has_text="tool").click()
+        await page.get_by_text("Distance 0.5 m").wait_for()
+        await page.get_by_text("Angle 1.5708 rad").wait_for()
+        assert await page.locator(".measured").inner_text() == "0.5 m"
+        await typed(page, "lift", "0.1")
+        await page.get_by_text("Distance 0.5657 m").wait_for()
+
+
+async def test_links_are_hidden_isolated_and_found(browser, server):
+    drawn = """() => {
+      kindsl.scene.update();
+      const names = new Set();
+      for (const { mesh, marks } of kindsl.scene.batches.byKey.values()) {
+        for (const { group, name } of marks) if (mesh.visible && group === "links") names.add(name);
+      }
+      return [...names].sort();
+    }"""
+    async with opened(browser, await url_of(server)) as page:
+        await until_shown(page, "Arm")
+        assert await page.evaluate(drawn) == ["base", "slider", "upper"]
+        await page.get_by_label("hide upper").click()
+        assert await page.evaluate(drawn) == ["base", "slider"]
+        await page.get_by_label("isolate upper").click()
+        assert await page.evaluate(drawn) == ["upper"]
+        await page.locator("#show-all").click()
+        assert await page.evaluate(drawn) == ["base", "slider", "upper"]
+        await page.get_by_label("Search links").fill("LIFT")
+        assert await page.locator("#tree .name").all_text_contents() == ["slider  ⇅ lift"]
+
+
+async def test_joints_move_between_their_configured_limits(browser, server):
+    settings = Settings(joints={"shoulder": JointLimits(-0.2, 0.4), "lift": JointLimits(0.0, None)})
+    async with opened(browser, await url_of(server, settings=settings)) as page:
+        await until(page, "kindsl.scene.limits.size === 2")
+        slider = page.get_by_label("shoulder", exact=True)
+        await until(page, "document.querySelector('[aria-label=shoulder]').max === '0.4'")
+        assert await slider.get_attribute("min") == "-0.2"
+        await typed(page, "shoulder", "1")
+        assert await page.locator(".row.beyond .name").inner_text() == "shoulder"
+        await typed(page, "shoulder", "0")
+        await page.get_by_label("animate shoulder").click()
+        await until(page, "Math.abs(kindsl.scene.q.get('shoulder')) > 0.05")
+        positions = [await page.evaluate("kindsl.scene.q.get('shoulder')") for _ in range(20)]
+        assert all(-0.2 - 1e-9 <= q <= 0.4 + 1e-9 for q in positions)
+        assert not await page.evaluate("kindsl.scene.q.get('lift')")
+        await page.locator("#animate").click()
+        rest = await page.evaluate("kindsl.scene.q.get('shoulder')")
+        await eventually(lambda: server._documents["robot"]._joints.get("shoulder") == rest)
+
+
+async def test_the_picture_is_saved_with_ground_and_names(browser, server):
+    async with opened(browser, await url_of(server)) as page:
+        await until(page, "kindsl.camera.framedSize > 0")
+        async with page.expect_download() as saving:
+            await page.locator("#png").click()
+        saved = await saving.value
+        assert saved.suggested_filename == "Arm.png"
+        assert (await asyncio.to_thread((await saved.path()).read_bytes))[:4] == b"\x89PNG"
+
+
+async def test_the_title_and_icon_tell_whose_robot_it_is_and_how(browser, server):
+    async with opened(browser, await url_of(server)) as page:
+        await until(page, "document.title === 'Arm – kindsl preview'")
+        analysis = analyse(ARM.replace("slider via lift", "slider via lft"))
+        await server.show("robot", analysis, analysis.findings)
+        await until(page, "document.title.startsWith('Arm (')")
+        await until(page, "document.querySelector('link[rel=icon]').dataset.look === 'error'")
+        server.lose("robot", "arm.kindsl: the file was moved or deleted")
+        await page.get_by_text("arm.kindsl: the file was moved or deleted").wait_for()
+        await until(page, "document.title.includes('not connected')")
+        one = ARM.replace("    children {\n        slider via lift\n    }", "    children {}")
+        one = (
+            one[: one.index("link slider")] + one[one.index("r_joint shoulder") : one.index("p_j")]
+        )
+        await url_of(server, one + "\n}\n")
+        await until(page, "document.getElementById('dof').textContent.startsWith('1 joint,')")
+
+
+async def test_values_are_given_to_whoever_can_write_them(browser, server):
+    wanted = []
+    server.on_write = lambda key, values: wanted.append((key, values)) or "[parameters]\nreach = 1"
+    async with opened(browser, await url_of(server, PARAMETRIC_ARM)) as page:
+        await until_shown(page, "Arm")
+        await page.get_by_text("Write these to kindsl.toml").click()
+        await page.locator("dialog[open] pre", has_text="reach = 1").wait_for()
+        assert wanted == [("robot", {"reach": 0.5})]
+
+
+THEME = """(kind) => kindsl.theme.take({ kind, colors: {
+  paper: "#002b36", sky: "#002b36", ink: "red; background: url(x)", sneaky: "#fff",
+} })"""
+
+
+async def test_an_editors_colours_are_taken_by_known_names_and_plain_values(browser, server):
+    async with opened(browser, await url_of(server)) as page:
+        await page.evaluate(THEME, "light")
+        style = await page.evaluate("document.documentElement.getAttribute('style')")
+        assert "--sky: #002b36" in style
+        assert "url" not in style
+        assert "sneaky" not in style
+        # A dark ground needs light marks, whatever the theme is called.
+        assert await page.evaluate("kindsl.scene.colors === KindslPalette.DARK")
+        await page.evaluate("postMessage({ type: 'kindsl.theme', kind: 'light', colors: {} }, '*')")
+        await page.wait_for_timeout(100)
+        assert await page.evaluate("kindsl.scene.colors === KindslPalette.DARK")
+
+
+@pytest.mark.parametrize("width", [200, 240, 1280])
+async def test_the_panel_is_usable_at_any_width(browser, server, width):
+    async with opened(browser, await url_of(server)) as page:
+        await page.set_viewport_size({"width": width, "height": 700})
+        await until_shown(page, "Arm")
+        slider = await page.get_by_label("shoulder", exact=True).bounding_box()
+        assert slider["width"] > 60
+        assert await page.evaluate("document.documentElement.scrollWidth") <= width
+        await page.locator("#close-panel").click()
+        assert (await page.locator("#pane").bounding_box())["height"] == 700
+        await page.locator("#open-panel").click()
+        await page.locator("#panel").wait_for()
+
+
+async def axe_findings(page, script):
+    await page.evaluate(script)
+    found = await page.evaluate("axe.run(document)")
+    return [(one["id"], [n["html"][:120] for n in one["nodes"]]) for one in found["violations"]]
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+async def test_axe_finds_nothing(browser, server, theme, axe):
+    analysis = analyse((EXAMPLES / "fancy.kindsl").read_text())
+    await server.show("robot", analysis, analysis.findings)
+    async with opened(browser, f"{server.url('robot')}#theme={theme}") as page:
+        await until(page, "kindsl.history.present !== null")
+        await page.locator("[data-category=torque]").check()
+        await page.locator("#tree .name").first.click()
+        if await page.locator("#summary").is_visible():
+            await page.locator("#summary").click()
+        assert await axe_findings(page, axe) == []
+
+
+@pytest.fixture(scope="module")
+def axe():
+    folder = Path(os.environ.get("AXE_CORE", ROOT / "vscode-extension/node_modules/axe-core"))
+    if not (folder / "axe.min.js").is_file():
+        pytest.skip("axe-core is not installed: npm install in vscode-extension")
+    return (folder / "axe.min.js").read_text()
