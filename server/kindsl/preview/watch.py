@@ -1,13 +1,14 @@
 """Notices when files are saved."""
 
 import asyncio
-import os
 from collections.abc import AsyncIterator, Sequence
+
+from kindsl.text.saves import Stamp, stamp
 
 INTERVAL = 0.1  # seconds
 LOOKS_UNTIL_LOST = 10
 
-Fingerprint = tuple[tuple[int, int, int] | None, ...]
+Fingerprint = tuple[Stamp | None, ...]
 
 
 async def saves(
@@ -37,12 +38,4 @@ async def saves(
 
 def fingerprint(paths: Sequence[str]) -> Fingerprint:
     """Return what changes with each save; None for a file that is not there."""
-    return tuple(map(_stamp, paths))
-
-
-def _stamp(path: str) -> tuple[int, int, int] | None:
-    try:
-        status = os.stat(path)  # noqa: PTH116 (a path may hold any bytes)
-    except OSError:
-        return None
-    return status.st_mtime_ns, status.st_size, status.st_ino
+    return tuple(map(stamp, paths))

@@ -1,4 +1,4 @@
-"""Knows characters: spans, edits, lines, encodings.
+"""Knows characters: spans, edits, lines, numbers, words, and when they were saved.
 
 Must not know tokens, robots, editors.
 """

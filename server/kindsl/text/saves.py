@@ -1,0 +1,14 @@
+"""Whether a text in a file was saved again."""
+
+import os
+
+Stamp = tuple[int, int, int]
+
+
+def stamp(path: str) -> Stamp | None:
+    """Return what changes with each save of a file; None if it is not there."""
+    try:
+        status = os.stat(path)  # noqa: PTH116 (a path may hold any bytes)
+    except OSError:
+        return None
+    return status.st_mtime_ns, status.st_size, status.st_ino
