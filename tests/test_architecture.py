@@ -66,6 +66,16 @@ def test_no_files_import_each_other_in_a_circle() -> None:
     assert list(circles(graph.modules, graph.find_modules_directly_imported_by)) == []
 
 
+@pytest.mark.parametrize(
+    ("word", "place"), [("scandir", "config/robots.py"), ("get_close_matches", None)]
+)
+def test_there_is_one_of_each(word: str, place: str | None) -> None:
+    """One walk through folders, one way to find the nearest word."""
+    sources = {path.relative_to(HOUSE).as_posix(): path for path in HOUSE.rglob("*.py")}
+    found = [name for name, path in sources.items() if word in path.read_text("utf-8")]
+    assert found == ([] if place is None else [place])
+
+
 def test_a_folder_fits_one_glance() -> None:
     folders = {path.parent for path in HOUSE.rglob("*.py")}
     too_full = {

@@ -76,6 +76,17 @@ def test_what_other_documents_use_is_not_unused(kdsl_lint: Runner, folder: Path)
     assert kdsl_lint("good.kindsl").out == ""
 
 
+def test_folders_of_tools_use_nothing_unless_they_are_asked_for(
+    kdsl_lint: Runner, folder: Path
+) -> None:
+    (folder / "good.kindsl").write_text(GOOD)
+    (folder / "build").mkdir()
+    (folder / "build" / "other.kindsl").write_text(UNBOUND)
+    (folder / "kindsl.toml").write_text("[parameters]\nlength = 0.5\n")
+    assert "warning[KD404]" in kdsl_lint("good.kindsl").out
+    assert kdsl_lint("good.kindsl", "--no-default-exclude").out == ""
+
+
 def test_binding_for_some_documents_is_unused_by_the_others(
     kdsl_lint: Runner, folder: Path
 ) -> None:

@@ -19,6 +19,14 @@ def test_formats_in_place_once(kindsl: Runner, folder: Path) -> None:
     assert kindsl("format").err == "0 documents formatted, 1 as it should be\n"
 
 
+def test_folders_of_tools_are_formatted_when_asked_for(kindsl: Runner, folder: Path) -> None:
+    (folder / "build").mkdir()
+    (folder / "build" / "a.kindsl").write_text(GOOD.replace(" {", "{"))
+    assert kindsl("format", "--check").status == 0
+    assert kindsl("format", "--check", "--no-default-exclude").status == 1
+    assert kindsl("format", "--check", "build").status == 1
+
+
 def test_diff_writes_nothing(kindsl: Runner, folder: Path) -> None:
     (folder / "a.kindsl").write_text(GOOD)
     told = kindsl("format", "--diff")

@@ -218,6 +218,14 @@ def test_related_places_are_told(kdsl_lint: Runner, folder: Path) -> None:
     assert set(related) == {"path", "start", "end", "message"}
 
 
+def test_folders_of_tools_are_linted_when_asked_for(kdsl_lint: Runner, folder: Path) -> None:
+    (folder / ".venv").mkdir()
+    (folder / ".venv" / "a.kindsl").write_text(INTEGER)
+    assert kdsl_lint().out == ""
+    assert kdsl_lint("--no-default-exclude").out.startswith(".venv/a.kindsl:21:32: error[KD005]")
+    assert kdsl_lint(".venv").out.startswith(".venv/a.kindsl:21:32: error[KD005]")
+
+
 def test_stdin_with_a_name(kdsl_lint: Runner, monkeypatch: pytest.MonkeyPatch) -> None:
     _feed(monkeypatch, INTEGER)
     assert kdsl_lint("-").out.startswith("<stdin>:21:32: ")

@@ -62,6 +62,18 @@ def test_the_repository_itself_is_not_walked(folder: Path) -> None:
     assert found(".") == ["a.kindsl"]
 
 
+def test_folders_of_tools_are_left_out_unless_named(folder: Path) -> None:
+    put(folder, ".venv/a.kindsl", "build/b.kindsl", "c.kindsl", "sub/node_modules/d.kindsl")
+    assert found(".") == ["c.kindsl"]
+    assert found("build", "sub/node_modules/d.kindsl") == [
+        "build/b.kindsl",
+        "sub/node_modules/d.kindsl",
+    ]
+    assert [str(path) for path in documents(["."], excluded=())] == [
+        ".venv/a.kindsl", "build/b.kindsl", "c.kindsl", "sub/node_modules/d.kindsl",
+    ]  # fmt: skip
+
+
 def test_loop_of_links_ends(folder: Path) -> None:
     put(folder, "sub/a.kindsl")
     (folder / "sub" / "again").symlink_to("..")

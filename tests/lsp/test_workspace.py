@@ -9,6 +9,7 @@ import pytest
 from tests.support import robots
 from tests.support.lsp import RawClient, raw_client, ready_client
 
+from kindsl.cli.documents.walking import documents
 from kindsl.lsp.text import uris
 
 ROBOT = robots.ONE_LINK
@@ -180,6 +181,30 @@ class TestUris:
         client.diagnostics("file:///tmp/a%20b/r.kindsl")
         document = {"textDocument": {"uri": "file:///tmp/a b/r.kindsl"}}
         assert client.request("textDocument/documentSymbol", document)
+
+    def test_this_machine_may_be_named(self, folder: Path) -> None:
+        """Some clients name the host: it is the same document, and the same file."""
+        named = uris.uri(folder / "robot.kindsl").replace("file:///", "file://localhost/")
+        assert uris.key(named) == uris.key(uris.uri(folder / "robot.kindsl"))
+        assert uris.path(named) == folder / "robot.kindsl"
+        assert uris.path("file://elsewhere/share/r.kindsl") == Path("//elsewhere/share/r.kindsl")
+
+    def test_the_folder_is_checked_as_the_linter_does(
+        self, folder: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        names = ".hidden/a.kindsl", ".venv/b.kindsl", "node_modules/x/c.kindsl", "UPPER.KINDSL"
+        for name in (*names, "out/d.kindsl", "out/kept.kindsl"):
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            (folder / name).write_text(ROBOT)
+        (folder / ".git").mkdir()
+        (folder / ".gitignore").write_text("/out/*\n!kept.kindsl\n")
+        monkeypatch.chdir(folder)
+        root = uris.uri(folder).replace("file:///", "file://localhost/")
+        with ready_client(workspaceFolders=[{"uri": root, "name": "r"}]) as client:
+            found = client.request("workspace/diagnostic", {"previousResultIds": []})["items"]
+        linted = [uris.uri(folder / str(path)) for path in documents(["."])]
+        assert [item["uri"] for item in found] == linted
+        assert len(linted) == 4
 
     def test_drive_letters_have_no_case(self) -> None:
         assert uris.key("file:///C%3A/r.kindsl") == uris.key("file:///c:/r.kindsl")

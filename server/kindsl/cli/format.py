@@ -9,8 +9,10 @@ from kindsl.cli.console import write
 from kindsl.cli.documents.sources import STDIN, is_decodable, read_source
 from kindsl.cli.documents.walking import documents
 from kindsl.cli.documents.writing import write_text
+from kindsl.cli.options import add_exclusion_argument
 from kindsl.cli.outcome import Failure
 from kindsl.cli.output.unified_diff import unified_diff
+from kindsl.config.robots import TOOLS_FOLDERS
 from kindsl.formatting.format import FormattingRefusedError, format_document
 from kindsl.syntax.document import SyntaxDocument, parse
 from kindsl.text.edits import apply_edits
@@ -40,6 +42,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--check", action="store_true", help="write nothing, exit with 1 if needed")
     parser.add_argument("--diff", action="store_true", help="write nothing, show what would change")
     parser.add_argument("--stdin-filename", metavar="NAME", default="<stdin>")
+    add_exclusion_argument(parser)
     parser.add_argument("-q", "--quiet", action="store_true", help="no summary")
 
 
@@ -50,7 +53,9 @@ def run(args: argparse.Namespace) -> int:
         0; with `--check` or `--diff` 1 if something would change; 2 if a document cannot be read,
         does not parse, or cannot be written.
     """
-    found = [_formatted(path, args.stdin_filename) for path in documents(args.paths or ["."])]
+    excluded = frozenset[str]() if args.no_default_exclude else TOOLS_FOLDERS
+    paths = documents(args.paths or ["."], excluded)
+    found = [_formatted(path, args.stdin_filename) for path in paths]
     failures = [one for one in found if isinstance(one, Failure)]
     whole = [one for one in found if isinstance(one, Formatted)]
     changed = [one for one in whole if one.new != one.old]

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 _DESCRIPTION = "Tells what is wrong with Kinematics-DSL documents."
 DEFAULTS: dict[str, Any] = {
     "stdin_filename": None,
+    "no_default_exclude": False,
     "select": None,
     "ignore": None,
     "target": None,

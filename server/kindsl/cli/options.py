@@ -34,6 +34,7 @@ def add_lint_arguments(parser: argparse.ArgumentParser) -> None:
         help="documents, folders, or '-' for stdin (default: the current folder)",
     )
     parser.add_argument("--stdin-filename", metavar="NAME", help="what to call stdin's document")
+    add_exclusion_argument(parser)
     parser.add_argument(
         "--version", action=VersionAction, nargs=0, dest=argparse.SUPPRESS, help="print the version"
     )
@@ -42,6 +43,15 @@ def add_lint_arguments(parser: argparse.ArgumentParser) -> None:
     _add_fixes(parser.add_argument_group("fixes"))
     _add_reporting(parser.add_argument_group("how it is reported"))
     _add_pages(parser.add_argument_group("about the rules"))
+
+
+def add_exclusion_argument(parser: argparse.ArgumentParser) -> None:
+    """Declare the option that says which folders below those named are left out."""
+    parser.add_argument(
+        "--no-default-exclude",
+        action="store_true",
+        help="look into folders of tools too: .venv, node_modules, build and the like",
+    )
 
 
 def add_parameter_arguments(group: Any) -> None:

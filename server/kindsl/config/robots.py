@@ -1,38 +1,104 @@
-"""The robots in a folder, those left out that git ignores."""
+"""The robots in a folder: one walk for the command line and for editors."""
 
 import os
-from collections.abc import Iterator
-from pathlib import Path
-from typing import TYPE_CHECKING
+import stat
+from collections.abc import Collection, Iterator
+from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from kindsl.config.gitignore import Ignored
 
-_SUFFIX = ".kindsl"
+SUFFIX = ".kindsl"
+# What tools put into a project beside its sources; the list is that of the linter ruff.
+TOOLS_FOLDERS = frozenset((
+    ".direnv", ".eggs", ".ipynb_checkpoints", ".mypy_cache", ".nox", ".pants.d", ".pyenv",
+    ".pytest_cache", ".pytype", ".ruff_cache", ".tox", ".venv", ".vscode", "__pypackages__",
+    "_build", "buck-out", "build", "dist", "node_modules", "site-packages", "venv",
+))  # fmt: skip
+_VERSION_CONTROL = frozenset((".bzr", ".git", ".git-rewrite", ".hg", ".jj", ".svn"))
 
 
-def robots_below(folder: Path) -> Iterator[Path]:
-    """Yield the documents in a folder and the folders in it, in the order of their names.
+class Obstacle(NamedTuple):
+    """What may be a robot, or hold some, but cannot be read.
 
-    Hidden folders, links to folders and folders that cannot be listed are passed over.
+    Attributes:
+        path: The file or folder.
+        reason: What the system says, or what it is instead: a clause for people.
+    """
+
+    path: str
+    reason: OSError | str
+
+
+def walked(folder: str, excluded: Collection[str] = TOOLS_FOLDERS) -> Iterator[str | Obstacle]:
+    """Yield the robots in a folder and in the folders below, in the order of their names.
+
+    What git ignores is left out, unless that is the folder itself; so are links to folders and the
+    folders of version control.
+
+    Args:
+        folder: Where to begin, whatever it is called.
+        excluded: Names of folders that are left out.
     """
     from kindsl.config.gitignore import Ignored
 
-    yield from _walk(str(folder), Ignored.above(str(folder)))
+    yield from _walk(folder, frozenset(excluded) | _VERSION_CONTROL, Ignored.above(folder))
 
 
-def _walk(folder: str, ignored: "Ignored") -> Iterator[Path]:
+def robots_below(folder: "Path") -> "Iterator[Path]":
+    """Yield the robots in a folder that can be read; see `walked`."""
+    from pathlib import Path
+
+    for found in walked(str(folder)):
+        if isinstance(found, str):
+            yield Path(found)
+
+
+def is_robot(name: str) -> bool:
+    """Return whether a file is called like a robot."""
+    return name.lower().endswith(SUFFIX)
+
+
+def _walk(folder: str, excluded: frozenset[str], ignored: "Ignored") -> Iterator[str | Obstacle]:
     try:
         with os.scandir(folder) as listing:
             entries = sorted(listing, key=lambda entry: entry.name)
-    except OSError:
+    except OSError as error:
+        yield Obstacle(folder, error)
         return
     ignored = ignored.below(folder)
     for entry in entries:
         is_folder = entry.is_dir(follow_symlinks=False)
-        if entry.name.startswith(".") or ignored.covers(entry.path, is_folder):
+        if entry.name in excluded if is_folder else not is_robot(entry.name):
+            continue
+        if ignored.covers(entry.path, is_folder):
             continue
         if is_folder:
-            yield from _walk(entry.path, ignored)
-        elif entry.name.endswith(_SUFFIX) and entry.is_file():
-            yield Path(entry.path)
+            yield from _below(entry, excluded, ignored)
+        else:
+            yield _robot(entry)
+
+
+def _below(
+    entry: "os.DirEntry[str]", excluded: frozenset[str], ignored: "Ignored"
+) -> Iterator[str | Obstacle]:
+    is_empty = True
+    for found in _walk(entry.path, excluded, ignored):
+        is_empty = False
+        yield found
+    if is_empty and is_robot(entry.name):
+        yield Obstacle(entry.path, "is a folder, not a file")
+
+
+def _robot(entry: "os.DirEntry[str]") -> str | Obstacle:
+    try:
+        mode = entry.stat().st_mode
+    except OSError as error:
+        return Obstacle(entry.path, error)
+    if stat.S_ISREG(mode):
+        return entry.path
+    if stat.S_ISDIR(mode):
+        return Obstacle(entry.path, "is a link to a folder, not a file")
+    return Obstacle(entry.path, "is not a regular file")

@@ -2,39 +2,33 @@
 
 import os
 import stat
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from collections.abc import Collection, Iterator
 
 from kindsl.cli.documents.sources import STDIN, reason
 from kindsl.cli.outcome import Failure
+from kindsl.config.robots import TOOLS_FOLDERS, Obstacle, is_robot, walked
 
-if TYPE_CHECKING:
-    from kindsl.config.gitignore import Ignored
-
-SUFFIX = ".kindsl"
 _HERE = os.curdir + os.sep
-_VERSION_CONTROL = frozenset((".git", ".hg", ".svn", ".jj"))
 
 
-def documents(paths: list[str]) -> Iterator[str | Failure]:
+def documents(
+    paths: list[str], excluded: Collection[str] = TOOLS_FOLDERS
+) -> Iterator[str | Failure]:
     """Yield each document once: files as named, folders with all documents below.
 
-    `.gitignore` files hold for what a folder brings, not for files that are named.
+    `.gitignore` files and exclusions hold for what a folder brings, not for what is named.
+
+    Args:
+        paths: Files, folders, `-`.
+        excluded: Names of folders to leave out.
     """
     seen: set[str] = set()
     for path in paths:
-        for found in _documents_of(path):
+        for found in _documents_of(path, excluded):
             key = str(found) if isinstance(found, Failure) else _identity(found)
             if key not in seen:
                 seen.add(key)
                 yield found
-
-
-def documents_below(folder: str) -> Iterator[str | Failure]:
-    """Yield the documents in a folder and the folders in it, those that git ignores left out."""
-    from kindsl.config.gitignore import Ignored
-
-    yield from _walk(folder, Ignored.above(folder))
 
 
 def _identity(path: str) -> str:
@@ -51,7 +45,7 @@ def _shown(path: str) -> str:
     return path if shown in ("", STDIN) else shown
 
 
-def _documents_of(path: str) -> Iterator[str | Failure]:
+def _documents_of(path: str, excluded: Collection[str]) -> Iterator[str | Failure]:
     if path == STDIN:
         yield STDIN
         return
@@ -65,49 +59,17 @@ def _documents_of(path: str) -> Iterator[str | Failure]:
         yield _shown(path)
         return
     is_empty = True
-    for found in documents_below(path):
+    for found in walked(path, excluded):
         is_empty = False
-        yield found
-    if is_empty and path.endswith(SUFFIX):
+        yield _failure(found) if isinstance(found, Obstacle) else _shown(found)
+    if is_empty and is_robot(path):
         yield Failure(path, "is a folder, not a file")
 
 
-def _walk(folder: str, ignored: "Ignored") -> Iterator[str | Failure]:
-    try:
-        with os.scandir(folder) as listing:
-            entries = sorted(listing, key=lambda entry: entry.name)
-    except OSError as error:
-        yield Failure(folder, reason(folder, error).replace("read", "listed"))
-        return
-    ignored = ignored.below(folder)
-    for entry in entries:
-        is_folder = entry.is_dir(follow_symlinks=False)
-        if entry.name in _VERSION_CONTROL or not (is_folder or entry.name.endswith(SUFFIX)):
-            continue
-        if ignored.covers(entry.path, is_folder):
-            continue
-        yield from _walk_folder(entry.path, ignored) if is_folder else _document(entry)
-
-
-def _walk_folder(path: str, ignored: "Ignored") -> Iterator[str | Failure]:
-    is_empty = True
-    for found in _walk(path, ignored):
-        is_empty = False
-        yield found
-    if is_empty and path.endswith(SUFFIX):
-        yield Failure(_shown(path), "is a folder, not a file")
-
-
-def _document(entry: "os.DirEntry[str]") -> Iterator[str | Failure]:
-    path = _shown(entry.path)
-    try:
-        mode = entry.stat().st_mode
-    except OSError as error:
-        yield Failure(path, reason(path, error))
-        return
-    if stat.S_ISREG(mode):
-        yield path
-    elif stat.S_ISDIR(mode):
-        yield Failure(path, "is a link to a folder, not a file")
-    else:
-        yield Failure(path, "is not a regular file")
+def _failure(obstacle: Obstacle) -> Failure:
+    path, why = obstacle
+    if isinstance(why, str):
+        return Failure(_shown(path), why)
+    # Of a folder it is the list of names that cannot be read.
+    verb = "listed" if os.path.isdir(path) else "read"
+    return Failure(_shown(path), reason(path, why).replace("read", verb))

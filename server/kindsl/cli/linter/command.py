@@ -12,6 +12,7 @@ from kindsl.cli.linter.run import Plan, lint
 from kindsl.cli.outcome import Failure, Outcome, as_failures
 from kindsl.cli.output import renderer
 from kindsl.config.errors import ConfigurationError
+from kindsl.config.robots import TOOLS_FOLDERS
 from kindsl.rules.base import Severity
 from kindsl.text.printable import printable
 
@@ -86,6 +87,7 @@ def _plan(args: Any) -> Plan:
         args.unsafe_fixes,
         args.jobs,
         args.quiet,
+        frozenset() if args.no_default_exclude else TOOLS_FOLDERS,
     )
 
 

@@ -3,7 +3,7 @@
 import gc
 import os
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 from kindsl.cli.documents.choices import Choices
@@ -13,6 +13,7 @@ from kindsl.cli.linter.one_document import Checked, Mending, Task
 from kindsl.cli.linter.parallel import check_all
 from kindsl.cli.outcome import Failure, LintedFile, Outcome, as_failures
 from kindsl.config.errors import ConfigurationError
+from kindsl.config.robots import TOOLS_FOLDERS
 
 if TYPE_CHECKING:
     from kindsl.config.configuration import Configuration
@@ -33,6 +34,7 @@ class Plan(NamedTuple):
         with_unsafe: Whether unsafe fixes are wanted too.
         jobs: How many processes, 0 for as many as pay.
         is_quiet: Whether to show no progress.
+        excluded: Names of folders to leave out.
     """
 
     paths: list[str]
@@ -42,6 +44,7 @@ class Plan(NamedTuple):
     with_unsafe: bool = False
     jobs: int = 0
     is_quiet: bool = False
+    excluded: Collection[str] = TOOLS_FOLDERS
 
 
 def lint(plan: Plan) -> Outcome:
@@ -63,7 +66,7 @@ def _prepared(
     tasks: list[Task] = []
     failures: list[Failure] = []
     configurations: dict[str, Configuration] = {}
-    for document in documents(plan.paths):
+    for document in documents(plan.paths, plan.excluded):
         if isinstance(document, Failure):
             failures.append(document)
             continue
@@ -90,7 +93,7 @@ def _unused(
         return []
     from kindsl.cli.linter.unused_bindings import unused_bindings
 
-    return unused_bindings(files, configurations, plan.choices)
+    return unused_bindings(files, configurations, plan.choices, plan.excluded)
 
 
 def _with_progress(found: Iterable[Checked], total: int, is_quiet: bool) -> Iterator[Checked]:

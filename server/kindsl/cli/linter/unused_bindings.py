@@ -1,20 +1,23 @@
 """KD404 over a run of the linter: what was linted uses names, other documents mention them."""
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from functools import partial
 
 from kindsl.cli.documents.choices import Choices
 from kindsl.cli.documents.sources import read_source
-from kindsl.cli.documents.walking import documents_below
 from kindsl.cli.outcome import Failure, LintedFile
 from kindsl.config import unused_bindings as vain
 from kindsl.config.configuration import Configuration
+from kindsl.config.robots import Obstacle, walked
 from kindsl.rules.checks.kd404_unused_binding import unused_bindings as vain_bindings
 
 
 def unused_bindings(
-    files: Sequence[LintedFile], configurations: Mapping[str, Configuration], choices: Choices
+    files: Sequence[LintedFile],
+    configurations: Mapping[str, Configuration],
+    choices: Choices,
+    excluded: Collection[str],
 ) -> list[LintedFile]:
     """Return each configuration file that binds what nothing uses, with the findings.
 
@@ -22,12 +25,13 @@ def unused_bindings(
         files: What was linted.
         configurations: The configuration that held for each of them, by the path shown.
         choices: What the command line decided.
+        excluded: Names of folders to leave out.
     """
     used = {file.path: file.parameters for file in files}
     found = []
     for path, configuration in sorted({c.path: c for c in configurations.values()}.items()):
         own = {p: names for p, names in used.items() if configurations.get(p) is configuration}
-        others = partial(_words_of_others, configuration, own)
+        others = partial(_words_of_others, configuration, own, excluded)
         settings = choices.settings_for(path)
         findings = vain.unused_bindings(configuration, settings, own, others)
         if findings:
@@ -45,12 +49,12 @@ def unused_on_command_line(files: Sequence[LintedFile], choices: Choices) -> str
 
 
 def _words_of_others(
-    configuration: Configuration, linted: Mapping[str, frozenset[str]]
+    configuration: Configuration, linted: Mapping[str, frozenset[str]], excluded: Collection[str]
 ) -> Iterator[vain.Names]:
     """Yield the words of the documents below the configuration that were not linted now."""
     known = {os.path.abspath(path) for path in linted}
-    for path in documents_below(os.path.dirname(os.path.abspath(configuration.path))):
-        if isinstance(path, Failure) or os.path.abspath(path) in known:
+    for path in walked(os.path.dirname(os.path.abspath(configuration.path)), excluded):
+        if isinstance(path, Obstacle) or os.path.abspath(path) in known:
             continue
         text = read_source(path, path)
         if not isinstance(text, Failure):

@@ -10,11 +10,10 @@ from kindsl.cli.documents.walking import documents
 from kindsl.cli.linter.run import Plan, lint
 from kindsl.cli.outcome import Failure, Outcome
 from kindsl.config.discovery import Configurations, nearest_configuration
+from kindsl.text.saves import Stamp, stamp
 
 _PAUSE = 0.3
 _CLEAR = "\x1b[2J\x1b[3J\x1b[H"
-
-Stamp = tuple[int, int, int]
 
 
 def watch(plan: Plan, report: Callable[[Outcome], int]) -> int:
@@ -41,23 +40,15 @@ def watch(plan: Plan, report: Callable[[Outcome], int]) -> int:
 def stamps(plan: Plan) -> dict[str, Stamp | None]:
     """Return for each file that the outcome depends on what changes when the file does."""
     found: dict[str, Stamp | None] = {}
-    for document in documents(plan.paths):
+    for document in documents(plan.paths, plan.excluded):
         path = document.path if isinstance(document, Failure) else document
-        found[path] = _stamp(path)
+        found[path] = stamp(path)
         if plan.choices.configurations is not None:
             folder = os.path.dirname(os.path.abspath(path))
             configuration = plan.choices.configurations.fixed or nearest_configuration(folder)
             if configuration is not None:
-                found[configuration] = _stamp(configuration)
+                found[configuration] = stamp(configuration)
     return found
-
-
-def _stamp(path: str) -> Stamp | None:
-    try:
-        status = os.stat(path)
-    except OSError:
-        return None
-    return status.st_mtime_ns, status.st_size, status.st_ino
 
 
 def _afresh(plan: Plan) -> Plan:

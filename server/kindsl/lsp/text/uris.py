@@ -6,18 +6,19 @@ from urllib.parse import unquote, urlsplit
 
 from pygls.uris import to_fs_path
 
+_THIS_MACHINE = re.compile(r"^file://localhost/", re.IGNORECASE)
 _DRIVE = re.compile(r"^(file:///)([A-Za-z]):")
 
 
 def key(uri: str) -> str:
-    """Return one name for all spellings of a URI: decoded, the drive letter in lower case."""
-    decoded = unquote(uri)
+    """Return one name for all spellings: decoded, this machine unnamed, the drive in lower case."""
+    decoded = _THIS_MACHINE.sub("file:///", unquote(uri))
     return _DRIVE.sub(lambda drive: f"{drive[1]}{drive[2].lower()}:", decoded)
 
 
 def path(uri: str) -> Path | None:
     """Return the file that a URI names, None when it names none (untitled, version control)."""
-    name = to_fs_path(uri) if uri.startswith("file:") else None
+    name = to_fs_path(_THIS_MACHINE.sub("file:///", uri)) if uri.startswith("file:") else None
     return Path(name) if name else None
 
 
