@@ -141,3 +141,36 @@ def test_the_manifest_tells_document_and_options(
     assert record["options"]["quantities"] == ["poses"]
     assert set(record["files"]) == {"arm.h", "arm_model.c", "arm_poses.c", "arm_test.c",
                                     "CMakeLists.txt", "README.md"}  # fmt: skip
+
+
+@pytest.mark.parametrize("language", ["c", "cpp", "python", "jax", "casadi"])
+def test_generated_code_fits_its_document(
+    language: str, kindsl: Runner, document: Path, folder: Path
+) -> None:
+    options = ("--quantities", "gravity_torque,inverse_dynamics", "--language", language)
+    assert kindsl("generate", document, "-o", "out", *options).status == 0
+    told = kindsl("generate", document, "--check", "out")
+    assert (told.status, told.out, told.err) == (0, "", f"out: fits {document}\n")
+
+
+@needs_compiler
+def test_code_that_no_longer_fits(kindsl: Runner, document: Path, folder: Path) -> None:
+    assert kindsl(*_c(document, "--quantities", "gravity_torque")).status == 0
+    document.write_text("// A comment.\n" + GOOD)
+    assert kindsl("generate", document, "--check", "out").status == 0
+    document.write_text(GOOD.replace("mass = 1.0", "mass = 1.00000000000001"))
+    assert kindsl("generate", document, "--check", "out").status == 0
+    document.write_text(GOOD.replace("mass = ", "mass = 1.5 * ", 4))
+    told = kindsl("generate", document, "--check", "out")
+    assert told.status == 1
+    message = "'arm.kindsl' has changed since 'out' was generated, and gives other numbers"
+    assert told.err.endswith(f"{document}: error: {message}\n")
+
+
+def test_edited_code_no_longer_fits(kindsl: Runner, document: Path, folder: Path) -> None:
+    kindsl(*_c(document, "--quantities", "poses"))
+    (folder / "out" / "arm_poses.c").write_text("")
+    told = kindsl("generate", document, "--check", "out")
+    assert told.err == f"{document}: error: 'out/arm_poses.c' was edited or is missing\n"
+    told = kindsl("generate", document, "--check", "nowhere")
+    assert told.err == f"{document}: error: 'nowhere' holds no generated code\n"

@@ -6,6 +6,8 @@ generated there is never overwritten without --force.
 
 import argparse
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -80,7 +82,7 @@ def _run(args: argparse.Namespace) -> int:
         write(sys.stderr, "kindsl generate: error: --language and -o DIR are needed\n")
         return 2
     source = _source(args)
-    return _generate(args, source)
+    return _generate(args, source) if args.check is None else _check(args, source)
 
 
 def _source(args: argparse.Namespace) -> "Source":
@@ -93,10 +95,12 @@ def _source(args: argparse.Namespace) -> "Source":
 
 
 def _generate(args: argparse.Namespace, source: "Source") -> int:
+    from kindsl.codegen.generating import generate
     from kindsl.codegen.library import GenerationError
     from kindsl.codegen.writing import refuse_foreign, write_files
 
-    library, files = _generated(args, source, _options(args, source))
+    with _told(args, source):
+        library, files = generate(source, _options(args, source))
     folder = Path(args.output)
     try:
         if not args.force:
@@ -112,15 +116,29 @@ def _generate(args: argparse.Namespace, source: "Source") -> int:
     return 0
 
 
-def _generated(
-    args: argparse.Namespace, source: "Source", options: "Options"
-) -> "tuple[Library, dict[str, str]]":
-    from kindsl.codegen.generating import generate
+def _check(args: argparse.Namespace, source: "Source") -> int:
+    from kindsl.codegen.checking import misfit
+
+    try:
+        with _told(args, source):
+            why = misfit(source, Path(args.check))
+    except OSError as error:
+        raise CommandError([Failure(args.check, reason(args.check, error))]) from None
+    if why is not None:
+        raise CommandError([Failure(shown_name(args.file), why)], status=1)
+    if not args.quiet:
+        write(sys.stderr, f"{args.check}: fits {shown_name(args.file)}\n")
+    return 0
+
+
+@contextmanager
+def _told(args: argparse.Namespace, source: "Source") -> Iterator[None]:
+    """Tell why code cannot be generated."""
     from kindsl.codegen.library import GenerationError
     from kindsl.mechanism.errors import ModelError, UnboundParameterError
 
     try:
-        return generate(source, options)
+        yield
     except GenerationError as error:
         raise CommandError([Failure(shown_name(args.file), str(error))], status=1) from None
     except UnboundParameterError as error:

@@ -30,10 +30,11 @@ def c_files(library: Library, reference: Reference, parameters: dict[str, float]
         }  # fmt: skip
     files = {f"{p}.h": header(library), **dict(sources(library))}
     names = [name for name in files if name.endswith(".c")]
+    headers = [f"{p}.h", *([f"{p}.hpp"] if library.options.language == "cpp" else [])]
     return {
         **files,
         f"{p}_test.c": test_program(library, reference, parameters, f'#include "{p}.h"'),
-        "CMakeLists.txt": cmake_lists(library, names, [f"{p}.h"]),
+        "CMakeLists.txt": cmake_lists(library, names, headers),
         "README.md": readme(library, _usage(library)),
     }
 

@@ -5,8 +5,11 @@ from typing import NamedTuple
 
 from kindsl import __version__
 from kindsl.analysis.analysis import Analysis
+from kindsl.codegen.array_module import array_module
 from kindsl.codegen.c_library import c_files
 from kindsl.codegen.c_test import parameter_values
+from kindsl.codegen.casadi_module import casadi_module
+from kindsl.codegen.cpp_header import cpp_header
 from kindsl.codegen.library import (
     GenerationError,
     Library,
@@ -36,8 +39,15 @@ class Source(NamedTuple):
     transforms: str | None = None
 
 
-def generate(source: Source, options: Options) -> tuple[Library, dict[str, str]]:
+def generate(
+    source: Source, options: Options, stamp: Stamp | None = None
+) -> tuple[Library, dict[str, str]]:
     """Return a library and the text of its files by their names, the manifest last.
+
+    Args:
+        source: The document.
+        options: What to write.
+        stamp: What the files tell about their origin; None for the truth.
 
     Raises:
         GenerationError: A quantity or a name cannot be generated.
@@ -46,7 +56,7 @@ def generate(source: Source, options: Options) -> tuple[Library, dict[str, str]]
     model, values = source.analysis.model, source.analysis.context.values
     inputs = _inputs(source.analysis, options.parameters)
     robot = symbolic_robot(model, values, inputs)
-    stamp = Stamp(
+    stamp = stamp or Stamp(
         f"kindsl {__version__}",
         source.name,
         digest(source.analysis.text.encode("utf-8", "surrogateescape")),
@@ -67,7 +77,22 @@ def _files(analysis: Analysis, library: Library) -> dict[str, str]:
     parameters = parameter_values(library.defaults.items())
     mechanics = analysis.mechanism(parameters)
     reference = Reference(mechanics, sample(mechanics.bodies))
-    return c_files(library, reference, parameters)
+    return library_files(library, reference, parameters)
+
+
+def library_files(
+    library: Library, reference: Reference, parameters: dict[str, float]
+) -> dict[str, str]:
+    """Return the text of each file of a library, in its language, by its name."""
+    p, language = library.prefix, library.options.language
+    if language == "python" or language == "jax":
+        return {f"{p}.py": array_module(library, language)}
+    if language == "casadi":
+        return {f"{p}.py": casadi_module(library)}
+    files = c_files(library, reference, parameters)
+    if language == "cpp":
+        files[f"{p}.hpp"] = cpp_header(library)
+    return files
 
 
 def _inputs(analysis: Analysis, choice: str) -> list[str]:

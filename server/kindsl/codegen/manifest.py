@@ -16,20 +16,23 @@ class Manifest(NamedTuple):
     """The record of one generation.
 
     Attributes:
-        document: The document's file name.
-        sha256: Of the document.
+        stamp: Where the code comes from.
         options: What was asked for.
         bindings: Parameters bound on the command line.
         transforms: The text of the transforms document, None without one.
         files: SHA-256 of each file, by its name.
     """
 
-    document: str
-    sha256: str
+    stamp: Stamp
     options: Options
     bindings: dict[str, float]
     transforms: str | None
     files: dict[str, str]
+
+    @property
+    def sha256(self) -> str:
+        """SHA-256 of the document."""
+        return self.stamp.sha256
 
 
 def manifest_text(
@@ -44,6 +47,7 @@ def manifest_text(
         "generator": stamp.generator,
         "document": stamp.document,
         "sha256": stamp.sha256,
+        "command": stamp.options,
         "options": asdict(options),
         "bindings": dict(bindings),
         "transforms": transforms,
@@ -72,8 +76,7 @@ def read_manifest(folder: Path) -> Manifest | None:
 def _manifest(record: dict[str, Any]) -> Manifest:
     options = record["options"]
     return Manifest(
-        str(record["document"]),
-        str(record["sha256"]),
+        Stamp(*(str(record[k]) for k in ("generator", "document", "sha256", "command"))),
         Options(**{**options, "quantities": tuple(options["quantities"])}),
         {str(name): float(value) for name, value in record["bindings"].items()},
         record["transforms"],

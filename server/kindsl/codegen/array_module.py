@@ -1,0 +1,65 @@
+"""Modules in Python that compute with NumPy or JAX alone, leading dimensions being batches."""
+
+from typing import Literal
+
+from kindsl.codegen.library import Library
+from kindsl.codegen.python_text import (
+    JACOBIAN_CODE,
+    PARAMETER_CODE,
+    constants,
+    docstring,
+    jacobian_table,
+    public_function,
+    straight_lines,
+)
+
+ARRAYS: dict[str, tuple[str, str]] = {
+    "python": (
+        "import numpy as np\nfrom numpy import cos, sin\n",
+        "Needs NumPy only. Leading dimensions of all arguments are batches and broadcast.",
+    ),
+    "jax": (
+        "import jax.numpy as np\nfrom jax.numpy import cos, sin\n",
+        "Needs JAX only; pure functions for jit, grad and vmap. Leading dimensions are batches.\n"
+        "Numbers are 64 bits wide only with jax.config.update('jax_enable_x64', True).",
+    ),
+}
+
+ANSWER = '''\
+def _answer(function, shapes, parameters, *vectors):
+    """Call a function of scalars with the components of vectors; None stands for zeros."""
+    arrays = [np.zeros(n) if x is None else np.asarray(x, dtype=float) for x, n in vectors]
+    for array, (_, n) in zip(arrays, vectors):
+        if array.shape[-1:] != (n,):
+            raise ValueError(f"an argument has shape {array.shape}, expected (..., {n})")
+    batch = np.broadcast_shapes(*(array.shape[:-1] for array in arrays))
+    parts = [[array[..., i] for i in range(array.shape[-1])] for array in arrays]
+    results = []
+    for entries, shape in zip(function(_values(parameters), *parts), shapes):
+        stacked = np.stack([np.broadcast_to(entry, batch) for entry in entries], axis=-1)
+        results.append(stacked.reshape((*batch, *shape)))
+    return tuple(results) if len(results) > 1 else results[0]
+'''
+
+POSES = '''\
+def forward_kinematics(q, parameters=None):
+    """Return `base_T_x` (..., 4, 4) of each link and frame x by name."""
+    rows = poses(q, parameters=parameters)
+    last = np.broadcast_to(np.array([0.0, 0.0, 0.0, 1.0]), (*rows.shape[:-2], 1, 4))
+    whole = np.concatenate((rows, last), axis=-2)
+    return {name: whole[..., number, :, :] for number, name in enumerate(POSES)}
+'''
+
+
+def array_module(library: Library, kind: Literal["python", "jax"]) -> str:
+    """Return the text of a module."""
+    imports, how = ARRAYS[kind]
+    parts = [
+        docstring(library, how), imports, constants(library), "", PARAMETER_CODE, "", ANSWER, "",
+        *(public_function(library, function) + "\n" for function in library.all_functions),
+    ]  # fmt: skip
+    if "poses" in library.functions:
+        parts += [POSES, ""]
+    if "jacobians" in library.functions:
+        parts += [jacobian_table(library), "", JACOBIAN_CODE, ""]
+    return "\n".join([*parts, *(text + "\n" for text in straight_lines(library))])

@@ -1,0 +1,199 @@
+"""Modules for NumPy, JAX and CasADi, and the header for Eigen, compute what the mechanics do."""
+
+import subprocess
+import sys
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+import pytest
+from tests.codegen.compiling import COMPILERS, needs_compiler
+from tests.codegen.robots import ALL, PLAIN, bodies_of_seed, library, reference
+
+import kindsl
+from kindsl.analysis.settings import Settings
+from kindsl.codegen.generating import Source, generate, library_files
+from kindsl.codegen.library import Options
+from kindsl.codegen.reference import Reference, sample, worst_difference
+
+FEW = ("poses", "inverse_dynamics", "forward_dynamics", "gravity_torque")
+NAMES = {"v0": "base_velocity", "a0": "base_acceleration", "g": "gravity"}
+EIGEN = [
+    Path("/usr/include/eigen3"),
+    *(Path(p) / "cmeel.prefix" / "include" / "eigen3" for p in sys.path if p),
+]
+CORPUS = """
+Robot R {
+RobotBase b floating { inertia_params { mass = m CoM = (0.1, 0.0, c) Ix = 0.5 Iy = 0.6 Iz = 0.7
+  Ixy = 0.0 Ixz = 0.01 Iyz = 0.0 } children { a via j } }
+link a { id = 1 inertia_params { mass = 2.0 * m CoM = (l, 0.0, 0.0) Ix = 0.1 Iy = i Iz = 0.3
+  Ixy = 0.0 Ixz = 0.0 Iyz = 0.0 } children { d via k } frames { tip {
+  translation = (l, 0.0, 0.1) rotation = (0.0, angle, 0.0) } } }
+link d { id = 2 inertia_params { mass = 1.0 CoM = (0.0, 0.0, 0.1) Ix = 0.1 Iy = 0.2 Iz = 0.1
+  Ixy = 0.0 Ixz = 0.0 Iyz = 0.0 } children { } }
+r_joint j { ref_frame { translation = (l, 0.0, 0.0) rotation = (angle, 0.0, PI/2.0) } }
+p_joint k { ref_frame { translation = (0.0, 2.0 * l, 0.0) rotation = (0.0, -PI/2.0, 0.0) } }
+}
+"""
+VALUES = {"m": 3.0, "c": -0.2, "l": 0.7, "i": 0.9, "angle": 0.4}
+
+
+def _module(text: str) -> ModuleType:
+    module = ModuleType("robot")
+    exec(compile(text, "robot.py", "exec"), module.__dict__)
+    return module
+
+
+def _language(bodies, language: str, quantities: tuple[str, ...] = PLAIN) -> ModuleType:
+    made = library(bodies, quantities, language=language)
+    (text,) = library_files(made, reference(bodies), {}).values()
+    return _module(text)
+
+
+def _assert_right(module, made, expected: Reference, tolerance: float = 1e-12, **more) -> None:
+    for function in made.all_functions:
+        given = {NAMES.get(a.name, a.name): expected.values[a.name] for a in function.arguments}
+        call = getattr(module, made.function_names[function.name])
+        cases = [({}, expected.results(function))]
+        if function.loaded is not None:
+            load = {"external_forces": expected.values["fext"]}
+            cases.append((load, expected.loaded_results(function)))
+        for load, answers in cases:
+            found = call(**given, **load, **more)
+            parts = [np.asarray(x) for x in (found if isinstance(found, tuple) else (found,))]
+            assert worst_difference(parts, answers) < tolerance, function.name
+
+
+@pytest.mark.parametrize("seed", range(100))
+def test_numpy_on_random_trees(seed: int) -> None:
+    bodies = bodies_of_seed(seed, 3)
+    quantities = PLAIN if seed % 10 else ALL
+    _assert_right(
+        _language(bodies, "python", quantities), library(bodies, quantities), reference(bodies)
+    )
+
+
+def test_numpy_in_batches_and_by_name() -> None:
+    bodies = bodies_of_seed(3)
+    module, mechanics = _language(bodies, "python"), reference(bodies).mechanics
+    generator, n = np.random.default_rng(1), bodies.n_links
+    q, qd, x = (generator.uniform(-1.0, 1.0, (3, 2, n)) for _ in range(3))
+    v0 = generator.uniform(-1.0, 1.0, (2, 6))
+    for mine, other in zip(
+        module.forward_dynamics(q, qd, x, v0), mechanics.forward_dynamics(q, qd, x, v0), strict=True
+    ):
+        np.testing.assert_allclose(mine, other, rtol=1e-10, atol=1e-10)
+    poses = mechanics.forward_kinematics(q)
+    for name, pose in module.forward_kinematics(q).items():
+        np.testing.assert_allclose(pose, poses[name], rtol=1e-12, atol=1e-12)
+        np.testing.assert_allclose(
+            module.jacobian(q, name), mechanics.jacobian(q, name), rtol=1e-12, atol=1e-12
+        )
+    with pytest.raises(ValueError, match="expected"):
+        module.poses(np.zeros(n + 1))
+
+
+def test_jax() -> None:
+    jax = pytest.importorskip("jax")
+    with (
+        jax.experimental.enable_x64()
+        if hasattr(jax.experimental, "enable_x64")
+        else (jax.enable_x64(True))
+    ):
+        bodies = bodies_of_seed(3, 3)
+        module = _language(bodies, "jax", FEW)
+        _assert_right(module, library(bodies, FEW), reference(bodies))
+        values = reference(bodies).values
+        call = lambda q: module.gravity_torque(q, values["g"])  # noqa: E731
+        slope = jax.jit(jax.jacfwd(call))(values["q"])
+        rest = [np.zeros_like(values["qd"])] * 2
+        expected = reference(bodies).mechanics.inverse_dynamics_derivatives(
+            values["q"], *rest, gravity=values["g"]
+        )
+        np.testing.assert_allclose(slope, expected.dtau_dq[:, 6:], rtol=1e-10, atol=1e-10)
+
+
+def test_casadi() -> None:
+    casadi = pytest.importorskip("casadi")
+    bodies = bodies_of_seed(5, 3)
+    module, made, expected = (
+        _language(bodies, "casadi", ALL), library(bodies, ALL), reference(bodies),
+    )  # fmt: skip
+    values = {k: casadi.DM(v) for k, v in expected.values.items()}
+    _assert_right(module, made, Reference(expected.mechanics, expected.values))
+    q = casadi.SX.sym("q", bodies.n_links)
+    slope = casadi.Function("slope", [q], [casadi.jacobian(module.gravity_torque(q), q)])
+    rest = [np.zeros(bodies.n_links)] * 2
+    derivatives = expected.mechanics.inverse_dynamics_derivatives(expected.values["q"], *rest)
+    np.testing.assert_allclose(
+        slope(values["q"]), derivatives.dtau_dq[:, 6:], rtol=1e-10, atol=1e-10
+    )
+    for name, pose in expected.mechanics.forward_kinematics(expected.values["q"]).items():
+        found = module.forward_kinematics(values["q"])[name]
+        np.testing.assert_allclose(found, pose, rtol=1e-12, atol=1e-12)
+
+
+@pytest.mark.parametrize("choice", ["unbound", "l,angle", "all"])
+def test_parameters_at_run_time_are_bound_ones(choice: str) -> None:
+    """With values from outside the code gives what a document with these values gives."""
+    from kindsl.semantics.parameters import Binding
+
+    bindings = {"m": 1.0, "l": 9.0, "angle": 1.0} if choice != "unbound" else {}
+    settings = Settings(bindings={name: Binding(value) for name, value in bindings.items()})
+    analysis = kindsl.parse(CORPUS, settings)
+    options = Options("python", ALL, "double", False, choice, "r")
+    made, files = generate(Source("r.kindsl", analysis, {}), options)
+    fixed = {name: x for name, x in bindings.items() if name not in made.defaults}
+    values = {**VALUES, **fixed}
+    mechanics = analysis.mechanism(values)
+    module = _module(files["r.py"])
+    given = {name: values[name] for name in made.defaults}
+    expected = Reference(mechanics, sample(mechanics.bodies))
+    _assert_right(module, made, expected, parameters=given)
+    assert set(module.PARAMETERS) == set(VALUES) - set(fixed)
+    with pytest.raises(ValueError, match="no parameter"):
+        module.poses(np.zeros(2), parameters={**given, "nothing": 1.0})
+    if choice == "unbound":
+        with pytest.raises(ValueError, match="no value for"):
+            module.poses(np.zeros(2))
+
+
+@needs_compiler
+@pytest.mark.skipif(not any(p.is_dir() for p in EIGEN), reason="there is no Eigen")
+def test_eigen(tmp_path: Path) -> None:
+    bodies = bodies_of_seed(3, 3)
+    quantities = ("poses", "joint_space_inertia", "inverse_dynamics")
+    made = library(bodies, quantities, language="cpp")
+    for name, text in library_files(made, reference(bodies), {}).items():
+        (tmp_path / name).write_text(text)
+    expected, values = reference(bodies), reference(bodies).values
+    tau = float(expected.loaded_results(made.functions["inverse_dynamics"][0])[0][0])
+    entry = float(expected.mechanics.joint_space_inertia(values["q"])[7, 6])
+    fill = "\n".join(
+        f"{kind} {n}; {n} << {', '.join(map(repr, values[n].tolist()))};"
+        for n, kind in (
+            ("q", "robot::JointVector"), ("qd", "robot::JointVector"),
+            ("qdd", "robot::JointVector"), ("v0", "robot::Vector<6>"), ("g", "robot::Vector<3>"),
+        )
+    )  # fmt: skip
+    forces = ", ".join(map(repr, values["fext"].reshape(-1, 6).T.ravel().tolist()))
+    (tmp_path / "main.cpp").write_text(
+        '#include "robot.hpp"\n#include <cmath>\nint main() {\n'
+        f"{fill}\nrobot::ExternalForces fext; fext << {forces};\n"
+        "const robot::Model model; robot::JointVector tau; robot::Vector<6> a0;\n"
+        "model.inverse_dynamics(q, qd, qdd, v0, g, tau, a0, &fext);\n"
+        "const auto M = model.joint_space_inertia(q);\n"
+        f"return std::fabs(tau(0) - ({tau!r})) < 1e-9 && std::fabs(M(7, 6) - "
+        f"({entry!r})) < 1e-12 ? 0 : 1; }}\n"
+    )
+    include = next(p for p in EIGEN if p.is_dir())
+    sources = [str(p) for p in tmp_path.glob("robot_*.c") if "test" not in p.name]
+    steps = [
+        [*COMPILERS[0].command, "-c", *sources],
+        ["g++", "-std=c++17", "-isystem", str(include), "-Wall", "-Wextra", "-Werror", "main.cpp",
+         *(Path(s).with_suffix(".o").name for s in sources), "-lm", "-o", "program"],
+        ["./program"],
+    ]  # fmt: skip
+    for step in steps:
+        done = subprocess.run(step, cwd=tmp_path, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stdout + done.stderr
