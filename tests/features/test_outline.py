@@ -6,6 +6,7 @@ from kindsl.features.call_hierarchy import hierarchy_items, predecessors, succes
 from kindsl.features.document_links import document_links, links_in_text
 from kindsl.features.document_symbols import document_symbols
 from kindsl.features.folding import folds
+from kindsl.features.kinematic_outline import kinematic_outline
 from kindsl.features.selection_range import selection_ranges
 from kindsl.features.workspace_symbols import workspace_symbols
 
@@ -17,25 +18,53 @@ def outline(symbols):
     ]
 
 
-def test_the_outline_is_the_kinematic_tree():
+def test_the_outline_is_the_text():
+    assert outline(document_symbols(analyse(ARM))) == [
+        (
+            "Arm robot",
+            [
+                "base base",
+                "upper id 1",
+                ("lower id 2", ["tip frame"]),
+                "shoulder revolute",
+                "elbow prismatic",
+            ],
+        )
+    ]
+
+
+def test_the_robot_s_entry_ends_at_its_brace():
+    (robot,) = document_symbols(analyse("// a\n" + ARM + "// b\n"))
+    assert (robot.start, robot.end) == (5, 5 + len(ARM) - 1)
+
+
+def test_blocks_outside_the_robot_are_in_the_outline():
+    assert [s.kind for s in document_symbols(analyse("link a {}\nRobot R {\nlink b {}\n"))] == [
+        "link",
+        "robot",
+    ]
+    assert {s.kind for s in document_symbols(analyse(BROKEN))} == {"robot"}
+
+
+def test_the_kinematic_tree():
     lower = ("lower via elbow (prismatic), id 2", ["elbow prismatic", "tip frame"])
     upper = ("upper via shoulder (revolute), id 1", ["shoulder revolute", lower])
-    assert outline(document_symbols(analyse(ARM))) == [("base base", [upper])]
+    assert outline(kinematic_outline(analyse(ARM))) == [("base base", [upper])]
 
 
-def test_what_nothing_carries_is_in_the_outline_too():
+def test_what_nothing_carries_is_in_the_tree_too():
     text = ARM.replace("upper via shoulder", "")
-    names = [symbol.name for symbol in document_symbols(analyse(text))]
+    names = [symbol.name for symbol in kinematic_outline(analyse(text))]
     assert names == ["base", "upper", "shoulder"]
 
 
 def test_a_loop_ends_somewhere():
     text = ARM.replace("children {}", "children { upper via elbow }")
-    assert [s.name for s in document_symbols(analyse(text))] == ["base"]
+    assert [s.name for s in kinematic_outline(analyse(text))] == ["base"]
 
 
-def test_half_a_document_has_an_outline():
-    names = {symbol.name for symbol in document_symbols(analyse(BROKEN))}
+def test_half_a_document_has_a_tree():
+    names = {symbol.name for symbol in kinematic_outline(analyse(BROKEN))}
     assert "base" in names
 
 
@@ -43,7 +72,7 @@ def test_a_deep_chain_nests_only_so_far():
     links = "".join(
         f"link l{i} {{ id = {i} children {{ l{i + 1} via j }} }}\n" for i in range(1, 400)
     )
-    symbols = document_symbols(analyse(f"Robot R {{ RobotBase b {{ }}\n{links}}}"))
+    symbols = kinematic_outline(analyse(f"Robot R {{ RobotBase b {{ }}\n{links}}}"))
     assert len(symbols) == 5
 
 

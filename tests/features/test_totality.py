@@ -19,6 +19,7 @@ from kindsl.features.folding import folds
 from kindsl.features.highlight import highlights
 from kindsl.features.hover.hover import hover
 from kindsl.features.inlay_hints import ALL_HINTS, inlay_hints
+from kindsl.features.kinematic_outline import kinematic_outline
 from kindsl.features.linked_editing import linked_ranges
 from kindsl.features.references import references
 from kindsl.features.rename import Renaming, rename, rename_range
@@ -39,7 +40,7 @@ AT_OFFSET = (
     symbol_at, definitions, bound_parameter, references, highlights, rename_range,
     selection_ranges, linked_ranges, hierarchy_items, hover, signature_help, completions,
 )  # fmt: skip
-WHOLE = (document_symbols, folds, semantic_tokens, document_links, code_lenses)
+WHOLE = (document_symbols, kinematic_outline, folds, semantic_tokens, document_links, code_lenses)
 
 
 def visit(text, offsets):
@@ -81,11 +82,23 @@ def check_outline(analysis):
         assert symbol.name
         predecessors(analysis, symbol.name)
         successors(analysis, symbol.name)
-    nested = [*document_symbols(analysis)]
-    for symbol in nested:
-        nested += symbol.children
-    assert sorted(s[:7:3] for s in nested) == sorted(s[:7:3] for s in flat)
+    text = _unrolled(document_symbols(analysis))
+    assert all(
+        symbol.start <= child.start and child.end <= symbol.end
+        for symbol in text
+        for child in symbol.children
+    )
+    entries = sorted(s[:7:3] for s in flat)
+    assert sorted(s[:7:3] for s in text if s.kind != "robot") == entries
+    assert sorted(s[:7:3] for s in _unrolled(kinematic_outline(analysis))) == entries
     assert len(workspace_symbols(analysis, "")) <= len(flat) + 1
+
+
+def _unrolled(symbols):
+    found = [*symbols]
+    for symbol in found:
+        found += symbol.children
+    return found
 
 
 def check_tokens(analysis):

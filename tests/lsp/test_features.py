@@ -178,6 +178,14 @@ async def test_outline(client: LanguageClient, folder: Path) -> None:
     assert {"base", "upper", "lower", "shoulder", "elbow", "tip"} <= set(names)
 
 
+async def test_kinematic_tree(client: LanguageClient, folder: Path) -> None:
+    place = {"textDocument": {"uri": identifier(folder).uri}}
+    (base,) = await client.protocol.send_request_async("kindsl/kinematicTree", place)
+    (upper,) = base["children"]
+    assert (base["name"], upper["name"]) == ("base", "upper")
+    assert {child["name"] for child in upper["children"]} == {"lower", "shoulder"}
+
+
 async def test_workspace_symbols(client: LanguageClient, folder: Path) -> None:
     found = await client.workspace_symbol_async(types.WorkspaceSymbolParams("elbow"))
     assert {Path(s.location.uri).name for s in found or ()} == {"arm.kindsl", "closed.kindsl"}

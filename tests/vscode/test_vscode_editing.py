@@ -135,14 +135,18 @@ def test_the_lens_above_a_link_lists_its_references(workbench: Workbench) -> Non
     workbench.press("Escape")
 
 
-def test_the_outline_is_the_kinematic_tree(workbench: Workbench) -> None:
-    workbench.open("outline.kindsl", models.ARM)
+def test_the_outline_is_the_text(workbench: Workbench) -> None:
+    path = workbench.open("outline.kindsl", models.ARM)
     workbench.run("Explorer: Focus on Outline View")
     rows = workbench.page.locator(".outline-pane .monaco-list-row")
-    levels = {"pedestal": "1", "upper": "2", "lower": "3", "tip": "4"}
+    levels = {"pedestal": "2", "upper": "2", "lower": "2", "tip": "3"}
     for name, level in levels.items():
         row = rows.filter(has_text=re.compile(rf"^\s*{name}"))
         expect(row).to_have_attribute("aria-level", level)
+    workbench.go_to("translation = (0.3", path)
+    crumbs = workbench.page.locator(".breadcrumbs-control .monaco-breadcrumb-item")
+    for name in ("lower", "tip"):
+        expect(crumbs.filter(has_text=name)).to_be_visible()
     workbench.screenshot("outline")
     workbench.pane("Outline").locator(".pane-header").click()
 

@@ -6,9 +6,18 @@ import { installAction } from "./packages";
 import { RESTART, SHOW_LOG, showError } from "./problems";
 import type { Server } from "./server";
 
-export async function newFile(): Promise<void> {
+/** Open the robot that the server offers in an empty document, its names to be typed over. */
+export async function newFile(server: Server): Promise<void> {
   const document = await vscode.workspace.openTextDocument({ language: LANGUAGE });
-  await vscode.window.showTextDocument(document);
+  const editor = await vscode.window.showTextDocument(document);
+  if ((await server.client()) === undefined) return;
+  const offered = await vscode.commands.executeCommand<vscode.CompletionList>(
+    "vscode.executeCompletionItemProvider",
+    document.uri,
+    new vscode.Position(0, 0),
+  );
+  const robot = offered.items[0]?.insertText;
+  if (robot instanceof vscode.SnippetString) await editor.insertSnippet(robot);
 }
 
 /** Open the document's URDF beside it, unsaved. */

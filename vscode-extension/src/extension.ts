@@ -96,7 +96,7 @@ function registerCommands(
     "kindsl.showLog": () => log.show(),
     "kindsl.selectInterpreter": () => selectInterpreter(home, log),
     "kindsl.installPackages": (names: readonly string[] = ["numpy"]) => installPackages(names, home, own, log),
-    "kindsl.newFile": newFile,
+    "kindsl.newFile": () => newFile(own),
     "kindsl.revealSymbol": revealSymbol,
     "kindsl.showReferences": (uri: string, position: Position, places: Location[]) =>
       showReferences(uri, position, places, own),

@@ -1,10 +1,13 @@
-// The kinematic tree as a view of its own: the server's outline, which is that tree already.
+// The kinematic tree as a view of its own, beside the outline, which shows what is written in what.
 import * as vscode from "vscode";
+import type { DocumentSymbol } from "vscode-languageclient/node";
 import { LANGUAGE } from "./client";
 import type { Server } from "./server";
 import { showSource } from "./source";
 
 export const VIEW = "kindsl.kinematicTree";
+/** A request of the server's own, in the form of textDocument/documentSymbol. */
+const KINEMATIC_TREE = "kindsl/kinematicTree";
 const HAS_DOCUMENT = "kindsl.hasDocument";
 /** As long as the typist's pause that the editor's own outline waits for. */
 const DELAY_MILLISECONDS = 350;
@@ -23,7 +26,7 @@ export class KinematicTree implements vscode.TreeDataProvider<Node>, vscode.Disp
   #uri: vscode.Uri | undefined;
   #timer: NodeJS.Timeout | undefined;
 
-  constructor(server: Server) {
+  constructor(private readonly server: Server) {
     this.#view = vscode.window.createTreeView(VIEW, { treeDataProvider: this, showCollapseAll: true });
     this.#disposables = [
       vscode.window.onDidChangeActiveTextEditor((editor) => this.#follow(editor)),
@@ -38,11 +41,12 @@ export class KinematicTree implements vscode.TreeDataProvider<Node>, vscode.Disp
     if (node !== undefined) return node.symbol.children.map((symbol) => ({ symbol, parent: node, uri: node.uri }));
     const uri = this.#uri;
     if (uri === undefined) return [];
-    const symbols = await vscode.commands.executeCommand<vscode.DocumentSymbol[] | undefined>(
-      "vscode.executeDocumentSymbolProvider",
-      uri,
-    );
-    return (symbols ?? []).map((symbol) => ({ symbol, parent: undefined, uri }));
+    const client = await this.server.client();
+    if (client === undefined) return [];
+    const textDocument = { uri: client.code2ProtocolConverter.asUri(uri) };
+    const found = await client.sendRequest<DocumentSymbol[] | null>(KINEMATIC_TREE, { textDocument });
+    const symbols = await client.protocol2CodeConverter.asDocumentSymbols(found ?? []);
+    return symbols.map((symbol) => ({ symbol, parent: undefined, uri }));
   }
 
   getParent(node: Node): Node | undefined {

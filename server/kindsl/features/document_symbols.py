@@ -1,8 +1,7 @@
-"""The outline of a document: the kinematic tree.
+"""The outline of a document: what is written in what, the robot around all.
 
-A link stands below the link that carries it; below itself it has its supporting joint, the links
-that it carries and its optional frames. What no base carries stands after the base, so nothing is
-ever lost; a branch that is deeper than clients bear begins anew at the top.
+Each entry lies inside the one above it, so that an editor finds the cursor's entry by descending.
+The kinematic tree, which goes across the text, is a view of its own.
 """
 
 from collections.abc import Iterator
@@ -10,8 +9,7 @@ from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.semantics.declarations import Frame, Joint, Link
-from kindsl.semantics.kinematic_tree import Edge
-from kindsl.semantics.places import Located, Name
+from kindsl.semantics.places import Construct, Located, Name
 
 
 class DocumentSymbol(NamedTuple):
@@ -38,78 +36,71 @@ class DocumentSymbol(NamedTuple):
     children: "tuple[DocumentSymbol, ...]" = ()
 
 
-_DEPTH = 100
-
-
 def document_symbols(analysis: Analysis) -> tuple[DocumentSymbol, ...]:
-    """Return the outline; an editor that cannot nest reads it from the top."""
-    model = analysis.model
-    seen: set[Link | Joint] = set()
-    tree = [
-        _body(analysis, body, None, seen, _DEPTH)
-        for body in (*model.bases, *_roots(analysis), *model.links)
-        if body not in seen
-    ]
-    rest = [_joint(analysis, joint) for joint in model.joints if joint not in seen]
-    return (*tree, *rest)
+    """Return the outline: robot, then base, links and joints, then frames."""
+    blocks = sorted(_blocks(analysis), key=lambda symbol: symbol.start)
+    name = next((d.robot for d in analysis.model.declared if d.robot), None)
+    if name is None:
+        return tuple(blocks)
+    head = next(node for node in name.island.nodes if node.kind == "head")
+    start, _ = analysis.resolver.span(Construct(head, name.island))
+    before = [block for block in blocks if block.start < start]
+    inside = tuple(blocks[len(before) :])
+    name_start, name_end = analysis.resolver.span(name)
+    end = max(name_end, _last_brace(analysis), *(block.end for block in inside))
+    robot = DocumentSymbol(str(name), "robot", "robot", start, end, name_start, name_end, inside)
+    return (*before, robot)
 
 
 def flat_symbols(analysis: Analysis) -> Iterator[DocumentSymbol]:
     """Yield bodies, joints and frames in the order of the text, without nesting."""
-    model = analysis.model
-    found = [
-        _entry(analysis, body, body.name, _kind(body), _id_detail(body)) for body in model.bodies
-    ]
-    found += [_joint(analysis, joint) for joint in model.joints]
-    found += [_frame(analysis, frame) for frame in model.frames]
-    yield from sorted(found, key=lambda symbol: symbol.start)
+    frames = (frame_symbol(analysis, frame) for frame in analysis.model.frames)
+    blocks = (block._replace(children=()) for block in _blocks(analysis))
+    yield from sorted((*blocks, *frames), key=lambda symbol: symbol.start)
 
 
-def _roots(analysis: Analysis) -> Iterator[Link]:
-    """Yield the links that nothing carries, in the order of the document."""
-    above = analysis.model.tree.above
-    return (link for link in analysis.model.links if link not in above)
-
-
-def _body(
-    analysis: Analysis, body: Link, edge: Edge | None, seen: set[Link | Joint], depth: int
+def body_symbol(
+    analysis: Analysis, body: Link, detail: str, children: tuple[DocumentSymbol, ...]
 ) -> DocumentSymbol:
-    seen.add(body)
-    below = []
-    if edge is not None and edge.joint is not None and edge.joint not in seen:
-        seen.add(edge.joint)
-        below.append(_joint(analysis, edge.joint))
-    for successor in analysis.model.tree.successor_edges(body):
-        if depth and successor.link is not None and successor.link not in seen:
-            below.append(_body(analysis, successor.link, successor, seen, depth - 1))
-    frames = [_frame(analysis, frame) for frame in body.frames]
-    detail = _detail(body, edge)
-    return _entry(analysis, body, body.name, _kind(body), detail, (*below, *frames))
+    """Return the entry of a link or base."""
+    kind = "base" if body.is_base else "link"
+    return _entry(analysis, body, body.name, kind, detail, children)
 
 
-def _detail(body: Link, edge: Edge | None) -> str:
-    if edge is None:
-        return _id_detail(body)
-    kind = f" ({edge.joint.kind})" if edge.joint is not None else ""
-    return ", ".join(part for part in (f"via {edge.child.joint}{kind}", _id_detail(body)) if part)
+def joint_symbol(analysis: Analysis, joint: Joint) -> DocumentSymbol:
+    """Return the entry of a joint."""
+    return _entry(analysis, joint, joint.name, "joint", joint.kind)
 
 
-def _id_detail(body: Link) -> str:
+def frame_symbol(analysis: Analysis, frame: Frame) -> DocumentSymbol:
+    """Return the entry of an optional frame."""
+    return _entry(analysis, frame, frame.name, "frame", "frame")
+
+
+def id_detail(body: Link) -> str:
+    """Return a link's number, or what kind of a base it is, for people."""
     if body.is_base:
         return "floating base" if body.is_floating else "base"
     return "" if body.id is None else f"id {body.id}"
 
 
-def _kind(body: Link) -> str:
-    return "base" if body.is_base else "link"
+def _blocks(analysis: Analysis) -> Iterator[DocumentSymbol]:
+    """Yield bodies, with their frames below, and joints."""
+    for body in analysis.model.bodies:
+        frames = tuple(frame_symbol(analysis, frame) for frame in body.frames)
+        yield body_symbol(analysis, body, id_detail(body), frames)
+    for joint in analysis.model.joints:
+        yield joint_symbol(analysis, joint)
 
 
-def _joint(analysis: Analysis, joint: Joint) -> DocumentSymbol:
-    return _entry(analysis, joint, joint.name, "joint", joint.kind)
-
-
-def _frame(analysis: Analysis, frame: Frame) -> DocumentSymbol:
-    return _entry(analysis, frame, frame.name, "frame", "frame")
+def _last_brace(analysis: Analysis) -> int:
+    """Return the end of the brace that closes the robot, 0 where none does."""
+    syntax = analysis.syntax
+    for island, start in zip(reversed(syntax.islands), reversed(syntax.starts), strict=True):
+        ends = [start + node.end for node in island.nodes if node.kind == "end"]
+        if ends:
+            return ends[-1]
+    return 0
 
 
 def _entry(

@@ -71,6 +71,8 @@ exports.run = () =>
       assert.equal(document.uri.scheme, "untitled");
       assert.equal(document.languageId, "kinematics-dsl");
       const edit = new vscode.WorkspaceEdit();
+      assert.match(document.getText(), /^Robot Name \{\n\nRobotBase base \{/);
+      assert.deepEqual(codes(document.uri), []);
       edit.insert(document.uri, new vscode.Position(0, 0), "Robot r { RobotBase b { } nonsense }");
       await vscode.workspace.applyEdit(edit);
       await eventually(() => codes(document.uri).length > 0, "findings in the untitled document");

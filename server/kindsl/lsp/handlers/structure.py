@@ -13,6 +13,8 @@ from kindsl.lsp.session.view import View
 if TYPE_CHECKING:
     from kindsl.features.document_symbols import DocumentSymbol
 
+KINEMATIC_TREE = "kindsl/kinematicTree"
+
 handlers = Handlers()
 
 _KINDS = {
@@ -30,7 +32,7 @@ _MOST_SYMBOLS = 1000
 def outline(
     view: View, _: types.DocumentSymbolParams
 ) -> list[types.DocumentSymbol] | list[types.SymbolInformation]:
-    """Show the kinematic tree, or a list to a client that cannot nest."""
+    """Show what is written in what, or a list to a client that cannot nest."""
     from kindsl.features.document_symbols import document_symbols, flat_symbols
 
     if view.client.can("text_document.document_symbol.hierarchical_document_symbol_support"):
@@ -41,6 +43,22 @@ def outline(
         )
         for symbol in flat_symbols(view.analysis)
     ]
+
+
+@handlers.session(KINEMATIC_TREE)
+def kinematic_tree(session: Session, params: Any) -> Any:
+    """Show the kinematic tree: a link below the link that carries it, wherever it is written.
+
+    Parameters and result are those of `textDocument/documentSymbol`; an entry need not lie inside
+    the one above it.
+    """
+    return session.ask(_tree, str(params["textDocument"]["uri"]), params)
+
+
+def _tree(view: View, _: Any) -> list[types.DocumentSymbol]:
+    from kindsl.features.kinematic_outline import kinematic_outline
+
+    return [_symbol(view, symbol) for symbol in kinematic_outline(view.analysis)]
 
 
 @handlers.session(types.WORKSPACE_SYMBOL, types.WorkspaceSymbolOptions())
