@@ -158,7 +158,7 @@ def test_code_that_no_longer_fits(kindsl: Runner, document: Path, folder: Path) 
     assert kindsl(*_c(document, "--quantities", "gravity_torque")).status == 0
     document.write_text("// A comment.\n" + GOOD)
     assert kindsl("generate", document, "--check", "out").status == 0
-    document.write_text(GOOD.replace("mass = 1.0", "mass = 1.00000000000001"))
+    document.write_text(GOOD.replace("mass = 2.0", "mass = 2.00000000000001"))
     assert kindsl("generate", document, "--check", "out").status == 0
     document.write_text(GOOD.replace("mass = ", "mass = 1.5 * ", 4))
     told = kindsl("generate", document, "--check", "out")
