@@ -1,6 +1,6 @@
 """Converts between URDF and the Kinematics-DSL, told apart by their suffixes.
 
-What the other format cannot hold is told on stderr.
+Reports on stderr what the other format cannot express. A .xacro file is expanded first.
 """
 
 import argparse
@@ -23,15 +23,16 @@ from kindsl.text.printable import printable
 
 _DOCUMENT = ".kindsl"
 _URDF = ".urdf"
+_READ = (_URDF, ".xacro")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     add = parser.add_argument
-    add("input", metavar="IN", help="a .urdf or a .kindsl file")
+    add("input", metavar="IN", help="a .urdf, .xacro or .kindsl file")
     add("output", metavar="OUT", help="the file to write, of the other suffix, or '-' for stdout")
     add("--floating-base", action="store_true", help="the URDF's root link floats")
-    add("-q", "--quiet", action="store_true", help="no remarks on what was dropped")
+    add("-q", "--quiet", action="store_true", help="do not report what was dropped")
     add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
 
 
@@ -55,17 +56,17 @@ def run(args: argparse.Namespace) -> int:
 
 def _converted(args: argparse.Namespace) -> tuple[str, tuple[str, ...]]:
     suffixes = Path(args.input).suffix.lower(), Path(args.output).suffix.lower()
-    if suffixes[0] == _URDF and suffixes[1] in (_DOCUMENT, "") and suffixes[1] != _URDF:
+    if suffixes[0] in _READ and suffixes[1] in (_DOCUMENT, ""):
         return _from_urdf(args)
     if suffixes[0] == _DOCUMENT and (suffixes[1] == _URDF or args.output == STDIN):
         return _to_urdf(args)
-    message = "converts .urdf to .kindsl or .kindsl to .urdf, nothing else"
+    message = "converts .urdf or .xacro to .kindsl, or .kindsl to .urdf"
     raise CommandError([Failure(f"{args.input} {args.output}", message)])
 
 
 def _from_urdf(args: argparse.Namespace) -> tuple[str, tuple[str, ...]]:
     try:
-        from kindsl.interchange.kindsl_writing import kindsl_text
+        from kindsl.interchange.kindsl_writing import kindsl_text, renamed
         from kindsl.interchange.urdf_reading import UrdfError, read_urdf
 
         read = read_urdf(Path(args.input), floating=args.floating_base)
@@ -75,7 +76,7 @@ def _from_urdf(args: argparse.Namespace) -> tuple[str, tuple[str, ...]]:
         raise CommandError([Failure(args.input, reason(args.input, error))]) from None
     except UrdfError as error:
         raise CommandError([Failure(args.input, str(error))], status=1) from None
-    return kindsl_text(read.robot), read.remarks
+    return kindsl_text(read.robot), (*read.remarks, *renamed(read.robot))
 
 
 def _to_urdf(args: argparse.Namespace) -> tuple[str, tuple[str, ...]]:

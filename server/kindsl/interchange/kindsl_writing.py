@@ -31,6 +31,16 @@ def kindsl_text(robot: RobotDescription) -> str:
     return "\n\n".join((head, *blocks)) + "\n}\n"
 
 
+def renamed(robot: RobotDescription) -> tuple[str, ...]:
+    """Return what is to be said of names that the document cannot keep."""
+    names = valid_names(_things(robot.links))
+    return tuple(
+        f"the {kind} '{original}' is now '{name}'"
+        for (kind, original), name in names.items()
+        if name != original
+    )
+
+
 def _things(links: Sequence[DescribedLink]) -> Iterable[tuple[str, str]]:
     """Yield kind and name of all that is named; a URDF may use one name for two kinds."""
     yield from (("link", link.name) for link in links)

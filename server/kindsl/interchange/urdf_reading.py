@@ -3,6 +3,7 @@
 import logging
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -14,14 +15,15 @@ from kindsl.interchange.robot_description import (
     MassProperties,
     RobotDescription,
 )
+from kindsl.interchange.urdf_checking import Remarkable, UrdfError, checked
+from kindsl.interchange.xacro_reading import expanded
 from kindsl.spatial.arrays import Array
 from kindsl.spatial.inertia import move_inertia
+from kindsl.text.words import counted
+
+__all__ = ["UrdfError", "UrdfRobot", "read_urdf"]
 
 _KINDS = {"revolute": "revolute", "continuous": "revolute", "prismatic": "prismatic"}
-
-
-class UrdfError(ValueError):
-    """The file is no URDF, or describes what the Kinematics-DSL cannot."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +58,8 @@ def read_urdf(path: Path, *, floating: bool = False) -> UrdfRobot:
         UrdfError: The file is unreadable or beyond the Kinematics-DSL.
         ModuleNotFoundError: yourdfpy is not installed.
     """
-    robot = _load(path)
+    content, remarkable = checked(expanded(path))
+    robot = _load(content)
     children: dict[str, list[Any]] = {}
     for joint in robot.joints:
         children.setdefault(joint.parent, []).append(joint)
@@ -68,45 +71,30 @@ def read_urdf(path: Path, *, floating: bool = False) -> UrdfRobot:
     if len(bodies) == 1:
         raise UrdfError("the URDF has no joint that moves, and a document needs one")
     links = tuple(_described(body) for body in bodies)
-    remarks = tuple(_remarks(robot, bodies))
+    remarks = tuple(_remarks(remarkable, bodies))
     return UrdfRobot(RobotDescription(robot.name or path.stem, floating, links), remarks)
 
 
-def _load(path: Path) -> Any:
+def _load(content: BytesIO) -> Any:
     from yourdfpy import URDF
 
-    logging.getLogger("yourdfpy.urdf").setLevel(logging.ERROR)
+    logging.getLogger("yourdfpy.urdf").setLevel(logging.CRITICAL)
     try:
         urdf = URDF.load(
-            str(path),
+            content,
             build_scene_graph=False,
             load_meshes=False,
             build_collision_scene_graph=False,
             load_collision_meshes=False,
         )
-    except OSError:
-        raise
-    except KeyError as error:
-        raise UrdfError(f"not a readable URDF: an element has no attribute {error}") from error
     except Exception as error:
-        raise UrdfError(f"not a readable URDF: {error}") from error
-    if not urdf.robot.links:
-        raise UrdfError("the URDF has no link")
+        raise UrdfError("not a readable URDF") from error
     return urdf.robot
 
 
 def _root(robot: Any) -> str:
     carried = {joint.child for joint in robot.joints}
-    names = {link.name for link in robot.links}
-    for joint in robot.joints:
-        for end in (joint.parent, joint.child):
-            if end not in names:
-                raise UrdfError(f"the joint '{joint.name}' names a link '{end}' that is not there")
-    roots = [link.name for link in robot.links if link.name not in carried]
-    if len(roots) != 1:
-        listed = ", ".join(f"'{name}'" for name in roots) or "none"
-        raise UrdfError(f"a tree needs one root link, the URDF has {listed}")
-    return str(roots[0])
+    return next(str(link.name) for link in robot.links if link.name not in carried)
 
 
 def _bodies(robot: Any, root: str, children: dict[str, list[Any]]) -> list[_Body]:
@@ -133,7 +121,9 @@ def _moving(
 ) -> tuple[str, int, Array]:
     """Add the body that a joint moves; its link frame is turned so that z is the axis."""
     if joint.type not in _KINDS:
-        raise UrdfError(f"the joint '{joint.name}' is {joint.type}, which the language has not")
+        raise UrdfError(
+            f"the joint '{joint.name}' is {joint.type}, which the language does not support"
+        )
     joint_T_link = np.eye(4)
     joint_T_link[:3, :3] = _z_to(joint)
     kind = _KINDS[joint.type]
@@ -209,24 +199,17 @@ def _lumped(parts: list[MassProperties]) -> MassProperties | None:
     return MassProperties(mass, moment / mass if mass else np.zeros(3), inertia)
 
 
-def _remarks(robot: Any, bodies: list[_Body]) -> Iterator[str]:
-    limited = [j.name for j in robot.joints if j.limit is not None and j.type != "fixed"]
-    if limited:
-        yield f"limits of {_counted(len(limited), 'joint')} dropped: the language has none"
-    drawn = sum(bool(link.visuals or link.collisions) for link in robot.links)
-    if drawn:
-        yield f"visuals and collisions of {_counted(drawn, 'link')} dropped"
-    for joint in robot.joints:
-        if joint.mimic is not None:
-            yield f"the joint '{joint.name}' mimics '{joint.mimic.joint}': it moves by itself now"
-        if joint.dynamics is not None:
-            yield f"damping and friction of the joint '{joint.name}' dropped"
+def _remarks(found: Remarkable, bodies: list[_Body]) -> Iterator[str]:
+    if found.limited:
+        yield f"limits of {counted(len(found.limited), 'joint')} dropped: not supported"
+    if found.n_drawn:
+        yield f"visuals and collisions of {counted(found.n_drawn, 'link')} dropped"
+    if found.damped:
+        yield f"damping and friction of {counted(len(found.damped), 'joint')} dropped"
+    for joint, other in found.mimics:
+        yield f"the joint '{joint}' mimics '{other}': it is now independent"
     for body in bodies:
         if body.parent is not None and not body.masses:
             yield f"the link '{body.name}' has no inertia in the URDF"
         for frame in body.frames:
             yield f"the link '{frame.name}', fixed to '{body.name}', became a frame of it"
-
-
-def _counted(number: int, noun: str) -> str:
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"

@@ -1,0 +1,232 @@
+"""Whether a URDF describes a tree, with finite numbers: said before it is read, with its line.
+
+What is kept is what the Kinematics-DSL can say: links with their inertias, joints with their poses
+and axes. Meshes, materials, limits and whatever other programs add cannot be wrong for us.
+"""
+
+import re
+from io import BytesIO
+from math import isfinite
+from typing import Any, NamedTuple
+
+from kindsl.text.nearest import hint, nearest_name, nearest_word
+
+_KEPT = {
+    "robot": ("link", "joint"),
+    "link": ("inertial",),
+    "inertial": ("origin", "mass", "inertia"),
+    "joint": ("origin", "parent", "child", "axis"),
+}
+_TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
+_INERTIA = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
+_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
+_GREATEST = 1e50
+
+
+class UrdfError(ValueError):
+    """The file is no URDF, or describes what the Kinematics-DSL cannot."""
+
+
+class Remarkable(NamedTuple):
+    """What a URDF says beyond poses and masses.
+
+    Attributes:
+        limited: Joints with limits.
+        damped: Joints with damping or friction.
+        mimics: Pairs of a joint and the joint that it follows.
+        n_drawn: How many links have visuals or collisions.
+    """
+
+    limited: tuple[str, ...]
+    damped: tuple[str, ...]
+    mimics: tuple[tuple[str, str], ...]
+    n_drawn: int
+
+
+def checked(content: bytes) -> tuple[BytesIO, Remarkable]:
+    """Return a URDF reduced to its tree, poses and masses, and what was left out.
+
+    Raises:
+        UrdfError: It is not well-formed, not a tree, or has a number that is none.
+    """
+    from lxml import etree
+
+    robot = _parsed(content)
+    if robot.tag != "robot":
+        raise UrdfError(f"not a URDF: its root element is <{_name_of(robot)}>, not <robot>")
+    links, joints = robot.findall("link"), robot.findall("joint")
+    _check_names(links)
+    _check_names(joints)
+    if not links:
+        raise UrdfError("the URDF has no link")
+    for link in links:
+        _check_link(link)
+    for joint in joints:
+        _check_joint(joint)
+    _check_tree(links, joints)
+    remarkable = _remarkable(links, joints)
+    _reduce(robot)
+    return BytesIO(etree.tostring(robot, encoding="utf-8")), remarkable
+
+
+def _parsed(content: bytes) -> Any:
+    """Return the root element; prefixes that nobody declared are common and do no harm."""
+    from lxml import etree
+
+    for recover in (False, True):
+        parser = etree.XMLParser(
+            resolve_entities=False,
+            no_network=True,
+            remove_comments=True,
+            remove_pis=True,
+            recover=recover,
+        )
+        try:
+            return etree.fromstring(content, parser=parser)
+        except (etree.XMLSyntaxError, ValueError) as error:
+            log = getattr(error, "error_log", None) or ()
+            if recover or not log or any(e.domain_name != "NAMESPACE" for e in log):
+                line = getattr(error, "lineno", None)
+                where = f" at line {line}" if line else ""
+                raise UrdfError(f"not well-formed XML{where}") from error
+    raise AssertionError("unreachable")
+
+
+def _check_names(elements: list[Any]) -> None:
+    seen: dict[str, Any] = {}
+    for element in elements:
+        name = _required(element, "name")
+        if not name.strip():
+            raise _error(element, "has an empty name")
+        if name in seen:
+            first = seen[name].sourceline
+            raise _error(element, f"has the name of the {element.tag} in line {first}")
+        seen[name] = element
+
+
+def _check_link(link: Any) -> None:
+    for inertial in link.findall("inertial"):
+        if inertial.find("mass") is None:
+            raise _error(inertial, f"of link '{link.get('name')}' has no <mass>")
+        _numbers(inertial.find("mass"), "value", 1)
+        for inertia in inertial.findall("inertia"):
+            for name in _INERTIA:
+                _required(inertia, name)
+                _numbers(inertia, name, 1)
+        _check_origin(inertial)
+
+
+def _check_joint(joint: Any) -> None:
+    kind = _required(joint, "type")
+    if kind not in _TYPES:
+        meant = hint(nearest_word(kind, _TYPES))
+        raise _error(joint, f"has the unknown type '{kind}'{meant}")
+    for end in ("parent", "child"):
+        elements = joint.findall(end)
+        if len(elements) != 1:
+            raise _error(joint, f"has {len(elements) or 'no'} <{end}>, and needs one")
+        _required(elements[0], "link")
+    _check_origin(joint)
+    for axis in joint.findall("axis"):
+        x, y, z = _numbers(axis, "xyz", 3) if axis.get("xyz") is not None else (1.0, 0.0, 0.0)
+        if not x * x + y * y + z * z > 0.0:
+            raise _error(axis, f"of joint '{joint.get('name')}' has no length")
+
+
+def _check_origin(parent: Any) -> None:
+    for origin in parent.findall("origin"):
+        for name in ("xyz", "rpy"):
+            if origin.get(name) is not None:
+                _numbers(origin, name, 3)
+
+
+def _check_tree(links: list[Any], joints: list[Any]) -> None:
+    """Raise where a link is missing, has two parents, or hangs on itself."""
+    names = dict.fromkeys(link.get("name") for link in links)
+    parent: dict[str, Any] = {}
+    for joint in joints:
+        for end in ("parent", "child"):
+            name = joint.find(end).get("link")
+            if name not in names:
+                meant = hint(nearest_name(name, names))
+                raise _error(joint, f"names a link '{name}' that does not exist{meant}")
+        child = joint.find("child").get("link")
+        if child in parent:
+            first = parent[child].get("name")
+            raise _error(joint, f"gives link '{child}' a second parent after joint '{first}'")
+        parent[child] = joint
+    done: set[str] = set()
+    for joint in joints:
+        loop = _loop_above(joint.find("child").get("link"), parent, done)
+        if loop:
+            raise _error(parent[loop[-1]], f"closes a loop: {' -> '.join(loop)}")
+    roots = [link.get("name") for link in links if link.get("name") not in parent]
+    if len(roots) != 1:
+        told = ", ".join(f"'{name}'" for name in roots[:5]) + (", ..." if len(roots) > 5 else "")
+        raise UrdfError(f"the URDF has {len(roots)} root links, exactly one is required: {told}")
+
+
+def _loop_above(link: str, parent: dict[str, Any], done: set[str]) -> list[str]:
+    """Return the links of a loop above a link, the first one at both ends; mark what has none."""
+    chain: list[str] = []
+    while link in parent and link not in done:
+        done.add(link)
+        chain.append(link)
+        link = parent[link].find("parent").get("link")
+    if link not in chain:
+        return []
+    loop = chain[chain.index(link) :]
+    return [*reversed(loop), loop[-1]] if loop[0] == link else []
+
+
+def _remarkable(links: list[Any], joints: list[Any]) -> Remarkable:
+    drawn = sum(_has(link, "visual") or _has(link, "collision") for link in links)
+    mimicking = ((j.get("name"), j.find("mimic")) for j in joints)
+    mimics = [(name, m.get("joint") or "?") for name, m in mimicking if m is not None]
+    limited = (j.get("name") for j in joints if _has(j, "limit") and j.get("type") != "fixed")
+    damped = (j.get("name") for j in joints if _has(j, "dynamics"))
+    return Remarkable(tuple(limited), tuple(damped), tuple(mimics), drawn)
+
+
+def _has(element: Any, tag: str) -> bool:
+    return element.find(tag) is not None
+
+
+def _reduce(element: Any) -> None:
+    for child in list(element):
+        if child.tag in _KEPT.get(element.tag, ()):
+            _reduce(child)
+        else:
+            element.remove(child)
+
+
+def _required(element: Any, name: str) -> str:
+    value = element.get(name)
+    if value is None:
+        raise _error(element, f"has no attribute '{name}'")
+    return str(value)
+
+
+def _numbers(element: Any, name: str, count: int) -> list[float]:
+    """Return the finite numbers of an attribute, or raise where there are more or fewer."""
+    words = _required(element, name).split()
+    if len(words) != count:
+        raise _error(element, f"has {len(words)} numbers in '{name}', not {count}")
+    return [_number(element, name, word) for word in words]
+
+
+def _number(element: Any, name: str, word: str) -> float:
+    value = float(word) if _NUMBER.fullmatch(word) else float("nan")
+    if not isfinite(value) or abs(value) > _GREATEST:
+        raise _error(element, f"has '{word}' in '{name}', which is not a finite number")
+    return value
+
+
+def _error(element: Any, what: str) -> UrdfError:
+    return UrdfError(f"line {element.sourceline}: <{_name_of(element)}> {what}")
+
+
+def _name_of(element: Any) -> str:
+    name = element.get("name")
+    tag = str(element.tag).rpartition("}")[2]
+    return f"{tag} name='{name}'" if name and tag in ("link", "joint") else tag

@@ -1,0 +1,75 @@
+"""Whatever is in a URDF, it is read or refused with one sentence that says where."""
+
+import random
+import re
+from pathlib import Path
+
+import pytest
+from tests.support.urdf_mutants import mutant
+
+from kindsl.interchange.kindsl_writing import kindsl_text
+from kindsl.interchange.urdf_reading import UrdfError, read_urdf
+
+LINK = '<link name="{}"><inertial><mass value="1.0"/><inertia ixx="0.1" iyy="0.1" izz="0.1"'
+LINK += ' ixy="0" ixz="0" iyz="0"/></inertial></link>\n'
+JOINT = '<joint name="{}" type="{}"><origin xyz="{}" rpy="0 0 0"/><parent link="{}"/>'
+JOINT += '<child link="{}"/><axis xyz="{}"/></joint>\n'
+LINKS = "".join(map(LINK.format, ("base", "arm", "hand")))
+SHOULDER = JOINT.format("shoulder", "revolute", "0 0 1", "base", "arm", "0 0 1")
+WRIST = JOINT.format("wrist", "fixed", "0 0 1", "arm", "hand", "0 0 1")
+ARM = f"<robot name='arm'>\n{LINKS}{SHOULDER}{WRIST}</robot>"
+
+
+def read(text: str, folder: Path) -> str:
+    path = folder / "robot.urdf"
+    path.write_text(text, encoding="utf-8")
+    return kindsl_text(read_urdf(path).robot)
+
+
+def test_plain_robot_is_read(tmp_path: Path) -> None:
+    assert "link arm {" in read(ARM, tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ('"arm"/><child link="hand"', '"hand"/><child link="hand"', "line 6: .*loop: hand -> hand"),
+        (
+            '<parent link="base"/><child link="arm"',
+            '<parent link="hand"/><child link="arm"',
+            "closes a loop: .*arm",
+        ),
+        ('<child link="hand"', '<child link="arm"', "line 6: .*'arm' a second parent.*'shoulder'"),
+        ('"hand"><inertial', '"arm"><inertial', "line 4: .*has the name of the link in line 3"),
+        ('xyz="0 0 1"', 'xyz="1 2"', "line 5: <origin> has 2 numbers in 'xyz', not 3"),
+        ('xyz="0 0 1"', 'xyz="1 2 3 4 5"', "has 5 numbers"),
+        ('xyz="0 0 1"', 'xyz="1 nan 3"', "has 'nan' in 'xyz', which is not a finite number"),
+        ('mass value="1.0"', 'mass value="inf"', "line 2: .*'inf'"),
+        ('<axis xyz="0 0 1"', '<axis xyz="0 0 0"', "of joint 'shoulder' has no length"),
+        ("</robot>", "", "^not well-formed XML at line"),
+        ('type="revolute"', 'type="revolut"', "did you mean 'revolute'"),
+        ('<child link="hand"/>', "", "has no <child>"),
+        ('<parent link="arm"', '<parent link="arn"', "does not exist; did you mean 'arm'"),
+        (WRIST, "", "has 2 root links"),
+        (' izz="0.1"', "", "<inertia> has no attribute 'izz'"),
+    ],
+)
+def test_defect_is_told_with_its_line(old: str, new: str, message: str, tmp_path: Path) -> None:
+    with pytest.raises(UrdfError, match=message) as caught:
+        read(ARM.replace(old, new, 1), tmp_path)
+    assert "\n" not in str(caught.value)
+
+
+def test_prefix_that_nobody_declared_does_no_harm(tmp_path: Path) -> None:
+    assert "link arm" in read(ARM.replace("</robot>", "<sensor:camera/></robot>"), tmp_path)
+
+
+@pytest.mark.parametrize("seed", range(200))
+def test_mutant_is_read_or_refused(seed: int, tmp_path: Path) -> None:
+    text = mutant(ARM, random.Random(seed))
+    try:
+        document = read(text, tmp_path)
+    except UrdfError as error:
+        assert re.fullmatch(r"[^\n]+", str(error))
+    else:
+        assert "nan" not in document and "inf" not in document.replace("inertia", "")
