@@ -54,6 +54,7 @@ def checked(content: bytes) -> tuple[BytesIO, Remarkable]:
     robot = _parsed(content)
     if robot.tag != "robot":
         raise UrdfError(f"not a URDF: its root element is <{_name_of(robot)}>, not <robot>")
+    _required(robot, "name")
     links, joints = robot.findall("link"), robot.findall("joint")
     _check_names(links)
     _check_names(joints)
@@ -127,7 +128,7 @@ def _check_joint(joint: Any) -> None:
             raise _error(joint, f"has {len(elements) or 'no'} <{end}>, and needs one")
         _required(elements[0], "link")
     _check_origin(joint)
-    for axis in joint.findall("axis"):
+    for axis in joint.findall("axis") if kind not in ("fixed", "floating") else ():
         x, y, z = _numbers(axis, "xyz", 3) if axis.get("xyz") is not None else (1.0, 0.0, 0.0)
         if not x * x + y * y + z * z > 0.0:
             raise _error(axis, f"of joint '{joint.get('name')}' has no length")

@@ -11,8 +11,8 @@ from typing import NamedTuple
 from kindsl.semantics.places import Place
 from kindsl.syntax.tree import Island, Node
 
-_COMMENT = re.compile(r"kindsl:\s*(ignore(?:-file)?)\s*\[([^\]]*)\]")
-_CODE = re.compile(r"[A-Za-z]+\d*")
+_COMMENT = re.compile(r"kindsl:\s*(?:(ignore(?:-file)?)(?![\w-])\s*(?:\[([^\]\r\n]*)\])?)?")
+_CODE = re.compile(r"[^,\s](?:[^,]*[^,\s])?")
 _LINE_END = re.compile(r"\r\n|\n|\r|\Z")
 _BLOCKS = frozenset(
     ("base", "link", "joint", "inertia", "children", "frames", "frame", "joint_frame")
@@ -45,32 +45,58 @@ class Suppression(NamedTuple):
         )
 
 
+class Directive(NamedTuple):
+    """A comment that speaks to us.
+
+    Attributes:
+        comment: The whole comment.
+        at: From `kindsl:` to the end of what is understood.
+        word: `ignore`, `ignore-file`, or empty for what is neither.
+        codes: What stands between the brackets, with places; None without brackets.
+    """
+
+    comment: Place
+    at: Place
+    word: str
+    codes: tuple[tuple[str, Place], ...] | None
+
+
 def suppressions(
     islands: Sequence[Island], starts: Sequence[int], length: int
 ) -> list[Suppression]:
     """Return what the comments of a document silence."""
     found: list[Suppression] = []
     for number, island in enumerate(islands):
-        for comment, is_file, codes in _comments(island):
-            if is_file:
+        for directive in directives(island):
+            if not directive.codes:
+                continue
+            if directive.word == "ignore-file":
                 covered = 0, length + 1
             else:
-                covered = _covered(islands, starts, number, comment)
-            found += [Suppression(code, at, comment, *covered) for code, at in codes]
+                covered = _covered(islands, starts, number, directive.comment)
+            known = (code for code in directive.codes if is_known(code[0]))
+            found += [Suppression(code, at, directive.comment, *covered) for code, at in known]
     return found
 
 
-def _comments(island: Island) -> Iterator[tuple[Place, bool, list[tuple[str, Place]]]]:
+def is_known(code: str) -> bool:
+    """Return whether some rule has a code, or codes that begin so."""
+    return any(known.startswith(code.upper()) for known in all_codes())
+
+
+def directives(island: Island) -> Iterator[Directive]:
+    """Yield the comments of an island that begin with `kindsl:`."""
     if "kindsl:" not in island.text:
         return
     for start, end in island.comments:
         match = _COMMENT.search(island.text, start, end)
-        if match:
-            codes = [
-                (code[0], Place(island, code.start(), code.end()))
-                for code in _CODE.finditer(island.text, *match.span(2))
-            ]
-            yield Place(island, start, end), match[1] == "ignore-file", codes
+        if match is not None and not island.text[start : match.start()].strip("/* \t"):
+            codes = None
+            if match[2] is not None:
+                inside = _CODE.finditer(island.text, *match.span(2))
+                codes = tuple((c[0], Place(island, c.start(), c.end())) for c in inside)
+            at = Place(island, match.start(), match.end())
+            yield Directive(Place(island, start, end), at, match[1] or "", codes)
 
 
 def _covered(
