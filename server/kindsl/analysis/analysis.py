@@ -1,6 +1,6 @@
 """A document with everything that is known of it: syntax, model, findings."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -11,9 +11,11 @@ from kindsl.analysis.syntax_findings import syntax_findings
 from kindsl.rules.base import Finding, Rule
 from kindsl.rules.checks.kd704_unused_suppression import RULE as UNUSED_SUPPRESSION
 from kindsl.rules.checks.kd704_unused_suppression import unused_suppressions
+from kindsl.rules.checks.kd706_unknown_suppression import RULE as UNKNOWN_SUPPRESSION
+from kindsl.rules.checks.kd706_unknown_suppression import unknown_suppressions
 from kindsl.rules.context import Context
 from kindsl.rules.registry import all_rules
-from kindsl.rules.suppression import suppressions
+from kindsl.rules.suppression import Directive, covered_by, directives, suppressions
 from kindsl.semantics.model import Model
 from kindsl.syntax.collector import paused_collector
 from kindsl.syntax.document import SyntaxDocument, parse
@@ -117,18 +119,33 @@ class Analysis:
         return found
 
     def _without_silenced(self, found: list[Diagnostic]) -> tuple[Diagnostic, ...]:
-        silenced = suppressions(self.syntax.islands, self.syntax.starts, len(self.text))
-        if silenced:
-            kept = [d for d in found if not any(s.covers(d.code, d.start) for s in silenced)]
+        islands, starts = self.syntax.islands, self.syntax.starts
+        if any("kindsl:" in island.text for island in islands):
             enabled = [rule.code for rule in all_rules() if is_enabled(rule, self.settings)]
+            if UNKNOWN_SUPPRESSION.code in enabled:
+                found += self._of(UNKNOWN_SUPPRESSION, unknown_suppressions(self._unknown(found)))
+            silenced = suppressions(islands, starts, len(self.text))
             unused = [s for s in silenced if not any(s.covers(d.code, d.start) for d in found)]
-            found = kept
+            found = [d for d in found if not any(s.covers(d.code, d.start) for s in silenced)]
             if UNUSED_SUPPRESSION.code in enabled:
-                found += [
-                    self._resolve(UNUSED_SUPPRESSION, finding)
-                    for finding in unused_suppressions(unused, enabled)
-                ]
+                found += self._of(UNUSED_SUPPRESSION, unused_suppressions(unused, enabled))
         return tuple(sorted(found, key=lambda d: (d.start, d.end, d.code, d.message)))
+
+    def _unknown(self, found: list[Diagnostic]) -> Iterator[tuple[Directive, list[str]]]:
+        """Yield the comments that speak to us, each with the codes of the findings there."""
+        islands, starts = self.syntax.islands, self.syntax.starts
+        for island in islands:
+            for directive in directives(island):
+                start, end = covered_by(islands, starts, directive)
+                if directive.word == "ignore-file":
+                    start, end = 0, len(self.text) + 1
+                yield (
+                    directive,
+                    [d.code for d in found if start <= d.start < end and d.code[:3] != "KD0"],
+                )
+
+    def _of(self, rule: Rule, findings: Iterator[Finding]) -> list[Diagnostic]:
+        return [self._resolve(rule, finding) for finding in findings]
 
 
 def analyse(text: str, settings: Settings = _NO_SETTINGS) -> Analysis:

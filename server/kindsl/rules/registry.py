@@ -16,6 +16,12 @@ def all_rules() -> tuple[Rule, ...]:
     return tuple(rule_module(name).RULE for name in sorted(_module_names()))
 
 
+@cache
+def all_codes() -> tuple[str, ...]:
+    """Return the codes of all rules, without loading one."""
+    return tuple(sorted(name.partition("_")[0].upper() for name in _module_names()))
+
+
 def rule_named(code: str) -> Rule | None:
     """Return the rule with a code or a name, whatever its case."""
     wanted = code.lower()

@@ -2,12 +2,15 @@
 
 The first silences its line, or the next line when it stands alone, or a whole block when the line
 it silences begins one. The second silences the document. Errors of syntax cannot be silenced.
+Between the brackets stand codes or their beginnings, with commas. What no rule has silences
+nothing.
 """
 
 import re
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from kindsl.rules.registry import all_codes
 from kindsl.semantics.places import Place
 from kindsl.syntax.tree import Island, Node
 
@@ -81,7 +84,7 @@ def suppressions(
 
 def is_known(code: str) -> bool:
     """Return whether some rule has a code, or codes that begin so."""
-    return any(known.startswith(code.upper()) for known in all_codes())
+    return code[:2].upper() == "KD" and any(c.startswith(code.upper()) for c in all_codes())
 
 
 def directives(island: Island) -> Iterator[Directive]:
@@ -90,13 +93,26 @@ def directives(island: Island) -> Iterator[Directive]:
         return
     for start, end in island.comments:
         match = _COMMENT.search(island.text, start, end)
-        if match is not None and not island.text[start : match.start()].strip("/* \t"):
+        if match is not None and (match[2] is not None or _opens(island.text, start, match)):
             codes = None
             if match[2] is not None:
                 inside = _CODE.finditer(island.text, *match.span(2))
                 codes = tuple((c[0], Place(island, c.start(), c.end())) for c in inside)
             at = Place(island, match.start(), match.end())
             yield Directive(Place(island, start, end), at, match[1] or "", codes)
+
+
+def _opens(text: str, start: int, match: re.Match[str]) -> bool:
+    """Return whether a comment begins with a match; behind other words it may be prose."""
+    return not text[start : match.start()].strip("/* \t")
+
+
+def covered_by(
+    islands: Sequence[Island], starts: Sequence[int], directive: Directive
+) -> tuple[int, int]:
+    """Return the absolute range that an `ignore` comment speaks of."""
+    number = next(n for n, island in enumerate(islands) if island is directive.comment.island)
+    return _covered(islands, starts, number, directive.comment)
 
 
 def _covered(

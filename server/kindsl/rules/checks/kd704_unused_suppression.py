@@ -24,7 +24,7 @@ from kindsl.rules.examples import link
 from kindsl.rules.suppression import Suppression
 from kindsl.semantics.places import Place
 
-_TITLE = "Remove the unused suppression"
+_TITLE = "Remove the suppression"
 
 
 def unused_suppressions(
@@ -38,27 +38,32 @@ def unused_suppressions(
     for comment, group in by_comment.items():
         for suppression in group:
             if any(code.startswith(suppression.code.upper()) for code in enabled):
-                message = f"nothing to suppress for '{suppression.code}'"
-                yield Finding(suppression.at, message, fix=_fix(comment, suppression), tag=_TAG)
+                message = f"unused suppression of {suppression.code}"
+                fix = without_code(comment, suppression.at)
+                yield Finding(suppression.at, message, fix=fix, tag=_TAG)
 
 
 _TAG = Tag.UNNECESSARY
 
 
-def _fix(comment: Place, suppression: Suppression) -> Fix:
+def without_code(comment: Place, at: Place) -> Fix:
+    """Return the removal of a code, or of the comment with its only code."""
     text = comment.island.text
     inside = text[text.index("[", comment.start) + 1 : text.index("]", comment.start)]
-    if len([code for code in inside.split(",") if code.strip()]) > 1:
-        at = suppression.at
-        end = at.end
-        while text[end] in ", ":
-            end += 1
-        start = at.start
-        if text[end] == "]":
-            while text[start - 1] in ", ":
-                start -= 1
-        return Fix(_TITLE, (Change(Place(at.island, start, end), ""),), is_safe=True)
-    start = comment.start
+    if len([code for code in inside.split(",") if code.strip()]) < 2:
+        return without_comment(comment)
+    start, end = at.start, at.end
+    while text[end] in ", ":
+        end += 1
+    if text[end] == "]":
+        while text[start - 1] in ", ":
+            start -= 1
+    return Fix(_TITLE, (Change(Place(at.island, start, end), ""),), is_safe=True)
+
+
+def without_comment(comment: Place) -> Fix:
+    """Return the removal of a comment with the blanks before it."""
+    text, start = comment.island.text, comment.start
     while start and text[start - 1] in " \t":
         start -= 1
     return Fix(_TITLE, (Change(Place(comment.island, start, comment.end), ""),), is_safe=True)

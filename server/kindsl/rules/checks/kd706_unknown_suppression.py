@@ -1,0 +1,115 @@
+"""A comment that was meant to suppress findings and suppresses nothing.
+
+## What it does
+Reports comments that begin with `kindsl:` and are not understood: a code that no rule has, a
+misspelled `ignore` or `ignore-file`, and one without codes.
+
+## Why is this bad?
+Who wrote it believes that a finding is suppressed. A code is never completed or corrected silently,
+since `KD3O1` read as `KD3` would hide a dozen rules.
+
+## Example
+```kindsl
+link upper { // kindsl: ignore[KD3O1]
+```
+
+## Fix
+Writes the code or word that was meant, and the codes of the findings there into a comment without
+codes: unsafe, since it hides findings. What can mean nothing is removed: safe.
+"""
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
+from kindsl.rules.checks.kd704_unused_suppression import without_code, without_comment
+from kindsl.rules.examples import link
+from kindsl.rules.registry import all_codes, rule_named
+from kindsl.rules.suppression import Directive, is_known
+from kindsl.semantics.places import Place
+from kindsl.text.nearest import hint, nearest_word
+
+_WORDS = ("ignore", "ignore-file")
+_LETTERS_FOR_DIGITS = str.maketrans("OoIlSB", "001158")
+
+
+def unknown_suppressions(
+    directives: Iterable[tuple[Directive, Sequence[str]]],
+) -> Iterator[Finding]:
+    """Yield what is wrong with comments that speak to us.
+
+    Args:
+        directives: Each with the codes of the findings that it would suppress without any codes.
+    """
+    for directive, codes_here in directives:
+        if not directive.word:
+            yield _of_word(directive)
+        elif not directive.codes:
+            message = f"'{directive.word}' names no code and suppresses nothing"
+            yield Finding(directive.at, message, fix=_with_codes(directive, codes_here))
+        else:
+            yield from _of_codes(directive, directive.codes)
+
+
+def _of_word(directive: Directive) -> Finding:
+    text = directive.comment.island.text
+    start = directive.at.end
+    end = start
+    while end < directive.comment.end and (text[end].isalpha() or text[end] in "-_"):
+        end += 1
+    word = text[start:end]
+    meant = nearest_word(word, _WORDS) if word else None
+    message = f"unknown comment 'kindsl: {word}'{hint(meant)}"
+    at = Place(directive.comment.island, directive.at.start, end)
+    if meant is None:
+        return Finding(at, message, fix=without_comment(directive.comment))
+    change = Change(Place(at.island, start, end), meant)
+    return Finding(at, message, fix=Fix(f"Replace '{word}' with '{meant}'", (change,)))
+
+
+def _of_codes(directive: Directive, codes: Sequence[tuple[str, Place]]) -> Iterator[Finding]:
+    for code, at in codes:
+        if not is_known(code):
+            meant = _meant(code)
+            fix = without_code(directive.comment, at)
+            if meant:
+                fix = Fix(f"Replace '{code}' with '{meant}'", (Change(at, meant),))
+            yield Finding(at, f"no rule has the code '{code}'{hint(meant)}", fix=fix)
+
+
+def _meant(code: str) -> str | None:
+    """Return the code or codes that were meant, None where it cannot be told."""
+    rule = rule_named(code)
+    if rule is not None:
+        return rule.code
+    words = code.replace(";", " ").split()
+    if len(words) > 1 and all(map(is_known, words)):
+        return ", ".join(words)
+    plain = code[:2].upper() + code[2:].translate(_LETTERS_FOR_DIGITS)
+    if is_known(plain):
+        return plain
+    return f"KD{plain}" if plain.isdigit() and f"KD{plain}" in all_codes() else None
+
+
+def _with_codes(directive: Directive, codes: Sequence[str]) -> Fix:
+    if not codes:
+        return without_comment(directive.comment)
+    text = f"kindsl: {directive.word}[{', '.join(dict.fromkeys(codes))}]"
+    return Fix(f"Replace with '{text}'", (Change(directive.at, text),))
+
+
+_LINK = link("upper", 1, inertia="").replace("{", "{ // %s", 1)
+_GOOD = _LINK % "kindsl: ignore[KD304]"
+
+RULE = Rule(
+    "KD706",
+    "unknown-suppression",
+    Severity.WARNING,
+    good=(_GOOD,),
+    bad=(
+        Example(_LINK % "kindsl: ignore[KD3O4]", fixed=_GOOD),
+        Example(_LINK % "kindsl: ignore[KD304, KD999]", fixed=_GOOD),
+        Example(_LINK % "kindsl: ignroe[KD304]", fixed=_GOOD),
+        Example(_LINK % "kindsl: ignore", fixed=_GOOD),
+        Example(_LINK % "kindsl: ignore[missing-inertia]", fixed=_GOOD),
+    ),
+)
