@@ -15,6 +15,7 @@ from tests.cli.samples import GOOD, INTEGER, UNBOUND, arm
 import kindsl
 from kindsl.cli.outcome import Failure, LintedFile, Outcome
 from kindsl.cli.output import FORMATS, renderer
+from kindsl.rules.base import Severity
 from kindsl.rules.registry import all_rules
 
 SCHEMAS = Path(__file__).parent / "schemas"
@@ -127,11 +128,31 @@ def test_junit_is_valid(kdsl_lint: Runner, strange_folder: Path) -> None:
     JUNIT.assertValid(root)
     suites = {suite.get("name"): suite for suite in root}
     assert suites["good.kindsl"].get("failures") == "0"
-    assert suites["unbound.kindsl"].find("testcase/failure").get("type") == "warning"
+    assert suites["unbound.kindsl"].find("testcase/skipped").get("type") == "warning"
     assert suites["utf16.kindsl"].find("testcase/failure").get("type") == "error"
     assert suites["gone.kindsl"].get("errors") == "1"
     assert int(root.get("tests")) == len(root.findall(".//testcase"))
     assert int(root.get("failures")) == len(root.findall(".//failure"))
+
+
+def test_junit_fails_where_the_run_does(kdsl_lint: Runner, folder: Path) -> None:
+    (folder / "unbound.kindsl").write_text(UNBOUND)
+    for arguments in ((), ("--max-warnings", "0"), ("--max-warnings", "0", "--exit-zero")):
+        run = kdsl_lint("--output-format", "junit", *arguments)
+        root = etree.fromstring(run.out.encode())
+        JUNIT.assertValid(root)
+        assert bool(root.findall(".//failure")) == (run.status == 1)
+
+
+def test_sarif_keeps_the_worst_of_more_findings_than_github_takes() -> None:
+    text = arm(reach="1")
+    findings = kindsl.parse(text).findings
+    worst = min(findings, key=lambda f: f.severity != "error")
+    hint = worst._replace(severity=Severity.HINT)
+    file = LintedFile("arm.kindsl", text, [*[hint] * 25_000, worst])
+    (run,) = json.loads(renderer("sarif")(Outcome([file], [])))["runs"]
+    assert len(run["results"]) == 25_000
+    assert run["results"][0]["level"] == "error"
 
 
 def test_github_commands_are_escaped(kdsl_lint: Runner, strange_folder: Path) -> None:

@@ -1,4 +1,7 @@
-"""Tells what changed mechanically between two documents, for reviews."""
+"""Compares two documents mechanically, for reviews.
+
+Broken documents and parameters without values leave out what depends on them, which is reported.
+"""
 
 import argparse
 import sys
@@ -8,12 +11,22 @@ from typing import TYPE_CHECKING
 
 from kindsl.cli.console import write
 from kindsl.cli.documents.choices import choices_of
-from kindsl.cli.documents.reading import CommandError, bodies_of_document, read_document, shown_name
+from kindsl.cli.documents.reading import (
+    CommandError,
+    bodies_of_document,
+    missing_module,
+    read_document,
+    shown_name,
+)
 from kindsl.cli.options import add_parameter_arguments
-from kindsl.cli.outcome import as_failures
+from kindsl.cli.outcome import Failure, as_failures
 from kindsl.config.configuration import ConfigurationError
+from kindsl.rules.base import Severity
+from kindsl.text.printable import printable
 
 if TYPE_CHECKING:
+    from kindsl.analysis.analysis import Analysis
+    from kindsl.dynamics.bodies import Bodies
     from kindsl.mechanism.difference import Difference
 
 SAME = 0
@@ -34,40 +47,68 @@ def run(args: argparse.Namespace) -> int:
     """Compare two documents.
 
     Returns:
-        0 if nothing changed, 1 if something did, 2 if a document gives no mechanism.
+        0 if nothing changed, 1 if something did, 2 if a document has no tree to compare.
     """
     try:
-        found = _difference(args)
+        found, notes = _difference(args)
     except CommandError as error:
         error.tell()
         return 2
     except ConfigurationError as error:
         return CommandError(as_failures(error)).tell()
     names = shown_name(args.old), shown_name(args.new)
-    write(sys.stdout, _rendered(found, names, args.output_format))
+    write(sys.stdout, _rendered(found, names, notes, args.output_format))
+    write(sys.stderr, "".join(f"note: {printable(note)}\n" for note in notes))
     return SAME if found.is_empty or args.exit_zero else CHANGED
 
 
-def _difference(args: argparse.Namespace) -> "Difference":
+def _difference(args: argparse.Namespace) -> "tuple[Difference, tuple[str, ...]]":
     choices = choices_of(args)
-    documents = [(path, read_document(path, choices)) for path in (args.old, args.new)]
-    old, new = (bodies_of_document(path, analysis) for path, analysis in documents)
-    from kindsl.mechanism.difference import difference
+    old, new = (read_document(path, choices) for path in (args.old, args.new))
+    both = ((args.old, old), (args.new, new))
+    try:
+        from kindsl.mechanism.difference import difference
+        from kindsl.mechanism.partial_difference import partial_difference
 
-    return difference(old, new)
+        strict = [_strict_bodies(path, analysis) for path, analysis in both]
+        if strict[0] is not None and strict[1] is not None:
+            return difference(strict[0], strict[1]), ()
+        found = partial_difference((old.model, old.context.values), (new.model, new.context.values))
+    except ModuleNotFoundError as error:
+        raise missing_module(args.old, error, "numpy") from None
+    if isinstance(found, int):
+        path, analysis = both[found]
+        bodies_of_document(path, analysis)
+        raise CommandError([Failure(shown_name(path), "has no tree of links to compare")])
+    broken = [path for path, analysis in both if _is_broken(analysis)]
+    notes = [f"{shown_name(path)} has errors: showing the rest" for path in broken]
+    return found.difference, (*notes, *found.notes)
 
 
-def _rendered(found: "Difference", names: tuple[str, str], output_format: str) -> str:
+def _strict_bodies(path: str, analysis: "Analysis") -> "Bodies | None":
+    try:
+        return bodies_of_document(path, analysis)
+    except CommandError:
+        return None
+
+
+def _is_broken(analysis: "Analysis") -> bool:
+    return any(finding.severity is Severity.ERROR for finding in analysis.findings)
+
+
+def _rendered(
+    found: "Difference", names: tuple[str, str], notes: tuple[str, ...], output_format: str
+) -> str:
     if output_format == "json":
         import json
 
         facts = {"old": names[0], "new": names[1], "changed": not found.is_empty, **asdict(found)}
-        return json.dumps(facts, indent=2) + "\n"
+        return json.dumps({**facts, "left_out": notes}, indent=2) + "\n"
     from kindsl.reports.difference_text import change_rows
 
     rows = list(change_rows(found))
     if output_format == "markdown":
-        return "".join(_markdown(rows, names))
+        return "".join((*_markdown(rows, names), *(f"\nLeft out: {note}\n" for note in notes)))
     if not rows:
         return "nothing changed mechanically\n"
     from kindsl.reports.columns import aligned

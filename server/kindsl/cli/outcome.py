@@ -88,10 +88,12 @@ class Outcome(NamedTuple):
     Attributes:
         files: What was linted, in the order asked for.
         failures: What could not be.
+        failing: The severities that make the run fail.
     """
 
     files: Sequence[LintedFile]
     failures: Sequence[Failure]
+    failing: frozenset[Severity] = frozenset((Severity.ERROR,))
 
     def count(self, severity: Severity) -> int:
         """Return how many findings have a severity."""

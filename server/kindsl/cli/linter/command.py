@@ -61,10 +61,14 @@ def exit_status(outcome: Outcome, max_warnings: int | None, is_lenient: bool) ->
     """Return the status to leave with; `is_lenient` forgives findings, not failures."""
     if outcome.failures:
         return UNUSABLE
-    has_errors = outcome.count(Severity.ERROR) > 0
-    n_warnings = outcome.count(Severity.WARNING)
-    is_over = max_warnings is not None and n_warnings > max_warnings
-    return FINDINGS if (has_errors or is_over) and not is_lenient else OK
+    failing = failing_severities(outcome, max_warnings)
+    return FINDINGS if any(map(outcome.count, failing)) and not is_lenient else OK
+
+
+def failing_severities(outcome: Outcome, max_warnings: int | None) -> frozenset[Severity]:
+    """Return the severities that make a run fail: warnings only where there are too many."""
+    is_over = max_warnings is not None and outcome.count(Severity.WARNING) > max_warnings
+    return frozenset((Severity.ERROR, Severity.WARNING) if is_over else (Severity.ERROR,))
 
 
 def _wrong_usage(args: Any) -> str:
@@ -93,6 +97,8 @@ def _plan(args: Any) -> Plan:
 
 def _report(outcome: Outcome, args: Any) -> int:
     _tell_failures(outcome.failures)
+    failing = failing_severities(outcome, args.max_warnings)
+    outcome = outcome._replace(failing=frozenset() if args.exit_zero else failing)
     if args.diff:
         return _report_diff(outcome, args)
     is_mended_stdin = args.fix and STDIN in args.paths

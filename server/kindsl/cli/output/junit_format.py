@@ -1,4 +1,7 @@
-"""Findings as JUnit XML: a suite a document, a failed case an error or warning."""
+"""Findings as JUnit XML: each document is a test suite, each error a failed test.
+
+Only what makes the run fail is a failure; another warning is a skipped test, the rest is output.
+"""
 
 import xml.etree.ElementTree as ET
 
@@ -8,12 +11,10 @@ from kindsl.cli.output.project_paths import project_path
 from kindsl.rules.base import Severity
 from kindsl.text.printable import printable
 
-_FAILING = (Severity.ERROR, Severity.WARNING)
-
 
 def render(outcome: Outcome) -> str:
     """Return an XML document."""
-    suites = [_suite(file) for file in outcome.files]
+    suites = [_suite(file, outcome.failing) for file in outcome.files]
     suites += [_failed_suite(failure) for failure in outcome.failures]
     root = ET.Element("testsuites", {"name": "kdsl-lint", **_sums(suites)})
     root.extend(suites)
@@ -21,14 +22,14 @@ def render(outcome: Outcome) -> str:
     return f'<?xml version="1.0" encoding="UTF-8"?>\n{ET.tostring(root, encoding="unicode")}\n'
 
 
-def _suite(file: LintedFile) -> ET.Element:
-    cases = [_case(file, finding) for finding in file.findings]
+def _suite(file: LintedFile, failing: frozenset[Severity]) -> ET.Element:
+    cases = [_case(file, finding, failing) for finding in file.findings]
     cases = cases or [ET.Element("testcase", {"name": "no findings", **_class(file.path)})]
     n_failures = sum(case.find("failure") is not None for case in cases)
     return _with_counts(file.path, cases, n_failures, 0)
 
 
-def _case(file: LintedFile, finding: Diagnostic) -> ET.Element:
+def _case(file: LintedFile, finding: Diagnostic, failing: frozenset[Severity]) -> ET.Element:
     line, column = file.place(finding.start)
     message = printable(finding.message)
     case = ET.Element(
@@ -36,9 +37,11 @@ def _case(file: LintedFile, finding: Diagnostic) -> ET.Element:
         {"name": f"{finding.code} {finding.name} {line}:{column}", **_class(file.path)},
     )
     text = f"{project_path(file.path)}:{line}:{column}: {finding.severity.value}: {message}"
-    if finding.severity in _FAILING:
-        attributes = {"message": message, "type": finding.severity.value}
+    attributes = {"message": message, "type": finding.severity.value}
+    if finding.severity in failing:
         ET.SubElement(case, "failure", attributes).text = text
+    elif finding.severity is Severity.WARNING:
+        ET.SubElement(case, "skipped", attributes).text = text
     else:
         ET.SubElement(case, "system-out").text = text
     return case

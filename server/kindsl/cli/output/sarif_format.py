@@ -1,4 +1,7 @@
-"""Findings as SARIF 2.1.0, with the rules' pages, related places and fixes."""
+"""Findings as SARIF 2.1.0, with the rules' pages, related places and fixes.
+
+Of more findings than GitHub takes in one run, the worst are kept.
+"""
 
 import json
 import os
@@ -22,16 +25,22 @@ _LEVELS = {
     Severity.HINT: "note",
 }
 _ROOT = "SRCROOT"
+_ORDER = (Severity.ERROR, Severity.WARNING, Severity.INFORMATION, Severity.HINT)
+# GitHub refuses a run with more results than this.
+_MOST_RESULTS = 25_000
 
 
 def render(outcome: Outcome) -> str:
     """Return a SARIF log with one run."""
+    found = list(fingerprints(outcome))
+    if len(found) > _MOST_RESULTS:
+        found = sorted(found, key=lambda f: _ORDER.index(f[1].severity))[:_MOST_RESULTS]
     run = {
         "tool": {"driver": _driver()},
         "columnKind": "unicodeCodePoints",
         "originalUriBaseIds": {_ROOT: {"uri": f"file://{quote(os.getcwd())}/"}},
         "invocations": [_invocation(outcome)],
-        "results": [_result(*found) for found in fingerprints(outcome)],
+        "results": [_result(*each) for each in found],
     }
     return json.dumps({"$schema": _SCHEMA, "version": "2.1.0", "runs": [run]}, indent=2) + "\n"
 

@@ -1,0 +1,87 @@
+"""What changed between two models that are not whole, as far as both can be compared.
+
+A parameter without a value gets the same stand-in on both sides, and then another one: a quantity
+that the second changes depends on it, and is left out.
+"""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import NamedTuple
+
+from kindsl.dynamics.bodies import Bodies
+from kindsl.mechanism.bodies import bodies_of
+from kindsl.mechanism.difference import Difference, difference
+from kindsl.mechanism.fragments import skeleton_as_far_as_known
+from kindsl.semantics.model import Model
+from kindsl.text.words import listed
+
+_STAND_INS = (0.7315, 0.4127)
+
+Document = tuple[Model, Mapping[str, float]]
+
+
+class PartialDifference(NamedTuple):
+    """What changed as far as it can be told.
+
+    Attributes:
+        difference: The changes of what both sides know.
+        notes: What was left out and why.
+    """
+
+    difference: Difference
+    notes: tuple[str, ...]
+
+
+def partial_difference(old: Document, new: Document) -> PartialDifference | int:
+    """Return what changed, or the number of the document, 0 or 1, that has no tree at all."""
+    unbound = _unbound(old) | _unbound(new)
+    versions: list[tuple[Bodies, Bodies]] = []
+    for stand_in in _STAND_INS:
+        sides = [_bodies(document, dict.fromkeys(unbound, stand_in)) for document in (old, new)]
+        if sides[0] is None or sides[1] is None:
+            return 0 if sides[0] is None else 1
+        versions.append((sides[0], sides[1]))
+    if not unbound:
+        return PartialDifference(difference(*versions[0]), ())
+    first, second = versions
+    depends = [difference(a, b) for a, b in zip(first, second, strict=True)]
+    found = _without(difference(*first), depends)
+    names = listed(f"'{name}'" for name in sorted(unbound))
+    what = "parameter" if len(unbound) == 1 else "parameters"
+    verb = "has" if len(unbound) == 1 else "have"
+    return PartialDifference(
+        found, (f"{what} {names} {verb} no value: what depends on it is left out",)
+    )
+
+
+def _unbound(document: Document) -> set[str]:
+    model, values = document
+    return {str(p.name) for p in model.parameters} - set(values)
+
+
+def _bodies(document: Document, stand_ins: Mapping[str, float]) -> Bodies | None:
+    model, values = document
+    skeleton = skeleton_as_far_as_known(model, {**stand_ins, **values})
+    return None if skeleton is None else bodies_of(skeleton)
+
+
+def _without(found: Difference, depends: list[Difference]) -> Difference:
+    """Return a difference without what depends on a stand-in on either side."""
+
+    def names(*fields: str) -> set[str]:
+        moved = (change for d in depends for field in fields for change in getattr(d, field))
+        return {getattr(change, "name", None) or change.link for change in moved}
+
+    joints, frames, poses = names("joint_frames"), names("frames"), names("zero_poses")
+    masses = names("masses")
+    total = any(d.total_mass[0] != d.total_mass[1] for d in depends)
+    reach = any(d.reach[0] != d.reach[1] for d in depends)
+    return replace(
+        found,
+        joint_frames=tuple(m for m in found.joint_frames if m.name not in joints),
+        frames=tuple(m for m in found.frames if m.name not in frames),
+        zero_poses=tuple(m for m in found.zero_poses if m.name not in poses),
+        masses=tuple(m for m in found.masses if m.link not in masses),
+        total_mass=(0.0, 0.0) if total else found.total_mass,
+        reach=(0.0, 0.0) if reach else found.reach,
+    )

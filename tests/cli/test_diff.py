@@ -1,0 +1,71 @@
+"""`kindsl diff` compares what can be compared, and says what it left out."""
+
+import json
+from pathlib import Path
+
+from tests.cli.conftest import Runner
+
+ARM = """Robot Arm {
+RobotBase ground { children { upper via shoulder } }
+link upper {
+    id = 1
+    inertia_params { mass = %s CoM = (0.0, 0.0, 0.1)
+        Ix=0.2 Iy=0.2 Iz=0.1 Ixy=0.0 Ixz=0.0 Iyz=0.0 }
+    children { hand via wrist }
+}
+link hand {
+    id = 2
+    inertia_params { mass = 1.0 CoM = (0.0, 0.0, 0.0)
+        Ix=0.1 Iy=0.1 Iz=0.1 Ixy=0.0 Ixz=0.0 Iyz=0.0 }
+    children {}
+}
+r_joint shoulder { ref_frame { translation = (0.0, 0.0, %s) rotation = (0.0, 0.0, 0.0) } }
+r_joint wrist { ref_frame { translation = (0.0, 0.0, %s) rotation = (0.0, 0.0, 0.0) } }
+}
+"""
+
+
+def differ(kindsl: Runner, folder: Path, old: str, new: str) -> tuple[int, dict[str, object], str]:
+    (folder / "old.kindsl").write_text(old)
+    (folder / "new.kindsl").write_text(new)
+    run = kindsl("diff", "old.kindsl", "new.kindsl", "--output-format", "json")
+    return run.status, json.loads(run.out) if run.out else {}, run.err
+
+
+def test_unbound_parameter_leaves_out_what_depends_on_it(kindsl: Runner, folder: Path) -> None:
+    old, new = ARM % ("2.0", "reach", "0.3"), ARM % ("3.0", "reach", "0.4")
+    status, found, err = differ(kindsl, folder, old, new)
+    assert status == 1
+    assert [m["link"] for m in found["masses"]] == ["upper"]
+    assert [m["name"] for m in found["joint_frames"]] == ["wrist"]
+    assert found["zero_poses"] == []
+    assert "parameter 'reach' has no value" in err
+    assert found["left_out"]
+
+
+def test_same_parametric_document_is_the_same(kindsl: Runner, folder: Path) -> None:
+    text = ARM % ("payload", "reach", "0.3")
+    status, found, _ = differ(kindsl, folder, text, text)
+    assert (status, found["changed"]) == (0, False)
+
+
+def test_duplicate_ids_are_no_hindrance(kindsl: Runner, folder: Path) -> None:
+    text = ARM % ("2.0", "0.1", "0.3")
+    status, found, err = differ(kindsl, folder, text.replace("id = 2", "id = 1"), text)
+    assert (status, found["changed"]) == (0, False)
+    assert "old.kindsl has errors: showing the rest" in err
+
+
+def test_broken_document_is_compared_as_far_as_it_goes(kindsl: Runner, folder: Path) -> None:
+    text = ARM % ("2.0", "0.1", "0.3")
+    broken = text.replace("mass = 1.0 CoM", "mass = 1.0 CoM CoM").replace("0.3)", "0.35)")
+    status, found, err = differ(kindsl, folder, broken, text)
+    assert status == 1
+    assert [m["name"] for m in found["joint_frames"]] == ["wrist"]
+    assert "old.kindsl has errors" in err
+
+
+def test_no_tree_at_all_is_refused(kindsl: Runner, folder: Path) -> None:
+    status, _, err = differ(kindsl, folder, "Robot", ARM % ("2.0", "0.1", "0.3"))
+    assert status == 2
+    assert err.startswith("old.kindsl")
