@@ -113,7 +113,7 @@ class Analysis:
 
     def _found(self, run: CheckRun) -> list[tuple[Rule, Finding]]:
         rules = [rule for rule in all_rules() if is_enabled(rule, self.settings)]
-        found = [*syntax_findings(self.syntax)]
+        found = [*syntax_findings(self.syntax, self.settings.targets)]
         found += run.document_findings(rules, self.model, self.context)
         found += run.island_findings(rules, self.model, self.context)
         return found

@@ -1,19 +1,35 @@
 """What the parser found, as findings of the syntax rules."""
 
+import re
 from collections.abc import Iterator
 
-from kindsl.rules.base import Change, Finding, Fix, Rule
+from kindsl.rules.base import Change, Finding, Fix, Rule, Severity
+from kindsl.rules.context import ROBCOGEN
 from kindsl.rules.registry import all_rules
 from kindsl.semantics.places import Place
 from kindsl.syntax.document import SyntaxDocument
 from kindsl.syntax.tree import Island, Problem
 
+_UNDECODED = re.compile("[\udc80-\udcff]+")
 
-def syntax_findings(document: SyntaxDocument) -> Iterator[tuple[Rule, Finding]]:
+
+def syntax_findings(
+    document: SyntaxDocument, targets: frozenset[str]
+) -> Iterator[tuple[Rule, Finding]]:
     """Yield the problems of the islands and of the document as a whole."""
     rules = {rule.code: rule for rule in all_rules()}
     for island, problem in all_problems(document):
-        yield rules[problem.code], _finding(island, problem)
+        finding = _finding(island, problem)
+        if targets == {ROBCOGEN} and _is_foreign_comment(island, problem):
+            finding = finding._replace(severity=Severity.HINT)
+        yield rules[problem.code], finding
+
+
+def _is_foreign_comment(island: Island, problem: Problem) -> bool:
+    """Return whether bytes of another encoding stand in a comment, which RobCoGen reads over."""
+    if not _UNDECODED.fullmatch(island.text, problem.start, problem.end):
+        return False
+    return any(start <= problem.start < end for start, end in island.comments)
 
 
 def all_problems(document: SyntaxDocument) -> Iterator[tuple[Island, Problem]]:

@@ -21,6 +21,7 @@ _TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
 _INERTIA = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 _GREATEST = 1e50
+_HARMLESS = ("NS_ERR_UNDEFINED_NAMESPACE",)
 
 
 class UrdfError(ValueError):
@@ -74,23 +75,20 @@ def _parsed(content: bytes) -> Any:
     """Return the root element; prefixes that nobody declared are common and do no harm."""
     from lxml import etree
 
-    for recover in (False, True):
-        parser = etree.XMLParser(
-            resolve_entities=False,
-            no_network=True,
-            remove_comments=True,
-            remove_pis=True,
-            recover=recover,
-        )
-        try:
-            return etree.fromstring(content, parser=parser)
-        except (etree.XMLSyntaxError, ValueError) as error:
-            log = getattr(error, "error_log", None) or ()
-            if recover or not log or any(e.domain_name != "NAMESPACE" for e in log):
-                line = getattr(error, "lineno", None)
-                where = f" at line {line}" if line else ""
-                raise UrdfError(f"not well-formed XML{where}") from error
-    raise AssertionError("unreachable")
+    strict = {"resolve_entities": False, "no_network": True}
+    quiet = {"remove_comments": True, "remove_pis": True}
+    try:
+        return etree.fromstring(content, parser=etree.XMLParser(**strict, **quiet))
+    except (etree.XMLSyntaxError, ValueError) as error:
+        if getattr(error, "code", None) == etree.ErrorTypes.NS_ERR_UNDEFINED_NAMESPACE:
+            parser = etree.XMLParser(**strict, **quiet, recover=True)
+            root = etree.fromstring(content, parser=parser)
+            if root is not None and all(e.type_name in _HARMLESS for e in parser.error_log):
+                return root
+        line = getattr(error, "lineno", None)
+        where = f" at line {line}" if line else ""
+        message = f"not a readable URDF: not well-formed XML{where}"
+        raise UrdfError(message) from error
 
 
 def _check_names(elements: list[Any]) -> None:
@@ -164,7 +162,9 @@ def _check_tree(links: list[Any], joints: list[Any]) -> None:
     roots = [link.get("name") for link in links if link.get("name") not in parent]
     if len(roots) != 1:
         told = ", ".join(f"'{name}'" for name in roots[:5]) + (", ..." if len(roots) > 5 else "")
-        raise UrdfError(f"the URDF has {len(roots)} root links, exactly one is required: {told}")
+        raise UrdfError(
+            f"the URDF has {len(roots)} root links, exactly one root link is required: {told}"
+        )
 
 
 def _loop_above(link: str, parent: dict[str, Any], done: set[str]) -> list[str]:

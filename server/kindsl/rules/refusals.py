@@ -1,5 +1,6 @@
 """Defects of meaning at which a generator stops while it loads a document, telling no place."""
 
+from collections import Counter
 from collections.abc import Iterator
 
 from kindsl.rules.base import Change, Finding, Fix, Severity
@@ -8,6 +9,7 @@ from kindsl.semantics.model import Model
 from kindsl.semantics.places import Place
 from kindsl.syntax.portability import PortabilityNote, portability
 from kindsl.syntax.tree import Island
+from kindsl.text.words import counted
 
 _STOPPING = {
     ROBCOGEN: ("KD206",),
@@ -22,10 +24,22 @@ def load_refusal(target: str, model: Model, context: Context) -> Iterator[Findin
     """Yield the first defect at which a named target stops; it tells no more than one either."""
     if target not in context.targets:
         return
-    for finding in _defects(_STOPPING[target], model, context):
+    for finding in (*_defects(_STOPPING[target], model, context), *_ambiguous(target, model)):
         message = f"{target} does not load this: {finding.message}"
         yield Finding(finding.at, message, severity=Severity.ERROR)
         return
+
+
+def _ambiguous(target: str, model: Model) -> Iterator[Finding]:
+    """Yield inertias in a frame whose name several links declare: robcogen2 looks among all."""
+    if target != ROBCOGEN2:
+        return
+    owners = Counter({(str(frame.name), str(frame.link)) for frame in model.frames})
+    links = Counter(name for name, _ in owners)
+    for body in model.bodies:
+        name = body.inertia.frame if body.inertia is not None else None
+        if name and links[str(name)] > 1:
+            yield Finding(name, f"{counted(links[str(name)], 'link')} declare a frame '{name}'")
 
 
 def _defects(codes: tuple[str, ...], model: Model, context: Context) -> Iterator[Finding]:
