@@ -1,5 +1,7 @@
 """The scene as data: what an edit changes, and that all kinds of things are in it."""
 
+import json
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -11,7 +13,7 @@ from tests.support.documents import all_documents
 
 from kindsl.analysis.analysis import analyse
 from kindsl.preview.scene.changes import changes
-from kindsl.preview.scene.messages import encode
+from kindsl.preview.scene.messages import as_json, encode
 from kindsl.preview.scene.picture import picture
 from kindsl.preview.scene.robot import ghost_messages, robot_messages
 
@@ -80,3 +82,10 @@ def test_a_ghost_is_made_of_bodies_alone():
     messages = ghost_messages(skeleton_of(ARM))
     assert categories(messages) == {"body"}
     assert all(key.path.startswith("/kindsl/ghost/") for key in messages)
+
+
+def test_a_message_in_json_has_no_word_that_json_lacks():
+    message = {"type": "value", "value": math.nan, "matrix": (1.0, -math.inf), "name": "é"}
+    assert json.loads(as_json(message)) == {
+        "type": "value", "value": None, "matrix": [1.0, None], "name": "é"
+    }  # fmt: skip

@@ -6,6 +6,7 @@ scene that they speak of: `/kindsl/TREE/GROUP/NAME/CATEGORY/MARK`.
 """
 
 import json
+import math
 from array import array
 from collections.abc import Iterable, Mapping
 from functools import lru_cache
@@ -78,8 +79,26 @@ def encode(message: Message) -> bytes:
 
 
 def as_json(message: Message) -> str:
-    """Return a message as JSON, with its shape in meshcat's form and arrays as lists."""
-    return json.dumps(_whole(message), default=list, separators=(",", ":"))
+    """Return a message as JSON, with its shape in meshcat's form and arrays as lists.
+
+    What is no finite number becomes null, since JSON has no other word for it.
+    """
+    try:
+        return _json(_whole(message))
+    except ValueError:
+        return _json(_finite(_whole(message)))
+
+
+def _json(value: object) -> str:
+    return json.dumps(value, default=list, separators=(",", ":"), allow_nan=False)
+
+
+def _finite(value: Any) -> Any:
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    if isinstance(value, dict):
+        return {key: _finite(item) for key, item in value.items()}
+    return [_finite(item) for item in value] if isinstance(value, list | tuple) else value
 
 
 def _whole(message: Message) -> dict[str, Any]:
