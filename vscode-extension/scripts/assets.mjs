@@ -1,5 +1,6 @@
-// Copy what the extension shares with the rest of the project: grammar, pictures, licence, change log.
-import { copyFile, mkdir } from "node:fs/promises";
+// Copy what the extension shares with the rest of the project: grammar, pictures, licence, change log; put the pictures
+// into the extension's page, since an editor shows no relative ones and there is no address to fetch them from.
+import { copyFile, mkdir, readFile, writeFile } from "node:fs/promises";
 
 await mkdir("syntaxes", { recursive: true });
 for (const name of ["kindsl.tmLanguage.json", "language-configuration.json"]) {
@@ -13,4 +14,16 @@ for (const name of ["LICENSE", "CHANGELOG.md"]) {
     if (error.code !== "ENOENT") throw error;
     console.warn(`${name} is not there yet, the package goes without it`);
   });
+}
+
+await mkdir("out", { recursive: true });
+await writeFile("out/README.md", await withPictures(await readFile("README.md", "utf8")));
+
+async function withPictures(page) {
+  const names = [...new Set([...page.matchAll(/\]\((images\/[\w-]+\.png)\)/g)].map(([, name]) => name))];
+  for (const name of names) {
+    const data = (await readFile(name)).toString("base64");
+    page = page.replaceAll(`](${name})`, `](data:image/png;base64,${data})`);
+  }
+  return page;
 }
