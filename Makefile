@@ -7,23 +7,29 @@ TOOLS := $(VENV)/.installed
 PYTHON ?= python3
 EXAMPLE ?= examples/quadruped.kindsl
 
-.PHONY: demo test fix lint types layers docs tables bench vsix screenshots clean
+.PHONY: demo demo-web playground test fix lint types layers docs tables bench vsix screenshots clean
 
 $(BIN)/python:
-	$(PYTHON) -m venv $(VENV)
+	@echo "Making a virtual environment in $(VENV)"
+	@$(PYTHON) -m venv $(VENV)
 
 $(TOOLS): pyproject.toml | $(BIN)/python
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[all]'
-	touch $@
+	@echo "Installing kindsl in it, with all that the preview and the mechanics need"
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[all]'
+	@touch $@
 
 $(STAMP): pyproject.toml | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[test]'
 	touch $(TOOLS) $@
 
-# Lint the examples, show what is found, then open the preview of one of them.
+# Three of the findings in an arm full of mistakes, one of them explained, then the live preview of a robot.
 demo: $(TOOLS)
-	$(BIN)/kdsl-lint --exit-zero examples
-	$(BIN)/kindsl preview $(EXAMPLE) $(DEMO_OPTIONS)
+	@echo; echo "What a generator reads in silence: three findings in examples/broken_arm.kindsl"; echo
+	@$(BIN)/kdsl-lint --exit-zero --isolated examples/broken_arm.kindsl 2>/dev/null | awk '/^[^ ].*\[KD/ { n++ } n > 3 { exit } { print }'
+	@echo; echo "The first one explained, with kdsl-lint --explain KD301"; echo
+	@$(BIN)/kdsl-lint --explain KD301
+	@echo; echo "Now the live preview: edit $(EXAMPLE) and save, and the picture follows. Ctrl-C stops."; echo
+	@$(BIN)/kindsl preview $(EXAMPLE) $(DEMO_OPTIONS)
 
 # Everything that the CI runs.
 test: $(STAMP) lint types layers docs-check vsix
@@ -65,10 +71,18 @@ bench: $(STAMP)
 vsix: $(STAMP)
 	cd vscode-extension && npm ci --ignore-scripts --no-audit --no-fund --silent && PYTHON=$(abspath $(BIN))/python npm run --silent package
 
+# The whole tool in a browser's tab: one static folder, dist/playground.
+playground: $(TOOLS)
+	cd web && npm ci --ignore-scripts --no-audit --no-fund --silent && PYTHON=$(abspath $(BIN))/python npm run --silent playground
+
+demo-web: playground
+	@echo "The playground, on this machine only; Ctrl-C stops it."
+	$(BIN)/python web/serve.py dist/playground
+
 screenshots: $(STAMP)
 	$(BIN)/python docs/pictures/lint_output.py
 	$(BIN)/python -m tests.preview.screenshots
 	$(BIN)/python docs/pictures/guide_pictures.py
 
 clean:
-	rm -rf $(VENV) build dist artifacts vscode-extension/node_modules vscode-extension/out
+	rm -rf $(VENV) build dist artifacts vscode-extension/node_modules vscode-extension/out web/node_modules web/build

@@ -1,0 +1,104 @@
+"""A tab with the playground, used as a person uses it."""
+
+import base64
+import json
+import time
+import zlib
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from playwright.sync_api import Frame, Page
+
+TIMEOUT = 90.0
+FOUND = """() => {
+    const { monaco, files } = window.playground;
+    return monaco.editor.getModelMarkers({ resource: files.model().uri }).map((one) =>
+        [one.code, one.startLineNumber, one.startColumn, one.endLineNumber, one.endColumn]);
+}"""
+PLACE_CURSOR = "([line, column]) => playground.editor.setPosition({ lineNumber: line, column })"
+
+
+class Tab:
+    """One page.
+
+    Attributes:
+        page: The browser's.
+        requests: The addresses that were asked for.
+        complaints: Errors and warnings of the page's console.
+    """
+
+    def __init__(self, page: Page) -> None:
+        self.page = page
+        self.requests: list[str] = []
+        self.complaints: list[str] = []
+        page.set_default_timeout(1000 * TIMEOUT)
+        page.on("request", lambda request: self.requests.append(request.url))
+        page.on("pageerror", lambda error: self.complaints.append(str(error)))
+        page.on("console", self._listen)
+
+    def open(self, address: str) -> None:
+        """Go to an address and wait for the server in the page."""
+        self.page.goto(address)
+        self.page.locator("body[data-state=ready]").wait_for()
+
+    def eventually(self, see: Callable[[], Any], what: str) -> Any:
+        """Return what is seen once it is true."""
+        end = time.monotonic() + TIMEOUT
+        while time.monotonic() < end:
+            seen = see()
+            if seen:
+                return seen
+            self.page.wait_for_timeout(50)
+        raise AssertionError(f"not seen: {what}")
+
+    def show(self, name: str, text: str) -> None:
+        """Open a text in a tab of the editor."""
+        self.open_beside(name, text)
+        self.page.evaluate("(name) => playground.files.show(name)", name)
+
+    def open_beside(self, name: str, text: str) -> None:
+        """Open a text in a tab of the editor that is not shown."""
+        self.page.evaluate("(file) => playground.files.open(...file)", [name, text])
+
+    def found(self) -> list[list[Any]]:
+        """Return code, start and end of each problem of the shown text, lines from 1."""
+        return sorted(self.page.evaluate(FOUND))
+
+    def text(self) -> str:
+        """Return the shown text."""
+        return str(self.page.evaluate("() => playground.files.model().getValue()"))
+
+    def fix_first(self) -> str:
+        """Take the first fix of the first problem; return its title."""
+        before = self.text()
+        self.page.locator("#problems .fix").first.click()
+        action = self.page.locator(".action-widget .monaco-list-row.action").first
+        action.wait_for()
+        title = action.inner_text()
+        self.page.keyboard.press("Enter")
+        self.eventually(lambda: self.text() != before, f"the text changed by '{title}'")
+        return title
+
+    def preview(self) -> Frame:
+        """Return the preview's frame."""
+        frame: Frame = self.eventually(
+            lambda: next((f for f in self.page.frames if "preview.html" in f.url), None), "preview"
+        )
+        return frame
+
+    def expect_robot(self, name: str) -> None:
+        """Wait until the preview shows a robot of that name."""
+        title = self.preview().locator("#robot")
+        self.eventually(lambda: title.text_content() == name, f"the robot {name}")
+
+    def _listen(self, message: Any) -> None:
+        if message.type in ("error", "warning"):
+            self.complaints.append(message.text)
+
+
+def fragment(active: str, files: Mapping[str, str]) -> str:
+    """Return the part of a link that holds texts."""
+    packer = zlib.compressobj(9, zlib.DEFLATED, -15)
+    data = json.dumps({"active": active, "files": dict(files)}).encode()
+    packed = packer.compress(data) + packer.flush()
+    return base64.urlsafe_b64encode(packed).decode().rstrip("=")

@@ -1,0 +1,150 @@
+"""The whole tool in a browser's tab: editor, findings, fixes, preview; nothing leaves the tab."""
+
+import re
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser
+from tests.vscode import models
+from tests.web import site
+from tests.web.tab import PLACE_CURSOR, Tab, fragment
+
+import kindsl
+from kindsl.text.lines import LineIndex
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+SHOTS = site.ROOT / "artifacts" / "web"
+BROKEN = (
+    models.ARM.replace("lower via elbow", "lower via ellbow")
+    .replace("mass = 2.0", "mass = 2")
+    .replace("(0.0, 0.0, 0.3)", "(0.0, 0.0, 300.0)")
+    .replace("PI/2.0", "90.0")
+)
+
+
+@pytest.mark.parametrize("path", sorted(EXAMPLES.glob("*.kindsl")), ids=lambda path: path.stem)
+def test_it_finds_what_the_linter_finds(tab: Tab, path: Path) -> None:
+    document = kindsl.load(path)
+    lines = LineIndex(document.text)
+    expected = []
+    for finding in document.findings:
+        start, end = lines.position(finding.start), lines.position(finding.end)
+        expected.append([finding.code, start[0] + 1, start[1] + 1, end[0] + 1, end[1] + 1])
+    tab.show(path.name, document.text)
+    tab.expect_robot(str(document.model.name))
+    tab.eventually(lambda: tab.found() == sorted(expected), f"the findings of {path.name}")
+
+
+def test_hover_completion_and_outline_answer(tab: Tab) -> None:
+    tab.show("arm.kindsl", models.ARM)
+    tab.page.locator("#outline button", has_text="lower").first.click()
+    tab.page.evaluate("() => playground.editor.trigger('test', 'editor.action.showHover', {})")
+    hover = tab.page.locator(".monaco-hover-content").first
+    tab.eventually(lambda: "lower" in (hover.text_content() or ""), "the hover of a link")
+    tab.page.evaluate(PLACE_CURSOR, [3, 20])
+    tab.page.evaluate("() => playground.editor.trigger('test', 'editor.action.triggerSuggest', {})")
+    tab.page.locator(".suggest-widget .monaco-list-row").first.wait_for()
+    tab.page.keyboard.press("Escape")
+
+
+def test_an_edit_is_drawn_and_formatted(tab: Tab) -> None:
+    tab.show("arm.kindsl", models.ARM.replace("Robot arm {", "Robot   other{"))
+    tab.expect_robot("other")
+    before = tab.text()
+    tab.page.locator("#do-format").click()
+    tab.eventually(lambda: tab.text() != before, "the formatted text")
+    assert "Robot other {" in tab.text()
+
+
+def test_a_click_in_the_preview_shows_the_source(tab: Tab) -> None:
+    tab.show("arm.kindsl", models.ARM)
+    tab.expect_robot("arm")
+    tab.preview().evaluate("() => kindsl.send({ type: 'reveal', kind: 'link', name: 'lower' })")
+    line = models.ARM.partition("link lower")[0].count("\n") + 1
+    tab.eventually(
+        lambda: tab.page.evaluate("() => playground.editor.getPosition().lineNumber") == line,
+        "the cursor at the link",
+    )
+
+
+def test_the_configuration_beside_the_text_holds(tab: Tab) -> None:
+    tab.show("arm.kindsl", models.ARM.replace("(0.4, 0.0, 0.0)", "(reach, 0.0, 0.0)"))
+    tab.eventually(lambda: [code for code, *_ in tab.found()] == ["KD401"], "KD401")
+    tab.open_beside("kindsl.toml", "parameters = { reach = 0.4 }")
+    tab.eventually(lambda: not tab.found(), "no finding any more")
+    tab.open_beside("kindsl.toml", "")
+
+
+def test_nothing_but_its_own_host_is_asked(tab: Tab, address: str, playground: Path) -> None:
+    tab.page.screenshot(path=_shot("playground"))
+    strangers = [url for url in tab.requests if not url.startswith((address, "blob:", "data:"))]
+    assert strangers == []
+    html = (playground / "index.html").read_text()
+    policy = re.search(r'Security-Policy" content="([^"]+)"', html)
+    assert policy is not None
+    assert "'unsafe-eval'" not in policy[1]
+    assert "http" not in policy[1]
+    assert not [text for text in tab.complaints if "Content Security Policy" in text]
+
+
+def test_a_shared_link_is_fixed_by_quick_fixes_and_drawn(browser: Browser, address: str) -> None:
+    page = browser.new_page(viewport={"width": 1400, "height": 850}, color_scheme="dark")
+    tab = Tab(page)
+    tab.open(f"{address}#{fragment('arm.kindsl', {'arm.kindsl': BROKEN})}")
+    problems = page.locator("#problem-count")
+    tab.eventually(lambda: problems.text_content() == str(_problems(BROKEN)), "all problems")
+    taken = []
+    while tab.found():
+        known = tab.found()
+        taken.append(tab.fix_first())
+        tab.eventually(lambda known=known: tab.found() != known, "fewer problems")
+    assert not [title for title in taken if title.startswith("Ignore")]
+    tab.expect_robot("arm")
+    drawn = "() => [kindsl.scene.trees.robot.links.size, kindsl.inbox.status.state]"
+    tab.eventually(lambda: tab.preview().evaluate(drawn) == [3, "live"], "the whole arm")
+    page.screenshot(path=_shot("playground-fixed"))
+    page.locator("#do-share").click()
+    tab.eventually(lambda: len(page.url) > len(address) + 100, "the text in the address")
+    page.close()
+
+
+def test_it_works_without_a_network_later(browser: Browser, playground: Path) -> None:
+    context = browser.new_context(viewport={"width": 390, "height": 780})
+    tab = Tab(context.new_page())
+    with site.served(playground) as address:
+        tab.open(address)
+        state = "async () => (await navigator.serviceWorker.ready).active.state"
+        tab.eventually(lambda: tab.page.evaluate(state) == "activated", "the service worker")
+    tab.page.reload()
+    tab.page.locator("body[data-state=ready]").wait_for()
+    tab.page.get_by_role("button", name="Robot", exact=True).click()
+    tab.expect_robot("Quadruped")
+    tab.page.screenshot(path=_shot("playground-phone"))
+    context.close()
+
+
+def test_a_spoilt_memory_image_is_done_without(
+    browser: Browser, playground: Path, tmp_path: Path
+) -> None:
+    for file in playground.rglob("*"):
+        copy = tmp_path / file.relative_to(playground)
+        if file.is_dir():
+            copy.mkdir()
+        elif file.name != "server.snap.gz":
+            copy.symlink_to(file)
+    (tmp_path / "server" / "server.snap.gz").write_bytes(b"no image")
+    with site.served(tmp_path) as address:
+        tab = Tab(browser.new_page())
+        tab.open(f"{address}?worker=off")
+        assert (tab.page.locator("body").get_attribute("data-start") or "").startswith("zips")
+        tab.expect_robot("Quadruped")
+        tab.page.close()
+
+
+def _problems(text: str) -> int:
+    return len(kindsl.parse(text).findings)
+
+
+def _shot(name: str) -> Path:
+    SHOTS.mkdir(parents=True, exist_ok=True)
+    return SHOTS / f"{name}.png"

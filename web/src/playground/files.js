@@ -1,0 +1,90 @@
+// The open files: one Monaco model and one tab each.
+import * as monaco from "monaco-editor/editor/editor.api.js";
+import { element } from "./elements.js";
+
+export const LANGUAGE = "kinematics-dsl";
+export const CONFIGURATION = "kindsl.toml";
+const FOLDER = "file:///robots/";
+const NAME = /^[a-z0-9_-]{1,60}\.kindsl$/;
+
+export const uriOf = (name) => FOLDER + name;
+export const nameOf = (uri) => decodeURIComponent(uri.slice(FOLDER.length));
+
+/** A name as our client writes addresses: in lower case, with the suffix. */
+export function properName(text) {
+  const stem = text.toLowerCase().replace(/\.kindsl$/, "").replace(/[^a-z0-9_-]+/g, "_");
+  const name = `${stem || "robot"}.kindsl`;
+  return NAME.test(name) ? name : "robot.kindsl";
+}
+
+export class Files {
+  #files = new Map(); // by name: { model, original, tab }
+  active = undefined;
+
+  constructor(editor, bar) {
+    this.editor = editor;
+    this.bar = bar;
+    this.onActive = () => {};
+    this.onChange = () => {};
+  }
+
+  /** Open a text in a tab, replacing the one of that name. */
+  open(name, text) {
+    this.close(name);
+    const language = name === CONFIGURATION ? "toml" : LANGUAGE;
+    const model = monaco.editor.createModel(text, language, monaco.Uri.parse(uriOf(name)));
+    model.onDidChangeContent(() => this.onChange(name));
+    this.#files.set(name, { model, original: text, view: null, tab: this.#tab(name) });
+    this.onChange(name);
+  }
+
+  close(name) {
+    const file = this.#files.get(name);
+    if (file === undefined) return;
+    file.tab.remove();
+    file.model.dispose();
+    this.#files.delete(name);
+  }
+
+  show(name) {
+    const file = this.#files.get(name);
+    if (file === undefined) return;
+    const former = this.#files.get(this.active);
+    if (former !== undefined) former.view = this.editor.saveViewState();
+    this.active = name;
+    this.editor.setModel(file.model);
+    if (file.view) this.editor.restoreViewState(file.view);
+    for (const [other, { tab }] of this.#files) tab.setAttribute("aria-selected", String(other === name));
+    this.onActive(name);
+  }
+
+  model(name = this.active) {
+    return this.#files.get(name)?.model;
+  }
+
+  original(name = this.active) {
+    return this.#files.get(name)?.original;
+  }
+
+  texts() {
+    return Object.fromEntries([...this.#files].map(([name, { model }]) => [name, model.getValue()]));
+  }
+
+  names() {
+    return [...this.#files.keys()];
+  }
+
+  #tab(name) {
+    const close = element("button", { className: "close", title: `Close ${name}`, textContent: "×" });
+    const tab = element("div", { role: "tab", tabIndex: 0, className: "tab" }, [name, close]);
+    tab.addEventListener("click", () => this.show(name));
+    tab.addEventListener("keydown", ({ key }) => key === "Enter" && this.show(name));
+    close.addEventListener("click", (event) => {
+      event.stopPropagation();
+      if (this.#files.size > 1) this.close(name);
+      if (this.active === name) this.show(this.names()[0]);
+    });
+    this.bar.append(tab);
+    return tab;
+  }
+}

@@ -1,0 +1,171 @@
+// The playground: editor, problems, kinematic tree and live preview, all in this tab.
+import * as monaco from "monaco-editor/editor/editor.api.js";
+import "monaco-editor/features/register.all.js";
+import { MonacoLspClient, createTransportToWorker } from "../../node_modules/monaco-editor/esm/external/monaco-lsp-client/out/index.js";
+import { byId, debounced } from "./elements.js";
+import { CONFIGURATION, Files, LANGUAGE, nameOf, properName } from "./files.js";
+import { registerLanguage } from "./language.js";
+import { Outline } from "./outline.js";
+import { Preview } from "./preview.js";
+import { Problems } from "./problems.js";
+import { ServerPort } from "./server_port.js";
+import { fromFragment, toFragment } from "./share.js";
+import { Comparison } from "./comparison.js";
+
+const FIRST = "quadruped";
+const NEW_ROBOT = `Robot my_robot {
+
+    RobotBase base {
+        children { }
+    }
+}
+`;
+
+self.MonacoEnvironment = { getWorker: () => new Worker("editor.worker.js") };
+registerLanguage();
+const dark = matchMedia("(prefers-color-scheme: dark)");
+const editor = monaco.editor.create(byId("editor"), {
+  model: null, theme: themeName(), automaticLayout: true, minimap: { enabled: false }, scrollBeyondLastLine: false,
+  "semanticHighlighting.enabled": true, inlayHints: { enabled: "on" }, wordBasedSuggestions: "off", fixedOverflowWidgets: true,
+});
+const query = new URLSearchParams(location.search);
+const port = new ServerPort(new Worker("server/worker.js"), new URL("server/", location.href).href, { useImage: query.get("image") !== "off" });
+const files = new Files(editor, byId("tabs"));
+const preview = new Preview(byId("preview"), port);
+const outline = new Outline(byId("outline"), editor, port);
+const comparison = new Comparison(byId("comparison"), byId("editor"));
+new Problems(byId("problems"), byId("problem-count"), editor);
+
+files.onActive = (name) => {
+  comparison.hide();
+  outline.refresh();
+  if (name.endsWith(".kindsl")) void preview.show(name).catch((error) => say(error.message));
+};
+files.onChange = (name) => {
+  if (name === CONFIGURATION) writeConfiguration();
+  if (name === files.active) outline.refresh();
+};
+
+const writeConfiguration = debounced(() => {
+  const text = files.model(CONFIGURATION)?.getValue() ?? null;
+  port.notify("kindsl/writeFile", { path: `/robots/${CONFIGURATION}`, text });
+  const uri = files.model(CONFIGURATION)?.uri.toString(true);
+  if (uri) port.notify("workspace/didChangeWatchedFiles", { changes: [{ uri, type: 2 }] });
+}, 300);
+
+port.handlers.set("kindsl/ready", ({ isImage, total }) => {
+  document.body.dataset.state = "ready";
+  document.body.dataset.start = `${isImage ? "image" : "zips"} ${total}`;
+  say("");
+});
+port.handlers.set("kindsl/failed", ({ message }) => say(`The language server did not start: ${message}`));
+port.handlers.set("window/showMessage", ({ message }) => say(message));
+port.handlers.set("window/logMessage", () => undefined);
+port.handlers.set("workspace/configuration", ({ items }) => items.map(() => null));
+port.handlers.set("window/showDocument", ({ uri, selection }) => showPlace(uri, selection));
+port.handlers.set("workspace/applyEdit", ({ edit }) => ({ applied: applyEdit(edit) }));
+
+function showPlace(uri, selection) {
+  const name = nameOf(uri);
+  if (files.model(name) === undefined) return { success: false };
+  if (files.active !== name) files.show(name);
+  const { start, end } = selection;
+  const range = new monaco.Range(start.line + 1, start.character + 1, end.line + 1, end.character + 1);
+  editor.setSelection(range);
+  editor.revealRangeInCenterIfOutsideViewport(range);
+  showPart("text");
+  return { success: true };
+}
+
+function applyEdit({ changes = {}, documentChanges = [] }) {
+  const edits = [...Object.entries(changes), ...documentChanges.map(({ textDocument, edits: own }) => [textDocument.uri, own])];
+  for (const [uri, own] of edits) {
+    const operations = own.map(({ range: { start, end }, newText }) => ({
+      range: new monaco.Range(start.line + 1, start.character + 1, end.line + 1, end.character + 1), text: newText,
+    }));
+    files.model(nameOf(uri))?.pushEditOperations([], operations, () => null);
+  }
+  return true;
+}
+
+function themeName() {
+  return dark.matches ? "kindsl-dark" : "kindsl-light";
+}
+
+dark.addEventListener("change", () => monaco.editor.setTheme(themeName()));
+
+function say(text) {
+  byId("message").textContent = text;
+}
+
+function showPart(part) {
+  document.body.dataset.part = part;
+  for (const button of document.querySelectorAll("#parts button")) button.setAttribute("aria-pressed", String(button.value === part));
+}
+
+function download() {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([files.model().getValue()], { type: "text/plain" }));
+  link.download = files.active;
+  link.click();
+  URL.revokeObjectURL(link.href);
+}
+
+async function share() {
+  const fragment = await toFragment({ active: files.active, files: files.texts() });
+  history.replaceState(null, "", `${location.pathname}#${fragment}`);
+  const isCopied = await navigator.clipboard?.writeText(location.href).then(() => true, () => false);
+  say(isCopied ? "The link is in the clipboard; it holds the texts, which were sent nowhere" : "The address holds the texts now; copy it");
+}
+
+async function addExample(name) {
+  if (!(name in examples)) return say(`There is no example '${name}'`);
+  const file = `${name}.kindsl`;
+  if (files.model(file) === undefined) files.open(file, await (await fetch(`examples/${file}`)).text());
+  files.show(file);
+}
+
+async function openFile([file]) {
+  if (file === undefined) return;
+  const name = file.name === CONFIGURATION ? CONFIGURATION : properName(file.name);
+  files.open(name, await file.text());
+  files.show(name);
+}
+
+const actions = {
+  new() {
+    const name = properName(`robot${files.names().length + 1}`);
+    files.open(name, NEW_ROBOT);
+    files.show(name);
+  },
+  open: () => byId("file").click(),
+  format: () => editor.getAction("editor.action.formatDocument")?.run(),
+  rename: () => (editor.focus(), editor.trigger("bar", "editor.action.rename", {})),
+  compare: () => comparison.toggle(files.original(), files.model()),
+  download,
+  share,
+};
+for (const [name, run] of Object.entries(actions)) byId(`do-${name}`).addEventListener("click", run);
+for (const button of document.querySelectorAll("#parts button")) button.addEventListener("click", () => showPart(button.value));
+byId("file").addEventListener("change", ({ target }) => void openFile(target.files));
+
+const examples = await (await fetch("examples/list.json")).json();
+const chooser = byId("examples");
+for (const [name, title] of Object.entries(examples)) chooser.append(new Option(title, name));
+chooser.addEventListener("change", () => {
+  void addExample(chooser.value);
+  chooser.selectedIndex = 0;
+});
+
+new MonacoLspClient(createTransportToWorker(port));
+const shared = await fromFragment(location.hash.slice(1));
+if (shared !== undefined) {
+  for (const [name, text] of Object.entries(shared.files)) files.open(name === CONFIGURATION ? name : properName(name), text);
+  files.show(files.names().includes(shared.active) ? shared.active : files.names()[0]);
+} else {
+  files.open(CONFIGURATION, await (await fetch(`examples/${CONFIGURATION}`)).text());
+  await addExample(query.get("example") ?? FIRST);
+}
+if (location.hash.length > 1 && shared === undefined) say("The address holds no texts that can be read; here is an example");
+if ("serviceWorker" in navigator && query.get("worker") !== "off") void navigator.serviceWorker.register("service_worker.js");
+Object.assign(window, { playground: { monaco, editor, files, port, preview } });

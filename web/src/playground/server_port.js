@@ -1,0 +1,92 @@
+// The line to the language server in its worker. Looks like the worker itself to Monaco's client, and lets us ask, too.
+const OWN = "playground-";
+
+export class ServerPort {
+  #worker;
+  #listeners = new Set();
+  #waiting = new Map();
+  #count = 0;
+  #open = new Map(); // by address: { promise, resolve }
+  /** Handlers of notifications and requests of the server that are ours, by method. */
+  handlers = new Map();
+
+  constructor(worker, base, options) {
+    this.#worker = worker;
+    worker.addEventListener("message", ({ data }) => this.#receive(data));
+    worker.postMessage({ base, ...options });
+  }
+
+  addEventListener(_type, listener) {
+    this.#listeners.add(listener);
+  }
+
+  removeEventListener(_type, listener) {
+    this.#listeners.delete(listener);
+  }
+
+  /** Send what Monaco's client says; it does not speak of all that we can. */
+  postMessage(message) {
+    if (message.method === "initialize") Object.assign(message.params, additions(message.params));
+    if (message.method === "textDocument/didOpen") this.#opening(message.params.textDocument.uri).resolve();
+    if (message.method === "textDocument/didClose") this.#open.delete(message.params.textDocument.uri);
+    this.#worker.postMessage(message);
+  }
+
+  /** Wait until the server has been told of a document. */
+  whenOpen(uri) {
+    return this.#opening(uri).promise;
+  }
+
+  notify(method, params) {
+    this.#worker.postMessage({ jsonrpc: "2.0", method, params });
+  }
+
+  ask(method, params) {
+    const id = `${OWN}${++this.#count}`;
+    this.#worker.postMessage({ jsonrpc: "2.0", id, method, params });
+    return new Promise((resolve, reject) => this.#waiting.set(id, { resolve, reject }));
+  }
+
+  command(name, ...args) {
+    return this.ask("workspace/executeCommand", { command: name, arguments: args });
+  }
+
+  #opening(uri) {
+    if (!this.#open.has(uri)) {
+      let resolve;
+      const promise = new Promise((done) => { resolve = done; });
+      this.#open.set(uri, { promise, resolve });
+    }
+    return this.#open.get(uri);
+  }
+
+  #receive(data) {
+    if (data.method === undefined && this.#waiting.has(data.id)) this.#settle(data);
+    else if (this.handlers.has(data.method)) this.#handle(data);
+    else this.#pass(data);
+  }
+
+  #settle({ id, result, error }) {
+    const { resolve, reject } = this.#waiting.get(id);
+    this.#waiting.delete(id);
+    if (error) reject(new Error(error.message));
+    else resolve(result);
+  }
+
+  #handle({ id, method, params }) {
+    const result = this.handlers.get(method)(params) ?? null;
+    if (id !== undefined) this.#worker.postMessage({ jsonrpc: "2.0", id, result });
+  }
+
+  #pass(data) {
+    // Findings are pushed 0.1 s after a keystroke; Monaco's client would ask for them after 0.5 s only.
+    if (data.result?.capabilities) delete data.result.capabilities.diagnosticProvider;
+    for (const listener of this.#listeners) listener({ data, source: this.#worker });
+  }
+}
+
+function additions({ capabilities }) {
+  const window = { ...capabilities.window, showDocument: { support: true } };
+  const workspace = { ...capabilities.workspace, applyEdit: true };
+  return { rootUri: "file:///robots", capabilities: { ...capabilities, window, workspace } };
+}

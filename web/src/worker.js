@@ -1,0 +1,71 @@
+// A classic worker that is the language server: messages of the protocol in and out by postMessage.
+//
+// The first message is { base, useImage }: the address of this folder (build/server), and whether the memory image may
+// be used. Where the image does not load, the server starts from its zips.
+"use strict";
+
+self.onmessage = async ({ data: { base, useImage = true } }) => {
+  const early = [];
+  self.onmessage = ({ data }) => early.push(data);
+  const begin = performance.now();
+  try {
+    importScripts(base + "pyodide.js");
+    const site = bytes(base + "site.zip");
+    const { py, isImage } = await start(base, useImage);
+    const loaded = performance.now();
+    py.FS.writeFile("/lib/site.zip", await site);
+    if (!isImage) py.runPython("import sys; sys.path.insert(0, '/lib/site.zip')");
+    const receive = py.pyimport("kindsl.lsp.browser").start((text) => self.postMessage(JSON.parse(text)));
+    const take = (data) => (data.method === "kindsl/writeFile" ? writeFile(py, data.params) : receive(JSON.stringify(data)));
+    self.onmessage = ({ data }) => take(data);
+    early.forEach(take);
+    tell("kindsl/ready", { isImage, load: Math.round(loaded - begin), total: Math.round(performance.now() - begin) });
+  } catch (error) {
+    tell("kindsl/failed", { message: String(error.message ?? error).slice(0, 500) });
+  }
+};
+
+async function start(base, useImage) {
+  if (useImage) {
+    try {
+      const image = await ownImage(base);
+      return { py: await loadPyodide({ indexURL: base, _loadSnapshot: image }), isImage: true };
+    } catch (error) {
+      console.warn(`The memory image was not used: ${error.message ?? error}`);
+    }
+  }
+  return { py: await loadPyodide({ indexURL: base }), isImage: false };
+}
+
+/** The image, if it is the one that was made with this Pyodide; another would never load. */
+async function ownImage(base) {
+  const told = fetch(base + "image.json").then((answer) => answer.json());
+  const image = await inflated(await bytes(base + "server.snap.gz"));
+  const { bytes: length, head } = await told;
+  if (image.length !== length || head.some((byte, index) => image[index] !== byte)) throw new Error("it is another one's");
+  return image;
+}
+
+/** Let the server find a file, or no longer for a text that is null: kindsl.toml is read from a folder. */
+function writeFile(py, { path, text }) {
+  py.FS.mkdirTree(path.slice(0, path.lastIndexOf("/")));
+  if (text !== null) py.FS.writeFile(path, text);
+  else if (py.FS.analyzePath(path).exists) py.FS.unlink(path);
+}
+
+async function bytes(address) {
+  const answer = await fetch(address);
+  if (!answer.ok) throw new Error(`${address.split("/").at(-1)} is not there`);
+  return new Uint8Array(await answer.arrayBuffer());
+}
+
+/** Unpack gzip, unless the host has sent it as an encoding and the browser has unpacked it. */
+async function inflated(data) {
+  if (data[0] !== 0x1f || data[1] !== 0x8b) return data;
+  const stream = new Blob([data]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+function tell(method, params) {
+  self.postMessage({ jsonrpc: "2.0", method, params });
+}
