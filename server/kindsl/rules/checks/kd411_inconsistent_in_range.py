@@ -1,9 +1,13 @@
 """An inertia becomes impossible somewhere in its parameters' range.
 
 ## What it does
-Evaluates each parametric inertia over the ranges that `kindsl.toml` gives to its parameters: at all
-corners, and at several values of each parameter with the others at theirs. Reports the first value
-at which mass is not positive or no body has these moments (KD301, KD302).
+Evaluates each parametric inertia over the ranges that `kindsl.toml` gives to its parameters, and
+reports a value at which mass is not positive or no body has these moments (KD301, KD302).
+
+For up to twelve parameters of a link this is a proof where mass, `m c` and the moments are affine
+in each parameter alone: the worst body is then at a corner, and all corners are tried. Elsewhere
+the ranges are halved until interval bounds prove every part; where that takes too many steps, the
+rule says that it is not decided.
 
 ## Why is this bad?
 The model is fine as long as the parameter stays where it is. An optimiser, an identification or a
@@ -19,27 +23,16 @@ max = 20.0
 with `mass = payload` and constant moments.
 """
 
-from collections.abc import Iterator, Mapping
-from itertools import product
+from collections.abc import Iterator
 
-from kindsl.rigid.body import eigensystem, second_moments_about_com
 from kindsl.rules.base import Example, Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link
-from kindsl.rules.inertia.digits import half_widths
-from kindsl.rules.inertia.judgements import (
-    Verdict,
-    is_moving,
-    is_plain,
-    keyword,
-    verdict_of,
-)
-from kindsl.semantics.declarations import Declarations, Inertia, inertia_values
+from kindsl.rules.inertia.judgements import is_moving, is_plain, keyword
+from kindsl.rules.inertia.over_ranges import Outcome, is_possible, over_ranges
+from kindsl.semantics.declarations import Declarations, Inertia, Link, inertia_values
 from kindsl.semantics.expressions import ParameterUse, symbols
 from kindsl.semantics.numbers import mass_distribution
-
-_STEPS = 8
-_MOST_CORNERS = 64
 
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
@@ -48,19 +41,22 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
         inertia = body.inertia
         if inertia is None or not is_moving(body) or is_plain(inertia):
             continue
-        if _is_possible(inertia, context.values):
-            wrong = _first_impossible(inertia, context)
-            if wrong is not None:
-                where = ", ".join(f"{name} = {value:g}" for name, value in wrong.items())
-                message = f"inertia of '{body.name}' is that of no body at {where}"
-                yield Finding(keyword(inertia), message)
+        if is_possible(inertia, context.values):
+            yield from _findings(body, inertia, context)
 
 
-def _first_impossible(inertia: Inertia, context: Context) -> dict[str, float] | None:
+def _findings(body: Link, inertia: Inertia, context: Context) -> Iterator[Finding]:
     ranges = _ranges(inertia, context)
-    samples = (s for s in _samples(ranges, context) if not _is_possible(inertia, s))
-    wrong = next(samples, None)
-    return None if wrong is None else {name: wrong[name] for name in ranges}
+    if not ranges or mass_distribution(inertia, context.values) is None:
+        return
+    proof = over_ranges(inertia, ranges, context.values)
+    if proof.where is not None:
+        where = ", ".join(f"{name} = {value:g}" for name, value in proof.where.items())
+        message = f"inertia of '{body.name}' is physically impossible at {where}"
+        yield Finding(keyword(inertia), message)
+    elif proof.outcome is Outcome.UNDECIDED:
+        message = f"inertia of '{body.name}' could not be proved possible in all of its ranges"
+        yield Finding(keyword(inertia), message, severity=Severity.INFORMATION)
 
 
 def _ranges(inertia: Inertia, context: Context) -> dict[str, tuple[float, float]]:
@@ -76,30 +72,6 @@ def _ranges(inertia: Inertia, context: Context) -> dict[str, tuple[float, float]
         if binding is not None and binding.minimum is not None and binding.maximum is not None:
             bounds[name] = binding.minimum, binding.maximum
     return bounds
-
-
-def _samples(
-    ranges: Mapping[str, tuple[float, float]], context: Context
-) -> Iterator[dict[str, float]]:
-    """Yield values of all names: along each range, then at the corners of all."""
-    for name, (low, high) in ranges.items():
-        for step in range(_STEPS + 1):
-            yield {**context.values, name: low + (high - low) * step / _STEPS}
-    if len(ranges) > 1 and 2 ** len(ranges) <= _MOST_CORNERS:
-        for corner in product(*ranges.values()):
-            yield {**context.values, **dict(zip(ranges, corner, strict=True))}
-
-
-def _is_possible(inertia: Inertia, values: Mapping[str, float]) -> bool:
-    """Return whether some body has the numbers within their digits; True where one is unbound."""
-    body = mass_distribution(inertia, values)
-    if body is None:
-        return True
-    if body.mass <= 0.0:
-        return False
-    pairs = eigensystem(second_moments_about_com(body))
-    verdict = verdict_of(body, half_widths(inertia, values), pairs)
-    return verdict not in (Verdict.TRIANGLE, Verdict.INDEFINITE)
 
 
 _INERTIA = """inertia_params {

@@ -1,0 +1,101 @@
+"""Values over ranges of parameters: their bounds, and whether they are affine in each parameter."""
+
+from collections.abc import Mapping
+from math import pi
+from typing import TypeAlias
+
+from kindsl.semantics.expressions import Expression, number_of
+from kindsl.syntax.tree import Node, Token
+
+Interval: TypeAlias = tuple[float, float]
+Degrees: TypeAlias = Mapping[str, int]
+
+_PASSING = ("group", "plus", "constant")
+_USES = ("parameter", "defaulted", "juxtaposed_parameter")
+
+
+def bounds_of(expression: Expression, known: Mapping[str, Interval]) -> Interval | None:
+    """Return bounds of a value, None where a name is unbound or a divisor may be zero.
+
+    Args:
+        expression: The value.
+        known: Bounds of parameters by name, and of constants by `<name>`.
+
+    Source: natural interval extension, Moore 1966.
+    """
+    return _bounds(expression.node, known)
+
+
+def degrees_of(expression: Expression, names: frozenset[str]) -> Degrees | None:
+    """Return the degree of a value in each of some parameters, None where it is no polynomial."""
+    return _degrees(expression.node, names)
+
+
+def product_degrees(left: Degrees, right: Degrees) -> Degrees:
+    """Return the degrees of a product."""
+    return {name: left.get(name, 0) + right.get(name, 0) for name in {**left, **right}}
+
+
+def _bounds(node: Node, known: Mapping[str, Interval]) -> Interval | None:
+    kind = node.kind
+    if kind == "number":
+        return _exact(number_of(node.children[0]))
+    if kind == "pi":
+        return pi, pi
+    if kind == "juxtaposed_pi":
+        return _times(_exact(number_of(node.children[0])), (pi, pi))
+    if kind == "constant_use":
+        return known.get(f"<{_name(node)}>")
+    if kind == "juxtaposed_parameter":
+        return _times(_exact(number_of(node.children[0])), known.get(_name(node)))
+    parts = [_bounds(child, known) for child in node.children if isinstance(child, Node)]
+    if kind in ("parameter", "defaulted"):
+        return known.get(_name(node)) or (parts[0] if parts else None)
+    if kind in _PASSING:
+        return parts[0] if parts else None
+    if kind == "negate":
+        return _times((-1.0, -1.0), parts[0] if parts else None)
+    return _combined(kind, *parts) if len(parts) == 2 else None
+
+
+def _combined(kind: str, left: Interval | None, right: Interval | None) -> Interval | None:
+    if left is None or right is None:
+        return None
+    if kind == "add":
+        return left[0] + right[0], left[1] + right[1]
+    if kind == "subtract":
+        return left[0] - right[1], left[1] - right[0]
+    if kind == "divide":
+        has_zero = right[0] <= 0.0 <= right[1]
+        return None if has_zero else _times(left, (1.0 / right[1], 1.0 / right[0]))
+    return _times(left, right) if kind == "multiply" else None
+
+
+def _times(left: Interval | None, right: Interval | None) -> Interval | None:
+    if left is None or right is None:
+        return None
+    products = [a * b for a in left for b in right]
+    return min(products), max(products)
+
+
+def _degrees(node: Node, names: frozenset[str]) -> Degrees | None:
+    parts = [_degrees(child, names) for child in node.children if isinstance(child, Node)]
+    if node.kind in _USES:
+        return {_name(node): 1} if _name(node) in names else {}
+    if any(part is None for part in parts):
+        return None
+    known = [part for part in parts if part is not None]
+    if node.kind == "multiply" and len(known) == 2:
+        return product_degrees(*known)
+    if node.kind == "divide" and len(known) == 2:
+        return None if any(known[1].values()) else known[0]
+    return {n: max(p.get(n, 0) for p in known) for p in known for n in p}
+
+
+def _exact(value: float | None) -> Interval | None:
+    return None if value is None else (value, value)
+
+
+def _name(node: Node) -> str:
+    tokens = (token for token in node.children if isinstance(token, Token))
+    return next((token.text.lstrip("^") for token in tokens if token.kind == "NAME"), "")
