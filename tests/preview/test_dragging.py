@@ -79,6 +79,7 @@ async def test_moving_draws_and_checks_but_writes_nothing(page):
     assert page.preview.analysis.text == ARM and not page.writings
     await page.ask(**drag("cancel"))
     assert place_of(page, "lift") == [0.4, 0.0, 0.0]
+    assert page.last("dragged")["phase"] == "cancel"
 
 
 async def test_dropping_writes_one_number(page):

@@ -16,11 +16,12 @@ SCRIPTS = (
     "picture/labels.js", "picture/picking.js", "picture/compass.js", "picture/measure.js",
     "picture/motion.js", "picture/snapshot.js", "panel/virtual_list.js", "panel/slider_row.js",
     "panel/joint_rows.js", "panel/parameter_rows.js", "panel/tree.js", "panel/legend.js",
-    "panel/card.js", "panel/findings.js", "panel/title.js", "panel/keys.js", "formulas.js",
-    "inbox.js", "history.js", "address.js", "actions.js", "connection.js", "embedded.js",
-    "start.js",
+    "panel/card.js", "panel/findings.js", "panel/title.js", "panel/keys.js", "editing/rays.js",
+    "editing/handles.js", "editing/handle_drag.js", "editing/link_drag.js", "editing/edit_card.js",
+    "editing/editing.js", "formulas.js", "inbox.js", "history.js", "address.js", "actions.js",
+    "connection.js", "embedded.js", "start.js",
 )  # fmt: skip
-STYLES = ("theme.css", "page.css", "panel/panel.css")
+STYLES = ("theme.css", "page.css", "panel/panel.css", "editing/editing.css")
 PAGE = "page.html"
 
 

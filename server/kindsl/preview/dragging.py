@@ -57,7 +57,7 @@ class Dragging:
         self._held: Thing | None = None
         self._steps = Steps()
         preview.on_put.append(self._tell_handles)
-        preview.channel.replace("editing", keyed([{"type": "editing", "path": path_of("editing")}]))
+        self._tell_handles()
 
     async def receive(self, request: GestureRequest) -> None:
         """Do what a page asks for."""
@@ -81,6 +81,7 @@ class Dragging:
             return
         if request.phase == "cancel":
             self._preview.put_back()
+            self._answer(request, "", request.value, "")
             self._tell_handles()
             return
         change = set_component(
@@ -103,6 +104,9 @@ class Dragging:
         analysis = self._preview.analysis
         if analysis is None or request.revision != self._preview.revision:
             self._tell("plan", request.gesture, "", _OUTDATED)
+            return
+        if request.gesture == "discard":
+            self._preview.show_plan(None)
             return
         if request.gesture in ("undo", "redo"):
             await self._step(analysis.text, request.gesture)
@@ -179,6 +183,12 @@ class Dragging:
 
     def _tell_handles(self) -> None:
         analysis, held = self._preview.analysis, self._held
+        editing = {
+            "type": "editing",
+            "path": path_of("editing"),
+            "revision": self._preview.revision,
+        }
+        self._preview.channel.replace("editing", keyed([editing]))
         if analysis is None or held is None:
             self._preview.channel.replace("handles", {})
             return

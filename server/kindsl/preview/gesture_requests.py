@@ -7,7 +7,7 @@ from typing import Any, NamedTuple, TypeGuard
 _LONGEST_NAME = 200
 _KINDS = ("joint", "frame", "com")
 _PHASES = ("move", "drop", "cancel")
-_PLANS = ("add-frame", "add-child", "mirror-leg", "pose-as-zero", "undo", "redo")
+_PLANS = ("add-frame", "add-child", "mirror-leg", "pose-as-zero", "undo", "redo", "discard")
 _MOST_JOINTS = 10_000
 
 
@@ -45,7 +45,7 @@ class Plan(NamedTuple):
 
     Attributes:
         gesture: `add-frame`, `add-child`, `mirror-leg`, `pose-as-zero`; `undo` or `redo` what was
-            written from pages.
+            written from pages; `discard` what was planned.
         name: Of the link; empty for a pose.
         point: Where, in the link's frame, metres.
         joints: Positions by name, for a pose.

@@ -25,6 +25,10 @@ const KindslInbox = (() => {
     onCursor() {}
     onLines() {}
 
+    // Called with what is said of handles, and with each path that is gone.
+    onEditing() {}
+    onForget() {}
+
     take(message) {
       if (message.type === "parameter") this.keep("parameters", message);
       else if (message.type === "formula") this.formulas.push(message);
@@ -34,6 +38,7 @@ const KindslInbox = (() => {
         this.stale.add("findings");
       } else if (message.type === "highlight") this.onCursor(message.name ? message : null);
       else if (message.type === "lines") this.onLines(message.text);
+      else if (KindslEditing.TYPES.has(message.type)) this.onEditing(message);
       this.scene.apply(message);
       this.scene.viewer.set_dirty();
     }
@@ -44,6 +49,7 @@ const KindslInbox = (() => {
     }
 
     forget(path) {
+      this.onForget(path);
       for (const list of ["parameters", "findings"]) {
         for (const key of this[list].keys()) {
           if (key !== path && !key.startsWith(path + "/")) continue;

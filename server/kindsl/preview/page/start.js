@@ -28,6 +28,7 @@ const kindsl = (() => {
   page.findings = new KindslFindings.Findings(pane, page.inbox, page.actions);
   page.legend = new KindslLegend.Legend(scene, page.presets, page.actions);
   page.address = new KindslAddress.Address(page);
+  page.editing = new KindslEditing.Editing(page);
   page.history = new KindslHistory.History(takeState, putState);
   page.keys = new KindslKeys.Keys(pane, page);
   page.motion = new KindslMotion.Motion(scene, {
@@ -116,6 +117,7 @@ const kindsl = (() => {
     refresh();
     render();
     page.labels.place();
+    page.editing.place();
     page.compass.update();
   };
 
@@ -142,6 +144,8 @@ const kindsl = (() => {
     scene.setColors(theme.colors);
     page.legend.show();
   };
+  page.inbox.onEditing = (message) => page.editing.take(message);
+  page.inbox.onForget = (path) => page.editing.forget(path);
   page.inbox.onCursor = (thing) => page.selection.follow(thing);
   page.inbox.onLines = (text) => KindslActions.showText("Lines to add to kindsl.toml", text);
   page.camera.onMove(page.actions.note);

@@ -1,0 +1,198 @@
+// What is dragged in the picture and written into the document. The page sends names and numbers; the server draws
+// what moves, writes what is dropped, and says what the numbers are now.
+"use strict";
+
+const KindslEditing = (() => {
+  const TYPES = new Set(["editing", "handles", "dragged", "plan", "written"]);
+  const AT_ONCE = new Set(["undo", "redo"]);
+  const ARROWS = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 };
+  const POINT = 0.01; // metres that a clicked place is snapped to
+
+  class Editing {
+    constructor(page) {
+      Object.assign(this, { page, isOn: false, numbers: null, isWaiting: false, next: null, point: [0, 0, 0] });
+      this.handles = new KindslHandles.Handles(page.scene, page.labels, page.pane);
+      this.drag = new KindslHandleDrag.HandleDrag(page.viewer, this.handles);
+      this.card = new KindslEditCard.EditCard(this, page.units);
+      this.linkDrag = new KindslLinkDrag.LinkDrag(page);
+      this.handles.onPress = (component, event) => this.press(component, event);
+      this.handles.onKey = (component, event) => this.nudge(component, event);
+      page.selection.onChange((what) => what === "chosen" && this.grasp());
+      page.pane.addEventListener("pointerdown", (event) => this.aim(event), true);
+      addEventListener("pointermove", (event) => this.drag.isOn && this.follow(event));
+      addEventListener("pointerup", (event) => this.drag.isOn && this.release(event));
+      addEventListener("keydown", (event) => this.key(event), true);
+    }
+
+    take(message) {
+      if (message.type === "editing") {
+        this.revision = message.revision;
+        if (!this.isOn) this.begin();
+      } else if (message.type === "handles") this.learn(message);
+      else if (message.type === "dragged") this.hear(message);
+      else if (message.reason) this.card.tell(message.reason, true);
+      else if (message.type === "plan") this.propose(message);
+      else this.finish(message);
+    }
+
+    // The pose that is the new zero is reached with all joints at zero.
+    finish({ gesture, title }) {
+      if (gesture === "pose-as-zero") this.page.actions.zero();
+      this.card.tell(`${title}: done`);
+    }
+
+    begin() {
+      this.isOn = true;
+      this.grasp();
+    }
+
+    forget(path) {
+      if (path.endsWith("/handles")) this.learn(null);
+    }
+
+    // A chosen joint or frame has handles of its own, a link those of its centre of mass.
+    grasp() {
+      if (!this.isOn) return;
+      const { chosen } = this.page.selection;
+      if (!chosen) this.learn(null);
+      const kind = chosen && (chosen.kind === "link" ? "com" : chosen.kind);
+      this.page.send({ type: "grasp", kind: kind || "", name: chosen ? chosen.name : "" });
+      this.card.tell("");
+      this.card.show(chosen, null);
+    }
+
+    learn(message) {
+      this.numbers = message;
+      if (this.drag.isOn && message) return;
+      const values = message && Object.fromEntries(message.components.filter(({ value }) => value !== null).map(({ component, value }) => [component, value]));
+      const shown = message && Object.keys(values).length ? { ...message, values } : null;
+      this.handles.show(shown);
+      this.card.show(this.page.selection.chosen, shown);
+      this.page.viewer.set_dirty();
+    }
+
+    press(component, event) {
+      const { shown } = this.handles, handle = shown && shown.components.find((one) => one.component === component);
+      if (event.button !== 0 || !handle) return;
+      event.preventDefault();
+      event.stopPropagation();
+      event.currentTarget.focus();
+      if (handle.locked) return this.card.tell(handle.locked, true);
+      if (this.drag.begin(component, shown.values[component], event)) {
+        this.start = { component, value: shown.values[component], text: handle.text };
+        this.page.pane.classList.add("dragging");
+      }
+    }
+
+    follow(event) {
+      const moved = this.drag.move(event), { shown } = this.handles;
+      if (!moved || !shown || shown.values[moved.component] === moved.value) return;
+      shown.values[moved.component] = moved.value;
+      this.step = moved.step;
+      this.handles.place();
+      this.send("move", moved.component, moved.value, moved.step);
+    }
+
+    release() {
+      const { component, value } = this.start, now = this.handles.shown ? this.handles.shown.values[component] : value;
+      this.stop();
+      this.next = null;
+      this.send(now === value ? "cancel" : "drop", component, now, this.step ?? null);
+    }
+
+    cancel() {
+      const { component, value } = this.start;
+      this.stop();
+      if (this.handles.shown) this.handles.shown.values[component] = value;
+      this.handles.place();
+      this.next = null;
+      this.send("cancel", component, value, null);
+      this.card.tell("");
+    }
+
+    stop() {
+      this.drag.end();
+      this.page.pane.classList.remove("dragging");
+    }
+
+    // One request at a time; of several moves meanwhile the last counts.
+    send(phase, component, value, step) {
+      const { kind, name } = this.handles.shown, request = { type: "drag", kind, name, component, value, step, phase, revision: this.revision };
+      if (phase === "move" && this.isWaiting) this.next = request;
+      else {
+        this.isWaiting = true;
+        this.page.send(request);
+      }
+    }
+
+    hear({ phase, component, text, reason }) {
+      this.isWaiting = false;
+      if (this.next) {
+        this.isWaiting = true;
+        this.page.send(this.next);
+        this.next = null;
+      }
+      if (reason) return this.card.tell(reason, true);
+      const { start } = this;
+      if (phase === "cancel" || !start) return this.card.tell("");
+      this.card.tell(`${component}: ${start.text} → ${text}`);
+    }
+
+    // A number typed into the card.
+    set(component, value) {
+      const { shown } = this.handles;
+      this.start = { component, text: shown.components.find((one) => one.component === component).text };
+      this.send("drop", component, value, null);
+    }
+
+    nudge(component, event) {
+      const sign = ARROWS[event.key], { shown } = this.handles;
+      const handle = shown && shown.components.find((one) => one.component === component);
+      if (!sign || !handle || handle.locked) return;
+      event.preventDefault();
+      event.stopPropagation();
+      const step = KindslHandleDrag.stepOf(component, { shiftKey: event.shiftKey });
+      this.start = { component, text: handle.text };
+      this.send("drop", component, step * (Math.round(shown.values[component] / step) + sign), step);
+    }
+
+    key(event) {
+      const isText = event.target.matches && event.target.matches("input:not([type=range]), textarea");
+      if (event.key === "Escape" && this.drag.isOn) {
+        event.stopImmediatePropagation();
+        this.cancel();
+      } else if (!isText && this.handles.shown && (event.key === "t" || event.key === "r") && !event.ctrlKey && !event.metaKey) {
+        this.handles.choose(event.key === "t" ? "move" : "turn");
+      }
+    }
+
+    // Remember where on a link somebody clicked, in the link's frame, for a new frame or child.
+    aim(event) {
+      const { page } = this;
+      if (!this.isOn || event.target !== page.viewer.renderer.domElement) return;
+      const hit = page.picking.at(event), pose = hit && hit.kind === "link" && page.scene.poseOf(hit);
+      if (!pose) return;
+      const ray = KindslRays.rayOf(page.viewer, event), { Matrix4 } = MeshCat.THREE;
+      const place = ray.origin.clone().addScaledVector(ray.direction, hit.distance);
+      place.applyMatrix4(new Matrix4().fromArray(pose).invert());
+      this.point = place.toArray().map((value) => Number((POINT * Math.round(value / POINT)).toFixed(4)));
+    }
+
+    plan(gesture, accepted = AT_ONCE.has(gesture)) {
+      const { chosen } = this.page.selection, joints = Object.fromEntries(this.page.scene.q);
+      const name = chosen && chosen.kind === "link" && !AT_ONCE.has(gesture) ? chosen.name : "";
+      this.page.send({ type: "plan", gesture, name, point: this.point, joints, accepted, revision: this.revision });
+    }
+
+    propose({ gesture, title }) {
+      this.card.ask(title, () => this.plan(gesture, true), () => {
+        this.page.send({ type: "plan", gesture: "discard", revision: this.revision });
+        this.card.tell("");
+      });
+    }
+
+    place() { this.handles.place(); }
+  }
+
+  return { Editing, TYPES };
+})();

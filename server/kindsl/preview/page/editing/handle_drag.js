@@ -1,0 +1,68 @@
+// A press on a handle, until it is let go: which value the mouse means. Shift snaps finely, Ctrl not at all.
+"use strict";
+
+const KindslHandleDrag = (() => {
+  const { Vector3 } = MeshCat.THREE;
+  const DEGREE = Math.PI / 180;
+  const STEPS = { length: [0.01, 0.001], angle: [15 * DEGREE, 5 * DEGREE] };
+  const FREE = { length: 1e4, angle: 1e3 }; // parts of a metre, of a radian, that a free value is told in
+  const GRAZING = 0.2; // below this a ring is seen from its edge
+
+  const unitOf = (component) => (component.length === 2 ? "angle" : "length");
+
+  // What a value is to be a multiple of; null for any value.
+  const stepOf = (component, { shiftKey, ctrlKey, metaKey }) =>
+    ctrlKey || metaKey ? null : STEPS[unitOf(component)][shiftKey ? 1 : 0];
+
+  function snapped(component, value, step) {
+    const parts = FREE[unitOf(component)];
+    return step === null ? Math.round(value * parts) / parts : step * Math.round(value / step);
+  }
+
+  class HandleDrag {
+    constructor(viewer, handles) { Object.assign(this, { viewer, handles, held: null }); }
+
+    get isOn() { return this.held !== null; }
+
+    // Whether a handle could be taken; `value` is its number now.
+    begin(component, value, event) {
+      const geometry = this.handles.geometry();
+      if (!geometry) return false;
+      const axis = geometry.axes[component].clone(), origin = geometry.origin.clone();
+      const ray = KindslRays.rayOf(this.viewer, event), isRing = component.length === 2;
+      const isEdgeOn = isRing && Math.abs(ray.direction.dot(axis)) < GRAZING;
+      this.held = { component, value, axis, origin, isRing, isEdgeOn, last: 0 };
+      this.held.from = this.measure(event);
+      if (this.held.from === null) this.held = null;
+      return this.isOn;
+    }
+
+    // {component, value, step} that the mouse means now; null where it means nothing.
+    move(event) {
+      const { component, value, from, isRing, isEdgeOn } = this.held, now = this.measure(event);
+      if (now === null) return null;
+      let moved;
+      if (isRing && !isEdgeOn) {
+        const angle = KindslRays.turned(this.held.axis, this.held.origin, from, now);
+        this.held.last += KindslRays.wrapped(angle - this.held.last);
+        moved = this.held.last;
+      } else moved = now - from;
+      const step = stepOf(component, event);
+      return { component, value: snapped(component, value + moved, step), step };
+    }
+
+    end() { this.held = null; }
+
+    // What the mouse is at: a distance along an arrow, a place in a ring's plane, an angle for a ring on edge.
+    measure(event) {
+      const { axis, origin, isRing, isEdgeOn } = this.held, ray = KindslRays.rayOf(this.viewer, event);
+      if (!isRing) return KindslRays.alongLine(ray, origin, axis);
+      if (!isEdgeOn) return KindslRays.onPlane(ray, origin, axis);
+      const across = new Vector3().crossVectors(axis, ray.direction).normalize();
+      const reach = ray.origin.distanceTo(origin) * 0.12, along = KindslRays.alongLine(ray, origin, across);
+      return along === null ? null : -along / reach;
+    }
+  }
+
+  return { HandleDrag, snapped, stepOf, unitOf };
+})();
