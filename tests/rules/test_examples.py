@@ -14,7 +14,7 @@ from kindsl.rules.registry import all_rules, page_of
 from kindsl.text.edits import apply_edits
 
 DEFAULT = ("KD0", "KD1", "KD2", "KD3", "KD4", "KD5", "KD7")
-NEEDS_NO_EXAMPLE = {"KD404"}
+NEEDS_NO_EXAMPLE = {"KD404", "KD800", "KD801", "KD802", "KD803", "KD804"}
 # A new link has no inertia yet, and a new pose is where another may be: that is to be filled in.
 LEFT_BY_FIXES = {"KD006": {"KD508"}, "KD105": {"KD304", "KD705"}, "KD106": {"KD506"}}
 

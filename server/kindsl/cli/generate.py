@@ -23,7 +23,7 @@ from kindsl.cli.documents.reading import (
     require_syntax,
     shown_name,
 )
-from kindsl.cli.documents.sources import reason
+from kindsl.cli.documents.sources import STDIN, read_text, reason
 from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import Failure, as_failures
 from kindsl.config.errors import ConfigurationError
@@ -52,6 +52,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     add("--real", choices=("double", "float"), default="double", help="the type of numbers in C")
     add("--single-header", action="store_true", help="C in one file")
+    add("--transforms", metavar="FILE.dtdsl", help="the frames' transforms that are wanted besides")
     add("--force", action="store_true", help="overwrite files that were not generated")
     add("--check", metavar="DIR", help="tell whether the code in DIR still fits FILE")
     add("-q", "--quiet", action="store_true", help="no remarks")
@@ -91,7 +92,22 @@ def _source(args: argparse.Namespace) -> "Source":
     analysis = read_document(args.file, choices_of(args))
     require_syntax(args.file, analysis)
     note_errors(args.file, analysis)
-    return Source(Path(shown_name(args.file)).name, analysis, dict(args.param))
+    name = Path(shown_name(args.file)).name
+    return Source(name, analysis, dict(args.param), _transforms(args))
+
+
+def _transforms(args: argparse.Namespace) -> str | None:
+    """Return the text of the transforms document: the one named, else the one beside the model."""
+    beside = Path(args.file).with_suffix(".dtdsl")
+    path = args.transforms or (str(beside) if args.file != STDIN and beside.is_file() else None)
+    if path is None:
+        return None
+    text = read_text(path, path)
+    if isinstance(text, Failure):
+        raise CommandError([text])
+    if not isinstance(text, str):
+        raise CommandError([Failure(path, f"the document {text.message}")])
+    return text
 
 
 def _generate(args: argparse.Namespace, source: "Source") -> int:

@@ -19,6 +19,7 @@ from kindsl.codegen.library import (
 )
 from kindsl.codegen.manifest import NAME, digest, manifest_text
 from kindsl.codegen.reference import Reference, sample
+from kindsl.codegen.wanted import wanted_pairs
 from kindsl.mechanism.symbolic import symbolic_robot
 from kindsl.text.nearest import hint, nearest_name
 
@@ -65,7 +66,8 @@ def generate(
     defaults = {name: values.get(name) for name in inputs}
     name = str(model.name or "robot")
     try:
-        library = library_of(robot, name, defaults, options, stamp)
+        wanted = wanted_pairs(source.transforms, model, robot) if source.transforms else None
+        library = library_of(robot, name, defaults, options, stamp, wanted)
         files = _files(source.analysis, library)
     except OverflowError as error:
         raise GenerationError(str(error)) from None

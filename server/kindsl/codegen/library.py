@@ -4,7 +4,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal
+from typing import Literal, NamedTuple
 
 from kindsl.codegen.names import identifiers
 from kindsl.dynamics.generation.emitters.numbers import evaluate
@@ -13,6 +13,11 @@ from kindsl.dynamics.generation.expressions import Expression, Scalar, needed, o
 from kindsl.dynamics.generation.function import Function, Inputs, inputs_of
 from kindsl.dynamics.generation.functions import QUANTITIES
 from kindsl.dynamics.generation.masses import total_mass
+from kindsl.dynamics.generation.relative_frames import (
+    FramePair,
+    relative_jacobians,
+    relative_poses,
+)
 from kindsl.dynamics.generation.robot import Robot
 from kindsl.dynamics.quantities import SingularInertiaError
 
@@ -159,14 +164,30 @@ class Library:
         return evaluate(self.robot.graph, inputs, self.setup)
 
 
+class Wanted(NamedTuple):
+    """Pairs of frames, base and target."""
+
+    transforms: tuple[FramePair, ...]
+    jacobians: tuple[FramePair, ...]
+
+
 def library_of(
     robot: Robot,
     robot_name: str,
     defaults: Mapping[str, float | None],
     options: Options,
     stamp: Stamp,
+    wanted: Wanted | None = None,
 ) -> Library:
     """Record all functions that are asked for.
+
+    Args:
+        robot: The robot.
+        robot_name: As in the document.
+        defaults: The values of the parameters that stay inputs.
+        options: What to record.
+        stamp: Where it comes from.
+        wanted: Pairs of frames whose poses and Jacobians are asked for besides.
 
     Raises:
         GenerationError: A quantity is not defined for this robot.
@@ -176,6 +197,12 @@ def library_of(
     for name in options.quantities:
         if group := tuple(_recorded(robot, inputs, name)):
             functions[name] = group
+    if wanted is not None:
+        pairs = {
+            "transforms": relative_poses(robot, inputs, wanted.transforms),
+            "relative_jacobians": relative_jacobians(robot, inputs, wanted.jacobians),
+        }
+        functions |= {name: tuple(group) for name, group in pairs.items() if group}
     if not functions:
         raise GenerationError("none of the quantities exists for a fixed base")
     return Library(options, stamp, robot_name, robot, functions, defaults, inputs)

@@ -10,6 +10,7 @@ from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.dynamics.generation.function import Function
 from kindsl.dynamics.joints import solve
 from kindsl.spatial.arrays import Array
+from kindsl.spatial.cross_products import skew
 
 Values = Mapping[str, Array]
 
@@ -58,6 +59,10 @@ class Reference:
         name = function.name
         if name == "foot_jacobians":
             return [self._foot_jacobian(foot) for foot in function.about]
+        if name.startswith("pose_"):
+            return [self._pose(function.about[0], function.about[1])[:3]]
+        if len(function.about) == 2:
+            return [self._relative_jacobian(*function.about)]
         if function.about:
             is_own = name == f"jacobian_{function.about[0]}"
             return [self._jacobian(function.about[0], is_own)]
@@ -79,6 +84,47 @@ class Reference:
         body = owners[name] if name in owners else bodies.link_names.index(name) + 1
         columns = [self._first + joint - 1 for joint in bodies.support(body)[::-1]]
         return self._jacobian(name, is_own=False)[:, columns]
+
+    def _relative_jacobian(self, target: str, base: str) -> Array:
+        """Return the target's less what it would move by if it were fixed to the base."""
+        bodies = self.mechanics.bodies
+        targets, bases = self._columns(target), self._columns(base)
+        on_base = self._pose(target, base)[:3, 3]
+        rotated = self._pose(target, base)[:3, :3]
+        moved = np.concatenate((rotated @ targets[:3], rotated @ targets[3:]))
+        carried = bases.copy()
+        carried[3:] -= skew(on_base) @ bases[:3]
+        joints = sorted({*self._support(target)} ^ {*self._support(base)})
+        first = bodies.n_velocities - bodies.n_links
+        return (moved - carried)[:, [first + joint - 1 for joint in joints]]
+
+    def _columns(self, name: str) -> Array:
+        own = self._own_name(name)
+        if own == self.mechanics.bodies.base_name:
+            J = np.zeros((6, self.mechanics.bodies.n_velocities))
+            J[:, : self._first] = np.eye(6)[:, : self._first]
+            return J
+        return self.mechanics.jacobian(self.values["q"], own)
+
+    def _pose(self, target: str, base: str) -> Array:
+        """Return `base_T_target`."""
+        poses = dict(self.mechanics.forward_kinematics(self.values["q"]))
+        poses[self.mechanics.bodies.base_name] = np.eye(4)
+        relative: Array = np.linalg.inv(poses[self._own_name(base)]) @ poses[self._own_name(target)]
+        return relative
+
+    def _own_name(self, name: str) -> str:
+        """Return the name here of a frame in a transforms document."""
+        bodies = self.mechanics.bodies
+        if name in {frame.name for frame in bodies.frames}:
+            return name
+        return name.removeprefix("fr_")
+
+    def _support(self, name: str) -> list[int]:
+        bodies, own = self.mechanics.bodies, self._own_name(name)
+        owners = {frame.name: frame.body for frame in bodies.frames}
+        owners |= {link: i for i, link in enumerate(bodies.link_names, start=1)}
+        return bodies.support(owners.get(own, 0))
 
     def _dynamics(self, name: str, load: Array) -> list[Array]:
         """Return forces or accelerations, from `M a + bias = forces + load`."""

@@ -16,6 +16,7 @@ _FAMILIES = {
     "KD5": "Geometry",
     "KD6": "Portability",
     "KD7": "Style",
+    "KD8": "Transforms documents",
 }
 _WORDS = {
     Severity.ERROR: "error",

@@ -13,6 +13,7 @@ from kindsl.rules.base import Severity
 
 _CODE = "KD004"
 _NAME = "invalid-character"
+TRANSFORMS_SUFFIX = ".dtdsl"
 
 
 class Mending(Enum):
@@ -62,6 +63,12 @@ def check(task: Task) -> Checked:
 
 
 def _checked(task: Task, text: str) -> Checked:
+    if task.shown.endswith(TRANSFORMS_SUFFIX):
+        from kindsl.analysis.transforms_findings import transforms_findings
+        from kindsl.cli.documents.beside import model_beside
+
+        found = transforms_findings(text, model_beside(task.path, text), task.settings)
+        return Checked(LintedFile(task.shown, text, found), None)
     analysis = analyse(text, task.settings)
     if task.mending is Mending.NONE or not is_decodable(text):
         return _outcome(task, analysis)

@@ -1,0 +1,57 @@
+"""What is wrong with a transforms document beside a model."""
+
+from collections.abc import Callable, Iterator
+
+from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.analysis.settings import Settings, is_enabled, severity_of
+from kindsl.rules.base import Rule
+from kindsl.rules.checks.kd800_transforms_syntax_error import RULE as SYNTAX
+from kindsl.rules.checks.kd801_unknown_frame import RULE as UNKNOWN
+from kindsl.rules.checks.kd802_undeclared_frame import RULE as UNDECLARED
+from kindsl.rules.checks.kd803_repeated_transform import RULE as REPEATED
+from kindsl.rules.checks.kd804_other_robot import RULE as OTHER
+from kindsl.semantics.model import Model
+from kindsl.semantics.transforms import (
+    Wrong,
+    other_robot,
+    repeated_transforms,
+    undeclared_frames,
+    unknown_frames,
+)
+from kindsl.syntax.transforms_text import TransformsDocument, read_transforms
+
+_ALONE: tuple[tuple[Rule, Callable[[TransformsDocument, Model | None], Iterator[Wrong]]], ...] = (
+    (UNDECLARED, undeclared_frames),
+    (REPEATED, repeated_transforms),
+)
+_WITH_MODEL: tuple[tuple[Rule, Callable[[TransformsDocument, Model], Iterator[Wrong]]], ...] = (
+    (UNKNOWN, unknown_frames),
+    (OTHER, other_robot),
+)
+
+
+def transforms_findings(
+    text: str, model: Model | None, settings: Settings
+) -> tuple[Diagnostic, ...]:
+    """Return what is wrong, in the order of the text.
+
+    Args:
+        text: The transforms document.
+        model: The robot that it is about, None if that is not known.
+        settings: What the user decided.
+    """
+    document = read_transforms(text)
+    found: list[tuple[Rule, Wrong]] = []
+    if document.defect is not None:
+        found.append((SYNTAX, Wrong(*document.defect)))
+    for rule, check in _ALONE:
+        found += [(rule, wrong) for wrong in check(document, model)]
+    if model is not None:
+        for rule, check_with in _WITH_MODEL:
+            found += [(rule, wrong) for wrong in check_with(document, model)]
+    shown = [
+        Diagnostic(rule.code, rule.name, severity_of(rule, None, settings), message, start, end)
+        for rule, (message, start, end) in found
+        if is_enabled(rule, settings)
+    ]
+    return tuple(sorted(shown, key=lambda d: (d.start, d.end, d.code)))

@@ -1,0 +1,20 @@
+"""A transform or Jacobian is listed twice.
+
+## What it does
+Reports, in a `.dtdsl` document, a pair of frames that the same section has already.
+
+## Why is this bad?
+The second one does nothing; perhaps another frame was meant.
+
+## Example
+```
+Transforms {
+    base=fr_trunk, target=fr_foot
+    base=fr_trunk, target=fr_foot
+}
+```
+"""
+
+from kindsl.rules.base import Rule, Severity
+
+RULE = Rule("KD803", "repeated-transform", Severity.WARNING)

@@ -1,0 +1,18 @@
+"""A transforms document belongs to a robot of another name.
+
+## What it does
+Reports, in a `.dtdsl` document, a robot's name that is not the one of the model beside it.
+
+## Why is this bad?
+The document was copied, or the model renamed: the generator takes both names for one.
+
+## Example
+```
+Robot Quadruped2
+```
+beside a model `Robot Quadruped`.
+"""
+
+from kindsl.rules.base import Rule, Severity
+
+RULE = Rule("KD804", "other-robot", Severity.WARNING)

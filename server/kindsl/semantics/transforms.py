@@ -1,0 +1,77 @@
+"""What the names in a transforms document stand for, and what is wrong with it."""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from kindsl.semantics.model import Model
+from kindsl.syntax.transforms_text import Pair, TransformsDocument, Word
+from kindsl.text.nearest import hint, nearest_name
+
+LINK_PREFIX = "fr_"
+
+
+class Wrong(NamedTuple):
+    """Something wrong; offsets in code points of the transforms document."""
+
+    message: str
+    start: int
+    end: int
+
+
+def frame_names(model: Model) -> dict[str, str]:
+    """Return the name here of each frame of a model, with the name there.
+
+    A link's own frame is `fr_` and the link's name; an optional frame keeps its name and wins.
+    """
+    bodies = [model.base, *model.links] if model.base is not None else [*model.links]
+    own = {f"{LINK_PREFIX}{body.name}": str(body.name) for body in bodies}
+    return {**own, **{str(f.name): str(f.name) for body in bodies for f in body.frames}}
+
+
+def unknown_frames(document: TransformsDocument, model: Model) -> Iterator[Wrong]:
+    """Yield names of frames that the robot has not."""
+    known = frame_names(model)
+    seen = set()
+    for word in _all_words(document):
+        if word.text not in known and word.text not in seen:
+            seen.add(word.text)
+            close = hint(nearest_name(word.text, known))
+            yield Wrong(f"the robot has no frame '{word.text}'{close}", word.start, word.end)
+
+
+def undeclared_frames(document: TransformsDocument, _: Model | None) -> Iterator[Wrong]:
+    """Yield frames of pairs that `Frames` does not list."""
+    declared = {word.text for word in document.frames}
+    for pair in (*document.transforms, *document.jacobians):
+        for word in pair:
+            if word.text not in declared:
+                yield Wrong(f"'{word.text}' is not listed under 'Frames'", word.start, word.end)
+
+
+def repeated_transforms(document: TransformsDocument, _: Model | None) -> Iterator[Wrong]:
+    """Yield pairs that were there before."""
+    for what, pairs in (("transform", document.transforms), ("Jacobian", document.jacobians)):
+        seen: set[tuple[str, str]] = set()
+        for base, target in pairs:
+            key = (base.text, target.text)
+            if key in seen:
+                message = f"the {what} of '{target.text}' in '{base.text}' is already listed"
+                yield Wrong(message, base.start, target.end)
+            seen.add(key)
+
+
+def other_robot(document: TransformsDocument, model: Model) -> Iterator[Wrong]:
+    """Yield the robot's name if it is not the model's."""
+    word = document.robot
+    if word is not None and model.name and word.text != model.name:
+        yield Wrong(f"the robot is '{model.name}', not '{word.text}'", word.start, word.end)
+
+
+def _all_words(document: TransformsDocument) -> Iterator[Word]:
+    yield from document.frames
+    for pair in (*document.transforms, *document.jacobians):
+        yield from _both(pair)
+
+
+def _both(pair: Pair) -> tuple[Word, Word]:
+    return pair.base, pair.target

@@ -1,0 +1,112 @@
+"""Transforms documents in the linter and in generated code."""
+
+from pathlib import Path
+
+import lark
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from tests.cli.conftest import Runner
+from tests.cli.samples import arm
+from tests.codegen.compiling import COMPILERS, build, needs_compiler, run_tests
+
+from kindsl.syntax.transforms_text import read_transforms
+
+GRAMMAR = (Path(__file__).parents[2] / "grammar" / "dtdsl.lark").read_text(encoding="utf-8")
+GOOD = """\
+Robot arm // a comment
+Frames { fr_base, fr_upper, fr_lower, tip }
+Transforms {
+    base=fr_base, target=fr_lower
+    base=tip, target=fr_upper
+}
+Jacobians {
+    base=fr_base, target=tip  /* another */
+    base=tip, target=fr_base
+}
+"""
+WORDS = ["Robot", "arm", "Frames", "Transforms", "Jacobians", "{", "}", ",", "base", "target", "=",
+         "fr_base", "tip", "fr_base, tip", "base=a, target=b", "1", "// x\n", ";"]  # fmt: skip
+
+
+@pytest.fixture
+def beside(folder: Path) -> Path:
+    """The name of a transforms document beside a model."""
+    (folder / "arm.kindsl").write_text(arm(floating=True))
+    return folder / "arm.dtdsl"
+
+
+def test_nothing_is_wrong(kdsl_lint: Runner, beside: Path) -> None:
+    beside.write_text(GOOD)
+    told = kdsl_lint("arm.dtdsl")
+    assert (told.status, told.out) == (0, "")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "place", "code"),
+    [
+        ("fr_lower\n", "fr_lowr\n", "4:26", "KD801"),
+        ("fr_lower, tip }", "tip }", "4:26", "KD802"),
+        ("base=tip, target=fr_upper", "base=fr_base, target=fr_lower", "5:10", "KD803"),
+        ("Robot arm", "Robot leg", "1:7", "KD804"),
+        ("base=tip, ", "base=tip ", "5:14", "KD800"),
+    ],
+)
+def test_what_is_wrong(
+    old: str, new: str, place: str, code: str, kdsl_lint: Runner, beside: Path
+) -> None:
+    beside.write_text(GOOD.replace(old, new, 1))
+    told = kdsl_lint("arm.dtdsl")
+    lines = [line for line in told.out.splitlines() if line.startswith("arm.dtdsl:")]
+    assert any(line.startswith(f"arm.dtdsl:{place}: ") and f"[{code}]" in line for line in lines)
+    assert kdsl_lint("arm.dtdsl", "--ignore", "KD8").out == ""
+
+
+def test_a_model_that_is_not_there_is_no_matter(kdsl_lint: Runner, folder: Path) -> None:
+    (folder / "lonely.dtdsl").write_text(GOOD)
+    assert kdsl_lint("lonely.dtdsl").out == ""
+
+
+@needs_compiler
+def test_code_for_the_pairs(kindsl: Runner, beside: Path, folder: Path) -> None:
+    beside.write_text(GOOD)
+    options = ("--language", "c", "--quantities", "poses", "-o", "out")
+    told = kindsl("generate", "arm.kindsl", *options)
+    assert told.status == 0, told.err
+    header = (folder / "out" / "arm.h").read_text()
+    assert "void arm_pose_fr_lower_in_fr_base(" in header
+    assert "ok jacobian_fr_base_in_tip: J" in run_tests(
+        build(COMPILERS[0], folder / "out", [], "t")
+    )
+    assert kindsl("generate", "arm.kindsl", "--check", "out").status == 0
+    beside.write_text(GOOD.replace("base=tip", "base=top"))
+    told = kindsl("generate", "arm.kindsl", *options)
+    assert told.status == 1
+    assert (
+        "error: --transforms, 5:10: the robot has no frame 'top'; did you mean 'tip'?" in told.err
+    )
+
+
+@settings(max_examples=300, deadline=None, derandomize=True)
+@given(st.lists(st.sampled_from(WORDS), max_size=12))
+def test_what_is_accepted_is_what_the_grammar_says(words: list[str]) -> None:
+    _compare(" ".join(words))
+    _compare("Robot arm Frames { a } Transforms { " + " ".join(words) + " }")
+
+
+def test_the_example_is_accepted() -> None:
+    assert read_transforms(GOOD).defect is None
+    assert len(read_transforms(GOOD).jacobians) == 2
+    _compare(GOOD)
+
+
+_PARSER = lark.Lark(GRAMMAR, start="document", parser="earley", ambiguity="resolve")
+
+
+def _compare(text: str) -> None:
+    try:
+        _PARSER.parse(text)
+        is_right = True
+    except lark.exceptions.LarkError:
+        is_right = False
+    assert (read_transforms(text).defect is None) is is_right, text
