@@ -37,6 +37,9 @@ def test_json_example_is_what_comes_out(kdsl_lint: Runner, folder: Path) -> None
     written = re.search(r"```json\n(.*?)```", RECIPES["docs/ci.md"], re.DOTALL)
     assert written is not None
     shown = json.loads(written[1])
+    installed = "kindsl/docs/rules/kd005.md"
+    assert shown.pop("url").endswith(installed)
+    assert found.pop("url").endswith(installed.removeprefix("kindsl/"))
     assert _without_offsets(shown) == _without_offsets(found)
 
 

@@ -11,6 +11,8 @@ from tests.cli.samples import GOOD, INTEGER, UNBOUND
 from kindsl.cli import lint
 from kindsl.cli.lint import only_paths
 
+ROOT = Path(__file__).parents[2]
+
 
 def test_clean_document_says_nothing_on_stdout(kdsl_lint: Runner, folder: Path) -> None:
     (folder / "good.kindsl").write_text(GOOD)
@@ -59,7 +61,7 @@ def test_json_is_exact(kdsl_lint: Runner, folder: Path) -> None:
                 }
             ],
         },
-        "url": "https://kindsl.github.io/kindsl/rules/kd005",
+        "url": (ROOT / "docs" / "rules" / "kd005.md").as_uri(),
     }
 
 

@@ -103,7 +103,7 @@ class TestPublishing:
     def test_all_parts_are_there_for_others(self, client: RawClient) -> None:
         client.open("untitled:parts", ROBOT)
         found = client.diagnostics("untitled:parts")[0]
-        assert found["codeDescription"]["href"].endswith(f"/rules/{found['code'].lower()}")
+        assert found["codeDescription"]["href"].endswith(f"/rules/{found['code'].lower()}.md")
 
 
 class TestTextOfOtherScripts:

@@ -48,4 +48,5 @@ async function copyServer() {
   const isSource = (place) => !/(^|[\\/])__pycache__$/.test(place);
   await cp("../server/kindsl", path.join(libs, "kindsl"), { recursive: true, filter: isSource });
   await cp("../grammar/kindsl.lark", path.join(libs, "kindsl/grammar/kindsl.lark"));
+  await cp("../docs/rules", path.join(libs, "kindsl/docs/rules"), { recursive: true });
 }

@@ -8,6 +8,7 @@ import {
   type ErrorHandler,
   type LanguageClientOptions,
   type Middleware,
+  vsdiag,
 } from "vscode-languageclient/node";
 import type { Launch } from "./launch";
 import { showSource } from "./source";
@@ -86,6 +87,12 @@ function errorHandler(hooks: ClientHooks): ErrorHandler {
 
 function middleware(hooks: ClientHooks): Middleware {
   return {
+    handleDiagnostics: (uri, diagnostics, next) => next(uri, diagnostics.map(withRenderedPage)),
+    provideDiagnostics: async (document, previous, token, next) => {
+      const report = await next(document, previous, token);
+      if (report?.kind === vsdiag.DocumentDiagnosticReportKind.full) report.items = report.items.map(withRenderedPage);
+      return report;
+    },
     executeCommand: (command, args: unknown[], next) => {
       if (command !== "kindsl.preview") return next(command, args) as vscode.ProviderResult<unknown>;
       hooks.openPreview(typeof args[0] === "string" ? vscode.Uri.parse(args[0], true) : undefined);
@@ -103,6 +110,16 @@ function middleware(hooks: ClientHooks): Middleware {
       },
     },
   };
+}
+
+/** Let a click on a finding's code show the rule's page rendered; it is a file of the package. */
+function withRenderedPage(diagnostic: vscode.Diagnostic): vscode.Diagnostic {
+  const { code } = diagnostic;
+  if (typeof code === "object" && code.target.scheme === "file") {
+    const argument = encodeURIComponent(JSON.stringify([code.target.toString()]));
+    diagnostic.code = { value: code.value, target: vscode.Uri.parse(`command:kindsl.showRule?${argument}`) };
+  }
+  return diagnostic;
 }
 
 function cancellation(): vscode.CancellationToken {

@@ -98,6 +98,8 @@ function registerCommands(
     "kindsl.installPackages": (names: readonly string[] = ["numpy"]) => installPackages(names, home, own, log),
     "kindsl.newFile": () => newFile(own),
     "kindsl.revealSymbol": revealSymbol,
+    "kindsl.showRule": (page: string) =>
+      vscode.commands.executeCommand("markdown.showPreview", vscode.Uri.parse(page, true)),
     "kindsl.showReferences": (uri: string, position: Position, places: Location[]) =>
       showReferences(uri, position, places, own),
   };

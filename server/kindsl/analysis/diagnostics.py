@@ -4,11 +4,10 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from kindsl.rules.base import Finding, Fix, Rule, Severity, Tag
+from kindsl.rules.page_files import page_address
 from kindsl.semantics.places import Located
 from kindsl.syntax.tree import Island
 from kindsl.text.edits import TextEdit
-
-RULE_PAGES = "https://kindsl.github.io/kindsl/rules"
 
 
 class RelatedPlace(NamedTuple):
@@ -41,9 +40,9 @@ class Diagnostic(NamedTuple):
     tag: Tag | None = None
 
     @property
-    def url(self) -> str:
-        """The rule's page."""
-        return f"{RULE_PAGES}/{self.code.lower()}"
+    def url(self) -> str | None:
+        """The address of the rule's page, a file of the installed package."""
+        return page_address(self.code)
 
 
 class Resolver:

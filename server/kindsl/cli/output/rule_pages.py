@@ -2,8 +2,8 @@
 
 from typing import Any
 
-from kindsl.analysis.diagnostics import RULE_PAGES
 from kindsl.rules.base import Rule
+from kindsl.rules.page_files import page_address
 from kindsl.rules.registry import all_rules, page_of
 
 
@@ -52,5 +52,5 @@ def _entry(rule: Rule) -> dict[str, Any]:
         "severity": rule.severity.value,
         "default": rule.is_default,
         "summary": summary_of(rule),
-        "url": f"{RULE_PAGES}/{rule.code.lower()}",
+        "url": page_address(rule.code),
     }

@@ -9,7 +9,7 @@ from typing import Any
 from urllib.parse import quote
 
 from kindsl import __version__
-from kindsl.analysis.diagnostics import RULE_PAGES, Diagnostic, TextFix
+from kindsl.analysis.diagnostics import Diagnostic, TextFix
 from kindsl.cli.outcome import Failure, LintedFile, Outcome
 from kindsl.cli.output.project_paths import fingerprints
 from kindsl.cli.output.rule_pages import summary_of
@@ -48,7 +48,6 @@ def render(outcome: Outcome) -> str:
 def _driver() -> dict[str, Any]:
     return {
         "name": "kdsl-lint",
-        "informationUri": RULE_PAGES.rpartition("/")[0],
         "version": __version__,
         "rules": [_rule(rule) for rule in all_rules()],
     }
@@ -61,7 +60,6 @@ def _rule(rule: Rule) -> dict[str, Any]:
         "name": "".join(word.capitalize() for word in rule.name.split("-")),
         "shortDescription": {"text": summary_of(rule)},
         "help": {"text": page, "markdown": page},
-        "helpUri": f"{RULE_PAGES}/{rule.code.lower()}",
         "defaultConfiguration": {"level": _LEVELS[rule.severity], "enabled": rule.is_default},
     }
 

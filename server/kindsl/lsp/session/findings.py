@@ -42,7 +42,7 @@ def _diagnostic(
         "source": SOURCE,
         "message": finding.message,
     }
-    if parts.links:
+    if parts.links and finding.url is not None:
         found["codeDescription"] = {"href": finding.url}
     if parts.tags and finding.tag:
         found["tags"] = [_TAGS[finding.tag]]
