@@ -29,6 +29,7 @@ class Picture:
 
     Attributes:
         document: Name of a file in docs/guide, without suffix.
+        preset: What is shown to begin with.
         hidden: Keys of the kinds of things that are left out, as in the preview's legend.
         q: Joint positions, in rad or m; the others are zero.
         opacity: Opacity of some kinds of things, by key.
@@ -40,6 +41,7 @@ class Picture:
     """
 
     document: str
+    preset: str = "All"
     hidden: tuple[str, ...] = ()
     q: dict[str, float] = field(default_factory=dict)
     opacity: dict[str, float] = field(default_factory=dict)
@@ -50,6 +52,7 @@ class Picture:
     size: tuple[int, int] = (900, 560)
 
 
+NAMES = ("link-names", "joint-names", "frame-names")
 MASSES = ("com", "robot-com", "inertia")
 BODIES = ("body", "base", "revolute", "prismatic", "axis")
 FAINT = {"body": 0.3, "revolute": 0.3, "prismatic": 0.3, "joint-frame": 0.6}
@@ -62,7 +65,7 @@ PICTURES = {
         target=(0.45, 0.0, 0.55), closeness=1.5,
     ),
     "rotations": Picture(
-        "rotations", hidden=(*MASSES, *BODIES, "link-frame", "joint-frame", "names"),
+        "rotations", hidden=(*MASSES, *BODIES, "link-frame", "joint-frame", *NAMES),
         target=(0.33, 0.0, 0.22), camera=(-0.2, -1.0, 0.35), closeness=1.9, size=(900, 240),
     ),
     "inertia": Picture(
@@ -74,18 +77,19 @@ PICTURES = {
         size=(900, 420),
     ),
     "parameters": Picture(
-        "reacher", q={"shoulder": 0.6, "elbow": -0.9, "wrist": -0.5},
+        "reacher", preset="Kinematics", q={"shoulder": 0.6, "elbow": -0.9, "wrist": -0.5},
         has_panel=True, size=(1000, 580),
     ),
 }  # fmt: skip
 
 LOOK_FROM = """([target, direction, closeness]) => {
-  const { viewer, stage } = kindsl, { controls, camera } = viewer;
+  const { viewer } = kindsl, { controls, camera } = viewer;
   const away = camera.getWorldPosition(new MeshCat.THREE.Vector3()).sub(controls.target);
   const length = away.length() / closeness;
-  if (target) controls.target.copy(KindslStage.toThree(target));
-  const ray = direction ? KindslStage.toThree(direction).normalize() : away.normalize();
-  camera.position.copy(stage.fromWorld(controls.target.clone().addScaledVector(ray, length)));
+  if (target) controls.target.copy(KindslCamera.toThree(target));
+  const ray = direction ? KindslCamera.toThree(direction).normalize() : away.normalize();
+  const place = controls.target.clone().addScaledVector(ray, length);
+  camera.position.copy(kindsl.camera.fromWorld(place));
   controls.update();
   viewer.set_dirty();
 }"""
@@ -115,13 +119,14 @@ def _drawn(browser: Browser, file: Path, picture: Picture) -> bytes:
     page = browser.new_page(viewport={"width": width, "height": height})
     page.goto(file.as_uri() + ("" if picture.has_panel else "#picture"))
     page.wait_for_timeout(PATIENCE)
+    page.evaluate("(name) => kindsl.presets.choose(name)", picture.preset)
     for key in picture.hidden:
         page.evaluate("(key) => kindsl.actions.setView(key, false, 1)", key)
     for key, opacity in picture.opacity.items():
         page.evaluate("([key, value]) => kindsl.actions.setView(key, true, value)", [key, opacity])
     for joint, value in picture.q.items():
         page.evaluate("([joint, value]) => kindsl.actions.setJoint(joint, value)", [joint, value])
-    page.evaluate("() => { kindsl.refresh(); kindsl.stage.frame(); }")
+    page.evaluate("() => { kindsl.viewer.render(); kindsl.camera.frame(); }")
     page.evaluate(LOOK_FROM, [picture.target, picture.camera, picture.closeness])
     page.wait_for_timeout(PATIENCE)
     png = page.screenshot()

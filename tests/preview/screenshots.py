@@ -37,8 +37,7 @@ async def take_page(file: Path, target: Path) -> None:
         await page.locator("#joints .row").nth(11).wait_for()
         for joint, value in POSE.items():
             await fill(page, joint, value)
-        for category in ("torque", "inertia", "joint-frame"):
-            await page.locator(f"[data-category={category}]").click()
+        await page.locator("[data-category=torque]").check()
         await page.locator(".label.link", has_text="LF_shank").click()
         await until(page, "!document.getElementById('selection').hidden")
         await page.evaluate("document.activeElement.blur()")

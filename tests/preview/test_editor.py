@@ -6,7 +6,7 @@ from contextlib import asynccontextmanager
 import pytest
 import umsgpack
 from tests.preview.hanging_up import hang_up
-from tests.preview.robots import ARM, BROKEN_ARM
+from tests.preview.robots import ARM, BROKEN_ARM, PARAMETRIC_ARM
 from tests.support.lsp import RawClient
 from tornado.websocket import websocket_connect
 
@@ -90,3 +90,34 @@ async def test_a_saved_version_stays_as_a_ghost(editor):
                 if message["path"].startswith("/kindsl/ghost/"):
                     break
         assert message["name"] in ("shoulder", "lift")
+
+
+async def test_typed_values_are_written_by_the_editor(tmp_path):
+    (tmp_path / "kindsl.toml").write_text("[parameters]\nother = 1.0\n")
+    file = tmp_path / "arm.kindsl"
+    file.write_text(PARAMETRIC_ARM)
+    client = RawClient()
+    folders = [{"uri": tmp_path.as_uri(), "name": "robots"}]
+    capabilities = {"workspace": {"applyEdit": True, "workspaceFolders": True}}
+    client.initialize(capabilities, initializationOptions=SETTINGS, workspaceFolders=folders)
+    client.open(file.as_uri(), PARAMETRIC_ARM)
+    command = {"command": "kindsl.preview", "arguments": [file.as_uri()]}
+    url = (await asyncio.to_thread(client.request, "workspace/executeCommand", command))["url"]
+    connection = await websocket_connect(url.replace("http:", "ws:").replace("/?", "/live?"))
+    await next_message(connection, "end")
+    await connection.write_message('{"type": "write-parameters", "values": {"reach": 0.25}}')
+    is_wanted = lambda m: m.get("method") == "workspace/applyEdit"  # noqa: E731
+    request = await asyncio.to_thread(client.wait, is_wanted)
+    made = request["params"]["edit"]["changes"][(tmp_path / "kindsl.toml").as_uri()]
+    assert [each["newText"] for each in made] == ["reach = 0.25\n"]
+    client.send(id=request["id"], result={"applied": True})
+    await hang_up(connection)
+    client.kill()
+
+
+async def test_lines_are_told_where_the_editor_has_no_file_to_write(editor):
+    editor.change(URI, 2, {"text": PARAMETRIC_ARM})
+    async with page(editor) as connection:
+        await connection.write_message('{"type": "write-parameters", "values": {"reach": 0.25}}')
+        lines = await next_message(connection, "lines")
+        assert lines["text"] == "[parameters]\nreach = 0.25\n"

@@ -6,6 +6,7 @@ const KindslPlaces = (() => {
   const RAIL_RADIUS = 0.5; // of the bodies' radius
   const TORQUE_LENGTH = 0.25; // of the robot's size, for the largest torque
   const GHOST = 0.96; // a ghost is a little thinner, so that equal bodies do not flicker through each other
+  const GUESS = 1.06; // and a guess a little thicker
   const OVERSIZED = 1.0; // an ellipsoid's greatest extent, of the robot's size
   const size = new Matrix4();
 
@@ -26,7 +27,8 @@ const KindslPlaces = (() => {
   }
 
   function resize(scene, mark, matrix) {
-    const how = KindslCategories.sizing(mark.part), unit = scene.model.unit * (mark.tree === "ghost" ? GHOST : 1);
+    const how = KindslCategories.sizing(mark.part), share = mark.tree === "ghost" ? GHOST : scene.isGuess(mark) ? GUESS : 1;
+    const unit = share * scene.model.unit;
     if (mark.category === "torque") return matrix.multiply(arrow(scene, mark.name));
     if (how === "uniform") return matrix.multiply(size.makeScale(unit, unit, unit));
     return how === "radial" ? matrix.multiply(size.makeScale(unit, 1, unit)) : matrix;
