@@ -157,6 +157,17 @@ async def test_rename_follows_the_configuration(client: LanguageClient, folder: 
     assert len(edits["arm.kindsl"]) == 2
 
 
+async def test_rename_follows_the_transforms_document(client: LanguageClient, folder: Path) -> None:
+    transforms = "Robot Arm\nFrames { fr_upper }\nTransforms { base=fr_upper, target=fr_upper }\n"
+    (folder / "arm.dtdsl").write_text(transforms)
+    edit = await client.text_document_rename_async(
+        at(types.RenameParams, folder, "upper via", new_name="thigh")
+    )
+    assert edit is not None
+    assert [e.new_text for e in edits_by_name(edit)["arm.dtdsl"]] == ["fr_thigh"] * 3
+    (folder / "arm.dtdsl").unlink()
+
+
 async def test_a_rename_that_clashes_is_refused(client: LanguageClient, folder: Path) -> None:
     with pytest.raises(Exception, match="exists already"):
         await client.text_document_rename_async(

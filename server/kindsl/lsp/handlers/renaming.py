@@ -1,10 +1,12 @@
-"""Renaming, in the document and in the project's configuration."""
+"""Renaming, in the document, its transforms document and the project's configuration."""
 
 from lsprotocol import types
 
 from kindsl.lsp.handlers.table import Handlers
 from kindsl.lsp.session.configuration_files import bound_places, rename_binding
 from kindsl.lsp.session.view import View
+from kindsl.lsp.text import uris
+from kindsl.lsp.text.document import Document
 from kindsl.lsp.wire.edits import text_edits, workspace_edit
 from kindsl.lsp.wire.protocol import RequestFailed
 
@@ -35,4 +37,23 @@ def rename(view: View, params: types.RenameParams) -> types.WorkspaceEdit | None
         for place in bound_places(view, found.bound_parameter):
             binding = rename_binding(place, params.new_name)
             edits.append((place.document, text_edits(place.document, [binding])))
+    edits += _transforms_edits(view, params)
     return workspace_edit(view.client, edits)
+
+
+def _transforms_edits(
+    view: View, params: types.RenameParams
+) -> list[tuple[Document, list[types.TextEdit]]]:
+    """Return the edits of the transforms document of the same name, if there is one."""
+    from kindsl.features.transforms_names import renamed_transforms
+
+    path = uris.path(view.document.uri)
+    beside = path.with_suffix(".dtdsl") if path is not None else None
+    if beside is None or not beside.is_file():
+        return []
+    document = view.state.documents.get(uris.uri(beside))
+    if document is None:
+        return []
+    offset = view.offset(params.position)
+    edits = renamed_transforms(view.analysis, offset, params.new_name, document.text)
+    return [(document, text_edits(document, edits))] if edits else []
