@@ -39,7 +39,10 @@ BARE = """([link, from, to]) => {
   return null;
 }"""  # noqa: E501
 IS_TOLD = "() => document.querySelector('#editing output').textContent.includes('→')"
-IS_GRASPED = "(name) => kindsl.editing.handles.shown && kindsl.editing.handles.shown.name === name"
+IS_GRASPED = """(name) => {
+  const { shown } = kindsl.editing.handles, line = document.querySelector(".handle .line");
+  return shown && shown.name === name && line && line.getAttribute("d");
+}"""
 
 
 @pytest.fixture(scope="module")
@@ -77,8 +80,12 @@ async def owner(request):
 
 
 async def grasp(page, kind, name):
+    await page.keyboard.press("7")
     await page.evaluate("(thing) => kindsl.selection.choose(thing)", {"kind": kind, "name": name})
     await page.wait_for_function(IS_GRASPED, arg=name)
+    await page.evaluate(
+        "() => new Promise((go) => requestAnimationFrame(() => setTimeout(go, 50)))"
+    )
 
 
 async def drag(page, component, share=0.6):
@@ -120,7 +127,6 @@ async def test_each_handle_writes_its_own_number_and_undo_restores(browser, owne
     model = analyse(owner.first).model
     async with opened(browser, await owner.show()) as page:
         await until_shown(page, str(model.name))
-        await page.keyboard.press("7")
         await grasp(page, "joint", joint)
         for component in ("x", "y", "z", "rx", "ry", "rz"):
             await drag(page, component)
@@ -171,8 +177,7 @@ async def test_a_number_is_typed_and_an_arrow_key_nudges(browser, owner):
 async def test_dragging_a_link_moves_its_joint_and_never_the_text(browser, owner):
     async with opened(browser, await owner.show()) as page:
         await until_shown(page, "Arm")
-        await page.evaluate("() => kindsl.selection.choose({ kind: 'link', name: 'upper' })")
-        await page.wait_for_function(IS_GRASPED, arg="upper")
+        await grasp(page, "link", "upper")
         x, y = await page.evaluate(BARE, ["upper", "shoulder", "lift"])
         await page.mouse.move(x, y)
         await page.mouse.down()
