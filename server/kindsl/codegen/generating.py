@@ -18,6 +18,7 @@ from kindsl.codegen.library import (
     library_of,
 )
 from kindsl.codegen.manifest import NAME, digest, manifest_text
+from kindsl.codegen.names import file_name
 from kindsl.codegen.reference import Reference, sample
 from kindsl.codegen.wanted import wanted_pairs
 from kindsl.mechanism.symbolic import symbolic_robot
@@ -59,7 +60,7 @@ def generate(
     robot = symbolic_robot(model, values, inputs)
     stamp = stamp or Stamp(
         f"kindsl {__version__}",
-        source.name,
+        file_name(source.name),
         digest(source.analysis.text.encode("utf-8", "surrogateescape")),
         _typed(options, source),
     )
@@ -113,7 +114,7 @@ def _inputs(analysis: Analysis, choice: str) -> list[str]:
 def _typed(options: Options, source: Source) -> str:
     """Return options as they could be typed."""
     parts = [
-        f"kindsl generate {source.name} --language {options.language}",
+        f"kindsl generate {file_name(source.name)} --language {options.language}",
         f"--name {options.prefix} --real {options.real} --parameters {options.parameters}",
         f"--quantities {','.join(options.quantities)}",
         *(["--single-header"] if options.is_single_header else []),

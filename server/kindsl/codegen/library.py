@@ -106,8 +106,9 @@ class Library:
 
     @cached_property
     def function_names(self) -> dict[str, str]:
-        """The names of functions in code, without prefix."""
-        return identifiers(function.name for function in self.all_functions)
+        """The names of functions in code, without prefix; `_batch` is the end of others."""
+        names = identifiers(function.name for function in self.all_functions)
+        return {k: f"{name}_" if name.endswith("_batch") else name for k, name in names.items()}
 
     @cached_property
     def body_names(self) -> dict[str, str]:

@@ -52,6 +52,11 @@ def identifier(name: str) -> str:
     return f"{safe}_" if safe in RESERVED else safe
 
 
+def file_name(name: str) -> str:
+    """Return a file's name as it may stand in a comment of any language."""
+    return re.sub(r"[^\w.+ -]", "_", name)
+
+
 def identifiers(names: Iterable[str]) -> dict[str, str]:
     """Return each name's form in code; two names never share one."""
     found: dict[str, str] = {}
