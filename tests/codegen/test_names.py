@@ -12,8 +12,6 @@ from kindsl.dynamics.bodies import Bodies, Frame
 
 ODD = [*sorted(RESERVED), "a.b", "a_b"]
 NAMES = st.one_of(st.text(min_size=1, max_size=6), st.sampled_from(ODD))
-    st.text(min_size=1, max_size=6), st.sampled_from([*sorted(RESERVED), "a.b", "a_b"])
-)
 
 
 @settings(max_examples=300, deadline=None, derandomize=True)
