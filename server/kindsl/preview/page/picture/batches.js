@@ -2,9 +2,13 @@
 "use strict";
 
 const KindslBatches = (() => {
-  const { BufferAttribute, Color, CylinderGeometry, Group, InstancedMesh, Matrix4, MeshBasicMaterial, MeshLambertMaterial, SphereGeometry } =
-    MeshCat.THREE;
+  const {
+    BufferAttribute, Color, CylinderGeometry, Group, InstancedMesh, LatheGeometry, Matrix4, MeshBasicMaterial, MeshLambertMaterial,
+    SphereGeometry, Vector2,
+  } = MeshCat.THREE;
   const MANY = 60; // marks of a kind from which on each is drawn with few triangles
+  const VERY_MANY = 240; // and with fewer still
+  const ARROW = [[0, -3], [0.2, -3], [0.2, 5], [0.62, 5], [0, 7]]; // as in geometry.py, [radius, height]
   const ORDER = { ghost: 1, inertia: 2, com: 3, "robot-com": 3, torque: 4 };
   const ALWAYS_TRANSPARENT = ["com", "robot-com"];
   const color = new Color(), matrix = new Matrix4();
@@ -46,19 +50,19 @@ const KindslBatches = (() => {
 
     fill(key, list) {
       let batch = this.byKey.get(key);
-      const isCoarse = list.length >= MANY;
-      if (batch && (batch.room < list.length || batch.isCoarse !== isCoarse)) {
+      const sides = list.length < MANY ? 0 : list.length < VERY_MANY ? 9 : 6;
+      if (batch && (batch.room < list.length || batch.sides !== sides)) {
         this.drop(key, batch);
         batch = null;
       }
       if (!batch) {
         const room = Math.ceil(1.3 * list.length) + 4, { shape, category } = list[0];
-        const mesh = new InstancedMesh(geometryOf(shape, isCoarse), material(shape), room);
+        const mesh = new InstancedMesh(geometryOf(list[0], sides), material(shape), room);
         mesh.frustumCulled = false;
         mesh.renderOrder = ORDER[category] || 0;
         mesh.setColorAt(0, color.setHex(0xffffff));
         this.holder.add(mesh);
-        batch = { mesh, room, isCoarse, category };
+        batch = { mesh, room, sides, category };
         this.byKey.set(key, batch);
       }
       batch.marks = list;
@@ -97,14 +101,23 @@ const KindslBatches = (() => {
     Object.assign(look, { opacity, transparent, depthWrite: opacity > 0.4 });
   }
 
-  function geometryOf(shape, isCoarse) {
+  // A mark's shape, with so many sides around; 0 for as many as it was made with.
+  function geometryOf({ shape, category }, sides) {
     const { geometry } = shape, of = geometry.parameters || {};
     // A triad is painted for its kind, so it has a geometry of its own; a clone shares what is noted in it.
     if (!shape.isLit) return Object.assign(geometry.clone(), { userData: {} });
-    if (!isCoarse) return geometry;
-    if (geometry.type.startsWith("Sphere")) return new SphereGeometry(of.radius, 9, 6);
-    if (geometry.type.startsWith("Cylinder")) return new CylinderGeometry(of.radiusTop, of.radiusBottom, of.height, 9, 1, false);
+    if (!sides) return geometry;
+    if (category === "axis") return arrow(sides);
+    if (geometry.type.startsWith("Sphere")) return new SphereGeometry(of.radius, sides, Math.ceil(sides / 2) + 1);
+    // Balls close the ends of what is a rod.
+    const isRod = ["body", "base", "ghost"].includes(category);
+    if (geometry.type.startsWith("Cylinder")) return new CylinderGeometry(of.radiusTop, of.radiusBottom, of.height, sides, 1, isRod);
     return geometry;
+  }
+
+  function arrow(sides) {
+    const points = ARROW.map(([radius, height]) => new Vector2(radius, height));
+    return new LatheGeometry(points, Math.max(4, sides - 2)).rotateX(Math.PI / 2);
   }
 
   // A triad's axes take the theme's colours: the largest of red, green and blue tells which axis it is.
