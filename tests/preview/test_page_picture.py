@@ -17,6 +17,9 @@ SHOWN_LABELS = """() => {
 VISIBLE = (
     """() => [...kindsl.scene.view].filter(([, { visible }]) => visible).map(([key]) => key)"""
 )
+# How far the bars begin from the left ends of their tracks.
+INDENTS = """(bars) => bars.map((bar) =>
+  bar.getBoundingClientRect().left - bar.parentElement.getBoundingClientRect().left)"""
 BOXES = """() => [...document.querySelectorAll(".label")]
   .filter((label) => label.style.visibility === "visible")
   .map((label) => label.getBoundingClientRect())
@@ -173,7 +176,7 @@ async def test_sliders_fill_from_zero_and_torques_from_one_side(browser, server)
         await page.locator("[data-category=torque]").check()
         bars = page.locator("#joints .bar")
         await bars.first.wait_for(state="attached")
-        assert await bars.evaluate_all("all => all.map((bar) => bar.offsetLeft)") == [0, 0]
+        assert await bars.evaluate_all(INDENTS) == [0, 0]
         told = await page.locator("#joints .amount").all_text_contents()
         classes = await bars.evaluate_all("all => all.map((b) => b.classList.contains('negative'))")
         assert classes == [text.startswith("-") for text in told]
