@@ -99,7 +99,8 @@ async def test_the_first_picture_is_calm_and_its_names_do_not_flicker(browser, s
     async with opened(browser, await url_of(server, text)) as page:
         await until_shown(page, "ANYmal")
         await page.set_viewport_size({"width": 1280, "height": 800})
-        await page.wait_for_timeout(200)
+        await until(page, "kindsl.viewer.renderer.domElement.clientWidth === 940")
+        await until(page, "kindsl.camera.framedSize > 0 && kindsl.history.present !== null")
         assert set(await page.evaluate(VISIBLE)) == {
             "body", "base", "revolute", "prismatic", "axis", "ghost", "ground", "link-names",
         }  # fmt: skip
