@@ -9,18 +9,34 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     import os
 
-    from kindsl.analysis.analysis import Analysis
+    from kindsl.analysis.analysis import Analysis as Document
     from kindsl.analysis.settings import Settings
-    from kindsl.mechanism.errors import ModelError, UnboundParameterError
+    from kindsl.mechanism.build import Mechanism
+    from kindsl.mechanism.errors import ModelError, ParameterValueError, UnboundParameterError
 
-__all__ = ["ModelError", "UnboundParameterError", "__version__", "load", "parse"]
+__all__ = [
+    "Document",
+    "Mechanism",
+    "ModelError",
+    "ParameterValueError",
+    "UnboundParameterError",
+    "__version__",
+    "load",
+    "parse",
+]
 
 __version__ = "0.1.0"
 
-_ERRORS = ("ModelError", "UnboundParameterError")
+_PLACES = {
+    "Document": ("kindsl.analysis.analysis", "Analysis"),
+    "Mechanism": ("kindsl.mechanism.build", "Mechanism"),
+    "ModelError": ("kindsl.mechanism.errors", "ModelError"),
+    "ParameterValueError": ("kindsl.mechanism.errors", "ParameterValueError"),
+    "UnboundParameterError": ("kindsl.mechanism.errors", "UnboundParameterError"),
+}
 
 
-def load(path: "str | os.PathLike[str]", settings: "Settings | None" = None) -> "Analysis":
+def load(path: "str | os.PathLike[str]", settings: "Settings | None" = None) -> "Document":
     """Return the document in a file; bad text gives findings, never an error.
 
     Args:
@@ -38,7 +54,7 @@ def load(path: "str | os.PathLike[str]", settings: "Settings | None" = None) -> 
     return parse(text, settings)
 
 
-def parse(text: str, settings: "Settings | None" = None) -> "Analysis":
+def parse(text: str, settings: "Settings | None" = None) -> "Document":
     """Return the document of a text; never raises, whatever the text.
 
     Args:
@@ -62,8 +78,9 @@ def _settings_for(path: "str | os.PathLike[str]") -> "Settings":
 
 
 def __getattr__(name: str) -> Any:
-    if name in _ERRORS:
-        from kindsl.mechanism import errors
+    if name in _PLACES:
+        from importlib import import_module
 
-        return getattr(errors, name)
+        module, attribute = _PLACES[name]
+        return getattr(import_module(module), attribute)
     raise AttributeError(f"module 'kindsl' has no attribute '{name}'")

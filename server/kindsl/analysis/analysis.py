@@ -1,6 +1,6 @@
 """A document with everything that is known of it: syntax, model, findings."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -20,6 +20,7 @@ from kindsl.semantics.model import Model
 from kindsl.syntax.collector import paused_collector
 from kindsl.syntax.document import SyntaxDocument, parse
 from kindsl.text.edits import TextEdit
+from kindsl.text.words import counted
 
 if TYPE_CHECKING:
     from kindsl.mechanism.build import Mechanism
@@ -93,19 +94,34 @@ class Analysis:
         """Return the analysis of the same text under other decisions."""
         return Analysis(self.syntax, settings)
 
-    def mechanism(self, parameters: dict[str, float] | None = None) -> "Mechanism":
+    def mechanism(self, parameters: Mapping[str, float] | None = None) -> "Mechanism":
         """Return the numbered bodies for mechanics; needs NumPy.
 
         Args:
-            parameters: Values that win over all other bindings.
+            parameters: Values by name, numbers, that win over all other bindings.
 
         Raises:
             UnboundParameterError: A parameter has no value.
+            ParameterValueError: A name is unknown, or a value is no number or out of its range.
             ModelError: The document does not describe a kinematic tree.
+            ModuleNotFoundError: NumPy is not installed.
         """
-        from kindsl.mechanism.build import mechanism_of
+        from kindsl.mechanism.given_values import checked_values
 
-        return mechanism_of(self.model, {**self.context.values, **(parameters or {})})
+        known = [str(parameter.name) for parameter in self.model.parameters]
+        given = checked_values(parameters or {}, known, self.settings.bindings)
+        try:
+            from kindsl.mechanism.build import mechanism_of
+        except ModuleNotFoundError as error:
+            message = f"{error.name} is not installed: pip install 'kindsl[numpy]'"
+            raise ModuleNotFoundError(message, name=error.name) from None
+        return mechanism_of(self.model, {**self.context.values, **given})
+
+    def __repr__(self) -> str:
+        n_errors = sum(finding.severity == "error" for finding in self.findings)
+        links = counted(len(self.model.links), "link")
+        name = self.model.name or "unnamed"
+        return f"<kindsl.Document '{name}': {links}, {counted(n_errors, 'error')}>"
 
     def _resolve(self, rule: Rule, finding: Finding) -> Diagnostic:
         severity = severity_of(rule, finding.severity, self.settings)

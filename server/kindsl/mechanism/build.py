@@ -22,6 +22,11 @@ class Mechanism(Mechanics):
 
     __slots__ = ()
 
+    def __repr__(self) -> str:
+        base = "floating" if self.bodies.is_floating else "fixed"
+        joints = "1 joint" if self.n_joints == 1 else f"{self.n_joints} joints"
+        return f"<kindsl.Mechanism: {base} base '{self.bodies.base_name}', {joints}>"
+
     def compiled(self, threads: int = 1) -> "CompiledMechanics":
         """Return the same mechanics compiled, which takes seconds once; needs a C compiler.
 

@@ -27,3 +27,15 @@ class UnboundParameterError(ModelError):
         plural = "s" if len(names) > 1 else ""
         super().__init__(f"no value for the parameter{plural} {listed}", at)
         self.names = names
+
+
+class ParameterValueError(ValueError):
+    """A value was given to a parameter that the document does not have, or that cannot be one.
+
+    Attributes:
+        name: The parameter.
+    """
+
+    def __init__(self, message: str, name: str) -> None:
+        super().__init__(message)
+        self.name = name
