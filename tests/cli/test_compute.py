@@ -137,7 +137,7 @@ def test_text(kindsl: Runner, document: Path) -> None:
         (["--q", "elbw=1"], "--q: there is no joint 'elbw', did you mean 'elbow'?"),
         (["--base-velocity", "1,2,3,4,5,6"], "--base-velocity is given, but the base is fixed"),
         (["--tau", "1,2"], "--tau needs --forward"),
-        (["--forward", "--qdd", "1,2"], "--qdd is what --forward computes"),
+        (["--forward", "--qdd", "1,2"], "--qdd cannot be used with --forward"),
         (["--gravity", "1,2"], "'1,2' is not three numbers X,Y,Z"),
         (["--q-file", "missing.json"], "missing.json: cannot be read: No such file"),
         (["--param", "x=1"], "arm.kindsl: error: there is no parameter 'x'"),

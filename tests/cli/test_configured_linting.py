@@ -120,6 +120,6 @@ def test_stdin_tells_nothing_of_other_files(kdsl_lint: Runner, folder: Path, mon
 def test_unused_parameter_of_the_command_line_is_told(kdsl_lint: Runner, folder: Path) -> None:
     (folder / "a.kindsl").write_text(UNBOUND)
     told = kdsl_lint("a.kindsl", "--param", "lenght=1", "--select", "KD1")
-    assert told.err.startswith("warning: --param lenght: no document has a parameter 'lenght'")
+    assert told.err.startswith("warning: --param lenght: no document uses parameter 'lenght'")
     assert told.status == 0
     assert "warning: --param" not in kdsl_lint("a.kindsl", "--param", "length=1").err

@@ -205,7 +205,7 @@ def test_defect_of_a_rule_does_not_stop_the_others(
     (folder / "arm.kindsl").write_text(GOOD)
     (folder / "leg.kindsl").write_text(INTEGER.replace("arm", "leg"))
     told = kdsl_lint()
-    assert told.err.startswith("arm.kindsl: error: a defect of kindsl itself: KeyError: 'oh'\n")
+    assert told.err.startswith("arm.kindsl: error: internal error: KeyError: 'oh'\n")
     assert told.out.startswith("leg.kindsl:21:32:")
     assert told.status == 2
 
@@ -222,7 +222,7 @@ def test_a_rule_that_fails_is_told_with_what_the_others_found(
     monkeypatch.delenv("KINDSL_TRACEBACK")
     (folder / "arm.kindsl").write_text(INTEGER)
     told = kdsl_lint()
-    fault = "arm.kindsl: error: a defect of kindsl itself: KD999 failed: KeyError: 'oh'\n"
+    fault = "arm.kindsl: error: internal error: KD999 failed: KeyError: 'oh'\n"
     assert told.err.startswith(fault)
     assert told.out.startswith("arm.kindsl:21:32: error[KD005]")
     assert told.status == 2

@@ -60,8 +60,11 @@ def test_of_two_links_with_one_name_the_second_is_renamed_alone():
         ("Arm", "the robot is named 'Arm'"),
         ("mass", "'mass' is a keyword"),
         ("Pi", "'Pi' means the number pi"),
-        ("2nd", "'2nd' is no name: letters, digits and '_' make one, a digit does not begin it"),
-        ("", "'' is no name: letters, digits and '_' make one, a digit does not begin it"),
+        (
+            "2nd",
+            "'2nd' is not a valid name: use letters, digits and '_', not starting with a digit",
+        ),
+        ("", "'' is not a valid name: use letters, digits and '_', not starting with a digit"),
     ],
 )
 def test_clashes_and_keywords_are_refused(name, message):

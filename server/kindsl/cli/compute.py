@@ -47,7 +47,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--forward", action="store_true", help="from forces to accelerations")
     add("--tau", metavar="LIST", help="with --forward: the joints' forces")
     add("--output-format", choices=FORMATS, default="json")
-    add("-o", "--output", metavar="FILE", help="write here, not on stdout")
+    add("-o", "--output", metavar="FILE", help="write to this file instead of stdout")
     add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
 
 

@@ -11,7 +11,7 @@ from kindsl.cli.process import run_and_exit
 
 COMMANDS = {
     "lint": "tell what is wrong with documents",
-    "format": "lay documents out in the one style",
+    "format": "format documents; changes whitespace only",
     "info": "show the tree, masses and parameters of a document",
     "compute": "compute poses, inertia and forces",
     "preview": "show the robot in 3D while its document is edited",

@@ -20,12 +20,12 @@ def motions_of(args: argparse.Namespace, robot: Robot) -> list[Motion]:
     if args.tau is not None and not args.forward:
         raise MotionError("--tau needs --forward")
     if args.forward and args.qdd is not None:
-        raise MotionError("--qdd is what --forward computes")
+        raise MotionError("--qdd cannot be used with --forward")
     if args.q_file is None:
         values = {key: _listed(options[key], text) for key, text in given.items()}
         return [motion(values, robot, options)]
     if given:
-        raise MotionError(f"{options[next(iter(given))]} and --q-file exclude each other")
+        raise MotionError(f"{options[next(iter(given))]} cannot be combined with --q-file")
     return motions_from(_content_of(args.q_file), robot, args.q_file)
 
 

@@ -28,7 +28,7 @@ def run_and_exit(command: Callable[[], int]) -> NoReturn:
         if os.environ.get("KINDSL_TRACEBACK"):
             raise
         what = f"{type(error).__name__}: {error}"
-        sys.stderr.write(f"kindsl: error: a defect of kindsl itself: {what}\n")
+        sys.stderr.write(f"kindsl: error: internal error: {what}\n")
         status = DEFECT
     _flush()
     os._exit(status)

@@ -221,7 +221,7 @@ def _recorded(robot: Robot, inputs: Inputs, name: str) -> list[Function]:
         functions = quantity.build(robot, inputs)
     except (SingularInertiaError, ZeroDivisionError):
         raise GenerationError(
-            f"'{name}' is not defined: nothing resists some motion, the inertia matrix is "
+            f"'{name}' is not defined: the inertia matrix is "
             "singular; use --quantities to choose others, such as poses,jacobians"
         ) from None
     for function in functions:

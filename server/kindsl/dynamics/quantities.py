@@ -28,4 +28,4 @@ class SingularInertiaError(ValueError):
     """Some motion meets no inertia, so its acceleration is not defined."""
 
     def __init__(self) -> None:
-        super().__init__("the acceleration is not defined: nothing resists some motion")
+        super().__init__("the acceleration is not defined: the inertia matrix is singular")

@@ -116,7 +116,9 @@ def objection(word: str, kind: EntityKind, targets: frozenset[str]) -> str | Non
         targets: The generators that must accept it.
     """
     if not _NAME.fullmatch(word):
-        return f"'{word}' is no name: letters, digits and '_' make one, a digit does not begin it"
+        return (
+            f"'{word}' is not a valid name: use letters, digits and '_', not starting with a digit"
+        )
     if word.lower() == "pi":
         return f"'{word}' means the number pi"
     if word in KEYWORDS:

@@ -60,7 +60,7 @@ def _from_predecessor(
         return IDENTITY
     edge = analysis.model.tree.supporting_edge(body)
     if edge is None:
-        return Unknown(f"nothing carries `{body.name}`")
+        return Unknown(f"`{body.name}` has no parent")
     if edge.joint is None:
         return Unknown(f"there is no joint `{edge.child.joint}`")
     carrier = known.get(edge.predecessor, Unknown(f"`{body.name}` is part of a kinematic loop"))

@@ -99,7 +99,7 @@ def _supporting_edge(model: Model, link: Link) -> Edge:
         raise ModelError(f"the link '{link.name}' has {len(edges)} parents", edges[1].child.link)
     if model.body_named.get(link.name) is not link:
         raise ModelError(f"two links have the name '{link.name}'", link.name)
-    raise ModelError(f"nothing carries the link '{link.name}'", link.name)
+    raise ModelError(f"link '{link.name}' has no parent", link.name)
 
 
 def _check_order(edge: Edge) -> None:

@@ -25,7 +25,7 @@ def load_refusal(target: str, model: Model, context: Context) -> Iterator[Findin
     if target not in context.targets:
         return
     for finding in (*_defects(_STOPPING[target], model, context), *_ambiguous(target, model)):
-        message = f"{target} does not load this: {finding.message}"
+        message = f"not supported by {target}: {finding.message}"
         yield Finding(finding.at, message, severity=Severity.ERROR)
         return
 

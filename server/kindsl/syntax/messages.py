@@ -171,7 +171,7 @@ def _repair(
             return None
         edits.append(edit)
     inserted = [c for c in changes if c.action != "delete"]
-    verb = "Remove what is unexpected"
+    verb = "Remove the unexpected text"
     if inserted:
         verb = f"Insert {_called(inserted[0].kind, moment)}"
     return Repair(verb, tuple(edits), False)

@@ -95,7 +95,7 @@ def _outcome(
 def _defect(task: Task, error: Exception, what: str) -> Failure:
     if os.environ.get("KINDSL_TRACEBACK"):
         raise error
-    return Failure(task.shown, f"a defect of kindsl itself: {what}")
+    return Failure(task.shown, f"internal error: {what}")
 
 
 def _file(

@@ -42,7 +42,7 @@ def common_batch_shape(arrays: dict[str, Array]) -> tuple[int, ...]:
         return np.broadcast_shapes(*shapes)
     except ValueError:
         listed = ", ".join(f"'{name}' {array.shape}" for name, array in arrays.items())
-        raise ValueError(f"the leading dimensions do not go together: {listed}") from None
+        raise ValueError(f"the batch dimensions cannot be broadcast: {listed}") from None
 
 
 def unknown_name(kind: str, name: str, known: Iterable[str]) -> ValueError:

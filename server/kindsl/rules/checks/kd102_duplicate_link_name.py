@@ -28,7 +28,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
     for first, again in repeated_names(model.bodies):
         if not again.is_base:
             what = "the base" if first.is_base else "another link"
-            message = f"link name '{again.name}' belongs to {what} already"
+            message = f"'{again.name}' is already the name of {what}"
             yield Finding(again.name, message, (Related(first.name, f"{what} '{first.name}'"),))
 
 

@@ -4,7 +4,7 @@
 Reports a joint whose name an earlier joint has already.
 
 ## Why is this bad?
-Whoever refers to that name means the first; the second moves nothing. RobCoGen accepts the document
+Whoever refers to that name means the first; the second is not used. RobCoGen accepts the document
 and fails later: "Joint has no predecessor".
 
 ## Example
@@ -26,7 +26,7 @@ from kindsl.semantics.model import Model
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each joint whose name is taken."""
     for first, again in repeated_names(model.joints):
-        message = f"joint name '{again.name}' belongs to another joint already"
+        message = f"joint '{again.name}' is already defined"
         yield Finding(again.name, message, (Related(first.name, f"joint '{first.name}'"),))
 
 

@@ -35,7 +35,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
                 yield _finding(first, again, message, Severity.ERROR)
     for first, again in repeated_names(model.frames):
         if first.link != again.link:
-            message = f"frame name '{again.name}' belongs to link '{first.link}' already"
+            message = f"frame '{again.name}' is already defined in link '{first.link}'"
             yield _finding(first, again, message, Severity.WARNING)
 
 

@@ -28,7 +28,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
     for first, again in repeats(model.joints, lambda joint: joint.id):
         if first.name == again.name:
             continue
-        message = f"id {again.id} of joint '{again.name}' belongs to joint '{first.name}' already"
+        message = f"joint '{again.name}' reuses id {again.id} of joint '{first.name}'"
         related = Related(first.id_place or first.name, f"id {first.id} of joint '{first.name}'")
         yield Finding(again.id_place or again.name, message, (related,))
 

@@ -23,18 +23,19 @@ from kindsl.rules.examples import link, robot
 from kindsl.rules.reference_defects import reference_defects
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
+from kindsl.text.words import counted
 
 _MOST_RELATED = 20
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
-    """Yield a finding for each link that nothing carries."""
+    """Yield a finding for each link without a parent."""
     for body in reference_defects(model).orphans:
         below = _carried(model, body)
-        message = f"nothing carries link '{body.name}'"
+        message = f"link '{body.name}' has no parent"
         if below:
-            message += f", which carries {len(below)} more link{'s' if len(below) > 1 else ''}"
-        related = (Related(b.name, f"'{b.name}' hangs on it") for b in below[:_MOST_RELATED])
+            message += f"; {counted(len(below), 'more link')} attached to it"
+        related = (Related(b.name, f"'{b.name}' is attached to it") for b in below[:_MOST_RELATED])
         yield Finding(body.name, message, tuple(related))
 
 

@@ -1,4 +1,4 @@
-"""A joint moves nothing.
+"""A joint is not used.
 
 ## What it does
 Reports a joint that no `link via joint` names. It is not reported where a wrong name elsewhere can
@@ -26,7 +26,7 @@ from kindsl.semantics.model import Model
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each joint that nothing moves by."""
     for joint in reference_defects(model).unused_joints:
-        yield Finding(joint.name, f"joint '{joint.name}' moves no link")
+        yield Finding(joint.name, f"joint '{joint.name}' is not used")
 
 
 def _arm(joints: str) -> str:

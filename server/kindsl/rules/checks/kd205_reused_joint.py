@@ -28,9 +28,9 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
     defects = reference_defects(model)
     for first, again in defects.reused_joints:
         name = again.child.joint
-        message = f"joint '{name}' supports link '{first.child.link}' already"
+        message = f"joint '{name}' already connects link '{first.child.link}'"
         related = [Related(first.child, f"'{first.child.link}' moves by '{name}'")]
-        related += [Related(j.name, f"joint '{j.name}' moves nothing") for j in _spare(defects)]
+        related += [Related(j.name, f"joint '{j.name}' is not used") for j in _spare(defects)]
         yield Finding(name, message, tuple(related))
 
 

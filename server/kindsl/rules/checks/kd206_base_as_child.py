@@ -4,7 +4,7 @@
 Reports a `link via joint` that names the robot's base.
 
 ## Why is this bad?
-The base is the root of the tree: nothing carries it. Both generators reject the document, with the
+The base is the root of the tree and has no parent. Both generators reject the document, with the
 message that no such link exists.
 
 ## Example

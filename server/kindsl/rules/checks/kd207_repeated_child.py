@@ -34,7 +34,9 @@ from kindsl.semantics.places import Located, Place
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each child that its body has already."""
     for first, again in reference_defects(model).repeated:
-        message = f"'{again.predecessor.name}' carries link '{again.child.link}' already"
+        message = (
+            f"link '{again.child.link}' is listed twice as a child of '{again.predecessor.name}'"
+        )
         related = Related(first.child, f"'{first.child.link}' via '{first.child.joint}'")
         is_same = again.child.joint == first.child.joint
         fix, tag = (_removal(again.child), Tag.UNNECESSARY) if is_same else (None, None)

@@ -34,7 +34,7 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
     """Yield a finding for each inertia that is singular but possible."""
     for found in judgements(declared, context):
         if found.verdict is Verdict.SINGULAR:
-            message = f"inertia of '{found.link.name}' is that of {_shape(found)}"
+            message = f"inertia of '{found.link.name}' describes {_shape(found)}"
             yield Finding(keyword(found.inertia), message)
 
 
@@ -43,10 +43,10 @@ def _shape(found: Judgement) -> str:
     about_origin = sum(map(abs, found.body.moments[:3]))
     about_origin += found.body.mass * sum(c * c for c in found.body.com)
     if large <= _NEGLIGIBLE * about_origin:
-        return "a point"
+        return "a point mass"
     if middle <= _NEGLIGIBLE * large:
-        return "a rod without radius"
-    return "a plate without thickness"
+        return "an infinitely thin rod"
+    return "an infinitely thin plate"
 
 
 _INERTIA = """inertia_params {

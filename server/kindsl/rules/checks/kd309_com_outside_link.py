@@ -74,8 +74,8 @@ def _message(body: Link, inertia: Inertia, points: list[Vector3], context: Conte
     distance = min(_distance_to_segment(com, point) for point in points)
     if distance > _FAR * (length + radius):
         return (
-            f"CoM of '{body.name}' is {with_unit(distance, 'm')} away from the link, "
-            f"which is {with_unit(length, 'm')} long"
+            f"CoM of '{body.name}' lies {with_unit(distance, 'm')} from "
+            f"a link {with_unit(length, 'm')} long"
         )
     if radius > _WIDE * (length + hypot(*com)):
         return (

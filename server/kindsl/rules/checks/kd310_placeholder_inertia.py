@@ -58,7 +58,8 @@ def _numbers(inertia: Inertia) -> Numbers:
 def _shared(group: list[tuple[Link, Inertia]]) -> Finding:
     first, inertia = group[0]
     others = group[1:]
-    message = f"'{first.name}' and {len(others)} unlike links have the same mass and moments"
+    message = f"'{first.name}' and {len(others)} differently shaped links "
+    message += "share the same mass and moments"
     related = [Related(keyword(i), f"inertia of '{b.name}'") for b, i in others[:_MOST_RELATED]]
     return Finding(keyword(inertia), message, tuple(related))
 

@@ -36,7 +36,7 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
     for found in judgements(declared, context):
         if found.verdict is Verdict.IMPLAUSIBLE:
             density = density_of(found.body.mass, found.second_moments)
-            message = f"inertia of '{found.link.name}' is that of a body of "
+            message = f"inertia of '{found.link.name}' implies a density of "
             message += f"{with_unit(density, 'kg/m³')}; its radius of gyration is "
             message += with_unit(found.radius_of_gyration, "m")
             yield Finding(keyword(found.inertia), message)

@@ -26,8 +26,8 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         defaults = [use.default for use in parameter.uses if use.default is not None]
         for other in defaults[1:]:
             if other.value({}) != defaults[0].value({}):
-                message = f"default {other.text} of parameter '{parameter.name}' is not the first"
-                message += f" one, {defaults[0].text}"
+                message = f"parameter '{parameter.name}' has conflicting defaults: "
+                message += f"{defaults[0].text} and {other.text}"
                 yield Finding(other, message, (Related(defaults[0], "the first default"),))
 
 

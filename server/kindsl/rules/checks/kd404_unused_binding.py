@@ -1,4 +1,4 @@
-"""A value is bound to a parameter that no document has.
+"""A value is bound to a parameter that no document uses.
 
 ## What it does
 Reports, in `kindsl.toml`, a name under `[parameters]` that no document of the project uses, or in
@@ -42,7 +42,7 @@ def unused_bindings(bound: Iterable[str], used: Iterable[str]) -> Iterator[Unuse
     for name in names:
         if name not in known:
             meant = nearest_name(name, free)
-            yield UnusedBinding(name, f"no document has a parameter '{name}'{hint(meant)}")
+            yield UnusedBinding(name, f"no document uses parameter '{name}'{hint(meant)}")
 
 
 RULE = Rule("KD404", "unused-binding", Severity.WARNING)

@@ -1,7 +1,7 @@
 """A name in a value that is easily taken for something else.
 
 ## What it does
-Reports `pi`, `Pi` and `pI`, a parameter that is called like a link or a joint, and a parameter
+Reports `pi`, `Pi` and `pI`, a parameter with the name of a link or a joint, and a parameter
 whose name begins with `pi` where the document is not for one target alone.
 
 ## Why is this bad?
@@ -38,7 +38,9 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
         if other is not None:
             what = "link" if name in model.body_named else "joint"
             related = Related(other.name, f"{what} '{name}'")
-            yield Finding(parameter.name, f"parameter '{name}' is called like a {what}", (related,))
+            yield Finding(
+                parameter.name, f"parameter '{name}' has the same name as a {what}", (related,)
+            )
         elif name[:2].lower() == "pi" and not context.targets:
             message = f"robcogen2 reads parameter '{name}' as '{name[:2]}' and stops"
             yield Finding(parameter.name, message)

@@ -40,9 +40,9 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
 
 def _broken_limit(binding: Binding, value: float) -> str:
     if binding.minimum is not None and value < binding.minimum:
-        return f"below its least value {binding.minimum:g}"
+        return f"below its minimum {binding.minimum:g}"
     if binding.maximum is not None and value > binding.maximum:
-        return f"above its greatest value {binding.maximum:g}"
+        return f"above its maximum {binding.maximum:g}"
     return ""
 
 

@@ -31,7 +31,7 @@ def check_island(declared: Declarations, _: Context) -> Iterator[Finding]:
     for vector in lengths(declared):
         for value in vector.components:
             if value.literal is not None and abs(value.literal) > GREATEST_LENGTH:
-                message = f"length {value.text} m is more than a robot's; is it in millimetres?"
+                message = f"length {value.text} m is implausible; is it in millimetres?"
                 yield Finding(value, message, fix=_fix(vector))
                 break
 

@@ -35,8 +35,7 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
             continue
         angles = triple(rotation, context.values)
         if angles is not None and angles[0] and angles[2] and abs(cos(angles[1])) < _RIGHT:
-            which = "difference" if angles[1] < 0.0 else "sum"
-            message = f"with ry at a right angle only the {which} of rx and rz matters"
+            message = "at ry = ±90° rx and rz rotate about the same axis (gimbal lock)"
             yield Finding(rotation, message)
 
 

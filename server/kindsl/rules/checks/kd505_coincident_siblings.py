@@ -43,7 +43,7 @@ def _siblings(edges: list[Edge], context: Context) -> Iterator[Finding]:
         if edge.joint is not None and here is not None:
             first = known.setdefault((edge.joint.kind, here), edge.joint)
             if first is not edge.joint:
-                message = f"joint '{edge.joint.name}' has the frame of joint '{first.name}'"
+                message = f"joints '{edge.joint.name}' and '{first.name}' have the same frame"
                 related = Related(first.name, f"joint '{first.name}'")
                 yield Finding(edge.joint.name, message, (related,))
 

@@ -27,9 +27,9 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding at the first link that is out of order."""
     for before, body in pairwise(model.links):
         if before.id is not None and body.id is not None and body.id < before.id:
-            message = f"link '{body.name}' with id {body.id} comes behind '{before.name}' with id"
+            message = f"links are not in order of id: '{body.name}' ({body.id}) follows"
             related = Related(before.name, f"id {before.id}")
-            yield Finding(body.name, f"{message} {before.id}", (related,))
+            yield Finding(body.name, f"{message} '{before.name}' ({before.id})", (related,))
             return
 
 
