@@ -88,7 +88,7 @@ loadPyodide({ indexURL: base }).then((py) => postMessage(py.runPython("1 + 1")))
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--quick", action="store_true", help="fewer rounds")
-    rounds = 2 if parser.parse_args().quick else 5
+    rounds = 1 if parser.parse_args().quick else 5
     text = (ROOT / "examples" / "quadruped.kindsl").read_text()
     with tempfile.TemporaryDirectory() as folder, chromium() as browser:
         gather(Path(folder), site.build())
@@ -125,7 +125,7 @@ def starts(browser: Browser, address: str, text: str, rounds: int) -> list[bool]
                     times.setdefault((way, state), []).append(started(context, address, way, text))
     medians = {key: statistics.median(values) for key, values in times.items()}
     for (way, state), value in sorted(medians.items()):
-        print(f"{way:8} {state}: {value:8.0f} ms")
+        print(f"{way:8} {state}: {value:8.0f} ms", flush=True)
     cold = {way: medians[way, "cold"] for way in WAYS}
     warm = {way: medians[way, "warm"] for way in WAYS}
     return [

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser
+from tests.support.published import published_models
 from tests.vscode import models
 from tests.web import site
 from tests.web.tab import PLACE_CURSOR, Tab, fragment
@@ -24,13 +25,24 @@ BROKEN = (
 
 @pytest.mark.parametrize("path", sorted(EXAMPLES.glob("*.kindsl")), ids=lambda path: path.stem)
 def test_it_finds_what_the_linter_finds(tab: Tab, path: Path) -> None:
+    expect_findings(tab, path)
+
+
+@pytest.mark.parametrize("path", published_models())
+def test_it_finds_the_same_in_published_models(tab: Tab, path: Path) -> None:
+    tab.open_beside("kindsl.toml", "")
+    expect_findings(tab, path)
+
+
+def expect_findings(tab: Tab, path: Path) -> None:
+    """Show a document and wait for the codes and ranges that the linter finds."""
     document = kindsl.load(path)
     lines = LineIndex(document.text)
     expected = []
     for finding in document.findings:
         start, end = lines.position(finding.start), lines.position(finding.end)
         expected.append([finding.code, start[0] + 1, start[1] + 1, end[0] + 1, end[1] + 1])
-    tab.show(path.name, document.text)
+    tab.show(path.name.lower(), document.text)
     tab.expect_robot(str(document.model.name))
     tab.eventually(lambda: tab.found() == sorted(expected), f"the findings of {path.name}")
 
