@@ -1,6 +1,5 @@
 """Values for parameters, written into the project's configuration."""
 
-import tomllib
 from pathlib import Path
 from typing import Any
 
@@ -8,34 +7,11 @@ import pytest
 from tests.lsp.test_workspace import ROBOT, roots
 from tests.support.lsp import RawClient, ready_client
 
-from kindsl.lsp.session.binding import _insertion
 from kindsl.lsp.text import uris
-from kindsl.text.edits import apply_edits
 
 MAKES = {
     "workspace": {"workspaceEdit": {"documentChanges": True, "resourceOperations": ["create"]}}
 }
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
-        "",
-        'target = ["robcogen"]',
-        "[parameters]",
-        "[parameters]\nb = 2.0\n",
-        "[ parameters ] # values\nb = 2.0\n[severity]\n",
-        "parameters = {}\n",
-        "parameters = { b = 2.0 }\n[severity]\n",
-        "[parameters.b]\nvalue = 1.0\n",
-        '[severity]\nKD401 = "error"\n\n[[document]]\npath = "a.kindsl"\n',
-    ],
-)
-def test_a_value_is_added_to_what_is_there(text: str) -> None:
-    before = tomllib.loads(text)
-    after = tomllib.loads(apply_edits(text, [_insertion(text, "", ["m = 1.0"])]))
-    assert after.pop("parameters") == {**before.pop("parameters", {}), "m": 1.0}
-    assert after == before
 
 
 def test_a_parameter_is_bound_in_the_file_that_is_there(tmp_path: Path) -> None:
@@ -44,7 +20,36 @@ def test_a_parameter_is_bound_in_the_file_that_is_there(tmp_path: Path) -> None:
         edit = offered(client, tmp_path)
         made = edit["changes"][uris.uri(tmp_path / "kindsl.toml")]
         assert [each["newText"] for each in made] == ["m = 1.0\n"]
-        assert made[0]["range"]["start"] == {"line": 1, "character": 0}
+        assert made[0]["range"]["start"] == {"line": 2, "character": 0}
+
+
+def test_a_parameter_is_bound_for_its_robot_alone_where_that_has_a_table(tmp_path: Path) -> None:
+    tables = "[[document]]\npath = 'leg.kindsl'\n\n[[document]]\npath = 'robot.kindsl'\n"
+    (tmp_path / "kindsl.toml").write_text(tables)
+    with ready_client(workspaceFolders=roots(tmp_path)) as client:
+        (made,) = offered(client, tmp_path)["changes"][uris.uri(tmp_path / "kindsl.toml")]
+        assert made["newText"].splitlines() == ["parameters = {m = 1.0}"]
+        assert made["range"]["start"] == {"line": 5, "character": 0}
+
+
+def test_a_renamed_parameter_keeps_its_value_and_takes_no_others(tmp_path: Path) -> None:
+    text = "[[document]]\npath = 'leg.kindsl'\nparameters = {m = 5.0, taken = 1.0}\n"
+    text += (
+        "[[document]]\npath = 'robot.kindsl'\nparameters.m.value = 2.0 # kg\nparameters.m.min = 1\n"
+    )
+    file = tmp_path / "kindsl.toml"
+    file.write_text(text)
+    with ready_client(workspaceFolders=roots(tmp_path)) as client:
+        made = renamed(client, tmp_path, "payload")["changes"][uris.uri(file)]
+        assert [(each["range"]["start"], each["newText"]) for each in made] == [
+            ({"line": 5, "character": 11}, "payload"),
+            ({"line": 6, "character": 11}, "payload"),
+        ]
+        file.write_text(text + "parameters.taken = 1.0\n")
+        change = {"uri": uris.uri(file), "type": 2}
+        client.notify("workspace/didChangeWatchedFiles", {"changes": [change]})
+        with pytest.raises(AssertionError, match=r"'taken' already has a value in .*kindsl\.toml"):
+            renamed(client, tmp_path, "taken")
 
 
 def test_a_file_is_made_by_a_client_that_can(tmp_path: Path) -> None:
@@ -57,6 +62,15 @@ def test_a_file_is_made_by_a_client_that_can(tmp_path: Path) -> None:
 def test_nothing_is_offered_to_a_client_that_makes_no_files(tmp_path: Path) -> None:
     with ready_client(workspaceFolders=roots(tmp_path)) as client:
         assert offered(client, tmp_path) is None
+
+
+def renamed(client: RawClient, folder: Path, name: str) -> Any:
+    """The edit that renames the parameter of the robot."""
+    uri = uris.uri(folder / "robot.kindsl")
+    client.open(uri, ROBOT)
+    place = {"line": 2, "character": ROBOT.splitlines()[2].index("mass = m") + 7}
+    params = {"textDocument": {"uri": uri}, "position": place, "newName": name}
+    return client.request("textDocument/rename", params)
 
 
 def offered(client: RawClient, folder: Path) -> Any:

@@ -83,7 +83,7 @@ def test_the_package_is_small(vsix: Path) -> None:
 
 def test_the_package_has_everything_inside(vsix: Path) -> None:
     names = set(zipfile.ZipFile(vsix).namelist())
-    libraries = ("kindsl", "pygls", "lsprotocol", "attrs", "cattrs", "pathspec")
+    libraries = ("kindsl", "pygls", "lsprotocol", "attrs", "cattrs", "pathspec", "tomlkit")
     wanted = {f"bundled/libs/{library}/__init__.py" for library in libraries} | {
         "bundled/libs/kindsl/grammar/kindsl.lark",
         "bundled/libs/kindsl/docs/rules/kd301.md",

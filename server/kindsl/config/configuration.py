@@ -6,6 +6,7 @@ from typing import NamedTuple
 from kindsl.analysis.settings import Settings
 from kindsl.config.decisions import Decisions, overridden
 from kindsl.config.errors import ConfigurationError, ConfigurationProblem
+from kindsl.config.toml_places import KeyPath, Span
 
 __all__ = ["Configuration", "ConfigurationError", "ConfigurationProblem", "DocumentTable"]
 
@@ -38,7 +39,7 @@ class Configuration(NamedTuple):
     text: str
     common: Decisions
     documents: tuple[DocumentTable, ...]
-    places: Mapping[tuple[str | int, ...], tuple[int, int]]
+    places: Mapping[KeyPath, Span]
     root: tuple[str, ...]
 
     @property
@@ -56,6 +57,18 @@ class Configuration(NamedTuple):
             d.decisions for d in self.documents if is_match(self.path, d.pattern, document)
         ]
         return [self.common, *particular]
+
+    def keys_of(self, parameter: str, document: str) -> list[KeyPath]:
+        """Return the keys that give a parameter of a document a value, the winning ones last."""
+        from kindsl.config.patterns import is_match
+
+        found: list[KeyPath] = [self.root] if parameter in self.common.bindings else []
+        found += [
+            (*self.root, "document", number)
+            for number, (pattern, decisions) in enumerate(self.documents)
+            if parameter in decisions.bindings and is_match(self.path, pattern, document)
+        ]
+        return [(*keys, "parameters", parameter) for keys in found]
 
     def settings_for(self, document: str) -> Settings:
         """Return the decisions for a document.

@@ -6,7 +6,8 @@ The text has to be valid: `tomllib` has read it before.
 import re
 
 KeyPath = tuple[str | int, ...]
-Places = dict[KeyPath, tuple[int, int]]
+Span = tuple[int, int]
+Places = dict[KeyPath, Span]
 
 _BLANK = re.compile(r"(?:[ \t\r\n]|#[^\n]*)*")
 _STRING = re.compile(
@@ -21,6 +22,15 @@ def toml_places(text: str) -> Places:
 
     A key's span is that of its last part; a list element's that of its value.
     """
+    return {path: spans[0] for path, spans in _scanned(text).items()}
+
+
+def spans_of(text: str, path: KeyPath) -> list[Span]:
+    """Return all spans of a key: dotted keys and headers may repeat it."""
+    return _scanned(text).get(path, [])
+
+
+def _scanned(text: str) -> dict[KeyPath, list[Span]]:
     scan = _Scan(text)
     scan.document()
     return scan.places
@@ -34,7 +44,7 @@ class _Scan:
     def __init__(self, text: str) -> None:
         self.text = text
         self.position = 0
-        self.places: Places = {}
+        self.places: dict[KeyPath, list[Span]] = {}
         self._counts: dict[KeyPath, int] = {}
 
     def document(self) -> None:
@@ -46,6 +56,9 @@ class _Scan:
             else:
                 self._pair(table)
 
+    def _note(self, path: KeyPath, span: Span) -> None:
+        self.places.setdefault(path, []).append(span)
+
     def _header(self) -> KeyPath:
         is_list = self.text.startswith("[[", self.position)
         self.position += 2 if is_list else 1
@@ -55,10 +68,10 @@ class _Scan:
             path = (*path, part)
             if number == len(parts) and is_list:
                 self._counts[path] = self._counts.get(path, -1) + 1
-            self.places.setdefault(path, span)
+            self._note(path, span)
             if path in self._counts:
                 path = (*path, self._counts[path])
-                self.places.setdefault(path, span)
+                self._note(path, span)
         self._skip_blank()
         self.position += 2 if is_list else 1
         return path
@@ -67,13 +80,13 @@ class _Scan:
         path = table
         for part, span in self._key():
             path = (*path, part)
-            self.places.setdefault(path, span)
+            self._note(path, span)
         self._skip_blank()
         self.position += 1
         self._value(path)
 
-    def _key(self) -> list[tuple[str, tuple[int, int]]]:
-        parts: list[tuple[str, tuple[int, int]]] = []
+    def _key(self) -> list[tuple[str, Span]]:
+        parts: list[tuple[str, Span]] = []
         while True:
             start = self._skip_blank()
             quoted = _STRING.match(self.text, start)
@@ -112,7 +125,7 @@ class _Scan:
         while self._skip_separators() != "]":
             start = self.position
             self._value((*path, number))
-            self.places.setdefault((*path, number), (start, self.position))
+            self._note((*path, number), (start, self.position))
             number += 1
         self.position += 1
 

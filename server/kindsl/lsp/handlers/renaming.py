@@ -35,8 +35,8 @@ def rename(view: View, params: types.RenameParams) -> types.WorkspaceEdit | None
     edits = [(view.document, text_edits(view.document, found.edits))]
     if found.bound_parameter is not None:
         for place in bound_places(view, found.bound_parameter):
-            binding = rename_binding(place, params.new_name)
-            edits.append((place.document, text_edits(place.document, [binding])))
+            bindings = rename_binding(place, params.new_name)
+            edits.append((place.document, text_edits(place.document, bindings)))
     edits += _transforms_edits(view, params)
     return workspace_edit(view.client, edits)
 

@@ -1,6 +1,5 @@
 """Gives parameters values in the project's `kindsl.toml`, which may have to be made."""
 
-import re
 from collections.abc import Iterable
 from typing import NamedTuple
 
@@ -28,15 +27,16 @@ class Binding(NamedTuple):
 
 def bound(state: State, shown: Document, values: Iterable[tuple[str, float]]) -> Binding | None:
     """Return the edit that binds parameters of a document; None if there is no place for one."""
-    lines = parameter_lines(values)
     file = state.workspace.configuration_file(shown)
     if file is None:
-        return _new_file(state, shown, lines)
+        return _new_file(state, shown, parameter_lines(values))
     found = state.documents.get(uris.uri(file))
     if found is None:
         return None
-    prefix = "tool.kindsl." if file.name == "pyproject.toml" else ""
-    return Binding(found, False, _insertion(found.text, prefix, lines))
+    from kindsl.config.toml_edits import binding_edit
+
+    edit = binding_edit(str(file), found.text, str(uris.path(shown.uri)), values)
+    return None if edit is None else Binding(found, False, edit)
 
 
 def _new_file(state: State, shown: Document, lines: list[str]) -> Binding | None:
@@ -50,20 +50,3 @@ def _new_file(state: State, shown: Document, lines: list[str]) -> Binding | None
         return None  # it is there but says something wrong
     empty = document(uris.uri(file), None, "", shown.encoding)
     return Binding(empty, True, TextEdit(0, 0, "\n".join(("[parameters]", *lines, ""))))
-
-
-def _insertion(text: str, prefix: str, lines: list[str]) -> TextEdit:
-    """Return the edit that adds lines to the table of parameters."""
-    table = re.escape(f"{prefix}parameters")
-    header = re.search(rf"^[ \t]*\[[ \t]*{table}[ \t]*\][^\n]*(\n|\Z)", text, re.MULTILINE)
-    if header is not None:
-        start = "" if header[1] else "\n"
-        return TextEdit(header.end(), header.end(), start + "\n".join((*lines, "")))
-    inline = re.search(r"^[ \t]*parameters[ \t]*=[ \t]*\{", text, re.MULTILINE)
-    if inline is not None:
-        rest = text[inline.end() :].lstrip()
-        comma = "" if rest.startswith("}") else ","
-        return TextEdit(inline.end(), inline.end(), f" {', '.join(lines)}{comma}")
-    start = "" if not text else "\n" if text.endswith("\n") else "\n\n"
-    new = "\n".join((f"[{prefix}parameters]", *lines, ""))
-    return TextEdit(len(text), len(text), start + new)

@@ -8,20 +8,22 @@ from lsprotocol import types
 from kindsl.lsp.session.workspace import CONFIGURATION_FILES
 from kindsl.lsp.text import uris
 from kindsl.lsp.text.document import Document
+from kindsl.lsp.wire.protocol import RequestFailed
 from kindsl.text.edits import TextEdit
 
 if TYPE_CHECKING:
     from kindsl.config.configuration import Configuration
+    from kindsl.config.toml_places import KeyPath
     from kindsl.lsp.session.view import View
 
 _GLOB = frozenset("*?[")
-_QUOTES = "\"'"
 
 
 class BoundPlace(NamedTuple):
-    """Where a configuration file gives a parameter a value."""
+    """Where a configuration file gives a parameter a value, and by which keys."""
 
     document: Document
+    keys: "KeyPath"
     start: int
     end: int
 
@@ -52,7 +54,7 @@ def configuration_links(document: Document) -> list[types.DocumentLink]:
 
 
 def bound_places(view: "View", parameter: str) -> Iterator[BoundPlace]:
-    """Yield where the configuration file of a document gives a parameter a value."""
+    """Yield where the configuration file of a document gives a parameter of it a value."""
     from kindsl.config.configuration import ConfigurationError
 
     file = view.state.workspace.configuration_file(view.document)
@@ -63,17 +65,25 @@ def bound_places(view: "View", parameter: str) -> Iterator[BoundPlace]:
         configuration = configuration_of(document)
     except ConfigurationError:
         return
-    for keys, (start, end) in configuration.places.items() if configuration else ():
-        own = keys[len(configuration.root) :] if configuration else ()
-        if own[-2:] == ("parameters", parameter) and len(own) in (2, 4):
-            yield BoundPlace(document, start, end)
+    if configuration is None:
+        return
+    for keys in configuration.keys_of(parameter, str(uris.path(view.document.uri))):
+        yield BoundPlace(document, keys, *configuration.places[keys])
 
 
-def rename_binding(place: BoundPlace, name: str) -> TextEdit:
-    """Return the edit that gives a bound parameter another name, quoted if it was."""
-    first = place.document.text[place.start : place.start + 1]
-    quote = first if first in _QUOTES else "" if name.isascii() else '"'
-    return TextEdit(place.start, place.end, f"{quote}{name}{quote}")
+def rename_binding(place: BoundPlace, name: str) -> tuple[TextEdit, ...]:
+    """Return the edits that give a bound parameter another name.
+
+    Raises:
+        RequestFailed: That name is bound already.
+    """
+    from kindsl.config.toml_edits import renaming_edits
+
+    edits = renaming_edits(place.document.text, place.keys, name)
+    if edits is None:
+        file = uris.basename(place.document.uri)
+        raise RequestFailed(f"{file} already gives a parameter '{name}' a value")
+    return edits
 
 
 def _document_links(document: Document) -> Iterator[types.DocumentLink]:

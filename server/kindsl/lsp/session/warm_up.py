@@ -14,7 +14,7 @@ from kindsl.lsp.session.worker import Urgency, Worker
 logger = logging.getLogger(__name__)
 
 _FIRST = ("kindsl.analysis.analysis", "kindsl.lsp.session.settings", "kindsl.config.discovery")
-_LATER = ("kindsl.formatting.format", "numpy", "kindsl.mechanism.build")
+_LATER = ("kindsl.formatting.format", "kindsl.config.toml_edits", "numpy", "kindsl.mechanism.build")
 
 
 def warm_up(worker: Worker) -> None:
