@@ -1,9 +1,11 @@
 """`kindsl preview --edit`: what is dragged is written into the file, or said why not."""
 
+import argparse
+
 from tests.preview.robots import ARM
 from tests.preview.test_command import line_of, message, running, tab
 
-from kindsl.cli.preview import _write_dragged
+from kindsl.cli import preview
 from kindsl.preview.dragging import Writing
 from kindsl.text.edits import TextEdit
 
@@ -16,13 +18,20 @@ DRAG = (
 )
 
 
+def written(file, writing) -> str:
+    """Write as the command does; return why not."""
+    parser = argparse.ArgumentParser()
+    preview.add_arguments(parser)
+    return preview._write_dragged(parser.parse_args([str(file)]), writing)
+
+
 def test_bytes_mode_and_line_ends_stay(tmp_path):
     file = tmp_path / "arm.kindsl"
     text = ARM.replace("\n", "\r\n")
     file.write_bytes(text.encode())
     file.chmod(0o640)
     at = text.index("(0.4, 0.0") + 1
-    assert _write_dragged(str(file), Writing("", text, (TextEdit(at, at + 3, "0.55"),))) == ""
+    assert written(file, Writing("", text, (TextEdit(at, at + 3, "0.55"),))) == ""
     assert file.read_bytes() == EDITED.replace("\n", "\r\n").encode()
     assert file.stat().st_mode & 0o777 == 0o640
     assert [path.name for path in tmp_path.iterdir()] == ["arm.kindsl"]
@@ -31,15 +40,31 @@ def test_bytes_mode_and_line_ends_stay(tmp_path):
 def test_what_somebody_wrote_meanwhile_stays(tmp_path):
     file = tmp_path / "arm.kindsl"
     file.write_text(ARM + "\n")
-    assert "has changed" in _write_dragged(str(file), WRITING)
+    assert "has changed" in written(file, WRITING)
     assert file.read_text() == ARM + "\n"
 
 
 def test_no_link_is_followed(tmp_path):
     (tmp_path / "real.kindsl").write_text(ARM)
     (tmp_path / "arm.kindsl").symlink_to(tmp_path / "real.kindsl")
-    assert "is a link" in _write_dragged(str(tmp_path / "arm.kindsl"), WRITING)
+    assert "is a link" in written(tmp_path / "arm.kindsl", WRITING)
     assert (tmp_path / "real.kindsl").read_text() == ARM
+
+
+def test_a_bound_parameter_is_written_where_it_is_bound(tmp_path):
+    file, configuration = tmp_path / "arm.kindsl", tmp_path / "kindsl.toml"
+    file.write_text(ARM)
+    configuration.write_text("# lengths\n[parameters]\nreach = 0.40 # m\n")
+    assert written(file, Writing("", ARM, (), (("reach", 0.55),))) == ""
+    assert configuration.read_text() == "# lengths\n[parameters]\nreach = 0.55 # m\n"
+    assert file.read_text() == ARM
+
+
+def test_a_parameter_bound_elsewhere_stays(tmp_path):
+    file = tmp_path / "arm.kindsl"
+    file.write_text(ARM)
+    refused = written(file, Writing("", ARM, (), (("reach", 0.55),)))
+    assert refused == "'reach' has its value from somewhere else than a configuration file"
 
 
 async def test_a_page_drags_and_the_file_follows(tmp_path):

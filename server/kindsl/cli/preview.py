@@ -126,7 +126,7 @@ def _serve(args: argparse.Namespace, old: "Analysis | None") -> None:
     paths = (args.file, *([configuration.path] if configuration else []))
     known = fingerprint(paths)
     first = _read(args, args.file)
-    write = partial(_write_dragged, args.file) if args.edit else None
+    write = partial(_write_dragged, args) if args.edit else None
     opens = not args.no_open
     command = Command(
         args.file, reread, first, old, args.port, opens, paths, known, parameter_table, write
@@ -134,17 +134,35 @@ def _serve(args: argparse.Namespace, old: "Analysis | None") -> None:
     asyncio.run(serve(command))
 
 
-def _write_dragged(file: str, writing: "Writing") -> str:
+def _write_dragged(args: argparse.Namespace, writing: "Writing") -> str:
     """Write what was dragged into the document; return why not, or an empty text."""
     from kindsl.cli.documents.writing import write_text
     from kindsl.text.edits import apply_edits
 
+    file = args.file
     if os.path.islink(file):
         return f"'{file}' is a link: open the file that it leads to"
     if writing.bindings:
-        names = ", ".join(f"'{name}'" for name, _ in writing.bindings)
-        return f"{names} has its value from a configuration file: change it there"
+        return _bind(args, writing)
     failure = write_text(file, file, writing.text, apply_edits(writing.text, writing.edits))
+    return failure.message if failure is not None else ""
+
+
+def _bind(args: argparse.Namespace, writing: "Writing") -> str:
+    """Bind parameters anew in the document's configuration file; return why not, or nothing."""
+    from kindsl.cli.documents.writing import write_text
+    from kindsl.config.toml_edits import binding_edit
+    from kindsl.text.edits import apply_edits
+
+    names = ", ".join(f"'{name}'" for name, _ in writing.bindings)
+    configuration = choices_of(args).configuration_for(args.file)
+    text = read_source(configuration.path, configuration.path) if configuration else None
+    if configuration is None or not isinstance(text, str):
+        return f"{names} has its value from somewhere else than a configuration file"
+    edit = binding_edit(configuration.path, text, args.file, writing.bindings)
+    if edit is None:
+        return f"{names} cannot be bound in {configuration.path}"
+    failure = write_text(configuration.path, configuration.path, text, apply_edits(text, [edit]))
     return failure.message if failure is not None else ""
 
 
