@@ -20,12 +20,16 @@ from kindsl.rigid.body import (
     moments_of,
     principal_moments,
     second_moments_about_com,
+    seen_from,
     shifted,
 )
+from kindsl.rigid.pose import Vector3, pose_from
+from kindsl.spatial.inertia import move_inertia
 
 entries = st.tuples(*[st.floats(-1e3, 1e3) for _ in range(6)])
 seeds = st.integers(0, 10**9)
 shapes = st.sampled_from(SHAPES)
+triples = st.tuples(*[st.floats(-4.0, 4.0)] * 3)
 
 
 def matrix_of(entries: Symmetric) -> np.ndarray:
@@ -129,3 +133,27 @@ def test_density_of_a_homogeneous_ellipsoid_is_its_own() -> None:
     volume = 4.0 / 3.0 * np.pi * np.prod(axes)
     second_moments = tuple(mass * a * a / 5.0 for a in axes)
     np.testing.assert_allclose(equivalent_density(mass, second_moments), mass / volume)
+
+
+@settings(max_examples=200, deadline=None, derandomize=True)
+@given(
+    seeds, shapes, st.tuples(*[st.floats(-4.0, 4.0)] * 3), st.tuples(*[st.floats(-2.0, 2.0)] * 3)
+)
+def test_a_body_moves_as_in_batches(
+    seed: int, shape: str, angles: Vector3, translation: Vector3
+) -> None:
+    body, pose = random_body(random.Random(seed), shape), pose_from(translation, angles)
+    moved = seen_from(body, pose)
+    R, r = np.array(pose.rotation), np.array(pose.translation)
+    com, inertia = move_inertia(np.array(body.mass), np.array(body.com), _tensor(body), R, r)
+    size = max(map(abs, moved.moments))
+    assert moved.mass == body.mass
+    np.testing.assert_allclose(moved.com, com, rtol=0, atol=1e-14 * (1.0 + sqrt(r @ r)))
+    np.testing.assert_allclose(_tensor(moved), inertia, rtol=0, atol=1e-13 * size)
+    back = seen_from(moved, pose.inverse())
+    np.testing.assert_allclose(back.moments, body.moments, rtol=0, atol=1e-12 * size)
+
+
+def _tensor(body: MassDistribution) -> np.ndarray:
+    ix, iy, iz, ixy, ixz, iyz = body.moments
+    return np.array([[ix, -ixy, -ixz], [-ixy, iy, -iyz], [-ixz, -iyz, iz]])

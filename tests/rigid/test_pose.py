@@ -7,7 +7,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from kindsl.rigid.pose import IDENTITY, PLAIN, Rotation, Triple, angles, pose_from
+from kindsl.rigid.pose import IDENTITY, PLAIN, Rotation, Vector3, angles, pose_from
 from kindsl.spatial.transforms import homogeneous, rotation_from_intrinsic_xyz
 
 # Rounding of sums and products of numbers up to one.
@@ -36,7 +36,7 @@ def _again(rotation: Rotation, within: float) -> np.ndarray:
 
 @many
 @given(triples)
-def test_turns_are_those_of_batches(given_angles: Triple) -> None:
+def test_turns_are_those_of_batches(given_angles: Vector3) -> None:
     ours = _matrix(pose_from((0.0, 0.0, 0.0), given_angles).rotation)
     theirs = rotation_from_intrinsic_xyz(np.array(given_angles))
     np.testing.assert_allclose(ours, theirs, rtol=0, atol=ROUNDING)
@@ -48,7 +48,7 @@ def test_turns_are_those_of_batches(given_angles: Triple) -> None:
 @example((0.4, pi / 2 - 1e-9, -1.1))
 @example((0.4, pi / 2 - 3e-8, -1.1))
 @example((0.3, -pi / 2, 0.4))
-def test_angles_make_the_rotation_again(given_angles: Triple) -> None:
+def test_angles_make_the_rotation_again(given_angles: Vector3) -> None:
     """For files nothing may be lost, least of all near a quarter turn."""
     rotation = pose_from((0.0, 0.0, 0.0), given_angles).rotation
     np.testing.assert_allclose(_again(rotation, 0.0), _matrix(rotation), rtol=0, atol=2 * ROUNDING)
@@ -74,7 +74,7 @@ def test_exact_quarter_turns_are_read_without_noise() -> None:
 @many
 @given(places, triples, places, triples, places)
 def test_poses_chain_as_matrices_do(
-    r: Triple, a: Triple, r_next: Triple, a_next: Triple, point: Triple
+    r: Vector3, a: Vector3, r_next: Vector3, a_next: Vector3, point: Vector3
 ) -> None:
     first, second = pose_from(r, a), pose_from(r_next, a_next)
     T = homogeneous(_matrix(first.rotation), np.array(r)) @ homogeneous(

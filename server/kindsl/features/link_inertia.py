@@ -10,7 +10,7 @@ from kindsl.rigid.body import (
     second_moments_about_com,
     seen_from,
 )
-from kindsl.rigid.pose import Triple
+from kindsl.rigid.pose import Vector3
 from kindsl.semantics.declarations import Inertia, Link, inertia_values
 from kindsl.semantics.numbers import mass_distribution, written_pose
 
@@ -37,6 +37,6 @@ def link_inertia(link: Link, values: Mapping[str, float]) -> MassDistribution | 
     return seen_from(written, pose)
 
 
-def principal_moments_about_com(body: MassDistribution) -> Triple:
+def principal_moments_about_com(body: MassDistribution) -> Vector3:
     """Return the ascending principal moments about the centre of mass, kg·m²."""
     return principal_moments(eigensystem(second_moments_about_com(body)))

@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from kindsl.mechanism.errors import ModelError, UnboundParameterError
-from kindsl.rigid.body import NO_BODY, MassDistribution, Vector3, seen_from
-from kindsl.rigid.pose import RigidPose, pose_from
+from kindsl.rigid.body import NO_BODY, MassDistribution, seen_from
+from kindsl.rigid.pose import RigidPose, Vector3, pose_from
 from kindsl.semantics.declarations import MOMENTS, Frame, Inertia, Joint, Link, Pose, Vector
 from kindsl.semantics.expressions import ConstantUse, Expression, symbols
 from kindsl.semantics.places import Located

@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 from kindsl.text.nearest import hint, nearest_name
+from kindsl.text.words import counted
 
 JOINT_KEYS = ("q", "qd", "qdd", "tau")
 BASE_KEY = "base_velocity"
@@ -79,7 +80,7 @@ def motion(given: Mapping[str, Any], robot: Robot, names: Mapping[str, str]) -> 
     joints = [_joint_values(names[key], given.get(key), robot.joints) for key in JOINT_KEYS]
     velocity = (0.0,) * 6 if base is None else _numbers(names[BASE_KEY], base)
     if len(velocity) != 6:
-        has = f"has {_count(len(velocity))}, the base's velocity has 6"
+        has = f"has {counted(len(velocity), 'number')}, the base's velocity has 6"
         raise MotionError(f"{names[BASE_KEY]} {has}")
     return Motion(joints[0], joints[1], joints[2], joints[3], velocity)
 
@@ -105,7 +106,7 @@ def _joint_values(name: str, value: object, joints: Sequence[str]) -> tuple[floa
         return tuple(numbers.get(joint, 0.0) for joint in joints)
     found = _numbers(name, value)
     if len(found) != len(joints):
-        has = f"has {_count(len(found))}, the robot has {len(joints)} joints"
+        has = f"has {counted(len(found), 'number')}, the robot has {len(joints)} joints"
         raise MotionError(f"{name} {has}: {', '.join(joints)}")
     return found
 
@@ -119,10 +120,6 @@ def _numbers(name: str, value: object) -> tuple[float, ...]:
         if not abs(entry) <= sys.float_info.max:
             raise MotionError(f"{name} holds a number that is not finite")
     return tuple(float(entry) for entry in value)
-
-
-def _count(number: int) -> str:
-    return "1 number" if number == 1 else f"{number} numbers"
 
 
 def _kind(value: object) -> str:

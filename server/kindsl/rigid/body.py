@@ -18,9 +18,8 @@ parameter identification; Traversaro et al. 2016.
 from math import copysign, hypot, inf, pi, sqrt
 from typing import NamedTuple
 
-from kindsl.rigid.pose import RigidPose
+from kindsl.rigid.pose import RigidPose, Vector3
 
-Vector3 = tuple[float, float, float]
 Symmetric = tuple[float, float, float, float, float, float]
 
 _SWEEPS = 30

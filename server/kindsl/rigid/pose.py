@@ -6,8 +6,8 @@ from typing import NamedTuple
 # For people: nearer to a quarter turn, one sum is plainer than two angles.
 PLAIN = 1e-9
 
-Triple = tuple[float, float, float]
-Rotation = tuple[Triple, Triple, Triple]
+Vector3 = tuple[float, float, float]
+Rotation = tuple[Vector3, Vector3, Vector3]
 
 _IDENTITY: Rotation = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
@@ -21,7 +21,7 @@ class RigidPose(NamedTuple):
     """
 
     rotation: Rotation
-    translation: Triple
+    translation: Vector3
 
     def then(self, other: "RigidPose") -> "RigidPose":
         """Return the pose of C in A, `other` being the pose of C in B."""
@@ -29,13 +29,13 @@ class RigidPose(NamedTuple):
         rows = [(_dot(row, x), _dot(row, y), _dot(row, z)) for row in self.rotation]
         return RigidPose((rows[0], rows[1], rows[2]), self.point(other.translation))
 
-    def point(self, position: Triple) -> Triple:
+    def point(self, position: Vector3) -> Vector3:
         """Return a position given in B, in A."""
         turned = self.turn(position)
         x, y, z = self.translation
         return turned[0] + x, turned[1] + y, turned[2] + z
 
-    def turn(self, direction: Triple) -> Triple:
+    def turn(self, direction: Vector3) -> Vector3:
         """Return a direction given in B, in A."""
         a, b, c = self.rotation
         return _dot(a, direction), _dot(b, direction), _dot(c, direction)
@@ -50,7 +50,7 @@ class RigidPose(NamedTuple):
 IDENTITY = RigidPose(_IDENTITY, (0.0, 0.0, 0.0))
 
 
-def pose_from(translation: Triple, angles: Triple) -> RigidPose:
+def pose_from(translation: Vector3, angles: Vector3) -> RigidPose:
     """Return the pose after a translation, then turns about x, the new y, the newest z.
 
     Args:
@@ -66,7 +66,7 @@ def pose_from(translation: Triple, angles: Triple) -> RigidPose:
     return RigidPose(rotation, translation)
 
 
-def angles(rotation: Rotation, within: float) -> Triple:
+def angles(rotation: Rotation, within: float) -> Vector3:
     """Return the turns about x, the new y, the newest z that make a rotation, radians.
 
     Where y is a quarter turn, x and z turn about one axis and only their sum counts. The turn about
@@ -93,5 +93,5 @@ def transposed(rotation: Rotation) -> Rotation:
     return (a[0], b[0], c[0]), (a[1], b[1], c[1]), (a[2], b[2], c[2])
 
 
-def _dot(a: Triple, b: Triple) -> float:
+def _dot(a: Vector3, b: Vector3) -> float:
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from math import isfinite
 
 from kindsl.rigid.body import MassDistribution
-from kindsl.rigid.pose import RigidPose, Triple, pose_from
+from kindsl.rigid.pose import RigidPose, Vector3, pose_from
 from kindsl.semantics.declarations import MOMENTS, Inertia, Pose, Vector
 from kindsl.semantics.lowering import declarations
 from kindsl.semantics.parameters import island_symbols
@@ -51,7 +51,7 @@ def mass_distribution(inertia: Inertia, values: Mapping[str, float]) -> MassDist
     return written
 
 
-def triple(vector: Vector | None, values: Mapping[str, float]) -> Triple | None:
+def triple(vector: Vector | None, values: Mapping[str, float]) -> Vector3 | None:
     """Return three components as written, None where one is missing, unbound or infinite."""
     if vector is None or len(vector.components) != 3:
         return None

@@ -7,13 +7,13 @@ from kindsl.features.completion.item import without_placeholders
 from kindsl.features.manipulation.add_frame import pose_lines
 from kindsl.features.manipulation.gesture import Gesture, Refusal
 from kindsl.features.manipulation.new_blocks import behind_last, fresh_name, next_ids, with_child
-from kindsl.rigid.pose import Triple
+from kindsl.rigid.pose import Vector3
 
 KEYWORDS = {"revolute": "r_joint", "prismatic": "p_joint"}
 
 
 def add_child(
-    analysis: Analysis, parent: str, point: Triple, kind: str = "revolute"
+    analysis: Analysis, parent: str, point: Vector3, kind: str = "revolute"
 ) -> Gesture | Refusal:
     """Return the edits that add a link and its supporting joint.
 

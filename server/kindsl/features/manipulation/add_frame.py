@@ -4,10 +4,10 @@ from kindsl.analysis.analysis import Analysis
 from kindsl.features.manipulation.gesture import Gesture, Refusal
 from kindsl.features.manipulation.new_blocks import fresh_name, with_frame
 from kindsl.features.manipulation.written_value import written_number
-from kindsl.rigid.pose import Triple
+from kindsl.rigid.pose import Vector3
 
 
-def add_frame(analysis: Analysis, link: str, point: Triple) -> Gesture | Refusal:
+def add_frame(analysis: Analysis, link: str, point: Vector3) -> Gesture | Refusal:
     """Return the edit that adds a frame to a link.
 
     Args:
@@ -25,12 +25,12 @@ def add_frame(analysis: Analysis, link: str, point: Triple) -> Gesture | Refusal
     return Gesture(f"Add frame '{name}' to '{link}'", (edit,), (name,))
 
 
-def frame_lines(name: str, point: Triple) -> list[str]:
+def frame_lines(name: str, point: Vector3) -> list[str]:
     """Return the lines of a frame that is not turned."""
     return [f"{name} {{", *(f"    {line}" for line in pose_lines(point)), "}"]
 
 
-def pose_lines(point: Triple) -> list[str]:
+def pose_lines(point: Vector3) -> list[str]:
     """Return the lines of a pose that is not turned."""
     x, y, z = (written_number(value, "").text for value in point)
     return [f"translation = ({x}, {y}, {z})", "rotation = (0.0, 0.0, 0.0)"]

@@ -3,13 +3,8 @@
 from math import sqrt
 from typing import NamedTuple
 
-from kindsl.rigid.body import (
-    MassDistribution,
-    Vector3,
-    eigensystem,
-    moments_of,
-    second_moments_about_com,
-)
+from kindsl.rigid.body import MassDistribution, eigensystem, moments_of, second_moments_about_com
+from kindsl.rigid.pose import Vector3
 
 # As in Drake: an axis is never drawn thinner than this share of the largest.
 THINNEST = 0.01

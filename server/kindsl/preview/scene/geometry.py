@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from kindsl.preview.scene.meshes import Mesh, lathe, triad
-from kindsl.rigid.pose import Triple
+from kindsl.rigid.pose import Vector3
 
 # A joint's mark and its axis stand out of the bodies, whose radius is 1.
 ARROW_PROFILE = ((0.0, -3.0), (0.2, -3.0), (0.2, 5.0), (0.62, 5.0), (0.0, 7.0))
@@ -127,7 +127,7 @@ def _geometry(form: Form) -> dict[str, Any]:
     return {"type": "BufferGeometry", "data": {"attributes": attributes, "index": index}}
 
 
-def _floats(rows: Sequence[Triple]) -> dict[str, Any]:
+def _floats(rows: Sequence[Vector3]) -> dict[str, Any]:
     return _buffer("Float32Array", array("f", chain.from_iterable(rows)))
 
 

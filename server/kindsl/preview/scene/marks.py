@@ -8,8 +8,7 @@ from kindsl.preview.scene.ellipsoids import InertiaEllipsoid
 from kindsl.preview.scene.geometry import Form, Shape
 from kindsl.preview.scene.messages import Message, path_of, set_object, set_transform
 from kindsl.preview.scene.size import Point, Segment
-from kindsl.rigid.body import Vector3
-from kindsl.rigid.pose import RigidPose, transposed
+from kindsl.rigid.pose import RigidPose, Vector3, transposed
 
 LINK = 0x8EA3BA
 BASE = 0x56667A

@@ -5,7 +5,7 @@ from itertools import pairwise
 from math import cos, pi, sin
 from typing import NamedTuple
 
-from kindsl.rigid.pose import Triple
+from kindsl.rigid.pose import Vector3
 
 SIDES = 14
 AXIS_COLORS = ((0.80, 0.20, 0.20), (0.18, 0.58, 0.30), (0.18, 0.38, 0.82))
@@ -16,9 +16,9 @@ Triangle = tuple[int, int, int]
 class Mesh(NamedTuple):
     """Triangles: positions of k corners, m triples of corners, and a colour a corner or None."""
 
-    vertices: Sequence[Triple]
+    vertices: Sequence[Vector3]
     faces: Sequence[Triangle]
-    colors: Sequence[Triple] | None = None
+    colors: Sequence[Vector3] | None = None
 
 
 def lathe(profile: Sequence[tuple[float, float]]) -> Mesh:
@@ -27,7 +27,7 @@ def lathe(profile: Sequence[tuple[float, float]]) -> Mesh:
     Each piece of the profile has vertices of its own, so its edges stay sharp when shaded.
     """
     angles = [2.0 * pi * side / SIDES for side in range(SIDES)]
-    vertices: list[Triple] = []
+    vertices: list[Vector3] = []
     faces: list[Triangle] = []
     for ends in pairwise(profile):
         faces += _band(len(vertices))

@@ -24,7 +24,8 @@ with a wrist at 0.3 m.
 from collections.abc import Iterator
 from math import dist, hypot, sqrt
 
-from kindsl.rigid.body import MassDistribution, Vector3, second_moments_about_com
+from kindsl.rigid.body import MassDistribution, second_moments_about_com
+from kindsl.rigid.pose import Vector3
 from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint, link, robot

@@ -16,7 +16,7 @@ r_joint right { ref_frame { translation = (0.0, 0.1, 0.0) rotation = (0.0, 0.0, 
 
 from collections.abc import Iterator, Mapping
 
-from kindsl.rigid.pose import Triple
+from kindsl.rigid.pose import Vector3
 from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint, link, robot
@@ -26,7 +26,7 @@ from kindsl.semantics.model import Model
 from kindsl.semantics.numbers import triple
 
 # Translation and angles as written, so that nothing is compared but what was copied.
-Placed = tuple[Triple, Triple]
+Placed = tuple[Vector3, Vector3]
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:

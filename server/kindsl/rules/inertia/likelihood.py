@@ -17,10 +17,10 @@ from kindsl.rigid.body import (
     Eigenpair,
     MassDistribution,
     Symmetric,
-    Vector3,
     eigensystem,
     second_moments_about_com,
 )
+from kindsl.rigid.pose import Vector3
 
 _DENSITY, _DENSITY_SPREAD = 1500.0, 1.2
 _SIZE, _SIZE_SPREAD = 0.5, 1.0

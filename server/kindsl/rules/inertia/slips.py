@@ -5,7 +5,8 @@ from enum import Enum
 from itertools import combinations
 from typing import NamedTuple, TypeVar
 
-from kindsl.rigid.body import MassDistribution, Symmetric, Vector3, shifted
+from kindsl.rigid.body import MassDistribution, Symmetric, shifted
+from kindsl.rigid.pose import Vector3
 from kindsl.semantics.declarations import MOMENTS
 
 _Values = TypeVar("_Values", Symmetric, Vector3)

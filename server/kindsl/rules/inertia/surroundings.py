@@ -5,7 +5,8 @@ from itertools import product
 from math import hypot, log
 from typing import NamedTuple
 
-from kindsl.rigid.body import MassDistribution, Vector3
+from kindsl.rigid.body import MassDistribution
+from kindsl.rigid.pose import Vector3
 from kindsl.rules.context import Context
 from kindsl.rules.inertia.judgements import Judgement, is_impossible
 from kindsl.rules.inertia.likelihood import Shape
