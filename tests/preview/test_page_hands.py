@@ -1,13 +1,11 @@
-"""What hands do on the page: keys, fields, undo, measuring, the tree, the address, the theme."""
+"""What hands do on the page: keys, fields, undo, measuring, the tree, the address."""
 
 import asyncio
 import math
-import os
-from pathlib import Path
 
 import pytest
 from tests.preview.browser import chromium, eventually, opened, until, until_shown
-from tests.preview.robots import ARM, EXAMPLES, PARAMETRIC_ARM, ROOT
+from tests.preview.robots import ARM, PARAMETRIC_ARM
 
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.settings import Settings
@@ -268,63 +266,3 @@ async def test_values_are_given_to_whoever_can_write_them(browser, server):
         await page.get_by_text("Write these to kindsl.toml").click()
         await page.locator("dialog[open] pre", has_text="reach = 1").wait_for()
         assert wanted == [("robot", {"reach": 0.5})]
-
-
-THEME = """(kind) => kindsl.theme.take({ kind, colors: {
-  paper: "#002b36", sky: "#002b36", ink: "red; background: url(x)", sneaky: "#fff",
-} })"""
-
-
-async def test_an_editors_colours_are_taken_by_known_names_and_plain_values(browser, server):
-    async with opened(browser, await url_of(server)) as page:
-        await page.evaluate(THEME, "light")
-        style = await page.evaluate("document.documentElement.getAttribute('style')")
-        assert "--sky: #002b36" in style
-        assert "url" not in style
-        assert "sneaky" not in style
-        # A dark ground needs light marks, whatever the theme is called.
-        assert await page.evaluate("kindsl.scene.colors === KindslPalette.DARK")
-        await page.evaluate("postMessage({ type: 'kindsl.theme', kind: 'light', colors: {} }, '*')")
-        await page.wait_for_timeout(100)
-        assert await page.evaluate("kindsl.scene.colors === KindslPalette.DARK")
-
-
-@pytest.mark.parametrize("width", [200, 240, 1280])
-async def test_the_panel_is_usable_at_any_width(browser, server, width):
-    async with opened(browser, await url_of(server)) as page:
-        await page.set_viewport_size({"width": width, "height": 700})
-        await until_shown(page, "Arm")
-        slider = await page.get_by_label("shoulder", exact=True).bounding_box()
-        assert slider["width"] > 60
-        assert await page.evaluate("document.documentElement.scrollWidth") <= width
-        await page.locator("#close-panel").click()
-        assert (await page.locator("#pane").bounding_box())["height"] == 700
-        await page.locator("#open-panel").click()
-        await page.locator("#panel").wait_for()
-
-
-async def axe_findings(page, script):
-    await page.evaluate(script)
-    found = await page.evaluate("axe.run(document)")
-    return [(one["id"], [n["html"][:120] for n in one["nodes"]]) for one in found["violations"]]
-
-
-@pytest.mark.parametrize("theme", ["light", "dark"])
-async def test_axe_finds_nothing(browser, server, theme, axe):
-    analysis = analyse((EXAMPLES / "fancy.kindsl").read_text())
-    await server.show("robot", analysis, analysis.findings)
-    async with opened(browser, f"{server.url('robot')}#theme={theme}") as page:
-        await until(page, "kindsl.history.present !== null")
-        await page.locator("[data-category=torque]").check()
-        await page.locator("#tree .name").first.click()
-        if await page.locator("#summary").is_visible():
-            await page.locator("#summary").click()
-        assert await axe_findings(page, axe) == []
-
-
-@pytest.fixture(scope="module")
-def axe():
-    folder = Path(os.environ.get("AXE_CORE", ROOT / "vscode-extension/node_modules/axe-core"))
-    if not (folder / "axe.min.js").is_file():
-        pytest.skip("axe-core is not installed: npm install in vscode-extension")
-    return (folder / "axe.min.js").read_text()
