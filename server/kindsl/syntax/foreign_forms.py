@@ -6,7 +6,9 @@ They are put right before the search for repairs, which would see several mistak
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from kindsl.syntax.foreign_words import in_our_words
 from kindsl.syntax.forms import form_kind, kinds_accepted_by
+from kindsl.syntax.half_children import with_whole_children
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
 from kindsl.syntax.words import SPELLINGS, supplied
 
@@ -39,6 +41,8 @@ class Adapted(NamedTuple):
 def adapted(text: str, tokens: Sequence[Token]) -> Adapted:
     """Return the tokens of an island with the habits of other languages put right."""
     result = Adapted([], [], [])
+    tokens = in_our_words(tokens, result.problems)
+    tokens = with_whole_children(text, tokens, result.problems)
     index = 0
     while index < len(tokens):
         token = tokens[index]

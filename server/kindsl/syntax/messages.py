@@ -60,7 +60,7 @@ def leftover_problem(read: Sequence[Token], rest: Sequence[Token], text: str) ->
     """Return what to say about text that belongs to no block."""
     start, end = rest[0].start, rest[-1].end
     what = shown(text[start : min(end, start + 400)])
-    if read:
+    if read and not rest[0].text[:1].isidentifier():
         return Problem("KD001", f"unexpected '{what}'", start, end)
     message = f"expected a robot, a link or a joint instead of '{what}'"
     return Problem("KD001", message, start, end)
@@ -170,11 +170,16 @@ def _repair(
         if edit is None:
             return None
         edits.append(edit)
-    inserted = [c for c in changes if c.action != "delete"]
-    verb = "Remove the unexpected text"
-    if inserted:
-        verb = f"Insert {_called(inserted[0].kind, moment)}"
-    return Repair(verb, tuple(edits), False)
+    return Repair(_title(text, edits), tuple(edits), False)
+
+
+def _title(text: str, edits: Sequence[Edit]) -> str:
+    """Return what is written: what is put in place of what, put in, or taken out."""
+    old = " ".join(text[e.start : e.end] for e in edits if e.start < e.end)
+    new = " ".join(e.text.strip() for e in edits if e.text.strip())
+    if old and new:
+        return f"Replace '{shown(old)}' by '{shown(new)}'"
+    return f"Insert '{shown(new)}'" if new else f"Remove '{shown(old)}'"
 
 
 def _edit(

@@ -6,13 +6,14 @@ from collections.abc import Iterator, Sequence
 from kindsl.syntax.forms import accepted_by, form_kind, kinds_accepted_by
 from kindsl.syntax.tree import Edit, Node, Problem, Repair, Token
 from kindsl.syntax.words import shown
-from kindsl.text.decimals import significant_decimal
+from kindsl.text.decimals import exact_decimal, significant_decimal
 
 DEEPEST = 60
 
 _LARGEST_ID = 2**31 - 1
 _SCALARS = frozenset({"mass", "moment"})
 _HOLDERS = frozenset({"mass", "moment", "vector", "id"})
+_MOST_PARTS = 1000.0
 _SUMS = frozenset({"add", "subtract"})
 
 
@@ -89,12 +90,27 @@ def _integer(tokens: Sequence[Token]) -> Problem | None:
     for chosen in (*([index] for index in whole), whole):
         trial = tuple("FLOAT" if i in chosen else kind for i, kind in enumerate(kinds))
         if chosen and len(trial) <= 12 and kinds_accepted_by(trial):
-            edits = tuple(Edit(tokens[i].end, tokens[i].end, ".0") for i in chosen)
             token = tokens[chosen[0]]
+            glued = next((t for t in tokens if t.start == token.end and t.kind == "NAME"), None)
+            if glued is not None:
+                return _with_unit(token, glued)
+            edits = tuple(Edit(tokens[i].end, tokens[i].end, ".0") for i in chosen)
             message = f"number '{shown(token.text)}' has no decimal point"
             repair = Repair(f"Write {shown(token.text)}.0", edits, True)
             return Problem("KD005", message, token.start, token.end, repair)
     return None
+
+
+def _with_unit(number: Token, unit: Token) -> Problem:
+    """Return the problem of a whole number with letters behind it; only degrees are plain."""
+    text = number.text + unit.text
+    repair = None
+    if unit.text in ("deg", "degrees") and int(number.text):
+        angle = math.radians(int(number.text))
+        meant = _part_of_pi(angle) or exact_decimal(angle)
+        repair = Repair(f"Write {meant}", (Edit(number.start, unit.end, meant),), False)
+    message = f"'{shown(text)}' is not a number"
+    return Problem("KD005", message, number.start, unit.end, repair)
 
 
 def _unsupported(text: str, node: Node, tokens: Sequence[Token]) -> Problem:
@@ -118,7 +134,19 @@ def _evaluated(node: Node, tokens: Sequence[Token], start: int, end: int) -> Rep
     if value is None or not math.isfinite(value):
         return None
     number = significant_decimal(value, 15)
+    if any(token.kind == "PI" for token in tokens):
+        number = _part_of_pi(value) or exact_decimal(value)
     return Repair(f"Write {number}", (Edit(start, end, number),), False)
+
+
+def _part_of_pi(value: float) -> str | None:
+    """Return a multiple of pi as both generators read it: `-PI`, `PI/0.5`; None without such."""
+    divisor = math.pi / abs(value) if value else math.inf
+    text = f"{divisor:.6f}".rstrip("0")
+    text += "0" if text.endswith(".") else ""
+    if divisor > _MOST_PARTS or math.pi / float(text or 1) != abs(value):
+        return None
+    return f"{'-' if value < 0 else ''}PI" + ("" if divisor == 1 else f"/{text}")
 
 
 def _constant(node: Node | Token) -> float | None:

@@ -33,16 +33,28 @@ def add_sections(analysis: Analysis, start: int, _end: int) -> Iterator[CodeActi
     block = next((node for node in reversed(path) if node.kind in _BLOCKS), None)
     if block is None:
         return
+    yield from add_missing(analysis, start)
     text = place.island.text
     missing = [*_missing(analysis, block)]
-    needed = [s for s in missing if ORDER[block.kind][s.kind].is_needed]
-    if needed:
-        words = " and ".join(dict.fromkeys(_called(s.lines) for s in needed))
-        yield from _action(f"Add the missing {words}", text, block, needed, place.start)
     is_head = any(c.start <= start - place.start <= c.end for c in block.children[:2])
     for section in missing:
         if is_head and section.kind in _OFFERED:
             yield from _action(_TITLES[section.kind], text, block, [section], place.start)
+
+
+def add_missing(analysis: Analysis, start: int) -> Iterator[CodeAction]:
+    """Offer what the innermost block at an offset must have and lacks."""
+    place = analysis.syntax.island_at(start)
+    path = path_at(place.island, start - place.start)
+    block = next((node for node in reversed(path) if node.kind in _BLOCKS), None)
+    if block is None:
+        return
+    needed = [s for s in _missing(analysis, block) if ORDER[block.kind][s.kind].is_needed]
+    if needed:
+        words = " and ".join(dict.fromkeys(_called(s.lines) for s in needed))
+        yield from _action(
+            f"Add the missing {words}", place.island.text, block, needed, place.start
+        )
 
 
 def _missing(analysis: Analysis, block: Node) -> Iterator[_Section]:

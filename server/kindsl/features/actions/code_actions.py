@@ -8,7 +8,7 @@ from kindsl.analysis.analysis import Analysis
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.analysis.fixing import disjoint_fixes
 from kindsl.features.actions.action import CodeAction
-from kindsl.features.actions.add_sections import add_sections
+from kindsl.features.actions.add_sections import add_missing, add_sections
 from kindsl.features.actions.extract_parameter import extract_parameter
 from kindsl.features.actions.fix_all import fix_all
 from kindsl.features.actions.inline_parameter import inline_parameter
@@ -32,22 +32,32 @@ _REFACTORINGS: tuple[Callable[[Analysis, int, int], Iterator[CodeAction]], ...] 
     sort_links,
 )
 _UNBOUND = "KD401"
+_OMITTED = "KD008"
 
 
 def code_actions(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, ...]:
-    """Return what can be done about a range: fixes first, then refactorings."""
+    """Return what can be done about a range: fixes first, to silence a finding last."""
+    fixes = quick_fixes(analysis, start, end)
+    known = {fix.edits for fix in fixes}
     return (
-        *quick_fixes(analysis, start, end),
+        *fixes,
         *bind_parameter(analysis, start, end),
-        *refactorings(analysis, start, end),
+        *(r for r in refactorings(analysis, start, end) if r.edits not in known),
+        *suppressions(analysis, start, end),
     )
 
 
 def quick_fixes(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, ...]:
-    """Return the fixes of the findings that touch a range, and how to silence them."""
-    touched = [d for d in analysis.findings if d.start <= end and start <= d.end]
+    """Return the fixes of the findings that touch a range."""
+    touched = _touched(analysis, start, end)
     fixes = [_fix(finding) for finding in touched if finding.fix is not None]
-    return (*fixes, *_fixes_of_rules(analysis, touched), *_suppressions(analysis, touched))
+    omitted = [d for d in touched if d.code == _OMITTED and d.fix is None]
+    additions = [
+        action._replace(kind=QUICK_FIX, diagnostics=(finding,))
+        for finding in omitted
+        for action in add_missing(analysis, finding.start)
+    ]
+    return (*fixes, *additions, *_fixes_of_rules(analysis, touched))
 
 
 def fix_all_action(analysis: Analysis) -> CodeAction | None:
@@ -74,12 +84,17 @@ def _fixes_of_rules(analysis: Analysis, touched: list[Diagnostic]) -> Iterator[C
             yield CodeAction(title, QUICK_FIX, tuple(edits), alike)
 
 
-def _suppressions(analysis: Analysis, touched: list[Diagnostic]) -> Iterator[CodeAction]:
-    """Yield a comment for each finding that a comment may silence."""
+def suppressions(analysis: Analysis, start: int, end: int) -> Iterator[CodeAction]:
+    """Yield a comment for each finding at a range that a comment may silence."""
+    touched = _touched(analysis, start, end)
     for code in dict.fromkeys(d.code for d in touched if not d.code.startswith("KD0")):
         finding = next(d for d in touched if d.code == code)
         edit = _ignoring(analysis.text, finding)
         yield CodeAction(f"Ignore {code} here", QUICK_FIX, (edit,), (finding,))
+
+
+def _touched(analysis: Analysis, start: int, end: int) -> list[Diagnostic]:
+    return [d for d in analysis.findings if d.start <= end and start <= d.end]
 
 
 def _ignoring(text: str, finding: Diagnostic) -> TextEdit:
