@@ -1,5 +1,6 @@
 from itertools import pairwise
 
+import pytest
 from tests.features.samples import ARM
 from tests.support.cursor import at_cursor
 
@@ -67,8 +68,11 @@ def test_a_finding_can_be_ignored_in_a_comment_above_it():
         "CoM = (9.0, 0.0, 0.0)\n        Ix=0.01 Iy=0.2",
     )
     (found,) = [d for d in analyse(text).findings if d.code == "KD301"]
-    actions = quick_fixes(analyse(text), found.start, found.start)
-    (action,) = [a for a in actions if a.title == "Ignore KD301 here"]
+    actions = code_actions(analyse(text), found.start, found.start)
+    titles_ = [a.title for a in actions]
+    first = next(i for i, title in enumerate(titles_) if title.startswith("Ignore"))
+    assert all(title.startswith("Ignore") for title in titles_[first:])
+    action = actions[titles_.index("Ignore KD301 here")]
     assert action.edits[0].text == "    // kindsl: ignore[KD301]\n"
     silenced = apply_edits(text, action.edits)
     assert "KD301" not in codes(silenced)
@@ -98,3 +102,40 @@ def test_fixes_that_touch_each_other_wait():
     edits, _ = disjoint_fixes(analysis.findings)
     assert all(a.end < b.start for a, b in pairwise(edits))
     assert edits == sorted(edits)
+
+
+@pytest.mark.parametrize(
+    ("omitted", "title"),
+    [
+        ("    id = 2\n", "Add the missing 'id'"),
+        ("        mass = 1.0\n", "Add the missing 'mass'"),
+    ],
+)
+def test_what_is_omitted_can_be_added(omitted, title):
+    text = ARM.replace(omitted, "")
+    (finding,) = [d for d in analyse(text).findings if d.code == "KD008"]
+    action = quick_fixes(analyse(text), finding.start, finding.start)[0]
+    assert (action.title, action.kind, action.diagnostics) == (title, "quickfix", (finding,))
+    assert apply_edits(text, action.edits) == ARM
+
+
+@pytest.mark.parametrize(
+    ("value", "new"),
+    [
+        ("-(PI)", "-PI"),
+        ("PI*2.0", "PI/0.5"),
+        ("3.0*PI/4.0", "2.356194490192345"),
+        ("90deg", "PI/2.0"),
+        ("-45deg", "-PI/4.0"),
+    ],
+)
+def test_an_angle_is_written_as_both_generators_take_it(value, new):
+    text = ARM.replace("(0.0, PI/2.0, 0.0)", f"(0.0, {value}, 0.0)")
+    (finding,) = [d for d in analyse(text).findings if d.code in ("KD005", "KD006")]
+    assert apply_edits(text, finding.fix.edits) == text.replace(value, new)
+
+
+def test_what_is_no_number_gets_no_fix_that_makes_another_mistake():
+    text = ARM.replace("(0.0, PI/2.0, 0.0)", "(0.0, 1e, 0.0)")
+    (finding,) = [d for d in analyse(text).findings if d.code == "KD005"]
+    assert (finding.message, finding.fix) == ("'1e' is not a number", None)

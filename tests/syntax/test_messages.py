@@ -1,5 +1,7 @@
 """What is said about a mistake, and that the repair mends it."""
 
+import re
+
 import pytest
 from tests.support import robots
 from tests.support.mutants import messages
@@ -127,9 +129,13 @@ def test_blocks_out_of_order_are_moved() -> None:
     assert messages(parse(repaired(document))) == []
 
 
-@pytest.mark.parametrize("text", ["", "// nothing\n", "  \n"])
-def test_an_empty_document(text: str) -> None:
-    assert messages(parse(text)) == [(0, "KD008", "document has no robot")]
+@pytest.mark.parametrize("text", ["", "  \n"])
+def test_an_empty_document_is_no_error(text: str) -> None:
+    assert messages(parse(text)) == []
+
+
+def test_a_document_of_comments() -> None:
+    assert messages(parse("// nothing\n")) == [(0, "KD008", "document has no robot")]
 
 
 def test_a_second_robot() -> None:
@@ -140,3 +146,56 @@ def test_a_second_robot() -> None:
 
 def test_an_empty_piece_is_no_misspelt_keyword() -> None:
     assert messages(parse("r_joint l { CoM = (1.0) , l via j"))
+
+
+@pytest.mark.parametrize(
+    ("half", "message"),
+    [
+        ("upper", "expected 'via' after 'upper'"),
+        ("upper via", "expected a name after 'via'"),
+        ("upper via shoulder\n        low", "expected 'via' after 'low'"),
+        ("low\n        upper via shoulder", "expected 'via' after 'low'"),
+    ],
+)
+def test_half_a_child_is_told_by_what_it_lacks(half: str, message: str) -> None:
+    told = messages(parse(changed("upper via shoulder", half)))
+    assert [text for _, _, text in told] == [message]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Ixx Iyy Izz Ixy Ixz Iyz",
+        "ixx iyy izz ixy ixz iyz",
+        "IXX IYY IZZ IXY IXZ IYZ",
+        "i_xx i_yy i_zz i_xy i_xz i_yz",
+    ],
+)
+def test_moments_of_other_formats_mean_one_word_each(words: str) -> None:
+    text = MODEL
+    for word, other in zip(words.split(), ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz"), strict=True):
+        text = re.sub(rf"\b{other}(?=\s*=)", word, text)
+    document = parse(text)
+    assert {code for _, code, _ in messages(document)} == {"KD010"}
+    mended = repaired(document)
+    assert messages(parse(mended)) == []
+    assert mended == MODEL
+
+
+@pytest.mark.parametrize(
+    ("word", "meant"),
+    [
+        ("com", "CoM"),
+        ("COM", "CoM"),
+        ("xyz", "translation"),
+        ("origin", "translation"),
+        ("rpy", "rotation"),
+    ],
+)
+def test_words_of_other_formats(word: str, meant: str) -> None:
+    text = changed(f"{meant} =", f"{word} =")
+    (told,) = messages(parse(text))
+    assert told[1:] == ("KD010", f"unknown keyword '{word}', did you mean '{meant}'")
+    (problem,) = [p for island in parse(text).islands for p in island.problems]
+    assert problem.repair is not None
+    assert problem.repair.title == f"Replace '{word}' by '{meant}'"

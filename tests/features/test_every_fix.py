@@ -1,0 +1,69 @@
+"""Every quick fix for every rule's bad example and every defect file mends and harms nothing."""
+
+import re
+from collections import Counter
+from pathlib import Path
+
+import pytest
+from tests.support.markers import marked_files
+
+from kindsl.analysis.analysis import analyse
+from kindsl.features.actions.code_actions import quick_fixes
+from kindsl.rules.base import Severity
+from kindsl.rules.registry import all_rules
+from kindsl.text.edits import apply_edits
+
+FIXTURES = sorted((Path(__file__).parents[1] / "fixtures" / "rules").glob("*.kindsl"))
+SOURCES = [path.read_text() for path in FIXTURES] + [
+    example if isinstance(example, str) else example.text
+    for rule in all_rules()
+    for example in rule.bad
+]
+DOCUMENTS = [document.text for source in SOURCES for document in marked_files(source)]
+NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?")
+
+
+def fixes(analysis):
+    found = {}
+    for finding in analysis.findings:
+        for action in quick_fixes(analysis, finding.start, finding.end):
+            if action.edits and action.diagnostics:
+                found[action.edits] = action
+    return found.values()
+
+
+def told(analysis):
+    return Counter((finding.code, finding.message) for finding in analysis.findings)
+
+
+def errors(analysis):
+    """Count the errors by code; that a fragment is no robot is told once it can be read."""
+    is_fragment = "RobotBase" not in analysis.text
+    return Counter(
+        finding.code
+        for finding in analysis.findings
+        if finding.severity is Severity.ERROR and not (is_fragment and finding.code == "KD008")
+    )
+
+
+@pytest.mark.parametrize("text", DOCUMENTS)
+def test_a_fix_mends_its_finding_and_makes_no_error(text):
+    before = analyse(text)
+    for action in fixes(before):
+        after = analyse(apply_edits(text, action.edits))
+        for finding in action.diagnostics:
+            key = (finding.code, finding.message)
+            assert told(after)[key] < told(before)[key], action.title
+        assert not errors(after) - errors(before), action.title
+
+
+@pytest.mark.parametrize("text", DOCUMENTS)
+def test_no_number_vanishes_but_what_a_finding_calls_wrong(text):
+    for action in fixes(analyse(text)):
+        new = apply_edits(text, action.edits)
+        lost = len(NUMBER.findall(text)) - len(NUMBER.findall(new))
+        called_wrong = sum(
+            len(NUMBER.findall(text[finding.start : text.find("\n", finding.end)]))
+            for finding in action.diagnostics
+        )
+        assert lost <= called_wrong, action.title
