@@ -59,8 +59,15 @@ def test_a_file_is_made_by_a_client_that_can(tmp_path: Path) -> None:
         assert change["edits"][0]["newText"] == "[parameters]\nm = 1.0\n"
 
 
-def test_nothing_is_offered_to_a_client_that_makes_no_files(tmp_path: Path) -> None:
+def test_a_client_of_plain_changes_writes_the_file(tmp_path: Path) -> None:
     with ready_client(workspaceFolders=roots(tmp_path)) as client:
+        (change,) = offered(client, tmp_path)["changes"][uris.uri(tmp_path / "kindsl.toml")]
+        assert change["newText"] == "[parameters]\nm = 1.0\n"
+
+
+def test_nothing_is_offered_to_a_client_that_makes_no_files(tmp_path: Path) -> None:
+    ordered = {"workspace": {"workspaceEdit": {"documentChanges": True}}}
+    with ready_client(ordered, workspaceFolders=roots(tmp_path)) as client:
         assert offered(client, tmp_path) is None
 
 

@@ -1,5 +1,6 @@
 """The commands of `workspace/executeCommand`."""
 
+import asyncio
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
@@ -8,6 +9,7 @@ from pygls.exceptions import JsonRpcInvalidParams
 
 from kindsl.lsp.handlers.table import Handlers
 from kindsl.lsp.session.session import Session
+from kindsl.lsp.session.status import METHOD as STATUS
 from kindsl.lsp.session.view import View
 from kindsl.lsp.wire.client import asked
 from kindsl.lsp.wire.edits import text_edits, workspace_edit
@@ -28,14 +30,18 @@ _OURS = ("gravity", "forward", "parameters", "configurations")
 async def preview(
     session: Session, uri: object = None, options: object = None, *_: object
 ) -> dict[str, str]:
-    """Show a document in the live preview; return its page's address.
+    """Show a document, or the only open one, in the live preview; return its page's address.
 
-    The option `origin` names the address under which a tunnel or proxy of the editor shows it.
+    An editor that has no panel of its own for it is told the address. The option `origin` names
+    the address under which a tunnel or proxy of the editor shows it.
     """
     origin = (
         options.get("origin") if isinstance(options, dict) else getattr(options, "origin", None)
     )
-    return {"url": await session.previews.open(_uri(uri), origin)}
+    url = await session.previews.open(_only_document(session) if uri is None else _uri(uri), origin)
+    if url.startswith("http") and not session.client.announces(STATUS):
+        session.until_told = asyncio.ensure_future(_tell_address(session, url))
+    return {"url": url}
 
 
 @handlers.command("kindsl.exportUrdf")
@@ -77,6 +83,24 @@ async def view_of(session: Session, uri: object) -> View:
     if document is None or document.is_toml:
         raise RequestFailed(f"'{uri}' is no document of the language")
     return await session.view(document)
+
+
+async def _tell_address(session: Session, url: str) -> None:
+    """Let the editor open an address, or tell it to the user if it cannot."""
+    if session.client.can("window.show_document.support"):
+        shown = types.ShowDocumentParams(url, external=True)
+        answer = await asked(session.editor.window_show_document_async(shown))
+        if answer is not None and answer.success:
+            return
+    message = f"The preview is at {url}"
+    session.editor.window_show_message(types.ShowMessageParams(types.MessageType.Info, message))
+
+
+def _only_document(session: Session) -> str:
+    robots = [document.uri for document in session.documents if not document.is_toml]
+    if len(robots) != 1:
+        raise JsonRpcInvalidParams("the first argument must be the URI of a document")
+    return robots[0]
 
 
 def _uri(uri: object) -> str:

@@ -38,6 +38,7 @@ class State:
         tokens: The semantic tokens that the client knows.
         news: Set when files or settings may have changed.
         refused: Documents of which the user was told that they are too broken to format.
+        until_told: Done when the editor knows the latest preview's address.
         asked_list: URI and start of the open list of completions, if the user asked for it.
         loop: Where messages are read, once they are.
         on_cursor: Called with a document, and the kind and name of what the cursor is on there.
@@ -56,6 +57,7 @@ class State:
         self.tokens = TokenMemory()
         self.news = asyncio.Event()
         self.refused: set[str] = set()
+        self.until_told: asyncio.Future[None] | None = None
         self.asked_list: tuple[str, int] | None = None
         self.loop: asyncio.AbstractEventLoop
         self.on_cursor: list[Callable[[str, str, str], None]] = []

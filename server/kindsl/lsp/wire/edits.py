@@ -46,10 +46,14 @@ def workspace_edit(
 
 
 def makes_files(client: Client) -> bool:
-    """Whether the client makes files that an edit asks for."""
+    """Whether the client makes files that an edit asks for.
+
+    One that knows plain changes only opens what they name, also what is not there yet.
+    """
+    if not client.can("workspace.workspace_edit.document_changes"):
+        return True
     operations = client.values("workspace.workspace_edit.resource_operations")
-    can_order = client.can("workspace.workspace_edit.document_changes")
-    return can_order and types.ResourceOperationKind.Create in operations
+    return types.ResourceOperationKind.Create in operations
 
 
 def _creation(document: Document) -> types.CreateFile:
