@@ -26,7 +26,7 @@ RULE = Rule(
     Severity.ERROR,
     good=(pitched_joint("PI/4.0"),),
     bad=(
-        Example(pitched_joint("3.0*PI/4.0"), fixed=pitched_joint("2.35619449019234")),
+        Example(pitched_joint("3.0*PI/4.0"), fixed=pitched_joint("2.356194490192345")),
         Example(pitched_joint("(PI/4.0)"), fixed=pitched_joint("PI/4.0")),
         pitched_joint("tilt+0.1"),
     ),
