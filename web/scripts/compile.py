@@ -5,7 +5,7 @@ import importlib.util
 import zipfile
 from pathlib import Path
 
-WORK = Path("/work")
+WORK = Path("/build")
 
 
 def compiled(name, data):

@@ -57,18 +57,18 @@ async function gatherPyodide() {
 /** Write zips of .pyc, made by the Python that will load them: twice as fast to start as sources. */
 async function compile() {
   const py = await loadPyodide({ indexURL: PYODIDE });
-  py.FS.mkdirTree("/work/site");
-  py.FS.writeFile("/work/stdlib.zip", await readFile(path.join(PYODIDE, "python_stdlib.zip")));
+  py.FS.mkdirTree("/build/site");
+  py.FS.writeFile("/build/stdlib.zip", await readFile(path.join(PYODIDE, "python_stdlib.zip")));
   for (const entry of await readdir(SITE, { recursive: true, withFileTypes: true })) {
     const from = path.join(entry.parentPath, entry.name);
-    const to = path.posix.join("/work/site", path.relative(SITE, from).split(path.sep).join("/"));
+    const to = path.posix.join("/build/site", path.relative(SITE, from).split(path.sep).join("/"));
     if (entry.isDirectory() || /\.(lark|pyi|typed)$|dist-info/.test(from)) continue;
     py.FS.mkdirTree(path.posix.dirname(to));
     py.FS.writeFile(to, await readFile(from));
   }
   py.runPython(await readFile(path.join(WEB, "scripts/compile.py"), "utf8"));
-  await writeFile(path.join(SERVER, "python_stdlib.zip"), py.FS.readFile("/work/compiled_stdlib.zip"));
-  await writeFile(path.join(SERVER, "site.zip"), py.FS.readFile("/work/compiled_site.zip"));
+  await writeFile(path.join(SERVER, "python_stdlib.zip"), py.FS.readFile("/build/compiled_stdlib.zip"));
+  await writeFile(path.join(SERVER, "site.zip"), py.FS.readFile("/build/compiled_site.zip"));
 }
 
 /** Write the memory of a Python that has loaded the server and used it once. */
