@@ -1,0 +1,1 @@
+"""Mutants of the server's code, for `benchmarks/mutation.py`."""
