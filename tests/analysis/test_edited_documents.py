@@ -43,3 +43,15 @@ def test_findings_follow_the_values(masses: list[float]) -> None:
         settings = SETTINGS._replace(bindings={**SETTINGS.bindings, "load": Binding(mass)})
         analysis = analysis.with_settings(settings)
         assert analysis.findings == analyse(text, settings).findings
+
+
+@settings(max_examples=40, deadline=None)
+@given(first=st.integers(0, 12), last=st.integers(0, 12), at=st.integers(0, 12))
+def test_blocks_pasted_beside_their_twins_are_blocks_of_their_own(
+    first: int, last: int, at: int
+) -> None:
+    analysis = analyse(MODEL, SETTINGS)
+    bounds = [*analysis.syntax.starts, len(MODEL)]
+    piece = MODEL[bounds[min(first, last)] : bounds[max(first, last) + 1]]
+    pasted = analysis.edited([TextEdit(bounds[at], bounds[at], piece)])
+    assert pasted.findings == analyse(pasted.text, SETTINGS).findings

@@ -29,7 +29,8 @@ def _assert_tiled(island: Island) -> None:
 
 
 def assert_same(left: SyntaxDocument, right: SyntaxDocument) -> None:
-    """Check that two documents have equal islands, trees and problems."""
+    """Check that two documents have equal islands, trees and problems, and no island twice."""
+    assert len({id(island) for island in left.islands}) == len(left)
     assert [island.text for island in left.islands] == [island.text for island in right.islands]
     for one, other in zip(left.islands, right.islands, strict=True):
         assert repr(one.tokens) == repr(other.tokens)

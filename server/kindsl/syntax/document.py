@@ -206,7 +206,9 @@ def _edited_once(document: SyntaxDocument, start: int, end: int, new: str) -> Sy
             break
         reach *= 2
     starts = [begin for begin in found.starts if begin < cut] or [0]
-    return _replaced(document, first, kept, _islands(text[:cut], starts, region))
+    # What is kept must not stand in what is new, too, be its text the same.
+    gone = region[: kept - first]
+    return _replaced(document, first, kept, _islands(text[:cut], starts, gone))
 
 
 def _safe_start(document: SyntaxDocument, index: int) -> int:
