@@ -141,7 +141,8 @@ async function settle() {
   do {
     await sleep(QUIET_MS);
   } while (underway > 0);
-  await sleep(0);
+  // A list is drawn in the frame after its answer, its chosen item in the one after that.
+  for (let frame = 0; frame < 3; frame++) await new Promise(requestAnimationFrame);
 }
 
 const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
