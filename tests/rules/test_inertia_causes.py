@@ -20,8 +20,10 @@ from kindsl.analysis.analysis import analyse
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.analysis.settings import Settings
 from kindsl.rigid.body import MassDistribution, shifted
+from kindsl.rules.examples import link, robot
+from kindsl.rules.inertia import repairs
 from kindsl.semantics.parameters import Binding
-from kindsl.text.edits import apply_edits
+from kindsl.text.edits import TextEdit, apply_edits
 
 INERTIA = Settings(select=("KD301", "KD302", "KD306", "KD307", "KD308", "KD311"))
 ROD = (0.05, 0.06, 0.09)
@@ -264,3 +266,19 @@ def test_two_slips_are_named_together() -> None:
         " Ix=0.015 Iy=0.025 Iz=0.012 Ixy=0.0 Ixz=-0.0134 Iyz=0.0 }"
     )
     assert [f.code for f in found] == ["KD301"] or {f.code for f in found} & set(CAUSES)
+
+
+def test_a_keystroke_elsewhere_tries_no_cause_again(monkeypatch):
+    tried, candidates = [], repairs.candidates
+    monkeypatch.setattr(
+        repairs, "candidates", lambda *given: tried.append(given) or candidates(*given)
+    )
+    moments = "Ix=0.020 Iy=0.020 Iz=0.002 Ixy=0.0 Ixz=0.0 Iyz=0.0"
+    body = f"inertia_params {{ mass = 2.0 CoM = (0.0, 0.0, 0.3) {moments} }}"
+    links = (link("a", 1, inertia=body), link("b", 2, inertia=body))
+    analysis = analyse(robot(*links, joints="last"))
+    assert [finding.code for finding in analysis.findings].count("KD306") == 2
+    n_tried = len(tried)
+    edited = analysis.edited([TextEdit(len(analysis.text), len(analysis.text), "\n")])
+    assert [finding.code for finding in edited.findings].count("KD306") == 2
+    assert len(tried) == n_tried == 2

@@ -21,7 +21,7 @@ from kindsl.rules.inertia.judgements import (
     verdict_of,
 )
 from kindsl.rules.inertia.slips import Kind, Slip
-from kindsl.rules.inertia.surroundings import surroundings
+from kindsl.rules.inertia.surroundings import Surroundings, surroundings
 from kindsl.rules.inertia.told import likely_cause, several_causes, shared_cause, title
 from kindsl.rules.number_writing import rescaled, rewritten
 from kindsl.semantics.declarations import MOMENTS
@@ -66,7 +66,7 @@ def explanations(model: Model, context: Context) -> list[Explained]:
         if found.is_impossible or found.verdict is Verdict.IMPLAUSIBLE
     ]
     around = [surroundings(model, context, found) for found in suspects]
-    tried = [candidates(found, near) for found, near in zip(suspects, around, strict=True)]
+    tried = [_tried(found, near) for found, near in zip(suspects, around, strict=True)]
     said = [said_by(causes) for causes in tried]
     by_all: Counter[Kind] = Counter()
     for logs in said:
@@ -78,6 +78,16 @@ def explanations(model: Model, context: Context) -> list[Explained]:
         likely = ranked(causes, others, likelihood_as_written(found, near))
         result.append(Explained(found, likely))
     return result
+
+
+def _tried(found: Judgement, around: Surroundings) -> list[Cause]:
+    """Return what explains an inertia; tried again only where it or its surroundings changed."""
+    facts, key = found.link.island.facts, (_KEY, found.link.start)
+    known = facts.get(key)
+    if not isinstance(known, tuple) or known[0] is not found or known[1] != around:
+        known = facts[key] = found, around, candidates(found, around)
+    causes: list[Cause] = known[2]
+    return causes
 
 
 def _findings(model: Model, context: Context) -> Iterator[tuple[str, Finding]]:
