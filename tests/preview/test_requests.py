@@ -43,6 +43,9 @@ def test_requests_are_well_formed(kind, name, value, what, joints):
         ({"type": "set-joint", "name": "a", "value": "1"}, None),
         ({"type": "set-joint", "name": "a", "value": True}, None),
         ({"type": "set-joint", "name": "a" * 300, "value": 1}, None),
+        ({"type": "set-joint", "name": "\ud800", "value": 1}, None),
+        ({"type": "hello", "joints": {"\udfff": 1.0}}, Hello({}, {})),
+        ({"type": "reveal", "kind": [], "name": "a"}, None),
         ({"type": "set_control", "name": "a", "callback": "alert(1)"}, None),
     ],
 )

@@ -79,14 +79,14 @@ def _grasp(data: Mapping[str, Any]) -> Grasp | None:
     kind, name = data.get("kind"), data.get("name")
     if name == "":
         return Grasp("", "")
-    return Grasp(str(kind), str(name)) if kind in _KINDS and _is_name(name) else None
+    return Grasp(str(kind), str(name)) if kind in _KINDS and is_name(name) else None
 
 
 def _drag(data: Mapping[str, Any]) -> Drag | None:
     kind, name, component = data.get("kind"), data.get("name"), data.get("component")
     value, step, phase = data.get("value"), data.get("step"), data.get("phase")
     revision = data.get("revision")
-    if kind not in _KINDS or phase not in _PHASES or not (_is_name(name) and _is_name(component)):
+    if kind not in _KINDS or phase not in _PHASES or not (is_name(name) and is_name(component)):
         return None
     if not (_is_number(value) and _is_number(revision) and (step is None or _is_number(step))):
         return None
@@ -97,20 +97,21 @@ def _drag(data: Mapping[str, Any]) -> Drag | None:
 def _plan(data: Mapping[str, Any]) -> Plan | None:
     gesture, name, revision = data.get("gesture"), data.get("name", ""), data.get("revision")
     point, joints = data.get("point", [0.0, 0.0, 0.0]), data.get("joints", {})
-    if gesture not in _PLANS or not (name == "" or _is_name(name)) or not _is_number(revision):
+    if gesture not in _PLANS or not (name == "" or is_name(name)) or not _is_number(revision):
         return None
     if not isinstance(point, list) or len(point) != 3 or not all(map(_is_number, point)):
         return None
     if not isinstance(joints, dict) or len(joints) > _MOST_JOINTS:
         return None
-    known = {k: float(v) for k, v in joints.items() if _is_name(k) and _is_number(v)}
+    known = {k: float(v) for k, v in joints.items() if is_name(k) and _is_number(v)}
     x, y, z = map(float, point)
     accepted = data.get("accepted") is True
     return Plan(str(gesture), str(name), (x, y, z), known, accepted, int(revision))
 
 
-def _is_name(value: object) -> bool:
-    return isinstance(value, str) and 0 < len(value) <= _LONGEST_NAME
+def is_name(value: object) -> TypeGuard[str]:
+    """Return whether a page may mean something by it: short, and characters only."""
+    return isinstance(value, str) and 0 < len(value) <= _LONGEST_NAME and value.isprintable()
 
 
 def _is_number(value: Any) -> TypeGuard[float]:

@@ -4,11 +4,10 @@ import json
 import math
 from typing import Any, NamedTuple
 
-from kindsl.preview.gesture_requests import GESTURES, GestureRequest, gesture_request
+from kindsl.preview.gesture_requests import GESTURES, GestureRequest, gesture_request, is_name
 
 MOST_BYTES = 1 << 16
-_LONGEST_NAME = 200
-_REVEALED = frozenset(("link", "joint", "frame", "parameter", "finding"))
+_REVEALED = ("link", "joint", "frame", "parameter", "finding")
 
 
 class SetJoint(NamedTuple):
@@ -76,7 +75,7 @@ def request_of(data: object) -> Request | None:
     if data.get("type") in GESTURES:
         return gesture_request(data)
     name, value = data.get("name"), data.get("value")
-    if not isinstance(name, str) or not 0 < len(name) <= _LONGEST_NAME:
+    if not is_name(name):
         return None
     return _named_request(data, name, value)
 
@@ -95,7 +94,7 @@ def _named_request(data: dict[str, Any], name: str, value: object) -> Request | 
 def _numbers(data: object) -> dict[str, float]:
     if not isinstance(data, dict):
         return {}
-    return {k: float(v) for k, v in data.items() if 0 < len(k) <= _LONGEST_NAME and _is_number(v)}
+    return {k: float(v) for k, v in data.items() if is_name(k) and _is_number(v)}
 
 
 def _is_number(value: object) -> bool:
