@@ -65,8 +65,21 @@ docs-check: $(STAMP)
 
 # The soak takes an hour and more: python benchmarks/soak.py.
 bench: $(STAMP)
-	for file in $(filter-out benchmarks/soak.py,$(wildcard benchmarks/*.py)); do \
+	for file in $(filter-out benchmarks/soak.py benchmarks/mutation.py,$(wildcard benchmarks/*.py)); do \
 		$(BIN)/python $$file || exit 1; done
+
+# Coverage-guided, each target for a while: SECONDS_EACH=3600 make fuzz.
+SECONDS_EACH ?= 600
+.PHONY: fuzz
+fuzz: $(STAMP)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check 'atheris>=2.3'
+	for target in configuration document page urdf wire; do \
+		$(BIN)/python -m tests.fuzz.run --target $$target --seconds $(SECONDS_EACH) || exit 1; done
+
+# How much of a change of the code the tests notice; takes an hour.
+.PHONY: mutation
+mutation: $(STAMP)
+	$(BIN)/python benchmarks/mutation.py
 
 vsix: $(STAMP)
 	cd vscode-extension && npm ci --ignore-scripts --no-audit --no-fund --silent && PYTHON=$(abspath $(BIN))/python npm run --silent package

@@ -4,18 +4,11 @@ import random
 
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
+from tests.support.finding_checks import EVERYTHING, assert_sound
 from tests.support.models import Style, random_model
 
 from kindsl.analysis.analysis import analyse
-from kindsl.analysis.settings import Settings
-from kindsl.semantics.parameters import Binding
-from kindsl.text.edits import apply_edits
 
-EVERYTHING = Settings(
-    targets=frozenset({"robcogen", "robcogen2"}),
-    select=("KD",),
-    bindings={"x": Binding(0.0, -1.0, 1.0), "offset": Binding(1e308), "k": Binding(float("nan"))},
-)
 WORDS = (
     "Robot R {", "RobotBase b {", "RobotBase b floating {", "link l {", "link b {", "link l2 {",
     "r_joint j {", "p_joint j {", "r_joint l {", "id = 1", "id = -1", "id = 99999999999999999999",
@@ -30,13 +23,7 @@ MODEL = random_model(5, 4, Style(has_expressions=True))
 
 
 def check(text: str) -> None:
-    for finding in analyse(text, EVERYTHING).findings:
-        assert 0 <= finding.start <= finding.end <= len(text)
-        assert finding.message and not finding.message.endswith(".")
-        for related in finding.related:
-            assert 0 <= related.start <= related.end <= len(text)
-        if finding.fix is not None:
-            apply_edits(text, finding.fix.edits)
+    assert_sound(analyse(text, EVERYTHING))
 
 
 @settings(max_examples=100, deadline=None)

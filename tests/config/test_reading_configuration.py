@@ -1,5 +1,6 @@
 """kindsl.toml: what it may say, and how it is told what is wrong."""
 
+import json
 import tomllib
 from pathlib import Path
 from typing import Any
@@ -129,6 +130,14 @@ def test_what_is_wrong_is_told_with_its_place(text: str, told: str) -> None:
     with pytest.raises(ConfigurationError) as caught:
         configuration_of("sub/kindsl.toml", text)
     assert str(caught.value).startswith("sub/kindsl.toml" + told)
+
+
+@given(st.text(max_size=8))
+def test_what_is_told_is_one_line(name: str) -> None:
+    quoted = json.dumps(name)
+    with pytest.raises(ConfigurationError) as caught:
+        configuration_of("kindsl.toml", f"target = [{quoted}]\nignore = [1, {quoted}]\n")
+    assert all(problem.message.isprintable() for problem in caught.value.problems)
 
 
 def test_all_mistakes_are_told_in_order() -> None:

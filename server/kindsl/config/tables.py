@@ -13,6 +13,7 @@ from kindsl.rules.registry import all_rules
 from kindsl.semantics.parameters import Binding, JointLimits
 from kindsl.text.lines import LineIndex
 from kindsl.text.nearest import hint, nearest_word
+from kindsl.text.printable import printable
 
 KEYS = ("target", "select", "ignore", "severity", "parameters", "joints", "document")
 DOCUMENT_KEYS = ("path", "target", "select", "ignore", "severity", "parameters", "joints")
@@ -50,7 +51,8 @@ class Checker:
         start, end = self.places.get(known, (0, 0))
         line, column = self._lines.position(start)
         place = Place(line + 1, column + 1, start, end)
-        self._problems.append(ConfigurationProblem(self.path, place, dotted(keys), message))
+        problem = ConfigurationProblem(self.path, place, dotted(keys), printable(message))
+        self._problems.append(problem)
 
     def wrong_type(self, keys: KeyPath, value: object, expected: str) -> None:
         """Note that a value is of another type than it should be."""

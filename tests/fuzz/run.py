@@ -1,0 +1,52 @@
+"""Looks for inputs that break a target, guided by coverage.
+
+    python -m tests.fuzz.run --target document --seconds 3600
+
+Needs `pip install 'kindsl[fuzz]'`. Begins with the fixed corpus; what is new goes to a folder of
+its own. An input that fails is written to `artifacts/fuzz/`: make it smaller, put it into the
+target's corpus, and repair.
+"""
+
+import argparse
+import importlib
+import sys
+import tempfile
+from pathlib import Path
+
+import atheris
+from tests.fuzz.inputs import FOLDER, TARGETS, words
+
+FOUND = FOLDER.parents[1] / "artifacts" / "fuzz"
+_LONGEST = 4096
+_SECONDS_AN_INPUT = 20
+
+
+def main() -> None:
+    """Run until the time is over or an input fails."""
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("--target", required=True, choices=TARGETS)
+    parser.add_argument("--seconds", type=int, default=60)
+    options = parser.parse_args()
+    with atheris.instrument_imports(include=["kindsl"]):
+        target = importlib.import_module(f"tests.fuzz.targets.{options.target}")
+    FOUND.mkdir(parents=True, exist_ok=True)
+    new = tempfile.mkdtemp(prefix=f"fuzz-{options.target}-")
+    listed = Path(new).with_suffix(".dict")
+    lines = (f'"{_quoted(word)}"\n' for word in words(options.target))
+    listed.write_text("".join(lines), encoding="ascii")
+    arguments = [
+        *(sys.argv[0], new, str(FOLDER / "corpus" / options.target)),
+        *(f"-dict={listed}", f"-max_total_time={options.seconds}", f"-max_len={_LONGEST}"),
+        *(f"-timeout={_SECONDS_AN_INPUT}", f"-artifact_prefix={FOUND}/{options.target}-"),
+        *("-print_final_stats=1", "-rss_limit_mb=4096"),
+    ]
+    atheris.Setup(arguments, target.one_input)
+    atheris.Fuzz()
+
+
+def _quoted(word: bytes) -> str:
+    return "".join(f"\\x{byte:02x}" for byte in word)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,89 @@
+"""Messages of the preview's page: whatever it sends, what is shown can be sent back.
+
+Input: messages, one a line; what they drag is written into the document at once.
+"""
+
+import asyncio
+import json
+from collections.abc import Mapping
+
+from tests.support import robots
+
+from kindsl.analysis.analysis import analyse
+from kindsl.preview.channel import Tab
+from kindsl.preview.documents import DocumentPreviews
+from kindsl.preview.dragging import Writing
+from kindsl.preview.requests import parse_request
+from kindsl.preview.scene.messages import Message, as_json, encode
+from kindsl.text.edits import apply_edits
+
+_KEY = "untitled:arm"
+_MOST_MESSAGES = 20
+
+
+class _Previews(DocumentPreviews):
+    """Previews whose documents are written as a page wants, without an editor or a socket."""
+
+    def __init__(self) -> None:
+        super().__init__(lambda *_: None, lambda *_: "line", self._edit, beside=asyncio.to_thread)
+
+    async def start(self) -> str:
+        return ""
+
+    async def stop(self) -> None:
+        """Nothing runs."""
+
+    def url(self, key: str) -> str:
+        return key
+
+    def admit(self, origin: str) -> None:
+        """Nobody is outside."""
+
+    async def _edit(self, key: str, writing: Writing) -> str:
+        analysis = analyse(apply_edits(writing.text, writing.edits))
+        await self.show(key, analysis, analysis.findings)
+        return ""
+
+
+def one_input(data: bytes) -> None:
+    """Show a robot with a parameter, receive messages, and send all that is shown."""
+    asyncio.run(_receive(data.decode("utf-8", "surrogateescape").split("\n")[:_MOST_MESSAGES]))
+
+
+async def _receive(lines: list[str]) -> None:
+    previews, sent = _Previews(), list[Message]()
+    analysis = analyse(robots.ARM)
+    await previews.show(_KEY, analysis, analysis.findings)
+    document = previews.document(None)
+    assert document is not None
+
+    async def write(messages: list[Message]) -> None:
+        sent.extend(messages)
+
+    tab = Tab(write)
+    document.channel.join(tab)
+    writer = asyncio.ensure_future(tab.run())
+    for line in lines:
+        request = parse_request(line)
+        if request is not None:
+            previews.receive(document, tab, request)
+            await _gestures_done(writer)
+    await asyncio.sleep(0)
+    writer.cancel()
+    for message in (*sent, *document.channel.state):
+        _check(message)
+
+
+async def _gestures_done(writer: "asyncio.Task[None]") -> None:
+    mine = {asyncio.current_task(), writer}
+    await asyncio.gather(*(task for task in asyncio.all_tasks() if task not in mine))
+
+
+def _check(message: Message) -> None:
+    assert encode(message)
+    decoded = json.loads(as_json(message), parse_constant=_no_constant)
+    assert isinstance(decoded, Mapping) and decoded["type"] == message["type"]
+
+
+def _no_constant(word: str) -> float:
+    raise AssertionError(f"{word} is not JSON")

@@ -1,0 +1,24 @@
+"""What holds of the findings in any text."""
+
+from kindsl.analysis.analysis import Analysis
+from kindsl.analysis.settings import Settings
+from kindsl.semantics.parameters import Binding
+from kindsl.text.edits import apply_edits
+
+EVERYTHING = Settings(
+    targets=frozenset({"robcogen", "robcogen2"}),
+    select=("KD",),
+    bindings={"x": Binding(0.0, -1.0, 1.0), "offset": Binding(1e308), "k": Binding(float("nan"))},
+)
+
+
+def assert_sound(analysis: Analysis) -> None:
+    """Check that every finding lies in the text and says a sentence, and every fix applies."""
+    text = analysis.text
+    for finding in analysis.findings:
+        assert 0 <= finding.start <= finding.end <= len(text)
+        assert finding.message and not finding.message.endswith(".")
+        for related in finding.related:
+            assert 0 <= related.start <= related.end <= len(text)
+        if finding.fix is not None:
+            apply_edits(text, finding.fix.edits)
