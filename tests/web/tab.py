@@ -71,9 +71,16 @@ class Tab:
     def fix_first(self) -> str:
         """Take the first fix of the first problem; return its title."""
         before = self.text()
-        self.page.locator("#problems .fix").first.click()
         action = self.page.locator(".action-widget .monaco-list-row.action").first
-        action.wait_for()
+
+        def is_listed() -> bool:
+            """Ask again: a list that comes while the text is still checked closes at once."""
+            if not action.is_visible():
+                self.page.locator("#problems .fix").first.click()
+                self.page.wait_for_timeout(1000)
+            return action.is_visible()
+
+        self.eventually(is_listed, "a list of fixes")
         title = action.inner_text()
         self.page.keyboard.press("Enter")
         self.eventually(lambda: self.text() != before, f"the text changed by '{title}'")
