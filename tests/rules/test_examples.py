@@ -38,6 +38,7 @@ def analysed(rule: Rule, example: str | Example, text: str | None = None) -> Ana
 
 
 def of_rule(rule: Rule, analysis: Analysis) -> list[Diagnostic]:
+    assert analysis.faults == ()
     return [finding for finding in analysis.findings if finding.code == rule.code]
 
 

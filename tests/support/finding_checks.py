@@ -13,9 +13,10 @@ EVERYTHING = Settings(
 
 
 def assert_sound(analysis: Analysis) -> None:
-    """Check that every finding lies in the text and says a sentence, and every fix applies."""
-    text = analysis.text
-    for finding in analysis.findings:
+    """Check that no rule fails, each finding lies in the text and is a sentence, fixes apply."""
+    text, findings = analysis.text, analysis.findings
+    assert analysis.faults == ()
+    for finding in findings:
         assert 0 <= finding.start <= finding.end <= len(text)
         assert finding.message and not finding.message.endswith(".")
         for related in finding.related:

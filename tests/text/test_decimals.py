@@ -60,7 +60,8 @@ def test_decimals_are_counted_from_the_point(value: float, decimals: int) -> Non
 @given(sizes)
 def test_computed_numbers_lose_their_dust(value: float) -> None:
     assert float(rounded_decimal(value, abs(value))) == pytest.approx(value, rel=1e-14)
-    assert rounded_decimal(value, abs(value) * 3e15) == "0.0"
+    assert rounded_decimal(value, abs(value) * 2.4e15) != "0.0"
+    assert rounded_decimal(value, abs(value) * 2.6e15) == "0.0"
 
 
 @pytest.mark.parametrize(

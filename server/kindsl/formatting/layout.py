@@ -93,6 +93,8 @@ def _space(before: Piece, piece: Piece) -> str:
         return "  "
     if before.kind in _GLUED_AFTER or piece.kind in _GLUED_BEFORE:
         return ""
+    if piece.kind in _COMMENTS or before.kind in _COMMENTS:
+        return " "
     if before.kind == "{" and piece.kind == "}":
         return ""
     if piece.kind == "[" or before.kind in ("*", "/") or piece.kind in ("*", "/"):
