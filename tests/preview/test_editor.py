@@ -73,7 +73,7 @@ async def test_the_cursor_is_followed(editor, text, kind, name):
 async def test_a_click_moves_the_editor(editor):
     async with page(editor) as connection:
         await connection.write_message('{"type": "reveal", "kind": "frame", "name": "tool"}')
-        is_wanted = lambda m: m.get("method") == "window/showDocument"  # noqa: E731
+        is_wanted = lambda m: "selection" in m.get("params", {})  # noqa: E731
         request = await asyncio.to_thread(editor.wait, is_wanted)
         shown = request["params"]
         assert (shown["uri"], shown["selection"]["start"]) == (URI, position("tool {"))

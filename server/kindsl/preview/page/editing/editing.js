@@ -11,7 +11,7 @@ const KindslEditing = (() => {
   class Editing {
     constructor(page) {
       Object.assign(this, { page, isOn: false, numbers: null, isWaiting: false, next: null, point: [0, 0, 0] });
-      this.handles = new KindslHandles.Handles(page.scene, page.labels, page.pane);
+      this.handles = new KindslHandles.Handles(page.scene, page.pane);
       this.drag = new KindslHandleDrag.HandleDrag(page.viewer, this.handles);
       this.card = new KindslEditCard.EditCard(this, page.units);
       this.linkDrag = new KindslLinkDrag.LinkDrag(page);

@@ -11,8 +11,8 @@ const KindslHandles = (() => {
   const NAMES = { x: "along x", y: "along y", z: "along z", rx: "about x", ry: "about the new y", rz: "about the newest z" };
 
   class Handles {
-    constructor(scene, labels, pane) {
-      Object.assign(this, { scene, labels, pane, shown: null, mode: "move", shapes: new Map() });
+    constructor(scene, pane) {
+      Object.assign(this, { scene, pane, shown: null, mode: "move", shapes: new Map() });
       this.svg = node("svg", { class: "handles", role: "group", "aria-label": "Handles" });
       this.svg.style.display = "none";
       pane.append(this.svg);
@@ -74,7 +74,7 @@ const KindslHandles = (() => {
 
     // Bring the shapes in line with the view; called after each picture.
     place() {
-      const geometry = this.geometry(), at = geometry && this.labels.project(geometry.origin.toArray());
+      const geometry = this.geometry(), at = geometry && this.project(geometry.origin);
       this.svg.style.display = at ? "" : "none";
       if (!at) return;
       const { camera } = this.scene.viewer;
@@ -82,10 +82,18 @@ const KindslHandles = (() => {
       for (const [name, shape] of this.shapes) this.draw(name, shape, geometry, pixel);
     }
 
+    // Where a point of the base's frame is on the pane, beyond its edges too, and how far away; null behind the eye.
+    project(position) {
+      const { camera } = this.scene.viewer, place = KindslCamera.toThree(position.toArray());
+      const distance = camera.getWorldPosition(new Vector3()).distanceTo(place), point = place.clone().project(camera);
+      if (point.z < -1 || point.z > 1) return null;
+      return [((point.x + 1) / 2) * this.pane.clientWidth, ((1 - point.y) / 2) * this.pane.clientHeight, distance];
+    }
+
     draw(name, { group, wide, line }, { origin, axes }, pixel) {
       const axis = axes[name], isRing = name.length === 2;
       const points = isRing ? ring(origin, axis, RADII[name] * pixel) : [origin, origin.clone().addScaledVector(axis, LENGTH * pixel)];
-      const places = points.map((point) => this.labels.project(point.toArray()));
+      const places = points.map((point) => this.project(point));
       const path = places.some((place) => !place) ? "" : places.map(([x, y], i) => `${i ? "L" : "M"}${x.toFixed(1)} ${y.toFixed(1)}`).join("");
       for (const shape of [wide, line]) shape.setAttribute("d", path && (isRing ? `${path}Z` : path + head(places)));
       const handle = this.shown.components.find((one) => one.component === name);
