@@ -1,13 +1,21 @@
 """Values for parameters, written into the project's configuration."""
 
+import tomllib
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
+from lsprotocol import types
 from tests.lsp.test_workspace import ROBOT, roots
 from tests.support.lsp import RawClient, ready_client
 
+from kindsl.analysis.analysis import Analysis
+from kindsl.config.discovery import Configurations
 from kindsl.lsp.text import uris
+from kindsl.lsp.text.document import Document, document
+from kindsl.syntax.document import parse
+from kindsl.text.edits import TextEdit, apply_edits
 
 MAKES = {
     "workspace": {"workspaceEdit": {"documentChanges": True, "resourceOperations": ["create"]}}
@@ -65,10 +73,79 @@ def test_a_client_of_plain_changes_writes_the_file(tmp_path: Path) -> None:
         assert change["newText"] == "[parameters]\nm = 1.0\n"
 
 
+@pytest.fixture(scope="module", params=["plain", "versioned"])
+def client(request: pytest.FixtureRequest) -> Iterator[RawClient]:
+    with ready_client(MAKES if request.param == "versioned" else None) as client:
+        yield client
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("kindsl.toml", "[[document]]\npath = 'a.kindsl'\n[[document]]\npath = 'robot.kindsl'\n"),
+        ("kindsl.toml", "[[document]]\npath = '*.kindsl'\nparameters.k = 1\n[severity]\n"),
+        ("kindsl.toml", "[[document]]\npath = 'a.kindsl'\nparameters = { m = 7.0 }\n"),
+        ("kindsl.toml", "document = [{ path = 'robot.kindsl', parameters = { k = 1.0 } }]"),
+        ("kindsl.toml", "parameters.k.value = 1.0\r\nparameters.k.min = 0.5\r\n"),
+        ("kindsl.toml", "parameters = { k = 1.0 } # all\nignore = []\n"),
+        (
+            "pyproject.toml",
+            "[tool.other]\nparameters = { m = 7 }\n[tool.kindsl]\n[tool.x.parameters]\nm = 7\n",
+        ),
+        ("pyproject.toml", "[tool.kindsl.parameters]\nk = 1.0\n\n[parameters]\nm = 7\n"),
+        ("pyproject.toml", "[tool]\nkindsl.ignore = []\nother.parameters.m = 7\n"),
+        ("pyproject.toml", "[tool]\nkindsl = { ignore = [] }\n"),
+    ],
+)
+def test_a_value_goes_where_it_counts(
+    client: RawClient, tmp_path: Path, name: str, text: str
+) -> None:
+    """Whatever stands in the file, the parameter is bound, and nothing else is touched."""
+    (tmp_path / name).write_text(text, newline="")
+    edit = offered(client, tmp_path)
+    (changes,) = (
+        [change["edits"] for change in edit["documentChanges"]]
+        if "documentChanges" in edit
+        else edit["changes"].values()
+    )
+    written = document("", None, text, "utf-16")
+    bound = apply_edits(text, [text_edit(written, change) for change in changes])
+    (tmp_path / name).write_text(bound, newline="")
+    assert "KD401" not in [found.code for found in linted(tmp_path / "robot.kindsl")]
+    before, after = (tomllib.loads(each) for each in (text, bound))
+    assert [found for found in values(before) if found not in values(after)] == []
+    assert len(values(after)) == len(values(before)) + 1
+
+
+def test_nothing_is_offered_where_a_broken_file_decides(client: RawClient, tmp_path: Path) -> None:
+    (tmp_path / "kindsl.toml").write_text("target = 3\n")
+    assert offered(client, tmp_path) is None
+
+
 def test_nothing_is_offered_to_a_client_that_makes_no_files(tmp_path: Path) -> None:
     ordered = {"workspace": {"workspaceEdit": {"documentChanges": True}}}
     with ready_client(ordered, workspaceFolders=roots(tmp_path)) as client:
         assert offered(client, tmp_path) is None
+
+
+def values(table: Any, keys: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
+    """Every value in a table with the keys that lead to it."""
+    if isinstance(table, dict):
+        return [v for key, each in table.items() for v in values(each, (*keys, key))]
+    if isinstance(table, list):
+        return [v for key, each in enumerate(table) for v in values(each, (*keys, key))]
+    return [(*keys, table)]
+
+
+def linted(path: Path) -> Any:
+    settings = Configurations().above(str(path)).settings_for(str(path))
+    return Analysis(parse(ROBOT), settings).findings
+
+
+def text_edit(document: Document, change: dict[str, Any]) -> TextEdit:
+    ends = (types.Position(**change["range"][end]) for end in ("start", "end"))
+    start, end = map(document.offset, ends)
+    return TextEdit(start, end, change["newText"])
 
 
 def renamed(client: RawClient, folder: Path, name: str) -> Any:

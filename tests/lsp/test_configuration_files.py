@@ -1,11 +1,15 @@
 """`kindsl.toml` in the editor and on disk: what it decides, and what is wrong with it."""
 
+import json
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import pytest
 from tests.lsp.test_workspace import ROBOT, UNBOUND, WATCHES, client, folder, roots, tell, whole
 from tests.support.lsp import RawClient, ready_client
 
+from kindsl.lsp.browser import start
 from kindsl.lsp.text import uris
 
 __all__ = ["client", "folder"]
@@ -111,3 +115,166 @@ class TestConfigurationFiles:
         links = client.request("textDocument/documentLink", {"textDocument": {"uri": uri}})
         targets = ["https://example.org", uris.uri(folder / "robot.kindsl")]
         assert [link["target"] for link in links] == targets
+
+
+class Files:
+    """A folder with a robot that is open and a `kindsl.toml` that is not."""
+
+    def __init__(self, client: RawClient, folder: Path) -> None:
+        self.client, self.folder = client, folder
+        self.file = folder / "kindsl.toml"
+        self.uri = uris.uri(self.file)
+        self.robot = uris.uri(folder / "robot.kindsl")
+
+    def put(self, file: Path, content: str | bytes) -> None:
+        """Write a file in one step, so that nobody reads half of it."""
+        content = content if isinstance(content, bytes) else content.encode()
+        (self.folder / "new").write_bytes(content)
+        (self.folder / "new").rename(file)
+
+    def write(self, content: str | bytes, kind: int = 2) -> None:
+        self.put(self.file, content)
+        tell(self.client, self.file, kind)
+
+    def messages(self) -> list[str]:
+        """Wait for what is said next about the file."""
+        return [found["message"] for found in self.client.diagnostics(self.uri)]
+
+
+@pytest.fixture
+def files(client: RawClient, folder: Path) -> Iterator[Files]:
+    files = Files(client, folder)
+    client.open(files.robot, ROBOT)
+    client.diagnostics(files.robot)
+    yield files
+    client.close(files.robot)
+
+
+BROKEN, WORSE = "target = 3\n", "[parameters]\nm = 'heavy'\n"
+
+
+class TestFilesThatAreNotOpen:
+    def test_what_is_said_is_of_the_file_as_it_is_now(self, files: Files) -> None:
+        files.write(BROKEN, 1)
+        assert ["target" in message for message in files.messages()] == [True]
+        files.write(WORSE)
+        assert ["'m'" in message or "parameters.m" in message for message in files.messages()]
+        files.write("ignore = 3\n" + BROKEN)
+        assert len(files.messages()) == 2
+        files.write("ignore = []\n")
+        assert files.messages() == []
+
+    def test_a_file_that_is_renamed_takes_its_faults_along(self, files: Files) -> None:
+        files.write(BROKEN, 1)
+        assert files.messages()
+        files.file.rename(files.folder / "kindsl.toml.old")
+        tell(files.client, files.file, 3)
+        assert files.messages() == []
+        (files.folder / "kindsl.toml.old").rename(files.file)
+        tell(files.client, files.file, 1)
+        assert files.messages()
+
+    def test_a_file_that_is_checked_out_is_read_without_a_robot(
+        self, client: RawClient, folder: Path
+    ) -> None:
+        files = Files(client, folder)
+        files.write(BROKEN, 1)
+        assert files.messages()
+        files.write(WORSE)
+        assert files.messages()
+        files.write("")
+        assert files.messages() == []
+
+    def test_another_tools_file_is_not_ours(self, files: Files) -> None:
+        project = files.folder / "pyproject.toml"
+        files.put(project, "[tool.other]\nparameters = 3\n[")
+        tell(files.client, project, 1)
+        files.write(BROKEN, 1)
+        assert files.messages()
+        told = [m["params"] for m in files.client.drain() if "publishDiagnostics" in str(m)]
+        assert [each for each in told if each["uri"] == uris.uri(project)] == []
+        files.file.unlink()
+        files.put(project, "[tool.kindsl]\ntarget = 3\n")
+        tell(files.client, project, 2)
+        assert files.client.diagnostics(uris.uri(project))
+        files.put(project, "[tool.other]\n")
+        tell(files.client, project, 2)
+        assert files.client.diagnostics(uris.uri(project)) == []
+
+    def test_what_was_not_saved_is_gone_with_the_editor(self, files: Files) -> None:
+        files.write(BROKEN, 1)
+        assert len(files.messages()) == 1
+        files.client.open(files.uri, "ignore = 3\n" + BROKEN)
+        assert len(files.messages()) == 2
+        files.write(WORSE)
+        files.client.close(files.uri)
+        assert files.client.wait(lambda m: "heavy" in str(m) or "'m'" in str(m))
+        files.client.open(files.uri, "")
+        assert files.messages() == []
+        files.client.close(files.uri)
+        assert files.client.wait(lambda m: "'m'" in str(m))
+        files.write("")
+        files.client.wait(lambda m: m.get("params") == {"uri": files.uri, "diagnostics": []})
+
+    @pytest.mark.parametrize(
+        ("content", "message"),
+        [
+            (b"target = 3 # \xff\n", "is not UTF-8, as TOML has to be"),
+            (b"\xef\xbb\xbftarget = 3\n", "target"),
+        ],
+    )
+    def test_bytes_are_read_as_the_linter_reads_them(
+        self, files: Files, content: bytes, message: str
+    ) -> None:
+        files.write(content, 1)
+        (found,) = files.client.diagnostics(files.uri)
+        assert message in found["message"]
+        assert found["range"]["start"] == {"line": 0, "character": 0}
+
+
+class TestFilesThatNobodyTellsOf:
+    def test_the_disk_is_looked_at(self, files: Files) -> None:
+        files.put(files.file, "[parameters]\nm = 2.0\n")
+        assert UNBOUND not in files.client.codes(files.robot)
+        files.put(files.file, BROKEN)
+        assert files.messages()
+        assert UNBOUND in files.client.codes(files.robot)
+        files.file.unlink()
+        assert files.messages() == []
+
+    def test_also_while_no_robot_is_open(self, files: Files) -> None:
+        files.write(BROKEN, 1)
+        assert files.messages()
+        files.client.close(files.robot)
+        files.put(files.file, "")
+        assert files.messages() == []
+
+
+PULLS: dict[str, Any] = {"textDocument": {"diagnostic": {}}}
+REFRESHES: dict[str, Any] = {"workspace": {"diagnostics": {"refreshSupport": True}}}
+
+
+class TestPulling:
+    @pytest.mark.parametrize(
+        ("capabilities", "is_invited"), [(PULLS, False), (PULLS | REFRESHES, True), ({}, True)]
+    )
+    async def test_a_client_is_invited_to_pull_if_it_can_be_asked_to_do_so_again(
+        self, capabilities: dict[str, Any], is_invited: bool
+    ) -> None:
+        answers: list[str] = []
+        params = {"processId": None, "rootUri": None, "capabilities": capabilities}
+        question = {"jsonrpc": "2.0", "id": 1, "method": "initialize", "params": params}
+        start(answers.append)(json.dumps(question))
+        announced = json.loads(answers[0])["result"]["capabilities"]
+        assert ("diagnosticProvider" in announced) is is_invited
+
+    def test_a_client_that_pulls_uninvited_is_told_what_others_change(self, folder: Path) -> None:
+        robot = uris.uri(folder / "robot.kindsl")
+        with ready_client(PULLS, workspaceFolders=roots(folder)) as client:
+            client.open(robot, ROBOT)
+            client.request("textDocument/diagnostic", {"textDocument": {"uri": robot}})
+            client.drain()
+            client.messages.clear()
+            (folder / "kindsl.toml").write_text("[parameters]\nm = 2.0\nfree = 1.0\n")
+            tell(client, folder / "kindsl.toml", 1)
+            assert UNBOUND not in client.codes(robot)

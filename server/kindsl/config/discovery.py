@@ -49,14 +49,23 @@ class Configurations:
 
 def nearest_configuration(folder: str) -> str | None:
     """Return the path of the configuration file in a folder or the nearest one above."""
-    for above in _upwards(os.path.abspath(folder)):
-        own = os.path.join(above, OWN_FILE)
-        if os.path.isfile(own):
-            return _shown(own)
-        other = os.path.join(above, PYTHON_FILE)
-        if os.path.isfile(other) and has_python_table(other):
-            return _shown(other)
+    for path in candidates(folder):
+        if is_configuration(path):
+            return _shown(path)
     return None
+
+
+def candidates(folder: str) -> Iterator[str]:
+    """Yield the paths of what may be the configuration file of a folder, the nearest first."""
+    for above in _upwards(os.path.abspath(folder)):
+        yield os.path.join(above, OWN_FILE)
+        yield os.path.join(above, PYTHON_FILE)
+
+
+def is_configuration(path: str) -> bool:
+    """Return whether a file is there, and is ours or has our table."""
+    is_own = os.path.basename(path) != PYTHON_FILE
+    return os.path.isfile(path) and (is_own or has_python_table(path))
 
 
 def has_python_table(path: str) -> bool:

@@ -25,7 +25,24 @@ def read_configuration(path: str) -> Configuration:
     Raises:
         ConfigurationError: It cannot be read, is no TOML, or has a wrong key or value.
     """
-    return configuration_of(path, _text_of(path))
+    return configuration_of(path, text_of(path))
+
+
+def text_of(path: str) -> str:
+    """Return the text of a configuration file.
+
+    Raises:
+        ConfigurationError: It cannot be read, or is not UTF-8.
+    """
+    try:
+        with open(path, "rb") as file:
+            return file.read().decode("utf-8-sig")
+    except OSError as error:
+        raise _error(path, _START, f"cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError as error:
+        line = error.object[: error.start].count(b"\n") + 1
+        place = Place(line, 1, 0, 0)
+        raise _error(path, place, "is not UTF-8, as TOML has to be") from None
 
 
 def configuration_of(path: str, text: str) -> Configuration:
@@ -59,7 +76,7 @@ def read_parameters(path: str) -> dict[str, Binding]:
     Raises:
         ConfigurationError: It cannot be read, is no TOML, or has a wrong value.
     """
-    table, checker = _parsed(path, _text_of(path), ())
+    table, checker = _parsed(path, text_of(path), ())
     inner = table.get("parameters")
     if isinstance(inner, dict) and "value" not in inner:
         found = bindings(checker, ("parameters",), inner)
@@ -67,18 +84,6 @@ def read_parameters(path: str) -> dict[str, Binding]:
         found = bindings(checker, (), table)
     checker.raise_if_wrong()
     return found
-
-
-def _text_of(path: str) -> str:
-    try:
-        with open(path, "rb") as file:
-            return file.read().decode("utf-8-sig")
-    except OSError as error:
-        raise _error(path, _START, f"cannot be read: {error.strerror}") from None
-    except UnicodeDecodeError as error:
-        line = error.object[: error.start].count(b"\n") + 1
-        place = Place(line, 1, 0, 0)
-        raise _error(path, place, "is not UTF-8, as TOML has to be") from None
 
 
 def _parsed(path: str, text: str, root: tuple[str, ...]) -> tuple[dict[str, Any], Checker]:

@@ -1,13 +1,15 @@
 """The start of a session, its settings and files: what the client says, and what it is asked."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from lsprotocol import types
 from pygls.capabilities import ServerCapabilitiesBuilder
 
 from kindsl.lsp.handlers.table import Handlers
+from kindsl.lsp.session.disk_watch import watch_disk
 from kindsl.lsp.session.session import Session
 from kindsl.lsp.session.warm_up import warm_up
+from kindsl.lsp.session.worker import start_task
 from kindsl.lsp.session.workspace import CONFIGURATION_FILES
 from kindsl.lsp.text import uris
 from kindsl.lsp.wire.client import Client, asked
@@ -38,6 +40,7 @@ async def initialized(session: Session, _: types.InitializedParams) -> None:
     if registrations:
         params = types.RegistrationParams(registrations)
         await asked(session.editor.client_register_capability_async(params))
+    start_task(watch_disk(session, session.publisher, lambda: refresh(session)))
     await ask_for_settings(session)
 
 
@@ -69,10 +72,11 @@ def change_files(session: Session, params: types.DidChangeWatchedFilesParams) ->
         is_gone = change.type == types.FileChangeType.Deleted
         if is_gone and not session.documents.is_open(change.uri):
             session.publisher.clear(change.uri)
-    if any(uris.basename(change.uri) in CONFIGURATION_FILES for change in params.changes):
+    changed = [change.uri for change in params.changes if _is_configuration(change.uri)]
+    if changed:
         session.workspace.forget()
-        refresh(session)
-    elif session.client.can("workspace.diagnostics.refresh_support"):
+        refresh(session, changed)
+    elif session.client.is_told_to_pull:
         session.editor.workspace_diagnostic_refresh(None)
 
 
@@ -81,7 +85,7 @@ def save(session: Session, params: types.DidSaveTextDocumentParams) -> None:
     """See a configuration file that was saved here, in case the client watches no files."""
     session.news.set()
     session.previews.saved(params.text_document.uri)
-    if uris.basename(params.text_document.uri) in CONFIGURATION_FILES:
+    if _is_configuration(params.text_document.uri):
         session.workspace.forget()
         refresh(session)
 
@@ -102,10 +106,15 @@ async def ask_for_settings(session: Session) -> None:
         session.editor.window_log_message(message)
 
 
-def refresh(session: Session) -> None:
-    """Check all open documents again and let the client ask again for what it shows."""
+def refresh(session: Session, changed: Iterable[str] = ()) -> None:
+    """Check all open documents again and let the client ask again for what it shows.
+
+    Args:
+        session: The session.
+        changed: URIs of the configuration files that are the cause.
+    """
     session.news.set()
-    session.publisher.refresh()
+    session.publisher.refresh(changed)
     session.previews.refresh()
     editor = session.editor
     for shown, ask in (
@@ -116,6 +125,10 @@ def refresh(session: Session) -> None:
     ):
         if session.client.can(f"workspace.{shown}.refresh_support"):
             ask(None)
+
+
+def _is_configuration(uri: str) -> bool:
+    return uris.basename(uri) in CONFIGURATION_FILES
 
 
 def _registrations(client: Client) -> Iterator[types.Registration]:

@@ -41,12 +41,12 @@ def bound(state: State, shown: Document, values: Iterable[tuple[str, float]]) ->
 
 def _new_file(state: State, shown: Document, lines: list[str]) -> Binding | None:
     """Return a new file beside the document, in the innermost workspace folder if there is one."""
+    from kindsl.config.discovery import nearest_configuration
+
     path = uris.path(shown.uri)
-    if path is None:
-        return None
+    if path is None or nearest_configuration(str(path.parent)) is not None:
+        return None  # nowhere to write it, or a file decides that says something wrong
     around = [folder for folder in state.workspace.paths() if path.is_relative_to(folder)]
     file = max(around, key=lambda folder: len(folder.parts), default=path.parent) / OWN_FILE
-    if file.exists():
-        return None  # it is there but says something wrong
     empty = document(uris.uri(file), None, "", shown.encoding)
     return Binding(empty, True, TextEdit(0, 0, "\n".join(("[parameters]", *lines, ""))))

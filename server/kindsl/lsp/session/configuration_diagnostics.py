@@ -4,7 +4,7 @@ For bindings that nothing uses, open robots are known by their parameters, those
 words in them.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -21,6 +21,7 @@ from kindsl.lsp.text.document import Document
 if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis
     from kindsl.analysis.diagnostics import Diagnostic
+    from kindsl.config.errors import ConfigurationProblem
     from kindsl.config.unused_bindings import Names
 
 
@@ -39,16 +40,23 @@ def configuration_problems(document: Document) -> list[dict[str, Any]]:
     try:
         configuration_of(document)
     except ConfigurationError as error:
-        return [
-            {
-                "range": document.wire_range(problem.place.start, problem.place.end),
-                "severity": types.DiagnosticSeverity.Error.value,
-                "source": SOURCE,
-                "message": problem.message,
-            }
-            for problem in error.problems
-        ]
+        return shown_problems(document, error.problems)
     return []
+
+
+def shown_problems(
+    document: Document, problems: "Iterable[ConfigurationProblem]"
+) -> list[dict[str, Any]]:
+    """Return mistakes in a configuration file, as they are sent."""
+    return [
+        {
+            "range": document.wire_range(problem.place.start, problem.place.end),
+            "severity": types.DiagnosticSeverity.Error.value,
+            "source": SOURCE,
+            "message": problem.message,
+        }
+        for problem in problems
+    ]
 
 
 def parameter_names(analysis: "Analysis") -> frozenset[str]:

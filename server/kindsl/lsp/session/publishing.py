@@ -1,14 +1,15 @@
 """Diagnostics pushed to the client while someone types."""
 
 import asyncio
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types
 
 from kindsl.lsp.session import memory
+from kindsl.lsp.session.closed_configurations import ClosedConfigurations
 from kindsl.lsp.session.configuration_diagnostics import (
     configuration_diagnostics,
-    configuration_problems,
     parameter_names,
 )
 from kindsl.lsp.session.findings import diagnostics
@@ -32,8 +33,8 @@ class Publisher:
     """
 
     __slots__ = (
-        "_broken",
         "_checked",
+        "_closed",
         "_parameters",
         "_pulled",
         "_shown",
@@ -47,7 +48,7 @@ class Publisher:
         self._pulled: set[str] = set()
         self._checked: set[str] = set()
         self._shown: set[str] = set()
-        self._broken: set[str] = set()
+        self._closed = ClosedConfigurations(state, self._publish_file)
         self._parameters: dict[str, frozenset[str]] = {}
         state.documents.on_open.append(lambda document: self.schedule(document, 0.0))
         state.documents.on_change.append(self._changed)
@@ -68,13 +69,28 @@ class Publisher:
             if key in self._shown:
                 self._publish(document.uri, None, [])
 
-    def refresh(self) -> None:
-        """Publish for all open documents again."""
+    def refresh(self, changed: Iterable[str] = ()) -> None:
+        """Publish for all open documents again.
+
+        To a client that pulls, too, unless it can be asked to pull again.
+
+        Args:
+            changed: URIs of the files that are the cause.
+        """
+        if not self._state.client.is_told_to_pull:
+            self._pulled.clear()
         for document in self._state.documents:
             self.schedule(document, 0.0)
+        start_task(self._closed.look(changed))
+
+    async def look_at_broken_files(self) -> None:
+        """Tell what has become of configuration files that something was wrong with."""
+        if self._closed.is_anything_told:
+            await self._closed.look()
 
     def clear(self, uri: str) -> None:
         """Show nothing any more for a document that is gone."""
+        self._closed.forget(uri)
         self._publish(uri, None, [])
 
     def _changed(self, document: Document) -> None:
@@ -88,7 +104,9 @@ class Publisher:
         self._pulled.discard(key)
         self._checked.discard(key)
         self._parameters.pop(key, None)
-        self._publish(document.uri, None, [])
+        self.clear(document.uri)
+        if document.is_toml:
+            start_task(self._closed.look([document.uri]))
 
     async def _publish_later(self, document: Document, delay: float) -> None:
         if delay:
@@ -106,7 +124,8 @@ class Publisher:
                 self._send(document.uri, shown, bool(findings))
             for listener in self._state.on_findings:
                 listener(document, findings)
-            self._publish_broken_files()
+            if self._state.workspace.broken:
+                await self._closed.look()
             await self._check_configurations(document)
             await tell_status(self._state, document, findings)
 
@@ -145,19 +164,16 @@ class Publisher:
             return
         self._parameters[key] = parameters
         for other in configurations:
-            if uris.key(other.uri) not in self._pulled:
-                self.schedule(other, 0.0)
-            elif self._state.client.can("workspace.diagnostics.refresh_support"):
+            is_told = self._state.client.is_told_to_pull
+            if is_told and uris.key(other.uri) in self._pulled:
                 self._state.editor.workspace_diagnostic_refresh(None)
+            else:
+                self._pulled.discard(uris.key(other.uri))
+                self.schedule(other, 0.0)
 
-    def _publish_broken_files(self) -> None:
-        """Publish what is wrong with configuration files that no editor shows."""
-        broken = {uris.uri(path) for path in self._state.workspace.broken}
-        for uri in broken ^ self._broken:
-            document = self._state.documents.get(uri)
-            if document is not None and document.version is None:
-                self._publish(uri, None, configuration_problems(document))
-        self._broken = broken
+    def _publish_file(self, uri: str, diagnostics: list[dict[str, Any]]) -> None:
+        """Publish for a file that no editor shows."""
+        self._publish(uri, None, diagnostics)
 
     def _publish(self, uri: str, version: int | None, diagnostics: list[dict[str, Any]]) -> None:
         params: dict[str, Any] = {"uri": uri, "diagnostics": diagnostics}

@@ -13,6 +13,7 @@ from lsprotocol import types
 from kindsl.config.file_names import OWN_FILE, PYTHON_FILE
 from kindsl.config.robots import robots_below
 from kindsl.lsp.text import uris
+from kindsl.text.saves import Stamp, stamp
 
 if TYPE_CHECKING:
     from kindsl.analysis.settings import Settings
@@ -94,6 +95,10 @@ class Workspace:
         """What is wrong with configuration files that were read."""
         return self._project.broken
 
+    def is_outdated(self) -> bool:
+        """Whether a configuration file has changed since; looks at files, as `read_settings`."""
+        return self._project.is_outdated()
+
     def forget(self) -> None:
         """Read and merge settings again when they are next asked for."""
         self._understood = {}
@@ -122,10 +127,11 @@ class Workspace:
 class _Project:
     """What the configuration files say, as of one moment."""
 
-    __slots__ = ("_configurations", "broken", "merged")
+    __slots__ = ("_configurations", "_stamps", "broken", "merged")
 
     def __init__(self) -> None:
         self._configurations: Configurations | None = None
+        self._stamps: dict[str, Stamp | None] = {}
         self.broken: dict[Path, tuple[ConfigurationProblem, ...]] = {}
         self.merged: dict[str, Settings] = {}
 
@@ -143,11 +149,19 @@ class _Project:
         found = self._above(document) if document is not None else None
         return Path(found.path).absolute() if found is not None else None
 
+    def is_outdated(self) -> bool:
+        """Whether a file that decides for a document has appeared, changed or gone."""
+        return any(stamp(path) != known for path, known in self._stamps.items())
+
     def _above(self, document: Path) -> "Configuration | None":
         from kindsl.config.configuration import ConfigurationError
-        from kindsl.config.discovery import Configurations
+        from kindsl.config.discovery import Configurations, candidates
 
         self._configurations = self._configurations or Configurations()
+        for candidate in candidates(str(document.parent)):
+            if candidate in self._stamps:
+                break
+            self._stamps[candidate] = stamp(candidate)
         try:
             return self._configurations.above(str(document))
         except ConfigurationError as error:

@@ -8,6 +8,10 @@ from pygls.exceptions import JsonRpcInvalidParams
 
 from kindsl.lsp.text import uris
 from kindsl.lsp.text.document import Document, document
+from kindsl.text.saves import Stamp, stamp
+
+# An editor takes it off and puts it back; in the text that it shows it does not count.
+_BOM = "\ufeff"
 
 
 class Documents:
@@ -24,7 +28,7 @@ class Documents:
 
     def __init__(self) -> None:
         self._open: dict[str, Document] = {}
-        self._files: dict[Path, tuple[tuple[int, int], Document]] = {}
+        self._files: dict[Path, tuple[Stamp | None, Document]] = {}
         self.encoding: str = types.PositionEncodingKind.Utf16
         self.on_open: list[Callable[[Document], None]] = []
         self.on_change: list[Callable[[Document], None]] = []
@@ -82,12 +86,11 @@ class Documents:
         if path is None:
             return None
         try:
-            status = path.stat()
-            stamp = (status.st_mtime_ns, status.st_size)
+            present = stamp(str(path))
             known = self._files.get(path)
-            if known is None or known[0] != stamp:
-                text = path.read_bytes().decode("utf-8", "surrogateescape")
-                known = self._files[path] = (stamp, document(uri, None, text, self.encoding))
+            if known is None or known[0] != present:
+                text = path.read_bytes().decode("utf-8", "surrogateescape").removeprefix(_BOM)
+                known = self._files[path] = (present, document(uri, None, text, self.encoding))
         except OSError:
             self._files.pop(path, None)
             return None

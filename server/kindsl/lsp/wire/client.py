@@ -53,6 +53,11 @@ class Client:
         return tuple(get_capability(self.capabilities, capability, ()) or ())
 
     @property
+    def is_told_to_pull(self) -> bool:
+        """Whether it can be asked to pull diagnostics again that it has pulled."""
+        return self.can("workspace.diagnostics.refresh_support")
+
+    @property
     def shows_in_diagnostics(self) -> "DiagnosticParts":
         """What it can show of a diagnostic; everything, if it does not speak of diagnostics."""
         told = (

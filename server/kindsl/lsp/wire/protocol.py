@@ -30,6 +30,7 @@ from pygls.lsp.server import LanguageServer
 from pygls.protocol import LanguageServerProtocol, lsp_method
 
 from kindsl.lsp.text.open_documents import Documents
+from kindsl.lsp.wire.client import Client
 
 logger = logging.getLogger(__name__)
 
@@ -244,9 +245,17 @@ class KindslProtocol(LanguageServerProtocol):
 
     @lsp_method(types.INITIALIZE)
     def lsp_initialize(self, params: types.InitializeParams) -> Any:
-        """Agree on capabilities."""
+        """Agree on capabilities.
+
+        A client that cannot be asked to pull diagnostics again would go on showing what the
+        documents around have changed, so it is not invited to pull: all is pushed to it.
+        """
         self.is_initialized = True
-        return (yield from super().lsp_initialize(params))
+        result = yield from super().lsp_initialize(params)
+        client = Client(params.capabilities, None)
+        if client.can("text_document.diagnostic") and not client.is_told_to_pull:
+            result.capabilities.diagnostic_provider = None
+        return result
 
     @lsp_method(types.SHUTDOWN)
     def lsp_shutdown(self, *_: object) -> None:  # type: ignore[override]
