@@ -198,4 +198,4 @@ def test_words_of_other_formats(word: str, meant: str) -> None:
     assert told[1:] == ("KD010", f"unknown keyword '{word}', did you mean '{meant}'")
     (problem,) = [p for island in parse(text).islands for p in island.problems]
     assert problem.repair is not None
-    assert problem.repair.title == f"Replace '{word}' by '{meant}'"
+    assert problem.repair.title == f"Replace '{word}' with '{meant}'"

@@ -85,7 +85,7 @@ def _checked(tokens: Sequence[Token], index: int, start: str) -> Opening:
 def _replaced(token: Token, start: str, problem: Problem, text: str | None = None) -> Opening:
     kind = BLOCK_KINDS[start]
     text = text or spelled(kind)
-    title = f"Replace '{shown(token.text)}' by '{text}'"
+    title = f"Replace '{shown(token.text)}' with '{text}'"
     repair = Repair(title, (Edit(token.start, token.end, text),), False)
     read = Token(kind, text, token.lead, token.start, token.end)
     return Opening(start, (token,), (read,), problem._replace(repair=repair))

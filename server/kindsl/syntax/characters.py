@@ -88,7 +88,7 @@ def _problem(token: Token) -> Problem:
     run = _BYTES.match(token.text)
     message = _bytes_message(run[0]) if run else f"invalid character {_named(token.text[0])}"
     new = "".join(" " if c in _BLANKS else "" for c in token.text)
-    title = "Replace by a blank" if new else "Remove the invalid character"
+    title = "Replace with a blank" if new else "Remove the invalid character"
     repair = Repair(title, (Edit(token.start, token.end, new),), True)
     return Problem("KD004", message, token.start, token.end, repair)
 

@@ -50,7 +50,7 @@ def in_our_words(tokens: Sequence[Token], problems: list[Problem]) -> list[Token
             found.append(token)
             continue
         found.append(Token(word_kind(word), word, token.lead, token.start, token.end))
-        title = f"Replace '{shown(token.text)}' by '{word}'"
+        title = f"Replace '{shown(token.text)}' with '{word}'"
         repair = Repair(title, (Edit(token.start, token.end, word),), False)
         message = f"unknown keyword '{shown(token.text)}', did you mean '{word}'"
         problems.append(Problem("KD010", message, token.start, token.end, repair))

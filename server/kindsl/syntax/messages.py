@@ -178,7 +178,7 @@ def _title(text: str, edits: Sequence[Edit]) -> str:
     old = " ".join(text[e.start : e.end] for e in edits if e.start < e.end)
     new = " ".join(e.text.strip() for e in edits if e.text.strip())
     if old and new:
-        return f"Replace '{shown(old)}' by '{shown(new)}'"
+        return f"Replace '{shown(old)}' with '{shown(new)}'"
     return f"Insert '{shown(new)}'" if new else f"Remove '{shown(old)}'"
 
 
