@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.syntax.scanner import comments, scan
 from kindsl.text.edits import TextEdit
 
 # A fix may make another possible; a hundred in a row are a defect of the rules.
@@ -30,23 +31,29 @@ class Mended(NamedTuple):
 def mended(analysis: Analysis, is_wanted: Callable[[Diagnostic], bool]) -> Mended:
     """Apply the wanted fixes; those that meet others wait for the next round.
 
-    A round that would add errors of syntax, or lead back to an earlier text, is not made.
+    A round that would add errors of syntax is not made. Rounds that lead back to an earlier text,
+    but for blanks, are undone.
     """
-    n_findings = 0
-    rounds: list[tuple[TextEdit, ...]] = []
-    seen = {analysis.text}
-    while len(rounds) < _MOST_ROUNDS:
-        fixes, n_mended = disjoint_fixes(filter(is_wanted, analysis.findings))
-        if not fixes:
+    state = Mended(analysis, 0, ())
+    seen = {_written(analysis.text): state}
+    while len(state.rounds) < _MOST_ROUNDS:
+        fixes, n_mended = disjoint_fixes(filter(is_wanted, state.analysis.findings))
+        edits = tuple(in_line_style(edit, state.analysis.text) for edit in fixes)
+        better = state.analysis.edited(edits)
+        if not fixes or _n_syntax_errors(better) > _n_syntax_errors(state.analysis):
             break
-        edits = tuple(in_line_style(edit, analysis.text) for edit in fixes)
-        better = analysis.edited(edits)
-        if better.text in seen or _n_syntax_errors(better) > _n_syntax_errors(analysis):
-            break
-        seen.add(better.text)
-        rounds.append(edits)
-        analysis, n_findings = better, n_findings + n_mended
-    return Mended(analysis, n_findings, tuple(rounds))
+        state = Mended(better, state.n_findings + n_mended, (*state.rounds, edits))
+        written = _written(better.text)
+        if written in seen:
+            return seen[written]
+        seen[written] = state
+    return state
+
+
+def _written(text: str) -> tuple[str, ...]:
+    """Return what two texts share that differ in blanks alone."""
+    remarks = [text[start:end] for start, end in comments(text)]
+    return (*(token.text for token in scan(text)), *remarks)
 
 
 def is_safe(finding: Diagnostic) -> bool:

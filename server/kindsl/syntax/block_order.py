@@ -188,7 +188,8 @@ def _move(known: Sequence[Block], run: Sequence[int], anchor: int) -> Repair:
         moved += "\n\n" + block.island.text[block.node.start : block.node.end]
     behind = known[anchor].start + known[anchor].node.end - origin
     title = f"Move {title_of(known[run[0]].node)}" if len(run) == 1 else f"Move {len(run)} blocks"
-    return Repair(title, (*edits, Edit(behind, behind, moved)), False)
+    is_safe = not any(known[i].island.comments for i in run)
+    return Repair(title, (*edits, Edit(behind, behind, moved)), is_safe)
 
 
 def _lacking(

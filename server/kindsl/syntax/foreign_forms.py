@@ -9,6 +9,7 @@ from typing import NamedTuple
 from kindsl.syntax.foreign_words import in_our_words
 from kindsl.syntax.forms import form_kind, kinds_accepted_by
 from kindsl.syntax.half_children import with_whole_children
+from kindsl.syntax.obsolete_forms import in_todays_forms
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
 from kindsl.syntax.words import SPELLINGS, supplied
 
@@ -42,6 +43,8 @@ def adapted(text: str, tokens: Sequence[Token]) -> Adapted:
     """Return the tokens of an island with the habits of other languages put right."""
     result = Adapted([], [], [])
     tokens = in_our_words(tokens, result.problems)
+    tokens, obsolete = in_todays_forms(text, tokens, result.problems)
+    result.skipped.extend(obsolete)
     tokens = with_whole_children(text, tokens, result.problems)
     index = 0
     while index < len(tokens):
@@ -240,7 +243,7 @@ def _is_decimal_comma(tokens: Sequence[Token]) -> bool:
 def _unsigned(text: str, tokens: Sequence[Token], index: int, is_whole: bool) -> tuple[Token, ...]:
     """Return a signed number behind an operand as an operator and a number: `x-1.0`."""
     token = tokens[index]
-    if token.kind not in _NUMBERS or token.text[0] not in "+-" or index == 0:
+    if token.kind not in _NUMBERS or token.text[:1] not in ("+", "-") or index == 0:
         return (token,)
     before = tokens[index - 1]
     between = text[before.end : token.start]

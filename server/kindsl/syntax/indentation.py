@@ -26,7 +26,7 @@ def lost_closing(text: str, tokens: Sequence[Token]) -> int | None:
         elif token.kind == "}" and openings:
             indent = openings.pop()
             column = len(indentation(text, token.start))
-            if column < indent and _is_first_on_line(text, token.start):
+            if column < indent and is_first_on_line(text, token.start):
                 return index
     return None
 
@@ -34,23 +34,26 @@ def lost_closing(text: str, tokens: Sequence[Token]) -> int | None:
 def surplus_closing(text: str, tokens: Sequence[Token]) -> int | None:
     """Return the index of the `}` that closes too much, as the layout shows it.
 
-    It is the one before the first that stands further right than the block it closes.
+    It is the first that stands further right than the block it closes, or the one before where
+    that one stands at no block's own column.
     """
     openings: list[int] = []
-    previous: int | None = None
+    suspect: int | None = None
     for index, token in enumerate(tokens):
         if token.kind == "{":
             openings.append(len(indentation(text, token.start)))
         elif token.kind == "}":
             column = len(indentation(text, token.start))
             indent = openings.pop() if openings else -1
-            if column > indent and _is_first_on_line(text, token.start):
-                return index if indent < 0 and previous is None else previous
-            previous = index
+            is_first = is_first_on_line(text, token.start)
+            if column > indent and is_first:
+                return index if suspect is None else suspect
+            suspect = None if is_first and column == indent else index
     return None
 
 
-def _is_first_on_line(text: str, position: int) -> bool:
+def is_first_on_line(text: str, position: int) -> bool:
+    """Return whether only blanks stand before a position on its line."""
     while position > 0 and text[position - 1] in " \t":
         position -= 1
     return position == 0 or text[position - 1] in "\r\n"

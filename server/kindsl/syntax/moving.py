@@ -2,6 +2,7 @@
 
 import re
 
+from kindsl.syntax.scanner import comments
 from kindsl.syntax.tree import Edit, Node, Token
 
 _REST_OF_LINE = re.compile(r"[ \t]*(?://[^\r\n]*)?(?=[\r\n]|\Z)")
@@ -21,6 +22,15 @@ def moved_behind(text: str, first: Node, last: Node, position: int) -> tuple[Edi
     elif position < len(text) and not text[position].isspace():
         moved += " "
     return (Edit(start, last.end, ""), Edit(position, position, moved))
+
+
+def removed(text: str, first: Token, end: int) -> Edit:
+    """Return the edit that takes out what begins with a token; comments before it stay."""
+    before = comments(text[first.lead : first.start])
+    if not before:
+        return Edit(first.lead, end, "")
+    is_whole_line = text[end : end + 1] in ("\n", "\r", "")
+    return Edit(first.lead + before[-1][1] if is_whole_line else first.start, end, "")
 
 
 def _own_start(text: str, lead: int, start: int) -> int:

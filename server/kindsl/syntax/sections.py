@@ -3,7 +3,8 @@
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from kindsl.syntax.moving import moved_behind
+from kindsl.syntax.moving import moved_behind, removed
+from kindsl.syntax.scanner import comments
 from kindsl.syntax.tables import ORDERS
 from kindsl.syntax.tree import Edit, Node, Problem, Repair, Token
 
@@ -119,7 +120,7 @@ def _name(section: Node) -> str:
 def _problems(text: str, node: Node) -> list[Problem]:
     sections = [child for child in node.children if isinstance(child, Node)]
     known = [child for child in sections if child.kind in ORDER[node.kind]]
-    problems = [_foreign(node, child) for child in sections if child not in known]
+    problems = [_foreign(text, node, child) for child in sections if child not in known]
     first_ones: list[Node] = []
     seen: set[str] = set()
     repeated: list[Node] = []
@@ -132,24 +133,24 @@ def _problems(text: str, node: Node) -> list[Problem]:
     missing = _missing(node, seen)
     if len(repeated) == 1 and len(missing) == 1:
         return [*problems, _in_place_of(node, known, repeated[0], missing[0])]
-    problems += [_repeated(node, section) for section in repeated]
+    problems += [_repeated(text, node, section) for section in repeated]
     problems += _misplaced(text, node, first_ones)
     if missing:
         problems.append(_lacking(node, missing))
     return problems
 
 
-def _foreign(node: Node, section: Node) -> Problem:
-    repair = Repair(f"Remove '{_word(section)}'", (_removal(section),), False)
+def _foreign(text: str, node: Node, section: Node) -> Problem:
+    repair = Repair(f"Remove '{_word(section)}'", (_removal(text, section),), False)
     message = f"{title(node)} has an '{_word(section)}', which only links and joints have"
     return Problem("KD001", message, section.start, section.end, repair)
 
 
-def _repeated(node: Node, section: Node) -> Problem:
-    word, keyword = _word(section), section.children[0]
-    repair = Repair(f"Remove the second '{word}'", (_removal(section),), False)
+def _repeated(text: str, node: Node, section: Node) -> Problem:
+    word = _word(section)
+    repair = Repair(f"Remove the second '{word}'", (_removal(text, section),), False)
     message = f"{title(node)} has a second '{word}'"
-    return Problem("KD009", message, keyword.start, keyword.end, repair)
+    return Problem("KD009", message, section.start, section.end, repair)
 
 
 def _in_place_of(node: Node, known: list[Node], section: Node, missing: str) -> Problem:
@@ -169,10 +170,11 @@ def _in_place_of(node: Node, known: list[Node], section: Node, missing: str) -> 
     return Problem("KD009", message, keyword.start, keyword.end, repair)
 
 
-def _removal(section: Node) -> Edit:
+def _removal(text: str, section: Node) -> Edit:
     first = section.children[0]
-    lead = first.lead if isinstance(first, Token) else section.start
-    return Edit(lead, section.end, "")
+    if isinstance(first, Token):
+        return removed(text, first, section.end)
+    return Edit(section.start, section.end, "")
 
 
 def _misplaced(text: str, node: Node, sections: list[Node]) -> Iterator[Problem]:
@@ -200,7 +202,8 @@ def _misplaced_run(
     keyword = moved[0].children[0]
     target = [sections[i] for i in others if ranks[i] <= ranks[run[0]]]
     anchor = target[-1].end if target else _body_start(node)
-    repair = Repair(f"Move {words}", moved_behind(text, moved[0], moved[-1], anchor), False)
+    edits = moved_behind(text, moved[0], moved[-1], anchor)
+    repair = Repair(f"Move {words}", edits, not comments(edits[-1].text))
     message = f"{words} {verb} {side} '{_word(sections[other])}'"
     return Problem("KD007", message, keyword.start, keyword.end, repair)
 

@@ -16,7 +16,9 @@ ref_frame {
 ```
 
 ## Fix
-Moves the section and the comments before it. Unsafe: it is a guess which comments belong to it.
+Moves the section and the comments before it. Safe, since the order alone changes and what the model
+means does not. Unsafe where a comment is moved or left behind: to which section it belongs is a
+guess.
 """
 
 from kindsl.rules.base import Example, Rule, Severity

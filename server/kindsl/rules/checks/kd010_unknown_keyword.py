@@ -2,7 +2,8 @@
 
 ## What it does
 Reports a section or block whose name is not in the language, with the one that is probably meant.
-Its content is understood as if it were spelt well.
+Its content is understood as if it were spelt well. Early models have `moments = a, b, c, d, e, f`
+in place of six assignments, which is one finding.
 
 ## Why is this bad?
 Generators say "no viable alternative" or "missing EOF" instead.
@@ -14,18 +15,26 @@ f_joint flange { ref_frame { translation = (0.0, 0.0, 0.1) rotation = (0.0, 0.0,
 There are `r_joint` and `p_joint` only. A fixed part belongs to the link that carries it.
 
 ## Fix
-Writes the keyword that is meant. Unsafe: it is a guess.
+Writes the keyword that is meant. Unsafe: it is a guess. Safe for `moments`, which it replaces by
+`Ix`, `Iy`, `Iz`, `Ixy`, `Ixz`, `Iyz` in this order.
 """
 
 from kindsl.rules.base import Example, Rule, Severity
 from kindsl.rules.examples import link
 
 _LINK = link("upper", 1)
+_HEAD = "inertia_params {\n        mass = 4.1\n        CoM = (0.0, 0.0, 0.0)\n        "
+_NAMES = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")
+_SIX = "\n        ".join(f"{name} = {0.2 if len(name) < 3 else 0.0}" for name in _NAMES)
+_TODAY = link("upper", 1, inertia=f"{_HEAD}{_SIX}\n    }}")
 
 RULE = Rule(
     "KD010",
     "unknown-keyword",
     Severity.ERROR,
     good=(_LINK,),
-    bad=(Example(_LINK.replace("children", "childrn"), fixed=_LINK),),
+    bad=(
+        Example(_LINK.replace("children", "childrn"), fixed=_LINK),
+        Example(_TODAY.replace(_SIX, "moments = 0.2, 0.2, 0.2, 0.0, 0.0, 0.0"), fixed=_TODAY),
+    ),
 )
