@@ -113,6 +113,37 @@ async def test_what_cannot_be_written_stays_as_it_was():
     assert place_of(page, "lift") == [0.4, 0.0, 0.0]
 
 
+async def test_the_page_is_answered_when_the_new_version_is_shown():
+    page = Page(ARM)
+
+    async def write_later(writing):
+        new = analyse(apply_edits(writing.text, writing.edits))
+        asyncio.get_running_loop().call_later(0.02, page.preview.show, new, ())
+        return ""
+
+    page.dragging._write = write_later
+    await page.ask(**drag("drop", value=0.55))
+    assert page.preview.revision == 2
+    kinds = [message["type"] for message in page.messages]
+    assert kinds.index("editing") < kinds.index("dragged")
+
+
+@pytest.mark.parametrize(
+    ("request_", "kind"),
+    [(drag("drop"), "dragged"), ({"type": "plan", "gesture": "undo"}, "plan")],
+    ids=["drag", "plan"],
+)
+async def test_a_page_is_answered_whatever_fails(page, capsys, request_, kind):
+    async def fail(_writing):
+        raise ZeroDivisionError
+
+    await page.ask(**drag("drop", value=0.7))
+    page.dragging._write = fail
+    await page.ask(**request_)
+    assert page.last(kind)["reason"] == "internal error"
+    assert capsys.readouterr().err == "internal error in the preview: ZeroDivisionError()\n"
+
+
 async def test_what_was_dragged_is_taken_back_and_made_again(page):
     await page.ask(**drag("drop", value=0.55))
     await page.ask(**drag("drop", value=0.7))

@@ -67,6 +67,14 @@ def test_a_parameter_bound_elsewhere_stays(tmp_path):
     assert refused == "'reach' has its value from somewhere else than a configuration file"
 
 
+def test_a_configuration_file_that_cannot_be_read_is_told(tmp_path):
+    file, configuration = tmp_path / "arm.kindsl", tmp_path / "kindsl.toml"
+    file.write_text(ARM)
+    configuration.write_text("[parameters\n")
+    told = written(file, Writing("", ARM, (), (("reach", 0.55),)))
+    assert told.startswith(f"{configuration}:1:")
+
+
 async def test_a_page_drags_and_the_file_follows(tmp_path):
     file = tmp_path / "arm.kindsl"
     file.write_text(ARM)

@@ -143,7 +143,10 @@ def _write_dragged(args: argparse.Namespace, writing: "Writing") -> str:
     if os.path.islink(file):
         return f"'{file}' is a link: open the file that it leads to"
     if writing.bindings:
-        return _bind(args, writing)
+        try:
+            return _bind(args, writing)
+        except ConfigurationError as error:
+            return str(error)
     failure = write_text(file, file, writing.text, apply_edits(writing.text, writing.edits))
     return failure.message if failure is not None else ""
 

@@ -8,10 +8,10 @@ import threading
 import webbrowser
 from collections.abc import Callable, Mapping
 from contextlib import suppress
+from functools import partial
 from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
-from kindsl.preview.documents import OnEdit
 from kindsl.preview.dragging import Writing
 from kindsl.preview.requests import Reveal
 from kindsl.preview.server import PreviewServer
@@ -55,26 +55,17 @@ async def serve(command: Command) -> None:
         PreviewUnavailableError: Something is not installed, or the port is taken.
         ModelError: The document to compare with has no bodies.
     """
-    texts = {"shown": command.first.text}
-
-    def print_place(key: str, span: Span, chosen: Reveal) -> None:
-        line, column = LineIndex(texts["shown"]).position(span.start)
-        what = "finding" if chosen.kind == "finding" else f"{chosen.kind} {chosen.name}"
-        print(f"{key}:{line + 1}:{column + 1}: {what}", flush=True)
-
-    session = os.path.abspath(command.file)  # noqa: PTH100 (a path may hold any bytes)
-    server = PreviewServer(
-        print_place, on_edit=_editing(command), port=command.port, session=session
-    )
+    follower = _Follower(command)
+    server = follower.server
     server.on_write = lambda _, values: _told(command.table(values))
     address = await server.start()
-    await _show(command, server, command.first)
+    await follower.show(command.first)
     if command.old is not None:
         server.compare(command.file, command.old)
     print(address, flush=True)
     if command.opens_browser:
         _open_browser(address)
-    reloading = asyncio.ensure_future(_reload(command, server, texts))
+    reloading = asyncio.ensure_future(follower.follow())
     try:
         await _until_stopped(reloading)
     finally:
@@ -82,44 +73,70 @@ async def serve(command: Command) -> None:
         await server.stop()
 
 
-def _editing(command: Command) -> OnEdit | None:
-    write = command.write
-    if write is None:
-        return None
+class _Follower:
+    """Keeps the page in line with the file, and the file with what is dragged in the page."""
 
-    async def edit(_key: str, writing: Writing) -> str:
+    def __init__(self, command: Command) -> None:
+        self._command = command
+        self._shown: Analysis | None = None
+        self._redrawing: asyncio.Task[None] | None = None
+        self.server = PreviewServer(
+            self._print_place,
+            on_edit=None if command.write is None else partial(self._edit, command.write),
+            port=command.port,
+            session=os.path.abspath(command.file),  # noqa: PTH100 (a path may hold any bytes)
+        )
+
+    async def follow(self) -> None:
+        """Show each version that is saved."""
+        command = self._command
+        async for is_there in saves(command.paths, command.fingerprint):
+            if is_there:
+                await self._reload()
+            else:
+                self._lose(f"{command.file}: the file was moved or deleted")
+
+    async def show(self, analysis: Analysis) -> None:
+        """Show a saved version, then its findings; it stands behind values typed in a page."""
+        file, server = self._command.file, self.server
+        self._shown = analysis
+        await server.show(file, analysis)
+        if self._command.old is None:
+            server.saved(file)
+        findings = await asyncio.to_thread(lambda: analysis.findings)
+        await server.show(file, analysis, findings)
+
+    async def _reload(self) -> None:
+        analysis, shown = self._command.read(), self._shown
+        if isinstance(analysis, str):
+            self._lose(analysis)
+        elif shown is None or (analysis.text, analysis.settings) != (shown.text, shown.settings):
+            await self.show(analysis)
+
+    def _lose(self, message: str) -> None:
+        self._shown = None
+        print(message, file=sys.stderr, flush=True)
+        self.server.lose(self._command.file, message)
+
+    async def _edit(self, write: Callable[[Writing], str], _key: str, writing: Writing) -> str:
+        """Write what was dragged, and show it without waiting for the next look at the file."""
         reason = write(writing)
         if not reason:
-            print(f"{command.file}: {writing.label}", flush=True)
+            print(f"{self._command.file}: {writing.label}", flush=True)
+            self._redrawing = asyncio.ensure_future(self._reload())
         return reason
 
-    return edit
+    def _print_place(self, key: str, span: Span, chosen: Reveal) -> None:
+        text = "" if self._shown is None else self._shown.text
+        line, column = LineIndex(text).position(span.start)
+        what = "finding" if chosen.kind == "finding" else f"{chosen.kind} {chosen.name}"
+        print(f"{key}:{line + 1}:{column + 1}: {what}", flush=True)
 
 
 def _told(lines: str) -> str:
     """Say on the terminal too what a page is told to write by hand."""
     print(lines, end="", flush=True)
     return lines
-
-
-async def _reload(command: Command, server: PreviewServer, texts: dict[str, str]) -> None:
-    async for is_there in saves(command.paths, command.fingerprint):
-        analysis = command.read() if is_there else f"{command.file}: the file was moved or deleted"
-        if isinstance(analysis, str):
-            print(analysis, file=sys.stderr, flush=True)
-            server.lose(command.file, analysis)
-            continue
-        texts["shown"] = analysis.text
-        await _show(command, server, analysis)
-
-
-async def _show(command: Command, server: PreviewServer, analysis: Analysis) -> None:
-    """Show a saved version, then what is found in it; it stands behind values typed in a page."""
-    await server.show(command.file, analysis)
-    if command.old is None:
-        server.saved(command.file)
-    findings = await asyncio.to_thread(lambda: analysis.findings)
-    await server.show(command.file, analysis, findings)
 
 
 async def _until_stopped(reloading: "asyncio.Future[None]") -> None:

@@ -4,7 +4,10 @@ A page sends names and numbers, never text. While something moves, the text as i
 and checked as if it were typed, but the document stays as it is.
 """
 
+import asyncio
+import sys
 from collections.abc import Awaitable, Callable
+from contextlib import suppress
 from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
@@ -24,6 +27,7 @@ from kindsl.preview.steps import Steps, difference
 from kindsl.semantics.parameters import Binding
 from kindsl.text.edits import TextEdit
 
+PATIENCE = 2.0  # seconds, for what was written to be shown
 _OUTDATED = "the document has changed meanwhile"
 
 
@@ -56,11 +60,22 @@ class Dragging:
         self._write = write
         self._held: Thing | None = None
         self._steps = Steps()
-        preview.on_put.append(self._tell_handles)
+        self._is_new = asyncio.Event()
+        preview.on_put.append(self._follow)
         self._tell_handles()
 
     async def receive(self, request: GestureRequest) -> None:
-        """Do what a page asks for."""
+        """Do what a page asks for; it always gets an answer."""
+        try:
+            await self._do(request)
+        except Exception as error:
+            print(f"internal error in the preview: {error!r}", file=sys.stderr)
+            if isinstance(request, Drag):
+                self._refuse(request, "internal error")
+            elif isinstance(request, Plan):
+                self._tell("plan", request.gesture, "", "internal error")
+
+    async def _do(self, request: GestureRequest) -> None:
         if isinstance(request, Grasp):
             self._grasp(request)
         elif isinstance(request, Drag):
@@ -141,11 +156,28 @@ class Dragging:
         self._tell_handles()
 
     async def _written(self, writing: Writing) -> str:
-        """Have something written; return why it was not, or an empty text."""
-        reason = await self._write(writing)
+        """Have something written and shown; return why it was not, or an empty text."""
+        reason = await self._write_and_wait(writing)
         if not reason and writing.edits:
             self._steps.add(writing.label, writing.text, writing.edits)
         return reason
+
+    async def _write_and_wait(self, writing: Writing) -> str:
+        """Write, and wait for the next version, so that pages know what they edit next."""
+        revision = self._preview.revision
+        reason = await self._write(writing)
+        if reason or not writing.edits:
+            return reason
+        with suppress(TimeoutError):
+            async with asyncio.timeout(PATIENCE):
+                while self._preview.revision == revision:
+                    self._is_new.clear()
+                    await self._is_new.wait()
+        return ""
+
+    def _follow(self) -> None:
+        self._is_new.set()
+        self._tell_handles()
 
     async def _step(self, text: str, gesture: str) -> None:
         """Take back what was written last, or make it again."""
@@ -155,7 +187,7 @@ class Dragging:
             self._tell("plan", gesture, "", step)
             return
         label = f"Undo: {step.label}" if is_undo else step.label
-        reason = await self._write(Writing(label, text, (difference(step),)))
+        reason = await self._write_and_wait(Writing(label, text, (difference(step),)))
         if not reason:
             (steps.undone if is_undo else steps.redone)()
         self._tell("written", gesture, label, reason)

@@ -138,6 +138,7 @@ const kindsl = (() => {
     document.body.dataset.state = state;
     byId("state").textContent = STATES[state];
     if (scene.model.name) showTitle();
+    if (state === "live") page.editing.rejoin();
   }
 
   theme.onChange = () => {

@@ -12,12 +12,23 @@ const KindslEditCard = (() => {
       this.list = this.box.querySelector(".numbers");
       this.buttons = this.box.querySelector(".gestures");
       this.told = this.box.querySelector("output");
+      this.modes = [...this.box.querySelectorAll("[data-mode]")];
+      for (const button of this.modes) button.addEventListener("click", () => editing.choose(button.dataset.mode));
+    }
+
+    // Arrows or rings; a centre of mass has no rings.
+    showMode({ mode, shown }) {
+      for (const button of this.modes) {
+        button.hidden = !shown || !ANGLES.some((name) => name in shown.values);
+        button.ariaPressed = String(button.dataset.mode === mode);
+      }
     }
 
     // Show the numbers and gestures of what is chosen; `shown` is null where it has no numbers.
     show(chosen, shown) {
       this.box.hidden = !chosen;
       if (!chosen) return;
+      this.showMode(this.editing.handles);
       const key = shown ? `${shown.kind} ${shown.name} ${shown.components.length}` : "";
       if (key !== this.key) this.build(key, shown);
       for (const { component, text, locked, symbol, moves_along: along } of shown ? shown.components : []) {

@@ -10,7 +10,7 @@ const KindslEditing = (() => {
 
   class Editing {
     constructor(page) {
-      Object.assign(this, { page, isOn: false, numbers: null, isWaiting: false, next: null, point: [0, 0, 0] });
+      Object.assign(this, { page, isOn: false, numbers: null, asked: null, next: null, later: [], point: [0, 0, 0] });
       this.handles = new KindslHandles.Handles(page.scene, page.pane);
       this.drag = new KindslHandleDrag.HandleDrag(page.viewer, this.handles);
       this.card = new KindslEditCard.EditCard(this, page.units);
@@ -19,8 +19,10 @@ const KindslEditing = (() => {
       this.handles.onKey = (component, event) => this.nudge(component, event);
       page.selection.onChange((what) => what === "chosen" && this.grasp());
       page.pane.addEventListener("pointerdown", (event) => this.aim(event), true);
-      addEventListener("pointermove", (event) => this.drag.isOn && this.follow(event));
-      addEventListener("pointerup", (event) => this.drag.isOn && this.release(event));
+      const onHeld = (type, act) => addEventListener(type, (event) => this.drag.holds(event) && act(event));
+      onHeld("pointermove", (event) => this.follow(event));
+      onHeld("pointerup", () => this.release());
+      onHeld("pointercancel", () => this.cancel());
       addEventListener("keydown", (event) => this.key(event), true);
     }
 
@@ -30,9 +32,17 @@ const KindslEditing = (() => {
         if (!this.isOn) this.begin();
       } else if (message.type === "handles") this.learn(message);
       else if (message.type === "dragged") this.hear(message);
-      else if (message.reason) this.card.tell(message.reason, true);
-      else if (message.type === "plan") this.propose(message);
+      else this.hearPlan(message);
+    }
+
+    hearPlan(message) {
+      const { type, gesture, reason } = message;
+      if (gesture !== this.asked) return;
+      this.asked = null;
+      if (reason) this.card.tell(reason, true);
+      else if (type === "plan") this.propose(message);
       else this.finish(message);
+      this.goOn();
     }
 
     // The pose that is the new zero is reached with all joints at zero.
@@ -41,8 +51,18 @@ const KindslEditing = (() => {
       this.card.tell(`${title}: done`);
     }
 
+    // Whether the server has not yet said what came of the last request.
+    get isWaiting() { return this.asked !== null; }
+
     begin() {
       this.isOn = true;
+      this.grasp();
+    }
+
+    // The line to the server is there again: what it was asked for before is lost.
+    rejoin() {
+      if (this.drag.isOn) this.stop();
+      Object.assign(this, { asked: null, next: null, later: [] });
       this.grasp();
     }
 
@@ -61,7 +81,9 @@ const KindslEditing = (() => {
       this.card.show(chosen, null);
     }
 
-    learn(message) {
+    // Numbers of what another page has chosen are none of ours.
+    learn(numbers) {
+      const message = numbers && this.isChosen(numbers) ? numbers : null;
       this.numbers = message;
       if (this.drag.isOn && message) return;
       const values = message && Object.fromEntries(message.components.filter(({ value }) => value !== null).map(({ component, value }) => [component, value]));
@@ -71,12 +93,17 @@ const KindslEditing = (() => {
       this.page.viewer.set_dirty();
     }
 
+    isChosen({ kind, name }) {
+      const { chosen } = this.page.selection;
+      return Boolean(chosen) && chosen.name === name && (chosen.kind === "link" ? "com" : chosen.kind) === kind;
+    }
+
     press(component, event) {
       const { shown } = this.handles, handle = shown && shown.components.find((one) => one.component === component);
       if (event.button !== 0 || !handle) return;
       event.preventDefault();
       event.stopPropagation();
-      event.currentTarget.focus();
+      this.handles.focus(component);
       if (handle.locked) return this.card.tell(handle.locked, true);
       if (this.drag.begin(component, shown.values[component], event)) {
         this.start = { component, value: shown.values[component], text: handle.text };
@@ -88,7 +115,7 @@ const KindslEditing = (() => {
       const moved = this.drag.move(event), { shown } = this.handles;
       if (!moved || !shown || shown.values[moved.component] === moved.value) return;
       shown.values[moved.component] = moved.value;
-      this.step = moved.step;
+      this.snap = moved.step;
       this.handles.place();
       this.send("move", moved.component, moved.value, moved.step);
     }
@@ -97,7 +124,7 @@ const KindslEditing = (() => {
       const { component, value } = this.start, now = this.handles.shown ? this.handles.shown.values[component] : value;
       this.stop();
       this.next = null;
-      this.send(now === value ? "cancel" : "drop", component, now, this.step ?? null);
+      this.send(now === value ? "cancel" : "drop", component, now, this.snap ?? null);
     }
 
     cancel() {
@@ -115,60 +142,85 @@ const KindslEditing = (() => {
       this.page.pane.classList.remove("dragging");
     }
 
-    // One request at a time; of several moves meanwhile the last counts.
+    // One move at a time; of several meanwhile the last counts.
     send(phase, component, value, step) {
       const { kind, name } = this.handles.shown, request = { type: "drag", kind, name, component, value, step, phase, revision: this.revision };
       if (phase === "move" && this.isWaiting) this.next = request;
       else {
-        this.isWaiting = true;
+        this.asked = phase;
         this.page.send(request);
       }
     }
 
-    hear({ phase, component, text, reason }) {
-      this.isWaiting = false;
-      if (this.next) {
-        this.isWaiting = true;
-        this.page.send(this.next);
-        this.next = null;
-      }
-      if (reason) return this.card.tell(reason, true);
-      const { start } = this;
-      if (phase === "cancel" || !start) return this.card.tell("");
-      this.card.tell(`${component}: ${start.text} → ${text}`);
+    // Answers to what was asked before, or by another page, are passed over.
+    hear({ phase, component, text, value, reason }) {
+      if (phase !== this.asked) return;
+      const { next } = this;
+      Object.assign(this, { asked: next && next.phase, next: null });
+      if (next) this.page.send(next);
+      this.card.tell(reason || (phase === "cancel" ? "" : `${component}: ${this.start.text} → ${text}`), Boolean(reason));
+      if (!this.drag.isOn) this.settle(component, reason ? null : value);
+      this.goOn();
     }
 
-    // A number typed into the card.
-    set(component, value) {
+    // Show what a number has become, or for null what all were.
+    settle(component, value) {
       const { shown } = this.handles;
+      if (value === null) this.learn(this.numbers);
+      else if (shown && component in shown.values) shown.values[component] = value;
+      this.page.viewer.set_dirty();
+    }
+
+    // Act once what was asked for is answered: before, the text is not the one that is shown.
+    afterwards(act) {
+      this.later.push(act);
+      this.goOn();
+    }
+
+    goOn() { while (!this.isWaiting && this.later.length) this.later.shift()(); }
+
+    // A number typed into the card.
+    set(component, value) { this.afterwards(() => this.write(component, value)); }
+
+    write(component, value) {
+      const { shown } = this.handles;
+      if (!shown) return;
       this.start = { component, text: shown.components.find((one) => one.component === component).text };
       this.send("drop", component, value, null);
     }
 
     nudge(component, event) {
-      const sign = ARROWS[event.key], { shown } = this.handles;
-      const handle = shown && shown.components.find((one) => one.component === component);
-      if (!sign || !handle || handle.locked) return;
+      const sign = ARROWS[event.key], { shiftKey } = event;
+      if (!sign) return;
       event.preventDefault();
       event.stopPropagation();
-      const step = KindslHandleDrag.stepOf(component, { shiftKey: event.shiftKey });
+      this.afterwards(() => this.step(component, sign, KindslHandleDrag.stepOf(component, { shiftKey })));
+    }
+
+    step(component, sign, step) {
+      const { shown } = this.handles, handle = shown && shown.components.find((one) => one.component === component);
+      if (!handle || handle.locked) return;
       this.start = { component, text: handle.text };
       this.send("drop", component, step * (Math.round(shown.values[component] / step) + sign), step);
     }
 
     key(event) {
-      const isText = event.target.matches && event.target.matches("input:not([type=range]), textarea");
-      if (event.key === "Escape" && this.drag.isOn) {
-        event.stopImmediatePropagation();
-        this.cancel();
-      } else if (!isText && this.handles.shown && (event.key === "t" || event.key === "r") && !event.ctrlKey && !event.metaKey) {
-        this.handles.choose(event.key === "t" ? "move" : "turn");
-      }
+      if (event.key !== "Escape" || !this.drag.isOn) return;
+      event.stopImmediatePropagation();
+      this.cancel();
+    }
+
+    // Arrows ("move") or rings ("turn").
+    choose(mode) {
+      this.handles.choose(mode);
+      this.card.showMode(this.handles);
+      this.page.viewer.set_dirty();
     }
 
     // Remember where on a link somebody clicked, in the link's frame, for a new frame or child.
     aim(event) {
       const { page } = this;
+      if (this.isOn && page.selection.chosen && !this.numbers) this.grasp();
       if (!this.isOn || event.target !== page.viewer.renderer.domElement) return;
       const hit = page.picking.at(event), pose = hit && hit.kind === "link" && page.scene.poseOf(hit);
       if (!pose) return;
@@ -178,9 +230,12 @@ const KindslEditing = (() => {
       this.point = place.toArray().map((value) => Number((POINT * Math.round(value / POINT)).toFixed(4)));
     }
 
-    plan(gesture, accepted = AT_ONCE.has(gesture)) {
+    plan(gesture, accepted = AT_ONCE.has(gesture)) { this.afterwards(() => this.ask(gesture, accepted)); }
+
+    ask(gesture, accepted) {
       const { chosen } = this.page.selection, joints = Object.fromEntries(this.page.scene.q);
       const name = chosen && chosen.kind === "link" && !AT_ONCE.has(gesture) ? chosen.name : "";
+      this.asked = gesture;
       this.page.send({ type: "plan", gesture, name, point: this.point, joints, accepted, revision: this.revision });
     }
 

@@ -24,6 +24,9 @@ const KindslHandleDrag = (() => {
 
     get isOn() { return this.held !== null; }
 
+    // Whether an event is of the finger or mouse that holds the handle.
+    holds({ pointerId }) { return this.isOn && this.held.pointer === pointerId; }
+
     // Whether a handle could be taken; `value` is its number now.
     begin(component, value, event) {
       const geometry = this.handles.geometry();
@@ -31,7 +34,8 @@ const KindslHandleDrag = (() => {
       const axis = geometry.axes[component].clone(), origin = geometry.origin.clone();
       const ray = KindslRays.rayOf(this.viewer, event), isRing = component.length === 2;
       const isEdgeOn = isRing && Math.abs(ray.direction.dot(axis)) < GRAZING;
-      this.held = { component, value, axis, origin, isRing, isEdgeOn, last: 0 };
+      const reach = isRing ? this.handles.radius(component) : 0;
+      this.held = { component, value, axis, origin, reach, isRing, isEdgeOn, last: 0, pointer: event.pointerId };
       this.held.from = this.measure(event);
       if (this.held.from === null) this.held = null;
       return this.isOn;
@@ -53,13 +57,14 @@ const KindslHandleDrag = (() => {
 
     end() { this.held = null; }
 
-    // What the mouse is at: a distance along an arrow, a place in a ring's plane, an angle for a ring on edge.
+    // What the mouse is at: a distance along an arrow, a place in a ring's plane; of a ring on edge the angle that
+    // its near side rolls by.
     measure(event) {
-      const { axis, origin, isRing, isEdgeOn } = this.held, ray = KindslRays.rayOf(this.viewer, event);
+      const { axis, origin, reach, isRing, isEdgeOn } = this.held, ray = KindslRays.rayOf(this.viewer, event);
       if (!isRing) return KindslRays.alongLine(ray, origin, axis);
       if (!isEdgeOn) return KindslRays.onPlane(ray, origin, axis);
       const across = new Vector3().crossVectors(axis, ray.direction).normalize();
-      const reach = ray.origin.distanceTo(origin) * 0.12, along = KindslRays.alongLine(ray, origin, across);
+      const along = KindslRays.alongLine(ray, origin, across);
       return along === null ? null : -along / reach;
     }
   }

@@ -7,6 +7,7 @@ const KindslHandles = (() => {
   const { Matrix4, Vector3 } = MeshCat.THREE;
   const LENGTH = 84, RADII = { rx: 55, ry: 62, rz: 69 }; // pixels
   const PIECES = 48; // of a ring
+  const LEAST = 12; // pixels that an arrow must have to be dragged
   const LENGTHS = ["x", "y", "z"], ANGLES = ["rx", "ry", "rz"];
   const NAMES = { x: "along x", y: "along y", z: "along z", rx: "about x", ry: "about the new y", rz: "about the newest z" };
 
@@ -15,6 +16,8 @@ const KindslHandles = (() => {
       Object.assign(this, { scene, pane, shown: null, mode: "move", shapes: new Map() });
       this.svg = node("svg", { class: "handles", role: "group", "aria-label": "Handles" });
       this.svg.style.display = "none";
+      this.svg.addEventListener("pointermove", (event) => !event.buttons && this.aim(this.nearest(event)));
+      this.svg.addEventListener("pointerout", (event) => !event.buttons && this.aim(null));
       pane.append(this.svg);
     }
 
@@ -40,16 +43,33 @@ const KindslHandles = (() => {
       const group = node("g", { class: `handle ${name.at(-1)}`, tabindex: "0", role: "slider", "data-component": name });
       const wide = node("path", { class: "grip" }), line = node("path", { class: "line" });
       group.append(wide, line);
-      group.addEventListener("pointerdown", (event) => this.onPress(name, event));
+      group.addEventListener("pointerdown", (event) => this.onPress(this.nearest(event), event));
       group.addEventListener("keydown", (event) => this.onKey(name, event));
       this.svg.append(group);
-      this.shapes.set(name, { group, wide, line });
+      this.shapes.set(name, { group, wide, line, places: [] });
     }
 
     drop(name, { group }) {
       group.remove();
       this.shapes.delete(name);
     }
+
+    focus(name) { this.shapes.get(name).group.focus(); }
+
+    // Show which handle a press would take; null for none.
+    aim(name) {
+      for (const [other, { group }] of this.shapes) group.classList.toggle("aimed", other === name);
+    }
+
+    // The handle whose line is nearest to the mouse, whichever of those that cross there lies on top.
+    nearest({ clientX, clientY }) {
+      const box = this.svg.getBoundingClientRect(), at = [clientX - box.left, clientY - box.top];
+      const known = [...this.shapes].map(([name, { places }]) => ({ name, distance: distanceTo(places, at) }));
+      return known.reduce((a, b) => (b.distance < a.distance ? b : a)).name;
+    }
+
+    // The radius of a ring in the base's frame, metres.
+    radius(name) { return RADII[name] * this.pixel; }
 
     // Where the thing is carried, and its own origin and axes as the numbers say, in the base's coordinates.
     geometry() {
@@ -78,8 +98,8 @@ const KindslHandles = (() => {
       this.svg.style.display = at ? "" : "none";
       if (!at) return;
       const { camera } = this.scene.viewer;
-      const pixel = (2 * at[2] * Math.tan((camera.fov * Math.PI) / 360)) / Math.max(1, this.pane.clientHeight);
-      for (const [name, shape] of this.shapes) this.draw(name, shape, geometry, pixel);
+      this.pixel = (2 * at[2] * Math.tan((camera.fov * Math.PI) / 360)) / Math.max(1, this.pane.clientHeight);
+      for (const [name, shape] of this.shapes) this.draw(name, shape, geometry);
     }
 
     // Where a point of the base's frame is on the pane, beyond its edges too, and how far away; null behind the eye.
@@ -90,12 +110,14 @@ const KindslHandles = (() => {
       return [((point.x + 1) / 2) * this.pane.clientWidth, ((1 - point.y) / 2) * this.pane.clientHeight, distance];
     }
 
-    draw(name, { group, wide, line }, { origin, axes }, pixel) {
-      const axis = axes[name], isRing = name.length === 2;
-      const points = isRing ? ring(origin, axis, RADII[name] * pixel) : [origin, origin.clone().addScaledVector(axis, LENGTH * pixel)];
-      const places = points.map((point) => this.project(point));
-      const path = places.some((place) => !place) ? "" : places.map(([x, y], i) => `${i ? "L" : "M"}${x.toFixed(1)} ${y.toFixed(1)}`).join("");
-      for (const shape of [wide, line]) shape.setAttribute("d", path && (isRing ? `${path}Z` : path + head(places)));
+    draw(name, shape, { origin, axes }) {
+      const { group, wide, line } = shape, axis = axes[name], isRing = name.length === 2;
+      const points = isRing ? ring(origin, axis, this.radius(name)) : [origin, origin.clone().addScaledVector(axis, LENGTH * this.pixel)];
+      const seen = points.map((point) => this.project(point)), places = seen.some((place) => !place) ? [] : seen;
+      const path = places.map(([x, y], i) => `${i ? "L" : "M"}${x.toFixed(1)} ${y.toFixed(1)}`).join("");
+      for (const each of [wide, line]) each.setAttribute("d", path && (isRing ? `${path}Z` : path + head(places)));
+      shape.places = isRing ? [...places, ...places.slice(0, 1)] : places;
+      group.classList.toggle("end-on", !isRing && lengthOf(places) < LEAST);
       const handle = this.shown.components.find((one) => one.component === name);
       group.classList.toggle("locked", Boolean(handle.locked));
       group.classList.toggle("joint-axis", name.endsWith("z") && this.shown.kind === "joint" && isRing);
@@ -113,6 +135,20 @@ const KindslHandles = (() => {
       const angle = (2 * Math.PI * i) / PIECES;
       return origin.clone().addScaledVector(u, radius * Math.cos(angle)).addScaledVector(v, radius * Math.sin(angle));
     });
+  }
+
+  const lengthOf = ([from, to]) => (to ? Math.hypot(to[0] - from[0], to[1] - from[1]) : 0);
+
+  // How far a point of the pane is from a line through places, pixels.
+  function distanceTo(places, [x, y]) {
+    let least = Infinity;
+    for (let i = 1; i < places.length; i++) {
+      const [[x0, y0], [x1, y1]] = [places[i - 1], places[i]], [dx, dy] = [x1 - x0, y1 - y0];
+      const share = ((x - x0) * dx + (y - y0) * dy) / Math.max(dx * dx + dy * dy, 1e-9);
+      const near = Math.min(1, Math.max(0, share));
+      least = Math.min(least, Math.hypot(x0 + near * dx - x, y0 + near * dy - y));
+    }
+    return least;
   }
 
   // The two strokes of an arrow's head.

@@ -9,7 +9,7 @@ const KindslKeys = (() => {
   ];
 
   // [keys, what they do, how; those of the picture only count while it has the focus]
-  function bindings({ camera, actions, history }) {
+  function bindings({ camera, actions, history, editing }) {
     return [
       ["ArrowLeft", "", () => camera.turn(-TURN, 0), "pane"], ["ArrowRight", "", () => camera.turn(TURN, 0), "pane"],
       ["ArrowUp", "", () => camera.turn(0, TURN), "pane"], ["ArrowDown", "Arrows: turn the view", () => camera.turn(0, -TURN), "pane"],
@@ -23,6 +23,8 @@ const KindslKeys = (() => {
       ["0", "0: all joints to zero", () => actions.zero()],
       ["a", "A: move all joints between their limits", () => actions.animate(null)],
       ["m", "M: measure between two frames", () => actions.measure()],
+      ["t", "T: arrows that move what is chosen, where it can be edited", () => editing.choose("move")],
+      ["r", "R: rings that turn it", () => editing.choose("turn")],
       ["p", "P: save the picture", () => actions.savePicture()],
       ["l", "L: copy a link to this view", () => actions.copyLink()],
       ["b", "B: show or hide the panel", () => actions.foldPanel()],
