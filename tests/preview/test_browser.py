@@ -6,7 +6,6 @@ from tests.preview.browser import (
     PAINTED,
     PLACE,
     WORLD_POSES,
-    chromium,
     eventually,
     opened,
     until,
@@ -30,12 +29,6 @@ from kindsl.preview.server import PreviewServer
 from kindsl.rules.base import Severity
 
 LONGER_ARM = ARM.replace("(0.4, 0.0, 0.0)", "(0.6, 0.0, 0.0)")
-
-
-@pytest.fixture(scope="module")
-async def browser():
-    async with chromium() as running:
-        yield running
 
 
 @pytest.fixture

@@ -7,7 +7,7 @@ import re
 import numpy as np
 import pytest
 import umsgpack
-from tests.preview.browser import PAINTED, WORLD_POSES, chromium, opened, until, until_shown
+from tests.preview.browser import PAINTED, WORLD_POSES, opened, until, until_shown
 from tests.preview.robots import ARM, mechanics_of, plain_robot, skeleton_in, skeleton_of
 
 from kindsl.analysis.analysis import analyse
@@ -20,12 +20,6 @@ def exported(analysis):
     preview = DocumentPreview("robot")
     preview.show(analysis, ())
     return exported_page(preview.channel.state)
-
-
-@pytest.fixture(scope="module")
-async def browser():
-    async with chromium() as running:
-        yield running
 
 
 async def test_it_works_from_the_file_system(browser, tmp_path):

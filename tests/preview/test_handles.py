@@ -1,7 +1,7 @@
 """Handles in a real browser: a drag writes the one number that its handle stands for."""
 
 import pytest
-from tests.preview.browser import PLACE, chromium, eventually, opened, until_shown
+from tests.preview.browser import PLACE, eventually, opened, until_shown
 from tests.preview.handles import COMPONENTS, LINES, Owner, changed, drag, grasp, take_back
 from tests.preview.robots import ARM, EXAMPLES
 
@@ -19,12 +19,6 @@ BARE = """([link, from, to]) => {
   }
   return null;
 }"""  # noqa: E501
-
-
-@pytest.fixture(scope="module")
-async def browser():
-    async with chromium() as running:
-        yield running
 
 
 @pytest.fixture

@@ -4,7 +4,7 @@ import asyncio
 import math
 
 import pytest
-from tests.preview.browser import chromium, eventually, opened, until, until_shown
+from tests.preview.browser import eventually, opened, until, until_shown
 from tests.preview.robots import ARM, PARAMETRIC_ARM
 
 from kindsl.analysis.analysis import analyse
@@ -13,20 +13,6 @@ from kindsl.preview.server import PreviewServer
 from kindsl.semantics.parameters import JointLimits
 
 EYE = "KindslAddress.eyeText(kindsl.camera.state())"
-
-
-@pytest.fixture(scope="module")
-async def browser():
-    async with chromium() as running:
-        yield running
-
-
-@pytest.fixture
-async def server():
-    running = PreviewServer()
-    await running.start()
-    yield running
-    await running.stop()
 
 
 async def url_of(server, text=ARM, settings=None):

@@ -3,12 +3,11 @@
 from itertools import pairwise
 
 import pytest
-from tests.preview.browser import chromium, opened, until, until_shown
+from tests.preview.browser import opened, until, until_shown
 from tests.preview.robots import ARM, EXAMPLES, plain_robot
 from tests.support.published import CORPUS, published
 
 from kindsl.analysis.analysis import analyse
-from kindsl.preview.server import PreviewServer
 
 SHOWN_LABELS = """() => {
   kindsl.viewer.render();
@@ -72,20 +71,6 @@ DRAWN_CONTRASTS = """() => {
   presets.choose("Kinematics");
   return contrasts;
 }"""
-
-
-@pytest.fixture(scope="module")
-async def browser():
-    async with chromium() as running:
-        yield running
-
-
-@pytest.fixture
-async def server():
-    running = PreviewServer()
-    await running.start()
-    yield running
-    await running.stop()
 
 
 async def url_of(server, text):

@@ -4,25 +4,10 @@ import os
 from pathlib import Path
 
 import pytest
-from tests.preview.browser import chromium, opened, until, until_shown
+from tests.preview.browser import opened, until, until_shown
 from tests.preview.robots import ARM, EXAMPLES, ROOT
 
 from kindsl.analysis.analysis import analyse
-from kindsl.preview.server import PreviewServer
-
-
-@pytest.fixture(scope="module")
-async def browser():
-    async with chromium() as running:
-        yield running
-
-
-@pytest.fixture
-async def server():
-    running = PreviewServer()
-    await running.start()
-    yield running
-    await running.stop()
 
 
 async def url_of(server):
