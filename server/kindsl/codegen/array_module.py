@@ -3,15 +3,7 @@
 from typing import Literal
 
 from kindsl.codegen.library import Library
-from kindsl.codegen.python_text import (
-    JACOBIAN_CODE,
-    PARAMETER_CODE,
-    constants,
-    docstring,
-    jacobian_table,
-    public_function,
-    straight_lines,
-)
+from kindsl.codegen.python_text import module_text
 
 ARRAYS: dict[str, tuple[str, str]] = {
     "python": (
@@ -54,12 +46,4 @@ def forward_kinematics(q, parameters=None):
 def array_module(library: Library, kind: Literal["python", "jax"]) -> str:
     """Return the text of a module."""
     imports, how = ARRAYS[kind]
-    parts = [
-        docstring(library, how), imports, constants(library), "", PARAMETER_CODE, "", ANSWER, "",
-        *(public_function(library, function) + "\n" for function in library.all_functions),
-    ]  # fmt: skip
-    if "poses" in library.functions:
-        parts += [POSES, ""]
-    if "jacobians" in library.functions:
-        parts += [jacobian_table(library), "", JACOBIAN_CODE, ""]
-    return "\n".join([*parts, *(text + "\n" for text in straight_lines(library))])
+    return module_text(library, how, (imports, ANSWER, POSES))

@@ -1,15 +1,7 @@
 """A module in Python that computes with CasADi, on its numbers and symbols alike."""
 
 from kindsl.codegen.library import Library
-from kindsl.codegen.python_text import (
-    JACOBIAN_CODE,
-    PARAMETER_CODE,
-    constants,
-    docstring,
-    jacobian_table,
-    public_function,
-    straight_lines,
-)
+from kindsl.codegen.python_text import module_text
 
 HOW = """\
 Needs CasADi only. Arguments and results are its matrices (DM, SX or MX); vectors are columns, and
@@ -45,12 +37,4 @@ def forward_kinematics(q, parameters=None):
 def casadi_module(library: Library) -> str:
     """Return the text of a module."""
     imports = "import casadi\nfrom casadi import cos, sin\n"
-    parts = [
-        docstring(library, HOW), imports, constants(library), "", PARAMETER_CODE, "", ANSWER, "",
-        *(public_function(library, function) + "\n" for function in library.all_functions),
-    ]  # fmt: skip
-    if "poses" in library.functions:
-        parts += [POSES, ""]
-    if "jacobians" in library.functions:
-        parts += [jacobian_table(library), "", JACOBIAN_CODE, ""]
-    return "\n".join([*parts, *(text + "\n" for text in straight_lines(library))])
+    return module_text(library, HOW, (imports, ANSWER, POSES))

@@ -14,6 +14,26 @@ LENGTHS = {"v0": 6, "a0": 6, "g": 3}
 EXTERNAL = "external_forces"
 
 
+def module_text(library: Library, how: str, own: tuple[str, str, str]) -> str:
+    """Return a whole module.
+
+    Args:
+        library: What to write.
+        how: What the module needs and how it is used, for its docstring.
+        own: Its imports, its `_answer` and its `forward_kinematics`.
+    """
+    imports, answer, poses = own
+    parts = [
+        docstring(library, how), imports, constants(library), "", PARAMETER_CODE, "", answer, "",
+        *(public_function(library, function) + "\n" for function in library.all_functions),
+    ]  # fmt: skip
+    if "poses" in library.functions:
+        parts += [poses, ""]
+    if "jacobians" in library.functions:
+        parts += [jacobian_table(library), "", JACOBIAN_CODE, ""]
+    return "\n".join([*parts, *(text + "\n" for text in straight_lines(library))])
+
+
 def docstring(library: Library, how: str) -> str:
     """Return the text that a module begins with."""
     stamp = library.stamp
