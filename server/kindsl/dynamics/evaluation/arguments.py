@@ -5,6 +5,8 @@ from collections.abc import Iterable
 import numpy as np
 import numpy.typing as npt
 
+from kindsl.dynamics.bodies import Bodies
+from kindsl.dynamics.quantities import STANDARD_GRAVITY
 from kindsl.spatial.arrays import Array
 from kindsl.text.nearest import hint, nearest_name
 
@@ -27,6 +29,24 @@ def vectors(quantity: str, values: npt.ArrayLike, components: int) -> Array:
     if not np.isfinite(array).all():
         raise ValueError(f"'{quantity}' holds a value that is not finite")
     return array
+
+
+def base_conditions(
+    bodies: Bodies, base_velocity: npt.ArrayLike | None, gravity: npt.ArrayLike
+) -> dict[str, Array]:
+    """Return what is not standard of the base's velocity (..., 6) and gravity (..., 3).
+
+    Raises:
+        ValueError: If a fixed base is given a velocity, or an array is not right.
+    """
+    conditions = {}
+    if base_velocity is not None:
+        if not bodies.is_floating:
+            raise ValueError("'base_velocity' is given, but the base is fixed")
+        conditions["base_velocity"] = vectors("base_velocity", base_velocity, 6)
+    if gravity is not STANDARD_GRAVITY:
+        conditions["gravity"] = vectors("gravity", gravity, 3)
+    return conditions
 
 
 def common_batch_shape(arrays: dict[str, Array]) -> tuple[int, ...]:

@@ -1,14 +1,17 @@
 """The one interface to all quantities of a mechanism."""
 
-from collections.abc import Iterable
-
 import numpy as np
 import numpy.typing as npt
 
 from kindsl.dynamics import center_of_mass as masses
 from kindsl.dynamics import energy
 from kindsl.dynamics.bodies import Bodies
-from kindsl.dynamics.evaluation.arguments import common_batch_shape, unknown_name, vectors
+from kindsl.dynamics.evaluation.arguments import (
+    base_conditions,
+    common_batch_shape,
+    unknown_name,
+    vectors,
+)
 from kindsl.dynamics.evaluation.differentiable import AT_REST, Differentiable
 from kindsl.dynamics.evaluation.forms import Forms
 from kindsl.dynamics.evaluation.request import Request
@@ -29,13 +32,8 @@ GRAVITY = np.array(STANDARD_GRAVITY)
 ACCELERATING = ("inverse_dynamics", "forward_dynamics")
 # What ready code raises if it is not there yet, or for arguments that need a closer look.
 NOT_READY = (
-    AttributeError,
-    KeyError,
-    OverflowError,
-    TypeError,
-    ValueError,
-    ZeroDivisionError,
-)
+    AttributeError, KeyError, OverflowError, TypeError, ValueError, ZeroDivisionError,
+)  # fmt: skip
 
 
 class Mechanics(Differentiable):
@@ -217,7 +215,7 @@ class Mechanics(Differentiable):
         """Return the kinetic energy (...), joule."""
         n = self.bodies.n_links
         arrays = {"q": vectors("q", q, n), "qd": vectors("qd", qd, n)}
-        conditions = self._checked_conditions(base_velocity, STANDARD_GRAVITY)
+        conditions = base_conditions(self.bodies, base_velocity, STANDARD_GRAVITY)
         common_batch_shape(arrays | conditions)
         v_base = conditions.get("base_velocity", AT_REST)
         return energy.kinetic_energy(self.bodies, arrays["q"], arrays["qd"], v_base)
@@ -250,7 +248,7 @@ class Mechanics(Differentiable):
             name: vectors(name, values, self.bodies.n_links)
             for name, values in zip(JOINT_VECTORS[quantity], joint_vectors, strict=True)
         }
-        conditions = self._checked_conditions(base_velocity, gravity)
+        conditions = base_conditions(self.bodies, base_velocity, gravity)
         entries = self._computed(quantity, arrays, conditions)
         if quantity in ACCELERATING and not np.isfinite(entries).all():
             raise SingularInertiaError
@@ -272,20 +270,8 @@ class Mechanics(Differentiable):
         except (ZeroDivisionError, np.linalg.LinAlgError):
             raise SingularInertiaError from None
         except OverflowError:
-            raise ValueError(f"{_listed(arrays)}: the values are too large") from None
-
-    def _checked_conditions(
-        self, base_velocity: npt.ArrayLike | None, gravity: npt.ArrayLike
-    ) -> dict[str, Array]:
-        """Return what is not standard of the base's velocity and gravity."""
-        conditions = {}
-        if base_velocity is not None:
-            if not self.bodies.is_floating:
-                raise ValueError("'base_velocity' is given, but the base is fixed")
-            conditions["base_velocity"] = vectors("base_velocity", base_velocity, 6)
-        if gravity is not STANDARD_GRAVITY:
-            conditions["gravity"] = vectors("gravity", gravity, 3)
-        return conditions
+            named = ", ".join(f"'{name}'" for name in arrays)
+            raise ValueError(f"{named}: the values are too large") from None
 
     def _body_poses(self, q: npt.ArrayLike) -> list[Array]:
         poses = self._pose_by_pose(self._evaluate("poses", (q,)))
@@ -309,7 +295,3 @@ class Mechanics(Differentiable):
     def _check_mass(self) -> None:
         if self.total_mass() == 0.0:
             raise ValueError("the centre of mass is not defined: the total mass is zero")
-
-
-def _listed(names: Iterable[str]) -> str:
-    return ", ".join(f"'{name}'" for name in names)
