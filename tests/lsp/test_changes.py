@@ -8,9 +8,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from lsprotocol import types
 
-from kindsl.lsp.text.changes import Change, edits_of, split_lines
-from kindsl.lsp.text.lines import Lines, PlainPiece
-from kindsl.text.edits import apply_edits
+from kindsl.lsp.text.changes import Change, changed
+from kindsl.lsp.text.lines import Lines
+from kindsl.lsp.text.row import PlainPiece, Row
+from kindsl.text.lines import LineIndex
 
 steady = settings(deadline=None, derandomize=True)
 
@@ -31,16 +32,21 @@ changes = st.lists(
 
 @steady
 @given(texts, changes, encodings)
-def test_changes_made_at_once_equal_changes_made_one_after_the_other(
+def test_changes_are_made_one_after_the_other(
     text: str, changes: Sequence[Change], encoding: str
 ) -> None:
-    edits = edits_of(lines_of(text), changes, encoding)
-    assert apply_edits(text, edits) == naively_changed(text, changes, encoding)
+    lines, (start, end) = changed(lines_of(text), changes, encoding)
+    made = naively_changed(text, changes, encoding)
+    assert lines.text(0, lines.length) == made
+    assert [lines.start(line) for line in range(lines.last + 1)] == LineIndex(made).starts
+    assert 0 <= start <= end <= len(made)
+    assert made[:start] == text[:start]
+    assert made[end:] == text[len(text) - (len(made) - end) :]
 
 
 @steady
 @given(texts, st.lists(st.integers(0, 7), min_size=1, max_size=6, unique=True), encodings)
-def test_descending_changes_equal_changes_made_one_after_the_other(
+def test_descending_changes_are_made_one_after_the_other(
     text: str, rows: list[int], encoding: str
 ) -> None:
     made = [
@@ -49,17 +55,19 @@ def test_descending_changes_equal_changes_made_one_after_the_other(
         )
         for row in sorted(rows, reverse=True)
     ]
-    assert apply_edits(text, edits_of(lines_of(text), made, encoding)) == naively_changed(
-        text, made, encoding
-    )
+    lines, _ = changed(lines_of(text), made, encoding)
+    assert lines.text(0, lines.length) == naively_changed(text, made, encoding)
 
 
-@steady
-@given(texts)
-def test_lines_have_the_ends_of_the_specification_only(text: str) -> None:
-    lines = split_lines(text)
-    assert "".join(lines) == text
-    assert len(lines) == len(re.findall(r"\r\n|\n|\r", text)) + 1
+def test_what_was_changed_is_a_stretch_of_the_new_text() -> None:
+    made = [
+        types.TextDocumentContentChangePartial(
+            range=types.Range(types.Position(0, column), types.Position(0, column)), text="xy"
+        )
+        for column in (5, 1)
+    ]
+    lines, touched = changed(lines_of("0123456789"), made, "utf-16")
+    assert lines.text(*touched) == "xy1234xy"
 
 
 @pytest.mark.parametrize("separator", ["\x0b", "\x0c", "\x1c", "\x85", "\u2028", "\u2029"])
@@ -68,13 +76,13 @@ def test_other_separators_do_not_end_a_line(separator: str) -> None:
         range=types.Range(types.Position(1, 0), types.Position(1, 0)), text="x"
     )
     text = f"a{separator}b\nc"
-    assert (
-        apply_edits(text, edits_of(lines_of(text), [insertion], "utf-16")) == f"a{separator}b\nxc"
-    )
+    lines, touched = changed(lines_of(text), [insertion], "utf-16")
+    assert lines.text(0, lines.length) == f"a{separator}b\nxc"
+    assert lines.text(*touched) == "x"
 
 
 def lines_of(text: str) -> Lines:
-    return Lines((PlainPiece(text),), (0,))
+    return Lines(Row([PlainPiece(text)]))
 
 
 def naively_changed(text: str, changes: Sequence[Change], encoding: str) -> str:

@@ -47,6 +47,18 @@ def test_each_version_has_the_syntax_of_its_text(
     assert [i.text for i in shown.tree.islands] == [i.text for i in parse(text).islands]
 
 
+def test_blocks_that_no_version_touched_are_not_parsed_again() -> None:
+    block = "link l{} {{ id = {} }}\n"
+    text = "".join(["Robot R {\n", *(block.format(n, n) for n in range(1, 100)), "}\n"])
+    shown = document("untitled:r", 0, text, "utf-16")
+    islands = shown.tree.islands
+    for version, line in enumerate((10, 90, 50), 1):
+        place = types.Range(types.Position(line, 5), types.Position(line, 5))
+        shown = shown.changed([types.TextDocumentContentChangePartial(place, "x")], version)
+    new = [island for island in shown.tree.islands if not any(island is old for old in islands)]
+    assert [island.text.split()[1][:2] for island in new] == ["xl"] * 3
+
+
 def test_a_version_stays_as_it_was() -> None:
     first = document("untitled:r", 0, TEXT, "utf-16")
     everything = types.TextDocumentContentChangeWholeDocument("Robot S {")

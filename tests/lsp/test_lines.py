@@ -1,13 +1,11 @@
 """Places and positions: there and back, in every encoding, however the text is cut."""
 
-from itertools import accumulate
-
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kindsl.lsp.text.lines import Lines, PlainPiece
-from kindsl.text.edits import TextEdit, apply_edits
+from kindsl.lsp.text.lines import Lines
+from kindsl.lsp.text.row import PlainPiece, Row
 from kindsl.text.lines import LineIndex
 
 steady = settings(deadline=None, derandomize=True)
@@ -67,22 +65,4 @@ def cut(text: str, cuts: list[int]) -> Lines:
     """The lines of a text held in pieces, no CR LF cut in two."""
     places = sorted({0, *(c for c in cuts if c < len(text) and text[c - 1 : c + 1] != "\r\n")})
     pieces = [text[a:b] for a, b in zip(places, [*places[1:], len(text)], strict=True)]
-    return Lines([PlainPiece(piece) for piece in pieces], [0, *accumulate(map(len, pieces))])
-
-
-@steady
-@given(texts, cuts, st.lists(st.tuples(st.integers(0, 60), st.integers(0, 9), texts), max_size=4))
-def test_lines_after_edits_are_those_of_the_edited_text(
-    text: str, cuts: list[int], wanted: list[tuple[int, int, str]]
-) -> None:
-    edits: list[TextEdit] = []
-    for start, length, new in sorted(wanted):
-        if start <= len(text) and (not edits or start > edits[-1].end):
-            edits.append(TextEdit(start, min(start + length, len(text)), new))
-    lines, whole = cut(text, cuts).edited(edits), apply_edits(text, edits)
-    assert lines.text(0, lines.length) == whole
-    assert lines.length == len(whole)
-    expected = LineIndex(whole)
-    assert [lines.start(line) for line in range(lines.last + 1)] == expected.starts
-    for offset in range(len(whole) + 1):
-        assert lines.position(offset, "utf-32") == expected.position(offset)
+    return Lines(Row([PlainPiece(piece) for piece in pieces]))

@@ -1,14 +1,15 @@
 """One version of a text that an editor shows or a file holds."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types
 
 from kindsl.lsp.text import uris
-from kindsl.lsp.text.changes import Change, edits_of
-from kindsl.lsp.text.lines import Lines, PlainPiece
-from kindsl.text.edits import TextEdit
+from kindsl.lsp.text.changes import Change, changed
+from kindsl.lsp.text.differences import edits_between
+from kindsl.lsp.text.lines import Lines
+from kindsl.lsp.text.row import PlainPiece, Row
 from kindsl.text.span import Span
 
 if TYPE_CHECKING:
@@ -38,7 +39,7 @@ class Document:
         version: int | None,
         lines: Lines,
         encoding: str,
-        basis: "_Basis | None" = None,
+        basis: "SyntaxDocument | None" = None,
     ) -> None:
         self.uri = uri
         self.version = version
@@ -68,30 +69,25 @@ class Document:
     def tree(self) -> "SyntaxDocument":
         """Its syntax; only the blocks are parsed that differ from an earlier version's."""
         if self._tree is None:
-            from kindsl.syntax.document import parse
-
-            basis, lines = self._basis, self.lines
-            tree = parse(self.text) if basis is None else basis.tree.edited(basis.edits(lines))
-            if 2 * lines.n_pieces < len(tree):
-                self.lines = Lines(tree.islands, tree.starts)
+            tree = self._parsed()
+            self.lines = Lines(self.lines.row.held_in(tree.islands))
             self._tree = tree
+            self._basis = None
         return self._tree
 
     def rest(self) -> None:
         """Drop the syntax; it is parsed again when it is next asked for."""
-        text = self.text
+        self.lines = _plain(self.text)
         self._tree = self._basis = None
-        self.lines = Lines((PlainPiece(text),), (0,))
 
     def changed(self, changes: Sequence[Change], version: int) -> "Document":
         """Return the next version."""
-        edits = edits_of(self.lines, changes, self.encoding)
-        lines = self.lines.edited(edits)
-        changed = Document(self.uri, version, lines, self.encoding, self._basis_with(edits))
-        if edits:
-            behind = self.lines.length - edits[-1].end
-            changed.touched = Span(edits[0].start, lines.length - behind)
-        return changed
+        basis = self._basis  # before the tree, which the worker puts in its place
+        basis = basis if self._tree is None else self._tree
+        lines, touched = changed(self.lines, changes, self.encoding)
+        document = Document(self.uri, version, lines, self.encoding, basis)
+        document.touched = touched
+        return document
 
     def offset(self, position: types.Position) -> int:
         """Return the code point that a client's position means, clamped."""
@@ -118,44 +114,20 @@ class Document:
         """Return the client's range of a stretch of code points."""
         return types.Range(self.position(start), self.position(end))
 
-    def _basis_with(self, edits: list[TextEdit]) -> "_Basis | None":
-        """Return the nearest version whose syntax is known, and what has changed since."""
-        tree, basis = self._tree, self._basis
-        if tree is not None:
-            basis = _Basis(tree, tree.length, tree.length, ())
-        if basis is None or not edits:
-            return basis
-        before = min(basis.before, edits[0].start)
-        after = min(basis.after, self.lines.length - edits[-1].end)
-        return _Basis(basis.tree, before, after, tuple(edits) if tree is not None else None)
+    def _parsed(self) -> "SyntaxDocument":
+        from kindsl.syntax.document import parse
 
-
-class _Basis(NamedTuple):
-    """An earlier version's syntax and what has changed since.
-
-    Attributes:
-        tree: The syntax.
-        before: How much of the text is the same from the start.
-        after: How much of it is the same up to the end.
-        exact: The edits, if there was but one notification since.
-    """
-
-    tree: "SyntaxDocument"
-    before: int
-    after: int
-    exact: tuple[TextEdit, ...] | None
-
-    def edits(self, lines: Lines) -> Sequence[TextEdit]:
-        """Return edits that lead to the text with these lines."""
-        if self.exact is not None:
-            return self.exact
-        old_end = self.tree.length - self.after
-        new_end = lines.length - self.after
-        overlap = max(self.before - min(old_end, new_end), 0)
-        start = self.before - overlap
-        return (TextEdit(start, old_end, lines.text(start, new_end)),)
+        basis, row = self._basis, self.lines.row
+        if basis is None:
+            return parse(self.text)
+        starts = (*basis.starts, basis.length)
+        return basis.edited(tuple(edits_between(basis.islands, starts, row)))
 
 
 def document(uri: str, version: int | None, text: str, encoding: str) -> Document:
     """Return a document that has just been opened or read."""
-    return Document(uri, version, Lines((PlainPiece(text),), (0,)), encoding)
+    return Document(uri, version, _plain(text), encoding)
+
+
+def _plain(text: str) -> Lines:
+    return Lines(Row([PlainPiece(text)]))
