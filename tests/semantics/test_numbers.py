@@ -75,3 +75,13 @@ def test_a_body_without_a_moment_is_not_known() -> None:
     links = (k for i in parse(text).islands for k in declarations(i).links)
     inertia = next(links).inertia
     assert inertia is not None and mass_distribution(inertia, {}) is None
+
+
+@pytest.mark.parametrize(
+    "left_out", ["translation = (1.0, 2.0, 3.0)", "rotation = (0.0, 0.0, 0.0)"]
+)
+def test_a_pose_without_a_vector_is_not_known(left_out: str) -> None:
+    text = POSE.format("1.0", "0.0")
+    assert left_out in text
+    joints = (j for i in parse(text.replace(left_out, "")).islands for j in declarations(i).joints)
+    assert written_pose(next(joints).pose, {}) is None
