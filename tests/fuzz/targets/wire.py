@@ -12,6 +12,7 @@ from typing import Any
 
 from kindsl.lsp.wire.editor import Editor
 from kindsl.lsp.wire.frames import read_messages
+from kindsl.lsp.wire.protocol import KindslProtocol
 
 
 class _Output:
@@ -73,16 +74,21 @@ _OPEN = (
 )
 
 
+# What knows nothing of a session: the converter learns each type but once, which takes longest.
+_EDITOR = Editor()
+_CONVERTER = _EDITOR.protocol._converter
+
+
 async def _serve(data: bytes, output: _Output) -> None:
-    editor = Editor()
-    editor.protocol.set_writer(output)
+    protocol = _EDITOR.protocol = KindslProtocol(_EDITOR, _CONVERTER)
+    protocol.set_writer(output)
     reader = asyncio.StreamReader(limit=1 << 24)
     reader.feed_data(data)
     reader.feed_eof()
-    await read_messages(reader, editor.protocol.receive)
+    await read_messages(reader, protocol.receive)
     for _ in range(3):
         await asyncio.sleep(0)
-    for document in editor.protocol.documents:
+    for document in protocol.documents:
         assert document.tree.text == document.text
 
 
