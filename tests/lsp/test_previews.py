@@ -19,7 +19,7 @@ ROBOT = "Robot R {{\nRobotBase base {{ children {{ }} }}\n// {}\n}}\n"
 class Slow:
     """A preview that takes its time: a version is drawn when it is let go on."""
 
-    def __init__(self, **_: object) -> None:
+    def __init__(self, *_: object, **__: object) -> None:
         self.begun: list[str] = []
         self.told: list[str] = []
         self.may_draw = asyncio.Semaphore(0)
@@ -55,8 +55,7 @@ async def session(monkeypatch: pytest.MonkeyPatch) -> Session:
 @pytest.fixture
 async def slow(session: Session) -> Slow:
     opening = asyncio.ensure_future(session.previews.open(URI))
-    while session.previews._preview is None:
-        await asyncio.sleep(0)
+    await until(lambda: session.previews._preview is not None or opening.done())
     slow = session.previews._preview
     assert isinstance(slow, Slow)
     slow.may_draw.release()
