@@ -58,12 +58,16 @@ def test_a_document_keeps_its_address(client: RawClient) -> None:
     assert preview(client).startswith("http://127.0.0.1:")
 
 
+def is_source_shown(message: dict[str, Any]) -> bool:
+    """Whether the editor is to show the document, and not the page's address."""
+    return message.get("method") == "window/showDocument" and message["params"]["uri"] == URI
+
+
 async def test_a_click_shows_the_source(client: RawClient) -> None:
     connection = await connected(client)
     await connection.write_message(json.dumps({"type": "reveal", "kind": "joint", "name": "first"}))
-    shown = await asyncio.to_thread(client.notification, "window/showDocument")
-    assert shown["uri"] == URI
-    assert shown["selection"]["start"]["line"] == JOINT_LINE
+    shown = await asyncio.to_thread(client.wait, is_source_shown)
+    assert shown["params"]["selection"]["start"]["line"] == JOINT_LINE
     await hang_up(connection)
 
 
