@@ -22,8 +22,8 @@ from tests.support.urdf_mutants import mutant
 
 import kindsl
 from kindsl.interchange.kindsl_writing import kindsl_text
-from kindsl.interchange.urdf_reading import UrdfError, read_urdf
-from kindsl.interchange.urdf_writing import urdf_text
+from kindsl.interchange.urdf.reading import UrdfError, read_urdf
+from kindsl.interchange.urdf.writing import urdf_text
 
 NO_NUMBER = re.compile(r"[=(,] *-?(nan|inf)\b")
 SLOW, NOTICEABLE = 10.0, 0.05

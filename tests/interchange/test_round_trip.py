@@ -13,8 +13,8 @@ import kindsl
 from kindsl.analysis.settings import Settings
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.interchange.kindsl_writing import kindsl_text
-from kindsl.interchange.urdf_reading import UrdfError, read_urdf
-from kindsl.interchange.urdf_writing import urdf_text
+from kindsl.interchange.urdf.reading import UrdfError, read_urdf
+from kindsl.interchange.urdf.writing import urdf_text
 from kindsl.spatial.arrays import Array
 
 TOLERANCE = 1e-9  # what the issue of a round trip promises, absolute, at dimensions near one

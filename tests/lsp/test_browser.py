@@ -114,7 +114,7 @@ async def test_what_is_no_request_of_a_page_is_passed_over(client):
     ("name", "needed"), [("kindsl.exportUrdf", "yourdfpy"), ("kindsl.compute", "numpy")]
 )
 async def test_what_needs_more_says_what_to_install(client, monkeypatch, name, needed):
-    for module in ("kindsl.interchange.urdf_writing", "kindsl.reports.computation"):
+    for module in ("kindsl.interchange.urdf.writing", "kindsl.reports.computation"):
         monkeypatch.delitem(sys.modules, module, raising=False)
     monkeypatch.setitem(sys.modules, "numpy", None)
     await client.open((EXAMPLES / "quadruped.kindsl").read_text())

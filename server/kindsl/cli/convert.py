@@ -67,7 +67,7 @@ def _converted(args: argparse.Namespace) -> tuple[str, tuple[str, ...]]:
 def _from_urdf(args: argparse.Namespace) -> tuple[str, tuple[str, ...]]:
     try:
         from kindsl.interchange.kindsl_writing import kindsl_text, renamed
-        from kindsl.interchange.urdf_reading import UrdfError, read_urdf
+        from kindsl.interchange.urdf.reading import UrdfError, read_urdf
 
         read = read_urdf(Path(args.input), floating=args.floating_base)
     except ModuleNotFoundError as error:
@@ -83,7 +83,7 @@ def _to_urdf(args: argparse.Namespace) -> tuple[str, tuple[str, ...]]:
     analysis = read_document(args.input, choices_of(args))
     bodies = bodies_of_document(args.input, analysis)
     try:
-        from kindsl.interchange.urdf_writing import urdf_remarks, urdf_text
+        from kindsl.interchange.urdf.writing import urdf_remarks, urdf_text
 
         return urdf_text(analysis.model.name or "robot", bodies), tuple(urdf_remarks(bodies))
     except ModuleNotFoundError as error:

@@ -1,4 +1,4 @@
-"""Knows URDF in and out.
+"""Knows other formats, in and out, a folder each.
 
 Must not know editors.
 """

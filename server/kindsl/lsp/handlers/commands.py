@@ -111,7 +111,7 @@ def _uri(uri: object) -> str:
 
 def _urdf(view: View) -> str:
     try:
-        from kindsl.interchange.urdf_writing import urdf_text
+        from kindsl.interchange.urdf.writing import urdf_text
 
         return urdf_text(view.analysis.model.name, view.analysis.mechanism().bodies)
     except ImportError as error:

@@ -15,8 +15,8 @@ from kindsl.interchange.robot_description import (
     MassProperties,
     RobotDescription,
 )
-from kindsl.interchange.urdf_checking import Remarkable, UrdfError, checked
-from kindsl.interchange.xacro_reading import expanded
+from kindsl.interchange.urdf.checking import Remarkable, UrdfError, checked
+from kindsl.interchange.urdf.xacro_expansion import expanded
 from kindsl.spatial.arrays import Array
 from kindsl.spatial.inertia import move_inertia
 from kindsl.text.words import counted

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from kindsl.interchange.urdf_checking import UrdfError
+from kindsl.interchange.urdf.checking import UrdfError
 
 XACRO = ".xacro"
 

@@ -1,0 +1,4 @@
+"""Knows URDF, and xacro through its own package.
+
+Must not know the other formats.
+"""
