@@ -1,11 +1,13 @@
-"""Converts between URDF and the Kinematics-DSL, told apart by their suffixes.
+"""Converts between URDF, MJCF, SDF and the Kinematics-DSL, told apart by their suffixes.
 
 Reports on stderr what the other format cannot express. A .xacro file is expanded first.
 """
 
 import argparse
+import os
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from kindsl.cli.console import write
 from kindsl.cli.documents.choices import choices_of
@@ -14,24 +16,33 @@ from kindsl.cli.documents.reading import (
     bodies_of_document,
     missing_module,
     read_document,
+    shown_name,
 )
 from kindsl.cli.documents.sources import STDIN, reason
 from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import Failure, as_failures
 from kindsl.config.configuration import ConfigurationError
+from kindsl.interchange.format import Format, FormatError, ReadRobot, WritingChoices
+from kindsl.interchange.registry import all_formats, format_named, format_of_suffix
 from kindsl.text.printable import printable
+from kindsl.text.words import alternatives
 
-_DOCUMENT = ".kindsl"
-_URDF = ".urdf"
-_READ = (_URDF, ".xacro")
+if TYPE_CHECKING:
+    from kindsl.analysis.analysis import Analysis
+
+_DOCUMENT = Format("kindsl", "Kinematics-DSL", (".kindsl",), "numpy")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     add = parser.add_argument
-    add("input", metavar="IN", help="a .urdf, .xacro or .kindsl file")
-    add("output", metavar="OUT", help="the file to write, of the other suffix, or '-' for stdout")
-    add("--floating-base", action="store_true", help="the URDF's root link floats")
+    add("input", metavar="IN", help="a .kindsl, .urdf, .xacro, .xml, .mjcf or .sdf file")
+    add("output", metavar="OUT", help="the file to write, of another suffix, or '-' for stdout")
+    names = tuple(format.name for format in (_DOCUMENT, *all_formats()))
+    add("--from", dest="source", choices=names, help="the format of IN if its suffix does not tell")
+    add("--to", dest="target", choices=names, help="the format of OUT if its suffix does not tell")
+    add("--floating-base", action="store_true", help="the root link floats, whatever IN says")
+    add("--continuous", action="store_true", help="write revolute joints of a URDF as endless ones")
     add("-q", "--quiet", action="store_true", help="do not report what was dropped")
     add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
 
@@ -50,44 +61,102 @@ def run(args: argparse.Namespace) -> int:
     except ConfigurationError as error:
         return CommandError(as_failures(error)).tell()
     if not args.quiet:
-        write(sys.stderr, "".join(f"{args.input}: note: {printable(r)}\n" for r in remarks))
+        name = shown_name(args.input)
+        write(sys.stderr, "".join(f"{name}: note: {printable(r)}\n" for r in remarks))
     return 0
 
 
 def _converted(args: argparse.Namespace) -> tuple[str, tuple[str, ...]]:
-    suffixes = Path(args.input).suffix.lower(), Path(args.output).suffix.lower()
-    if suffixes[0] in _READ and suffixes[1] in (_DOCUMENT, ""):
-        return _from_urdf(args)
-    if suffixes[0] == _DOCUMENT and (suffixes[1] == _URDF or args.output == STDIN):
-        return _to_urdf(args)
-    message = "converts .urdf or .xacro to .kindsl, or .kindsl to .urdf"
-    raise CommandError([Failure(f"{args.input} {args.output}", message)])
+    source, target = _formats(args)
+    if target is _DOCUMENT:
+        return _document(args, source)
+    if source is _DOCUMENT:
+        return _written(args, target, read_document(args.input, choices_of(args)))
+    text, lost = _document(args, source)
+    from kindsl.analysis.analysis import analyse
+
+    written, said = _written(args, target, analyse(text))
+    return written, (*lost, *said)
 
 
-def _from_urdf(args: argparse.Namespace) -> tuple[str, tuple[str, ...]]:
-    try:
-        from kindsl.interchange.kindsl_writing import kindsl_text, renamed
-        from kindsl.interchange.urdf.reading import UrdfError, read_urdf
+def _formats(args: argparse.Namespace) -> tuple[Format, Format]:
+    """Return the formats of input and output; stdout takes what the input is not."""
+    source = _format(args.input, args.source, "--from")
+    if args.output == STDIN and args.target is None:
+        target = _default_target(source)
+    else:
+        target = _format(args.output, args.target, "--to")
+    if source is target:
+        message = f"input and output are both {source.title}"
+        raise CommandError([Failure(f"{args.input} {args.output}", message)])
+    for format, path, does, verb in (
+        (source, args.input, source is _DOCUMENT or source.read, "read"),
+        (target, args.output, target is _DOCUMENT or target.write, "written"),
+    ):
+        if not does:
+            raise CommandError([Failure(path, f"{format.title} cannot be {verb}")])
+    return source, target
 
-        read = read_urdf(Path(args.input), floating=args.floating_base)
-    except ModuleNotFoundError as error:
-        raise missing_module(args.input, error, "convert") from None
-    except OSError as error:
-        raise CommandError([Failure(args.input, reason(args.input, error))]) from None
-    except UrdfError as error:
-        raise CommandError([Failure(args.input, str(error))], status=1) from None
+
+def _default_target(source: Format) -> Format:
+    urdf = format_named("urdf")
+    if source is not _DOCUMENT or urdf is None:
+        return _DOCUMENT
+    return urdf
+
+
+def _format(path: str, named: str | None, option: str) -> Format:
+    if named is not None:
+        return _DOCUMENT if named == _DOCUMENT.name else _known(format_named(named))
+    suffix = Path(path).suffix
+    if suffix.lower() in _DOCUMENT.suffixes:
+        return _DOCUMENT
+    format = format_of_suffix(suffix)
+    if format is None:
+        every = alternatives(suffix for f in (_DOCUMENT, *all_formats()) for suffix in f.suffixes)
+        told = f"the suffix '{suffix}'" if suffix else "a name without suffix"
+        message = f"{told} does not tell the format: use {every}, or {option} FORMAT"
+        raise CommandError([Failure(shown_name(path), message)])
+    return format
+
+
+def _known(format: Format | None) -> Format:
+    assert format is not None, "the option takes names of formats only"
+    return format
+
+
+def _document(args: argparse.Namespace, source: Format) -> tuple[str, tuple[str, ...]]:
+    read = _read(args, source)
+    from kindsl.interchange.kindsl_writing import kindsl_text, renamed
+
     return kindsl_text(read.robot), (*read.remarks, *renamed(read.robot))
 
 
-def _to_urdf(args: argparse.Namespace) -> tuple[str, tuple[str, ...]]:
-    analysis = read_document(args.input, choices_of(args))
-    bodies = bodies_of_document(args.input, analysis)
+def _read(args: argparse.Namespace, source: Format) -> ReadRobot:
+    assert source.read is not None
     try:
-        from kindsl.interchange.urdf.writing import urdf_remarks, urdf_text
-
-        return urdf_text(analysis.model.name or "robot", bodies), tuple(urdf_remarks(bodies))
+        os.stat(args.input)
+        return source.read(Path(args.input), args.floating_base)
     except ModuleNotFoundError as error:
-        raise missing_module(args.input, error, "convert") from None
+        raise missing_module(args.input, error, source.extra) from None
+    except OSError as error:
+        raise CommandError([Failure(args.input, reason(args.input, error))]) from None
+    except FormatError as error:
+        raise CommandError([Failure(args.input, str(error))], status=1) from None
+
+
+def _written(
+    args: argparse.Namespace, target: Format, analysis: "Analysis"
+) -> tuple[str, tuple[str, ...]]:
+    assert target.write is not None
+    bodies = bodies_of_document(args.input, analysis)
+    choices = WritingChoices(endless_joints=args.continuous)
+    try:
+        return target.write(analysis.model.name or "robot", bodies, choices)
+    except ModuleNotFoundError as error:
+        raise missing_module(args.input, error, target.extra) from None
+    except FormatError as error:
+        raise CommandError([Failure(shown_name(args.input), str(error))], status=1) from None
 
 
 def _write(path: str, text: str) -> None:

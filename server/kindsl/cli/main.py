@@ -15,7 +15,7 @@ COMMANDS = {
     "info": "show the tree, masses and parameters of a document",
     "compute": "compute poses, inertia and forces",
     "preview": "show the robot in 3D while its document is edited",
-    "convert": "convert from and to URDF",
+    "convert": "convert from and to URDF, MJCF and SDF",
     "generate": "write code for kinematics and dynamics",
     "diff": "tell what changed mechanically between two documents",
     "language-server": "serve an editor",

@@ -9,6 +9,7 @@ from io import BytesIO
 from math import isfinite
 from typing import Any, NamedTuple
 
+from kindsl.interchange.format import FormatError
 from kindsl.text.nearest import hint, nearest_name, nearest_word
 
 _KEPT = {
@@ -24,7 +25,7 @@ _GREATEST = 1e50
 _HARMLESS = ("NS_ERR_UNDEFINED_NAMESPACE",)
 
 
-class UrdfError(ValueError):
+class UrdfError(FormatError):
     """The file is no URDF, or describes what the Kinematics-DSL cannot."""
 
 

@@ -1,24 +1,31 @@
 """Numbered bodies to URDF: the same mechanics, frames as links on fixed joints."""
 
 from collections.abc import Iterator
+from math import pi
 from typing import Any
 
 import numpy as np
 
 from kindsl.dynamics.bodies import Bodies
+from kindsl.interchange.format import ORDINARY, WritingChoices
 from kindsl.spatial.arrays import Array
 from kindsl.spatial.inertia import point_inertia
+from kindsl.text.words import counted
 
-# URDF wants limits of a sliding joint, and the language has none.
-_SLIDING_LIMITS = {"lower": -1.0, "upper": 1.0, "effort": 1000.0, "velocity": 10.0}
+# URDF wants limits of every joint but an endless one, and the language has none.
+_LIMITS = {
+    "prismatic": {"lower": -1.0, "upper": 1.0, "effort": 1000.0, "velocity": 10.0},
+    "revolute": {"lower": -2.0 * pi, "upper": 2.0 * pi, "effort": 1000.0, "velocity": 10.0},
+}
 
 
-def urdf_text(name: str, bodies: Bodies) -> str:
+def urdf_text(name: str, bodies: Bodies, choices: WritingChoices = ORDINARY) -> str:
     """Return the URDF of a mechanism; the root link is the base, floating or not.
 
     Args:
         name: The robot's name.
         bodies: Its bodies.
+        choices: Whether revolute joints become `continuous`, which pinocchio gives two coordinates.
 
     Raises:
         ModuleNotFoundError: yourdfpy is not installed.
@@ -32,16 +39,16 @@ def urdf_text(name: str, bodies: Bodies) -> str:
     robot.links = [Link(name=n, inertial=_inertial(bodies, i)) for i, n in enumerate(body_names)]
     for link, parent in bodies.links():
         i = link - 1
-        slides = bodies.joint_kinds[i] == "prismatic"
+        kind = _joint_type(bodies.joint_kinds[i], choices)
         robot.joints.append(
             Joint(
                 name=bodies.joint_names[i],
-                type="prismatic" if slides else "continuous",
+                type=kind,
                 parent=body_names[parent],
                 child=body_names[link],
                 origin=_transform(bodies.p_R_j[i], bodies.p_r_j[i]),
                 axis=np.array([0.0, 0.0, 1.0]),
-                limit=Limit(**_SLIDING_LIMITS) if slides else None,
+                limit=Limit(**_LIMITS[kind]) if kind in _LIMITS else None,
             )
         )
     for frame in bodies.frames:
@@ -57,13 +64,21 @@ def urdf_text(name: str, bodies: Bodies) -> str:
     return text
 
 
-def urdf_remarks(bodies: Bodies) -> Iterator[str]:
+def urdf_remarks(bodies: Bodies, choices: WritingChoices = ORDINARY) -> Iterator[str]:
     """Yield what the URDF says that the document did not."""
+    n_turning = bodies.joint_kinds.count("revolute")
+    if n_turning and not choices.endless_joints:
+        joints = counted(n_turning, "revolute joint")
+        yield f"{joints} got limits of a full turn each way; --continuous writes endless joints"
     for name, kind in zip(bodies.joint_names, bodies.joint_kinds, strict=True):
         if kind == "prismatic":
             yield f"the joint '{name}' got limits of -1 m and 1 m, which a URDF must give"
     if bodies.is_floating:
         yield f"the floating base '{bodies.base_name}' became the root link, which tools may fix"
+
+
+def _joint_type(kind: str, choices: WritingChoices) -> str:
+    return "continuous" if kind == "revolute" and choices.endless_joints else kind
 
 
 def _inertial(bodies: Bodies, body: int) -> Any:

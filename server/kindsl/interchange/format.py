@@ -1,0 +1,69 @@
+"""A format of other tools: what it is called, who reads and who writes it."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from kindsl.dynamics.bodies import Bodies
+    from kindsl.interchange.robot_description import RobotDescription
+
+
+class FormatError(ValueError):
+    """A file is not of its format, or says what the other format cannot; one sentence."""
+
+
+class ReadRobot(NamedTuple):
+    """What was read, and remarks on what could not be kept."""
+
+    robot: "RobotDescription"
+    remarks: tuple[str, ...]
+
+
+class WrittenRobot(NamedTuple):
+    """A text in another format, and remarks on what it says that the document did not."""
+
+    text: str
+    remarks: tuple[str, ...]
+
+
+class WritingChoices(NamedTuple):
+    """What may be asked for where a format has two ways.
+
+    Attributes:
+        endless_joints: Whether revolute joints are written as endless ones where a format has
+            these, or as ordinary ones.
+    """
+
+    endless_joints: bool = False
+
+
+ORDINARY = WritingChoices()
+
+
+Reader = Callable[[Path, bool], ReadRobot]
+Writer = Callable[[str, "Bodies", WritingChoices], WrittenRobot]
+
+
+@dataclass(frozen=True, slots=True)
+class Format:
+    """One format; a module of the folder `interchange` holds it as `FORMAT`.
+
+    Attributes:
+        name: What the command line calls it: `"urdf"`.
+        title: What people call it: `"URDF"`.
+        suffixes: Of its files, in lower case, the usual one first.
+        extra: The extra that installs what it needs.
+        read: Takes a file, and whether its root floats, which overrides what the file says.
+            Raises FormatError, OSError, and ModuleNotFoundError for what is not installed.
+        write: Takes the robot's name, its bodies and choices. Raises FormatError and
+            ModuleNotFoundError.
+    """
+
+    name: str
+    title: str
+    suffixes: tuple[str, ...]
+    extra: str
+    read: Reader | None = None
+    write: Writer | None = None

@@ -1,0 +1,28 @@
+"""Knows MuJoCo's format, through MuJoCo.
+
+Must not know the other formats.
+"""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from kindsl.interchange.format import Format, ReadRobot, WritingChoices, WrittenRobot
+
+if TYPE_CHECKING:
+    from kindsl.dynamics.bodies import Bodies
+
+
+def _read(path: Path, floating: bool) -> ReadRobot:
+    from kindsl.interchange.mjcf.reading import read_mjcf
+
+    return read_mjcf(path, floating=floating)
+
+
+def _write(name: str, bodies: "Bodies", choices: WritingChoices) -> WrittenRobot:
+    del choices
+    from kindsl.interchange.mjcf.writing import written_mjcf
+
+    return written_mjcf(name, bodies)
+
+
+FORMAT = Format("mjcf", "MJCF", (".xml", ".mjcf"), "mjcf", _read, _write)

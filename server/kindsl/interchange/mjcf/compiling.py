@@ -1,0 +1,68 @@
+"""MuJoCo's reader and compiler, and what they refuse in one sentence."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from kindsl.interchange.format import FormatError
+
+
+def spec_of_file(path: Path) -> Any:
+    """Return what a file says.
+
+    Raises:
+        FormatError: It is no MJCF.
+        OSError: It cannot be read.
+        ModuleNotFoundError: mujoco is not installed.
+    """
+    import mujoco
+
+    content = path.read_bytes()
+    if b"<mujoco" not in content:
+        is_urdf = b"<robot" in content
+        hint = "a URDF: use --from urdf" if is_urdf else "its root element is not <mujoco>"
+        raise FormatError(f"not an MJCF: {hint}")
+    is_known = path.suffix.lower() == ".xml"
+    return _told(
+        (lambda: mujoco.MjSpec.from_file(str(path)))
+        if is_known
+        else (lambda: _spec(path, content)),
+        "not a readable MJCF",
+    )
+
+
+def _spec(path: Path, content: bytes) -> Any:
+    """Return what a file says whose suffix MuJoCo does not know; it may include its neighbours."""
+    import mujoco
+
+    neighbours = {other.name: other.read_bytes() for other in path.parent.glob("*.xml")}
+    spec = mujoco.MjSpec.from_string(content.decode(), include=neighbours)
+    spec.modelfiledir = str(path.parent)
+    return spec
+
+
+def compiled(spec: Any) -> Any:
+    """Return the model of a specification.
+
+    Raises:
+        FormatError: MuJoCo refuses it.
+    """
+    return _told(spec.compile, "MuJoCo refuses the model")
+
+
+def checked_text(text: str) -> None:
+    """Raise FormatError if MuJoCo does not load a text."""
+    import mujoco
+
+    _told(lambda: mujoco.MjSpec.from_string(text).compile(), "MuJoCo refuses the model")
+
+
+def _told(action: Callable[[], Any], failure: str) -> Any:
+    """Return what an action returns; MuJoCo's complaint is told as one sentence."""
+    import mujoco
+
+    try:
+        return action()
+    except (ValueError, mujoco.FatalError) as error:
+        reason = " ".join(str(error).split()).rstrip(".")
+        raise FormatError(f"{failure}: {reason}") from error

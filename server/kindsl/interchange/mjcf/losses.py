@@ -1,0 +1,113 @@
+"""What an MJCF says beyond poses and masses: refused where it changes the tree, else told."""
+
+from collections.abc import Iterator
+from typing import Any
+
+from kindsl.interchange.format import FormatError
+from kindsl.text.words import counted
+
+# What is counted and taken away before the model is compiled, in an order that leaves no reference.
+_DROPPED = (
+    ("keys", "keyframe"),
+    ("sensors", "sensor"),
+    ("actuators", "actuator"),
+    ("tendons", "tendon"),
+    ("pairs", "contact pair"),
+    ("excludes", "contact exclusion"),
+    ("skins", "skin"),
+    ("cameras", "camera"),
+    ("lights", "light"),
+    ("tuples", "tuple"),
+)
+_BALL = 1
+_LOOPS = ("connect", "weld")
+
+
+def losses(spec: Any) -> Iterator[str]:
+    """Yield what is dropped, one sentence each.
+
+    Raises:
+        FormatError: An equality closes a loop, or there is a deformable body.
+    """
+    _check_equalities(spec)
+    if len(spec.flexes):
+        raise FormatError("the MJCF has a deformable body (flex), which the language cannot hold")
+    for name, noun in _DROPPED:
+        if n := len(getattr(spec, name)):
+            yield f"{counted(n, noun)} dropped: not supported"
+    n_drawn = sum(len(body.geoms) > 0 for body in spec.bodies)
+    if n_drawn:
+        bodies = "1 body" if n_drawn == 1 else f"{n_drawn} bodies"
+        yield f"geometry and meshes of {bodies} dropped"
+    for equality in spec.equalities:
+        yield f"{_told(equality)} dropped: the joints are now independent"
+
+
+def strip(spec: Any) -> None:
+    """Take away what neither moves nor weighs, so that its files need not be there."""
+    import mujoco
+
+    for name, _ in _DROPPED:
+        for element in list(getattr(spec, name)):
+            spec.delete(element)
+    for equality in list(spec.equalities):
+        spec.delete(equality)
+    from_geoms = spec.compiler.inertiafromgeom == mujoco.mjtInertiaFromGeom.mjINERTIAFROMGEOM_TRUE
+    for body in spec.bodies:
+        if body == spec.worldbody or (body.explicitinertial and not from_geoms):
+            for geom in list(body.geoms):
+                spec.delete(geom)
+    _strip_assets(spec)
+    spec.compiler.fusestatic = False
+
+
+def joint_losses(model: Any) -> Iterator[str]:
+    """Yield what is dropped of joints, one sentence each."""
+    for what, values in (
+        ("limits", model.jnt_limited),
+        ("springs", model.jnt_stiffness),
+        ("damping", model.dof_damping),
+        ("dry friction", model.dof_frictionloss),
+        ("armature, which adds to the joint-space inertia,", model.dof_armature),
+    ):
+        if n := sum(bool(value.any()) for value in values):
+            yield f"{what} of {counted(n, 'joint')} dropped: not supported"
+
+
+def check_joints(model: Any) -> None:
+    """Raise FormatError for a ball joint."""
+    for joint in range(model.njnt):
+        if model.jnt_type[joint] == _BALL:
+            name = model.joint(joint).name
+            raise FormatError(f"the joint '{name}' is a ball joint, which the language has not")
+
+
+def _strip_assets(spec: Any) -> None:
+    used = {geom.meshname for geom in spec.geoms} | {geom.hfieldname for geom in spec.geoms}
+    for geom in spec.geoms:
+        geom.material = ""
+    for site in spec.sites:
+        site.material = ""
+    for name in ("materials", "textures"):
+        for element in list(getattr(spec, name)):
+            spec.delete(element)
+    for name in ("meshes", "hfields"):
+        for element in list(getattr(spec, name)):
+            if element.name not in used:
+                spec.delete(element)
+
+
+def _check_equalities(spec: Any) -> None:
+    for equality in spec.equalities:
+        if _kind(equality) in _LOOPS:
+            raise FormatError(f"{_told(equality)} closes a loop, which the language cannot hold")
+
+
+def _told(equality: Any) -> str:
+    named = f" '{equality.name}'" if equality.name else ""
+    ends = " and ".join(f"'{name}'" for name in (equality.name1, equality.name2) if name)
+    return f"the equality{named} ({_kind(equality)} of {ends})"
+
+
+def _kind(equality: Any) -> str:
+    return str(equality.type).rpartition("mjEQ_")[2].lower()

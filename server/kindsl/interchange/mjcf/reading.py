@@ -1,0 +1,207 @@
+"""MJCF to a robot description, out of what MuJoCo compiles."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from kindsl.interchange.format import FormatError, ReadRobot
+from kindsl.interchange.mjcf.compiling import compiled, spec_of_file
+from kindsl.interchange.mjcf.losses import check_joints, joint_losses, losses, strip
+from kindsl.interchange.rigid_links import (
+    BaseKind,
+    RigidLink,
+    about_origin,
+    described,
+    fixed_remarks,
+)
+from kindsl.interchange.robot_description import DescribedFrame, MassProperties
+from kindsl.spatial.arrays import Array
+from kindsl.spatial.transforms import homogeneous
+from kindsl.text.words import listed
+
+_WORLD = 0
+_FREE, _SLIDE = 0, 2
+
+
+def read_mjcf(path: Path, *, floating: bool = False) -> ReadRobot:
+    """Return the robot of an MJCF file.
+
+    Args:
+        path: The file, which may include others. Meshes are read where masses come from them.
+        floating: Whether the root floats, free joint or not.
+
+    Raises:
+        FormatError: The file is unreadable or beyond the Kinematics-DSL.
+        OSError: The file cannot be read.
+        ModuleNotFoundError: mujoco is not installed.
+    """
+    spec = spec_of_file(path)
+    lost = tuple(losses(spec))
+    strip(spec)
+    model = compiled(spec)
+    check_joints(model)
+    roots, outside = _roots(model)
+    links = _links(model, roots)
+    if not any(link.joint_kind in ("revolute", "prismatic") for link in links):
+        raise FormatError("the MJCF has no joint that moves, and a document needs one")
+    base: BaseKind = "floating" if floating or _is_free(model, roots[0]) else "fixed"
+    told = (*joint_losses(model), *outside, *_joint_remarks(model), *fixed_remarks(links, "body"))
+    return ReadRobot(described(spec.modelname or path.stem, base, links), (*lost, *told))
+
+
+def _roots(model: Any) -> tuple[list[int], list[str]]:
+    """Return the bodies that stand at the root, and what is said of those left out.
+
+    The world is the root unless one body alone is in it that is free or has no joint.
+    """
+    tops = [b for b in range(1, model.nbody) if model.body_parentid[b] == _WORLD]
+    free = [b for b in tops if _is_free(model, b)]
+    if not free:
+        is_base = len(tops) == 1 and model.body_jntnum[tops[0]] == 0
+        return (tops if is_base else [_WORLD]), []
+    others = [b for b in tops if b not in free and _moves(model, b)]
+    if len(free) + len(others) > 1:
+        told = listed(f"'{_name(model, b)}'" for b in (*free, *others)[:5])
+        number = len(free) + len(others)
+        raise FormatError(
+            f"the MJCF has {number} root bodies, exactly one is required beside a free one: {told}"
+        )
+    dropped = [f"'{_name(model, b)}'" for b in tops if b not in free]
+    what = "body" if len(dropped) == 1 else "bodies"
+    return free, [f"the {what} {listed(dropped)}, fixed to the world, dropped"] if dropped else []
+
+
+def _is_free(model: Any, body: int) -> bool:
+    return body != _WORLD and any(model.jnt_type[j] == _FREE for j in _joints(model, body))
+
+
+def _moves(model: Any, body: int) -> bool:
+    """Return whether something moves in a body's subtree."""
+    below = {body}
+    for b in range(body, model.nbody):
+        if model.body_parentid[b] in below:
+            below.add(b)
+    return any(model.body_jntnum[b] for b in below)
+
+
+def _joints(model: Any, body: int) -> range:
+    first = model.body_jntadr[body]
+    return range(first, first + model.body_jntnum[body])
+
+
+def _links(model: Any, roots: list[int]) -> list[RigidLink]:
+    """Return the links, parents first; a body with several joints is several links."""
+    root = roots[0]
+    links = [RigidLink(_name(model, root), mass_properties=_masses(model, root))]
+    links[0] = replace(links[0], frames=_sites(model, root))
+    place = {root: 0}
+    for body in range(root + 1, model.nbody):
+        parent = int(model.body_parentid[body])
+        if parent in place:
+            links += _links_of_body(model, body, place[parent], len(links))
+            place[body] = len(links) - 1
+    if root != _WORLD and not _is_free(model, root):
+        links[0] = replace(links[0], frames=(*links[0].frames, *_world_sites(model, root)))
+    return links
+
+
+def _links_of_body(model: Any, body: int, parent: int, n_links: int) -> Iterator[RigidLink]:
+    name, joints = _name(model, body), list(_joints(model, body))
+    T = _transform(model.body_pos[body], model.body_quat[body])
+    if not joints:
+        masses, sites = _masses(model, body), _sites(model, body)
+        yield RigidLink(name, parent, f"{name}_fixed", "fixed", parent_T_joint=T,
+                        mass_properties=masses, frames=sites)  # fmt: skip
+        return
+    for number, joint in enumerate(joints):
+        link = _jointed(model, joint, T)
+        if joint == joints[-1]:
+            link = replace(
+                link, name=name, mass_properties=_masses(model, body), frames=_sites(model, body)
+            )
+        else:
+            link = replace(link, name=f"{name}_{link.joint}")
+        yield replace(link, parent=parent if number == 0 else n_links + number - 1)
+        T = np.eye(4)
+
+
+def _jointed(model: Any, joint: int, parent_T_body: Array) -> RigidLink:
+    """Return a link without name and mass; MuJoCo's joint values become ours.
+
+    MuJoCo turns a body about an anchor in its frame, and by the joint value less `ref`.
+    """
+    axis, slides = np.array(model.jnt_axis[joint]), model.jnt_type[joint] == _SLIDE
+    body_T_anchor = _translation(np.zeros(3) if slides else model.jnt_pos[joint])
+    ref = float(model.qpos0[model.jnt_qposadr[joint]])
+    back = _translation(-ref * axis) if slides else _turned(axis, -ref)
+    return RigidLink(
+        "",
+        None,
+        _joint_name(model, joint),
+        "prismatic" if slides else "revolute",
+        axis,
+        parent_T_body @ body_T_anchor @ back,
+        _translation(-body_T_anchor[:3, 3]),
+    )
+
+
+def _masses(model: Any, body: int) -> MassProperties | None:
+    mass, moments = float(model.body_mass[body]), model.body_inertia[body]
+    if body == _WORLD or not (mass or np.any(moments)):
+        return None
+    body_T_inertial = _transform(model.body_ipos[body], model.body_iquat[body])
+    return about_origin(mass, np.diag(moments), body_T_inertial)
+
+
+def _sites(model: Any, body: int) -> tuple[DescribedFrame, ...]:
+    sites = [s for s in range(model.nsite) if model.site_bodyid[s] == body]
+    poses = (_transform(model.site_pos[s], model.site_quat[s]) for s in sites)
+    names = (model.site(s).name or f"site_{s}" for s in sites)
+    return tuple(map(DescribedFrame, names, poses))
+
+
+def _world_sites(model: Any, root: int) -> Iterator[DescribedFrame]:
+    root_T_world = np.linalg.inv(_transform(model.body_pos[root], model.body_quat[root]))
+    for site in _sites(model, _WORLD):
+        yield DescribedFrame(site.name, root_T_world @ site.link_T_frame)
+
+
+def _joint_remarks(model: Any) -> Iterator[str]:
+    for body in range(1, model.nbody):
+        number = int(model.body_jntnum[body])
+        if number > 1:
+            yield (
+                f"the body '{_name(model, body)}' has {number} joints: "
+                "links without mass stand between them"
+            )
+
+
+def _name(model: Any, body: int) -> str:
+    return str(model.body(body).name) or f"body_{body}"
+
+
+def _joint_name(model: Any, joint: int) -> str:
+    return str(model.joint(joint).name) or f"joint_{joint}"
+
+
+def _transform(position: Array, quaternion: Array) -> Array:
+    import mujoco
+
+    R = np.zeros(9)
+    mujoco.mju_quat2Mat(R, np.array(quaternion))
+    return homogeneous(R.reshape(3, 3), np.array(position))
+
+
+def _translation(r: Array) -> Array:
+    return homogeneous(np.eye(3), np.array(r))
+
+
+def _turned(axis: Array, angle: float) -> Array:
+    import mujoco
+
+    quaternion = np.zeros(4)
+    mujoco.mju_axisAngle2Quat(quaternion, axis, angle)
+    return _transform(np.zeros(3), quaternion)

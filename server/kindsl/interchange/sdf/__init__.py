@@ -1,0 +1,28 @@
+"""Knows SDFormat, of Gazebo and Drake.
+
+Must not know the other formats.
+"""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from kindsl.interchange.format import Format, ReadRobot, WritingChoices, WrittenRobot
+
+if TYPE_CHECKING:
+    from kindsl.dynamics.bodies import Bodies
+
+
+def _read(path: Path, floating: bool) -> ReadRobot:
+    from kindsl.interchange.sdf.reading import read_sdf
+
+    return read_sdf(path, floating=floating)
+
+
+def _write(name: str, bodies: "Bodies", choices: WritingChoices) -> WrittenRobot:
+    del choices
+    from kindsl.interchange.sdf.writing import written_sdf
+
+    return written_sdf(name, bodies)
+
+
+FORMAT = Format("sdf", "SDF", (".sdf",), "sdf", _read, _write)

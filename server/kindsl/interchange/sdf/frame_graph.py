@@ -1,0 +1,80 @@
+"""Where links, joints and frames of an SDF model are: a graph of poses relative to each other."""
+
+from typing import Any
+
+import numpy as np
+
+from kindsl.interchange.sdf.elements import defect, name_of, pose_of, text_of
+from kindsl.spatial.arrays import Array
+from kindsl.text.nearest import hint, nearest_name
+
+MODEL = "__model__"
+WORLD = "world"
+
+
+class FrameGraph:
+    """The named frames of a model, all in the model's frame.
+
+    Raises:
+        FormatError: On construction, if a name stands for two things; when asked, if a frame is
+            relative to what there is not, or to itself.
+    """
+
+    def __init__(self, model: Any) -> None:
+        self._elements: dict[str, Any] = {}
+        for element in model.iterfind("*"):
+            if element.tag in ("link", "joint", "frame"):
+                name = name_of(element)
+                if name in self._elements:
+                    line = self._elements[name].sourceline
+                    raise defect(element, f"has the name of an element in line {line}")
+                self._elements[name] = element
+        first = model.find("link")
+        self._canonical = model.get("canonical_link") or (
+            name_of(first) if first is not None else ""
+        )
+
+    def model_T(self, name: str, asking: Any) -> Array:
+        """Return the pose of a frame in the model's, shape (4, 4)."""
+        T = np.eye(4)
+        seen: list[str] = []
+        while name not in (MODEL, WORLD):
+            if name in seen:
+                raise defect(asking, f"is relative to itself: {' -> '.join((*seen, name))}")
+            seen.append(name)
+            element = self._element(name, asking)
+            T = pose_of(element) @ T
+            name = _reference(element)
+        return T
+
+    def link_of(self, name: str, asking: Any) -> str:
+        """Return the link, or the world, that a frame is attached to."""
+        seen: set[str] = set()
+        while name != WORLD:
+            if name in seen:
+                raise defect(asking, f"is attached to itself through '{name}'")
+            seen.add(name)
+            if name == MODEL:
+                return self._canonical
+            element = self._element(name, asking)
+            if element.tag == "link":
+                return name
+            is_joint = element.tag == "joint"
+            name = text_of(element, "child") if is_joint else element.get("attached_to") or MODEL
+        return WORLD
+
+    def _element(self, name: str, asking: Any) -> Any:
+        if name not in self._elements:
+            meant = hint(nearest_name(name, self._elements))
+            raise defect(asking, f"names '{name}', which does not exist{meant}")
+        return self._elements[name]
+
+
+def _reference(element: Any) -> str:
+    """Return what an element's pose is relative to."""
+    pose = element.find("pose")
+    if pose is not None and pose.get("relative_to"):
+        return str(pose.get("relative_to"))
+    if element.tag == "joint":
+        return text_of(element, "child")
+    return str(element.get("attached_to") or MODEL) if element.tag == "frame" else MODEL

@@ -1,0 +1,214 @@
+"""SDF to a robot description: one model, its links in a tree."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from kindsl.interchange.format import FormatError, ReadRobot
+from kindsl.interchange.rigid_links import (
+    BaseKind,
+    LinkJoint,
+    RigidLink,
+    about_origin,
+    described,
+    fixed_remarks,
+)
+from kindsl.interchange.robot_description import DescribedFrame, MassProperties
+from kindsl.interchange.sdf.elements import (
+    defect,
+    is_true,
+    name_of,
+    number_of,
+    numbers_in,
+    parsed,
+    pose_of,
+    text_of,
+)
+from kindsl.interchange.sdf.frame_graph import MODEL, WORLD, FrameGraph
+from kindsl.interchange.sdf.losses import losses
+from kindsl.spatial.arrays import Array
+from kindsl.text.words import listed
+
+_KINDS: dict[str, LinkJoint] = {
+    "revolute": "revolute",
+    "continuous": "revolute",
+    "prismatic": "prismatic",
+    "fixed": "fixed",
+}
+
+
+def read_sdf(path: Path, *, floating: bool = False) -> ReadRobot:
+    """Return the robot of an SDF file.
+
+    Args:
+        path: The file. Files that it includes are not read.
+        floating: Whether the root floats though it is fixed to the world.
+
+    Raises:
+        FormatError: The file is unreadable or beyond the Kinematics-DSL.
+        OSError: The file cannot be read.
+        ModuleNotFoundError: lxml is not installed.
+    """
+    root = parsed(path.read_bytes())
+    model = _only_model(root)
+    graph = FrameGraph(model)
+    joints = _joints_by_child(model, graph)
+    start, is_fixed = _root(model, joints)
+    links = _links(model, graph, joints, start)
+    if not any(link.joint_kind in ("revolute", "prismatic") for link in links):
+        raise FormatError("the SDF has no joint that moves, and a document needs one")
+    base: BaseKind = "fixed" if is_fixed and not floating else "floating"
+    told = (*losses(model), *_default_masses(model, start, base), *fixed_remarks(links, "link"))
+    return ReadRobot(described(name_of(model), base, links), told)
+
+
+def _only_model(root: Any) -> Any:
+    models = [*root.findall("model"), *root.findall("world/model")]
+    if len(models) != 1:
+        told = listed(f"'{m.get('name')}'" for m in models[:5])
+        found = f"{len(models)} models" if models else "no model"
+        raise FormatError(f"the SDF has {found}, exactly one is required" + (told and f": {told}"))
+    for tag in ("include", "model"):
+        for element in models[0].iterfind(tag):
+            what = "includes another model" if tag == "include" else "is a model in a model"
+            raise defect(element, f"{what}, which is not supported: expand it first")
+    if models[0].find("link") is None:
+        raise defect(models[0], "has no link")
+    return models[0]
+
+
+def _joints_by_child(model: Any, graph: FrameGraph) -> dict[str, Any]:
+    """Return the joint that carries each link."""
+    joints: dict[str, Any] = {}
+    for joint in model.iterfind("joint"):
+        kind = joint.get("type")
+        if kind not in _KINDS:
+            raise defect(joint, f"is of type {kind}, which the language does not support")
+        child = graph.link_of(text_of(joint, "child"), joint)
+        if child == WORLD:
+            raise defect(joint, "has the world as its child")
+        if child in joints:
+            first = name_of(joints[child])
+            raise defect(joint, f"gives link '{child}' a second parent after joint '{first}'")
+        joints[child] = joint
+    return joints
+
+
+def _root(model: Any, joints: Mapping[str, Any]) -> tuple[str, bool]:
+    """Return the root, and whether it is fixed: the world, or a link that hangs on nothing else."""
+    parents = {child: text_of(joint, "parent") for child, joint in joints.items()}
+    on_world = [child for child, parent in parents.items() if parent == WORLD]
+    names = [name_of(link) for link in model.iterfind("link")]
+    free = [name for name in names if name not in joints]
+    if len(free) + bool(on_world) != 1:
+        roots = [*(["the world"] if on_world else []), *(f"'{name}'" for name in free)]
+        if not roots:
+            raise FormatError("the joints of the SDF close a loop, which the language cannot hold")
+        number = f"{len(roots)} root links, exactly one root link is required"
+        raise FormatError(f"the SDF has {number}: {listed(roots[:5])}")
+    if not on_world:
+        return free[0], is_true(model, "static")
+    welded = len(on_world) == 1 and joints[on_world[0]].get("type") == "fixed"
+    return (on_world[0] if welded else WORLD), True
+
+
+def _links(model: Any, graph: FrameGraph, joints: Mapping[str, Any], start: str) -> list[RigidLink]:
+    """Return the links, parents first."""
+    elements = {name_of(link): link for link in model.iterfind("link")}
+    frames = _frames(model, graph)
+    below: dict[str, list[str]] = {}
+    for child, joint in joints.items():
+        below.setdefault(graph.link_of(text_of(joint, "parent"), joint), []).append(child)
+    first = RigidLink(start, frames=tuple(frames.get(start, ())))
+    if start != WORLD:
+        first = _with_mass(first, elements[start])
+    links = [first]
+    for index, link in enumerate(links):
+        for child in below.get(link.name, ()):
+            if child != start:
+                moved = _carried(joints[child], index, link.name, child, graph)
+                carried = _with_mass(moved, elements[child])
+                links.append(_with_frames(carried, tuple(frames.get(child, ()))))
+    if len(links) != len(elements) + (start == WORLD):
+        reached = {link.name for link in links}
+        lost = next(name for name in elements if name not in reached)
+        raise defect(elements[lost], "is in a loop of joints, which the language cannot hold")
+    return links
+
+
+def _carried(joint: Any, index: int, parent: str, child: str, graph: FrameGraph) -> RigidLink:
+    model_T_joint = graph.model_T(name_of(joint), joint)
+    parent_T_joint = np.linalg.inv(graph.model_T(parent, joint)) @ model_T_joint
+    joint_T_child = np.linalg.inv(model_T_joint) @ graph.model_T(child, joint)
+    kind = _KINDS[joint.get("type")]
+    axis = np.array([0.0, 0.0, 1.0])
+    if kind != "fixed":
+        axis = model_T_joint[:3, :3].T @ _axis_in_model(joint, graph)
+    return RigidLink(child, index, name_of(joint), kind, axis, parent_T_joint, joint_T_child)
+
+
+def _axis_in_model(joint: Any, graph: FrameGraph) -> Array:
+    axis = joint.find("axis")
+    xyz = None if axis is None else axis.find("xyz")
+    values = np.array([0.0, 0.0, 1.0] if xyz is None else numbers_in(xyz, 3))
+    if not values.any():
+        raise defect(xyz, f"of joint '{name_of(joint)}' has no length")
+    frame = name_of(joint) if xyz is None else xyz.get("expressed_in")
+    if not frame:
+        frame = MODEL if _is_in_model(joint, axis) else name_of(joint)
+    return np.asarray(graph.model_T(frame, joint)[:3, :3] @ values)
+
+
+def _is_in_model(joint: Any, axis: Any) -> bool:
+    """Return whether an old version's axis is in the model's frame."""
+    version = joint.getroottree().getroot().get("version") or ""
+    major, _, minor = version.partition(".")
+    is_old = major == "1" and minor.isdigit() and int(minor) < 5
+    return is_old or is_true(axis, "use_parent_model_frame")
+
+
+def _frames(model: Any, graph: FrameGraph) -> dict[str, list[DescribedFrame]]:
+    """Return the frames by the link that they are attached to."""
+    found: dict[str, list[DescribedFrame]] = {}
+    for frame in model.iterfind("frame"):
+        name = name_of(frame)
+        link = graph.link_of(name, frame)
+        link_T_frame = np.linalg.inv(graph.model_T(link, frame)) @ graph.model_T(name, frame)
+        found.setdefault(link, []).append(DescribedFrame(name, link_T_frame))
+    return found
+
+
+def _with_mass(link: RigidLink, element: Any) -> RigidLink:
+    return replace(link, mass_properties=_mass_properties(element))
+
+
+def _with_frames(link: RigidLink, frames: tuple[DescribedFrame, ...]) -> RigidLink:
+    return replace(link, frames=frames)
+
+
+def _mass_properties(link: Any) -> MassProperties:
+    """Return a link's mass; SDFormat's default is 1 kg, and 1 kg m^2 about each axis."""
+    inertial = link.find("inertial")
+    if inertial is None:
+        return about_origin(1.0, np.eye(3), np.eye(4))
+    if (inertial.get("auto") or "").lower() in ("1", "true"):
+        raise defect(link, "takes its inertia from its shape (auto), which is not supported")
+    inertia = inertial.find("inertia")
+    tensor = np.eye(3) if inertia is None else _tensor(inertia)
+    return about_origin(number_of(inertial, "mass", 1.0), tensor, pose_of(inertial))
+
+
+def _tensor(inertia: Any) -> Array:
+    ixx, iyy, izz = (number_of(inertia, tag, 1.0) for tag in ("ixx", "iyy", "izz"))
+    ixy, ixz, iyz = (number_of(inertia, tag, 0.0) for tag in ("ixy", "ixz", "iyz"))
+    return np.array([[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]])
+
+
+def _default_masses(model: Any, start: str, base: BaseKind) -> Iterator[str]:
+    for link in model.iterfind("link"):
+        name = name_of(link)
+        if link.find("inertial") is None and (name != start or base == "floating"):
+            yield f"the link '{name}' has no inertia: SDFormat's default is 1 kg"

@@ -1,0 +1,59 @@
+"""`kindsl convert` on the command line: formats by suffix or by name; nothing half written."""
+
+from pathlib import Path
+
+import pytest
+
+from kindsl.cli.main import main
+
+EXAMPLE = Path(__file__).parents[2] / "examples" / "quadruped.kindsl"
+
+
+@pytest.mark.parametrize("suffix", [".urdf", ".xml", ".mjcf", ".sdf"])
+def test_suffix_tells_the_format(suffix: str, tmp_path: Path) -> None:
+    there, back = tmp_path / f"a{suffix}", tmp_path / "a.kindsl"
+    assert main(["convert", "--isolated", str(EXAMPLE), str(there)]) == 0
+    assert main(["convert", "--floating-base", str(there), str(back)]) == 0
+    assert main(["diff", "--isolated", str(EXAMPLE), str(back)]) == 0
+
+
+def test_options_tell_what_the_suffix_does_not(tmp_path: Path, capsys) -> None:
+    there = tmp_path / "a.txt"
+    assert main(["convert", "--isolated", "--to", "sdf", str(EXAMPLE), str(there)]) == 0
+    assert main(["convert", "--from", "sdf", "--to", "mjcf", "-q", str(there), "-"]) == 0
+    assert "<freejoint" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["a.kindsl", "b.step"], "b.step: error: the suffix '.step' does not tell the format: use"),
+        (["a", "b.kindsl"], "a: error: a name without suffix does not tell the format: use"),
+        (["a.sdf", "b.sdf"], "input and output are both SDF"),
+        (["a.kindsl", "b.xacro"], "b.xacro: error: xacro cannot be written"),
+        (["a.sdf", "b.kindsl"], "a.sdf: error: no such file or folder"),
+    ],
+)
+def test_what_is_not_possible_is_one_sentence(arguments, message, tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert main(["convert", *arguments]) == 2
+    told = capsys.readouterr().err
+    assert message in told and told.count("\n") == 1
+    assert [path.name for path in tmp_path.iterdir()] == [".git"]
+
+
+def test_what_mujoco_cannot_move_is_refused_and_not_written(tmp_path: Path, capsys) -> None:
+    light = tmp_path / "light.kindsl"
+    light.write_text(EXAMPLE.read_text().replace("mass =", "mass = 0.0 //"))
+    assert main(["convert", "--isolated", str(light), str(tmp_path / "a.xml")]) == 1
+    assert "MuJoCo" in capsys.readouterr().err
+    assert not (tmp_path / "a.xml").exists()
+
+
+@pytest.mark.parametrize(("module", "suffix"), [("mujoco", "xml"), ("lxml", "sdf")])
+def test_missing_library_names_its_extra(module, suffix, tmp_path, capsys, monkeypatch) -> None:
+    monkeypatch.setitem(__import__("sys").modules, module, None)
+    target = tmp_path / f"a.{suffix}"
+    assert main(["convert", "--isolated", str(EXAMPLE), str(target)]) == 2
+    assert f"{module} is not installed: pip install 'kindsl[" in capsys.readouterr().err
+    assert not target.exists()

@@ -1,0 +1,142 @@
+"""What MJCF can say and the language can hold, or cannot: read, told or refused in one sentence."""
+
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pytest
+from tests.interchange.mujoco_agreement import gap
+from tests.interchange.round_trips import mechanism_of, read
+
+from kindsl.interchange.format import FormatError, ReadRobot
+from kindsl.interchange.kindsl_writing import kindsl_text, renamed
+from kindsl.interchange.registry import format_named
+
+BODY = '<inertial pos="0.1 0 0" mass="2" fullinertia="0.1 0.2 0.2 0.01 0 0"/>'
+ARM = f"""<mujoco model="arm"><worldbody><body name="base">
+<body name="upper" pos="0 0 1" euler="0 30 0">
+<joint name="shoulder" axis="1 2 2" pos="0.1 0.2 0.3" ref="20"/>{BODY}
+<site name="elbow" pos="0 1 0"/>
+<body name="lower" pos="0 1 0"><joint name="slider" type="slide" axis="0 1 0"/>{BODY}
+<body name="tool" pos="0 0 0.5" quat="1 1 0 0">{BODY}</body></body></body>
+</body></worldbody></mujoco>"""
+
+
+def robot(text: str, folder: Path) -> ReadRobot:
+    return read(text, format_named("mjcf"), folder)
+
+
+def test_anchors_references_axes_and_fixed_bodies_move_as_in_mujoco(tmp_path: Path) -> None:
+    ours = mechanism_of(kindsl_text(robot(ARM, tmp_path).robot))
+    spec = mujoco.MjSpec.from_string(ARM)
+    for name in ("upper", "lower"):  # link frames are at the joints and turned to their axes
+        spec.body(name).name = f"{name}_body"
+    model = spec.compile()
+    q = [0.3, -0.2]
+    data = mujoco.MjData(model)
+    data.qpos[:] = q
+    mujoco.mj_forward(model, data)
+    M = np.zeros((2, 2))
+    mujoco.mj_fullM(model, data, M)
+    np.testing.assert_allclose(ours.joint_space_inertia(q), M, atol=1e-12)
+    np.testing.assert_allclose(ours.gravity_torque(q), data.qfrc_bias, atol=1e-12)
+    poses = ours.forward_kinematics(q)
+    np.testing.assert_allclose(poses["elbow"][:3, 3], data.site("elbow").xpos, atol=1e-12)
+    np.testing.assert_allclose(poses["tool"][:3, 3], data.body("tool").xpos, atol=1e-12)
+    np.testing.assert_allclose(poses["tool"][:3, :3].ravel(), data.body("tool").xmat, atol=1e-12)
+
+
+def test_body_with_two_joints_becomes_two_links(tmp_path: Path) -> None:
+    text = ARM.replace('pos="0.1 0.2 0.3" ref="20"/>', '/><joint name="twist" axis="0 1 0"/>')
+    found = robot(text, tmp_path)
+    assert [link.joint for link in found.robot.links[1:]] == ["shoulder", "twist", "slider"]
+    assert any("'upper' has 2 joints" in remark for remark in found.remarks)
+    data = mujoco.MjData(model := mujoco.MjModel.from_xml_string(text))
+    data.qpos[:] = [0.3, 0.5, -0.2]
+    mujoco.mj_forward(model, data)
+    ours = mechanism_of(kindsl_text(found.robot)).forward_kinematics([0.3, 0.5, -0.2])
+    np.testing.assert_allclose(ours["tool"][:3, 3], data.body("tool").xpos, atol=1e-12)
+
+
+def test_free_joint_is_a_floating_base(tmp_path: Path) -> None:
+    text = ARM.replace('<body name="base">', f'<body name="base"><freejoint/>{BODY}')
+    text = text.replace('pos="0.1 0.2 0.3" ref="20"', "")
+    text = text.replace('<joint name="shoulder" axis="1 2 2"', '<joint name="shoulder"')
+    text = text.replace(' axis="0 1 0"', "")
+    found = robot(text, tmp_path)
+    assert found.robot.is_floating
+    names = ("tool",)
+    spec = mujoco.MjSpec.from_string(text)
+    for name in names:
+        body = spec.body(name)
+        body.parent.add_site(name=name, pos=body.pos, quat=body.quat)
+    ours = mechanism_of(kindsl_text(found.robot))
+    assert max(gap(ours, spec.compile(), np.random.default_rng(1))) < 1e-12
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("</mujoco>", "", "not a readable MJCF: .*"),
+        ("mujoco", "robot", "not an MJCF: a URDF: use --from urdf"),
+        ("mujoco", "sdf", "not an MJCF: its root element is not <mujoco>"),
+        ('type="slide" axis="0 1 0"', 'type="ball"', "the joint 'slider' is a ball joint.*"),
+        ("<joint", "<jiont", "not a readable MJCF: .*"),
+        (
+            "</worldbody>",
+            "</worldbody><equality><connect body1='upper' body2='tool' anchor='0 0 0'/></equality>",
+            "the equality .connect of 'upper' and 'tool'. closes a loop.*",
+        ),
+        (
+            "</worldbody>",
+            f"<body name='b'><freejoint/>{BODY}</body></worldbody>",
+            "the MJCF has 2 root bodies.*'b' and 'base'",
+        ),
+        (BODY, "", "MuJoCo refuses the model: .*'upper'.*"),
+    ],
+)
+def test_what_cannot_be_held_is_refused(old: str, new: str, message: str, tmp_path: Path) -> None:
+    with pytest.raises(FormatError, match=f"^{message}$") as caught:
+        robot(ARM.replace(old, new), tmp_path)
+    assert "\n" not in str(caught.value) and not str(caught.value).endswith(".")
+
+
+LOSSY = ARM.replace(
+    "<body name=\"upper\"", "<geom type='plane' size='1 1 1'/><body name=\"upper\""
+).replace(
+    '<site name="elbow"', "<geom type='mesh' mesh='absent'/><site name=\"elbow\""
+).replace(
+    'ref="20"', 'ref="20" armature="1" damping="1" range="-90 90" stiffness="2"'
+).replace(
+    "<worldbody>", "<asset><mesh name='absent' file='absent.stl'/></asset><worldbody>"
+).replace(
+    "</worldbody>",
+    "</worldbody><actuator><motor joint='slider'/></actuator>"
+    "<sensor><jointpos joint='slider'/></sensor>"
+    "<equality><joint joint1='slider' joint2='shoulder'/></equality>",
+)  # fmt: skip
+
+
+def test_each_loss_is_one_sentence(tmp_path: Path) -> None:
+    found = robot(LOSSY, tmp_path)
+    assert [remark for remark in found.remarks if "dropped" in remark] == [
+        "1 sensor dropped: not supported",
+        "1 actuator dropped: not supported",
+        "geometry and meshes of 2 bodies dropped",
+        "the equality (joint of 'slider' and 'shoulder') dropped: the joints are now independent",
+        "limits of 1 joint dropped: not supported",
+        "springs of 1 joint dropped: not supported",
+        "damping of 1 joint dropped: not supported",
+        "armature, which adds to the joint-space inertia, of 1 joint dropped: not supported",
+    ]
+    plain = robot(ARM, tmp_path)
+    assert kindsl_text(found.robot) == kindsl_text(plain.robot)
+
+
+def test_names_that_collide_are_told(tmp_path: Path) -> None:
+    text = ARM.replace('"elbow"', '"tool"').replace('"slider"', '"lower"')
+    found = robot(text, tmp_path)
+    mechanism_of(kindsl_text(found.robot))
+    told = renamed(found.robot)
+    assert any("joint 'lower' is now 'lower_joint'" in sentence for sentence in told)
+    assert {"tool", "tool_2"} == {f.name for link in found.robot.links for f in link.frames}

@@ -1,0 +1,97 @@
+"""What SDF can say and the language can hold, or cannot: read, told or refused in one sentence."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from tests.interchange.round_trips import mechanism_of, read
+
+from kindsl.interchange.format import FormatError, ReadRobot
+from kindsl.interchange.kindsl_writing import kindsl_text
+from kindsl.interchange.registry import format_named
+
+MASS = "<inertial><pose>0.1 0 0 0 0 0</pose><mass>2</mass><inertia><ixx>0.1</ixx><iyy>0.2</iyy>"
+MASS += "<izz>0.2</izz><ixy>0.01</ixy></inertia></inertial>"
+ARM = f"""<sdf version="1.9"><model name="arm">
+<joint name="weld" type="fixed"><parent>world</parent><child>base</child></joint>
+<link name="base"/>
+<link name="upper"><pose>0 0 1 0 0.5 0</pose>{MASS}</link>
+<link name="lower"><pose relative_to="upper" degrees="true">1 0 0 0 0 90</pose>{MASS}</link>
+<joint name="shoulder" type="revolute"><pose>0.1 0 0 0 0 0</pose><parent>base</parent>
+<child>upper</child><axis><xyz expressed_in="__model__">0 1 0</xyz></axis></joint>
+<joint name="slider" type="prismatic"><parent>upper</parent><child>lower</child>
+<axis><xyz>0 0 -1</xyz></axis></joint>
+<frame name="tool" attached_to="lower"><pose>0 0 1 0 0 0</pose></frame>
+<frame name="mark"><pose relative_to="tool">1 0 0 0 0 0</pose></frame>
+</model></sdf>"""
+
+
+def robot(text: str, folder: Path) -> ReadRobot:
+    return read(text, format_named("sdf"), folder)
+
+
+def test_poses_follow_what_they_are_relative_to(tmp_path: Path) -> None:
+    ours = mechanism_of(kindsl_text(robot(ARM, tmp_path).robot))
+    assert not ours.bodies.is_floating
+    at_zero = ours.forward_kinematics([0.0, 0.0])
+    c, s = np.cos(0.5), np.sin(0.5)
+    upper = np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]])
+    lower = np.array([0, 0, 1]) + upper @ [1, 0, 0]
+    tool = lower + upper @ [0, 0, 1]
+    np.testing.assert_allclose(at_zero["tool"][:3, 3], tool, atol=1e-12)
+    np.testing.assert_allclose(at_zero["mark"][:3, 3], tool + upper @ [0, 1, 0], atol=1e-12)
+    # The shoulder's axis is the model's y through a point 0.1 along the upper arm.
+    moved = ours.forward_kinematics([-0.5, 0.2])
+    anchor = np.array([0, 0, 1]) + upper @ [0.1, 0, 0]
+    expected = anchor + np.array([0.9, 0.0, 1.0 - 0.2])
+    np.testing.assert_allclose(moved["tool"][:3, 3], expected, atol=1e-12)
+
+
+def test_without_a_joint_to_the_world_the_base_floats(tmp_path: Path) -> None:
+    weld = ARM[ARM.index('<joint name="weld"') : ARM.index('<link name="base"')]
+    found = robot(ARM.replace(weld, ""), tmp_path)
+    assert found.robot.is_floating
+    assert "the link 'base' has no inertia: SDFormat's default is 1 kg" in found.remarks
+    assert found.robot.links[0].mass_properties.mass == 1.0
+
+
+def test_world_is_the_base_of_what_turns_on_it(tmp_path: Path) -> None:
+    text = ARM.replace('name="weld" type="fixed"', 'name="weld" type="revolute"')
+    found = robot(text, tmp_path)
+    assert [link.name for link in found.robot.links] == ["world", "base", "upper", "lower"]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("</sdf>", "", "not a readable SDF: not well-formed XML at line .*"),
+        ("sdf", "robot", "not an SDF: its root element is <robot>, not <sdf>"),
+        ('type="prismatic"', 'type="ball"', "line 8: <joint name='slider'> is of type ball.*"),
+        ('name="lower"', 'name="upper"', "line 5: <link name='upper'> has the name of .* line 4"),
+        ("<parent>upper</parent>", "", "line 8: <joint name='slider'> has no <parent>"),
+        ("<parent>upper<", "<parent>uper<", ".*names 'uper', .*; did you mean 'upper'."),
+        ("<child>lower<", "<child>upper<", ".*gives link 'upper' a second parent.*'shoulder'"),
+        ("<parent>base<", "<parent>lower<", ".*in a loop of joints.*"),
+        ('relative_to="upper"', 'relative_to="lower"', ".*relative to itself: lower -> lower"),
+        ("<mass>2<", "<mass>two<", "line 4: <mass> has 'two', which is not a finite number"),
+        ("0.1 0 0 0 0 0", "0.1 0", "line 6: <pose> has 2 numbers, not 6"),
+        ("<xyz>0 0 -1<", "<xyz>0 0 0<", "line 9: <xyz> of joint 'slider' has no length"),
+        ("<frame name=\"mark\"", "<include/><frame name=\"mark\"", ".*includes another model.*"),
+        ("</model>", "</model><model name='b'/>", "the SDF has 2 models.*'arm' and 'b'"),
+        ("</model>", "<link name='b'/></model>", "the SDF has 2 root links.*the world and 'b'"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_held_is_refused(old: str, new: str, message: str, tmp_path: Path) -> None:
+    with pytest.raises(FormatError, match=f"^{message}$") as caught:
+        robot(ARM.replace(old, new), tmp_path)
+    assert "\n" not in str(caught.value) and not str(caught.value).endswith(".")
+
+
+def test_each_loss_is_one_sentence(tmp_path: Path) -> None:
+    text = ARM.replace('<frame name="mark"', '<plugin/><frame name="mark"')
+    text = text.replace("<xyz>0 0 -1</xyz>", "<xyz>0 0 -1</xyz><limit/><dynamics/>")
+    assert robot(text, tmp_path).remarks == (
+        "limits of 1 joint dropped: not supported",
+        "damping, friction and springs of 1 joint dropped: not supported",
+        "1 plugin dropped: not supported",
+    )
