@@ -2,7 +2,8 @@
 
 import asyncio
 import json
-from collections.abc import Iterator
+from collections.abc import AsyncIterator, Iterator
+from contextlib import asynccontextmanager
 from typing import Any
 
 import pytest
@@ -11,8 +12,8 @@ from tests.support import robots
 from tests.support.lsp import RawClient, ready_client
 
 pytest.importorskip("tornado", reason="the preview needs tornado")
-from tests.preview.hanging_up import hang_up
-from tornado.websocket import WebSocketClientConnection, websocket_connect
+from tests.preview.websocket import connected
+from tornado.websocket import WebSocketClientConnection
 
 ROBOT = robots.ONE_LINK.replace("mass = m", "mass = 1.0").replace("0.0) rot", "0.5) rot")
 JOINT_LINE = 4
@@ -38,11 +39,11 @@ def preview(client: RawClient) -> str:
     return url
 
 
-async def connected(client: RawClient) -> WebSocketClientConnection:
-    address = preview(client).replace("http://", "ws://").replace("/?", "/live?")
-    connection = await websocket_connect(address)
-    assert await received(connection)
-    return connection
+@asynccontextmanager
+async def page_of(client: RawClient) -> AsyncIterator[WebSocketClientConnection]:
+    async with connected(preview(client)) as connection:
+        assert await received(connection)
+        yield connection
 
 
 async def received(connection: WebSocketClientConnection) -> object:
@@ -64,27 +65,27 @@ def is_source_shown(message: dict[str, Any]) -> bool:
 
 
 async def test_a_click_shows_the_source(client: RawClient) -> None:
-    connection = await connected(client)
-    await connection.write_message(json.dumps({"type": "reveal", "kind": "joint", "name": "first"}))
-    shown = await asyncio.to_thread(client.wait, is_source_shown)
-    assert shown["params"]["selection"]["start"]["line"] == JOINT_LINE
-    await hang_up(connection)
+    async with page_of(client) as connection:
+        await connection.write_message(
+            json.dumps({"type": "reveal", "kind": "joint", "name": "first"})
+        )
+        shown = await asyncio.to_thread(client.wait, is_source_shown)
+        assert shown["params"]["selection"]["start"]["line"] == JOINT_LINE
 
 
 async def test_a_keystroke_is_seen(client: RawClient) -> None:
-    connection = await connected(client)
-    while True:
-        try:
-            await asyncio.wait_for(connection.read_message(), 0.3)
-        except TimeoutError:
-            break
-    place = {
-        "start": {"line": JOINT_LINE, "character": 53},
-        "end": {"line": JOINT_LINE, "character": 54},
-    }
-    client.change(URI, 2, {"range": place, "text": "9"})
-    assert await received(connection)
-    await hang_up(connection)
+    async with page_of(client) as connection:
+        while True:
+            try:
+                await asyncio.wait_for(connection.read_message(), 0.3)
+            except TimeoutError:
+                break
+        place = {
+            "start": {"line": JOINT_LINE, "character": 53},
+            "end": {"line": JOINT_LINE, "character": 54},
+        }
+        client.change(URI, 2, {"range": place, "text": "9"})
+        assert await received(connection)
 
 
 async def test_a_keystroke_is_seen_long_before_it_is_checked() -> None:
@@ -92,37 +93,36 @@ async def test_a_keystroke_is_seen_long_before_it_is_checked() -> None:
     with ready_client(SHOWS, initializationOptions=settings) as client:
         client.open(URI, ROBOT)
         client.diagnostics(URI)
-        connection = await connected(client)
-        place = {
-            "start": {"line": JOINT_LINE, "character": 53},
-            "end": {"line": JOINT_LINE, "character": 54},
-        }
-        client.change(URI, 2, {"range": place, "text": "9"})
-        while (await message_of(connection)).get("placement", [])[12:15] != [0.0, 0.0, 9.5]:
-            pass
-        await hang_up(connection)
+        async with page_of(client) as connection:
+            place = {
+                "start": {"line": JOINT_LINE, "character": 53},
+                "end": {"line": JOINT_LINE, "character": 54},
+            }
+            client.change(URI, 2, {"range": place, "text": "9"})
+            while (await message_of(connection)).get("placement", [])[12:15] != [0.0, 0.0, 9.5]:
+                pass
         checked = [m["params"].get("version") for m in client.messages if "params" in m]
         assert 2 not in checked
 
 
 async def test_what_is_wrong_is_listed_when_it_is_known(client: RawClient) -> None:
-    connection = await connected(client)
-    end = {"line": JOINT_LINE, "character": 0}
-    client.change(URI, 3, {"range": {"start": end, "end": end}, "text": "link one { id = 2 }\n"})
-    while (await message_of(connection)).get("line") != JOINT_LINE + 1:
-        pass
-    client.change(URI, 4, {"text": ROBOT})
-    await hang_up(connection)
+    async with page_of(client) as connection:
+        end = {"line": JOINT_LINE, "character": 0}
+        client.change(
+            URI, 3, {"range": {"start": end, "end": end}, "text": "link one { id = 2 }\n"}
+        )
+        while (await message_of(connection)).get("line") != JOINT_LINE + 1:
+            pass
+        client.change(URI, 4, {"text": ROBOT})
 
 
 async def test_the_cursor_lights_up_what_it_is_on(client: RawClient) -> None:
-    connection = await connected(client)
-    while True:
-        try:
-            await asyncio.wait_for(connection.read_message(), 0.3)
-        except TimeoutError:
-            break
-    where = {"textDocument": {"uri": URI}, "position": {"line": 2, "character": 6}}
-    assert await asyncio.to_thread(client.request, "textDocument/documentHighlight", where)
-    assert b"one" in bytes(await received(connection))
-    await hang_up(connection)
+    async with page_of(client) as connection:
+        while True:
+            try:
+                await asyncio.wait_for(connection.read_message(), 0.3)
+            except TimeoutError:
+                break
+        where = {"textDocument": {"uri": URI}, "position": {"line": 2, "character": 6}}
+        assert await asyncio.to_thread(client.request, "textDocument/documentHighlight", where)
+        assert b"one" in bytes(await received(connection))

@@ -9,9 +9,8 @@ from contextlib import asynccontextmanager
 
 import pytest
 import umsgpack
-from tests.preview.hanging_up import hang_up
 from tests.preview.robots import ARM, BROKEN_ARM, PARAMETRIC_ARM, require
-from tornado.websocket import websocket_connect
+from tests.preview.websocket import connected
 
 DRIVER = (
     "import argparse, sys; from kindsl.cli import preview; parser = argparse.ArgumentParser();"
@@ -74,13 +73,6 @@ async def running_with_errors(tmp_path, *arguments):
         await process.communicate()
 
 
-@asynccontextmanager
-async def tab(address):
-    connection = await websocket_connect(address.replace("http:", "ws:").replace("/?", "/live?"))
-    yield connection
-    await hang_up(connection)
-
-
 async def message(connection, is_wanted):
     async with asyncio.timeout(PATIENCE):
         while True:
@@ -96,7 +88,7 @@ async def test_the_first_line_is_the_address(tmp_path, file):
 
 
 async def test_saving_reloads_and_a_click_prints_the_place(tmp_path, file):
-    async with running(tmp_path, file) as (process, address), tab(address) as connection:
+    async with running(tmp_path, file) as (process, address), connected(address) as connection:
         await message(connection, lambda m: m["type"] == "end")
         file.write_text("\n\n" + ARM.replace("(0.4, 0.0", "(0.6, 0.0"))
         joint = await message(connection, lambda m: m["type"] == "joint")
@@ -107,7 +99,7 @@ async def test_saving_reloads_and_a_click_prints_the_place(tmp_path, file):
 
 
 async def test_a_broken_save_keeps_the_model(tmp_path, file):
-    async with running(tmp_path, file) as (_, address), tab(address) as connection:
+    async with running(tmp_path, file) as (_, address), connected(address) as connection:
         await message(connection, lambda m: m["type"] == "end")
         file.write_text(BROKEN_ARM)
         status = await message(connection, lambda m: m["type"] == "status")
@@ -115,7 +107,7 @@ async def test_a_broken_save_keeps_the_model(tmp_path, file):
 
 
 async def test_a_save_that_replaces_the_file_is_noticed(tmp_path, file):
-    async with running(tmp_path, file) as (_, address), tab(address) as connection:
+    async with running(tmp_path, file) as (_, address), connected(address) as connection:
         await message(connection, lambda m: m["type"] == "end")
         new = tmp_path / "new"
         new.write_text(ARM.replace("tool {", "gripper {"))
@@ -144,7 +136,7 @@ async def test_an_old_version_stands_behind(tmp_path, file):
     old.write_text(ARM.replace("(0.4, 0.0", "(0.6, 0.0"))
     async with (
         running(tmp_path, file, "--compare", old) as (_, address),
-        tab(address) as connection,
+        connected(address) as connection,
     ):
         await message(connection, lambda m: m.get("path") == "/kindsl/ghost/joints/lift")
 
@@ -153,7 +145,7 @@ async def test_a_parameter_is_bound(tmp_path, file):
     file.write_text(PARAMETRIC_ARM)
     async with (
         running(tmp_path, file, "--param", "reach=0.25") as (_, address),
-        tab(address) as connection,
+        connected(address) as connection,
     ):
         joint = await message(connection, lambda m: m.get("name") == "lift")
         assert joint["placement"][12] == 0.25
@@ -209,7 +201,7 @@ async def test_a_document_without_bodies_cannot_stand_behind(tmp_path, file):
 
 
 async def test_a_lost_file_is_told_in_the_page_and_found_again(tmp_path, file):
-    async with running_with_errors(tmp_path, file) as (_, address), tab(address) as page:
+    async with running_with_errors(tmp_path, file) as (_, address), connected(address) as page:
         await message(page, lambda m: m["type"] == "end")
         away = file.rename(tmp_path / "elsewhere.kindsl")
         lost = await message(page, lambda m: m["type"] == "status")
@@ -222,7 +214,7 @@ async def test_a_lost_file_is_told_in_the_page_and_found_again(tmp_path, file):
 
 async def test_lines_for_the_configuration_are_told_and_a_ghost_shows_what_is_saved(tmp_path, file):
     file.write_text(PARAMETRIC_ARM.replace("(reach,", "(reach[0.4],"))
-    async with running(tmp_path, file) as (process, address), tab(address) as page:
+    async with running(tmp_path, file) as (process, address), connected(address) as page:
         await message(page, lambda m: m["type"] == "end")
         await page.write_message('{"type": "set-parameters", "values": {"reach": 0.6}}')
         ghost = await message(page, lambda m: m.get("path") == "/kindsl/ghost/joints/lift")

@@ -5,10 +5,9 @@ from contextlib import asynccontextmanager
 
 import pytest
 import umsgpack
-from tests.preview.hanging_up import hang_up
 from tests.preview.robots import ARM, BROKEN_ARM, PARAMETRIC_ARM
+from tests.preview.websocket import connected
 from tests.support.lsp import RawClient
-from tornado.websocket import websocket_connect
 
 URI = "untitled:arm"
 CAPABILITIES = {"window": {"showDocument": {"support": True}}}
@@ -28,10 +27,9 @@ def editor():
 async def page(editor):
     command = {"command": "kindsl.preview", "arguments": [URI]}
     url = (await asyncio.to_thread(editor.request, "workspace/executeCommand", command))["url"]
-    connection = await websocket_connect(url.replace("http:", "ws:").replace("/?", "/live?"))
-    await next_message(connection, "end")
-    yield connection
-    await hang_up(connection)
+    async with connected(url) as connection:
+        await next_message(connection, "end")
+        yield connection
 
 
 async def next_message(connection, kind):
@@ -103,15 +101,14 @@ async def test_typed_values_are_written_by_the_editor(tmp_path):
     client.open(file.as_uri(), PARAMETRIC_ARM)
     command = {"command": "kindsl.preview", "arguments": [file.as_uri()]}
     url = (await asyncio.to_thread(client.request, "workspace/executeCommand", command))["url"]
-    connection = await websocket_connect(url.replace("http:", "ws:").replace("/?", "/live?"))
-    await next_message(connection, "end")
-    await connection.write_message('{"type": "write-parameters", "values": {"reach": 0.25}}')
-    is_wanted = lambda m: m.get("method") == "workspace/applyEdit"  # noqa: E731
-    request = await asyncio.to_thread(client.wait, is_wanted)
-    made = request["params"]["edit"]["changes"][(tmp_path / "kindsl.toml").as_uri()]
-    assert [each["newText"] for each in made] == ["reach = 0.25\n"]
-    client.send(id=request["id"], result={"applied": True})
-    await hang_up(connection)
+    async with connected(url) as connection:
+        await next_message(connection, "end")
+        await connection.write_message('{"type": "write-parameters", "values": {"reach": 0.25}}')
+        is_wanted = lambda m: m.get("method") == "workspace/applyEdit"  # noqa: E731
+        request = await asyncio.to_thread(client.wait, is_wanted)
+        made = request["params"]["edit"]["changes"][(tmp_path / "kindsl.toml").as_uri()]
+        assert [each["newText"] for each in made] == ["reach = 0.25\n"]
+        client.send(id=request["id"], result={"applied": True})
     client.kill()
 
 

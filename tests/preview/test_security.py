@@ -7,8 +7,8 @@ from contextlib import suppress
 from urllib.parse import urlsplit
 
 import pytest
-from tests.preview.hanging_up import hang_up
 from tests.preview.robots import ARM
+from tests.preview.websocket import connected
 from tornado.httpclient import AsyncHTTPClient, HTTPClientError, HTTPRequest
 from tornado.websocket import WebSocketClosedError, websocket_connect
 
@@ -61,13 +61,11 @@ async def status(server, path="/", token=True, **headers):
 
 async def websocket_status(server, token=True, **headers):
     query = f"?token={server.token}" if token is True else f"?token={token}" if token else ""
-    request = HTTPRequest(f"ws://127.0.0.1:{server.port}/live{query}", headers=headers)
     try:
-        connection = await websocket_connect(request)
+        async with connected(f"ws://127.0.0.1:{server.port}/live{query}", **headers):
+            return 101
     except HTTPClientError as error:
         return error.code
-    await hang_up(connection)
-    return 101
 
 
 def at(server, text):
@@ -171,15 +169,15 @@ async def test_the_answers_keep_the_token_to_themselves(server):
 
 
 async def test_what_is_no_request_does_no_harm(server):
-    connection = await websocket_connect(f"ws://127.0.0.1:{server.port}/live?token={server.token}")
-    for message in ("", "{", "[]", json.dumps({"type": "eval", "code": "1"}), "[" * 9999):
-        await connection.write_message(message)
-    await connection.write_message(b"\x00\xff", binary=True)
-    await connection.write_message(json.dumps({"type": "set-joint", "name": "lift", "value": 0.2}))
-    async with asyncio.timeout(15.0):
+    lift = {"type": "set-joint", "name": "lift", "value": 0.2}
+    address = f"ws://127.0.0.1:{server.port}/live?token={server.token}"
+    async with connected(address) as connection, asyncio.timeout(15.0):
+        for message in ("", "{", "[]", json.dumps({"type": "eval", "code": "1"}), "[" * 9999):
+            await connection.write_message(message)
+        await connection.write_message(b"\x00\xff", binary=True)
+        await connection.write_message(json.dumps(lift))
         while not server._documents["arm.kindsl"]._joints:
             await asyncio.sleep(0.01)
-    await hang_up(connection)
 
 
 async def test_an_oversized_message_closes_the_line(server):

@@ -6,9 +6,8 @@ import os
 import socket
 
 import umsgpack
-from tests.preview.hanging_up import hang_up
 from tests.preview.robots import plain_robot
-from tornado.websocket import websocket_connect
+from tests.preview.websocket import connected
 
 from kindsl.preview.server import PreviewServer
 
@@ -40,19 +39,18 @@ async def test_it_holds_up_nobody_and_grows_no_queue():
     await server.show("robot", robots[0], ())
     hanging = await hanging_tab(server)
     address = f"ws://127.0.0.1:{server.port}/live?token={server.token}"
-    lively = await websocket_connect(address)
-    while len(server._lines) < 2:
-        await asyncio.sleep(0.01)
-    sizes = []
-    for edit in range(60):
-        await server.show("robot", robots[edit % 2], ())
-        await asyncio.sleep(0)
-        sizes.append(max(len(line.tab._waiting) for line in server._lines))
-    n_properties = len(server.document(None).channel.state)
-    assert max(sizes) <= 2 * n_properties + 2
-    joints = [m for m in server.document(None).channel.state if m["type"] == "joint"]
-    await last_pose(lively, list(joints[-1]["placement"]))
-    await hang_up(lively)
+    async with connected(address) as lively:
+        while len(server._lines) < 2:
+            await asyncio.sleep(0.01)
+        sizes = []
+        for edit in range(60):
+            await server.show("robot", robots[edit % 2], ())
+            await asyncio.sleep(0)
+            sizes.append(max(len(line.tab._waiting) for line in server._lines))
+        n_properties = len(server.document(None).channel.state)
+        assert max(sizes) <= 2 * n_properties + 2
+        joints = [m for m in server.document(None).channel.state if m["type"] == "joint"]
+        await last_pose(lively, list(joints[-1]["placement"]))
     hanging.close()
     await server.stop()
 
