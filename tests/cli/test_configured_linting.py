@@ -100,6 +100,22 @@ def test_binding_for_some_documents_is_unused_by_the_others(
     assert told.out.startswith("kindsl.toml:3:16: warning[KD404] ")
 
 
+def test_limit_of_a_joint_that_no_document_has(kdsl_lint: Runner, folder: Path) -> None:
+    (folder / "a.kindsl").write_text(arm())
+    table = "[joints.{}]\nmax = 1.0\n"
+    (folder / "kindsl.toml").write_text(table.format("shoulder"))
+    assert kdsl_lint("--select", "KD404").out == ""
+    (folder / "kindsl.toml").write_text(table.format("sholder"))
+    told = kdsl_lint("--select", "KD404").out
+    assert told.startswith("kindsl.toml:1:9: warning[KD404] no document has a joint 'sholder'; did")
+    one = '[[document]]\npath = "{}"\njoints.shoulder.min = 0.0\n'
+    (folder / "kindsl.toml").write_text(one.format("a.kindsl"))
+    assert kdsl_lint("--select", "KD404").out == ""
+    (folder / "kindsl.toml").write_text(one.format("b.kindsl"))
+    (folder / "b.kindsl").write_text(GOOD.replace("shoulder", "hip"))
+    assert "no document that 'b.kindsl' names has a joint" in kdsl_lint("--select", "KD404").out
+
+
 def test_binding_in_pyproject_is_told_there(kdsl_lint: Runner, folder: Path) -> None:
     (folder / "a.kindsl").write_text(GOOD)
     (folder / "pyproject.toml").write_text("[tool.kindsl.parameters]\nfree = 0.5\n")

@@ -40,14 +40,15 @@ class LintedFile:
         text: The text that the findings' offsets refer to, after fixes if any were made.
         findings: In the order of the text.
         parameters: Names of the parameters that it uses.
+        joints: Names of its joints.
         configuration: The configuration file that held for it, if any.
         n_fixed: How many findings were mended.
         original: The text before fixes.
     """
 
     __slots__ = (
-        "__dict__", "configuration", "findings", "n_fixed", "original", "parameters", "path",
-        "text",
+        "__dict__", "configuration", "findings", "joints", "n_fixed", "original", "parameters",
+        "path", "text",
     )  # fmt: skip
 
     def __init__(
@@ -63,6 +64,7 @@ class LintedFile:
         self.text = text
         self.findings = findings
         self.parameters = parameters
+        self.joints: frozenset[str] = frozenset()
         self.original = text if original is None else original
         self.n_fixed = n_fixed
         self.configuration: str | None = None

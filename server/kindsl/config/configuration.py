@@ -44,8 +44,9 @@ class Configuration(NamedTuple):
 
     @property
     def has_bindings(self) -> bool:
-        """Whether it binds any parameter."""
-        return bool(self.common.bindings) or any(d.decisions.bindings for d in self.documents)
+        """Whether it binds any parameter, or limits any joint."""
+        tables = (self.common, *(document.decisions for document in self.documents))
+        return any(table.bindings or table.joints for table in tables)
 
     def tables_for(self, document: str) -> list[Decisions]:
         """Return the tables that hold for a document, the more particular later."""

@@ -1,11 +1,13 @@
-"""KD404: bindings in a configuration file that no document uses."""
+"""KD404: bindings in a configuration file that no document uses, limits of joints that none has."""
 
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from typing import NamedTuple
 
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.analysis.settings import Settings, is_enabled, severity_of
 from kindsl.config.configuration import Configuration
+from kindsl.config.decisions import Decisions
 from kindsl.config.patterns import is_match
 from kindsl.config.toml_places import KeyPath
 from kindsl.rules.base import Severity
@@ -14,78 +16,103 @@ from kindsl.rules.checks.kd404_unused_binding import unused_bindings as vain_bin
 
 _WORD = re.compile(r"\w+")
 
-# A document's path, and names in it.
-Names = tuple[str, Collection[str]]
+
+class Names(NamedTuple):
+    """What a configuration file may bind in a document: its parameters, its joints."""
+
+    parameters: Collection[str]
+    joints: Collection[str]
+
+
+class _Bound(NamedTuple):
+    """A name that is bound: for which documents (None for all), what it is, its keys."""
+
+    pattern: str | None
+    kind: str
+    keys: KeyPath
+
+    def is_in(self, names: Names) -> bool:
+        """Return whether a document has the name."""
+        return self.keys[-1] in (names.parameters if self.kind == "parameter" else names.joints)
 
 
 def unused_bindings(
     configuration: Configuration,
     settings: Settings,
-    used: Mapping[str, Collection[str]],
-    others: Callable[[], Iterable[Names]],
+    used: Mapping[str, Names],
+    others: Callable[[], Iterable[tuple[str, Names]]],
 ) -> list[Diagnostic]:
     """Return what is bound in vain, in the order of the file.
 
     Args:
         configuration: The file.
         settings: What is decided about the rule.
-        used: The parameters of documents that it holds for, by path.
-        others: Yields the words of further documents below its folder, asked for only if need be.
+        used: The names in documents that it holds for, by path.
+        others: Yields path and words of further documents below its folder; asked if need be.
     """
     if not (configuration.has_bindings and is_enabled(RULE, settings)):
         return []
     severity = severity_of(RULE, None, settings)
-    known = sorted(frozenset[str]().union(*used.values()))
     findings = [
-        _finding(severity, configuration.places.get(keys, (0, 0)), _message(pattern, keys, known))
-        for pattern, keys in _unused_keys(configuration, used, others)
+        _finding(severity, configuration.places.get(bound.keys, (0, 0)), _message(bound, used))
+        for bound in _unused(configuration, used, others)
     ]
     return sorted(findings, key=lambda finding: finding.start)
 
 
-def words_of(text: str) -> set[str]:
-    """Return what may be a parameter in a document, without reading it closely."""
-    return set(_WORD.findall(text))
+def words_of(text: str) -> Names:
+    """Return what may be a name in a document, without reading it closely."""
+    words = set(_WORD.findall(text))
+    return Names(words, words)
 
 
-def _message(pattern: str | None, keys: KeyPath, known: list[str]) -> str:
-    name = str(keys[-1])
-    told = {unused.name: unused.message for unused in vain_bindings([name], known)}
-    where = "" if pattern is None else f" that '{pattern}' names"
-    return told.get(name, f"no document{where} has a parameter '{name}'")
+def _message(bound: _Bound, used: Mapping[str, Names]) -> str:
+    name, kind = str(bound.keys[-1]), bound.kind
+    each = (names.parameters if kind == "parameter" else names.joints for names in used.values())
+    known = sorted(frozenset[str]().union(*each))
+    told = {unused.name: unused.message for unused in vain_bindings([name], known, kind)}
+    where = "" if bound.pattern is None else f" that '{bound.pattern}' names"
+    return told.get(name, f"no document{where} has a {kind} '{name}'")
 
 
-def _unused_keys(
+def _unused(
     configuration: Configuration,
-    used: Mapping[str, Collection[str]],
-    others: Callable[[], Iterable[Names]],
-) -> list[tuple[str | None, KeyPath]]:
-    """Return pattern and keys of bindings that no document uses and no other one mentions."""
-    unused = _left(configuration, list(_bound_keys(configuration)), used.items())
+    used: Mapping[str, Names],
+    others: Callable[[], Iterable[tuple[str, Names]]],
+) -> list[_Bound]:
+    """Return the bindings that no document uses and no other one mentions."""
+    unused = _left(configuration, list(_bound(configuration)), used.items())
     return _left(configuration, unused, others()) if unused else []
 
 
 def _left(
-    configuration: Configuration, bound: list[tuple[str | None, KeyPath]], uses: Iterable[Names]
-) -> list[tuple[str | None, KeyPath]]:
+    configuration: Configuration, bound: list[_Bound], uses: Iterable[tuple[str, Names]]
+) -> list[_Bound]:
     found = list(uses)
     return [
-        (pattern, keys)
-        for pattern, keys in bound
+        one
+        for one in bound
         if not any(
-            keys[-1] in names and (pattern is None or is_match(configuration.path, pattern, path))
+            one.is_in(names)
+            and (one.pattern is None or is_match(configuration.path, one.pattern, path))
             for path, names in found
         )
     ]
 
 
-def _bound_keys(configuration: Configuration) -> Iterator[tuple[str | None, KeyPath]]:
-    """Yield the pattern of documents that a binding is for, None for all, and its keys."""
-    for name in configuration.common.bindings:
-        yield None, (*configuration.root, "parameters", name)
+def _bound(configuration: Configuration) -> Iterator[_Bound]:
+    """Yield what is bound for all documents, then what is for some."""
+    yield from _of_table(None, configuration.root, configuration.common)
     for number, table in enumerate(configuration.documents):
-        for name in table.decisions.bindings:
-            yield table.pattern, (*configuration.root, "document", number, "parameters", name)
+        keys: KeyPath = (*configuration.root, "document", number)
+        yield from _of_table(table.pattern, keys, table.decisions)
+
+
+def _of_table(pattern: str | None, keys: KeyPath, decisions: Decisions) -> Iterator[_Bound]:
+    for name in decisions.bindings:
+        yield _Bound(pattern, "parameter", (*keys, "parameters", name))
+    for name in decisions.joints:
+        yield _Bound(pattern, "joint", (*keys, "joints", name))
 
 
 def _finding(severity: Severity, span: tuple[int, int], message: str) -> Diagnostic:

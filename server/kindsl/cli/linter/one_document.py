@@ -103,7 +103,9 @@ def _file(
 ) -> LintedFile:
     parameters = frozenset(str(parameter.name) for parameter in analysis.model.parameters)
     found = analysis.findings
-    return LintedFile(task.shown, analysis.text, found, parameters, original, n_fixed)
+    file = LintedFile(task.shown, analysis.text, found, parameters, original, n_fixed)
+    file.joints = frozenset(str(joint.name) for joint in analysis.model.joints)
+    return file
 
 
 def no_document(shown: str, content: NotText) -> LintedFile:

@@ -27,7 +27,7 @@ def unused_bindings(
         choices: What the command line decided.
         excluded: Names of folders to leave out.
     """
-    used = {file.path: file.parameters for file in files}
+    used = {file.path: vain.Names(file.parameters, file.joints) for file in files}
     found = []
     for path, configuration in sorted({c.path: c for c in configurations.values()}.items()):
         own = {p: names for p, names in used.items() if configurations.get(p) is configuration}
@@ -49,8 +49,8 @@ def unused_on_command_line(files: Sequence[LintedFile], choices: Choices) -> str
 
 
 def _words_of_others(
-    configuration: Configuration, linted: Mapping[str, frozenset[str]], excluded: Collection[str]
-) -> Iterator[vain.Names]:
+    configuration: Configuration, linted: Collection[str], excluded: Collection[str]
+) -> Iterator[tuple[str, vain.Names]]:
     """Yield the words of the documents below the configuration that were not linted now."""
     known = {os.path.abspath(path) for path in linted}
     for path in walked(os.path.dirname(os.path.abspath(configuration.path)), excluded):

@@ -59,9 +59,13 @@ def shown_problems(
     ]
 
 
-def parameter_names(analysis: "Analysis") -> frozenset[str]:
-    """Return the names of a document's parameters."""
-    return frozenset(str(parameter.name) for parameter in analysis.model.parameters)
+def names_in(analysis: "Analysis") -> "Names":
+    """Return the names of a document's parameters and joints."""
+    from kindsl.config.unused_bindings import Names
+
+    model = analysis.model
+    parameters = frozenset(str(parameter.name) for parameter in model.parameters)
+    return Names(parameters, frozenset(str(joint.name) for joint in model.joints))
 
 
 async def _unused_bindings(state: State, document: Document) -> "list[Diagnostic]":
@@ -70,9 +74,9 @@ async def _unused_bindings(state: State, document: Document) -> "list[Diagnostic
     if file is None:
         return []
     settings = await state.analyses.settings(document)
-    used = await _parameters_of_open(state, file.parent)
+    used = await _names_in_open(state, file.parent)
 
-    def others() -> "Iterator[Names]":
+    def others() -> "Iterator[tuple[str, Names]]":
         from kindsl.config.unused_bindings import words_of
 
         for path in robots_below(file.parent):
@@ -89,13 +93,13 @@ async def _unused_bindings(state: State, document: Document) -> "list[Diagnostic
     return await state.worker.run(check, Urgency.DIAGNOSTICS)
 
 
-async def _parameters_of_open(state: State, folder: Path) -> dict[str, frozenset[str]]:
-    """Return the parameters of the robots below a folder that the editor shows, by path."""
+async def _names_in_open(state: State, folder: Path) -> "dict[str, Names]":
+    """Return the names in the robots below a folder that the editor shows, by path."""
     found = {}
     for robot in state.documents:
         path = uris.path(robot.uri)
         if path is not None and not robot.is_toml and path.is_relative_to(folder):
-            found[str(path)] = parameter_names(await state.analyses.of(robot))
+            found[str(path)] = names_in(await state.analyses.of(robot))
     return found
 
 

@@ -10,7 +10,7 @@ from kindsl.lsp.session import memory
 from kindsl.lsp.session.closed_configurations import ClosedConfigurations
 from kindsl.lsp.session.configuration_diagnostics import (
     configuration_diagnostics,
-    parameter_names,
+    names_in,
 )
 from kindsl.lsp.session.findings import diagnostics
 from kindsl.lsp.session.state import State
@@ -22,6 +22,7 @@ from kindsl.lsp.wire.protocol import Encoded
 
 if TYPE_CHECKING:
     from kindsl.analysis.diagnostics import Diagnostic
+    from kindsl.config.unused_bindings import Names
 
 _MANY = 200
 
@@ -35,7 +36,7 @@ class Publisher:
     __slots__ = (
         "_checked",
         "_closed",
-        "_parameters",
+        "_names",
         "_pulled",
         "_shown",
         "_state",
@@ -49,7 +50,7 @@ class Publisher:
         self._checked: set[str] = set()
         self._shown: set[str] = set()
         self._closed = ClosedConfigurations(state, self._publish_file)
-        self._parameters: dict[str, frozenset[str]] = {}
+        self._names: dict[str, Names] = {}
         state.documents.on_open.append(lambda document: self.schedule(document, 0.0))
         state.documents.on_change.append(self._changed)
         state.documents.on_close.append(self._close)
@@ -103,7 +104,7 @@ class Publisher:
             self._tasks.pop(key).cancel()
         self._pulled.discard(key)
         self._checked.discard(key)
-        self._parameters.pop(key, None)
+        self._names.pop(key, None)
         self.clear(document.uri)
         if document.is_toml:
             start_task(self._closed.look([document.uri]))
@@ -154,15 +155,15 @@ class Publisher:
             self._publish(document.uri, document.version, shown)
 
     async def _check_configurations(self, document: Document) -> None:
-        """Check open configuration files again if a robot has got other parameters."""
+        """Check open configuration files again if names in a robot have changed."""
         configurations = [other for other in self._state.documents if other.is_toml]
         if not configurations:
             return
         key = uris.key(document.uri)
-        parameters = parameter_names(await self._state.analyses.of(document))
-        if self._parameters.get(key, frozenset()) == parameters:
+        names = names_in(await self._state.analyses.of(document))
+        if self._names.get(key) == names or not (key in self._names or any(names)):
             return
-        self._parameters[key] = parameters
+        self._names[key] = names
         for other in configurations:
             is_told = self._state.client.is_told_to_pull
             if is_told and uris.key(other.uri) in self._pulled:

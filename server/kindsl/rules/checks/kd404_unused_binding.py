@@ -1,8 +1,8 @@
-"""A value is bound to a parameter that no document uses.
+"""A value is bound to a parameter that no document uses, or a limit to a joint that none has.
 
 ## What it does
-Reports, in `kindsl.toml`, a name under `[parameters]` that no document of the project uses, or in
-`[[document]]` a name that this document does not use.
+Reports, in `kindsl.toml`, a name under `[parameters]` that no document of the project uses, or
+under `[joints]` one that no document has; in `[[document]]` a name that is not in this document.
 
 ## Why is this bad?
 It is a slip in the name, or a left-over: the value does nothing.
@@ -29,20 +29,24 @@ class UnusedBinding(NamedTuple):
     message: str
 
 
-def unused_bindings(bound: Iterable[str], used: Iterable[str]) -> Iterator[UnusedBinding]:
+def unused_bindings(
+    bound: Iterable[str], used: Iterable[str], kind: str = "parameter"
+) -> Iterator[UnusedBinding]:
     """Yield the bound names that are not used.
 
     Args:
-        bound: Names that the configuration gives values to.
-        used: Names of the parameters of all documents that it holds for.
+        bound: Names that the configuration gives values to, or limits.
+        used: Names of the parameters, or joints, of all documents that it holds for.
+        kind: `parameter` or `joint`.
     """
+    lacking = "uses parameter" if kind == "parameter" else "has a joint"
     known = dict.fromkeys(used)
     names = list(bound)
     free = [name for name in known if name not in names]
     for name in names:
         if name not in known:
             meant = nearest_name(name, free)
-            yield UnusedBinding(name, f"no document uses parameter '{name}'{hint(meant)}")
+            yield UnusedBinding(name, f"no document {lacking} '{name}'{hint(meant)}")
 
 
 RULE = Rule("KD404", "unused-binding", Severity.WARNING)
