@@ -67,6 +67,20 @@ step("rename", text():find("link forearm") ~= nil and text():find("forearm via")
 vim.lsp.buf.formatting_sync(nil, 10000)
 step("format", text():find("\n    id = 1") ~= nil)
 
+vim.cmd("let &undolevels = &undolevels") -- what follows is a step of its own
+local before, steps = text(), vim.fn.undotree().seq_last
+local number = { kind = "joint", name = "shoulder", component = "z", value = 0.6 }
+local answer = ask("workspace/executeCommand", 0, 0, {
+  command = "kindsl.setComponent",
+  arguments = { vim.lsp.util.make_text_document_params(0).uri, number },
+})
+local is_set = wait(function() return text() ~= before end)
+local is_one = vim.fn.undotree().seq_last == steps + 1
+local written = text():find("translation = (0.0, 0.0, 0.6)", 1, true) ~= nil
+vim.cmd("undo")
+step("set", answer ~= nil and answer.applied and is_set and written)
+step("undone", is_one and text() == before)
+
 local line = vim.fn.search("missing via")
 vim.api.nvim_buf_set_lines(0, line - 1, line, false, {})
 local function errors()

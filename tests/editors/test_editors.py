@@ -1,4 +1,4 @@
-"""Neovim and Emacs, headless: attach, see a diagnostic, hover, complete, rename, format, fix."""
+"""Neovim and Emacs, headless: see, hover, complete, rename, format, set a number, undo."""
 
 import json
 import os
@@ -11,7 +11,9 @@ import pytest
 
 HERE = Path(__file__).parent
 SERVER = [sys.executable, "-m", "kindsl.cli.language_server"]
-STEPS = ("diagnostic", "hover", "completion", "rename", "format", "cleared", "stopped")
+STEPS = (
+    "diagnostic", "hover", "completion", "rename", "format", "set", "undone", "cleared", "stopped",
+)  # fmt: skip
 ROBOT = """\
 Robot Arm {
 RobotBase base {

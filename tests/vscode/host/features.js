@@ -52,6 +52,18 @@ exports.run = () =>
       await eventually(() => codes(uri).includes("KD106"), "KD106 back");
     },
 
+    "a number that is set is undone by one step": async () => {
+      const document = await open("arm.kindsl"), before = document.getText();
+      const number = { kind: "joint", name: "elbow", component: "x", value: 0.55, step: null };
+      const answer = await vscode.commands.executeCommand("kindsl.setComponent", document.uri.toString(), number);
+      assert.equal(answer.reason, null);
+      await eventually(() => document.getText() !== before, "the number");
+      assert.equal(document.getText(), before.replace("(0.4, 0.0", "(0.55, 0.0"));
+      await vscode.commands.executeCommand("undo");
+      assert.equal(document.getText(), before);
+      await document.save();
+    },
+
     "a restart brings the findings back": async () => {
       const { uri } = await open(BROKEN);
       await vscode.commands.executeCommand("kindsl.restart");
