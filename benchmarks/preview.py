@@ -9,6 +9,7 @@ wait until typing rests, by default 0.1 s; the frame does not.
 
 import argparse
 import asyncio
+import json
 import statistics
 import sys
 import threading
@@ -71,6 +72,11 @@ class Line:
         while count != len(self.frames):
             count = len(self.frames)
             time.sleep(QUIET)
+
+    def send(self, message: dict[str, Any]) -> None:
+        """Say something as the page would."""
+        assert self._connection is not None
+        self._loop.call_soon_threadsafe(self._connection.write_message, json.dumps(message))
 
     def close(self) -> None:
         if self._connection is not None:

@@ -112,8 +112,8 @@ async def until_shown(page: Page, robot: str) -> None:
     await until(page, IS_SHOWN, robot)
 
 
-async def eventually(condition: Callable[[], object]) -> None:
+async def eventually(condition: Callable[[], object], patience: float = 60.0) -> None:
     """Wait until a condition holds on our side."""
-    async with asyncio.timeout(60.0):
+    async with asyncio.timeout(patience):
         while not condition():
             await asyncio.sleep(0.01)

@@ -31,6 +31,22 @@ ARE_FREE = """([component, points]) => points.map(([x, y]) => {
   return Boolean(hit && hit.closest(".handle"))
     && kindsl.editing.handles.nearest({ clientX: x, clientY: y }) === component;
 })"""
+# A place on a link where nothing lies over it.
+BARE = """(link) => {
+  kindsl.viewer.render();
+  const canvas = kindsl.viewer.renderer.domElement, box = canvas.getBoundingClientRect();
+  const [from, ...ends] = kindsl.camera.pointsOf({ kind: "link", name: link });
+  for (const to of ends) for (let share = 0.05; share < 1; share += 0.04) {
+    const place = kindsl.labels.project(from.map((value, i) => value + share * (to[i] - value)));
+    if (!place) continue;
+    const [x, y] = [place[0] + box.left, place[1] + box.top];
+    const hit = kindsl.picking.at({ clientX: x, clientY: y });
+    if (document.elementFromPoint(x, y) === canvas && hit && hit.kind === "link" && hit.name === link) {
+      return [x, y];
+    }
+  }
+  return null;
+}"""  # noqa: E501
 IS_GRASPED = """([kind, name]) => {
   const { shown, shapes } = kindsl.editing.handles;
   return shown && shown.kind === kind && shown.name === name && shapes.size > 0

@@ -28,10 +28,16 @@ const KindslHandles = (() => {
     // Show the numbers of a thing: {kind, name, frame, components, values}; null for none.
     show(shown) {
       this.shown = shown;
-      const names = shown ? (this.mode === "move" ? LENGTHS : ANGLES).filter((name) => name in shown.values) : [];
+      const names = shown ? this.names(Object.keys(shown.values)) : [];
       for (const [name, shape] of this.shapes) if (!names.includes(name)) this.drop(name, shape);
       for (const name of names) if (!this.shapes.has(name)) this.add(name);
       this.place();
+    }
+
+    // Of the numbers that there are, those of the mode; what cannot be turned is moved.
+    names(all) {
+      const angles = all.filter((name) => ANGLES.includes(name));
+      return this.mode === "turn" && angles.length ? angles : all.filter((name) => LENGTHS.includes(name));
     }
 
     choose(mode) {
