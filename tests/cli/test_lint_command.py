@@ -180,17 +180,6 @@ def test_list_rules_tells_all(kdsl_lint: Runner) -> None:
     assert all(rule["summary"].endswith(".") for rule in rules)
 
 
-def test_jobs_give_the_same_in_the_same_order(kdsl_lint: Runner, folder: Path) -> None:
-    for number in range(40):
-        text = INTEGER if number % 3 else UNBOUND
-        (folder / f"m{number:02}.kindsl").write_text(text)
-    one = kdsl_lint("--jobs", 1, "--output-format", "json")
-    two = kdsl_lint("--jobs", 2, "--output-format", "json")
-    assert one.out == two.out
-    assert one.status == two.status == 1
-    assert len(json.loads(one.out)) == 40
-
-
 def test_colour_when_forced_and_never_when_unwanted(
     kdsl_lint: Runner, folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -1,5 +1,6 @@
 """The commands as processes: status, streams, no traceback."""
 
+import json
 import os
 import signal
 import subprocess
@@ -7,7 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from tests.cli.samples import GOOD, INTEGER
+from tests.cli.samples import GOOD, INTEGER, UNBOUND
 
 LINT = (sys.executable, "-c", "from kindsl.cli.lint import main; main()")
 KINDSL = (sys.executable, "-m", "kindsl")
@@ -36,6 +37,16 @@ def test_output_is_whole(folder: Path) -> None:
     told = run(*LINT, "--output-format", "json", "--jobs", "2")
     assert told.stdout.count('"KD005"') == 60
     assert told.stdout.endswith("]\n")
+
+
+def test_jobs_give_the_same_in_the_same_order(folder: Path) -> None:
+    for number in range(40):
+        text = INTEGER if number % 3 else UNBOUND
+        (folder / f"m{number:02}.kindsl").write_text(text)
+    one, two = (run(*LINT, "--output-format", "json", "--jobs", n) for n in "12")
+    assert one.stdout == two.stdout
+    assert one.returncode == two.returncode == 1
+    assert len(json.loads(one.stdout)) == 40
 
 
 def test_reader_that_goes_away_is_no_defect(folder: Path) -> None:
