@@ -17,6 +17,7 @@ COMMANDS = {
     "preview": "show the robot in 3D while its document is edited",
     "convert": "convert from and to URDF, MJCF and SDF",
     "generate": "write code for kinematics and dynamics",
+    "card": "write a page about a document: picture, tables, transforms",
     "diff": "tell what changed mechanically between two documents",
     "language-server": "serve an editor",
 }

@@ -59,12 +59,13 @@ def _affine(vector: Vector | None, values: Mapping[str, float]) -> list[Affine] 
     """Return the components of a vector, None if one has another form or no value."""
     if vector is None or len(vector.components) != _COMPONENTS:
         return None
-    components = [_affine_component(component, values) for component in vector.components]
+    components = [affine_component(component, values) for component in vector.components]
     known = [component for component in components if component is not None]
     return known if len(known) == _COMPONENTS else None
 
 
-def _affine_component(expression: Expression, values: Mapping[str, float]) -> Affine | None:
+def affine_component(expression: Expression, values: Mapping[str, float]) -> Affine | None:
+    """Return a value as what it is at zero and factors of its parameters, None if it is not so."""
     names = {str(use.name) for use in symbols(expression) if isinstance(use, ParameterUse)}
     at_zero = {**values, **dict.fromkeys(names, 0.0)}
     constant = expression.value(at_zero)

@@ -1,0 +1,58 @@
+"""Writes a page about a document for a wiki or a paper.
+
+It has a picture, the tree, joints, masses, frames, parameters, each joint's transform in closed
+form, and the document's health. Broken documents are shown as far as they go.
+"""
+
+import argparse
+import sys
+
+from kindsl.cli.console import write
+from kindsl.cli.documents.choices import choices_of
+from kindsl.cli.documents.reading import CommandError, note_errors, read_document
+from kindsl.cli.documents.sources import STDIN
+from kindsl.cli.options import add_parameter_arguments
+from kindsl.cli.outcome import Failure, as_failures
+from kindsl.config.errors import ConfigurationError
+
+FORMATS = ("markdown", "html", "latex")
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    parser.add_argument("file", metavar="FILE", help="the document, or '-' for stdin")
+    parser.add_argument("--output-format", choices=FORMATS, default="markdown")
+    parser.add_argument("-o", "--output", metavar="OUT", help="write to this file, not to stdout")
+    add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
+
+
+def run(args: argparse.Namespace) -> int:
+    """Write the page.
+
+    Returns:
+        0, or 2 if the document cannot be read or the page cannot be written.
+    """
+    try:
+        analysis = read_document(args.file, choices_of(args))
+        from kindsl.reports.card import card_page
+        from kindsl.reports.page.rendering import rendered
+
+        _write(args.output or STDIN, rendered(card_page(analysis), args.output_format))
+    except CommandError as error:
+        return error.tell()
+    except ConfigurationError as error:
+        return CommandError(as_failures(error)).tell()
+    note_errors(args.file, analysis)
+    return 0
+
+
+def _write(path: str, text: str) -> None:
+    if path == STDIN:
+        write(sys.stdout, text)
+        return
+    try:
+        with open(path, "w", encoding="utf-8", newline="\n") as file:
+            file.write(text)
+    except OSError as error:
+        message = f"cannot be written: {error.strerror or error}"
+        raise CommandError([Failure(path, message)]) from None

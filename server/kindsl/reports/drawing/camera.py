@@ -1,0 +1,63 @@
+"""Looking at a robot from a fixed direction, without perspective, so that lengths compare."""
+
+from collections.abc import Sequence
+from math import cos, hypot, radians, sin
+from typing import NamedTuple
+
+from kindsl.reports.drawing.shapes import Spot
+from kindsl.rigid.pose import Vector3
+
+WIDTH, HEIGHT = 640.0, 480.0
+_MARGIN = 56.0
+_AZIMUTH, _ELEVATION = radians(-50.0), radians(22.0)
+_NEGLIGIBLE = 1e-9
+
+# Directions in the base's frame: to the right of the sheet, up on it, out of it.
+_RIGHT = (-sin(_AZIMUTH), cos(_AZIMUTH), 0.0)
+_OUT = (cos(_ELEVATION) * cos(_AZIMUTH), cos(_ELEVATION) * sin(_AZIMUTH), sin(_ELEVATION))
+_UP = (-sin(_ELEVATION) * cos(_AZIMUTH), -sin(_ELEVATION) * sin(_AZIMUTH), cos(_ELEVATION))
+
+
+class Camera(NamedTuple):
+    """What is seen where.
+
+    Attributes:
+        scale: Pixels a metre.
+        middle: What is in the middle of the sheet, metres to the right and up.
+    """
+
+    scale: float
+    middle: tuple[float, float]
+
+    def spot(self, point: Vector3) -> Spot:
+        """Return where a point of the base's frame is on the sheet."""
+        x, y = _flat(point)
+        right, up = self.middle
+        return WIDTH / 2 + self.scale * (x - right), HEIGHT / 2 - self.scale * (y - up)
+
+
+def depth(point: Vector3) -> float:
+    """Return how far out of the sheet a point is, metres."""
+    return _dot(_OUT, point)
+
+
+def camera_for(points: Sequence[Vector3]) -> Camera:
+    """Return the camera that sees some points of the base's frame as large as they fit."""
+    flat = [_flat(point) for point in points] or [(0.0, 0.0)]
+    (left, right), (low, high) = ((min(axis), max(axis)) for axis in zip(*flat, strict=True))
+    if hypot(right - left, high - low) < _NEGLIGIBLE:
+        left, right = left - 0.5, right + 0.5
+    scales = [
+        (sheet - 2 * _MARGIN) / size
+        for sheet, size in ((WIDTH, right - left), (HEIGHT, high - low))
+        if size > _NEGLIGIBLE
+    ]
+    return Camera(min(scales), ((left + right) / 2, (low + high) / 2))
+
+
+def _flat(point: Vector3) -> tuple[float, float]:
+    return _dot(_RIGHT, point), _dot(_UP, point)
+
+
+def _dot(a: Vector3, b: Vector3) -> float:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]

@@ -1,0 +1,4 @@
+"""Knows a page as blocks, and how Markdown, HTML and LaTeX write them.
+
+Must not know robots.
+"""

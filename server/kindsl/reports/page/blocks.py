@@ -1,0 +1,70 @@
+"""A page as what is in it: headings, text, tables, drawings, matrices."""
+
+from typing import NamedTuple
+
+from kindsl.reports.drawing.shapes import Drawing
+
+
+class Heading(NamedTuple):
+    """A heading; level 1 is the page's."""
+
+    text: str
+    level: int = 2
+
+
+class Paragraph(NamedTuple):
+    """Plain text."""
+
+    text: str
+
+
+class Table(NamedTuple):
+    """Rows of plain text under a header; blanks that begin a cell are kept.
+
+    Attributes:
+        header: One cell a column.
+        rows: As many cells each.
+        right: Columns that are flush right, numbers.
+    """
+
+    header: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+    right: frozenset[int] = frozenset()
+
+
+class Picture(NamedTuple):
+    """A drawing.
+
+    Attributes:
+        name: What a file of it would be called, without suffix.
+        drawing: What it shows.
+        caption: Plain text.
+    """
+
+    name: str
+    drawing: Drawing
+    caption: str
+
+
+class Matrix(NamedTuple):
+    """A matrix of formulas.
+
+    Attributes:
+        label: What it is, plain text.
+        plain: Rows of entries that a program would understand: `sin(q)`.
+        latex: The same in LaTeX's mathematics.
+    """
+
+    label: str
+    plain: tuple[tuple[str, ...], ...]
+    latex: tuple[tuple[str, ...], ...]
+
+
+class Side(NamedTuple):
+    """Pictures beside each other."""
+
+    pictures: tuple[Picture, ...]
+
+
+Block = Heading | Paragraph | Table | Picture | Matrix | Side
+Page = tuple[Block, ...]

@@ -1,0 +1,93 @@
+"""`kindsl card`: all that is in a document, in each format, broken ones as far as it goes."""
+
+import re
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+from tests.support.published import published_models
+
+import kindsl
+from kindsl.analysis.settings import Settings
+from kindsl.cli.main import main
+from kindsl.reports.card import card_page
+from kindsl.reports.drawing.shapes import Disc, Label, Line
+from kindsl.reports.page.blocks import Heading, Matrix, Picture, Table
+from kindsl.reports.page.rendering import RENDERERS, rendered
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+QUADRUPED = EXAMPLES / "quadruped.kindsl"
+SECTIONS = ["Tree", "Joints", "Masses", "Frames", "Parameters", "Transforms", "Health"]
+
+
+def page(path: Path):
+    return card_page(kindsl.load(path, Settings()))
+
+
+def table(blocks, title: str) -> Table:
+    start = next(i for i, b in enumerate(blocks) if isinstance(b, Heading) and b.text == title)
+    return next(b for b in blocks[start:] if isinstance(b, Table))
+
+
+def test_it_holds_everything() -> None:
+    document = kindsl.load(EXAMPLES / "industrial_arm.kindsl")
+    blocks = card_page(document)
+    assert [b.text for b in blocks if isinstance(b, Heading)][1:] == SECTIONS
+    links = [row[0].strip() for row in table(blocks, "Tree").rows]
+    assert links == [str(body.name) for body in document.model.bodies]
+    joints = [row[0] for row in table(blocks, "Joints").rows]
+    assert joints == [str(joint.name) for joint in document.model.joints]
+    assert sum(isinstance(b, Matrix) for b in blocks) == len(joints)
+
+
+def test_every_link_and_frame_is_drawn_within_the_sheet() -> None:
+    (picture,) = (b for b in page(QUADRUPED) if isinstance(b, Picture))
+    shapes = picture.drawing.shapes
+    spots = [s for x in shapes if isinstance(x, Line) for s in (x.start, x.end)]
+    spots += [x.center for x in shapes if isinstance(x, Disc)]
+    assert len(spots) > 40
+    width, height = picture.drawing.width, picture.drawing.height
+    assert all(0 < x < width and 0 < y < height for x, y in spots)
+    assert {"trunk"} <= {x.text for x in shapes if isinstance(x, Label)}
+
+
+@pytest.mark.parametrize("output_format", RENDERERS)
+def test_each_format_is_well_formed(output_format: str) -> None:
+    text = rendered(page(QUADRUPED), output_format)
+    assert "http" not in re.sub('xmlns="[^"]*"|http-equiv', "", text)
+    if output_format == "html":
+        body = text[text.index("<body>") : text.index("</html>")]
+        assert len(ElementTree.fromstring(body).findall("table")) > 10
+    elif output_format == "latex":
+        begun = re.findall(r"\\begin\{(\w+)\}", text)
+        assert sorted(begun) == sorted(re.findall(r"\\end\{(\w+)\}", text))
+        assert text.count("{") - text.count(r"\{") == text.count("}") - text.count(r"\}")
+    else:
+        rows = [line for line in text.splitlines() if line.startswith("| ")]
+        assert len(rows) > 50 and "```math" in text
+
+
+@pytest.mark.parametrize("cut", [0, 40, 600, 2000])
+def test_broken_documents_are_shown_as_far_as_they_go(cut: int) -> None:
+    blocks = card_page(kindsl.parse(QUADRUPED.read_text()[:cut], Settings()))
+    assert any(isinstance(b, Heading) and b.text == "Health" for b in blocks)
+    for output_format in RENDERERS:
+        assert rendered(blocks, output_format)
+
+
+@pytest.mark.parametrize("path", published_models())
+def test_published_documents_have_a_card(path: Path) -> None:
+    blocks = page(path)
+    assert any(isinstance(b, Picture) for b in blocks)
+    assert all(rendered(blocks, output_format) for output_format in RENDERERS)
+
+
+def test_command_writes_a_file_or_stdout(tmp_path: Path, capsys) -> None:
+    out = tmp_path / "card.html"
+    assert main(["card", str(QUADRUPED), "--output-format", "html", "-o", str(out)]) == 0
+    assert out.read_text().startswith("<!DOCTYPE html>")
+    assert main(["card", "--isolated", str(QUADRUPED)]) == 0
+    assert capsys.readouterr().out.startswith("# ")
+    assert main(["card", str(tmp_path / "absent.kindsl")]) == 2
+    assert main(["card", str(QUADRUPED), "-o", str(tmp_path / "no" / "card.md")]) == 2
+    assert "cannot be written: No such file" in capsys.readouterr().err
