@@ -76,6 +76,8 @@ p_joint j {
 }
 """
 
+POSE = "ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) }"
+
 
 def formatted(text: str) -> str:
     return apply_edits(text, format_document(parse(text)))
@@ -161,6 +163,37 @@ def test_range_formats_that_part() -> None:
     assert text.startswith("Robot R{RobotBase b{")
 
 
+def test_a_range_has_the_edits_that_touch_it_at_an_end_too() -> None:
+    document = parse(LAYOUTS)
+    edits = format_document(document)
+    for edit in edits:
+        for place in (edit.start, edit.end):
+            touching = [other for other in edits if other.start <= place <= other.end]
+            assert format_range(document, Span(place, place)) == touching
+        before = [other for other in edits if other.start <= edit.start]
+        behind = [other for other in edits if other.end >= edit.end]
+        assert format_range(document, Span(0, edit.start)) == before
+        assert format_range(document, Span(edit.end, len(LAYOUTS))) == behind
+
+
+def test_a_document_of_one_line_gets_line_ends() -> None:
+    without_comments = re.sub(r"//.*|/\*.*?\*/", "", LAYOUTS)
+    one_line = " ".join(without_comments.split())
+    assert "\n" not in one_line
+    text = formatted(one_line)
+    assert [line for line in text.split("\n") if line] == [
+        line for line in formatted(without_comments).split("\n") if line
+    ]
+
+
 def test_refuses_what_does_not_parse() -> None:
     with pytest.raises(FormattingRefusedError, match="error"):
         format_document(parse(LAYOUTS.replace("id=1", "id=")))
+
+
+@pytest.mark.parametrize(("n_broken", "count"), [(1, "an error"), (2, "2 errors"), (3, "3 errors")])
+def test_a_refusal_counts_the_errors(n_broken: int, count: str) -> None:
+    links = "".join(f"link l{n} {{ id = children {{}} }}\n" for n in range(n_broken))
+    text = f"Robot R {{ RobotBase b {{ children {{}} }}\n{links}r_joint j {{ {POSE} }} }}"
+    with pytest.raises(FormattingRefusedError, match=f"^the document has {count} of syntax: "):
+        format_document(parse(text))

@@ -36,21 +36,20 @@ def gaps(pieces: Iterable[Piece], length: int, newline: str) -> Iterator[Gap]:
     """Yield every gap of a document with its proper blanks.
 
     Args:
-        pieces: All tokens and comments, in order.
+        pieces: All tokens and comments, in order; at least one.
         length: Of the text, code points.
         newline: The document's line end.
     """
     before: Piece | None = None
-    depth = 0
+    done = depth = 0
     for piece in pieces:
         if piece.kind == "}" and piece.parent != "end":
             depth -= 1
-        start = before.end if before is not None else 0
-        yield Gap(start, piece.start, _blanks(before, piece, depth, newline))
+        yield Gap(done, piece.start, _blanks(before, piece, depth, newline))
         if piece.kind == "{" and piece.parent != "head":
             depth += 1
-        before = piece
-    yield Gap(before.end if before is not None else 0, length, newline if before else "")
+        before, done = piece, piece.end
+    yield Gap(done, length, newline)
 
 
 def _blanks(before: Piece | None, piece: Piece, depth: int, newline: str) -> str:
@@ -95,7 +94,7 @@ def _space(before: Piece, piece: Piece) -> str:
         return ""
     if piece.kind in _COMMENTS or before.kind in _COMMENTS:
         return " "
-    if before.kind == "{" and piece.kind == "}":
+    if piece.kind == "}":
         return ""
     if piece.kind == "[" or before.kind in ("*", "/") or piece.kind in ("*", "/"):
         return ""
