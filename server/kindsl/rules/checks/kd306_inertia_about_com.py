@@ -34,7 +34,7 @@ from collections.abc import Iterator
 from kindsl.rules.base import Example, Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link
-from kindsl.rules.inertia.repairs import explained
+from kindsl.rules.inertia.suspects import explained
 from kindsl.semantics.model import Model
 
 

@@ -12,11 +12,9 @@ from kindsl.rules.inertia.digits import likely_half_widths, numbers_written, rew
 from kindsl.rules.inertia.judgements import (
     IMPOSSIBLE,
     Judgement,
-    Verdict,
     at_values,
     can_be_of_matter,
     is_moving,
-    judgements,
     keyword,
     verdict_of,
 )
@@ -28,7 +26,7 @@ from kindsl.semantics.declarations import MOMENTS
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.model import Model
 
-_KEY = "inertia causes"
+_KEY = "tried causes"
 _SURE = 0.85
 _MOST_RELATED = 20
 _LEAST_SHARED = 3
@@ -47,24 +45,23 @@ class Explained(NamedTuple):
     causes: list[Cause]
 
 
-def explained(model: Model, context: Context, code: str) -> Iterator[Finding]:
-    """Yield a finding for each inertia whose most likely mistake belongs to a rule."""
-    known = model.facts.get(_KEY)
-    if not isinstance(known, tuple) or known[0] is not context:
-        known = model.facts[_KEY] = context, list(_findings(model, context))
-    for own_code, finding in known[1]:
-        if own_code == code:
-            yield finding
+def findings(
+    suspects: Sequence[Judgement], model: Model, context: Context
+) -> Iterator[tuple[str, Finding]]:
+    """Yield what is told of inertias that need an explanation, with the code of its rule."""
+    told = explanations(suspects, model, context)
+    shared = _shared(told, model, context)
+    if shared is not None:
+        yield shared
+        return
+    for found, causes in told:
+        code = next((_RULES[c.hypothesis.slips[0]] for c in causes if _has_rule(c)), None)
+        if code is not None:
+            yield code, _finding(found, causes, context)
 
 
-def explanations(model: Model, context: Context) -> list[Explained]:
+def explanations(suspects: Sequence[Judgement], model: Model, context: Context) -> list[Explained]:
     """Return what may have happened to each inertia that needs an explanation."""
-    suspects = [
-        found
-        for declared in model.declared
-        for found in judgements(declared, context)
-        if found.is_impossible or found.verdict is Verdict.IMPLAUSIBLE
-    ]
     around = [surroundings(model, context, found) for found in suspects]
     tried = [_tried(found, near) for found, near in zip(suspects, around, strict=True)]
     said = [said_by(causes) for causes in tried]
@@ -88,18 +85,6 @@ def _tried(found: Judgement, around: Surroundings) -> list[Cause]:
         known = facts[key] = found, around, candidates(found, around)
     causes: list[Cause] = known[2]
     return causes
-
-
-def _findings(model: Model, context: Context) -> Iterator[tuple[str, Finding]]:
-    told = explanations(model, context)
-    shared = _shared(told, model, context)
-    if shared is not None:
-        yield shared
-        return
-    for found, causes in told:
-        code = next((_RULES[c.hypothesis.slips[0]] for c in causes if _has_rule(c)), None)
-        if code is not None:
-            yield code, _finding(found, causes, context)
 
 
 def _shared(

@@ -1,0 +1,40 @@
+"""Which inertias need an explanation: those that are impossible or implausible."""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Finding
+from kindsl.rules.context import Context
+from kindsl.rules.inertia.judgements import Judgement, Verdict, judgements
+from kindsl.semantics.model import Model
+
+_KEY = "inertia causes"
+
+
+def explained(model: Model, context: Context, code: str) -> Iterator[Finding]:
+    """Yield a finding for each inertia whose most likely mistake belongs to a rule."""
+    known = model.facts.get(_KEY)
+    if not isinstance(known, tuple) or known[0] is not context:
+        known = model.facts[_KEY] = context, _findings(model, context)
+    for own_code, finding in known[1]:
+        if own_code == code:
+            yield finding
+
+
+def suspects_of(model: Model, context: Context) -> list[Judgement]:
+    """Return what was judged of each inertia that needs an explanation."""
+    return [
+        found
+        for declared in model.declared
+        for found in judgements(declared, context)
+        if found.is_impossible or found.verdict is Verdict.IMPLAUSIBLE
+    ]
+
+
+def _findings(model: Model, context: Context) -> list[tuple[str, Finding]]:
+    suspects = suspects_of(model, context)
+    if not suspects:
+        return []
+    # Imported for suspects only, since it delays the linter's start.
+    from kindsl.rules.inertia.repairs import findings
+
+    return list(findings(suspects, model, context))
