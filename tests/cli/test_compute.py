@@ -1,5 +1,6 @@
 """`kindsl compute`."""
 
+import inspect
 import json
 from io import BytesIO
 from pathlib import Path
@@ -119,6 +120,16 @@ def test_npz(kindsl: Runner, document: Path, folder: Path) -> None:
     assert archive["jacobians"].shape == (1, 3, 6, 2)
 
 
+def test_a_terminal_gets_a_table_and_a_program_json(
+    kindsl: Runner, document: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert json.loads(kindsl("compute", document).out)["robot"] == "arm"
+    table = kindsl("compute", document, "--output-format", "text").out
+    monkeypatch.setattr("sys.stdout.isatty", lambda: True)
+    assert kindsl("compute", document).out == table
+    assert json.loads(kindsl("compute", document, "--output-format", "json").out)
+
+
 def test_text(kindsl: Runner, document: Path) -> None:
     out = kindsl("compute", document, "--output-format", "text").out
     assert out.startswith("arm: fixed base, 2 links\n")
@@ -212,6 +223,13 @@ def test_public_api(folder: Path, document: Path) -> None:
         package.parse("Robot").mechanism()
     with pytest.raises(AttributeError, match="nothing"):
         package.nothing  # noqa: B018
+
+
+def test_help_shows_short_signatures() -> None:
+    for interface in (package.Mechanism, package.Document):
+        for name, method in inspect.getmembers(interface, inspect.isfunction):
+            if not name.startswith("_"):
+                assert len(str(inspect.signature(method))) < 300, name
 
 
 def test_errors_that_leave_a_mechanism_are_noted(kindsl: Runner, folder: Path) -> None:

@@ -191,6 +191,22 @@ def test_what_nothing_resists_is_an_error(is_floating: bool, n_configurations: i
             massless.inverse_dynamics(q, q, q)
 
 
+@pytest.mark.parametrize("is_floating", [False, True])
+@pytest.mark.parametrize("n_configurations", [1, 60])
+def test_the_joint_that_nothing_resists_is_named(is_floating: bool, n_configurations: int) -> None:
+    bodies = random_bodies(np.random.default_rng(4), 3, is_floating)
+    leaf = max(range(1, 4), key=lambda body: body not in bodies.parents[1:])
+    masses, coms, inertias = bodies.masses.copy(), bodies.coms.copy(), bodies.inertias.copy()
+    masses[leaf], coms[leaf], inertias[leaf] = 0.0, 0.0, 0.0
+    mechanics = Mechanics(replace(bodies, masses=masses, coms=coms, inertias=inertias))
+    q = np.full((n_configurations, 3), 0.3)
+    told = f"nothing resists motion of joint '{bodies.joint_names[leaf - 1]}'"
+    with pytest.raises(SingularInertiaError, match=told):
+        mechanics.forward_dynamics(q, q, q)
+    with pytest.raises(SingularInertiaError, match=told):
+        mechanics.forward_dynamics_derivatives(q, q, q)
+
+
 def test_names_never_enter_generated_code() -> None:
     evil = '"); raise SystemExit("'
     bodies = random_bodies(np.random.default_rng(0), 2, is_floating=True)

@@ -1,12 +1,13 @@
 """One mistake gives one message: every single slip of some kind in a good model."""
 
+import itertools
 import random
 import re
 from collections.abc import Iterator
 
 import pytest
 from tests.support.models import Style, random_model
-from tests.support.mutants import mutants
+from tests.support.mutants import lumps, mutants
 
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.diagnostics import Diagnostic
@@ -96,6 +97,34 @@ def test_block_written_twice_gives_one_message() -> None:
     for kind, start, end in blocks():
         found = remarks(f"{MODEL[:end]}\n{MODEL[start:]}")
         assert [f.code for f in found] == [{"link": "KD102", "joint": "KD103"}[kind]]
+
+
+def test_a_lump_of_lost_tokens_gives_few_messages() -> None:
+    """At most two of a lump in 99.5 % (`benchmarks/lost_tokens.py`), never more than three."""
+    model = random_model(3, 3, Style(has_expressions=False))
+    counts = [
+        len(remarks(mutant.text))
+        for mutant in itertools.islice(lumps(model, random.Random(23)), 60)
+    ]
+    assert sum(count > 2 for count in counts) <= 1
+    assert max(counts) <= 3
+
+
+@pytest.mark.parametrize(
+    ("lost", "message"),
+    [
+        (r"\}\s*link segment_2 \{", "expected 'link' before 'id'"),
+        (r"\}\s*link (?=segment_2 \{)", "expected 'link' before 'segment_2'"),
+        (r"link segment_2 (?=\{)", "expected 'link' before '{'"),
+        (r"\}\s*link segment_1 \{", "expected 'link' before 'id'"),
+        (r"\}\s*r_joint joint_2 \{(?=\s*id)", "expected 'r_joint' or 'p_joint' before 'id'"),
+        (r"r_joint joint_1 \{(?=\s*id)", "expected 'r_joint' or 'p_joint' before 'id'"),
+    ],
+)
+def test_a_lost_head_is_one_mistake(lost: str, message: str) -> None:
+    text = re.sub(lost, "", MODEL, count=1)
+    assert text != MODEL
+    assert [finding.message for finding in remarks(text)] == [message]
 
 
 def test_syntax_error_invents_nothing_elsewhere() -> None:

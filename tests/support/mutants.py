@@ -51,6 +51,30 @@ def mutants(text: str, seed: int = 5, substitutions: int = 300) -> Iterator[Muta
         position += len(line)
 
 
+def lumps(text: str, generator: random.Random) -> Iterator[Mutant]:
+    """Yield without end the document with up to four neighbouring tokens lost, doubled or swapped.
+
+    Or with one token that became a bracket.
+    """
+    document = parse(text)
+    tokens = _tokens(document)
+    spans = _block_spans(document)
+    while True:
+        kind = generator.choice(("lose", "lose", "double", "swap", "bracket"))
+        count = 1 if kind == "bracket" else generator.randint(2, 4)
+        first = generator.randrange(len(tokens) - count)
+        lump = tokens[first : first + count]
+        start, end = lump[0][0], lump[-1][1]
+        cut = lump[generator.randrange(count)][0]
+        new = {
+            "lose": "",
+            "double": f"{text[start:end]} {text[start:end]}",
+            "swap": f"{text[cut:end]} {text[start:cut]}",
+            "bracket": generator.choice("{}()[]"),
+        }[kind]
+        yield Mutant(kind, text[:start] + new + text[end:], start, _touched(spans, start))
+
+
 def links_and_joints(document: SyntaxDocument) -> dict[str, object]:
     """Return the edges of each base and link by its name, and the kind of each joint."""
     found: dict[str, object] = {}

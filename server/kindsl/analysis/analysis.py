@@ -1,11 +1,15 @@
 """A document with everything that is known of it: syntax, model, findings."""
 
+# Signatures in `help` are as short as they are written here.
+from __future__ import annotations
+
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 from kindsl.analysis.check_run import Checkpoint, CheckRun, Fault, go_on
 from kindsl.analysis.diagnostics import Diagnostic, Resolver
+from kindsl.analysis.explained import is_explained
 from kindsl.analysis.settings import Settings, is_enabled, severity_of
 from kindsl.analysis.syntax_findings import syntax_findings
 from kindsl.rules.base import Finding, Rule
@@ -86,15 +90,15 @@ class Analysis:
             self._findings, self._faults = self._without_silenced(found), tuple(run.faults)
         return self._findings
 
-    def edited(self, edits: Sequence[TextEdit]) -> "Analysis":
+    def edited(self, edits: Sequence[TextEdit]) -> Analysis:
         """Return the analysis of the edited text; what no edit touches is not computed again."""
         return Analysis(self.syntax.edited(edits), self.settings)
 
-    def with_settings(self, settings: Settings) -> "Analysis":
+    def with_settings(self, settings: Settings) -> Analysis:
         """Return the analysis of the same text under other decisions."""
         return Analysis(self.syntax, settings)
 
-    def mechanism(self, parameters: Mapping[str, float] | None = None) -> "Mechanism":
+    def mechanism(self, parameters: Mapping[str, float] | None = None) -> Mechanism:
         """Return the numbered bodies for mechanics; needs NumPy.
 
         Args:
@@ -130,9 +134,9 @@ class Analysis:
     def _found(self, run: CheckRun) -> list[tuple[Rule, Finding]]:
         rules = [rule for rule in all_rules() if is_enabled(rule, self.settings)]
         found = [*syntax_findings(self.syntax, self.settings.targets)]
-        found += run.document_findings(rules, self.model, self.context)
-        found += run.island_findings(rules, self.model, self.context)
-        return found
+        of_meaning = run.document_findings(rules, self.model, self.context)
+        of_meaning += run.island_findings(rules, self.model, self.context)
+        return [*found, *(entry for entry in of_meaning if not is_explained(entry[1]))]
 
     def _without_silenced(self, found: list[Diagnostic]) -> tuple[Diagnostic, ...]:
         islands, starts = self.syntax.islands, self.syntax.starts

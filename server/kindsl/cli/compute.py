@@ -46,7 +46,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--gravity", metavar="X,Y,Z", type=_gravity, default=(0.0, 0.0, -9.81))
     add("--forward", action="store_true", help="from forces to accelerations")
     add("--tau", metavar="LIST", help="with --forward: the joints' forces")
-    add("--output-format", choices=FORMATS, default="json")
+    add("--output-format", choices=FORMATS, help="default: text on a terminal, json elsewhere")
     add("-o", "--output", metavar="FILE", help="write to this file instead of stdout")
     add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
 
@@ -113,9 +113,11 @@ def _show(
         results = compute(analysis, mechanism, request)
     except ValueError as error:
         raise CommandError([Failure(shown_name(args.file), str(error))], status=1) from None
-    if args.output_format == "npz":
+    is_read_at_once = args.output is None and sys.stdout.isatty()
+    output_format = args.output_format or ("text" if is_read_at_once else "json")
+    if output_format == "npz":
         return _write_bytes(args, results.as_npz())
-    if args.output_format == "json":
+    if output_format == "json":
         import json
 
         text = json.dumps(results.as_json()) + "\n"

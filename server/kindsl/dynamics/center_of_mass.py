@@ -35,7 +35,7 @@ def subtree_first_moments(bodies: Bodies, poses: list[Array]) -> list[Array]:
 
 
 def center_of_mass(bodies: Bodies, poses: list[Array]) -> Array:
-    """Return the whole mechanism's centre of mass, base included: (..., 3), base coordinates.
+    """Return the whole mechanism's centre of mass (..., 3), a floating base's included.
 
     Args:
         bodies: The mechanism; its total mass is not zero.

@@ -27,5 +27,8 @@ STANDARD_GRAVITY: Final = (0.0, 0.0, -9.81)
 class SingularInertiaError(ValueError):
     """Some motion meets no inertia, so its acceleration is not defined."""
 
-    def __init__(self) -> None:
-        super().__init__("the acceleration is not defined: the inertia matrix is singular")
+    def __init__(self, moving: str = "") -> None:
+        """Take whose motion nothing resists: `joint 'x'`, `the base`, or nothing if unknown."""
+        why = f"nothing resists motion of {moving}: " if moving else ""
+        message = f"the acceleration is not defined: {why}the inertia matrix is singular"
+        super().__init__(message)

@@ -73,7 +73,7 @@ def _checked(tokens: Sequence[Token], index: int, start: str) -> Opening:
     """Return the opening of a keyword, another one where the block's content says so."""
     if start in ("head", "end"):
         return Opening(start)
-    content = _content(tokens, index)
+    content = kind_by_content(tokens, index)
     is_joint = start == "joint"
     if content not in ("link", "joint") or is_joint == (content == "joint"):
         return Opening(start)
@@ -133,7 +133,7 @@ def _misspelt(tokens: Sequence[Token], index: int, previous: str) -> Opening | N
     start = BLOCK_STARTS[word_kind(meant)] if meant else _guess(tokens, index, previous)
     if start is None:
         return None
-    content = _content(tokens, index)
+    content = kind_by_content(tokens, index)
     if content is not None and (content == "joint") != (start == "joint"):
         start, meant = content, None
     kind = BLOCK_KINDS[start]
@@ -162,7 +162,7 @@ def _in_place_of_junk(tokens: Sequence[Token], index: int, previous: str) -> Ope
 
 def _guess(tokens: Sequence[Token], index: int, previous: str) -> str | None:
     """Return the construct of a block without a keyword, by its content."""
-    content = _content(tokens, index)
+    content = kind_by_content(tokens, index)
     if content == "link":
         kinds = [token.kind for token in tokens[index : index + 6]]
         if "FLOATING" in kinds or (previous == "head" and "id" not in kinds):
@@ -172,8 +172,11 @@ def _guess(tokens: Sequence[Token], index: int, previous: str) -> str | None:
     return content
 
 
-def _content(tokens: Sequence[Token], index: int) -> str | None:
-    """Return `link` or `joint`, whichever the sections up to the next block speak for."""
+def kind_by_content(tokens: Sequence[Token], index: int) -> str | None:
+    """Return `link` or `joint` for the block named at `index`.
+
+    Whichever the sections up to the next block speak for.
+    """
     scores = {"link": 0, "joint": 0}
     previous = ""
     for token in tokens[index + 1 : index + _REACH]:

@@ -3,6 +3,7 @@
 Apart from `parser.py` because correct documents never load it.
 """
 
+from bisect import bisect_left, bisect_right, insort
 from collections.abc import Sequence
 
 from kindsl.syntax.characters import OPEN_COMMENT, without_invalid
@@ -13,6 +14,7 @@ from kindsl.syntax.scanner import BAD
 from kindsl.syntax.tables import PUNCTUATION
 from kindsl.syntax.tree import Island, Node, Problem, Token
 
+_ECHO = 12
 _MOST_TOKENS = 100_000
 
 
@@ -43,6 +45,7 @@ def mended(
         skipped = (*skipped, *invalid)
     touched = touched_nodes(recovered.nodes, recovered.skipped)
     said = [*problems, *usual.problems, *recovered.problems, *about_comments]
+    said += _not_echoing(recovered.leftovers, said, tokens)
     said += _not_explained(meaning_problems(text, recovered.nodes, touched), said)
     said.sort(key=lambda problem: problem.start)
     return Island(text, recovered.nodes, _with_leads(written), skipped, spans, tuple(said))
@@ -53,6 +56,25 @@ def _shortened(text: str, tokens: list[Token]) -> list[Token]:
     start, end = tokens[_MOST_TOKENS].start, tokens[-1].end
     rest = Token(BAD, text[start:end], tokens[_MOST_TOKENS].lead, start, end)
     return [*tokens[:_MOST_TOKENS], rest]
+
+
+def _not_echoing(
+    leftovers: Sequence[Problem], said: Sequence[Problem], tokens: Sequence[Token]
+) -> list[Problem]:
+    """Return the problems of left out text that are not right behind a repair or each other.
+
+    There the repair was wrong: it is one mistake.
+    """
+    starts = [token.start for token in tokens]
+    ends = sorted(bisect_left(starts, problem.end) for problem in said)
+    kept: list[Problem] = []
+    for problem in leftovers:
+        first = bisect_left(starts, problem.start)
+        index = bisect_right(ends, first)
+        if index == 0 or first - ends[index - 1] > _ECHO:
+            kept.append(problem)
+        insort(ends, bisect_left(starts, problem.end))
+    return kept
 
 
 def _not_explained(problems: Sequence[Problem], said: Sequence[Problem]) -> list[Problem]:
@@ -78,25 +100,30 @@ def _with_leads(tokens: tuple[Token, ...]) -> tuple[Token, ...]:
 
 
 def touched_nodes(nodes: Sequence[Node], skipped: Sequence[Token]) -> frozenset[int]:
-    """Return the `id` of each node that a supplied or a skipped token belongs to.
+    """Return the `id` of each node that has a supplied or a skipped token in it.
 
     What such a block has or lacks is explained by its repair.
     """
     touched: set[int] = set()
-    places = [(token.start, token.end) for token in skipped]
+    places = sorted(token.start for token in skipped)
+    around: dict[int, int] = {}
     pending = list(nodes)
     while pending:
         node = pending.pop()
-        if any(isinstance(child, Token) and _is_repaired(child) for child in node.children):
-            touched.add(id(node))
+        index = bisect_left(places, node.start)
+        is_cut = index < len(places) and places[index] < node.end
+        tokens = (child for child in node.children if isinstance(child, Token))
+        if is_cut or any(map(is_repaired, tokens)):
+            one: int | None = id(node)
+            while one is not None and one not in touched:
+                touched.add(one)
+                one = around.get(one)
         inner = [child for child in node.children if isinstance(child, Node)]
+        around.update((id(child), id(node)) for child in inner)
         pending += inner
-        start, end = node.start, node.end
-        within = [place for place in places if start <= place[0] and place[1] <= end]
-        if any(not any(c.start <= s and e <= c.end for c in inner) for s, e in within):
-            touched.add(id(node))
     return frozenset(touched)
 
 
-def _is_repaired(token: Token) -> bool:
+def is_repaired(token: Token) -> bool:
+    """Return whether a token is not what the text has there."""
     return token.is_missing or (token.kind in PUNCTUATION and token.text != token.kind)

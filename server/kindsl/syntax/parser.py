@@ -19,7 +19,14 @@ def parse_island(text: str) -> Island:
 
         return mended(text, tokens, spans, about_comments)
     problems = [*meaning_problems(text, nodes, frozenset()), *about_comments]
-    return Island(text, tuple(nodes), tuple(tokens), (), spans, tuple(problems))
+    island = Island(text, tuple(nodes), tuple(tokens), (), spans, tuple(problems))
+    if len(problems) > 1 and any(problem.code == "KD009" for problem in problems):
+        from kindsl.syntax.mending import mended
+
+        # Sections that come twice may be those of a block whose head is lost.
+        other = mended(text, scan(text), spans, about_comments)
+        return other if len(other.problems) < len(problems) else island
+    return island
 
 
 def _straight(tokens: list[Token]) -> list[Node] | None:

@@ -46,6 +46,8 @@ def preferences(
         is_word = old.text[:1].isidentifier()
         if spellings and is_word and old.text not in KEYWORDS:
             return cost - (0.6 if any(is_near(old.text, word) for word in spellings) else 0.0)
+        if kind == "NAME" and old.text in KEYWORDS:
+            return cost + 0.6
         if kind == "NAME" or bool(spellings) == is_word:
             return cost
         return cost + 0.3
@@ -54,7 +56,7 @@ def preferences(
         token = tokens[place]
         if place > 0 and token.text == tokens[place - 1].text and token.kind not in "{}":
             return -0.3
-        return 0.5 if words.get(token.text) == 1 else 0.0
+        return 0.8 if words.get(token.text) == 1 else 0.0
 
     return Preferences(insertion, replacement, deletion)
 

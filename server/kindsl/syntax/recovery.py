@@ -13,6 +13,7 @@ from kindsl.syntax.block_kinds import Opening, opening
 from kindsl.syntax.builder import build
 from kindsl.syntax.dialect import goes_on, unglued
 from kindsl.syntax.indentation import lost_closing
+from kindsl.syntax.lost_heads import lost_head
 from kindsl.syntax.messages import closing_problem, leftover_problem, repair_problem
 from kindsl.syntax.preferences import moments_around, preferences
 from kindsl.syntax.repair import Change, Found, completion, search
@@ -33,13 +34,15 @@ class Recovered(NamedTuple):
         nodes: The blocks.
         tokens: All tokens in order: read, supplied and skipped.
         skipped: Those that are in no node.
-        problems: One for each repair.
+        problems: One for each repair but those in `leftovers`.
+        leftovers: One for each repair that does nothing but leave tokens out.
     """
 
     nodes: tuple[Node, ...]
     tokens: tuple[Token, ...]
     skipped: tuple[Token, ...]
     problems: tuple[Problem, ...]
+    leftovers: tuple[Problem, ...]
 
 
 def recover(text: str, tokens: Sequence[Token], *, is_cut: bool) -> Recovered:
@@ -53,14 +56,19 @@ def recover(text: str, tokens: Sequence[Token], *, is_cut: bool) -> Recovered:
     island = _Island(text, list(tokens), is_cut)
     while island.index < len(island.tokens):
         previous = island.nodes[-1].kind if island.nodes else ""
-        block = opening(island.tokens, island.index, previous)
-        if block is None or len(island.problems) >= MOST_PROBLEMS:
+        block = island.lost or opening(island.tokens, island.index, previous)
+        island.lost = None
+        if block is None or island.is_hopeless:
             island.skip_rest()
         else:
             island.open(block)
             _Block(island, block.start).read()
     return Recovered(
-        tuple(island.nodes), tuple(island.written), tuple(island.skipped), tuple(island.problems)
+        tuple(island.nodes),
+        tuple(island.written),
+        tuple(island.skipped),
+        tuple(island.problems),
+        tuple(island.leftovers),
     )
 
 
@@ -76,6 +84,13 @@ class _Island:
         self.written: list[Token] = []
         self.skipped: list[Token] = []
         self.problems: list[Problem] = []
+        self.leftovers: list[Problem] = []
+        self.lost: Opening | None = None
+
+    @property
+    def is_hopeless(self) -> bool:
+        """Whether so much is wrong that no more repairs are sought."""
+        return len(self.problems) + len(self.leftovers) >= MOST_PROBLEMS
 
     def skip(self, tokens: Sequence[Token]) -> None:
         """Leave tokens out."""
@@ -85,7 +100,7 @@ class _Island:
     def skip_rest(self) -> None:
         """Leave out what is left, with one message."""
         rest = self.tokens[self.index :]
-        self.problems.append(leftover_problem(self.written, rest, self.text))
+        self.leftovers.append(leftover_problem(self.written, rest, self.text))
         self.skip(rest)
         self.index = len(self.tokens)
 
@@ -110,19 +125,34 @@ class _Block:
         """Read to the end of the block or of the island; add the block's node."""
         island = self.island
         while island.index < len(island.tokens):
+            island.lost = self._lost_head()
+            if island.lost is not None:
+                break
             if self._shift() or self._shift_dialect():
                 continue
             if is_complete(self.stack, self.start) and opening(island.tokens, island.index):
                 break
-            if len(island.problems) >= MOST_PROBLEMS or not self._mend():
+            if island.is_hopeless or not self._mend():
                 island.skip_rest()
         if not is_complete(self.stack, self.start):
-            self._close()
+            kinds = completion(self.stack, self.start)
+            place = self._closing_place() if kinds == ["}"] else len(self.read_tokens)
+            if island.lost is None:
+                self._tell_end(kinds, place)
+            self._close(kinds, place)
         node = build(self.read_tokens, self.start).node
         if node is None:
             island.skipped += self.read_tokens
         else:
             island.nodes.append(node)
+
+    def _lost_head(self) -> Opening | None:
+        """Return the opening of a block whose head is lost together with the end of this one."""
+        island = self.island
+        is_closed = is_complete(self.stack, self.start)
+        start = "" if is_closed else self.start
+        lost = lost_head(start, self.read_tokens, island.tokens, island.index)
+        return None if lost is not None and len(lost.replaces) > 1 and is_closed else lost
 
     def _shift(self) -> bool:
         token = self.island.tokens[self.island.index]
@@ -182,9 +212,9 @@ class _Block:
                 read = len(self.read_tokens)
             self._change(change, moment)
         before = self.read_tokens[:read]
-        island.problems.append(
-            repair_problem(island.text, before, island.tokens, found.changes, moment)
-        )
+        problem = repair_problem(island.text, before, island.tokens, found.changes, moment)
+        is_leftover = all(change.action == "delete" for change in found.changes)
+        (island.leftovers if is_leftover else island.problems).append(problem)
         self.history.clear()
 
     def _unread(self, index: int) -> None:
@@ -234,24 +264,24 @@ class _Block:
             after = step(self.stack, island.tokens[index].kind)
             if after is not None and goes_on(after, island.tokens[index + 1 : index + 3]):
                 rest = island.tokens[island.index : index]
-                island.problems.append(leftover_problem(island.written, rest, island.text))
+                island.leftovers.append(leftover_problem(island.written, rest, island.text))
                 island.skip(rest)
                 island.index = index
                 self.history.clear()
                 return True
         return False
 
-    def _close(self) -> None:
-        """Supply what lacks at the end, where the layout shows its place there."""
-        kinds = completion(self.stack, self.start)
+    def _tell_end(self, kinds: Sequence[str] | None, place: int) -> None:
+        """Tell what lacks at the end, unless a comment without an end hides it."""
         island = self.island
-        place = len(self.read_tokens)
-        if kinds == ["}"]:
-            place = self._closing_place()
-        if not island.is_cut and len(island.problems) < MOST_PROBLEMS and kinds != []:
+        if not island.is_cut and not island.is_hopeless and kinds != []:
             island.problems.append(
                 closing_problem(island.text, self.read_tokens, kinds or ["}"], place)
             )
+
+    def _close(self, kinds: Sequence[str] | None, place: int) -> None:
+        """Supply what lacks at the end."""
+        island = self.island
         if place < len(self.read_tokens):
             token = supplied("}", self.read_tokens[place - 1].end)
             at = island.written.index(self.read_tokens[place - 1])

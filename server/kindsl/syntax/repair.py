@@ -24,6 +24,7 @@ _MOST_GOALS = 30
 _MOST_COST = 4.2
 _SLACK = 0.65
 _RUN = 14
+_IN_A_RUN = 0.6
 
 
 class Change(NamedTuple):
@@ -207,6 +208,8 @@ def _following(
         if after is None:
             continue
         price = insertion_cost(new) + preferences.insertion(new, index)
+        if changes and changes[-1][:2] == ("insert", index):
+            price *= _IN_A_RUN
         follow(price, after, index, Change("insert", index, new))
         if not at_end and new != kind:
             price = _replacement_cost(kind, new) + preferences.replacement(new, index)

@@ -1,5 +1,8 @@
 """The same interface as `Mechanics`, computed by compiled code."""
 
+# Signatures in `help` are as short as they are written here.
+from __future__ import annotations
+
 import math
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
@@ -17,9 +20,10 @@ from kindsl.dynamics.evaluation.kernels import DERIVATIVE_KERNELS, RESULT_CLASSE
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.dynamics.evaluation.request import Request
 from kindsl.dynamics.evaluation.results import Poses
+from kindsl.dynamics.evaluation.singular import singular_inertia
 from kindsl.dynamics.generation.emitters.extension import MODULE, extension_source
 from kindsl.dynamics.generation.robot import Robot, robot_of
-from kindsl.dynamics.quantities import STANDARD_GRAVITY
+from kindsl.dynamics.quantities import STANDARD_GRAVITY, SingularInertiaError
 from kindsl.spatial.arrays import Array
 
 Method = Callable[..., Any]
@@ -57,7 +61,10 @@ class CompiledMechanics(Mechanics):
         super().__init__(bodies)
         robot = robot_of(bodies)
         self._threads = threads
-        self._extension = _Extension(robot, is_derivative=False)
+        try:
+            self._extension = _Extension(robot, is_derivative=False)
+        except SingularInertiaError:
+            raise singular_inertia(bodies, np.zeros(bodies.n_links)) from None
         self._generated = _Forms(self)  # type: ignore[assignment]
         self._forms = self._generated  # type: ignore[assignment]
         for name in DIRECT:

@@ -1,5 +1,8 @@
 """Derivatives of the dynamics, and the regressor, as methods."""
 
+# Signatures in `help` are as short as they are written here.
+from __future__ import annotations
+
 from collections.abc import Mapping
 
 import numpy as np
@@ -7,6 +10,7 @@ import numpy.typing as npt
 
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.evaluation.arguments import common_batch_shape, vectors
+from kindsl.dynamics.evaluation.singular import singular_inertia
 from kindsl.dynamics.forward_dynamics_derivatives import (
     ForwardDynamicsDerivatives,
     forward_dynamics_derivatives,
@@ -15,7 +19,7 @@ from kindsl.dynamics.inverse_dynamics_derivatives import (
     InverseDynamicsDerivatives,
     inverse_dynamics_derivatives,
 )
-from kindsl.dynamics.quantities import STANDARD_GRAVITY, SingularInertiaError
+from kindsl.dynamics.quantities import STANDARD_GRAVITY
 from kindsl.dynamics.regressor import inertial_parameters, regressor
 from kindsl.spatial.arrays import Array
 
@@ -85,9 +89,9 @@ class Differentiable:
             with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
                 derivatives = forward_dynamics_derivatives(self.bodies, *arrays)
         except np.linalg.LinAlgError:
-            raise SingularInertiaError from None
+            raise singular_inertia(self.bodies, arrays[0]) from None
         if not all(np.isfinite(entries).all() for entries in derivatives):
-            raise SingularInertiaError
+            raise singular_inertia(self.bodies, arrays[0])
         return derivatives
 
     def regressor(

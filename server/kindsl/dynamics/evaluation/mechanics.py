@@ -1,5 +1,8 @@
 """The one interface to all quantities of a mechanism."""
 
+# Signatures in `help` are as short as they are written here.
+from __future__ import annotations
+
 import numpy as np
 import numpy.typing as npt
 
@@ -16,6 +19,7 @@ from kindsl.dynamics.evaluation.differentiable import AT_REST, Differentiable
 from kindsl.dynamics.evaluation.forms import Forms
 from kindsl.dynamics.evaluation.request import Request
 from kindsl.dynamics.evaluation.results import FreeMotion, FreeMotionTorque, Poses
+from kindsl.dynamics.evaluation.singular import singular_inertia
 from kindsl.dynamics.forward_kinematics import joint_poses
 from kindsl.dynamics.jacobian import jacobian
 from kindsl.dynamics.quantities import (
@@ -105,7 +109,9 @@ class Mechanics(Differentiable):
         return jacobian(self.bodies, poses, body, base_T_frame)
 
     def center_of_mass(self, q: npt.ArrayLike) -> Array:
-        """Return the centre of mass of all bodies, base included, shape (..., 3), metres.
+        """Return the centre of mass of all that moves, shape (..., 3), metres.
+
+        A floating base moves; the mass of a fixed one counts nowhere.
 
         Raises:
             ValueError: If the total mass is zero.
@@ -123,7 +129,7 @@ class Mechanics(Differentiable):
         return masses.center_of_mass_jacobian(self.bodies, self._body_poses(q))
 
     def total_mass(self) -> float:
-        """Return the mass of all bodies, base included, kg."""
+        """Return the mass of all that moves, a floating base included, kg."""
         return float(np.sum(self.bodies.masses))
 
     def subtree_masses(self) -> dict[str, float]:
@@ -251,7 +257,7 @@ class Mechanics(Differentiable):
         conditions = base_conditions(self.bodies, base_velocity, gravity)
         entries = self._computed(quantity, arrays, conditions)
         if quantity in ACCELERATING and not np.isfinite(entries).all():
-            raise SingularInertiaError
+            raise singular_inertia(self.bodies, arrays["q"])
         return entries
 
     def _computed(
@@ -267,8 +273,8 @@ class Mechanics(Differentiable):
         try:
             with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
                 return self._forms.evaluate(request)
-        except (ZeroDivisionError, np.linalg.LinAlgError):
-            raise SingularInertiaError from None
+        except (SingularInertiaError, ZeroDivisionError, np.linalg.LinAlgError):
+            raise singular_inertia(self.bodies, arrays["q"]) from None
         except OverflowError:
             named = ", ".join(f"'{name}'" for name in arrays)
             raise ValueError(f"{named}: the values are too large") from None

@@ -20,7 +20,7 @@ from kindsl.dynamics.generation.vectors import (
 
 
 def total_mass(robot: Robot) -> Scalar:
-    """Return the mass of all bodies, base included."""
+    """Return the mass of all bodies, a floating base included."""
     mass: Scalar = 0.0
     for body in robot.bodies:
         mass = mass + body.mass

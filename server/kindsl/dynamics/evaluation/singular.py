@@ -1,0 +1,42 @@
+"""Which motion nothing resists, where an inertia matrix is singular."""
+
+import numpy as np
+
+from kindsl.dynamics.bodies import Bodies
+from kindsl.dynamics.joint_space_inertia import joint_space_inertia
+from kindsl.dynamics.quantities import SingularInertiaError
+from kindsl.spatial.arrays import Array
+
+_NEGLIGIBLE = 1e-12
+
+
+def singular_inertia(bodies: Bodies, q: Array) -> SingularInertiaError:
+    """Return the error that names the joint, or the base, whose motion nothing resists.
+
+    Args:
+        bodies: The mechanism.
+        q: Joint positions, shape (..., n), of which at least one gives a singular matrix.
+    """
+    n_base = bodies.n_velocities - bodies.n_links
+    with np.errstate(all="ignore"):
+        matrices = joint_space_inertia(bodies, q).reshape(
+            -1, bodies.n_velocities, bodies.n_velocities
+        )
+    if not np.isfinite(matrices).all() or not matrices.size:
+        return SingularInertiaError()
+    row = _unresisted_row(matrices)
+    name = f"joint '{bodies.joint_names[row - n_base]}'" if row >= n_base else "the base"
+    return SingularInertiaError(name)
+
+
+def _unresisted_row(matrices: Array) -> int:
+    """Return the row that moves most in the motion with the least inertia of all matrices."""
+    diagonals = np.abs(np.diagonal(matrices, axis1=1, axis2=2))
+    largest = diagonals.max()
+    lowest = diagonals.min(axis=0)
+    if lowest.min() <= _NEGLIGIBLE * largest:
+        return int(len(lowest) - 1 - lowest[::-1].argmin())
+    values, motions = np.linalg.eigh(matrices)
+    worst = int(np.abs(values).min(axis=1).argmin())
+    least = int(np.abs(values[worst]).argmin())
+    return int(np.abs(motions[worst][:, least]).argmax())
