@@ -13,6 +13,7 @@ from tests.cli.conftest import Runner
 from tests.cli.samples import GOOD, INTEGER, UNBOUND, arm
 
 import kindsl
+from kindsl.analysis.diagnostics import RelatedPlace
 from kindsl.cli.outcome import Failure, LintedFile, Outcome
 from kindsl.cli.output import FORMATS, renderer
 from kindsl.rules.base import Severity
@@ -153,6 +154,29 @@ def test_sarif_keeps_the_worst_of_more_findings_than_github_takes() -> None:
     (run,) = json.loads(renderer("sarif")(Outcome([file], [])))["runs"]
     assert len(run["results"]) == 25_000
     assert run["results"][0]["level"] == "error"
+    (note,) = run["invocations"][0]["toolExecutionNotifications"]
+    assert note["message"]["text"] == "1 further finding left out: GitHub takes 25000"
+
+
+def test_sarif_has_what_github_requires_within_its_limits() -> None:
+    text = arm(reach="1")
+    finding = kindsl.parse(text).findings[0]
+    related = tuple(RelatedPlace(0, 5, "another") for _ in range(2000))
+    file = LintedFile("arm.kindsl", text, [finding._replace(related=related, message="m" * 9000)])
+    log = json.loads(renderer("sarif")(Outcome([file], [])))
+    SARIF.validate(log)
+    (run,) = log["runs"]
+    for rule in run["tool"]["driver"]["rules"]:
+        assert len(rule["name"]) <= 255
+        assert 0 < len(rule["shortDescription"]["text"]) <= 1024
+        assert 0 < len(rule["fullDescription"]["text"]) <= 1024
+        assert rule["help"]["text"]
+    (result,) = run["results"]
+    assert len(result["message"]["text"]) <= 1024
+    assert len(result["locations"]) + len(result["relatedLocations"]) <= 1000
+    assert result["partialFingerprints"]
+    region = result["locations"][0]["physicalLocation"]["region"]
+    assert {"startLine", "startColumn", "endLine", "endColumn"} <= set(region)
 
 
 def test_github_commands_are_escaped(kdsl_lint: Runner, strange_folder: Path) -> None:

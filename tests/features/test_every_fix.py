@@ -46,6 +46,12 @@ def errors(analysis):
     )
 
 
+def warnings(analysis):
+    """Count errors and warnings by code."""
+    worse = (Severity.ERROR, Severity.WARNING)
+    return Counter(f.code for f in analysis.findings if f.severity in worse)
+
+
 @pytest.mark.parametrize("text", DOCUMENTS)
 def test_a_fix_mends_its_finding_and_makes_no_error(text):
     before = analyse(text)
@@ -55,6 +61,15 @@ def test_a_fix_mends_its_finding_and_makes_no_error(text):
             key = (finding.code, finding.message)
             assert told(after)[key] < told(before)[key], action.title
         assert not errors(after) - errors(before), action.title
+
+
+@pytest.mark.parametrize("text", DOCUMENTS)
+def test_a_fix_of_meaning_leads_into_no_other_rule(text):
+    before = analyse(text)
+    for action in fixes(before):
+        if not any(finding.code.startswith("KD0") for finding in action.diagnostics):
+            after = analyse(apply_edits(text, action.edits))
+            assert not warnings(after) - warnings(before), action.title
 
 
 @pytest.mark.parametrize("text", DOCUMENTS)

@@ -81,6 +81,17 @@ def test_wrong_but_known_name_in_a_pair_gives_one_message() -> None:
             assert found[0].code in {"KD201", "KD202", "KD205", "KD207"}
 
 
+def test_a_loop_hides_no_defect_elsewhere() -> None:
+    loop = MODEL.replace("segment_12 via joint_12", "segment_2 via joint_12")
+    assert {f.code for f in remarks(loop)} == {"KD201"}
+    pose = "translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0)"
+    spare = f"r_joint spare {{ ref_frame {{ {pose} }} }}\n"
+    with_spare = re.sub("(?=[rp]_joint joint_1 )", spare, loop)
+    assert {f.code for f in remarks(with_spare)} == {"KD201", "KD203"}
+    apart = loop.replace("segment_11 via joint_11", "")
+    assert sorted(f.code for f in remarks(apart)) == ["KD201", "KD203"]
+
+
 def test_duplicate_id_gives_one_message() -> None:
     for number in range(2, 13):
         text = MODEL.replace(f"id = {number}\n    inertia", f"id = {number - 1}\n    inertia")

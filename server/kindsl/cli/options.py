@@ -100,7 +100,7 @@ def _add_reporting(group: Any) -> None:
     group.add_argument("-q", "--quiet", action="store_true", help="findings only, no summary")
     group.add_argument("--watch", action="store_true", help="lint again whenever a file changes")
     group.add_argument(
-        "--jobs", metavar="N", type=_natural, default=0, help="processes (0: as many as pay)"
+        "--jobs", metavar="N", type=_natural, default=0, help="number of processes (0: automatic)"
     )
 
 

@@ -7,42 +7,21 @@ links that it carries, each with the place where `link via joint` is written.
 from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
+from kindsl.features.document_symbols import DocumentSymbol, body_symbol
 from kindsl.features.symbol_at import EntityKind, symbol_at
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.kinematic_tree import Edge
 from kindsl.text.span import Span
 
 
-class HierarchyItem(NamedTuple):
-    """A body of the tree.
-
-    Attributes:
-        name: Its name.
-        detail: What it is, and the joint that moves it.
-        kind: `base` or `link`.
-        start: Start of its block.
-        end: End of its block.
-        name_start: Start of its name, which finds it again.
-        name_end: End of its name.
-    """
-
-    name: str
-    detail: str
-    kind: str
-    start: int
-    end: int
-    name_start: int
-    name_end: int
-
-
 class HierarchyCall(NamedTuple):
     """A neighbour in the tree, and where the connection is written."""
 
-    item: HierarchyItem
+    item: DocumentSymbol
     places: tuple[Span, ...]
 
 
-def hierarchy_items(analysis: Analysis, offset: int) -> tuple[HierarchyItem, ...]:
+def hierarchy_items(analysis: Analysis, offset: int) -> tuple[DocumentSymbol, ...]:
     """Return the body named at an offset; for a joint, the link that it moves."""
     symbol = symbol_at(analysis, offset)
     if symbol is None:
@@ -79,15 +58,12 @@ def successors(analysis: Analysis, name: str) -> tuple[HierarchyCall, ...]:
     )
 
 
-def _item(analysis: Analysis, body: Link) -> HierarchyItem:
+def _item(analysis: Analysis, body: Link) -> DocumentSymbol:
     edge = analysis.model.tree.supporting_edge(body)
     detail = "base" if body.is_base else "link"
     if edge is not None and edge.joint is not None:
         detail = f"via {edge.joint.name} ({edge.joint.kind})"
-    start, end = analysis.resolver.span(body)
-    name_start, name_end = analysis.resolver.span(body.name)
-    kind = "base" if body.is_base else "link"
-    return HierarchyItem(str(body.name), detail, kind, start, end, name_start, name_end)
+    return body_symbol(analysis, body, detail)
 
 
 def _place(analysis: Analysis, edge: Edge) -> Span:

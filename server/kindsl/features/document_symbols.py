@@ -60,7 +60,7 @@ def flat_symbols(analysis: Analysis) -> Iterator[DocumentSymbol]:
 
 
 def body_symbol(
-    analysis: Analysis, body: Link, detail: str, children: tuple[DocumentSymbol, ...]
+    analysis: Analysis, body: Link, detail: str, children: tuple[DocumentSymbol, ...] = ()
 ) -> DocumentSymbol:
     """Return the entry of a link or base."""
     kind = "base" if body.is_base else "link"

@@ -5,11 +5,12 @@ import re
 from kindsl.rules.base import Example
 from kindsl.semantics.parameters import Binding
 
-STEEL_BALL = """inertia_params {
-        mass = 4.1
-        CoM = (0.0, 0.0, 0.0)
-        Ix=0.0041 Iy=0.0041 Iz=0.0041 Ixy=0.0 Ixz=0.0 Iyz=0.0
+_INERTIA = """inertia_params {
+        mass = %s
+        CoM = (0.0, 0.0, %s)
+        Ix=%s Iy=%s Iz=%s Ixy=0.0 Ixz=0.0 Iyz=0.0
     }"""
+STEEL_BALL = _INERTIA % ("4.1", "0.0", "0.0041", "0.0041", "0.0041")
 _NAME_OF_BLOCK = re.compile(r"^\s*(?:link|RobotBase|[rp]_joint)\s+(\S+)", re.MULTILINE)
 _IS_DOCUMENT = re.compile(r"Robot\s")
 _EDGE = re.compile(r"(\w+)\s+via\s+(\w+)")
@@ -18,6 +19,11 @@ _EDGE = re.compile(r"(\w+)\s+via\s+(\w+)")
 def link(name: str, link_id: int, children: str = "", inertia: str = STEEL_BALL) -> str:
     """Return a link; its `children` as `link via joint link via joint`."""
     return f"link {name} {{\n    id = {link_id}\n    {inertia}\n    children {{ {children} }}\n}}\n"
+
+
+def inertia(mass: str, height: str, ix: str, iy: str, iz: str) -> str:
+    """Return the inertia of a body whose centre of mass is above its origin; as written."""
+    return _INERTIA % (mass, height, ix, iy, iz)
 
 
 def joint(name: str, height: float = 0.3, rotation: str = "PI/2.0, 0.0, 0.0") -> str:

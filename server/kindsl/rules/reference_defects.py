@@ -3,7 +3,8 @@
 A wrong reference leaves something else without a reference: who writes `foream via elbow` has an
 undefined link `foream`, and also a link `forearm` that nothing carries. Only the first is the
 mistake. So each wrong reference here excuses one orphan, the one with the most similar name first,
-and a link that is missing altogether excuses all: it may carry them.
+and a link that is missing altogether excuses all: it may carry them. A wrong link in a pair, which
+may close a loop, excuses no joint, and no link where a joint is left over besides.
 """
 
 from collections.abc import Iterable, Sequence
@@ -171,17 +172,35 @@ def _collect_orphans(model: Model, found: ReferenceDefects) -> None:
         )
     if found.undefined_links or not (found.idle_links or found.idle_joints):
         return
-    nameless = [edge.child for edge in tree.edges if not edge.child.link or not edge.child.joint]
-    wrong_links = [str(edge.child.joint) for edge in found.swapped]
-    wrong = len(nameless) + len(found.bases) + len(found.loops)
-    wrong += len(found.repeated) + len(found.extra_parents)
+    lost = len([e for e in tree.edges if not e.child.link or not e.child.joint])
+    misnamed, pasted = _wrong_pairs(model, found)
     links = [link for link in found.idle_links if not _is_mentioned(model, link)]
-    found.orphans.extend(_unexcused(links, wrong_links, wrong))
+    joints = [joint for joint in found.idle_joints if not _is_mentioned(model, joint)]
     wrong_joints = [str(edge.child.joint) for edge in found.undefined_joints]
     wrong_joints += [str(edge.child.link) for edge in found.swapped]
-    wrong += len(found.reused_joints) + len(found.orphans) + len(repeated_names(model.bodies))
-    joints = [joint for joint in found.idle_joints if not _is_mentioned(model, joint)]
-    found.unused_joints.extend(_unexcused(joints, wrong_joints, wrong))
+    # A joint that is left over says that a pair is missing, which no wrong name in a pair explains.
+    missing = max(0, len(joints) - len(wrong_joints) - lost - pasted - len(found.reused_joints))
+    wrong_links = [str(edge.child.joint) for edge in found.swapped]
+    excused = lost + pasted + min(misnamed, max(0, len(links) - missing))
+    found.orphans.extend(_unexcused(links, wrong_links, excused))
+    excused = lost + pasted + len(found.reused_joints) + len(found.orphans)
+    excused += len(repeated_names(model.bodies))
+    found.unused_joints.extend(_unexcused(joints, wrong_joints, excused))
+
+
+def _wrong_pairs(model: Model, found: ReferenceDefects) -> tuple[int, int]:
+    """Return how many pairs name a wrong link, and how many are wrong as a whole: pasted, say.
+
+    The latter have a joint that another pair has as well; they leave a link and a joint over.
+    """
+    groups = [(edge,) for edge in found.bases]
+    groups += [(again,) for _, again in (*found.repeated, *found.extra_parents)]
+    uses = model.tree.joint_uses
+    pasted = sum(
+        any(edge.joint is not None and len(uses[edge.joint]) > 1 for edge in edges)
+        for edges in (*groups, *found.loops)
+    )
+    return len(groups) + len(found.loops) - pasted, pasted
 
 
 def _is_mentioned(model: Model, thing: Link | Joint) -> bool:

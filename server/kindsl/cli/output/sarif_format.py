@@ -1,6 +1,7 @@
 """Findings as SARIF 2.1.0, with the rules' pages, related places and fixes.
 
-Of more findings than GitHub takes in one run, the worst are kept.
+GitHub's limits hold: of more findings than it takes in one run the worst are kept, of more related
+places the first, and long texts are cut; a notification tells how many findings are left out.
 """
 
 import json
@@ -16,6 +17,7 @@ from kindsl.cli.output.rule_pages import summary_of
 from kindsl.rules.base import Rule, Severity
 from kindsl.rules.registry import all_rules, page_of
 from kindsl.text.printable import printable
+from kindsl.text.words import counted
 
 _SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
 _LEVELS = {
@@ -26,20 +28,24 @@ _LEVELS = {
 }
 _ROOT = "SRCROOT"
 _ORDER = (Severity.ERROR, Severity.WARNING, Severity.INFORMATION, Severity.HINT)
-# GitHub refuses a run with more results than this.
+# GitHub refuses a run with more results than this, shows so many places of one result, and takes
+# names and descriptions of that length.
 _MOST_RESULTS = 25_000
+_MOST_PLACES = 100
+_LONGEST_TEXT = 1024
 
 
 def render(outcome: Outcome) -> str:
     """Return a SARIF log with one run."""
     found = list(fingerprints(outcome))
+    n_found = len(found)
     if len(found) > _MOST_RESULTS:
         found = sorted(found, key=lambda f: _ORDER.index(f[1].severity))[:_MOST_RESULTS]
     run = {
         "tool": {"driver": _driver()},
         "columnKind": "unicodeCodePoints",
         "originalUriBaseIds": {_ROOT: {"uri": f"file://{quote(os.getcwd())}/"}},
-        "invocations": [_invocation(outcome)],
+        "invocations": [_invocation(outcome, n_found - len(found))],
         "results": [_result(*each) for each in found],
     }
     return json.dumps({"$schema": _SCHEMA, "version": "2.1.0", "runs": [run]}, indent=2) + "\n"
@@ -58,16 +64,31 @@ def _rule(rule: Rule) -> dict[str, Any]:
     return {
         "id": rule.code,
         "name": "".join(word.capitalize() for word in rule.name.split("-")),
-        "shortDescription": {"text": summary_of(rule)},
+        "shortDescription": {"text": _shortened(summary_of(rule))},
+        "fullDescription": {"text": _shortened(_purpose_of(page))},
         "help": {"text": page, "markdown": page},
         "defaultConfiguration": {"level": _LEVELS[rule.severity], "enabled": rule.is_default},
     }
 
 
-def _invocation(outcome: Outcome) -> dict[str, Any]:
+def _purpose_of(page: str) -> str:
+    """Return what a rule does: the first section of its page, on one line."""
+    _, _, rest = page.partition("## What it does")
+    return " ".join(rest.partition("\n## ")[0].split())
+
+
+def _shortened(text: str) -> str:
+    return text if len(text) <= _LONGEST_TEXT else text[: _LONGEST_TEXT - 3] + "..."
+
+
+def _invocation(outcome: Outcome, n_left_out: int) -> dict[str, Any]:
+    notifications = [_notification(failure) for failure in outcome.failures]
+    if n_left_out:
+        text = f"{counted(n_left_out, 'further finding')} left out: GitHub takes {_MOST_RESULTS}"
+        notifications.append({"level": "note", "message": {"text": text}})
     return {
         "executionSuccessful": not outcome.failures,
-        "toolExecutionNotifications": [_notification(failure) for failure in outcome.failures],
+        "toolExecutionNotifications": notifications,
     }
 
 
@@ -88,7 +109,7 @@ def _result(file: LintedFile, finding: Diagnostic, fingerprint: str) -> dict[str
         "ruleId": finding.code,
         "ruleIndex": codes.index(finding.code),
         "level": _LEVELS[finding.severity],
-        "message": {"text": printable(finding.message)},
+        "message": {"text": _shortened(printable(finding.message))},
         "locations": [{"physicalLocation": _place(file, finding.start, finding.end)}],
         "partialFingerprints": {"kindsl/v1": fingerprint},
     }
@@ -99,7 +120,7 @@ def _result(file: LintedFile, finding: Diagnostic, fingerprint: str) -> dict[str
                 "message": {"text": printable(related.message)},
                 "physicalLocation": _place(file, related.start, related.end),
             }
-            for number, related in enumerate(finding.related, 1)
+            for number, related in enumerate(finding.related[:_MOST_PLACES], 1)
         ]
     if finding.fix is not None and finding.fix.edits:
         result["fixes"] = [_fix(file, finding.fix)]

@@ -34,8 +34,10 @@ from kindsl.semantics.model import Model
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each pair of links that is numbered the wrong way round."""
+    on_loops = {id(edge.child) for loop in model.tree.loops for edge in loop}
     edges = [edge for edge in model.tree.edges if _is_reversed(edge)]
-    if not edges or model.tree.loops:
+    edges = [edge for edge in edges if id(edge.child) not in on_loops]
+    if not edges:
         return
     taken = {again.id for _, again in repeats(model.links, lambda link: link.id)}
     count = len(model.links) + len(reference_defects(model).undefined_links)

@@ -9,11 +9,11 @@ their bound values.
 ## Why is this bad?
 No mass, however spread, has a negative moment of inertia. The joint-space inertia matrix may then
 be singular or indefinite: a simulation gains energy and blows up, a controller divides by zero.
-RobCoGen and RobCoGen2 accept it in silence; 13 of 101 published documents carry it.
+RobCoGen and RobCoGen2 accept it in silence, and published models carry it.
 
-The test is made about the centre of mass. A tensor can be positive definite about the link frame's
-origin and impossible all the same, because `m (c.c 1 - c c')` of it belongs to the place of the
-mass alone. On random bodies a test at the origin misses half of all defects.
+The test is made about the centre of mass. A tensor may be positive definite about the link frame's
+origin solely because of its parallel-axis term `m (c.c 1 - c c')`. On random bodies a test at the
+origin misses half of all defects.
 
 ## Example
 ```kindsl
@@ -31,8 +31,8 @@ from collections.abc import Iterator
 
 from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.context import Context
-from kindsl.rules.examples import link
-from kindsl.rules.inertia.judgements import Verdict, at_values, judgements, keyword
+from kindsl.rules.examples import inertia, link
+from kindsl.rules.inertia.judgements import Verdict, impossible, judgements
 from kindsl.rules.inertia.wording import with_unit
 from kindsl.semantics.declarations import Declarations
 
@@ -44,25 +44,17 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
             smallest = with_unit(found.moments[0], "kg·m²")
             message = f"inertia of '{found.link.name}' is not positive definite: "
             message += f"smallest principal moment about the CoM is {smallest}"
-            message += at_values(found.inertia, context.values)
-            severity = Severity.ERROR if found.is_proved else Severity.WARNING
-            yield Finding(keyword(found.inertia), message, severity=severity)
+            yield impossible(found, message, context.values)
 
-
-_INERTIA = """inertia_params {
-        mass = 2.0
-        CoM = (0.0, 0.0, 0.3)
-        Ix=%s Iy=%s Iz=0.002 Ixy=0.0 Ixz=0.0 Iyz=0.0
-    }"""
 
 RULE = Rule(
     "KD301",
     "inertia-not-positive-definite",
     Severity.ERROR,
     check_island=check_island,
-    good=(link("upper", 1, inertia=_INERTIA % (0.2, 0.2)),),
+    good=(link("upper", 1, inertia=inertia("2.0", "0.3", "0.2", "0.2", "0.002")),),
     bad=(
-        link("upper", 1, inertia=_INERTIA % (0.02, 0.02)),
-        link("upper", 1, inertia=_INERTIA.replace("0.3)", "0.1)") % (0.012, 0.012)),
+        link("upper", 1, inertia=inertia("2.0", "0.3", "0.02", "0.02", "0.002")),
+        link("upper", 1, inertia=inertia("2.0", "0.1", "0.012", "0.012", "0.002")),
     ),
 )

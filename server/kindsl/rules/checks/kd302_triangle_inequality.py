@@ -8,8 +8,8 @@ reported again.
 
 ## Why is this bad?
 `c = a + b` is a plate without thickness; nothing is flatter than that. Simulators such as MuJoCo
-and Drake refuse the model, estimators and optimisers that rely on possible bodies fail. 21 of 101
-published documents carry it.
+and Drake refuse the model, estimators and optimisers that rely on possible bodies fail. Published
+models carry it.
 
 ## Example
 ```kindsl
@@ -32,8 +32,8 @@ from collections.abc import Iterator
 
 from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.context import Context
-from kindsl.rules.examples import link
-from kindsl.rules.inertia.judgements import Verdict, at_values, judgements, keyword
+from kindsl.rules.examples import inertia, link
+from kindsl.rules.inertia.judgements import Verdict, impossible, judgements
 from kindsl.rules.inertia.wording import sum_below
 from kindsl.semantics.declarations import Declarations
 
@@ -45,28 +45,21 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
             small, middle, large = found.moments
             message = f"inertia of '{found.link.name}' violates the triangle inequality: principal "
             message += f"moments about the CoM {sum_below((small, middle), large)} kg·m²"
-            message += at_values(found.inertia, context.values)
-            severity = Severity.ERROR if found.is_proved else Severity.WARNING
+            finding = impossible(found, message, context.values)
             if found.verdict is Verdict.WITHIN_ROUNDING:
-                severity = Severity.HINT
-                message += ", though not beyond rounding"
-            yield Finding(keyword(found.inertia), message, severity=severity)
+                told = f"{finding.message}, though not beyond rounding"
+                finding = finding._replace(message=told, severity=Severity.HINT)
+            yield finding
 
-
-_INERTIA = """inertia_params {
-        mass = 1.8
-        CoM = (0.0, 0.0, 0.0)
-        Ix=%s Iy=%s Iz=0.0090 Ixy=0.0 Ixz=0.0 Iyz=0.0
-    }"""
 
 RULE = Rule(
     "KD302",
     "triangle-inequality",
     Severity.ERROR,
     check_island=check_island,
-    good=(link("plate", 1, inertia=_INERTIA % ("0.0045", "0.0046")),),
+    good=(link("plate", 1, inertia=inertia("1.8", "0.0", "0.0045", "0.0046", "0.0090")),),
     bad=(
-        link("plate", 1, inertia=_INERTIA % ("0.0005", "0.0005")),
-        link("plate", 1, inertia=_INERTIA % ("0.0045", "0.00449")),
+        link("plate", 1, inertia=inertia("1.8", "0.0", "0.0005", "0.0005", "0.0090")),
+        link("plate", 1, inertia=inertia("1.8", "0.0", "0.0045", "0.00449", "0.0090")),
     ),
 )

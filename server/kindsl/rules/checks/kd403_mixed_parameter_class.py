@@ -39,7 +39,8 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
             if use.kind not in known:
                 known.add(use.kind)
                 here, first = _WORDS[use.kind], _WORDS[parameter.kind]
-                message = f"parameter '{parameter.name}' is {here} here and {first} elsewhere"
+                message = f"parameter '{parameter.name}' is {here} here and {first} elsewhere: "
+                message += "the generators keep two values"
                 yield Finding(use.name, message, (Related(parameter.name, f"{first} here"),))
 
 

@@ -18,8 +18,9 @@ Ixy = 0.000003
 from collections.abc import Iterator
 
 from kindsl.rules.base import Finding, Rule, Severity
-from kindsl.rules.context import ROBCOGEN, ZERO_FOR_ROBCOGEN2, Context
+from kindsl.rules.context import ROBCOGEN, Context
 from kindsl.rules.examples import STEEL_BALL, link
+from kindsl.rules.tiny_values import is_negligible, is_tiny
 from kindsl.semantics.declarations import (
     MOMENTS,
     Declarations,
@@ -31,8 +32,6 @@ from kindsl.semantics.declarations import (
 )
 from kindsl.semantics.expressions import Expression
 from kindsl.text.words import counted
-
-_NEGLIGIBLE = 1e-4
 
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
@@ -46,16 +45,12 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
 
 
 def _findings(block: Link | Joint, values: list[Expression]) -> Iterator[Finding]:
-    tiny = [value for value in values if value.literal and _is_tiny(value.literal)]
+    tiny = [value for value in values if value.literal and is_tiny(value.literal)]
     if tiny and isinstance(block, Link):
         tiny = [value for value in tiny if not _is_negligible(value, block.inertia)]
     if tiny:
         others = f" and {counted(len(tiny) - 1, 'more value')} here" if len(tiny) > 1 else ""
         yield Finding(tiny[0], f"robcogen2 treats {tiny[0].text}{others} as zero")
-
-
-def _is_tiny(value: float) -> bool:
-    return -ZERO_FOR_ROBCOGEN2 < value < ZERO_FOR_ROBCOGEN2
 
 
 def _is_negligible(value: Expression, inertia: Inertia | None) -> bool:
@@ -66,7 +61,7 @@ def _is_negligible(value: Expression, inertia: Inertia | None) -> bool:
     if not any(product is value for product in products):
         return False
     moments = [inertia.moments[name].literal for name in MOMENTS[:3] if name in inertia.moments]
-    return abs(value.literal) < _NEGLIGIBLE * max((abs(m) for m in moments if m), default=0.0)
+    return is_negligible(value.literal, (m for m in moments if m))
 
 
 def _ball(product: str) -> str:

@@ -23,6 +23,7 @@ from kindsl.rigid.body import (
     principal_moments,
     second_moments_about_com,
 )
+from kindsl.rules.base import Finding, Severity
 from kindsl.rules.broken_text import has_problem_within
 from kindsl.rules.context import Context
 from kindsl.rules.inertia.digits import half_widths, likely_half_widths, numbers_written
@@ -143,6 +144,13 @@ def at_values(inertia: Inertia, values: Mapping[str, float]) -> str:
     names = dict.fromkeys(str(use.name) for use in uses if isinstance(use, ParameterUse))
     told = [f"{name} = {values[name]:g}" for name in names if name in values]
     return f" at {', '.join(told)}" if told else ""
+
+
+def impossible(found: Judgement, message: str, values: Mapping[str, float]) -> Finding:
+    """Return the finding of an inertia that no body has; an error where its digits prove it."""
+    severity = Severity.ERROR if found.is_proved else Severity.WARNING
+    told = message + at_values(found.inertia, values)
+    return Finding(keyword(found.inertia), told, severity=severity)
 
 
 def keyword(inertia: Inertia) -> Place:

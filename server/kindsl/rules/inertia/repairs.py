@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from kindsl.rigid.body import MassDistribution, eigensystem, second_moments_about_com
 from kindsl.rules.base import Change, Finding, Fix, Related, Severity
-from kindsl.rules.context import ROBCOGEN, ZERO_FOR_ROBCOGEN2, Context
+from kindsl.rules.context import ROBCOGEN, Context
 from kindsl.rules.inertia.causes import Cause, candidates, likelihood_as_written, ranked, said_by
 from kindsl.rules.inertia.digits import likely_half_widths, numbers_written, rewritten_number
 from kindsl.rules.inertia.judgements import (
@@ -22,6 +22,7 @@ from kindsl.rules.inertia.slips import Kind, Slip
 from kindsl.rules.inertia.surroundings import Surroundings, surroundings
 from kindsl.rules.inertia.told import likely_cause, several_causes, shared_cause, title
 from kindsl.rules.number_writing import rescaled, rewritten
+from kindsl.rules.tiny_values import is_negligible, is_tiny
 from kindsl.semantics.declarations import MOMENTS
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.model import Model
@@ -158,7 +159,7 @@ def _holds(found: Judgement, changes: Sequence[Change], context: Context) -> boo
     if any(n.literal is None for n in numbers):
         return False
     mass, x, y, z, *moments = (number.literal or 0.0 for number in numbers)
-    if max(moments[:3]) < ZERO_FOR_ROBCOGEN2 and context.targets != {ROBCOGEN}:
+    if context.targets != {ROBCOGEN} and _has_tiny(moments):
         return False
     body = MassDistribution(mass, (x, y, z), tuple(moments))  # type: ignore[arg-type]
     pairs = eigensystem(second_moments_about_com(body))
@@ -166,6 +167,13 @@ def _holds(found: Judgement, changes: Sequence[Change], context: Context) -> boo
     if verdict_of(body, half, pairs) in IMPOSSIBLE:
         return False
     return can_be_of_matter(body, half, pairs)
+
+
+def _has_tiny(moments: Sequence[float]) -> bool:
+    """Return whether KD507 would find one of six moments too small for robcogen2."""
+    plain, products = moments[:3], moments[3:]
+    lost = (p for p in products if is_tiny(p) and not is_negligible(p, plain))
+    return any(map(is_tiny, plain)) or any(lost)
 
 
 def _ten_values(found: Judgement) -> Iterator[Expression]:
