@@ -111,6 +111,17 @@ async def drag(page: Page, component: str, share: float = 0.6) -> bool:
     return True
 
 
+async def touch(page: Page, *fingers: Line) -> None:
+    """Move fingers over the page, each along its places, all at once."""
+    line = await page.context.new_cdp_session(page)
+    told = [[{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(at)]
+            for at in zip(*fingers, strict=True)]  # fmt: skip
+    for kind, points in zip(["touchStart", *["touchMove"] * len(told)], told, strict=False):
+        await line.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+    await line.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+    await line.detach()
+
+
 async def take_back(page: Page, owner: Owner) -> None:
     """Undo the last edit from the page."""
     await page.click("[data-gesture=undo]")

@@ -2,7 +2,17 @@
 
 import pytest
 from tests.preview.browser import PLACE, eventually, opened, until_shown
-from tests.preview.handles import BARE, COMPONENTS, LINES, Owner, changed, drag, grasp, take_back
+from tests.preview.handles import (
+    BARE,
+    COMPONENTS,
+    LINES,
+    Owner,
+    changed,
+    drag,
+    grasp,
+    take_back,
+    touch,
+)
 from tests.preview.robots import ARM, EXAMPLES
 
 from kindsl.analysis.analysis import analyse
@@ -76,6 +86,21 @@ async def test_a_number_is_typed_and_an_arrow_key_nudges(browser, owner):
         await page.wait_for_selector(".handle[data-component=ry]", state="attached")
         await page.click("[data-mode=move]")
         await page.wait_for_selector(".handle[data-component=ry]", state="detached")
+
+
+@pytest.mark.parametrize("owner", [ARM], indirect=True)
+async def test_a_finger_drags_a_handle(browser, owner):
+    async with opened(browser, await owner.show()) as page:
+        await until_shown(page, "Arm")
+        await grasp(page, "joint", "lift")
+        (x0, y0), (x1, y1) = (await page.evaluate(LINES))["x"]
+        eye = await page.evaluate("KindslAddress.eyeText(kindsl.camera.state())")
+        shares = (0.7, 0.8, 1.0, 1.3)
+        await touch(page, [(x0 + s * (x1 - x0), y0 + s * (y1 - y0)) for s in shares])
+        await eventually(lambda: owner.text != ARM)
+        ((old, _),) = changed(ARM, owner.text)
+        assert old == "0.4"
+        assert await page.evaluate("KindslAddress.eyeText(kindsl.camera.state())") == eye
 
 
 @pytest.mark.parametrize("owner", [ARM], indirect=True)

@@ -5,6 +5,7 @@ import math
 
 import pytest
 from tests.preview.browser import eventually, opened, until, until_shown
+from tests.preview.handles import touch
 from tests.preview.robots import ARM, PARAMETRIC_ARM
 
 from kindsl.analysis.analysis import analyse
@@ -100,6 +101,24 @@ async def test_f_looks_at_what_is_chosen_and_esc_chooses_nothing(page_of_arm):
     assert math.dist(pose, target) < 0.35
     await page.keyboard.press("Escape")
     await page.locator("#selection").wait_for(state="hidden")
+    await page.keyboard.press("Home")
+
+
+async def test_fingers_turn_the_view_and_come_nearer(page_of_arm):
+    page = page_of_arm
+    distance, eye = "kindsl.camera.offset().length()", "kindsl.camera.offset().toArray()"
+    await page.keyboard.press("7")
+    far, before = await page.evaluate(distance), await page.evaluate(eye)
+    await touch(page, [(100.0 + 20.0 * k, 560.0) for k in range(5)])
+    assert await page.evaluate(distance) == pytest.approx(far)
+    assert math.dist(await page.evaluate(eye), before) > 0.1 * far
+    apart = (
+        [(250.0 - 15.0 * k, 560.0) for k in range(5)],
+        [(300.0 + 15.0 * k, 560.0) for k in range(5)],
+    )
+    await touch(page, *apart)
+    assert await page.evaluate(distance) < 0.8 * far
+    assert not await page.evaluate("kindsl.selection.chosen")
     await page.keyboard.press("Home")
 
 

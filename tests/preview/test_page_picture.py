@@ -23,6 +23,16 @@ BOXES = """() => [...document.querySelectorAll(".label")]
   .filter((label) => label.style.visibility === "visible")
   .map((label) => label.getBoundingClientRect())
   .map((box) => [box.left, box.top, box.right, box.bottom])"""
+LETTER_POINTS = 16  # of the strokes of X, Y and Z
+# Of the names that are shown, how many stand for things within 110 pixels of one of these.
+MOST_NAMES_NEAR = """() => {
+  const { labels } = kindsl;
+  labels.place();
+  const shown = labels.seen().filter(({ thing }) => labels.byKey.get(thing.key)?.isShown);
+  const ends = shown.map(({ at }) => at);
+  const near = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]) < 110;
+  return Math.max(...ends.map((a, i) => ends.slice(0, i + 1).filter((b) => near(a, b)).length));
+}"""
 CALLS = """() => {
   kindsl.viewer.render();
   return kindsl.viewer.renderer.info.render.calls;
@@ -117,6 +127,12 @@ async def test_presets_show_what_they_are_called_and_keep_own_choices(browser, s
         shown = set(await page.evaluate(VISIBLE))
         assert {"link-frame", "joint-frame", "optional-frame", "joint-names"} <= shown
         assert not shown & {"axis", "inertia"}
+        letters = "kindsl.lineArt.letters.geometry.attributes.position.count"
+        at_zero = await page.evaluate(letters)
+        await page.evaluate("kindsl.actions.setJoint('LF_KFE', 0.5)")
+        await until(page, f"{letters} > {at_zero}")
+        assert await page.evaluate(letters) == at_zero + LETTER_POINTS
+        await page.evaluate("kindsl.actions.zero()")
         await page.locator("[data-preset=Inertia]").click()
         assert "axis" in await page.evaluate(VISIBLE)
         await page.get_by_text("Back to Inertia as it was").click()
@@ -188,6 +204,7 @@ async def test_large_robots_take_few_draw_calls_and_elements(browser, server):
         await until_shown(page, str(analysis.model.name))
         await until(page, "kindsl.tree.list.items.length > 200")
         assert await page.evaluate(CALLS) <= 12
+        assert await page.evaluate(MOST_NAMES_NEAR) <= 4
         await page.evaluate("kindsl.presets.choose('All')")
         assert await page.evaluate(CALLS) <= 25
         assert await page.evaluate("document.querySelectorAll('*').length") < 2000

@@ -10,6 +10,7 @@ const KindslLabels = (() => {
   const MARK = 1.6; // of a mark's radius is kept free of names
   const FAR = 16; // pixels from which on there is a line
   const WIDEST = 190; // pixels
+  const NEAR = 110, FEW = 2; // pixels around a thing in which a crowd has no more names
 
   class Labels {
     constructor(scene, pane, actions) {
@@ -30,12 +31,15 @@ const KindslLabels = (() => {
     place() {
       const seen = this.seen(), places = new KindslLabelPlaces.LabelPlaces(this.pane, seen.map(({ box }) => box));
       const most = Math.max(FEWEST, Math.floor((this.pane.clientWidth * this.pane.clientHeight) / AREA));
-      const shown = new Set();
+      const shown = new Set(), named = [], isCrowd = seen.length > 2 * most;
       for (const { thing, at, depth } of seen) {
         if (shown.size >= most && !thing.isLit) continue;
-        const label = this.label(thing), box = places.claim(label, at);
+        const label = this.label(thing);
+        if (isCrowd && !thing.isLit && isFull(named, at, label)) continue;
+        const box = places.claim(label, at);
         if (!box) continue;
         shown.add(thing.key);
+        named.push(at);
         this.put(label, box, at, thing, depth);
       }
       for (const [key, label] of this.byKey) if (!shown.has(key)) this.hide(label);
@@ -144,6 +148,12 @@ const KindslLabels = (() => {
       const radius = (MARK * this.scene.model.unit * height) / (2 * distance * Math.tan((camera.fov * Math.PI) / 360));
       return [((point.x + 1) / 2) * width, ((1 - point.y) / 2) * height, distance, radius];
     }
+  }
+
+  // Whether enough names are near a place, so that those of a crowd spread over the picture; who is shown may stay.
+  function isFull(named, [x, y], { isShown }) {
+    const near = named.filter((other) => Math.hypot(other[0] - x, other[1] - y) < NEAR);
+    return near.length >= (isShown ? FEW + 1 : FEW);
   }
 
   const clamp = (value, low, high) => Math.min(high, Math.max(low, value));

@@ -57,10 +57,14 @@ const KindslLineArt = (() => {
       const toBase = new Matrix4().multiplyMatrices(this.toBase, camera.matrixWorld);
       const right = new Vector3().setFromMatrixColumn(toBase, 0), up = new Vector3().setFromMatrixColumn(toBase, 1);
       const pixel = (2 * Math.tan((camera.fov * Math.PI) / 360)) / Math.max(1, this.pane.clientHeight); // of the distance
+      const lettered = new Set(); // a joint at zero stands where its link does
       for (const [category, group, reach] of TRIADS) {
         if (!scene.view.get(category).visible || !scene.poses.robot) continue;
         for (const [name, pose] of scene.poses.robot[group]) {
-          if (!scene.hidden.hidesThing(group, name)) this.letter(strokes, pose, reach * scene.model.unit, { right, up, pixel });
+          const place = Array.from(pose, (value) => value.toFixed(6)).join();
+          if (scene.hidden.hidesThing(group, name) || lettered.has(place)) continue;
+          lettered.add(place);
+          this.letter(strokes, pose, reach * scene.model.unit, { right, up, pixel });
         }
       }
       fill(this.letters, strokes, 1);
