@@ -9,6 +9,7 @@ from tests.cli.conftest import Runner
 from tests.cli.samples import INTEGER
 
 from kindsl.cli.lint import main
+from kindsl.cli.main import main as kindsl
 from kindsl.cli.output import FORMATS
 
 ROOT = Path(__file__).parents[2]
@@ -23,6 +24,8 @@ def test_options_that_recipes_name_exist(name: str, capfd: pytest.CaptureFixture
     text = RECIPES[name]
     with pytest.raises(SystemExit):
         main(["--help"])
+    with pytest.raises(SystemExit):
+        kindsl(["review", "--help"])
     known = capfd.readouterr().out + " --check --quiet --disable-pip-version-check "
     for option in re.findall(r"(?<![\w-])--[a-z][a-z-]+", text):
         assert option in known

@@ -26,7 +26,6 @@ from kindsl.text.printable import printable
 
 if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis
-    from kindsl.dynamics.bodies import Bodies
     from kindsl.mechanism.difference import Difference
 
 SAME = 0
@@ -67,29 +66,20 @@ def _difference(args: argparse.Namespace) -> "tuple[Difference, tuple[str, ...]]
     old, new = (read_document(path, choices) for path in (args.old, args.new))
     both = ((args.old, old), (args.new, new))
     try:
-        from kindsl.mechanism.difference import difference
-        from kindsl.mechanism.partial_difference import partial_difference
+        from kindsl.reports.comparison import compared
 
-        strict = [_strict_bodies(path, analysis) for path, analysis in both]
-        if strict[0] is not None and strict[1] is not None:
-            return difference(strict[0], strict[1]), ()
-        found = partial_difference((old.model, old.context.values), (new.model, new.context.values))
+        found = compared(old, new)
     except ModuleNotFoundError as error:
         raise missing_module(args.old, error, "numpy") from None
-    if isinstance(found, int):
-        path, analysis = both[found]
+    if found.difference is None:
+        path, analysis = both[found.treeless or 0]
         bodies_of_document(path, analysis)
         raise CommandError([Failure(shown_name(path), "has no tree of links to compare")])
+    if found.mechanics is not None:
+        return found.difference, ()
     broken = [path for path, analysis in both if _is_broken(analysis)]
     notes = [f"{shown_name(path)} has errors: showing the rest" for path in broken]
     return found.difference, (*notes, *found.notes)
-
-
-def _strict_bodies(path: str, analysis: "Analysis") -> "Bodies | None":
-    try:
-        return bodies_of_document(path, analysis)
-    except CommandError:
-        return None
 
 
 def _is_broken(analysis: "Analysis") -> bool:

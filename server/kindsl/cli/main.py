@@ -19,6 +19,7 @@ COMMANDS = {
     "generate": "write code for kinematics and dynamics",
     "card": "write a page about a document: picture, tables, transforms",
     "diff": "tell what changed mechanically between two documents",
+    "review": "write what a reviewer wants to see of a change",
     "language-server": "serve an editor",
 }
 LONG_RUNNING = ("preview", "language-server")

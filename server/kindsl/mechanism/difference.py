@@ -13,6 +13,8 @@ from kindsl.spatial.inertia import point_inertia
 _LENGTH_TOLERANCE = 1e-9
 _ANGLE_TOLERANCE = 1e-9
 _RELATIVE_TOLERANCE = 1e-9
+# Of a tensor about the CoM, which is a difference of two that may be larger.
+_TENSOR_TOLERANCE = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,12 +68,15 @@ class MassChange:
         com_distance: Between the old and the new centre of mass in the link frame, metres.
         principal_moments: Old and new principal moments about the centre of mass, ascending,
             kg m^2.
+        inertia_change: Norm of the change of the tensor about the centre of mass, over the norm of
+            the old one or the new one, whichever is greater.
     """
 
     link: str
     mass: tuple[float, float]
     com_distance: float
     principal_moments: tuple[tuple[float, ...], tuple[float, ...]]
+    inertia_change: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -284,7 +289,13 @@ def _mass_change(name: str, old: Bodies, i: int, new: Bodies, j: int) -> MassCha
         (float(old.masses[i]), float(new.masses[j])),
         float(np.linalg.norm(new.coms[j] - old.coms[i])),
         (_principal_moments(old, i), _principal_moments(new, j)),
+        _inertia_change(_about_com(old, i), _about_com(new, j)),
     )
+
+
+def _inertia_change(old: Array, new: Array) -> float:
+    scale = max(np.linalg.norm(old), np.linalg.norm(new))
+    return float(np.linalg.norm(new - old) / scale) if scale > 0.0 else 0.0
 
 
 def _is_same_mass(change: MassChange) -> bool:
@@ -293,12 +304,17 @@ def _is_same_mass(change: MassChange) -> bool:
         _is_close(*change.mass)
         and change.com_distance <= _LENGTH_TOLERANCE
         and all(abs(a - b) <= _RELATIVE_TOLERANCE * max(abs(a), abs(b), 1e-6) for a, b in moments)
+        and change.inertia_change <= _TENSOR_TOLERANCE
     )
 
 
 def _principal_moments(bodies: Bodies, body: int) -> tuple[float, ...]:
-    about_com = bodies.inertias[body] - point_inertia(bodies.masses[body], bodies.coms[body])
-    return tuple(float(moment) for moment in np.linalg.eigvalsh(about_com))
+    return tuple(float(moment) for moment in np.linalg.eigvalsh(_about_com(bodies, body)))
+
+
+def _about_com(bodies: Bodies, body: int) -> Array:
+    at_com = point_inertia(bodies.masses[body], bodies.coms[body])
+    return np.asarray(bodies.inertias[body] - at_com)
 
 
 def _base_kind(bodies: Bodies) -> str:

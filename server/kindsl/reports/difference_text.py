@@ -6,6 +6,9 @@ from typing import NamedTuple
 
 from kindsl.mechanism.difference import Difference, MassChange, Moved
 
+# Relative change of a tensor whose principal moments print the same.
+_TURNED = 1e-6
+
 
 class ChangeRow(NamedTuple):
     """One line: what kind of thing, its name, what happened to it."""
@@ -62,6 +65,8 @@ def _mass(change: MassChange) -> Iterator[str]:
     before, after = change.principal_moments
     if any(f"{a:.4g}" != f"{b:.4g}" for a, b in zip(before, after, strict=True)):
         yield f"principal moments {_triple(before)} -> {_triple(after)} kg m^2"
+    elif change.inertia_change > _TURNED:
+        yield f"principal axes turned, inertia about the CoM changed by {change.inertia_change:.2%}"
 
 
 def _triple(moments: tuple[float, ...]) -> str:

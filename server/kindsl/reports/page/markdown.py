@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from kindsl.reports.drawing.svg import svg_text
 from kindsl.reports.page.blocks import Block, Heading, Matrix, Page, Paragraph, Picture, Side, Table
 
-_SPECIAL = re.compile(r"([\\`*_{}\[\]<>#|~])")
+_SPECIAL = re.compile(r"([\\`*_{}\[\]<#|~])")
 Address = Callable[[Picture], str]
 
 

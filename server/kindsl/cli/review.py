@@ -1,0 +1,104 @@
+"""Writes what a reviewer wants to see of a change: pictures, tables, numbers, findings.
+
+The folder gets review.md, review.html (one file that needs nothing else), comment.md (without
+pictures) and the pictures before and after. Broken documents are shown as far as they go.
+"""
+
+import argparse
+import os
+import shutil
+from typing import TYPE_CHECKING
+
+from kindsl.cli.documents.choices import Choices, choices_of
+from kindsl.cli.documents.git_texts import commits_of, short, text_at
+from kindsl.cli.documents.reading import (
+    CommandError,
+    missing_module,
+    read_document,
+    shown_name,
+)
+from kindsl.cli.options import add_parameter_arguments
+from kindsl.cli.outcome import Failure, as_failures
+from kindsl.config.errors import ConfigurationError
+
+if TYPE_CHECKING:
+    from kindsl.analysis.analysis import Analysis
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    add = parser.add_argument
+    add("files", metavar="FILE", nargs="+", help="OLD and NEW, or with --git one document")
+    add("-o", "--output", metavar="FOLDER", required=True, help="where to write; a new folder")
+    add("--git", metavar="BASE..HEAD", help="compare the document at two commits")
+    add("--force", action="store_true", help="replace the review in a folder that exists")
+    add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
+
+
+def run(args: argparse.Namespace) -> int:
+    """Write the review.
+
+    Returns:
+        0, or 2 if a document cannot be read or the folder cannot be written.
+    """
+    try:
+        _check_folder(args)
+        old, new, names = _documents(args, choices_of(args))
+        _write(args.output, _files(args, old, new, names))
+    except CommandError as error:
+        return error.tell()
+    except ConfigurationError as error:
+        return CommandError(as_failures(error)).tell()
+    return 0
+
+
+def _check_folder(args: argparse.Namespace) -> None:
+    if os.path.lexists(args.output) and not (args.force and os.path.isdir(args.output)):
+        hint = "; --force replaces the review in it" if os.path.isdir(args.output) else ""
+        raise CommandError([Failure(args.output, f"already exists{hint}")])
+
+
+def _documents(
+    args: argparse.Namespace, choices: Choices
+) -> "tuple[Analysis, Analysis, tuple[str, str]]":
+    if args.git is None:
+        if len(args.files) != 2:
+            raise CommandError([Failure("review", "needs OLD and NEW, or --git BASE..HEAD FILE")])
+        old, new = (read_document(path, choices) for path in args.files)
+        return old, new, (shown_name(args.files[0]), shown_name(args.files[1]))
+    if len(args.files) != 1:
+        raise CommandError([Failure("review", "needs one FILE with --git")])
+    commits = commits_of(args.git)
+    path = args.files[0]
+    from kindsl.analysis.analysis import analyse
+
+    settings = choices.settings_for(path)
+    old, new = (analyse(text_at(commit, path), settings) for commit in commits)
+    return old, new, (short(commits.base), short(commits.head))
+
+
+def _files(
+    args: argparse.Namespace, old: "Analysis", new: "Analysis", names: tuple[str, str]
+) -> dict[str, str]:
+    try:
+        from kindsl.reports.review.files import review_files
+        from kindsl.reports.review.page import review_page
+
+        return review_files(review_page(old, new, names))
+    except ModuleNotFoundError as error:
+        raise missing_module(args.files[0], error, "numpy") from None
+
+
+def _write(folder: str, files: dict[str, str]) -> None:
+    """Write all files, or none into a folder that was not there."""
+    is_new = not os.path.isdir(folder)
+    try:
+        os.makedirs(folder, exist_ok=True)
+        for name, text in files.items():
+            with open(os.path.join(folder, name), "w", encoding="utf-8", newline="\n") as file:
+                file.write(text)
+    except OSError as error:
+        if is_new:
+            shutil.rmtree(folder, ignore_errors=True)
+        message = f"cannot be written: {error.strerror or error}"
+        raise CommandError([Failure(folder, message)]) from None

@@ -1,0 +1,256 @@
+"""A review of a change: what a reviewer looks at, before and after."""
+
+from collections.abc import Iterator, Mapping
+from math import dist
+
+from kindsl.analysis.analysis import Analysis
+from kindsl.dynamics.evaluation.mechanics import Mechanics
+from kindsl.mechanism.difference import Difference
+from kindsl.reports.card import branches, shown_skeleton, triple
+from kindsl.reports.columns import number
+from kindsl.reports.comparison import Comparison, compared
+from kindsl.reports.difference_text import ChangeRow, change_rows
+from kindsl.reports.drawing.camera import camera_for
+from kindsl.reports.drawing.robot import points_of, robot_drawing
+from kindsl.reports.page.blocks import Block, Heading, Page, Paragraph, Picture, Side, Table
+from kindsl.reports.review.finding_changes import ToldFinding, finding_changes
+from kindsl.reports.review.written_numbers import Side as Written
+from kindsl.reports.review.written_numbers import WrittenChange, written_changes
+from kindsl.reports.robot_facts import robot_facts
+from kindsl.rules.base import Severity
+from kindsl.text.words import counted
+
+MOVED, HEAVIER, ADDED, REMOVED = "d9730d", "8e44ad", "2e8b57", "c0392b"
+_LEGEND = "Same camera. Orange: moved; violet: other mass; green: new; red: gone."
+_NO_TREE = "has no tree of links to compare"
+
+
+def review_page(old: Analysis, new: Analysis, names: tuple[str, str]) -> Page:
+    """Return the page.
+
+    Args:
+        old: The document before.
+        new: The document after.
+        names: What to call them.
+    """
+    found = compared(old, new)
+    joints = renamed_joints(old, new, found.difference)
+    return (
+        Heading(f"{new.model.name or old.model.name or '(unnamed)'}: {names[0]} to {names[1]}", 1),
+        *_notes(old, new, names, found),
+        *_changes(found.difference, joints),
+        *_numbers(old, new, found.difference, joints),
+        *_pictures(old, new, found.difference),
+        *_tree(old, new, found.difference),
+        *_masses(old, new, found.difference),
+        *_balance(found),
+        *_findings(old, new),
+    )
+
+
+def renamed_joints(old: Analysis, new: Analysis, found: Difference | None) -> dict[str, str]:
+    """Return new names of joints that carry the same link as before, by the old names."""
+    links = _renamed_links(found)
+    carriers = _carriers(new)
+    gone = {str(j.name) for j in old.model.joints} - {str(j.name) for j in new.model.joints}
+    come = {str(j.name) for j in new.model.joints} - {str(j.name) for j in old.model.joints}
+    pairs = ((joint, carriers.get(links.get(n, n), "")) for n, joint in _carriers(old).items())
+    return {before: after for before, after in pairs if before in gone and after in come}
+
+
+def _carriers(analysis: Analysis) -> dict[str, str]:
+    """Return the names of links with those of the joints that carry them."""
+    edges = analysis.model.tree.edges
+    return {str(edge.child.link): str(edge.child.joint) for edge in edges}
+
+
+def _renamed_links(found: Difference | None) -> dict[str, str]:
+    return {pair.old: pair.new for pair in found.renamed_links} if found else {}
+
+
+def _notes(
+    old: Analysis, new: Analysis, names: tuple[str, str], found: Comparison
+) -> Iterator[Block]:
+    for name, analysis in zip(names, (old, new), strict=True):
+        n = sum(finding.severity is Severity.ERROR for finding in analysis.findings)
+        if n:
+            yield Paragraph(f"{name} has {counted(n, 'error')}: shown as far as it goes.")
+    if found.treeless is not None:
+        yield Paragraph(f"{names[found.treeless]} {_NO_TREE}.")
+    for note in found.notes:
+        yield Paragraph(f"{note[:1].upper()}{note[1:]}.")
+
+
+def _changes(found: Difference | None, joints: Mapping[str, str]) -> Iterator[Block]:
+    if found is None:
+        return
+    yield Heading("What changed")
+    rows = [row for row in change_rows(found) if not _is_half_of_a_renaming(row, joints)]
+    renamed = [ChangeRow("joint", b, f"renamed, was '{a}'") for a, b in joints.items()]
+    cells = tuple((row.kind, row.name, row.change) for row in (*renamed, *rows))
+    yield (
+        Table(("what", "name", "change"), cells)
+        if cells
+        else Paragraph("Nothing changed mechanically.")
+    )
+
+
+def _is_half_of_a_renaming(row: ChangeRow, joints: Mapping[str, str]) -> bool:
+    is_half = row.change == "removed" and row.name in joints
+    return row.kind == "joint" and (
+        is_half or (row.change == "added" and row.name in joints.values())
+    )
+
+
+def _numbers(
+    old: Analysis, new: Analysis, found: Difference | None, joints: Mapping[str, str]
+) -> Iterator[Block]:
+    sides = (Written(a.model, a.context.values) for a in (old, new))
+    before, after = sides
+    changes = list(written_changes(before, after, _renamed_links(found), joints))
+    if changes:
+        yield Heading("Numbers")
+        header = ("what", "name", "number", "before", "after", "remark")
+        yield Table(header, tuple(map(_number_row, changes)), frozenset((3, 4)))
+
+
+def _number_row(change: WrittenChange) -> tuple[str, ...]:
+    return change.kind, change.name, change.number, change.old, change.new, change.remark
+
+
+def _pictures(old: Analysis, new: Analysis, found: Difference | None) -> Iterator[Block]:
+    sides = [shown_skeleton(analysis) for analysis in (old, new)]
+    shown = [skeleton for skeleton in sides if skeleton is not None]
+    if not shown:
+        return
+    camera = camera_for([point for skeleton in shown for point in points_of(skeleton)])
+    pictures = tuple(
+        Picture(name, robot_drawing(skeleton, camera, colors), name.capitalize())
+        for name, skeleton, colors in zip(("before", "after"), sides, _colors(found), strict=True)
+        if skeleton is not None
+    )
+    yield Heading("Pictures")
+    yield Paragraph(_LEGEND)
+    yield Side(pictures)
+
+
+def _colors(found: Difference | None) -> tuple[dict[str, str], dict[str, str]]:
+    """Return the colours of names, before and after."""
+    if found is None:
+        return {}, {}
+    shared = dict.fromkeys((change.link for change in found.masses), HEAVIER)
+    shared |= dict.fromkeys((move.name for move in found.zero_poses), MOVED)
+    old_name = {pair.new: pair.old for pair in found.renamed_links}
+    before = {old_name.get(name, name): color for name, color in shared.items()}
+    before |= dict.fromkeys((*found.removed_links, *found.removed_frames), REMOVED)
+    return before, shared | dict.fromkeys((*found.added_links, *found.added_frames), ADDED)
+
+
+def _tree(old: Analysis, new: Analysis, found: Difference | None) -> Iterator[Block]:
+    """Yield the new tree beside what carried each link before; links that are gone last."""
+    yield Heading("Tree")
+    links = _renamed_links(found)
+    before = {links.get(name, name): text for name, text in _hangs_on(old, links).items()}
+    after = _hangs_on(new, {})
+    rows = []
+    for level, body in branches(robot_facts(new)):
+        name = body["name"]
+        rows.append(("  " * level + name, before.pop(name, "-"), after.get(name, "-")))
+    rows += [(name, text, "-") for name, text in before.items()]
+    marked = tuple((*row, "" if row[1] == row[2] else "changed") for row in rows)
+    yield Table(("link", "before", "after", ""), marked)
+
+
+def _hangs_on(analysis: Analysis, links: Mapping[str, str]) -> dict[str, str]:
+    """Return what carries each link, in words, by the link's own name."""
+    facts = robot_facts(analysis)
+    base = {facts["base"]["name"]: "base"} if facts["base"] else {}
+    carried = {
+        body["name"]: f"{links.get(body['parent'], body['parent'])} via {body['joint']}"
+        if body["joint"]
+        else "nothing"
+        for body in facts["links"]
+    }
+    return {**base, **carried}
+
+
+def _masses(old: Analysis, new: Analysis, found: Difference | None) -> Iterator[Block]:
+    links = _renamed_links(found)
+    before, after = (
+        {b["name"]: b["mass"] for _, b in branches(robot_facts(a))} for a in (old, new)
+    )
+    before = {links.get(name, name): mass for name, mass in before.items()}
+    rows = tuple(
+        (name, number(before.get(name)), number(after.get(name)), _change(before, after, name))
+        for name in dict.fromkeys((*after, *before))
+    )
+    if rows:
+        yield Heading("Masses")
+        yield Table(("link", "before / kg", "after / kg", "change"), rows, frozenset((1, 2, 3)))
+
+
+def _change(
+    before: Mapping[str, float | None], after: Mapping[str, float | None], name: str
+) -> str:
+    a, b = before.get(name), after.get(name)
+    if a is None or b is None or a == b:
+        return ""
+    return f"{100.0 * (b - a) / a:+.3g} %" if a else f"{b:+.6g} kg"
+
+
+def _balance(found: Comparison) -> Iterator[Block]:
+    """Yield how the centre of mass and the forces that hold the robot shift, at zero."""
+    if found.mechanics is None:
+        return
+    yield Heading("Balance at zero")
+    coms = [_com(mechanics) for mechanics in found.mechanics]
+    if coms[0] is not None and coms[1] is not None:
+        shift = f"{dist(*coms) * 1e3:.4g} mm"
+        texts = (triple(coms[0]), triple(coms[1]))
+        yield Paragraph(f"The centre of mass shifts by {shift}: {texts[0]} m to {texts[1]} m.")
+    old, new = map(_gravity_torques, found.mechanics)
+    rows = tuple(
+        (name, number(old.get(name)), number(new.get(name)), _shift(old, new, name))
+        for name in dict.fromkeys((*new, *old))
+    )
+    header = ("joint", "gravity before / N m, N", "after", "shift")
+    yield Table(header, rows, frozenset((1, 2, 3)))
+
+
+def _com(mechanics: Mechanics) -> tuple[float, ...] | None:
+    if not mechanics.total_mass() > 0.0:
+        return None
+    return tuple(mechanics.center_of_mass([0.0] * mechanics.n_joints).tolist())
+
+
+def _gravity_torques(mechanics: Mechanics) -> dict[str, float]:
+    torques = mechanics.gravity_torque([0.0] * mechanics.n_joints)[-mechanics.n_joints :]
+    return {n: _plain(t) for n, t in zip(mechanics.joint_names, torques.tolist(), strict=True)}
+
+
+def _plain(value: float) -> float:
+    """Return a force without the dust of rounding."""
+    return 0.0 if abs(value) < 1e-12 else value
+
+
+def _shift(old: Mapping[str, float], new: Mapping[str, float], name: str) -> str:
+    if name not in old or name not in new:
+        return ""
+    shift = new[name] - old[name]
+    return f"{shift:+.4g}" if abs(shift) > 1e-9 * max(abs(old[name]), 1.0) else ""
+
+
+def _findings(old: Analysis, new: Analysis) -> Iterator[Block]:
+    yield Heading("Findings")
+    found = finding_changes(old, new)
+    told = (f"{len(found.new)} new", f"{len(found.gone)} gone", f"{len(found.kept)} kept")
+    yield Paragraph(", ".join(told))
+    for title, findings in (("New", found.new), ("Gone", found.gone), ("Kept", found.kept)):
+        if findings:
+            yield Heading(title, 3)
+            header = ("place", "severity", "rule", "finding")
+            yield Table(header, tuple(map(_finding_row, findings)))
+
+
+def _finding_row(finding: ToldFinding) -> tuple[str, ...]:
+    return f"{finding.line}:{finding.column}", finding.severity, finding.code, finding.message
