@@ -203,10 +203,10 @@ def _balance(found: Comparison) -> Iterator[Block]:
     if found.mechanics is None:
         return
     yield Heading("Balance at zero")
-    coms = [_com(mechanics) for mechanics in found.mechanics]
-    if coms[0] is not None and coms[1] is not None:
-        shift = f"{dist(*coms) * 1e3:.4g} mm"
-        texts = (triple(coms[0]), triple(coms[1]))
+    before, after = (_com(mechanics) for mechanics in found.mechanics)
+    if before is not None and after is not None:
+        shift = f"{dist(before, after) * 1e3:.4g} mm"
+        texts = (triple(before), triple(after))
         yield Paragraph(f"The centre of mass shifts by {shift}: {texts[0]} m to {texts[1]} m.")
     old, new = map(_gravity_torques, found.mechanics)
     rows = tuple(
