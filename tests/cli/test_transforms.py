@@ -110,3 +110,10 @@ def _compare(text: str) -> None:
     except lark.exceptions.LarkError:
         is_right = False
     assert (read_transforms(text).defect is None) is is_right, text
+
+
+def test_a_folder_brings_them_too(kdsl_lint: Runner, kindsl: Runner, beside: Path) -> None:
+    beside.write_text(GOOD.replace("Robot arm", "Robot leg"))
+    assert "arm.dtdsl:1:7" in kdsl_lint(".").out
+    kindsl("format", ".")
+    assert beside.read_text() == GOOD.replace("Robot arm", "Robot leg")

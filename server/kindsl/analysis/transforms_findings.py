@@ -43,7 +43,7 @@ def transforms_findings(
     document = read_transforms(text)
     found: list[tuple[Rule, Wrong]] = []
     if document.defect is not None:
-        found.append((SYNTAX, Wrong(*document.defect)))
+        found.append((SYNTAX, Wrong(*document.defect[:3])))
     for rule, check in _ALONE:
         found += [(rule, wrong) for wrong in check(document, model)]
     if model is not None:

@@ -20,6 +20,16 @@ TOOLS_FOLDERS = frozenset((
 _VERSION_CONTROL = frozenset((".bzr", ".git", ".git-rewrite", ".hg", ".jj", ".svn"))
 
 
+class _Wanted(NamedTuple):
+    """What a walk leaves out and looks for."""
+
+    excluded: frozenset[str]
+    suffixes: tuple[str, ...]
+
+    def is_wanted(self, name: str) -> bool:
+        return name.lower().endswith(self.suffixes)
+
+
 class Obstacle(NamedTuple):
     """What may be a robot, or hold some, but cannot be read.
 
@@ -32,7 +42,11 @@ class Obstacle(NamedTuple):
     reason: OSError | str
 
 
-def walked(folder: str, excluded: Collection[str] = TOOLS_FOLDERS) -> Iterator[str | Obstacle]:
+def walked(
+    folder: str,
+    excluded: Collection[str] = TOOLS_FOLDERS,
+    suffixes: tuple[str, ...] = (SUFFIX,),
+) -> Iterator[str | Obstacle]:
     """Yield the robots in a folder and in the folders below, in the order of their names.
 
     What git ignores is left out, unless that is the folder itself; so are links to folders and the
@@ -41,10 +55,12 @@ def walked(folder: str, excluded: Collection[str] = TOOLS_FOLDERS) -> Iterator[s
     Args:
         folder: Where to begin, whatever it is called.
         excluded: Names of folders that are left out.
+        suffixes: How what is wanted ends, in small letters.
     """
     from kindsl.config.gitignore import Ignored
 
-    yield from _walk(folder, frozenset(excluded) | _VERSION_CONTROL, Ignored.above(folder))
+    wanted = _Wanted(frozenset(excluded) | _VERSION_CONTROL, suffixes)
+    yield from _walk(folder, wanted, Ignored.above(folder))
 
 
 def robots_below(folder: "Path") -> "Iterator[Path]":
@@ -61,7 +77,7 @@ def is_robot(name: str) -> bool:
     return name.lower().endswith(SUFFIX)
 
 
-def _walk(folder: str, excluded: frozenset[str], ignored: "Ignored") -> Iterator[str | Obstacle]:
+def _walk(folder: str, wanted: _Wanted, ignored: "Ignored") -> Iterator[str | Obstacle]:
     try:
         with os.scandir(folder) as listing:
             entries = sorted(listing, key=lambda entry: entry.name)
@@ -71,24 +87,24 @@ def _walk(folder: str, excluded: frozenset[str], ignored: "Ignored") -> Iterator
     ignored = ignored.below(folder)
     for entry in entries:
         is_folder = entry.is_dir(follow_symlinks=False)
-        if entry.name in excluded if is_folder else not is_robot(entry.name):
+        if entry.name in wanted.excluded if is_folder else not wanted.is_wanted(entry.name):
             continue
         if ignored.covers(entry.path, is_folder):
             continue
         if is_folder:
-            yield from _below(entry, excluded, ignored)
+            yield from _below(entry, wanted, ignored)
         else:
             yield _robot(entry)
 
 
 def _below(
-    entry: "os.DirEntry[str]", excluded: frozenset[str], ignored: "Ignored"
+    entry: "os.DirEntry[str]", wanted: _Wanted, ignored: "Ignored"
 ) -> Iterator[str | Obstacle]:
     is_empty = True
-    for found in _walk(entry.path, excluded, ignored):
+    for found in _walk(entry.path, wanted, ignored):
         is_empty = False
         yield found
-    if is_empty and is_robot(entry.name):
+    if is_empty and wanted.is_wanted(entry.name):
         yield Obstacle(entry.path, "is a folder, not a file")
 
 

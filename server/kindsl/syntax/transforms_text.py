@@ -9,6 +9,9 @@ from typing import NamedTuple
 _WORDS = re.compile(
     r"(?P<skip>\s+|//[^\n]*|/\*.*?\*/)|(?P<word>[A-Za-z_]\w*|[{}=,])|(?P<odd>.)", re.S
 )
+TRANSFORMS_SUFFIX = ".dtdsl"
+FRAME = "a frame"
+ROBOT_NAME = "the robot's name"
 SECTIONS = ("Frames", "Transforms", "Jacobians")
 
 
@@ -28,11 +31,12 @@ class Pair(NamedTuple):
 
 
 class SyntaxDefect(NamedTuple):
-    """What cannot stand where it stands."""
+    """What cannot stand where it stands, and what can."""
 
     message: str
     start: int
     end: int
+    expected: str
 
 
 class TransformsDocument(NamedTuple):
@@ -59,6 +63,7 @@ class _Unexpected(Exception):  # noqa: N818
     def __init__(self, expected: str, word: Word) -> None:
         found = f"'{word.text}'" if word.text else "the end of the document"
         super().__init__(f"expected {expected} instead of {found}")
+        self.expected = expected
         self.word = word
 
 
@@ -69,7 +74,7 @@ def read_transforms(text: str) -> TransformsDocument:
     try:
         reader.read()
     except _Unexpected as error:
-        defect = SyntaxDefect(str(error), error.word.start, max(error.word.end, error.word.start))
+        defect = SyntaxDefect(str(error), error.word.start, error.word.end, error.expected)
     return TransformsDocument(
         reader.robot,
         tuple(reader.frames),
@@ -93,7 +98,7 @@ class _Reader:
 
     def read(self) -> None:
         self._take("Robot")
-        self.robot = self._name("the robot's name")
+        self.robot = self._name(ROBOT_NAME)
         for section in SECTIONS:
             if self._words[self._next].text != section:
                 continue
@@ -109,18 +114,18 @@ class _Reader:
             raise _Unexpected("'Frames', 'Transforms' or 'Jacobians', in this order", self._word())
 
     def _frames(self) -> None:
-        self.frames.append(self._name("a frame"))
+        self.frames.append(self._name(FRAME))
         while self._words[self._next].text == ",":
             self._next += 1
-            self.frames.append(self._name("a frame"))
+            self.frames.append(self._name(FRAME))
 
     def _pair(self) -> Pair:
         self._take("base")
         self._take("=")
-        base = self._name("a frame")
+        base = self._name(FRAME)
         for word in (",", "target", "="):
             self._take(word)
-        return Pair(base, self._name("a frame"))
+        return Pair(base, self._name(FRAME))
 
     def _word(self) -> Word:
         return self._words[self._next]

@@ -6,13 +6,15 @@ from collections.abc import Collection, Iterator
 
 from kindsl.cli.documents.sources import STDIN, reason
 from kindsl.cli.outcome import Failure
-from kindsl.config.robots import TOOLS_FOLDERS, Obstacle, is_robot, walked
+from kindsl.config.robots import SUFFIX, TOOLS_FOLDERS, Obstacle, is_robot, walked
 
 _HERE = os.curdir + os.sep
 
 
 def documents(
-    paths: list[str], excluded: Collection[str] = TOOLS_FOLDERS
+    paths: list[str],
+    excluded: Collection[str] = TOOLS_FOLDERS,
+    suffixes: tuple[str, ...] = (SUFFIX,),
 ) -> Iterator[str | Failure]:
     """Yield each document once: files as named, folders with all documents below.
 
@@ -21,10 +23,11 @@ def documents(
     Args:
         paths: Files, folders, `-`.
         excluded: Names of folders to leave out.
+        suffixes: How documents in folders end.
     """
     seen: set[str] = set()
     for path in paths:
-        for found in _documents_of(path, excluded):
+        for found in _documents_of(path, excluded, suffixes):
             key = str(found) if isinstance(found, Failure) else _identity(found)
             if key not in seen:
                 seen.add(key)
@@ -45,7 +48,9 @@ def _shown(path: str) -> str:
     return path if shown in ("", STDIN) else shown
 
 
-def _documents_of(path: str, excluded: Collection[str]) -> Iterator[str | Failure]:
+def _documents_of(
+    path: str, excluded: Collection[str], suffixes: tuple[str, ...]
+) -> Iterator[str | Failure]:
     if path == STDIN:
         yield STDIN
         return
@@ -59,7 +64,7 @@ def _documents_of(path: str, excluded: Collection[str]) -> Iterator[str | Failur
         yield _shown(path)
         return
     is_empty = True
-    for found in walked(path, excluded):
+    for found in walked(path, excluded, suffixes):
         is_empty = False
         yield _failure(found) if isinstance(found, Obstacle) else _shown(found)
     if is_empty and is_robot(path):

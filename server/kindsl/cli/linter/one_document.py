@@ -10,10 +10,11 @@ from kindsl.analysis.settings import Settings
 from kindsl.cli.documents.sources import STDIN, NotText, is_decodable, read_text
 from kindsl.cli.outcome import Failure, LintedFile
 from kindsl.rules.base import Severity
+from kindsl.semantics.model import Model
+from kindsl.syntax.transforms_text import TRANSFORMS_SUFFIX
 
 _CODE = "KD004"
 _NAME = "invalid-character"
-TRANSFORMS_SUFFIX = ".dtdsl"
 
 
 class Mending(Enum):
@@ -64,11 +65,7 @@ def check(task: Task) -> Checked:
 
 def _checked(task: Task, text: str) -> Checked:
     if task.shown.endswith(TRANSFORMS_SUFFIX):
-        from kindsl.analysis.transforms_findings import transforms_findings
-        from kindsl.cli.documents.beside import model_beside
-
-        found = transforms_findings(text, model_beside(task.path, text), task.settings)
-        return Checked(LintedFile(task.shown, text, found), None)
+        return Checked(_transforms(task, text), None)
     analysis = analyse(text, task.settings)
     if task.mending is Mending.NONE or not is_decodable(text):
         return _outcome(task, analysis)
@@ -81,6 +78,29 @@ def _checked(task: Task, text: str) -> Checked:
         if failure is not None:
             return Checked(_file(task, analysis), failure)
     return _outcome(task, better, text, n_fixed)
+
+
+def _transforms(task: Task, text: str) -> LintedFile:
+    """Lint a transforms document by the robot beside it."""
+    from kindsl.analysis.transforms_findings import transforms_findings
+    from kindsl.config.beside import robot_beside
+    from kindsl.syntax.transforms_text import read_transforms
+
+    def name_of(path: str) -> str | None:
+        model = _model_in(path)
+        return str(model.name) if model is not None else None
+
+    model = None
+    if task.path != STDIN:
+        robot = read_transforms(text).robot
+        path = robot_beside(task.path, robot.text if robot is not None else None, name_of)
+        model = _model_in(path) if path is not None else None
+    return LintedFile(task.shown, text, transforms_findings(text, model, task.settings))
+
+
+def _model_in(path: str) -> Model | None:
+    text = read_text(path, path)
+    return analyse(text).model if isinstance(text, str) else None
 
 
 def _outcome(

@@ -13,11 +13,14 @@ from kindsl.cli.linter.one_document import Checked, Mending, Task
 from kindsl.cli.linter.parallel import check_all
 from kindsl.cli.outcome import Failure, LintedFile, Outcome, as_failures
 from kindsl.config.errors import ConfigurationError
-from kindsl.config.robots import TOOLS_FOLDERS
+from kindsl.config.robots import SUFFIX, TOOLS_FOLDERS
+from kindsl.syntax.transforms_text import TRANSFORMS_SUFFIX
 
 if TYPE_CHECKING:
     from kindsl.config.configuration import Configuration
 
+# How files end that are linted when a folder is named.
+LINTED = (SUFFIX, TRANSFORMS_SUFFIX)
 _FEW = 200
 # The garbage of so many documents fits into memory.
 _FEW_TO_COLLECT = 16
@@ -66,7 +69,7 @@ def _prepared(
     tasks: list[Task] = []
     failures: list[Failure] = []
     configurations: dict[str, Configuration] = {}
-    for document in documents(plan.paths, plan.excluded):
+    for document in documents(plan.paths, plan.excluded, LINTED):
         if isinstance(document, Failure):
             failures.append(document)
             continue

@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable
 
 from kindsl.cli.documents.walking import documents
-from kindsl.cli.linter.run import Plan, lint
+from kindsl.cli.linter.run import LINTED, Plan, lint
 from kindsl.cli.outcome import Failure, Outcome
 from kindsl.config.discovery import Configurations, nearest_configuration
 from kindsl.text.saves import Stamp, stamp
@@ -40,7 +40,7 @@ def watch(plan: Plan, report: Callable[[Outcome], int]) -> int:
 def stamps(plan: Plan) -> dict[str, Stamp | None]:
     """Return for each file that the outcome depends on what changes when the file does."""
     found: dict[str, Stamp | None] = {}
-    for document in documents(plan.paths, plan.excluded):
+    for document in documents(plan.paths, plan.excluded, LINTED):
         path = document.path if isinstance(document, Failure) else document
         found[path] = stamp(path)
         if plan.choices.configurations is not None:

@@ -9,6 +9,7 @@ from kindsl.lsp.text import uris
 from kindsl.lsp.text.document import Document
 from kindsl.lsp.wire.edits import text_edits, workspace_edit
 from kindsl.lsp.wire.protocol import RequestFailed
+from kindsl.syntax.transforms_text import TRANSFORMS_SUFFIX
 
 handlers = Handlers()
 
@@ -48,7 +49,7 @@ def _transforms_edits(
     from kindsl.features.transforms_names import renamed_transforms
 
     path = uris.path(view.document.uri)
-    beside = path.with_suffix(".dtdsl") if path is not None else None
+    beside = path.with_suffix(TRANSFORMS_SUFFIX) if path is not None else None
     if beside is None or not beside.is_file():
         return []
     document = view.state.documents.get(uris.uri(beside))

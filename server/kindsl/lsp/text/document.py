@@ -10,6 +10,7 @@ from kindsl.lsp.text.changes import Change, changed
 from kindsl.lsp.text.differences import edits_between
 from kindsl.lsp.text.lines import Lines
 from kindsl.lsp.text.row import PlainPiece, Row
+from kindsl.syntax.transforms_text import TRANSFORMS_SUFFIX
 from kindsl.text.span import Span
 
 if TYPE_CHECKING:
@@ -54,6 +55,16 @@ class Document:
     def is_toml(self) -> bool:
         """Whether it is a configuration file rather than a robot."""
         return uris.basename(self.uri).endswith(".toml")
+
+    @property
+    def is_transforms(self) -> bool:
+        """Whether it lists the transforms that RobCoGen generates of a robot."""
+        return uris.basename(self.uri).endswith(TRANSFORMS_SUFFIX)
+
+    @property
+    def is_robot(self) -> bool:
+        """Whether it describes a robot."""
+        return not self.is_toml and not self.is_transforms
 
     @property
     def is_parsed(self) -> bool:
