@@ -91,6 +91,7 @@ def test_the_package_has_everything_inside(vsix: Path) -> None:
         "out/extension.js",
         "python/launch.py",
         "python/probe.py",
+        "syntaxes/dtdsl.tmLanguage.json",
         "syntaxes/kindsl.tmLanguage.json",
         "syntaxes/language-configuration.json",
         *(manifest()[key] for key in ("icon",)),

@@ -3,7 +3,7 @@
 import { copyFile, mkdir, readFile, writeFile } from "node:fs/promises";
 
 await mkdir("syntaxes", { recursive: true });
-for (const name of ["kindsl.tmLanguage.json", "language-configuration.json"]) {
+for (const name of ["dtdsl.tmLanguage.json", "kindsl.tmLanguage.json", "language-configuration.json"]) {
   await copyFile(`../grammar/${name}`, `syntaxes/${name}`);
 }
 for (const name of ["vscode-preview.png", "vscode-problems.png"]) {

@@ -14,6 +14,8 @@ import type { Launch } from "./launch";
 import { showSource } from "./source";
 
 export const LANGUAGE = "kinematics-dsl";
+// Lists the transforms that RobCoGen generates of a robot.
+const TRANSFORMS = "kinematics-dsl-transforms";
 
 /** The server's notification `kindsl/status`; `state` is a word for the user, such as "broken model". */
 export interface DocumentStatus {
@@ -60,6 +62,8 @@ function clientOptions(log: vscode.LogOutputChannel, hooks: ClientHooks): Langua
     documentSelector: [
       { scheme: "file", language: LANGUAGE },
       { scheme: "untitled", language: LANGUAGE },
+      { scheme: "file", language: TRANSFORMS },
+      { scheme: "untitled", language: TRANSFORMS },
       // What is wrong in the configuration, and links to the robots that it names.
       { scheme: "file", pattern: "**/kindsl.toml" },
     ],

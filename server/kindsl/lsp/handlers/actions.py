@@ -1,16 +1,21 @@
 """Fixes and refactorings."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types
 
 from kindsl.lsp.handlers.table import Handlers
 from kindsl.lsp.session.binding import bound
 from kindsl.lsp.session.findings import diagnostics
-from kindsl.lsp.session.view import View
+from kindsl.lsp.session.session import Session
+from kindsl.lsp.session.transforms import transforms_view
+from kindsl.lsp.session.view import Sight, View
+from kindsl.lsp.text.document import Document
 from kindsl.lsp.wire.edits import makes_files, text_edits, workspace_edit
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from kindsl.features.actions.action import CodeAction
 
 handlers = Handlers()
@@ -28,14 +33,37 @@ _KINDS = types.CodeActionOptions(
 )
 
 
-@handlers.judged(types.TEXT_DOCUMENT_CODE_ACTION, _KINDS)
-def offer(view: View, params: types.CodeActionParams) -> list[types.CodeAction]:
+@handlers.session(types.TEXT_DOCUMENT_CODE_ACTION, _KINDS)
+def offer(session: Session, params: types.CodeActionParams) -> Any:
     """Offer what can be done about a selection, of the kinds that are asked for."""
+    document = session.documents.get(params.text_document.uri)
+    if document is not None and document.is_transforms:
+        return _of_transforms(session, document, params)
+    return session.ask_judged(_of_robot, params.text_document.uri, params)
+
+
+def _of_robot(view: View, params: types.CodeActionParams) -> list[types.CodeAction]:
     from kindsl.features.actions.code_actions import code_actions, fix_all_action
 
     start, end = view.offset(params.range.start), view.offset(params.range.end)
     found = [*code_actions(view.analysis, start, end), fix_all_action(view.analysis)]
-    only = params.context.only
+    return _wanted(view, found, params.context.only)
+
+
+async def _of_transforms(
+    session: Session, document: Document, params: types.CodeActionParams
+) -> list[types.CodeAction]:
+    from kindsl.features.transforms_actions import transforms_actions
+
+    view = await transforms_view(session, document)
+    start, end = view.offset(params.range.start), view.offset(params.range.end)
+    found = transforms_actions(view.document.text, view.model, start, end)
+    return _wanted(view, found, params.context.only)
+
+
+def _wanted(
+    view: Sight, found: "Iterable[CodeAction | None]", only: object
+) -> list[types.CodeAction]:
     wanted = (_action(view, each) for each in found if each and _is_wanted(each.kind, only))
     return [action for action in wanted if action is not None]
 
@@ -51,7 +79,7 @@ def _text(kind: object) -> str:
     return str(getattr(kind, "value", kind))
 
 
-def _action(view: View, action: "CodeAction") -> types.CodeAction | None:
+def _action(view: Sight, action: "CodeAction") -> types.CodeAction | None:
     """Return an action as the client takes it; None if the client cannot make it."""
     edits = [(view.document, text_edits(view.document, action.edits))] if action.edits else []
     new = []

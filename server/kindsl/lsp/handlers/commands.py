@@ -80,7 +80,7 @@ async def view_of(session: Session, uri: object) -> View:
         RequestFailed: There is no such document of the language.
     """
     document = session.documents.get(_uri(uri))
-    if document is None or document.is_toml:
+    if document is None or not document.is_robot:
         raise RequestFailed(f"'{uri}' is no document of the language")
     return await session.view(document)
 
@@ -97,7 +97,7 @@ async def _tell_address(session: Session, url: str) -> None:
 
 
 def _only_document(session: Session) -> str:
-    robots = [document.uri for document in session.documents if not document.is_toml]
+    robots = [document.uri for document in session.documents if document.is_robot]
     if len(robots) != 1:
         raise JsonRpcInvalidParams("the first argument must be the URI of a document")
     return robots[0]

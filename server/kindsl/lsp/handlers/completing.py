@@ -6,7 +6,9 @@ from lsprotocol import types
 
 from kindsl.lsp.handlers.table import Handlers
 from kindsl.lsp.session.session import Session
-from kindsl.lsp.session.view import View, plain
+from kindsl.lsp.session.transforms import transforms_view
+from kindsl.lsp.session.view import Sight, View, plain
+from kindsl.lsp.text.document import Document
 
 if TYPE_CHECKING:
     from kindsl.features.completion.completion import Completions
@@ -31,11 +33,34 @@ _NEVER_TYPED = " "
 _ITEM = "text_document.completion.completion_item"
 
 
-@handlers.place(types.TEXT_DOCUMENT_COMPLETION, _OPTIONS)
-def complete(view: View, params: types.CompletionParams) -> dict[str, Any]:
+@handlers.session(types.TEXT_DOCUMENT_COMPLETION, _OPTIONS)
+def complete(session: Session, params: types.CompletionParams) -> Any:
     """Offer what may be typed, the best first; in the protocol's form, which is asked for often."""
+    document = session.documents.get(params.text_document.uri)
+    if document is not None and document.is_transforms:
+        return _of_transforms(session, document, params)
+    return session.ask_at_once(_of_robot, params.text_document.uri, params)
+
+
+def _of_robot(view: View, params: types.CompletionParams) -> dict[str, Any]:
     found = _found(view, view.offset(params.position), params.context)
-    form = _form(view, found, params.position)
+    return _list(view, found, params.position)
+
+
+async def _of_transforms(
+    session: Session, document: Document, params: types.CompletionParams
+) -> dict[str, Any]:
+    from kindsl.features.transforms_completion import transforms_completions
+
+    view = await transforms_view(session, document)
+    offset = view.offset(params.position)
+    found = transforms_completions(view.document.text, offset, view.model)
+    is_typed = params.context is not None and params.context.trigger_kind is _KIND.TriggerCharacter
+    return _list(view, found._replace(items=()) if is_typed else found, params.position)
+
+
+def _list(view: Sight, found: "Completions", position: types.Position) -> dict[str, Any]:
+    form = _form(view, found, position)
     items = [_item(item, number, form) for number, item in enumerate(found.items)]
     return {"isIncomplete": bool(items), "items": items}
 
@@ -107,7 +132,7 @@ class _Form(NamedTuple):
     mode: dict[str, int]
 
 
-def _form(view: View, found: "Completions", position: types.Position) -> _Form:
+def _form(view: Sight, found: "Completions", position: types.Position) -> _Form:
     start, end = _position(view, found.start), _position(view, found.end)
     place: dict[str, Any] = {"range": {"start": start, "end": end}}
     if view.client.can(f"{_ITEM}.insert_replace_support"):
@@ -123,7 +148,7 @@ def _form(view: View, found: "Completions", position: types.Position) -> _Form:
     )
 
 
-def _position(view: View, offset: int) -> dict[str, int]:
+def _position(view: Sight, offset: int) -> dict[str, int]:
     position = view.document.position(offset)
     return {"line": position.line, "character": position.character}
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast
 from lsprotocol import types
 
 from kindsl.lsp.handlers.table import Handlers
-from kindsl.lsp.session.configuration_diagnostics import configuration_diagnostics
+from kindsl.lsp.session.companions import companion_diagnostics
 from kindsl.lsp.session.findings import SOURCE, diagnostics
 from kindsl.lsp.session.progress import Progress
 from kindsl.lsp.session.session import Session
@@ -36,8 +36,8 @@ async def pull(session: Session, params: types.DocumentDiagnosticParams) -> Repo
     if document is None:
         return {"kind": "full", "items": []}
     session.publisher.leave_to_pull(document)
-    if document.is_toml:
-        return {"kind": "full", "items": await configuration_diagnostics(session, document)}
+    if not document.is_robot:
+        return {"kind": "full", "items": await companion_diagnostics(session, document)}
     findings = await session.analyses.findings(document)
     result_id = result_id_of(document, findings)
     if result_id == params.previous_result_id:
@@ -90,7 +90,7 @@ def _is_news(report: Report) -> bool:
 
 async def _workspace_report(session: Session, uri: str, known: str | None) -> Report | None:
     document = session.documents.get(uri)
-    if document is None or document.is_toml:
+    if document is None or not document.is_robot:
         return None
     report = await _report(session, document)
     told = {"uri": uri, "version": document.version, "resultId": report.result_id}

@@ -81,7 +81,7 @@ async def workspace_symbols(
 async def _symbols_of(session: Session, uri: str) -> list[types.SymbolInformation]:
     """Return the symbols of a document; of a file that is not open only they are kept."""
     document = session.documents.get(uri)
-    if document is None or document.is_toml:
+    if document is None or not document.is_robot:
         return []
     if _symbols_of not in document.facts:
         document.facts[_symbols_of] = await session.ask_at_once(_all_symbols, uri, None)

@@ -98,7 +98,7 @@ async def _names_in_open(state: State, folder: Path) -> "dict[str, Names]":
     found = {}
     for robot in state.documents:
         path = uris.path(robot.uri)
-        if path is not None and not robot.is_toml and path.is_relative_to(folder):
+        if path is not None and robot.is_robot and path.is_relative_to(folder):
             found[str(path)] = names_in(await state.analyses.of(robot))
     return found
 

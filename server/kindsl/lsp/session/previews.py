@@ -67,7 +67,7 @@ class Previews:
             RequestFailed: There is no such document, no such origin, or something is not installed.
         """
         document = self._state.documents.get(uri)
-        if document is None or document.is_toml:
+        if document is None or not document.is_robot:
             raise RequestFailed(f"'{uri}' is no document that can be shown")
         preview = await self._started()
         if isinstance(origin, str):

@@ -8,10 +8,7 @@ from lsprotocol import types
 
 from kindsl.lsp.session import memory
 from kindsl.lsp.session.closed_configurations import ClosedConfigurations
-from kindsl.lsp.session.configuration_diagnostics import (
-    configuration_diagnostics,
-    names_in,
-)
+from kindsl.lsp.session.companions import Mentioned, companion_diagnostics, mentioned
 from kindsl.lsp.session.findings import diagnostics
 from kindsl.lsp.session.state import State
 from kindsl.lsp.session.status import tell_status
@@ -22,7 +19,6 @@ from kindsl.lsp.wire.protocol import Encoded
 
 if TYPE_CHECKING:
     from kindsl.analysis.diagnostics import Diagnostic
-    from kindsl.config.unused_bindings import Names
 
 _MANY = 200
 
@@ -50,7 +46,7 @@ class Publisher:
         self._checked: set[str] = set()
         self._shown: set[str] = set()
         self._closed = ClosedConfigurations(state, self._publish_file)
-        self._names: dict[str, Names] = {}
+        self._names: dict[str, Mentioned] = {}
         state.documents.on_open.append(lambda document: self.schedule(document, 0.0))
         state.documents.on_change.append(self._changed)
         state.documents.on_close.append(self._close)
@@ -112,8 +108,8 @@ class Publisher:
     async def _publish_later(self, document: Document, delay: float) -> None:
         if delay:
             await asyncio.sleep(delay)
-        if document.is_toml:
-            await self._publish_configuration(document)
+        if not document.is_robot:
+            await self._publish_companion(document)
             return
         findings = await self._findings(document)
         if uris.key(document.uri) not in self._checked:
@@ -127,7 +123,7 @@ class Publisher:
                 listener(document, findings)
             if self._state.workspace.broken:
                 await self._closed.look()
-            await self._check_configurations(document)
+            await self._check_companions(document)
             await tell_status(self._state, document, findings)
 
     async def _findings(self, document: Document) -> "tuple[Diagnostic, ...]":
@@ -147,24 +143,24 @@ class Publisher:
             return encoded()
         return await self._state.worker.run(encoded, Urgency.DIAGNOSTICS)
 
-    async def _publish_configuration(self, document: Document) -> None:
-        """Publish what is wrong with a configuration file as it is in the editor."""
-        shown = await configuration_diagnostics(self._state, document)
+    async def _publish_companion(self, document: Document) -> None:
+        """Publish what is wrong with a companion of robots as it is in the editor."""
+        shown = await companion_diagnostics(self._state, document)
         is_pulled = uris.key(document.uri) in self._pulled
         if self._state.documents.is_current(document) and not is_pulled:
             self._publish(document.uri, document.version, shown)
 
-    async def _check_configurations(self, document: Document) -> None:
-        """Check open configuration files again if names in a robot have changed."""
-        configurations = [other for other in self._state.documents if other.is_toml]
-        if not configurations:
+    async def _check_companions(self, document: Document) -> None:
+        """Check open companions again if names in a robot have changed."""
+        companions = [other for other in self._state.documents if not other.is_robot]
+        if not companions:
             return
         key = uris.key(document.uri)
-        names = names_in(await self._state.analyses.of(document))
-        if self._names.get(key) == names or not (key in self._names or any(names)):
+        names = mentioned(await self._state.analyses.of(document))
+        if self._names.get(key) == names:
             return
         self._names[key] = names
-        for other in configurations:
+        for other in companions:
             is_told = self._state.client.is_told_to_pull
             if is_told and uris.key(other.uri) in self._pulled:
                 self._state.editor.workspace_diagnostic_refresh(None)

@@ -54,7 +54,7 @@ class Session(State):
     async def _answer(
         self, handler: Handler, document: Document | None, params: Any, look: Look
     ) -> Any:
-        if document is None or document.is_toml:
+        if document is None or not document.is_robot:
             return None
         with self.question():
             view = await self.view(document)
@@ -70,7 +70,7 @@ class Session(State):
 
     async def _judged(self, handler: Handler, document: Document | None, params: Any) -> Any:
         """Answer once it is known what is wrong; until then the question holds up nothing."""
-        if document is not None and not document.is_toml:
+        if document is not None and document.is_robot:
             await self.analyses.findings(document)
         return await self._answer(handler, document, params, self._read)
 

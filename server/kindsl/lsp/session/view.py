@@ -16,20 +16,18 @@ if TYPE_CHECKING:
 _MARKS = re.compile(r"\*\*|`|\\(?=[^\w\s])")
 
 
-class View:
-    """One version of a document with its analysis.
+class Sight:
+    """One version of a document, of whatever kind.
 
     Attributes:
         document: The text.
-        analysis: What it means.
         state: The settings, the client, the other documents.
     """
 
-    __slots__ = ("analysis", "document", "state")
+    __slots__ = ("document", "state")
 
-    def __init__(self, document: Document, analysis: "Analysis", state: State) -> None:
+    def __init__(self, document: Document, state: State) -> None:
         self.document = document
-        self.analysis = analysis
         self.state = state
 
     def offset(self, position: types.Position) -> int:
@@ -53,15 +51,6 @@ class View:
         kind = types.MarkupKind.Markdown if is_known else types.MarkupKind.PlainText
         return types.MarkupContent(kind, markdown if is_known else plain(markdown))
 
-    def follow_cursor(self, position: types.Position) -> None:
-        """Tell who listens what the cursor is on."""
-        from kindsl.features.symbol_at import symbol_at
-
-        symbol = symbol_at(self.analysis, self.offset(position))
-        kind, name = (symbol.entity.kind, symbol.entity.name) if symbol else ("", "")
-        for listener in self.state.on_cursor:
-            listener(self.document.uri, kind, name)
-
     def refuse(self, message: str) -> None:
         """Tell the user why something was not done; not again at each save of a broken document."""
         if self.document.uri not in self.state.refused:
@@ -75,6 +64,29 @@ class View:
     def range(self, start: int, end: int) -> types.Range:
         """Return the client's range of a stretch of code points."""
         return self.document.range(start, end)
+
+
+class View(Sight):
+    """One version of a robot with its analysis.
+
+    Attributes:
+        analysis: What it means.
+    """
+
+    __slots__ = ("analysis",)
+
+    def __init__(self, document: Document, analysis: "Analysis", state: State) -> None:
+        super().__init__(document, state)
+        self.analysis = analysis
+
+    def follow_cursor(self, position: types.Position) -> None:
+        """Tell who listens what the cursor is on."""
+        from kindsl.features.symbol_at import symbol_at
+
+        symbol = symbol_at(self.analysis, self.offset(position))
+        kind, name = (symbol.entity.kind, symbol.entity.name) if symbol else ("", "")
+        for listener in self.state.on_cursor:
+            listener(self.document.uri, kind, name)
 
 
 def plain(markdown: str) -> str:

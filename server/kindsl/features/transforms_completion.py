@@ -1,0 +1,72 @@
+"""What may be typed in a transforms document."""
+
+import re
+from collections.abc import Iterator
+
+from kindsl.features.completion.completion import Completions
+from kindsl.features.completion.item import CompletionItem
+from kindsl.features.workspace_symbols import is_match
+from kindsl.semantics.model import Model
+from kindsl.semantics.transforms import frame_names
+from kindsl.syntax.transforms_text import FRAME, ROBOT_NAME, SECTIONS, read_transforms
+
+_WORD_BEFORE = re.compile(r"\w*\Z")
+_WORD_AFTER = re.compile(r"\w*")
+_PAIR = "base=${1:frame}, target=${2:frame}"
+
+
+def transforms_completions(text: str, offset: int, model: Model | None) -> Completions:
+    """Return what may be typed at an offset; nothing where a whole word stands.
+
+    Args:
+        text: The transforms document.
+        offset: The cursor, code points.
+        model: The robot that it is about, None if that is not known.
+    """
+    before = _WORD_BEFORE.search(text, 0, offset)
+    after = _WORD_AFTER.match(text, offset)
+    start = before.start() if before is not None else offset
+    end = after.end() if after is not None else offset
+    word = text[start:offset]
+    items = tuple(_items(text, start, model))
+    if word and any(item.label == word for item in items):
+        items = ()
+    return Completions(tuple(item for item in items if is_match(word, item.label)), start, end)
+
+
+def _items(text: str, start: int, model: Model | None) -> Iterator[CompletionItem]:
+    """Yield what can stand at a place, by what a reader that comes there wants."""
+    defect = read_transforms(text[:start]).defect
+    if defect is None:
+        sections = [name for name in SECTIONS if not re.search(rf"\b{name}\b", text)]
+        yield from (_block(name) for name in sections)
+    elif defect.end < start:
+        return
+    elif defect.expected == FRAME:
+        yield from _frames(text, start, model)
+    elif defect.expected == ROBOT_NAME:
+        yield from (CompletionItem(n, "link", n, "the robot") for n in _robot(model))
+    elif defect.expected == "'base'":
+        yield CompletionItem("base, target", "snippet", _PAIR, "a pair of frames", is_snippet=True)
+    elif defect.expected in ("'target'", "'Robot'"):
+        name = defect.expected.strip("'")
+        yield CompletionItem(name, "keyword", f"{name}=" if name == "target" else f"{name} ")
+
+
+def _frames(text: str, start: int, model: Model | None) -> Iterator[CompletionItem]:
+    """Yield frames: of pairs those that are listed, of the list those that are not yet."""
+    listed = [word.text for word in read_transforms(text).frames if word.start != start]
+    known = frame_names(model) if model is not None else {}
+    is_in_pair = text[:start].rstrip().endswith("=")
+    names = listed if is_in_pair and listed else [n for n in known if n not in listed]
+    for name in names:
+        of = known.get(name, name)
+        yield CompletionItem(name, "frame", name, "" if of == name else f"frame of {of}")
+
+
+def _robot(model: Model | None) -> list[str]:
+    return [str(model.name)] if model is not None and model.name else []
+
+
+def _block(name: str) -> CompletionItem:
+    return CompletionItem(name, "snippet", f"{name} {{\n\t$0\n}}", "section", is_snippet=True)
