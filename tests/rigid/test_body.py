@@ -1,7 +1,9 @@
 """The mathematics of rigid bodies, against NumPy and against its own definitions."""
 
 import random
-from math import sqrt
+from collections.abc import Iterator
+from itertools import product
+from math import inf, sqrt
 
 import numpy as np
 from hypothesis import given, settings
@@ -91,6 +93,24 @@ def test_clearly_positive_matrices_are_positive(matrix: Symmetric) -> None:
         assert values[0] < 1e-3 * values[2]
 
 
+@settings(max_examples=60, deadline=None, derandomize=True)
+@given(
+    st.tuples(*[st.floats(1.0, 100.0)] * 3),
+    st.tuples(*[st.floats(-0.45, 0.45)] * 3),
+    st.integers(-60, 60),
+    st.integers(0, 2),
+)
+def test_what_is_clearly_positive_is_so_in_any_unit(
+    diagonal: Vector3, shares: Vector3, power: int, place: int
+) -> None:
+    x, y, z = np.sqrt(diagonal)
+    products = (shares[0] * x * y, shares[1] * x * z, shares[2] * y * z)
+    matrix = np.array([*diagonal, *products]) * 2.0**power
+    assert is_clearly_positive(tuple(matrix))
+    matrix[place] *= -1.0
+    assert not is_clearly_positive(tuple(matrix))
+
+
 @settings(deadline=None)
 @given(entries)
 def test_determinant_is_that_of_numpy(matrix: Symmetric) -> None:
@@ -126,6 +146,60 @@ def test_bounds_hold_for_all_bodies_within_the_widths(seed: int, width: float) -
         moment = axis @ inertia_tensor_about_com(near) @ axis
         assert second <= greatest_second_moment(body, half, tuple(axis)) + slack
         assert moment <= greatest_moment(body, half, tuple(axis)) + slack
+
+
+@settings(max_examples=40, deadline=None, derandomize=True)
+@given(seeds, st.floats(0.0, 0.5), st.integers(0, 2), st.sampled_from((-1.0, 1.0)))
+def test_bounds_are_met_by_one_of_the_bodies(
+    seed: int, width: float, place: int, side: float
+) -> None:
+    """With the CoM on the axis or square to it nothing is given away."""
+    body = random_body(random.Random(seed), "block")
+    distance = 0.3 + abs(body.com[0])
+    com = distance * side * np.eye(3)[place]
+    body = MassDistribution(body.mass, tuple(com), body.moments)
+    half = MassDistribution(
+        width * body.mass, tuple(width * abs(com)), tuple(width * abs(m) for m in body.moments)
+    )
+    for direction in range(3):
+        axis = np.eye(3)[direction]
+        seconds, moments = zip(*(_about(near, axis) for near in _extremes(body, half)), strict=True)
+        slack = 1e-12 * (1.0 + sum(map(abs, body.moments)))
+        assert abs(max(seconds) - greatest_second_moment(body, half, tuple(axis))) <= slack
+        assert abs(max(moments) - greatest_moment(body, half, tuple(axis))) <= slack
+
+
+def _extremes(body: MassDistribution, half: MassDistribution) -> Iterator[MassDistribution]:
+    """Yield bodies whose numbers are as far from the written ones as they may be."""
+    numbers = np.array([body.mass, *body.com, *body.moments])
+    widths = np.array([half.mass, *half.com, *half.moments])
+    for signs in product((-1.0, 1.0), repeat=5):
+        on_com, on_mass, *on_moments = signs
+        chosen = np.array([on_mass, *(on_com * np.sign(body.com)), *on_moments, 0.0, 0.0, 0.0])
+        mass, x, y, z, *moments = numbers + chosen * widths
+        yield MassDistribution(mass, (x, y, z), tuple(moments))
+
+
+def _about(body: MassDistribution, axis: np.ndarray) -> tuple[float, float]:
+    """Return the second moment along an axis and the moment about it, both about the CoM."""
+    second = matrix_of(second_moments_about_com(body))
+    return axis @ second @ axis, axis @ inertia_tensor_about_com(body) @ axis
+
+
+@settings(max_examples=40, deadline=None, derandomize=True)
+@given(st.floats(0.5, 9.0), st.floats(0.01, 4.0), st.floats(0.0, 1.0), st.floats(0.0, 1.0))
+def test_thin_bodies_are_as_dense_as_if_they_were_a_tenth_as_thick_as_long(
+    mass: float, length: float, one: float, other: float
+) -> None:
+    thick = 0.01 * length
+    expected = equivalent_density(mass, (thick, thick, length))
+    thin = equivalent_density(mass, (min(one, other) * thick, max(one, other) * thick, length))
+    np.testing.assert_allclose(thin, expected)
+    assert equivalent_density(mass, (thick, 4.0 * thick, length)) < 0.6 * expected
+
+
+def test_a_body_without_extent_is_dense_without_bound() -> None:
+    assert equivalent_density(1.0, (0.0, 0.0, 0.0)) == inf
 
 
 def test_density_of_a_homogeneous_ellipsoid_is_its_own() -> None:
