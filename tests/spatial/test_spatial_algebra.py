@@ -133,3 +133,24 @@ def test_all_take_batches() -> None:
     inertia = np.broadcast_to(np.eye(3), (2, 3, 3))
     assert spatial_inertia(np.ones(2), r[:2], inertia).shape == (2, 6, 6)
     assert pseudo_inertia(np.ones(2), r[:2], inertia).shape == (2, 4, 4)
+
+
+leading = st.sampled_from(((), (1,), (4,), (2, 1), (2, 4), (1, 1, 4)))
+
+
+@few
+@given(leading, leading)
+def test_leading_dimensions_of_both_arguments_are_broadcast(
+    of_turns: tuple[int, ...], of_places: tuple[int, ...]
+) -> None:
+    generator = np.random.default_rng(5)
+    A_R_B = rotation_from_intrinsic_xyz(generator.normal(size=(*of_turns, 3)))
+    A_r_B = generator.normal(size=(*of_places, 3))
+    batch = np.broadcast_shapes(of_turns, of_places)
+    turns, places = np.broadcast_to(A_R_B, (*batch, 3, 3)), np.broadcast_to(A_r_B, (*batch, 3))
+    for made in (homogeneous, plucker):
+        together = made(A_R_B, A_r_B)
+        assert together.shape[:-2] == batch
+        for index in np.ndindex(batch):
+            alone = made(turns[index], places[index])
+            np.testing.assert_allclose(together[index], alone, rtol=0.0, atol=1e-14)
