@@ -62,8 +62,19 @@ def parse(text: str, settings: "Settings | None" = None) -> "Document":
         settings: Rules, targets and bindings; None for the default ones.
     """
     from kindsl.analysis.analysis import analyse
+    from kindsl.text.display import let_draw
 
+    let_draw(_notebook_html)
     return analyse(text) if settings is None else analyse(text, settings)
+
+
+def _notebook_html(thing: object) -> str | None:
+    """Return what a notebook shows of a thing of ours, None without what that needs."""
+    try:
+        from kindsl.reports.notebook import notebook_html
+    except ModuleNotFoundError:
+        return None
+    return notebook_html(thing)
 
 
 def _settings_for(path: "str | os.PathLike[str]") -> "Settings":

@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from kindsl.analysis.check_run import Checkpoint, CheckRun, Fault, go_on
-from kindsl.analysis.diagnostics import Diagnostic, Resolver
+from kindsl.analysis.diagnostics import Diagnostic, Findings, Resolver
 from kindsl.analysis.explained import is_explained
 from kindsl.analysis.settings import Settings, is_enabled, severity_of
 from kindsl.analysis.syntax_findings import syntax_findings
@@ -23,6 +23,7 @@ from kindsl.rules.suppression import Directive, covered_by, directives, suppress
 from kindsl.semantics.model import Model
 from kindsl.syntax.collector import paused_collector
 from kindsl.syntax.document import SyntaxDocument, parse
+from kindsl.text.display import html_of
 from kindsl.text.edits import TextEdit
 from kindsl.text.words import counted
 
@@ -43,7 +44,7 @@ class Analysis:
     def __init__(self, syntax: SyntaxDocument, settings: Settings = _NO_SETTINGS) -> None:
         self.syntax = syntax
         self.settings = settings
-        self._findings: tuple[Diagnostic, ...] | None = None
+        self._findings: Findings | None = None
         self._faults: tuple[Fault, ...] = ()
 
     @property
@@ -67,7 +68,7 @@ class Analysis:
         return Resolver(self.syntax.islands, self.syntax.starts)
 
     @property
-    def findings(self) -> tuple[Diagnostic, ...]:
+    def findings(self) -> Findings:
         """What is wrong, in the order of the text, silenced findings left out."""
         return self.check()
 
@@ -77,7 +78,7 @@ class Analysis:
         self.check()
         return self._faults
 
-    def check(self, checkpoint: Checkpoint = go_on) -> tuple[Diagnostic, ...]:
+    def check(self, checkpoint: Checkpoint = go_on) -> Findings:
         """Return the findings; only the first call that ends computes them.
 
         Args:
@@ -127,6 +128,10 @@ class Analysis:
         name = self.model.name or "unnamed"
         return f"<kindsl.Document '{name}': {links}, {counted(n_errors, 'error')}>"
 
+    def _repr_html_(self) -> str | None:
+        """Return what a notebook shows."""
+        return html_of(self)
+
     def _resolve(self, rule: Rule, finding: Finding) -> Diagnostic:
         severity = severity_of(rule, finding.severity, self.settings)
         return self.resolver.diagnostic(rule, finding, severity)
@@ -138,7 +143,7 @@ class Analysis:
         of_meaning += run.island_findings(rules, self.model, self.context)
         return [*found, *(entry for entry in of_meaning if not is_explained(entry[1]))]
 
-    def _without_silenced(self, found: list[Diagnostic]) -> tuple[Diagnostic, ...]:
+    def _without_silenced(self, found: list[Diagnostic]) -> Findings:
         islands, starts = self.syntax.islands, self.syntax.starts
         if any("kindsl:" in island.text for island in islands):
             enabled = [rule.code for rule in all_rules() if is_enabled(rule, self.settings)]
@@ -149,7 +154,7 @@ class Analysis:
             found = [d for d in found if not any(s.covers(d.code, d.start) for s in silenced)]
             if UNUSED_SUPPRESSION.code in enabled:
                 found += self._of(UNUSED_SUPPRESSION, unused_suppressions(unused, enabled))
-        return tuple(sorted(found, key=lambda d: (d.start, d.end, d.code, d.message)))
+        return Findings(sorted(found, key=lambda d: (d.start, d.end, d.code, d.message)), self.text)
 
     def _unknown(self, found: list[Diagnostic]) -> Iterator[tuple[Directive, list[str]]]:
         """Yield the comments that speak to us, each with the codes of the findings there."""

@@ -1,12 +1,13 @@
 """Findings with absolute offsets, as they are shown."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from kindsl.rules.base import Finding, Fix, Rule, Severity, Tag
 from kindsl.rules.page_files import page_address
 from kindsl.semantics.places import Located
 from kindsl.syntax.tree import Island
+from kindsl.text.display import html_of
 from kindsl.text.edits import TextEdit
 
 
@@ -43,6 +44,29 @@ class Diagnostic(NamedTuple):
     def url(self) -> str | None:
         """The address of the rule's page, a file of the installed package."""
         return page_address(self.code)
+
+
+class Findings(tuple[Diagnostic, ...]):
+    """Findings of one text, in its order; a notebook shows them with their source lines.
+
+    Attributes:
+        text: The text.
+    """
+
+    text: str
+
+    def __new__(cls, findings: Iterable[Diagnostic], text: str) -> "Findings":
+        """Return the findings of a text."""
+        self = super().__new__(cls, findings)
+        self.text = text
+        return self
+
+    def __getnewargs__(self) -> tuple[tuple[Diagnostic, ...], str]:
+        return tuple(self), self.text
+
+    def _repr_html_(self) -> str | None:
+        """Return what a notebook shows."""
+        return html_of(self)
 
 
 class Resolver:

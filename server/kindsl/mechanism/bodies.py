@@ -3,9 +3,9 @@
 import numpy as np
 
 from kindsl.dynamics.bodies import Bodies, Frame, JointKind
-from kindsl.mechanism.skeleton import Skeleton
+from kindsl.mechanism.skeleton import AttachedFrame, Skeleton
 from kindsl.rigid.body import MassDistribution
-from kindsl.rigid.pose import RigidPose
+from kindsl.rigid.pose import RigidPose, Vector3
 from kindsl.spatial.arrays import Array
 
 _KINDS: dict[str, JointKind] = {"revolute": "revolute", "prismatic": "prismatic"}
@@ -27,6 +27,41 @@ def bodies_of(skeleton: Skeleton) -> Bodies:
         is_floating=skeleton.is_floating,
         frames=tuple(Frame(f.name, f.body, *_arrays(f.pose)) for f in skeleton.frames),
     )
+
+
+def skeleton_of_bodies(bodies: Bodies) -> Skeleton:
+    """Return the skeleton of bodies, numbered like them."""
+    poses = zip(bodies.p_R_j, bodies.p_r_j, strict=True)
+    masses = zip(bodies.masses, bodies.coms, bodies.inertias, strict=True)
+    return Skeleton(
+        base_name=bodies.base_name,
+        link_names=bodies.link_names,
+        joint_names=bodies.joint_names,
+        joint_kinds=bodies.joint_kinds,
+        parents=bodies.parents,
+        placements=tuple(_pose(R, r) for R, r in poses),
+        masses=tuple(_mass_distribution(float(m), com, tensor) for m, com, tensor in masses),
+        is_floating=bodies.is_floating,
+        frames=tuple(
+            AttachedFrame(f.name, f.body, _pose(f.body_R_frame, f.body_r_frame))
+            for f in bodies.frames
+        ),
+    )
+
+
+def _pose(R: Array, r: Array) -> RigidPose:
+    x, y, z = (_triple(row) for row in R)
+    return RigidPose((x, y, z), _triple(r))
+
+
+def _mass_distribution(mass: float, com: Array, tensor: Array) -> MassDistribution:
+    (Ix, Ixy, Ixz), (_, Iy, Iyz), (_, _, Iz) = tensor.tolist()
+    return MassDistribution(mass, _triple(com), (Ix, Iy, Iz, -Ixy, -Ixz, -Iyz))
+
+
+def _triple(values: Array) -> Vector3:
+    x, y, z = values.tolist()
+    return x, y, z
 
 
 def _arrays(pose: RigidPose) -> tuple[Array, Array]:

@@ -12,6 +12,7 @@ from kindsl.mechanism.skeleton import Skeleton, skeleton_of
 from kindsl.mechanism.strict_reading import StrictReader
 from kindsl.rigid.body import NO_BODY
 from kindsl.semantics.model import Model
+from kindsl.text.display import html_of
 
 if TYPE_CHECKING:
     from kindsl.dynamics.evaluation.compiled import CompiledMechanics
@@ -26,6 +27,10 @@ class Mechanism(Mechanics):
         base = "floating" if self.bodies.is_floating else "fixed"
         joints = "1 joint" if self.n_joints == 1 else f"{self.n_joints} joints"
         return f"<kindsl.Mechanism: {base} base '{self.bodies.base_name}', {joints}>"
+
+    def _repr_html_(self) -> str | None:
+        """Return what a notebook shows."""
+        return html_of(self)
 
     def compiled(self, threads: int = 1) -> "CompiledMechanics":
         """Return the same mechanics compiled, which takes seconds once; needs a C compiler.

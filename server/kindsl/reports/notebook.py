@@ -1,0 +1,105 @@
+"""What a notebook shows of documents, mechanisms and findings: HTML that reaches no address."""
+
+from html import escape
+
+from kindsl.analysis.analysis import Analysis
+from kindsl.analysis.diagnostics import Findings
+from kindsl.dynamics.evaluation.mechanics import Mechanics
+from kindsl.preview.export import exported_page
+from kindsl.preview.scene.formulas import formula_messages
+from kindsl.preview.scene.geometry import PreviewUnavailableError
+from kindsl.reports.card import card_page
+from kindsl.reports.drawing.robot import robot_drawing
+from kindsl.reports.drawing.svg import svg_text
+from kindsl.reports.page.blocks import Picture
+from kindsl.text.lines import LineIndex
+from kindsl.text.words import counted
+
+_HEIGHT = 480  # pixels
+_MOST = 50  # findings
+_STYLE = "width: 100%; border: 1px solid #8884; border-radius: 8px;"
+_COLORS = {"error": "#c0392b", "warning": "#b8860b", "info": "#2b6cb0", "hint": "#6b7280"}
+
+
+def notebook_html(thing: object) -> str | None:
+    """Return a document, mechanism or findings as HTML, None for anything else."""
+    if isinstance(thing, Analysis):
+        return _document(thing)
+    if isinstance(thing, Mechanics):
+        return _mechanics(thing)
+    return _findings(thing) if isinstance(thing, Findings) else None
+
+
+def _document(analysis: Analysis) -> str:
+    """Return the preview in a frame of its own; where it is not installed, a picture."""
+    try:
+        page = _preview(analysis)
+    except (PreviewUnavailableError, ModuleNotFoundError):
+        shown = _picture(analysis)
+    else:
+        title = escape(analysis.model.name or "unnamed", quote=True)
+        shown = (
+            f'<iframe sandbox="allow-scripts" title="{title}" height="{_HEIGHT}" '
+            f'style="{_STYLE}" srcdoc="{escape(page, quote=True)}"></iframe>'
+        )
+    return shown + (_findings(analysis.findings) if analysis.findings else "")
+
+
+def _preview(analysis: Analysis) -> str:
+    from kindsl.preview.document_preview import DocumentPreview
+
+    preview = DocumentPreview(str(analysis.model.name or "unnamed"))
+    preview.show(analysis, analysis.findings)
+    formulas = formula_messages(analysis.model, analysis.context.values)
+    return exported_page([*preview.channel.state, *formulas])
+
+
+def _picture(analysis: Analysis) -> str:
+    pictures = (block for block in card_page(analysis) if isinstance(block, Picture))
+    return next((svg_text(picture.drawing) for picture in pictures), "")
+
+
+def _mechanics(mechanics: Mechanics) -> str:
+    from kindsl.mechanism.bodies import skeleton_of_bodies
+
+    bodies = mechanics.bodies
+    base = "floating" if bodies.is_floating else "fixed"
+    head = f"{base} base {bodies.base_name}, {counted(bodies.n_links, 'joint')}, "
+    head += f"{mechanics.total_mass():.6g} kg"
+    rows = "".join(
+        f"<tr><td>{i}</td><td>{escape(joint)}</td><td>{kind}</td><td>{escape(link)}</td></tr>"
+        for i, (joint, kind, link) in enumerate(
+            zip(bodies.joint_names, bodies.joint_kinds, bodies.link_names, strict=True)
+        )
+    )
+    return (
+        f"<p>{escape(head)}</p>{svg_text(robot_drawing(skeleton_of_bodies(bodies)))}"
+        f"<details><summary>Order of q</summary><table><tr><th></th><th>joint</th><th>kind</th>"
+        f"<th>link</th></tr>{rows}</table></details>"
+    )
+
+
+def _findings(findings: Findings) -> str:
+    """Return the findings, each with its source line, what it is about marked."""
+    if not findings:
+        return "<p>no findings</p>"
+    lines = LineIndex(findings.text)
+    shown = "".join(_finding(findings.text, lines, *f[2:6], f[0]) for f in findings[:_MOST])
+    left = len(findings) - _MOST
+    more = f"<p>and {left} more</p>" if left > 0 else ""
+    return f"<div>{shown}</div>{more}"
+
+
+def _finding(
+    text: str, lines: LineIndex, severity: str, message: str, start: int, end: int, code: str
+) -> str:
+    line, column = lines.position(start)
+    first = start - column
+    last = min(x for x in (text.find("\n", start), len(text)) if x >= 0)
+    end = max(min(end, last), start)
+    marked = (
+        f"{escape(text[first:start])}<mark>{escape(text[start:end])}</mark>{escape(text[end:last])}"
+    )
+    place = f'<code style="opacity: 0.6">{line + 1}:{column + 1}</code>'
+    tag = f'<b style="color: {_COLORS[str(severity)]}">{escape(str(severity))} {code}</b>'
+    return f"<p>{place} {tag} {escape(message)}<br><code><pre>{marked}</pre></code></p>"

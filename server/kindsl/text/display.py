@@ -1,0 +1,19 @@
+"""How things show themselves in notebooks: whoever can draw them says so."""
+
+from collections.abc import Callable
+
+Drawer = Callable[[object], str | None]
+
+_drawers: list[Drawer] = []
+
+
+def let_draw(drawer: Drawer) -> None:
+    """Have things drawn by a function that returns HTML, or None for what it does not know."""
+    if drawer not in _drawers:
+        _drawers.append(drawer)
+
+
+def html_of(thing: object) -> str | None:
+    """Return a thing as HTML, None if nobody can draw it."""
+    drawn = (drawer(thing) for drawer in _drawers)
+    return next((html for html in drawn if html is not None), None)
