@@ -1,5 +1,6 @@
 """Every format: what is written is read again as the same robot; MuJoCo has our numbers."""
 
+import re
 from pathlib import Path
 
 import mujoco
@@ -8,11 +9,15 @@ import pinocchio
 import pytest
 from tests.interchange.mujoco_agreement import gap
 from tests.interchange.random_robots import random_robot
-from tests.interchange.round_trips import gaps, mechanism_of, written, written_and_read
+from tests.interchange.round_trips import gaps, mechanism_of, read, written, written_and_read
+from tests.support.published import published_models
 
-from kindsl.interchange.format import Format, WritingChoices
+import kindsl
+from kindsl.analysis.settings import Settings
+from kindsl.interchange.format import Format, FormatError, WritingChoices
 from kindsl.interchange.kindsl_writing import kindsl_text
 from kindsl.interchange.registry import all_formats, format_named, format_of_suffix
+from kindsl.mechanism.errors import ModelError, UnboundParameterError
 
 TOLERANCE = 1e-9
 BOTH_WAYS = [format for format in all_formats() if format.read and format.write]
@@ -39,6 +44,49 @@ def test_mujoco_has_our_numbers(seed: int) -> None:
     ours = mechanism_of(kindsl_text(random_robot(seed)))
     model = mujoco.MjModel.from_xml_string(written(ours, format_named("mjcf")))
     assert max(gap(ours, model, np.random.default_rng(seed))) < TOLERANCE
+
+
+MASSLESS = """Robot arm {
+RobotBase base { children { a via ja } }
+link a { id = 1 children { b via jb } }
+link b { id = 2 children { c via jc } }
+link c { id = 3 inertia_params { mass = 2.0 CoM = (0.1, 0.2, 0.3)
+  Ix = 1.0 Iy = 1.1 Iz = 1.2 Ixy = 0.1 Ixz = 0.0 Iyz = 0.0 } children {} }
+r_joint ja { ref_frame { translation = (0.1, 0.2, 0.3) rotation = (0.4, 0.5, 0.6) } }
+p_joint jb { ref_frame { translation = (0.5, 0.0, 0.3) rotation = (PI/2.0, 0.0, 0.3) } }
+r_joint jc { ref_frame { translation = (0.0, 0.7, 0.1) rotation = (0.0, 0.2, 0.9) } }
+}"""
+
+
+def test_links_without_mass_give_their_joints_to_the_next_body(tmp_path: Path) -> None:
+    ours, mjcf = kindsl.parse(MASSLESS, Settings()).mechanism(), format_named("mjcf")
+    found = mjcf.write("arm", ours.bodies, WritingChoices())
+    assert [remark.split("'")[1] for remark in found.remarks] == ["a", "b"]
+    model = mujoco.MjModel.from_xml_string(found.text)
+    data, q, qd = mujoco.MjData(model), [0.3, -0.4, 0.5], [0.7, 0.2, -0.3]
+    data.qpos[:], data.qvel[:] = q, qd
+    mujoco.mj_forward(model, data)
+    M = np.zeros((3, 3))
+    mujoco.mj_fullM(model, data, M)
+    np.testing.assert_allclose(M, ours.joint_space_inertia(q), atol=1e-12)
+    np.testing.assert_allclose(data.qfrc_bias, ours.bias_torque(q, qd), atol=1e-12)
+    pose = ours.forward_kinematics(q)["c"]
+    np.testing.assert_allclose(data.body("c").xpos, pose[:3, 3], atol=1e-12)
+    back = mechanism_of(kindsl_text(read(found.text, mjcf, tmp_path).robot))
+    np.testing.assert_allclose(back.joint_space_inertia(q), M, atol=1e-12)
+
+
+@pytest.mark.parametrize("path", published_models())
+def test_published_documents_have_our_numbers_in_mujoco(path: Path) -> None:
+    try:
+        ours = kindsl.load(path, Settings()).mechanism()
+        text = written(ours, format_named("mjcf"))
+    except (ModelError, UnboundParameterError, FormatError) as error:
+        assert re.search("same id|no value|physically impossible", str(error))
+        return
+    assert (
+        max(gap(ours, mujoco.MjModel.from_xml_string(text), np.random.default_rng(1))) < TOLERANCE
+    )
 
 
 def test_revolute_joints_of_a_urdf_have_one_coordinate_unless_asked() -> None:

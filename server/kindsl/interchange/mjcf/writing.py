@@ -15,6 +15,7 @@ from kindsl.interchange.mjcf.compiling import checked_text
 from kindsl.interchange.xml_writing import added, document_text, numbers
 from kindsl.spatial.arrays import Array
 from kindsl.spatial.inertia import point_inertia
+from kindsl.spatial.transforms import homogeneous
 
 WORLD = "world"
 _TYPES = {"revolute": "hinge", "prismatic": "slide"}
@@ -39,18 +40,22 @@ def written_mjcf(name: str, bodies: Bodies) -> WrittenRobot:
     import mujoco  # noqa: F401
     from lxml import etree
 
-    _check_bodies(bodies)
+    folded = _folded(bodies)
+    _check_bodies(bodies, folded)
     root = etree.Element("mujoco", {"model": name})
     added(root, "compiler", angle="radian", autolimits="true", balanceinertia="false")
     elements = [_base(added(root, "worldbody"), bodies)]
     for link, parent in bodies.links():
-        elements.append(_link(elements[parent], bodies, link))
+        chain = _chain(bodies, parent, folded)
+        carrier = bodies.parents[chain[0] - 1] if chain else parent
+        is_body = link not in folded
+        elements.append(_link(elements[carrier], bodies, link, chain) if is_body else None)
     for frame in bodies.frames:
         pose = _pose(frame.body_R_frame, frame.body_r_frame)
         added(elements[frame.body], "site", name=frame.name, **pose)
     text = document_text(root)
     checked_text(text)
-    return WrittenRobot(text, tuple(_remarks(bodies)))
+    return WrittenRobot(text, (*_remarks(bodies), *_folding_remarks(bodies, folded)))
 
 
 def _base(world: Any, bodies: Bodies) -> Any:
@@ -71,14 +76,52 @@ def _base_name(bodies: Bodies) -> str:
     return name
 
 
-def _link(parent: Any, bodies: Bodies, link: int) -> Any:
-    i = link - 1
-    pose = _pose(bodies.p_R_j[i], bodies.p_r_j[i])
-    body = added(parent, "body", name=_link_name(bodies, i), **pose)
+def _folded(bodies: Bodies) -> frozenset[int]:
+    """Return links without mass that stand between two others, which MuJoCo cannot move alone.
+
+    The body of the link behind such a one can have the joints of both.
+    """
+    carriers = {frame.body for frame in bodies.frames}
+    return frozenset(
+        link
+        for link, _ in bodies.links()
+        if bodies.parents.count(link) == 1
+        and link not in carriers
+        and not bodies.masses[link]
+        and not bodies.inertias[link].any()
+    )
+
+
+def _chain(bodies: Bodies, parent: int, folded: frozenset[int]) -> list[int]:
+    """Return the folded links above a link, whose parent is given, the outermost first."""
+    chain: list[int] = []
+    while parent in folded:
+        chain.insert(0, parent)
+        parent = bodies.parents[parent - 1]
+    return chain
+
+
+def _link(parent: Any, bodies: Bodies, link: int, chain: list[int]) -> Any:
+    """Add a link's body with its own joint, and before it those of the folded links above."""
+    placed = np.eye(4)
+    parent_T = {}
+    for each in (*chain, link):
+        placed = placed @ homogeneous(bodies.p_R_j[each - 1], bodies.p_r_j[each - 1])
+        parent_T[each] = placed
+    pose = _pose(placed[:3, :3], placed[:3, 3])
+    body = added(parent, "body", name=_link_name(bodies, link - 1), **pose)
     _add_inertial(body, bodies, link)
-    kind = _TYPES[bodies.joint_kinds[i]]
-    added(body, "joint", name=bodies.joint_names[i], type=kind, axis="0 0 1")
+    for each in (*chain, link):
+        body_T_joint = np.linalg.inv(placed) @ parent_T[each]
+        _add_joint(body, bodies, each - 1, body_T_joint if each != link else np.eye(4))
     return body
+
+
+def _add_joint(body: Any, bodies: Bodies, i: int, body_T_joint: Array) -> None:
+    kind = _TYPES[bodies.joint_kinds[i]]
+    axis, place = numbers(body_T_joint[:3, 2]), body_T_joint[:3, 3]
+    at = {"pos": numbers(place)} if place.any() else {}
+    added(body, "joint", name=bodies.joint_names[i], type=kind, axis=axis, **at)
 
 
 def _link_name(bodies: Bodies, i: int) -> str:
@@ -109,9 +152,10 @@ def _pose(R: Array, r: Array) -> dict[str, str]:
     return pose | ({"quat": numbers(quaternion)} if turned else {})
 
 
-def _check_bodies(bodies: Bodies) -> None:
+def _check_bodies(bodies: Bodies, folded: frozenset[int]) -> None:
     names = (bodies.base_name, *bodies.link_names)
-    for body in range(0 if bodies.is_floating else 1, len(names)):
+    moving = range(0 if bodies.is_floating else 1, len(names))
+    for body in (body for body in moving if body not in folded):
         if bodies.masses[body] < _LEAST:
             raise FormatError(
                 f"link '{names[body]}' has mass {bodies.masses[body]:.6g}, "
@@ -124,6 +168,13 @@ def _check_bodies(bodies: Bodies) -> None:
                 f"inertia of '{names[body]}' is physically impossible, principal moments {told}, "
                 "and MuJoCo refuses it"
             )
+
+
+def _folding_remarks(bodies: Bodies, folded: frozenset[int]) -> Iterator[str]:
+    for link, parent in bodies.links():
+        for above in _chain(bodies, parent, folded) if link not in folded else ():
+            names = bodies.link_names[above - 1], bodies.link_names[link - 1]
+            yield f"the link '{names[0]}' has no mass: its joint became one of body '{names[1]}'"
 
 
 def _remarks(bodies: Bodies) -> Iterator[str]:
