@@ -70,11 +70,14 @@ def parse(text: str, settings: "Settings | None" = None) -> "Document":
 
 def _notebook_html(thing: object) -> str | None:
     """Return what a notebook shows of a thing of ours, None without what that needs."""
+    from importlib import import_module
+
     try:
-        from kindsl.reports.notebook import notebook_html
+        drawing = import_module("kindsl.reports.notebook")
     except ModuleNotFoundError:
         return None
-    return notebook_html(thing)
+    html: str | None = drawing.notebook_html(thing)
+    return html
 
 
 def _settings_for(path: "str | os.PathLike[str]") -> "Settings":
