@@ -98,6 +98,12 @@ async def test_saving_reloads_and_a_click_prints_the_place(tmp_path, file):
         assert await line_of(process.stdout) == f"{file}:{line}:9: joint lift"
 
 
+async def test_a_document_on_stdin_is_not_followed(tmp_path):
+    status, out, err = await run(tmp_path, "-", "--edit")
+    told = "a document on stdin cannot be followed; name a file, or use --export"
+    assert (status, out, err) == (2, "", f"kindsl preview: {told}\n")
+
+
 async def test_a_broken_save_keeps_the_model(tmp_path, file):
     async with running(tmp_path, file) as (_, address), connected(address) as connection:
         await message(connection, lambda m: m["type"] == "end")

@@ -99,6 +99,26 @@ async def test_an_impossible_text_is_told_while_it_moves():
     assert not page.state("finding")
 
 
+@pytest.mark.parametrize(
+    ("vector", "component", "reason"),
+    [
+        ("(0.4, , 0.0)", "y", "component y of joint 'lift' is missing"),
+        ("(4..4, 0.0, 0.0)", "x", "'4..4' is not a valid value"),
+        ("(a+b, 0.0, 0.0)", "x", "'a+b' is not a valid value"),
+    ],
+)
+async def test_in_a_broken_text_what_is_whole_can_be_dragged(vector, component, reason):
+    page = Page(ARM.replace("(0.4, 0.0, 0.0)", vector))
+    await page.ask(type="grasp", kind="joint", name="lift")
+    locked = {c["component"]: c["locked"] for c in page.last("handles")["components"]}
+    assert {c: why for c, why in locked.items() if why} == {component: reason}
+    await page.ask(**drag("drop", component, 0.7))
+    assert page.last("dragged")["reason"] == reason and not page.writings
+    await page.ask(**drag("drop", "z", 0.25))
+    (writing,) = page.writings
+    assert [edit.text for edit in writing.edits] == ["0.25"]
+
+
 async def test_an_edit_of_an_older_text_is_refused(page):
     await page.ask(**drag("drop", revision=page.preview.revision - 1))
     assert page.last("dragged")["reason"] == "the document has changed meanwhile"

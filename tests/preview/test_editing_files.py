@@ -3,7 +3,8 @@
 import argparse
 
 from tests.preview.robots import ARM
-from tests.preview.test_command import line_of, message, running, tab
+from tests.preview.test_command import line_of, message, running
+from tests.preview.websocket import connected
 
 from kindsl.cli import preview
 from kindsl.preview.dragging import Writing
@@ -44,6 +45,14 @@ def test_what_somebody_wrote_meanwhile_stays(tmp_path):
     assert file.read_text() == ARM + "\n"
 
 
+def test_a_file_that_may_only_be_read_stays(tmp_path, monkeypatch):
+    file = tmp_path / "arm.kindsl"
+    file.write_text(ARM)
+    monkeypatch.setattr("os.access", lambda *_: False)
+    assert written(file, WRITING) == "cannot be written: permission denied"
+    assert file.read_text() == ARM
+
+
 def test_no_link_is_followed(tmp_path):
     (tmp_path / "real.kindsl").write_text(ARM)
     (tmp_path / "arm.kindsl").symlink_to(tmp_path / "real.kindsl")
@@ -78,7 +87,7 @@ def test_a_configuration_file_that_cannot_be_read_is_told(tmp_path):
 async def test_a_page_drags_and_the_file_follows(tmp_path):
     file = tmp_path / "arm.kindsl"
     file.write_text(ARM)
-    async with running(tmp_path, file, "--edit") as (process, address), tab(address) as page:
+    async with running(tmp_path, file, "--edit") as (process, address), connected(address) as page:
         await message(page, lambda m: m["type"] == "editing")
         await page.write_message(DRAG)
         assert await line_of(process.stdout) == f"{file}: Set x of joint 'lift'"
@@ -88,7 +97,7 @@ async def test_a_page_drags_and_the_file_follows(tmp_path):
 async def test_without_the_option_nothing_is_written(tmp_path):
     file = tmp_path / "arm.kindsl"
     file.write_text(ARM)
-    async with running(tmp_path, file) as (_, address), tab(address) as page:
+    async with running(tmp_path, file) as (_, address), connected(address) as page:
         await page.write_message(DRAG)
         await message(page, lambda m: m["type"] == "end")
         assert file.read_text() == ARM

@@ -216,6 +216,33 @@ async def test_a_page_that_floods_the_server_loses_its_line(server):
     assert await status(server) == 200
 
 
+async def test_a_page_that_floods_the_server_with_drags_writes_nothing(server):
+    writings = []
+
+    async def write(_key, writing):
+        writings.append(writing)
+        return ""
+
+    editing = PreviewServer(on_edit=write)
+    await editing.start()
+    await editing.show("arm.kindsl", analyse(ARM), ())
+    url = f"ws://127.0.0.1:{editing.port}/live?token={editing.token}"
+    thing = {"type": "drag", "kind": "joint", "name": "lift", "component": "x", "phase": "move"}
+    move = json.dumps({**thing, "value": 0.5, "step": None, "revision": 1})
+    connection = await websocket_connect(url)
+    with suppress(WebSocketClosedError):
+        for _ in range(2000):
+            await connection.write_message(move)
+    async with asyncio.timeout(30.0):
+        while await connection.read_message() is not None:
+            continue
+    connection.close()
+    assert connection.close_code == 1008
+    document = editing._documents["arm.kindsl"]
+    assert not writings and document.analysis.text == ARM
+    await editing.stop()
+
+
 def test_a_budget_comes_back_with_time():
     now = [0.0]
     budget = Budget(lambda: now[0])

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kindsl.cli.documents.choices import choices_of
-from kindsl.cli.documents.sources import read_source
+from kindsl.cli.documents.sources import STDIN, read_source
 from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import Failure
 from kindsl.config.configuration import ConfigurationError
@@ -65,6 +65,8 @@ def _run(args: argparse.Namespace) -> int:
     try:
         if args.export or args.screenshot:
             _write(args, old)
+        elif args.file == STDIN:
+            return _fail("a document on stdin cannot be followed; name a file, or use --export")
         else:
             _serve(args, old)
     except PreviewUnavailableError as error:

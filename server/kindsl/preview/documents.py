@@ -12,7 +12,7 @@ from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.preview.channel import Tab
 from kindsl.preview.document_preview import DocumentPreview, Drawing
 from kindsl.preview.dragging import Dragging, Writing
-from kindsl.preview.gesture_requests import GestureRequest
+from kindsl.preview.gesture_requests import Drag, GestureRequest
 from kindsl.preview.requests import (
     Hello,
     Request,
@@ -27,6 +27,7 @@ from kindsl.text.span import Span
 
 # Longer robots are drawn beside the loop, to keep it free for the editor.
 FEW_LINKS = 60
+BREATH = 0.005  # seconds between two moves of a handle in which others are heard
 
 OnReveal = Callable[[str, Span, Reveal], None]
 # Returns what to tell the page: lines to be written by hand, empty if they are written for it.
@@ -69,6 +70,7 @@ class DocumentPreviews(ABC):
         self._beside = beside
         self._dragging: dict[str, Dragging] = {}
         self._gestures: set[asyncio.Task[None]] = set()
+        self._moves: dict[Dragging, GestureRequest] = {}
         self._documents: dict[str, DocumentPreview] = {}
         self._keys: dict[str, str] = {}
 
@@ -177,10 +179,26 @@ class DocumentPreviews(ABC):
 
     def _gesture(self, document: DocumentPreview, request: GestureRequest) -> None:
         dragging = self._dragging.get(self._key(document) or "")
-        if dragging is not None:
-            gesture = asyncio.ensure_future(dragging.receive(request))
-            self._gestures.add(gesture)
-            gesture.add_done_callback(self._gestures.discard)
+        if dragging is None:
+            return
+        is_move = isinstance(request, Drag) and request.phase == "move"
+        is_waiting = self._moves.pop(dragging, None) is not None
+        if is_move:
+            self._moves[dragging] = request
+        if is_move and is_waiting:
+            return
+        gesture = asyncio.ensure_future(
+            self._move(dragging) if is_move else dragging.receive(request)
+        )
+        self._gestures.add(gesture)
+        gesture.add_done_callback(self._gestures.discard)
+
+    async def _move(self, dragging: Dragging) -> None:
+        """Draw the last move of those that come at once, whatever a page sends."""
+        await asyncio.sleep(BREATH)
+        request = self._moves.pop(dragging, None)
+        if request is not None:
+            await dragging.receive(request)
 
     def _key(self, document: DocumentPreview) -> str | None:
         return next((key for key, known in self._documents.items() if known is document), None)

@@ -53,6 +53,8 @@ def component(analysis: Analysis, thing: Thing, name: str) -> Expression | Missi
         return Missing(f"{thing.kind} '{thing.name}' has a vector that is not whole")
     row = LENGTHS if name in LENGTHS else ANGLES
     value = vector.components[row.index(name)]
+    if not value.text:
+        return Missing(f"component {name} of {thing.kind} '{thing.name}' is missing")
     if has_problem_within(value):
         return Missing(f"'{value.text}' is not a valid value")
     return value
