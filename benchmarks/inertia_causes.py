@@ -205,7 +205,9 @@ def table(seed: str, bodies: int) -> Iterator[str]:
     yield f"Each slip is planted in {bodies} rods, plates and boxes, written with three to six"
     yield "digits; `python benchmarks/inertia_causes.py --write` makes this table. A fix is offered"
     yield "only where one cause is left, and right if it gives the numbers that were meant. Of"
-    yield "moments about the CoM the signs can often not be told: then both readings are listed.\n"
+    yield "moments about the CoM the signs can often not be told: then both readings are listed."
+    yield "A light body's true moments may be so small that robcogen2 treats them as zero: then"
+    yield "KD507 says so of right numbers too. What is found at all: [Planted](seeded_defects.md).\n"
     yield "| slip | found | fix offered | share | of these right | leads into |"
     yield "|---|---|---|---|---|---|"
     total: list[Outcome] = []

@@ -165,7 +165,8 @@ def table() -> str:
         f"Each kind of mistake is planted in {BODIES:,} possible bodies; `python"
         " benchmarks/seeded_defects.py --write` makes this table.",
         "The second figure is the share of the found ones whose cause is named rightly. Without",
-        "the mistake, not one of the bodies is reported.",
+        "the mistake, not one of the bodies is reported. How often a fix is offered, and right, is",
+        "told in [Causes](inertia_causes.md).",
         "",
         "| mistake | found | cause named | named instead |",
         "|---|---|---|---|",

@@ -43,6 +43,18 @@ def test_unbound_parameter_leaves_out_what_depends_on_it(kindsl: Runner, folder:
     assert found["left_out"]
 
 
+def test_a_new_and_a_deleted_document(kindsl: Runner, folder: Path) -> None:
+    (folder / "arm.kindsl").write_text(ARM % ("2.0", "0.2", "0.3"))
+    new = kindsl("diff", "/dev/null", "arm.kindsl")
+    assert (new.status, new.err) == (1, "")
+    assert "link   upper     added" in new.out
+    gone = kindsl("diff", "arm.kindsl", "/dev/null", "--output-format", "json")
+    assert json.loads(gone.out)["removed_links"] == ["upper", "hand"]
+    neither = kindsl("diff", "/dev/null", "/dev/null")
+    assert (neither.status, neither.out) == (2, "")
+    assert "no document to compare" in neither.err
+
+
 def test_same_parametric_document_is_the_same(kindsl: Runner, folder: Path) -> None:
     text = ARM % ("payload", "reach", "0.3")
     status, found, _ = differ(kindsl, folder, text, text)

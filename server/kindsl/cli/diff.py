@@ -1,12 +1,14 @@
 """Compares two documents mechanically, for reviews.
 
 Broken documents and parameters without values leave out what depends on them, which is reported.
+/dev/null stands for a document that is not there, as git has it for new and deleted files.
 """
 
 import argparse
 import sys
 from collections.abc import Iterator
 from dataclasses import asdict
+from os import devnull
 from typing import TYPE_CHECKING
 
 from kindsl.cli.console import write
@@ -62,6 +64,8 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _difference(args: argparse.Namespace) -> "tuple[Difference, tuple[str, ...]]":
+    if devnull in (args.old, args.new):
+        return _of_one(args.new if args.old == devnull else args.old, args)
     choices = choices_of(args)
     old, new = (read_document(path, choices) for path in (args.old, args.new))
     both = ((args.old, old), (args.new, new))
@@ -80,6 +84,24 @@ def _difference(args: argparse.Namespace) -> "tuple[Difference, tuple[str, ...]]
     broken = [path for path, analysis in both if _is_broken(analysis)]
     notes = [f"{shown_name(path)} has errors: showing the rest" for path in broken]
     return found.difference, (*notes, *found.notes)
+
+
+def _of_one(path: str, args: argparse.Namespace) -> "tuple[Difference, tuple[str, ...]]":
+    """Return the difference of a document to nothing, as git has it for new and deleted files."""
+    if path == devnull:
+        raise CommandError([Failure(devnull, "there is no document to compare")])
+    analysis = read_document(path, choices_of(args))
+    document = analysis.model, analysis.context.values
+    try:
+        from kindsl.mechanism.partial_difference import added, partial_difference, removed
+    except ModuleNotFoundError as error:
+        raise missing_module(path, error, "numpy") from None
+    same = partial_difference(document, document)
+    if isinstance(same, int):
+        bodies_of_document(path, analysis)
+        raise CommandError([Failure(shown_name(path), "has no tree of links to compare")])
+    found = (added if args.old == devnull else removed)(same.difference, analysis.model)
+    return found, same.notes
 
 
 def _is_broken(analysis: "Analysis") -> bool:

@@ -4,7 +4,7 @@ A parameter without a value gets the same stand-in on both sides, and then anoth
 that the second changes depends on it, and is left out.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -12,6 +12,7 @@ from kindsl.dynamics.bodies import Bodies
 from kindsl.mechanism.bodies import bodies_of
 from kindsl.mechanism.difference import Difference, difference
 from kindsl.mechanism.fragments import skeleton_as_far_as_known
+from kindsl.semantics.declarations import Frame, Joint, Link
 from kindsl.semantics.model import Model
 from kindsl.text.words import listed
 
@@ -52,6 +53,34 @@ def partial_difference(old: Document, new: Document) -> PartialDifference | int:
     return PartialDifference(
         found, (f"{what} {names} {verb} no value: what depends on it is left out",)
     )
+
+
+def added(same: Difference, model: Model) -> Difference:
+    """Return the difference of nothing to a model, from that of the model to itself."""
+    return replace(
+        same,
+        added_links=_names(model.links),
+        added_joints=_names(model.joints),
+        added_frames=_names(model.frames),
+        total_mass=(0.0, same.total_mass[1]),
+        reach=(0.0, same.reach[1]),
+    )
+
+
+def removed(same: Difference, model: Model) -> Difference:
+    """Return the difference of a model to nothing, from that of the model to itself."""
+    return replace(
+        same,
+        removed_links=_names(model.links),
+        removed_joints=_names(model.joints),
+        removed_frames=_names(model.frames),
+        total_mass=(same.total_mass[0], 0.0),
+        reach=(same.reach[0], 0.0),
+    )
+
+
+def _names(things: Iterable[Link | Joint | Frame]) -> tuple[str, ...]:
+    return tuple(str(thing.name) for thing in things)
 
 
 def _unbound(document: Document) -> set[str]:

@@ -18,8 +18,8 @@ inertia_params {
 
 ## Fix
 Converts the moments, keeping the significant digits. Offered only where no other cause is left, and
-not where RobCoGen2 would treat all moments as zero (KD507). Unsafe: it is a guess, though a likely
-one.
+not where RobCoGen2 would treat all moments as zero (KD507); for that target not where it would
+treat any of them as zero that matters. Unsafe: it is a guess, though a likely one.
 """
 
 from collections.abc import Iterator

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from kindsl.rigid.body import MassDistribution, eigensystem, second_moments_about_com
 from kindsl.rules.base import Change, Finding, Fix, Related, Severity
-from kindsl.rules.context import ROBCOGEN, Context
+from kindsl.rules.context import ROBCOGEN, ROBCOGEN2, Context
 from kindsl.rules.inertia.causes import Cause, candidates, likelihood_as_written, ranked, said_by
 from kindsl.rules.inertia.digits import likely_half_widths, numbers_written, rewritten_number
 from kindsl.rules.inertia.judgements import (
@@ -159,7 +159,10 @@ def _holds(found: Judgement, changes: Sequence[Change], context: Context) -> boo
     if any(n.literal is None for n in numbers):
         return False
     mass, x, y, z, *moments = (number.literal or 0.0 for number in numbers)
-    if context.targets != {ROBCOGEN} and _has_tiny(moments):
+    if context.targets != {ROBCOGEN} and all(map(is_tiny, filter(None, moments[:3]))):
+        return False
+    written = [number.literal or 0.0 for number in numbers_written(found.inertia, context.values)]
+    if ROBCOGEN2 in context.targets and _has_tiny(moments) and not _has_tiny(written[4:]):
         return False
     body = MassDistribution(mass, (x, y, z), tuple(moments))  # type: ignore[arg-type]
     pairs = eigensystem(second_moments_about_com(body))

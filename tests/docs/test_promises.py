@@ -1,0 +1,88 @@
+"""What the README and the recipes promise works as it is written there."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from tests.docs.guide import GUIDE, PAGES
+
+ROOT = GUIDE.parents[1]
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+RECIPES = (GUIDE / "recipes.md").read_text(encoding="utf-8")
+TEXTS = {path.name: path.read_text(encoding="utf-8") for path in (ROOT / "docs").glob("*.md")}
+BLOCK = r"```{}\n(.*?)^```$"
+ARM = (GUIDE / "crane.kindsl").read_text(encoding="utf-8")
+
+
+def blocks(text: str, language: str) -> list[str]:
+    return re.findall(BLOCK.format(language), text, re.MULTILINE | re.DOTALL)
+
+
+def run(command: str, folder: Path) -> str:
+    search = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
+    quiet = {"GIT_CONFIG_GLOBAL": os.devnull, "GIT_CONFIG_SYSTEM": os.devnull, "GIT_PAGER": "cat"}
+    environment = {**os.environ, **quiet, "PATH": search, "PYTHONPATH": str(ROOT / "server")}
+    done = subprocess.run(
+        ["sh", "-c", command], cwd=folder, env=environment, stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8", timeout=60, check=False,
+    )  # fmt: skip
+    return done.stdout
+
+
+def test_the_python_of_the_readme_runs(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROOT)
+    (snippet,) = blocks(README, "python")
+    names: dict[str, object] = {}
+    exec(compile(snippet, "README.md", "exec"), names)
+    assert getattr(names["M"], "shape", None) == (18, 18)
+
+
+@pytest.mark.parametrize("name", ["README.md", "ci.md"])
+def test_the_action_is_told_where_the_models_are(name: str) -> None:
+    text = README if name == "README.md" else TEXTS[name]
+    steps = [block for block in blocks(text, "yaml") if "uses: OWNER/kindsl" in block]
+    assert steps
+    for step in steps:
+        assert re.search(r"^ *paths: models$", step, re.MULTILINE), step
+        (options,) = re.findall(r"args: (.*)", step)
+        assert re.fullmatch(r"(--[a-z-]+( [a-z0-9]+)?( |$))*", options), options
+
+
+def test_nothing_is_installed_from_an_index_that_does_not_have_it() -> None:
+    for text in (README, *TEXTS.values(), *(page.read_text(encoding="utf-8") for page in PAGES)):
+        for command in re.findall(r"pip install ([^\n`]+)", text):
+            assert command.startswith((".", "'.")) or "git+ADDRESS" in command, command
+
+
+def test_tests_that_the_readme_names_are_in_a_clone() -> None:
+    for path in re.findall(r"pytest (tests/[\w/.]+)", README):
+        text = (ROOT / path).read_text(encoding="utf-8")
+        assert "pytest.mark.published" not in text, path
+
+
+def test_every_page_with_commands_says_where_they_are_run() -> None:
+    for page in PAGES:
+        text = page.read_text(encoding="utf-8")
+        assert "```console" not in text or "run in a copy of `docs/guide`" in text, page.name
+
+
+@pytest.mark.skipif(shutil.which("git") is None, reason="git is not installed")
+@pytest.mark.parametrize("has_configuration", [False, True])
+def test_git_shows_what_changed_mechanically(tmp_path: Path, has_configuration: bool) -> None:
+    (recipe,) = [block for block in blocks(RECIPES, "sh") if "git config" in block]
+    set_up, _, _ = recipe.partition("git diff")
+    run("git init -q . && " + set_up, tmp_path)
+    (tmp_path / "crane.kindsl").write_text(ARM)
+    if has_configuration:
+        (tmp_path / "kindsl.toml").write_text("")
+    run("git add -A && git -c user.name=a -c user.email=a@b commit -qm a", tmp_path)
+    (tmp_path / "crane.kindsl").write_text(ARM.replace("(0.6, 0.0, 0.0)", "(0.7, 0.0, 0.0)"))
+    (tmp_path / "new.kindsl").write_text(ARM)
+    told = run("git add -A && git diff --cached", tmp_path)
+    assert "joint frame   extend  moved 100 mm, turned 0 deg" in told
+    assert re.search(r"^link +jib +added", told, re.MULTILINE)
+    assert "error" not in told
