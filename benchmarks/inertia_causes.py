@@ -207,7 +207,7 @@ def table(seed: str, bodies: int) -> Iterator[str]:
     yield "only where one cause is left, and right if it gives the numbers that were meant. Of"
     yield "moments about the CoM the signs can often not be told: then both readings are listed."
     yield "A light body's true moments may be so small that robcogen2 treats them as zero: then"
-    yield "KD507 says so of right numbers too. What is found at all: [Planted](seeded_defects.md).\n"
+    yield "KD507 says so of right numbers too. All mistakes: [Planted](seeded_defects.md).\n"
     yield "| slip | found | fix offered | share | of these right | leads into |"
     yield "|---|---|---|---|---|---|"
     total: list[Outcome] = []

@@ -48,8 +48,8 @@ def test_the_action_is_told_where_the_models_are(name: str) -> None:
     assert steps
     for step in steps:
         assert re.search(r"^ *paths: models$", step, re.MULTILINE), step
-        (options,) = re.findall(r"args: (.*)", step)
-        assert re.fullmatch(r"(--[a-z-]+( [a-z0-9]+)?( |$))*", options), options
+        for options in re.findall(r"args: (.*)", step):
+            assert re.fullmatch(r"(--[a-z-]+( [a-z0-9]+)?( |$))*", options), options
 
 
 def test_nothing_is_installed_from_an_index_that_does_not_have_it() -> None:
