@@ -71,8 +71,8 @@ def test_the_panel_comes_back_after_a_server_restart(workbench: Workbench) -> No
 
 
 def test_the_panel_survives_a_reload_of_the_window(workbench: Workbench) -> None:
-    workbench.page.wait_for_timeout(1000)
-    workbench.page.reload(wait_until="domcontentloaded")
+    with workbench.page.expect_event("domcontentloaded"):
+        workbench.run("Developer: Reload Window")
     workbench.wait_until_up()
     expect_robot(workbench, "arm")
     workbench.screenshot("preview-reloaded")

@@ -41,7 +41,7 @@ exports.run = async () => {
     },
 
     "Python without any package: completion works": async () => {
-      const place = new vscode.Position(1, 4);
+      const place = new vscode.Position(3, 5);
       const list = await vscode.commands.executeCommand("vscode.executeCompletionItemProvider", uri, place);
       assert.ok(list.items.length > 0);
     },
