@@ -44,7 +44,7 @@ def test_what_is_not_possible_is_one_sentence(arguments, message, tmp_path, caps
 
 def test_what_mujoco_cannot_move_is_refused_and_not_written(tmp_path: Path, capsys) -> None:
     light = tmp_path / "light.kindsl"
-    light.write_text(EXAMPLE.read_text().replace("mass =", "mass = 0.0 //"))
+    light.write_text(EXAMPLE.read_text().replace("mass =", "mass = -1.0 //"))
     assert main(["convert", "--isolated", str(light), str(tmp_path / "a.xml")]) == 1
     assert "MuJoCo" in capsys.readouterr().err
     assert not (tmp_path / "a.xml").exists()

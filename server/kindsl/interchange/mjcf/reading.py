@@ -24,6 +24,8 @@ from kindsl.text.words import listed
 
 _WORLD = 0
 _FREE, _SLIDE = 0, 2
+# What has no mass in a document has next to none in MuJoCo, which moves no body without.
+_DUST = 3e-14
 
 
 def read_mjcf(path: Path, *, floating: bool = False) -> ReadRobot:
@@ -150,7 +152,7 @@ def _jointed(model: Any, joint: int, parent_T_body: Array) -> RigidLink:
 
 def _masses(model: Any, body: int) -> MassProperties | None:
     mass, moments = float(model.body_mass[body]), model.body_inertia[body]
-    if body == _WORLD or not (mass or np.any(moments)):
+    if body == _WORLD or (mass <= _DUST and np.all(moments <= _DUST)):
         return None
     body_T_inertial = _transform(model.body_ipos[body], model.body_iquat[body])
     return about_origin(mass, np.diag(moments), body_T_inertial)
