@@ -10,6 +10,9 @@ from pathlib import Path
 import pytest
 from tests.docs.guide import GUIDE, PAGES
 
+from kindsl.analysis.analysis import analyse
+from kindsl.analysis.settings import Settings
+
 ROOT = GUIDE.parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 RECIPES = (GUIDE / "recipes.md").read_text(encoding="utf-8")
@@ -31,6 +34,22 @@ def run(command: str, folder: Path) -> str:
         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8", timeout=60, check=False,
     )  # fmt: skip
     return done.stdout
+
+
+def test_whole_robots_in_the_pages_are_taken_by_both_generators() -> None:
+    folders = (".", "docs", "grammar", "vscode-extension", "vscode-extension/walkthrough")
+    pages = [page for folder in folders for page in (ROOT / folder).glob("*.md")]
+    both = Settings(frozenset({"robcogen", "robcogen2"}))
+    texts = [
+        block
+        for page in (*pages, *PAGES)
+        for block in blocks(page.read_text(encoding="utf-8"), "kindsl")
+        if block.startswith("Robot ")
+    ]
+    assert texts
+    for text in texts:
+        worse = [f for f in analyse(text, both).findings if f.severity in ("error", "warning")]
+        assert worse == [], text
 
 
 def test_the_python_of_the_readme_runs(monkeypatch: pytest.MonkeyPatch) -> None:
