@@ -3,6 +3,7 @@
 What must not import what is import-linter's; see `pyproject.toml`.
 """
 
+import re
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
@@ -12,6 +13,7 @@ import pytest
 import kindsl
 
 HOUSE = Path(kindsl.__file__).parent
+ROOT = Path(__file__).parents[1]
 FILES_OF_ONE_GLANCE = 35
 FOLDERS_OF_ONE_FILE_RULES = {"rules/checks"}
 
@@ -84,3 +86,14 @@ def test_a_folder_fits_one_glance() -> None:
         if len(list(folder.glob("*.py"))) > FILES_OF_ONE_GLANCE
     }
     assert too_full <= FOLDERS_OF_ONE_FILE_RULES
+
+
+def test_what_the_page_names_is_there() -> None:
+    """Files end in `.py`, folders in `/` or begin with the house."""
+    page = (ROOT / "ARCHITECTURE.md").read_text(encoding="utf-8")
+    named = {word.rstrip("/") for word in re.findall(r"`([\w./-]+(?:\.py|/[\w-]*))`", page)}
+    assert len(named) > 40
+    there = [path.relative_to(ROOT).as_posix() for path in (*HOUSE.rglob("*"), *ROOT.glob("*/*"))]
+    there += [path.name for path in ROOT.iterdir()]
+    for name in sorted(named):
+        assert any(path == name or path.endswith(f"/{name}") for path in there), name

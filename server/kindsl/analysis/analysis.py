@@ -21,8 +21,7 @@ from kindsl.rules.context import Context
 from kindsl.rules.registry import all_rules
 from kindsl.rules.suppression import Directive, covered_by, directives, suppressions
 from kindsl.semantics.model import Model
-from kindsl.syntax.collector import paused_collector
-from kindsl.syntax.document import SyntaxDocument, parse
+from kindsl.syntax.document import SyntaxDocument, parse, paused_collector
 from kindsl.text.display import html_of
 from kindsl.text.edits import TextEdit
 from kindsl.text.words import counted

@@ -4,14 +4,15 @@ An edit makes a new document that shares all untouched islands, and all chunks o
 one or two it falls into, with the old one.
 """
 
+import gc
 import re
 from bisect import bisect_right
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from functools import cached_property
 from itertools import accumulate, chain
 from typing import TYPE_CHECKING
 
-from kindsl.syntax.collector import paused_collector
 from kindsl.syntax.parser import parse_island
 from kindsl.syntax.splitter import LOOKAHEAD, split
 from kindsl.syntax.tree import Island
@@ -155,6 +156,18 @@ def has_open_comment(island: Island) -> bool:
     start, end = island.comments[-1]
     comment = island.text[start:end]
     return comment.startswith("/*") and (len(comment) < 4 or not comment.endswith("*/"))
+
+
+@contextmanager
+def paused_collector() -> Iterator[None]:
+    """Pause the cyclic collector, which would walk what is being made time and again."""
+    was_enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was_enabled:
+            gc.enable()
 
 
 def _reparsed(text: str, known: Iterable[Island]) -> SyntaxDocument:
