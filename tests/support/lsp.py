@@ -197,6 +197,16 @@ def raw_client(*options: str, cwd: Path | None = None) -> Iterator[RawClient]:
 
 
 @contextmanager
+def running_server() -> Iterator[RawClient]:
+    """A server with nothing said to it yet, whose many answers others hold against the rules."""
+    client = RawClient()
+    try:
+        yield client
+    finally:
+        client.kill()
+
+
+@contextmanager
 def ready_client(
     capabilities: dict[str, Any] | None = None, cwd: Path | None = None, **more: Any
 ) -> Iterator[RawClient]:

@@ -1,10 +1,10 @@
 // An editor as VS Code sets it up for the language, with the server behind `askServer`.
 //
 // Python calls what hangs on `window.typist`; `askServer(method, params)` and
-// `tellServer(method, params)` are Python's.
+// `tellServer(method, params)` are Python's and take and give JSON.
 const LANGUAGE = "kinematics-dsl";
 const URI = "file:///typed/robot.kindsl";
-const QUIET_MS = 30;
+const FRAMES = 3;
 
 let editor;
 let version = 1;
@@ -20,9 +20,8 @@ async function start({ configuration, triggerCharacters, options, initialText })
   monaco.languages.registerCompletionItemProvider(LANGUAGE, { triggerCharacters, provideCompletionItems });
   const model = monaco.editor.createModel(initialText, LANGUAGE, monaco.Uri.parse(URI));
   editor = monaco.editor.create(document.getElementById("editor"), { model, minimap: { enabled: false }, ...options });
-  await tellServer("textDocument/didOpen", {
-    textDocument: { uri: URI, languageId: LANGUAGE, version, text: initialText },
-  });
+  const textDocument = { uri: URI, languageId: LANGUAGE, version, text: initialText };
+  await tellServer("textDocument/didOpen", JSON.stringify({ textDocument }));
   model.onDidChangeContent(({ changes }) => untold.push(...changes));
   editor.focus();
 }
@@ -59,18 +58,20 @@ function tell() {
   if (untold.length === 0) return;
   version += 1;
   const contentChanges = untold.splice(0).map(({ range, text }) => ({ range: toProtocol(range), text }));
-  void tellServer("textDocument/didChange", { textDocument: { uri: URI, version }, contentChanges });
+  void tellServer("textDocument/didChange", JSON.stringify({ textDocument: { uri: URI, version }, contentChanges }));
 }
 
 async function provideCompletionItems(model, position, context) {
   underway += 1;
   tell();
   try {
-    const { items, isIncomplete } = await askServer("textDocument/completion", {
+    const question = {
       textDocument: { uri: URI },
       position: { line: position.lineNumber - 1, character: position.column - 1 },
       context: { triggerKind: context.triggerKind + 1, triggerCharacter: context.triggerCharacter },
-    });
+    };
+    const answer = await askServer("textDocument/completion", JSON.stringify(question));
+    const { items, isIncomplete } = JSON.parse(answer);
     return { suggestions: items.map(suggestion), incomplete: isIncomplete };
   } finally {
     underway -= 1;
@@ -138,11 +139,14 @@ function press(key) {
 
 /** Wait until nothing that a key began is going on: no timer of the editor, no question, no drawing. */
 async function settle() {
+  // A key begins its question in a timer that was set before ours, so it is seen to be under way.
   do {
-    await sleep(QUIET_MS);
+    await sleep(0);
+    await sleep(0);
   } while (underway > 0);
   // A list is drawn in the frame after its answer, its chosen item in the one after that.
-  for (let frame = 0; frame < 3; frame++) await new Promise(requestAnimationFrame);
+  for (let frame = 0; frame < FRAMES; frame++) await new Promise(requestAnimationFrame);
+  if (underway > 0) await settle();
 }
 
 const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser, Page
-from tests.typist.monaco import editor, put, settled, type_keys
+from tests.typist.monaco import QUICK_FRAMES, editor, put, settled, type_keys
 from tests.typist.typist import Hand, lines_to_type, type_document
 from tests.vscode.browser import chromium
 
@@ -42,7 +42,7 @@ PLACES = {
 
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:
-    with chromium() as running:
+    with chromium(*QUICK_FRAMES) as running:
         yield running
 
 

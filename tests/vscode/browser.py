@@ -37,10 +37,10 @@ def missing(reason: str) -> NoReturn:
 
 
 @contextmanager
-def chromium() -> Iterator[Browser]:
-    """Run a browser."""
+def chromium(*more: str) -> Iterator[Browser]:
+    """Run a browser, with more arguments than the usual."""
     path = require("chromium")
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=path, args=list(ARGUMENTS))
+        browser = playwright.chromium.launch(executable_path=path, args=[*ARGUMENTS, *more])
         yield browser
         browser.close()
