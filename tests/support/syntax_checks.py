@@ -53,11 +53,12 @@ def placed(document: SyntaxDocument) -> list[tuple[int, Problem]]:
 
 
 def repaired(document: SyntaxDocument) -> str:
-    """Return the text after all repairs."""
+    """Return the text after all repairs, of several to choose from the first."""
     edits = [
         absolute(start, edit)
         for start, problem in placed(document)
-        for edit in (problem.repair.edits if problem.repair else ())
+        for repair in (problem.repair or next(iter(problem.choices), None),)
+        for edit in (repair.edits if repair else ())
     ]
     return apply_edits(document.text, edits)
 

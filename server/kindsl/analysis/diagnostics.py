@@ -39,6 +39,7 @@ class Diagnostic(NamedTuple):
     related: tuple[RelatedPlace, ...] = ()
     fix: TextFix | None = None
     tag: Tag | None = None
+    choices: tuple[TextFix, ...] = ()
 
     @property
     def url(self) -> str | None:
@@ -96,6 +97,7 @@ class Resolver:
             related,
             self._fix(finding.fix) if finding.fix else None,
             finding.tag,
+            tuple(map(self._fix, finding.choices)),
         )
 
     def _fix(self, fix: Fix) -> TextFix:

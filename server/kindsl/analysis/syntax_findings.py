@@ -8,7 +8,7 @@ from kindsl.rules.context import ROBCOGEN
 from kindsl.rules.registry import all_rules
 from kindsl.semantics.places import Place
 from kindsl.syntax.document import SyntaxDocument
-from kindsl.syntax.tree import Island, Problem
+from kindsl.syntax.tree import Island, Problem, Repair
 
 _UNDECODED = re.compile("[\udc80-\udcff]+")
 
@@ -42,9 +42,12 @@ def all_problems(document: SyntaxDocument) -> Iterator[tuple[Island, Problem]]:
 
 
 def _finding(island: Island, problem: Problem) -> Finding:
-    repair = problem.repair
-    fix = None
-    if repair is not None:
-        changes = tuple(Change(Place(island, e.start, e.end), e.text) for e in repair.edits)
-        fix = Fix(repair.title, changes, repair.is_safe)
-    return Finding(Place(island, problem.start, problem.end), problem.message, fix=fix)
+    fix = _fix(island, problem.repair) if problem.repair is not None else None
+    choices = tuple(_fix(island, repair) for repair in problem.choices)
+    at = Place(island, problem.start, problem.end)
+    return Finding(at, problem.message, fix=fix, choices=choices)
+
+
+def _fix(island: Island, repair: Repair) -> Fix:
+    changes = tuple(Change(Place(island, e.start, e.end), e.text) for e in repair.edits)
+    return Fix(repair.title, changes, repair.is_safe)

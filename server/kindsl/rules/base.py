@@ -62,6 +62,7 @@ class Finding(NamedTuple):
         message: One sentence without final period: what is wrong, names quoted, with units.
         related: Other places.
         fix: What would mend it.
+        choices: What would mend it where several things may be meant; then there is no `fix`.
         severity: Where it differs from the rule's.
         tag: How to draw it.
     """
@@ -72,6 +73,7 @@ class Finding(NamedTuple):
     fix: Fix | None = None
     severity: Severity | None = None
     tag: Tag | None = None
+    choices: tuple[Fix, ...] = ()
 
 
 class Example(NamedTuple):

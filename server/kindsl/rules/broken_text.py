@@ -1,5 +1,7 @@
 """Where the syntax is broken, so that nothing is to be concluded from what stands there."""
 
+import unicodedata
+
 from kindsl.semantics.model import Model
 from kindsl.semantics.parameters import Parameter
 from kindsl.semantics.places import Located
@@ -15,6 +17,11 @@ def has_problem_within(at: Located) -> bool:
 def is_doubtful(parameter: Parameter) -> bool:
     """Return whether all places of a parameter are in broken text: it may be no parameter."""
     return all(use.name.island.problems for use in parameter.uses)
+
+
+def is_greek_pi(name: str) -> bool:
+    """Return whether a name is the letter for the number pi, in whatever style it is set."""
+    return not name.isascii() and unicodedata.normalize("NFKC", name) == "\N{GREEK SMALL LETTER PI}"
 
 
 def is_cut_off(model: Model) -> bool:

@@ -15,7 +15,7 @@ from kindsl.rules.duplicates import repeated_names
 from kindsl.semantics.declarations import Joint, Link
 from kindsl.semantics.kinematic_tree import Edge
 from kindsl.semantics.model import Model
-from kindsl.text.nearest import nearest_name
+from kindsl.text.nearest import nearest_name, nearest_names
 
 _KEY = "reference defects"
 _MOST_SUGGESTIONS = 20
@@ -68,14 +68,16 @@ def reference_defects(model: Model) -> ReferenceDefects:
     return known
 
 
-def suggestion(name: str, position: int, idle: Iterable[str], others: Iterable[str]) -> str | None:
+def suggestions(
+    name: str, position: int, idle: Iterable[str], others: Iterable[str]
+) -> tuple[str, ...]:
     """Return what the undefined name number `position` probably means; idle things first.
 
-    From some number on there is none: a document in which so much is lost has no slips in names.
+    From some number on it is nothing: a document in which so much is lost has no slips in names.
     """
     if position >= _MOST_SUGGESTIONS:
-        return None
-    return nearest_name(name, idle) or nearest_name(name, others)
+        return ()
+    return nearest_names(name, idle) or nearest_names(name, others)
 
 
 def _defects(model: Model) -> ReferenceDefects:

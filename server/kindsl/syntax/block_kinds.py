@@ -11,12 +11,24 @@ from kindsl.syntax.words import (
     SPELLINGS,
     called,
     shown,
-    spelled,
     supplied,
+    unknown_keyword,
 )
-from kindsl.text.nearest import nearest_word
+from kindsl.text.nearest import nearest_words
 
 _BLOCK_WORDS = ("Robot", "RobotBase", "link", "r_joint", "p_joint")
+_JOINT_KINDS = {
+    "revolute": "r_joint",
+    "rotational": "r_joint",
+    "rotary": "r_joint",
+    "continuous": "r_joint",
+    "hinge": "r_joint",
+    "prismatic": "p_joint",
+    "translational": "p_joint",
+    "linear": "p_joint",
+    "sliding": "p_joint",
+    "slider": "p_joint",
+}
 _NAME_KINDS = frozenset({"NAME", "PI_PREFIXED", "UNICODE_NAME", "ESCAPED_NAME", "LOWER_PI"})
 _BODY = frozenset({"{", "FLOATING"})
 _LINK_SECTIONS = frozenset({"INERTIA", "children", "frames"})
@@ -82,13 +94,31 @@ def _checked(tokens: Sequence[Token], index: int, start: str) -> Opening:
     return _replaced(token, content, Problem("KD001", message, token.start, token.end))
 
 
-def _replaced(token: Token, start: str, problem: Problem, text: str | None = None) -> Opening:
+def _replaced(token: Token, start: str, problem: Problem, words: tuple[str, ...] = ()) -> Opening:
+    """Return the opening of a block with a keyword in place of a token; without words, any."""
     kind = BLOCK_KINDS[start]
-    text = text or spelled(kind)
-    title = f"Replace '{shown(token.text)}' with '{text}'"
-    repair = Repair(title, (Edit(token.start, token.end, text),), False)
-    read = Token(kind, text, token.lead, token.start, token.end)
-    return Opening(start, (token,), (read,), problem._replace(repair=repair))
+    words = words or _spellings(kind)
+    told = _with_repairs(problem, f"Replace '{shown(token.text)}' with", words, token.end)
+    read = Token(kind, words[0], token.lead, token.start, token.end)
+    return Opening(start, (token,), (read,), told)
+
+
+def _spellings(kind: str) -> tuple[str, ...]:
+    """Return the keywords of a kind, r_joint before p_joint."""
+    return tuple(sorted(SPELLINGS.get(kind, (kind,)), reverse=True))
+
+
+def _with_repairs(
+    problem: Problem, what: str, words: tuple[str, ...], end: int, behind: str = ""
+) -> Problem:
+    """Return a problem with the repair of writing a keyword, or with the choice between several."""
+    repairs = tuple(
+        Repair(f"{what} '{word}'", (Edit(problem.start, end, word + behind),), False)
+        for word in words
+    )
+    if len(repairs) > 1:
+        return problem._replace(choices=repairs)
+    return problem._replace(repair=repairs[0])
 
 
 def _unglued(token: Token) -> Opening | None:
@@ -119,31 +149,36 @@ def _without_keyword(tokens: Sequence[Token], index: int, previous: str) -> Open
         return None
     name = tokens[index]
     kind = BLOCK_KINDS[start]
-    title = f"Insert '{spelled(kind)}'"
-    repair = Repair(title, (Edit(name.start, name.start, spelled(kind) + " "),), False)
     message = f"expected {called(kind)} before '{shown(name.text)}'"
-    problem = Problem("KD001", message, name.start, name.start, repair)
+    problem = Problem("KD001", message, name.start, name.start)
+    problem = _with_repairs(problem, "Insert", _spellings(kind), name.start, " ")
     keyword = supplied(kind, name.lead)
     return Opening(start, (name,), (keyword, name), problem)
 
 
 def _misspelt(tokens: Sequence[Token], index: int, previous: str) -> Opening | None:
     token = tokens[index]
-    meant = nearest_word(token.text, _BLOCK_WORDS)
-    start = BLOCK_STARTS[word_kind(meant)] if meant else _guess(tokens, index, previous)
+    meant = block_words(token.text)
+    start = BLOCK_STARTS[word_kind(meant[0])] if meant else _guess(tokens, index, previous)
     if start is None:
         return None
     content = kind_by_content(tokens, index)
     if content is not None and (content == "joint") != (start == "joint"):
-        start, meant = content, None
+        start, meant = content, ()
     kind = BLOCK_KINDS[start]
-    if meant is None:
+    if not meant:
         message = f"expected {called(kind)} instead of '{shown(token.text)}'"
         return _replaced(token, start, Problem("KD010", message, token.start, token.end))
-    near = called(kind) if kind == "JOINT_KIND" else f"'{meant}'"
-    message = f"unknown keyword '{shown(token.text)}', did you mean {near}"
-    text = meant if meant in SPELLINGS[kind] else None
-    return _replaced(token, start, Problem("KD010", message, token.start, token.end), text)
+    message = unknown_keyword(token.text, meant)
+    return _replaced(token, start, Problem("KD010", message, token.start, token.end), meant)
+
+
+def block_words(word: str) -> tuple[str, ...]:
+    """Return the keywords that begin a block and may be meant by a word; r_joint before p_joint."""
+    known = _JOINT_KINDS.get(word.casefold().partition("_")[0])
+    found = (known,) if known else nearest_words(word, _BLOCK_WORDS)
+    kinds = {word_kind(each) for each in found}
+    return tuple(sorted(found, reverse=True)) if len(kinds) == 1 else found[:1]
 
 
 def _in_place_of_junk(tokens: Sequence[Token], index: int, previous: str) -> Opening | None:

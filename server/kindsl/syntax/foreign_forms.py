@@ -6,9 +6,11 @@ They are put right before the search for repairs, which would see several mistak
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from kindsl.syntax.foreign_relations import without_relatives
 from kindsl.syntax.foreign_words import in_our_words
 from kindsl.syntax.forms import form_kind, kinds_accepted_by
 from kindsl.syntax.half_children import with_whole_children
+from kindsl.syntax.half_values import VECTOR, half_vector, with_whole_sections
 from kindsl.syntax.obsolete_forms import in_todays_forms
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
 from kindsl.syntax.words import SPELLINGS, supplied
@@ -16,7 +18,6 @@ from kindsl.syntax.words import SPELLINGS, supplied
 _REACH = 40
 _COMPONENTS = 3
 _VECTORS = frozenset({"CoM", "translation", "rotation"})
-_EMPTY_VECTOR = ("(", "FLOAT", ",", "FLOAT", ",", "FLOAT", ")")
 _SCALARS = frozenset({"mass", "MOMENT"})
 _NUMBERS = frozenset({"FLOAT", "INT", "SCIENTIFIC", "POWER_FLOAT"})
 _OPERANDS = _NUMBERS | frozenset({"NAME", "PI_PREFIXED", "PI", "LOWER_PI", ")", "]", ">"})
@@ -42,7 +43,10 @@ class Adapted(NamedTuple):
 def adapted(text: str, tokens: Sequence[Token]) -> Adapted:
     """Return the tokens of an island with the habits of other languages put right."""
     result = Adapted([], [], [])
-    tokens = in_our_words(tokens, result.problems)
+    tokens, relatives = without_relatives(text, tokens, result.problems)
+    result.skipped.extend(relatives)
+    tokens, repeated = in_our_words(tokens, result.problems)
+    result.skipped.extend(repeated)
     tokens, obsolete = in_todays_forms(text, tokens, result.problems)
     result.skipped.extend(obsolete)
     tokens = with_whole_children(text, tokens, result.problems)
@@ -60,6 +64,12 @@ def adapted(text: str, tokens: Sequence[Token]) -> Adapted:
         else:
             word = tokens[index - 2].kind if index > 1 else ""
             end = _value_end(tokens, index)
+            half = half_vector(text, tokens, index) if _is_open(tokens, index, end, word) else None
+            if half is not None:
+                result.problems.append(half.problem)
+                result.tokens.extend(half.tokens)
+                index = half.end
+                continue
             following = tokens[end].kind if end < len(tokens) else ""
             is_scalar = word in _SCALARS and following != "="
             if word in _VECTORS:
@@ -67,7 +77,13 @@ def adapted(text: str, tokens: Sequence[Token]) -> Adapted:
             else:
                 result.tokens.extend(_with_points_or_signs(text, tokens[index:end], is_scalar))
             index = end
+    result.tokens[:] = with_whole_sections(text, result.tokens, result.problems)
     return result
+
+
+def _is_open(tokens: Sequence[Token], index: int, end: int, word: str) -> bool:
+    """Return whether a value is a vector that does not end."""
+    return word in _VECTORS and tokens[index].kind == "(" and tokens[end - 1].kind != ")"
 
 
 def _is_comment(text: str, tokens: Sequence[Token], index: int) -> bool:
@@ -126,7 +142,7 @@ def _put_vector(
         if following == "=" or (first.kind == "}" and following not in _NUMBERS):
             message = "expected a vector '(x, y, z)' after '='"
             result.problems.append(Problem("KD001", message, equals.end, equals.end))
-            result.tokens.extend(supplied(kind, equals.end) for kind in _EMPTY_VECTOR)
+            result.tokens.extend(supplied(kind, equals.end) for kind in VECTOR)
         result.tokens.extend(tokens)
         return
     if first.kind in _NUMBERS:

@@ -3,11 +3,13 @@
 Asked before any spelling is compared, since `Ixx` is nearer to `Ixy` than to `Ix`, which it means.
 """
 
+import re
 from collections.abc import Sequence
 
 from kindsl.syntax.scanner import word_kind
+from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
-from kindsl.syntax.words import shown
+from kindsl.syntax.words import shown, unknown_keyword
 
 _MEANT = {
     "id": "id",
@@ -16,45 +18,90 @@ _MEANT = {
     "cog": "CoM",
     "centerofmass": "CoM",
     "centreofmass": "CoM",
-    "ix": "Ix",
-    "iy": "Iy",
-    "iz": "Iz",
-    "ixx": "Ix",
-    "iyy": "Iy",
-    "izz": "Iz",
-    "ixy": "Ixy",
-    "ixz": "Ixz",
-    "iyz": "Iyz",
-    "iyx": "Ixy",
-    "izx": "Ixz",
-    "izy": "Iyz",
     "xyz": "translation",
     "origin": "translation",
     "translation": "translation",
     "rpy": "rotation",
     "rotation": "rotation",
 }
+_BRACES = frozenset("{}")
+_NUMBERS = frozenset({"FLOAT", "INT", "SCIENTIFIC"})
+_MOMENT = re.compile("[ij](?P<axes>[xyz]{1,2}|[123]{2})")
+_AXES = str.maketrans("123", "xyz")
 
 
 def meant_word(text: str) -> str | None:
     """Return the keyword that a word of another format stands for, None where it is unknown."""
-    return _MEANT.get(text.replace("_", "").casefold())
+    word = text.replace("_", "").casefold()
+    moment = _MOMENT.fullmatch(word)
+    if moment is None:
+        return _MEANT.get(word)
+    return "I" + "".join(sorted(set(moment["axes"].translate(_AXES))))
 
 
-def in_our_words(tokens: Sequence[Token], problems: list[Problem]) -> list[Token]:
-    """Return tokens with the words before `=` that other formats use replaced; tell of each."""
+def in_our_words(
+    tokens: Sequence[Token], problems: list[Problem]
+) -> tuple[list[Token], list[Token]]:
+    """Return tokens with the words before `=` that other formats use replaced; tell of each.
+
+    Two words of a section never become the same: the second one is left out with its number, as
+    the `iyx` of a whole matrix, or stays as it is. What is left out comes second.
+    """
     found: list[Token] = []
-    for index, token in enumerate(tokens):
+    left_out: list[Token] = []
+    taken: set[str] = set()
+    index = 0
+    while index < len(tokens):
+        token = tokens[index]
+        if token.kind in _BRACES:
+            taken = _keywords_behind(tokens, index) if token.kind == "{" else set()
         word = meant_word(token.text) if _is_called(tokens, index) else None
-        if word is None:
+        if word is not None and word not in taken:
+            taken.add(word)
+            found.append(Token(word_kind(word), word, token.lead, token.start, token.end))
+            problems.append(_unknown(token, word))
+        elif word is not None and _is_repeated_number(tokens, index):
+            problems.append(_repeated(tokens[index : index + 3], word))
+            left_out += tokens[index : index + 3]
+            index += 2
+        else:
             found.append(token)
-            continue
-        found.append(Token(word_kind(word), word, token.lead, token.start, token.end))
-        title = f"Replace '{shown(token.text)}' with '{word}'"
-        repair = Repair(title, (Edit(token.start, token.end, word),), False)
-        message = f"unknown keyword '{shown(token.text)}', did you mean '{word}'"
-        problems.append(Problem("KD010", message, token.start, token.end, repair))
-    return found
+        index += 1
+    return found, left_out
+
+
+def _unknown(token: Token, word: str) -> Problem:
+    title = f"Replace '{shown(token.text)}' with '{word}'"
+    repair = Repair(title, (Edit(token.start, token.end, word),), False)
+    message = unknown_keyword(token.text, [word])
+    return Problem("KD010", message, token.start, token.end, repair)
+
+
+def _repeated(tokens: Sequence[Token], word: str) -> Problem:
+    written, end = tokens[0], tokens[-1].end
+    repair = None
+    if written.text[-1:] < written.text[-2:-1]:  # of a matrix's lower triangle
+        title = f"Remove '{shown(' '.join(token.text for token in tokens))}'"
+        repair = Repair(title, (Edit(written.start, end, ""),), False)
+    message = f"'{shown(written.text)}' means '{word}', which is already given"
+    return Problem("KD009", message, written.start, written.end, repair)
+
+
+def _keywords_behind(tokens: Sequence[Token], index: int) -> set[str]:
+    """Return the keywords between the brace at an index and the next one."""
+    words = set()
+    for token in tokens[index + 1 :]:
+        if token.kind in _BRACES:
+            break
+        words.add(token.text)
+    return words & KEYWORDS.keys()
+
+
+def _is_repeated_number(tokens: Sequence[Token], index: int) -> bool:
+    """Return whether a number is behind a word and `=`, and nothing else."""
+    value, behind = tokens[index + 2 : index + 3], tokens[index + 3 : index + 4]
+    is_number = bool(value) and value[0].kind in _NUMBERS
+    return is_number and not (behind and behind[0].kind in "*/-")
 
 
 def _is_called(tokens: Sequence[Token], index: int) -> bool:

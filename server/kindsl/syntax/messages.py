@@ -4,10 +4,11 @@ from collections.abc import Sequence
 
 from kindsl.syntax.indentation import indentation
 from kindsl.syntax.repair import Change
+from kindsl.syntax.repair_words import Word
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
-from kindsl.syntax.words import SPELLINGS, called, shown, spelled
-from kindsl.text.nearest import nearest_word
+from kindsl.syntax.words import SPELLINGS, called, first_row, shown, unknown_keyword
+from kindsl.text.nearest import nearest_words
 
 _WRITTEN = frozenset("{}()=,]>")
 _TITLED = frozenset({"link", "Robot", "RobotBase", "JOINT_KIND"})
@@ -18,7 +19,8 @@ def repair_problem(
     read: Sequence[Token],
     tokens: Sequence[Token],
     changes: Sequence[Change],
-    moment: str,
+    words: Sequence[Word],
+    wanted: Sequence[str],
 ) -> Problem:
     """Return what to say about a group of changes.
 
@@ -27,20 +29,27 @@ def repair_problem(
         read: What is read of the block up to the first change.
         tokens: All tokens of the island, which the changes count.
         changes: The repair.
-        moment: The moment of inertia that an inserted one would be.
+        words: What each change writes.
+        wanted: The keywords that could stand where the first change is made.
     """
     group = _first_group(changes)
     start, end = _span(tokens, group)
     gone = [tokens[c.at] for c in group if c.action != "insert"]
-    added = [c for c in group if c.action != "delete"]
+    added = [(c, word) for c, word in zip(group, words, strict=False) if c.action != "delete"]
     code = "KD001"
+    meant = _half_keyword(text, tokens, gone, wanted) if gone else ()
+    if meant and (not added or added[0][0].kind == "}"):
+        return Problem("KD010", unknown_keyword(gone[0].text, meant), start, end)
     if not added:
         message = _left_out(text, tokens, gone)
     elif gone:
-        code, message = _instead(added[0], gone, text[start:end], moment)
+        code, message = _instead(*added[0], gone, first_row(text, gone))
     else:
-        code, message = _lost(read, tokens, added[0], moment)
-    return Problem(code, message, start, end, _repair(text, read, tokens, changes, moment))
+        code, message = _lost(read, tokens, *added[0])
+    repairs = _repairs(text, read, tokens, changes, words)
+    if len(repairs) > 1:
+        return Problem(code, message, start, end, choices=repairs)
+    return Problem(code, message, start, end, repairs[0] if repairs else None)
 
 
 def closing_problem(text: str, read: Sequence[Token], kinds: Sequence[str], place: int) -> Problem:
@@ -56,11 +65,13 @@ def closing_problem(text: str, read: Sequence[Token], kinds: Sequence[str], plac
     return Problem("KD002", f"expected '}}' to close {opened}", position, position, repair)
 
 
-def leftover_problem(read: Sequence[Token], rest: Sequence[Token], text: str) -> Problem:
-    """Return what to say about text that belongs to no block."""
+def leftover_problem(
+    read: Sequence[Token], rest: Sequence[Token], text: str, previous: str
+) -> Problem:
+    """Return what to say about text that belongs to no block; `previous` is the block before."""
     start, end = rest[0].start, rest[-1].end
-    what = shown(text[start : min(end, start + 400)])
-    if read and not rest[0].text[:1].isidentifier():
+    what = shown(first_row(text, rest))
+    if previous == "end" or (read and not rest[0].text[:1].isidentifier()):
         return Problem("KD001", f"unexpected '{what}'", start, end)
     message = f"expected a robot, a link or a joint instead of '{what}'"
     return Problem("KD001", message, start, end)
@@ -117,7 +128,19 @@ def _left_out(text: str, tokens: Sequence[Token], gone: Sequence[Token]) -> str:
         is_behind = token.start == gone[-1].end and token.text[:1].isidentifier()
         if is_behind and gone[0].text[:1].isdigit():
             return f"'{shown(text[gone[0].start : token.end])}' is not a name"
-    return f"unexpected '{shown(text[gone[0].start : gone[-1].end])}'"
+    return f"unexpected '{shown(first_row(text, gone))}'"
+
+
+def _half_keyword(
+    text: str, tokens: Sequence[Token], gone: Sequence[Token], wanted: Sequence[str]
+) -> tuple[str, ...]:
+    """Return which keywords a word alone on its line may become."""
+    index = next(i for i, token in enumerate(tokens) if token is gone[0])
+    before, behind = tokens[:index][-1:], tokens[index + 1 :][:1]
+    is_first = not before or "\n" in text[before[0].end : gone[0].start]
+    is_last = not behind or "\n" in text[gone[0].end : behind[0].start]
+    is_word = gone[0].kind == "NAME" and (len(gone) == 1 or gone[1].kind == "}")
+    return nearest_words(gone[0].text, wanted) if is_first and is_last and is_word else ()
 
 
 def insertion_place(tokens: Sequence[Token], change: Change) -> int:
@@ -128,32 +151,44 @@ def insertion_place(tokens: Sequence[Token], change: Change) -> int:
     return tokens[index - 1].end if index > 0 else 0
 
 
-def _instead(change: Change, gone: Sequence[Token], text: str, moment: str) -> tuple[str, str]:
-    word = gone[0].text
+def _instead(change: Change, word: Word, gone: Sequence[Token], text: str) -> tuple[str, str]:
+    written = gone[0].text
     if change.kind == "INT":
-        return "KD005", f"id '{shown(word)}' is not a natural number"
-    near = None
-    if word not in KEYWORDS and word[:1].isidentifier():
-        near = nearest_word(word, SPELLINGS.get(change.kind, ()))
-    if near is not None:
-        return "KD010", f"unknown keyword '{shown(word)}', did you mean '{near}'"
-    return "KD001", f"expected {_called(change.kind, moment)} instead of '{shown(text)}'"
+        return "KD005", f"id '{shown(written)}' is not a natural number"
+    if word.near and written not in KEYWORDS:
+        return "KD010", unknown_keyword(written, word.near)
+    return "KD001", f"expected {_called(change.kind, word)} instead of '{shown(text)}'"
 
 
 def _lost(
-    read: Sequence[Token], tokens: Sequence[Token], change: Change, moment: str
+    read: Sequence[Token], tokens: Sequence[Token], change: Change, word: Word
 ) -> tuple[str, str]:
     if change.kind == "}":
         return "KD002", f"expected '}}' to close {opened_block(read)}"
-    what = _called(change.kind, moment)
+    what = _called(change.kind, word)
     if change.at > 0:
         before = tokens[change.at - 1].text
         return "KD001", f"expected {what} after '{shown(before)}'"
     return "KD001", f"expected {what} before '{shown(tokens[0].text)}'"
 
 
-def _called(kind: str, moment: str) -> str:
-    return f"'{moment}'" if kind == "MOMENT" else called(kind)
+def _called(kind: str, word: Word) -> str:
+    return f"'{word.text}'" if kind == "MOMENT" else called(kind)
+
+
+def _repairs(
+    text: str,
+    read: Sequence[Token],
+    tokens: Sequence[Token],
+    changes: Sequence[Change],
+    words: Sequence[Word],
+) -> tuple[Repair, ...]:
+    """Return the changes of the text to choose from, none where what to insert is not known."""
+    choices: list[Sequence[Word]] = [words]
+    if len(changes) == 1 and words[0].near:
+        choices = [[Word(near)] for near in words[0].near]
+    repairs = (_repair(text, read, tokens, changes, choice) for choice in choices)
+    return tuple(repair for repair in repairs if repair is not None)
 
 
 def _repair(
@@ -161,16 +196,23 @@ def _repair(
     read: Sequence[Token],
     tokens: Sequence[Token],
     changes: Sequence[Change],
-    moment: str,
+    words: Sequence[Word],
 ) -> Repair | None:
     """Return the change of the text, None where what to insert is not known."""
-    edits = []
-    for change in changes:
-        edit = _edit(text, read, tokens, change, moment)
+    edits: list[Edit] = []
+    for change, word in zip(changes, words, strict=True):
+        edit = _edit(text, read, tokens, change, word.text)
         if edit is None:
             return None
+        if edits and _is_removed_on(text, edits[-1], edit):
+            edit = Edit(edits.pop().start, edit.end, "")
         edits.append(edit)
     return Repair(_title(text, edits), tuple(edits), False)
+
+
+def _is_removed_on(text: str, last: Edit, edit: Edit) -> bool:
+    """Return whether an edit goes on removing what the last one removes, but for blanks."""
+    return not (last.text or edit.text or text[last.end : edit.start].strip())
 
 
 def _title(text: str, edits: Sequence[Edit]) -> str:
@@ -183,18 +225,16 @@ def _title(text: str, edits: Sequence[Edit]) -> str:
 
 
 def _edit(
-    text: str, read: Sequence[Token], tokens: Sequence[Token], change: Change, moment: str
+    text: str, read: Sequence[Token], tokens: Sequence[Token], change: Change, new: str
 ) -> Edit | None:
     if change.action == "delete":
         token = tokens[change.at]
         return Edit(token.start, token.end, "")
-    new = moment if change.kind == "MOMENT" else spelled(change.kind)
     if not new:
         return None
     if change.action == "replace":
         token = tokens[change.at]
-        near = nearest_word(token.text, SPELLINGS.get(change.kind, ()))
-        return Edit(token.start, token.end, near or new)
+        return Edit(token.start, token.end, new)
     position = tokens[change.at - 1].end if change.at > 0 else 0
     if change.kind == "}":
         return _closing_edit(text, read, position)

@@ -17,10 +17,10 @@ from kindsl.syntax.lost_heads import lost_head
 from kindsl.syntax.messages import closing_problem, leftover_problem, repair_problem
 from kindsl.syntax.preferences import moments_around, preferences
 from kindsl.syntax.repair import Change, Found, completion, search
+from kindsl.syntax.repair_words import fitting_words, is_alike, repair_words
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Node, Problem, Token
-from kindsl.syntax.words import SPELLINGS, supplied
-from kindsl.text.nearest import nearest_word
+from kindsl.syntax.words import BLOCK_STARTS, SPELLINGS, supplied
 
 MOST_PROBLEMS = 12
 _BACK = 4
@@ -58,8 +58,10 @@ def recover(text: str, tokens: Sequence[Token], *, is_cut: bool) -> Recovered:
         previous = island.nodes[-1].kind if island.nodes else ""
         block = island.lost or opening(island.tokens, island.index, previous)
         island.lost = None
-        if block is None or island.is_hopeless:
+        if island.is_hopeless:
             island.skip_rest()
+        elif block is None:
+            island.skip_to_block()
         else:
             island.open(block)
             _Block(island, block.start).read()
@@ -99,10 +101,27 @@ class _Island:
 
     def skip_rest(self) -> None:
         """Leave out what is left, with one message."""
-        rest = self.tokens[self.index :]
-        self.leftovers.append(leftover_problem(self.written, rest, self.text))
+        self._skip_to(len(self.tokens))
+
+    def skip_to_block(self) -> None:
+        """Leave out what stands before the next line that begins a block, with one message."""
+        for index in range(self.index + 1, len(self.tokens)):
+            between = self.text[self.tokens[index - 1].end : self.tokens[index].start]
+            if self.tokens[index].kind in BLOCK_STARTS and "\n" in between:
+                self._skip_to(index)
+                return
+        self.skip_rest()
+
+    def _skip_to(self, end: int) -> None:
+        rest = self.tokens[self.index : end]
+        self.tell_leftover(rest)
         self.skip(rest)
-        self.index = len(self.tokens)
+        self.index = end
+
+    def tell_leftover(self, rest: Sequence[Token]) -> None:
+        """Tell of tokens that belong to no block."""
+        previous = self.nodes[-1].kind if self.nodes else ""
+        self.leftovers.append(leftover_problem(self.written, rest, self.text, previous))
 
     def open(self, block: Opening) -> None:
         """Put the block's proper beginning in place of the written one."""
@@ -130,7 +149,7 @@ class _Block:
                 break
             if self._shift() or self._shift_dialect():
                 continue
-            if is_complete(self.stack, self.start) and opening(island.tokens, island.index):
+            if is_complete(self.stack, self.start) and self._is_at_end():
                 break
             if island.is_hopeless or not self._mend():
                 island.skip_rest()
@@ -153,6 +172,15 @@ class _Block:
         start = "" if is_closed else self.start
         lost = lost_head(start, self.read_tokens, island.tokens, island.index)
         return None if lost is not None and len(lost.replaces) > 1 and is_closed else lost
+
+    def _is_at_end(self) -> bool:
+        """Return whether another block begins, or a word that may become one stands alone."""
+        tokens, index = self.island.tokens, self.island.index
+        if opening(tokens, index) is not None:
+            return True
+        behind = tokens[index + 1].kind if index + 1 < len(tokens) else "}"
+        is_word = tokens[index].kind == "NAME" and behind in BLOCK_STARTS
+        return is_word and "\n" in self.island.text[self._end() : tokens[index].start]
 
     def _shift(self) -> bool:
         token = self.island.tokens[self.island.index]
@@ -202,17 +230,19 @@ class _Block:
 
     def _apply(self, found: Found) -> None:
         island = self.island
-        moment = _lost_moment(self.read_tokens, island.tokens, island.index)
+        present = moments_around(self.read_tokens, island.tokens, island.index)
+        words = repair_words(found.changes, island.tokens, present)
         self._unread(found.first)
         read = len(self.read_tokens)
-        for change in found.changes:
+        wanted: tuple[str, ...] = ()
+        for number, (change, word) in enumerate(zip(found.changes, words, strict=True)):
             while island.index < change.at:
                 self._shift()
-            if change is found.changes[0]:
-                read = len(self.read_tokens)
-            self._change(change, moment)
+            if number == 0:
+                read, wanted = len(self.read_tokens), fitting_words(self.stack)
+            self._change(change, word.text)
         before = self.read_tokens[:read]
-        problem = repair_problem(island.text, before, island.tokens, found.changes, moment)
+        problem = repair_problem(island.text, before, island.tokens, found.changes, words, wanted)
         is_leftover = all(change.action == "delete" for change in found.changes)
         (island.leftovers if is_leftover else island.problems).append(problem)
         self.history.clear()
@@ -227,7 +257,7 @@ class _Block:
             del self.island.written[-count:]
             self.island.index = index
 
-    def _change(self, change: Change, moment: str) -> None:
+    def _change(self, change: Change, word: str) -> None:
         island = self.island
         token = island.tokens[change.at] if change.action != "insert" else None
         if token is not None:
@@ -237,22 +267,18 @@ class _Block:
             return
         after = step(self.stack, change.kind)
         assert after is not None
-        new = self._new_token(change, token, moment)
+        new = self._new_token(change.kind, token, word)
         if token is not None and new.start == new.end:
             island.skip([token])
         self._take(new, after)
 
-    def _new_token(self, change: Change, token: Token | None, moment: str) -> Token:
+    def _new_token(self, kind: str, token: Token | None, word: str) -> Token:
         """Return the token that a change puts in."""
-        text = moment if change.kind == "MOMENT" else None
-        if token is None or not _is_alike(token, change.kind):
+        if token is None or not is_alike(token, kind):
             end = token.end if token is not None else self._end()
-            return supplied(change.kind, end, text)
-        if change.kind in SPELLINGS:
-            text = nearest_word(token.text, SPELLINGS[change.kind]) or text
-            new = supplied(change.kind, 0, text)
-            return Token(change.kind, new.text, token.lead, token.start, token.end)
-        return Token(change.kind, token.text, token.lead, token.start, token.end)
+            return supplied(kind, end, word)
+        text = word if kind in SPELLINGS else token.text
+        return Token(kind, text, token.lead, token.start, token.end)
 
     def _end(self) -> int:
         return self.island.written[-1].end if self.island.written else 0
@@ -264,7 +290,7 @@ class _Block:
             after = step(self.stack, island.tokens[index].kind)
             if after is not None and goes_on(after, island.tokens[index + 1 : index + 3]):
                 rest = island.tokens[island.index : index]
-                island.leftovers.append(leftover_problem(island.written, rest, island.text))
+                island.tell_leftover(rest)
                 island.skip(rest)
                 island.index = index
                 self.history.clear()
@@ -302,18 +328,3 @@ class _Block:
         trial.insert(place, supplied("}", self.read_tokens[place - 1].end))
         is_whole = build(trial, self.start).read == len(trial)
         return place if is_whole else len(self.read_tokens)
-
-
-def _is_alike(token: Token, kind: str) -> bool:
-    """Return whether a written token may stand in the tree for one of another kind."""
-    if kind in SPELLINGS or kind == "NAME":
-        return token.text[:1].isidentifier()
-    if kind in ("FLOAT", "INT"):
-        return False
-    return len(token.text) == 1 and not token.text.isidentifier()
-
-
-def _lost_moment(read: Sequence[Token], tokens: Sequence[Token], index: int) -> str:
-    present = moments_around(read, tokens, index)
-    names = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")
-    return next((name for name in names if name not in present), "Ix")

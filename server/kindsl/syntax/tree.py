@@ -124,6 +124,7 @@ class Problem(NamedTuple):
         start: Code points from the island's start.
         end: End, exclusive.
         repair: What would mend it, where that is known.
+        choices: What would mend it where two things may be meant; then there is no `repair`.
     """
 
     code: str
@@ -131,6 +132,7 @@ class Problem(NamedTuple):
     start: int
     end: int
     repair: Repair | None = None
+    choices: tuple[Repair, ...] = ()
 
 
 class Island:

@@ -1,5 +1,7 @@
 """What the kinds of tokens are called, and the words they stand for."""
 
+from collections.abc import Sequence
+
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Token
 
@@ -48,3 +50,24 @@ def shown(text: str) -> str:
     line = " ".join(text.split())
     line = "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in line)
     return line if len(line) <= 40 else line[:37] + "..."
+
+
+def first_row(text: str, tokens: Sequence[Token]) -> str:
+    """Return what stands on the line of the first token, up to the next brace."""
+    last = tokens[0]
+    for token in tokens[1:]:
+        if token.kind in ("{", "}") or last.kind in ("{", "}") or _is_apart(text, last, token):
+            break
+        last = token
+    return text[tokens[0].start : last.end]
+
+
+def unknown_keyword(written: str, meant: Sequence[str]) -> str:
+    """Return the message about a word that is near to keywords."""
+    near = " or ".join(f"'{word}'" for word in meant)
+    return f"unknown keyword '{shown(written)}', did you mean {near}"
+
+
+def _is_apart(text: str, last: Token, token: Token) -> bool:
+    between = text[last.end : token.start]
+    return "\n" in between or "\r" in between

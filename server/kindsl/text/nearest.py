@@ -5,7 +5,7 @@ that all know, keywords and options, may also be abbreviated. Names that people 
 those that differ in their numbers only mean different things.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from math import inf
 
 _MOST_LETTERS = 40
@@ -27,22 +27,39 @@ def is_near(word: str, other: str) -> bool:
     return _remoteness(word, other) < inf
 
 
+def nearest_words(word: str, vocabulary: Iterable[str]) -> tuple[str, ...]:
+    """Return all words of a fixed vocabulary that are near and nearest, in the alphabet's order."""
+    found = sorted((_remoteness(word, other), other) for other in vocabulary)
+    return tuple(other for near, other in found if near == found[0][0] < inf)
+
+
 def nearest_name(name: str, known: Iterable[str]) -> str | None:
     """Return the nearest of the names that somebody gave, None where none is near.
 
     Of equally near names it is the first.
     """
-    best, least = None, inf
+    return next(iter(nearest_names(name, known)), None)
+
+
+def nearest_names(name: str, known: Iterable[str]) -> tuple[str, ...]:
+    """Return all names that are near and nearest, in the order in which they are known."""
+    best: dict[str, None] = {}
+    least = inf
     for other in known:
         remoteness = _slips_of(name, other, least)
-        if remoteness < least and not _is_numbered_alike(name, other):
-            best, least = other, remoteness
-    return best
+        if remoteness > least or remoteness == inf or _is_numbered_alike(name, other):
+            continue
+        if remoteness < least:
+            best, least = {}, remoteness
+        best[other] = None
+    return tuple(best)
 
 
-def hint(meant: str | None, after: str = ";") -> str:
+def hint(meant: str | Sequence[str] | None, after: str = ";") -> str:
     """Return the end of a message, empty where nothing is meant."""
-    return f"{after} did you mean '{meant}'?" if meant else ""
+    words = [meant] if isinstance(meant, str) else meant or ()
+    quoted = " or ".join(f"'{word}'" for word in words)
+    return f"{after} did you mean {quoted}?" if quoted else ""
 
 
 def slips(left: str, right: str, most: float) -> float:

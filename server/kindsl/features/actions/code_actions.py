@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator
 from weakref import WeakKeyDictionary
 
 from kindsl.analysis.analysis import Analysis
-from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.analysis.diagnostics import Diagnostic, TextFix
 from kindsl.analysis.fixing import disjoint_fixes
 from kindsl.features.actions.action import CodeAction
 from kindsl.features.actions.add_sections import add_missing, add_sections
@@ -50,7 +50,7 @@ def code_actions(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, 
 def quick_fixes(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, ...]:
     """Return the fixes of the findings that touch a range."""
     touched = _touched(analysis, start, end)
-    fixes = [_fix(finding) for finding in touched if finding.fix is not None]
+    fixes = [_fix(finding, fix) for finding in touched for fix in _fixes_of(finding)]
     omitted = [d for d in touched if d.code == _OMITTED and d.fix is None]
     additions = [
         action._replace(kind=QUICK_FIX, diagnostics=(finding,))
@@ -68,9 +68,11 @@ def fix_all_action(analysis: Analysis) -> CodeAction | None:
     return CodeAction("Fix all that is safe to fix", FIX_ALL, edits) if edits else None
 
 
-def _fix(finding: Diagnostic) -> CodeAction:
-    fix = finding.fix
-    assert fix is not None
+def _fixes_of(finding: Diagnostic) -> tuple[TextFix, ...]:
+    return finding.choices if finding.fix is None else (finding.fix,)
+
+
+def _fix(finding: Diagnostic, fix: TextFix) -> CodeAction:
     return CodeAction(fix.title, QUICK_FIX, fix.edits, (finding,), is_preferred=fix.is_safe)
 
 

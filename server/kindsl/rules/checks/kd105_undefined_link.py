@@ -13,8 +13,8 @@ children { foream via elbow }
 where the link is called `forearm`.
 
 ## Fix
-Writes the name that is probably meant, turns the pair round, or else adds a link of that name.
-Unsafe: each is a guess.
+Writes the name that is probably meant (of equally near names one is to be chosen), turns the pair
+round, or else adds a link of that name. Unsafe: each is a guess.
 """
 
 from collections.abc import Iterator
@@ -23,7 +23,7 @@ from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.new_blocks import new_link
-from kindsl.rules.reference_defects import reference_defects, suggestion
+from kindsl.rules.reference_defects import reference_defects, suggestions
 from kindsl.semantics.declarations import Child
 from kindsl.semantics.model import Model
 from kindsl.text.nearest import hint
@@ -35,16 +35,20 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
     idle = [str(body.name) for body in defects.idle_links]
     for number, edge in enumerate(defects.undefined_links):
         name = edge.child.link
-        meant = suggestion(name, number, idle, (str(body.name) for body in model.links))
+        meant = suggestions(name, number, idle, (str(body.name) for body in model.links))
         message = f"link '{name}' does not exist{hint(meant)}"
-        yield Finding(name, message, fix=_rename(edge.child, meant) or new_link(model, name))
+        choices = tuple(_rename(edge.child, each) for each in meant)
+        if len(choices) > 1:
+            yield Finding(name, message, choices=choices)
+        else:
+            yield Finding(name, message, fix=choices[0] if choices else new_link(model, name))
     for edge in defects.swapped:
         message = f"'{edge.child.link}' is a joint and '{edge.child.joint}' is a link"
         yield Finding(edge.child, message, fix=_swap(edge.child))
 
 
-def _rename(child: Child, meant: str | None) -> Fix | None:
-    return Fix(f"Change to '{meant}'", (Change(child.link, meant),)) if meant else None
+def _rename(child: Child, meant: str) -> Fix:
+    return Fix(f"Replace '{child.link}' with '{meant}'", (Change(child.link, meant),))
 
 
 def _swap(child: Child) -> Fix:

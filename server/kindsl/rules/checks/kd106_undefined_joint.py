@@ -13,8 +13,8 @@ children { forearm via elbwo }
 where the joint is called `elbow`.
 
 ## Fix
-Writes the name that is probably meant, or else adds a revolute joint of that name. Unsafe: each is
-a guess.
+Writes the name that is probably meant (of equally near names one is to be chosen), or else adds a
+revolute joint of that name. Unsafe: each is a guess.
 """
 
 from collections.abc import Iterator
@@ -23,7 +23,7 @@ from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.new_blocks import new_joint
-from kindsl.rules.reference_defects import reference_defects, suggestion
+from kindsl.rules.reference_defects import reference_defects, suggestions
 from kindsl.semantics.declarations import Child
 from kindsl.semantics.model import Model
 from kindsl.text.nearest import hint
@@ -35,13 +35,17 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
     idle = [str(joint.name) for joint in defects.idle_joints]
     for number, edge in enumerate(defects.undefined_joints):
         name = edge.child.joint
-        meant = suggestion(name, number, idle, (str(joint.name) for joint in model.joints))
+        meant = suggestions(name, number, idle, (str(joint.name) for joint in model.joints))
         message = f"joint '{name}' does not exist{hint(meant)}"
-        yield Finding(name, message, fix=_rename(edge.child, meant) or new_joint(model, name))
+        choices = tuple(_rename(edge.child, each) for each in meant)
+        if len(choices) > 1:
+            yield Finding(name, message, choices=choices)
+        else:
+            yield Finding(name, message, fix=choices[0] if choices else new_joint(model, name))
 
 
-def _rename(child: Child, meant: str | None) -> Fix | None:
-    return Fix(f"Change to '{meant}'", (Change(child.joint, meant),)) if meant else None
+def _rename(child: Child, meant: str) -> Fix:
+    return Fix(f"Replace '{child.joint}' with '{meant}'", (Change(child.joint, meant),))
 
 
 def _arm(joint: str, joints: str) -> str:

@@ -41,7 +41,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
             known = {str(frame.name) for frame in model.frames}
         if name not in known and not _may_be_lost(model, body, name):
             meant = nearest_name(name, (str(frame.name) for frame in body.frames))
-            fix = Fix(f"Change to '{meant}'", (Change(name, meant),)) if meant else None
+            fix = Fix(f"Replace '{name}' with '{meant}'", (Change(name, meant),)) if meant else None
             message = f"link '{body.name}' has no frame '{name}'{hint(meant)}"
             yield Finding(name, message, fix=fix)
 

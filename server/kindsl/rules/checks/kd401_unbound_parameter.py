@@ -28,7 +28,7 @@ number is to be replaced by the right one.
 from collections.abc import Iterator
 
 from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
-from kindsl.rules.broken_text import is_doubtful
+from kindsl.rules.broken_text import is_doubtful, is_greek_pi
 from kindsl.rules.context import ROBCOGEN2, Context
 from kindsl.rules.examples import joint
 from kindsl.semantics.model import Model
@@ -41,7 +41,7 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     for parameter in model.parameters:
         name = str(parameter.name)
         is_known = name in context.values or name in model.body_named or name in model.joint_named
-        if not is_known and not is_doubtful(parameter):
+        if not is_known and not is_doubtful(parameter) and not is_greek_pi(name):
             message = f"parameter '{parameter.name}' ({parameter.kind}) has no value"
             fix = _default(parameter) if context.targets == {ROBCOGEN2} else None
             yield Finding(parameter.name, message, fix=fix)

@@ -33,7 +33,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
             known = (str(other.name) for other in model.constants if other.definitions)
             meant = nearest_name(name, known)
             changes = tuple(Change(use.name, meant) for use in constant.uses) if meant else ()
-            fix = Fix(f"Change to '{meant}'", changes) if meant else None
+            fix = Fix(f"Replace '{name}' with '{meant}'", changes) if meant else None
             yield Finding(name, f"constant '{name}' has no value{hint(meant)}", fix=fix)
 
 

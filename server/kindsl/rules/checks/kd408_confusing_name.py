@@ -1,12 +1,13 @@
 """A name in a value that is easily taken for something else.
 
 ## What it does
-Reports `pi`, `Pi` and `pI`, a parameter with the name of a link or a joint, and a parameter
-whose name begins with `pi` where the document is not for one target alone.
+Reports `pi`, `Pi` and `pI`, `π` where it has no value, a parameter with the name of a link or a
+joint, and a parameter whose name begins with `pi` where the document is not for one target alone.
 
 ## Why is this bad?
 `pi` is a parameter of that name for RobCoGen and the number for RobCoGen2: one text with two
-meanings. Of `pitch` RobCoGen2 reads `pi` and stops at `tch`.
+meanings. Of `pitch` RobCoGen2 reads `pi` and stops at `tch`. `π` is a parameter like any other, so
+whoever means the number gets an angle that somebody else decides.
 
 ## Example
 ```kindsl
@@ -20,11 +21,11 @@ Writes `PI`. Unsafe: for RobCoGen the parameter ceases to be.
 from collections.abc import Iterator
 
 from kindsl.rules.base import Change, Example, Finding, Fix, Related, Rule, Severity
-from kindsl.rules.broken_text import is_doubtful
+from kindsl.rules.broken_text import is_doubtful, is_greek_pi
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint
 from kindsl.semantics.model import Model
-from kindsl.semantics.places import Place
+from kindsl.semantics.places import Located, Place
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
@@ -34,6 +35,11 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
         if is_doubtful(parameter):
             continue
         name = str(parameter.name)
+        if is_greek_pi(name) and name not in context.values:
+            message = f"'{name}' is a parameter, not the constant PI"
+            for use in parameter.uses:
+                yield Finding(use.name, message, fix=_replacement(use.name, name))
+            continue
         other = model.body_named.get(name) or model.joint_named.get(name)
         if other is not None:
             what = "link" if name in model.body_named else "joint"
@@ -57,7 +63,11 @@ def _small_pi(model: Model) -> Iterator[Finding]:
 
 def _ambiguous(place: Place, text: str) -> Finding:
     message = f"'{text}' is a parameter for robcogen and the number for robcogen2"
-    return Finding(place, message, fix=Fix("Change to 'PI'", (Change(place, "PI"),)))
+    return Finding(place, message, fix=_replacement(place, text))
+
+
+def _replacement(place: Located, text: str) -> Fix:
+    return Fix(f"Replace '{text}' with 'PI'", (Change(place, "PI"),))
 
 
 RULE = Rule(
@@ -70,6 +80,10 @@ RULE = Rule(
         Example(
             joint("elbow", rotation="pi/2.0, 0.0, 0.0"),
             fixed=joint("elbow", rotation="PI/2.0, 0.0, 0.0"),
+        ),
+        Example(
+            joint("elbow", rotation="-π/2.0, 0.0, 0.0"),
+            fixed=joint("elbow", rotation="-PI/2.0, 0.0, 0.0"),
         ),
         joint("elbow", rotation="elbow, 0.0, 0.0"),
         joint("elbow", rotation="0.0, pitch, 0.0"),
