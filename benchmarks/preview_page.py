@@ -4,6 +4,8 @@
 
 Robots are exported by both versions and drawn by one Chromium, in software: draw calls, the median
 time of a frame while the robot is turned, and the time from opening a page to its first picture.
+Of 1,000 links also: a frame while it is turned, a step of scrolling through the tree, and how many
+elements the page has.
 """
 
 import argparse
@@ -26,6 +28,7 @@ from kindsl.preview.screenshot import find_browser  # noqa: E402
 
 SIZE = {"width": 1280, "height": 800}
 MOST_CALLS = 25
+MOST_ELEMENTS = 2000
 LEAST_GAIN = 5.0
 LINKS = {"frame": 200, "first picture": 1000}
 FRAMES = """(count) => {
@@ -44,6 +47,17 @@ FRAMES = """(count) => {
   }
   return { times: times.slice(1), calls: viewer.renderer.info.render.calls };
 }"""
+SCROLL = """(steps) => {
+  const tree = document.getElementById("tree"), times = [];
+  for (let i = 1; i <= steps; i++) {
+    const start = performance.now();
+    tree.scrollTop = (i * tree.scrollHeight) / steps;
+    tree.dispatchEvent(new Event("scroll"));
+    tree.getBoundingClientRect();
+    times.push(performance.now() - start);
+  }
+  return { times, elements: document.querySelectorAll("*").length };
+}"""
 IS_DRAWN = """() => typeof kindsl !== "undefined" && kindsl.scene.poses.robot
   && kindsl.scene.poses.robot.links.size > 0
   && [...document.querySelectorAll(".label")].some((label) => label.style.visibility === "visible")
@@ -52,11 +66,13 @@ EXPORT = "import sys; from kindsl.cli.main import main; sys.exit(main(sys.argv[1
 
 
 class Picture(NamedTuple):
-    """What was measured of a page: draw calls, and milliseconds."""
+    """What was measured of a page: draw calls, milliseconds, elements."""
 
     calls: int
     frame: float
     first: float
+    scroll: float
+    elements: int
 
 
 def main() -> int:
@@ -84,7 +100,8 @@ def measured(browser: Browser, folder: Path, version: Path, count: int) -> dict[
         command = [sys.executable, "-c", EXPORT, "preview", str(document), "--export", str(page)]
         environment = {"PYTHONPATH": str(version / "server"), "PATH": "/usr/bin:/bin"}
         subprocess.run(command, check=True, env=environment, timeout=300)
-        found[what] = drawn(browser, page, count if what == "frame" else 0)
+        is_timed = what == "frame" or version == ROOT
+        found[what] = drawn(browser, page, count if is_timed else 0)
     return found
 
 
@@ -94,17 +111,23 @@ def drawn(browser: Browser, file: Path, count: int) -> Picture:
     page.goto(file.as_uri())
     first = page.wait_for_function(IS_DRAWN, timeout=900_000).json_value()
     frames = page.evaluate(FRAMES, count) if count else {"calls": 0, "times": [0.0]}
+    is_listed = page.evaluate("document.getElementById('tree') !== null")
+    rows = page.evaluate(SCROLL, 20) if is_listed else {"times": [0.0], "elements": 0}
     page.close()
-    return Picture(frames["calls"], statistics.median(frames["times"]), first)
+    medians = [statistics.median(each["times"]) for each in (frames, rows)]
+    return Picture(frames["calls"], medians[0], first, medians[1], rows["elements"])
 
 
 def tell(results: list[dict[str, Picture]]) -> int:
     ours = results[0]
     calls = ours["frame"].calls
-    is_good = calls <= MOST_CALLS
+    many = ours["first picture"]
+    is_good = calls <= MOST_CALLS and many.elements < MOST_ELEMENTS
     print(f"draw calls of 200 links: {calls} (limit {MOST_CALLS})")
     print(f"frame of 200 links: {ours['frame'].frame:.0f} ms")
-    print(f"first picture of 1,000 links: {ours['first picture'].first:.0f} ms")
+    print(f"first picture of 1,000 links: {many.first:.0f} ms, a frame {many.frame:.0f} ms in "
+          f"{many.calls} draw calls, a scroll of the tree {many.scroll:.1f} ms, "
+          f"{many.elements} elements (limit {MOST_ELEMENTS})")  # fmt: skip
     if len(results) == 2:
         other = results[1]
         gain = other["frame"].frame / ours["frame"].frame

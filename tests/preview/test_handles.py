@@ -19,116 +19,125 @@ from kindsl.analysis.analysis import analyse
 from kindsl.preview.server import PreviewServer
 
 
-@pytest.fixture
-async def owner(request):
-    owner = Owner(request.param)
+@pytest.fixture(scope="module")
+async def opened_once(browser):
+    """Yield one page for all tests, and who owns its document."""
+    owner = Owner(ARM)
     await owner.server.start()
-    yield owner
+    async with opened(browser, await owner.show()) as page:
+        await until_shown(page, "Arm")
+        yield owner, page
     await owner.server.stop()
 
 
+@pytest.fixture
+async def arm(opened_once):
+    """Yield the owner and the page as at first."""
+    owner, page = opened_once
+    await owner.show(ARM)
+    await page.evaluate(AS_AT_FIRST)
+    return owner, page
+
+
+AS_AT_FIRST = """() => {
+  kindsl.selection.choose(null);
+  kindsl.editing.choose("move");
+  kindsl.actions.zero();
+}"""
 QUADRUPED = (EXAMPLES / "quadruped.kindsl").read_text()
 # x and the newest z are one line, so two rings lie in one plane.
 LOCKED = ARM.replace("rotation = (PI/2.0, 0.0, 0.0)", "rotation = (0.3, PI/2.0, 0.4)", 1)
 
 
 @pytest.mark.parametrize(
-    ("owner", "name", "joint"),
-    [(QUADRUPED, "Quadruped", "LF_HFE"), (LOCKED, "Arm", "shoulder")],
-    indirect=["owner"],
+    ("text", "name", "joint", "components"),
+    [(QUADRUPED, "Quadruped", "LF_HFE", ("x", "ry")), (LOCKED, "Arm", "shoulder", COMPONENTS)],
     ids=["quadruped", "gimbal-lock"],
 )
-async def test_each_handle_writes_its_own_number_and_undo_restores(browser, owner, name, joint):
-    async with opened(browser, await owner.show()) as page:
-        await until_shown(page, name)
-        await grasp(page, "joint", joint)
-        for component in COMPONENTS:
-            assert await drag(page, component)
-            await eventually(lambda: owner.text != owner.first)
-            assert len(changed(owner.first, owner.text)) == 1, component
-            assert owner.labels[-1] == f"Set {component} of joint '{joint}'"
-            await take_back(page, owner)
+async def test_each_handle_writes_its_own_number_and_undo_restores(
+    arm, text, name, joint, components
+):
+    owner, page = arm
+    await owner.show(text)
+    await until_shown(page, name)
+    await grasp(page, "joint", joint)
+    for component in components:
+        assert await drag(page, component)
+        await eventually(lambda: owner.text != owner.first)
+        assert len(changed(owner.first, owner.text)) == 1, component
+        assert owner.labels[-1] == f"Set {component} of joint '{joint}'"
+        await take_back(page, owner)
 
 
-@pytest.mark.parametrize("owner", [ARM], indirect=True)
-async def test_escape_writes_nothing_and_puts_all_back(browser, owner):
-    async with opened(browser, await owner.show()) as page:
-        await until_shown(page, "Arm")
-        await grasp(page, "joint", "lift")
-        before = await page.evaluate(PLACE, ["joints", "lift"])
-        ((x0, y0), (x1, y1)), share = (await page.evaluate(LINES))["x"], 0.7
-        await page.mouse.move(x0 + share * (x1 - x0), y0 + share * (y1 - y0))
-        await page.mouse.down()
-        await page.mouse.move(x1 + (x1 - x0), y1 + (y1 - y0))
-        await page.wait_for_function(
-            "() => document.querySelector('#editing output').textContent.includes('→')"
-        )
-        await page.keyboard.press("Escape")
-        await page.mouse.up()
-        await page.wait_for_function("() => !kindsl.editing.isWaiting")
-        assert owner.text == ARM
-        assert await page.evaluate(PLACE, ["joints", "lift"]) == pytest.approx(before, abs=0.5)
+async def test_escape_writes_nothing_and_puts_all_back(arm):
+    owner, page = arm
+    await grasp(page, "joint", "lift")
+    before = await page.evaluate(PLACE, ["joints", "lift"])
+    ((x0, y0), (x1, y1)), share = (await page.evaluate(LINES))["x"], 0.7
+    await page.mouse.move(x0 + share * (x1 - x0), y0 + share * (y1 - y0))
+    await page.mouse.down()
+    await page.mouse.move(x1 + (x1 - x0), y1 + (y1 - y0))
+    await page.wait_for_function(
+        "() => document.querySelector('#editing output').textContent.includes('→')"
+    )
+    await page.keyboard.press("Escape")
+    await page.mouse.up()
+    await page.wait_for_function("() => !kindsl.editing.isWaiting")
+    assert owner.text == ARM
+    assert await page.evaluate(PLACE, ["joints", "lift"]) == pytest.approx(before, abs=0.5)
 
 
-@pytest.mark.parametrize("owner", [ARM], indirect=True)
-async def test_a_number_is_typed_and_an_arrow_key_nudges(browser, owner):
-    async with opened(browser, await owner.show()) as page:
-        await until_shown(page, "Arm")
-        await grasp(page, "joint", "lift")
-        await page.fill("#editing .number-row.x input >> nth=0", "55 cm")
-        await page.keyboard.press("Enter")
-        await eventually(lambda: "(0.55, 0.0, 0.0)" in owner.text)
-        await page.wait_for_function("() => !kindsl.editing.isWaiting")
-        await page.focus(".handle[data-component=y]")
-        await page.keyboard.press("ArrowUp")
-        await eventually(lambda: "(0.55, 0.01, 0.0)" in owner.text)
-        await page.keyboard.press("r")
-        await page.wait_for_selector(".handle[data-component=ry]", state="attached")
-        await page.click("[data-mode=move]")
-        await page.wait_for_selector(".handle[data-component=ry]", state="detached")
+async def test_a_number_is_typed_and_an_arrow_key_nudges(arm):
+    owner, page = arm
+    await grasp(page, "joint", "lift")
+    await page.fill("#editing .number-row.x input >> nth=0", "55 cm")
+    await page.keyboard.press("Enter")
+    await eventually(lambda: "(0.55, 0.0, 0.0)" in owner.text)
+    await page.wait_for_function("() => !kindsl.editing.isWaiting")
+    await page.focus(".handle[data-component=y]")
+    await page.keyboard.press("ArrowUp")
+    await eventually(lambda: "(0.55, 0.01, 0.0)" in owner.text)
+    await page.keyboard.press("r")
+    await page.wait_for_selector(".handle[data-component=ry]", state="attached")
+    await page.click("[data-mode=move]")
+    await page.wait_for_selector(".handle[data-component=ry]", state="detached")
 
 
-@pytest.mark.parametrize("owner", [ARM], indirect=True)
-async def test_a_finger_drags_a_handle(browser, owner):
-    async with opened(browser, await owner.show()) as page:
-        await until_shown(page, "Arm")
-        await grasp(page, "joint", "lift")
-        (x0, y0), (x1, y1) = (await page.evaluate(LINES))["x"]
-        eye = await page.evaluate("KindslAddress.eyeText(kindsl.camera.state())")
-        shares = (0.7, 0.8, 1.0, 1.3)
-        await touch(page, [(x0 + s * (x1 - x0), y0 + s * (y1 - y0)) for s in shares])
-        await eventually(lambda: owner.text != ARM)
-        ((old, _),) = changed(ARM, owner.text)
-        assert old == "0.4"
-        assert await page.evaluate("KindslAddress.eyeText(kindsl.camera.state())") == eye
+async def test_a_finger_drags_a_handle(arm):
+    owner, page = arm
+    await grasp(page, "joint", "lift")
+    (x0, y0), (x1, y1) = (await page.evaluate(LINES))["x"]
+    eye = await page.evaluate("KindslAddress.eyeText(kindsl.camera.state())")
+    shares = (0.7, 0.8, 1.0, 1.3)
+    await touch(page, [(x0 + s * (x1 - x0), y0 + s * (y1 - y0)) for s in shares])
+    await eventually(lambda: owner.text != ARM)
+    ((old, _),) = changed(ARM, owner.text)
+    assert old == "0.4"
+    assert await page.evaluate("KindslAddress.eyeText(kindsl.camera.state())") == eye
 
 
-@pytest.mark.parametrize("owner", [ARM], indirect=True)
-async def test_dragging_a_link_moves_its_joint_and_never_the_text(browser, owner):
-    async with opened(browser, await owner.show()) as page:
-        await until_shown(page, "Arm")
-        await grasp(page, "com", "upper")
-        x, y = await page.evaluate(BARE, "upper")
-        await page.mouse.move(x, y)
-        await page.mouse.down()
-        for step in range(1, 6):
-            await page.mouse.move(x, y - 12 * step)
-        await page.mouse.up()
-        assert abs(await page.evaluate("() => kindsl.scene.q.get('shoulder') || 0")) > 0.05
-        assert owner.text == ARM
+async def test_dragging_a_link_moves_its_joint_and_never_the_text(arm):
+    owner, page = arm
+    await grasp(page, "com", "upper")
+    x, y = await page.evaluate(BARE, "upper")
+    await page.mouse.move(x, y)
+    await page.mouse.down()
+    for step in range(1, 6):
+        await page.mouse.move(x, y - 12 * step)
+    await page.mouse.up()
+    assert abs(await page.evaluate("() => kindsl.scene.q.get('shoulder') || 0")) > 0.05
+    assert owner.text == ARM
 
 
-@pytest.mark.parametrize("owner", [ARM], indirect=True)
-async def test_a_child_is_a_ghost_until_it_is_accepted(browser, owner):
-    async with opened(browser, await owner.show()) as page:
-        await until_shown(page, "Arm")
-        await page.evaluate("() => kindsl.selection.choose({ kind: 'link', name: 'slider' })")
-        await page.click("[data-gesture=add-child]")
-        await page.wait_for_function("() => kindsl.scene.trees.ghost.links.size > 0")
-        assert owner.text == ARM
-        await page.click("#editing output button:text('Accept')")
-        await eventually(lambda: "link link1" in owner.text)
-        await page.wait_for_function("() => kindsl.scene.trees.robot.links.has('link1')")
+async def test_a_child_is_a_ghost_until_it_is_accepted(arm):
+    owner, page = arm
+    await page.evaluate("() => kindsl.selection.choose({ kind: 'link', name: 'slider' })")
+    await page.click("[data-gesture=add-child]")
+    await page.wait_for_function("() => kindsl.scene.trees.ghost.links.size > 0")
+    assert owner.text == ARM
+    await page.click("#editing output button:text('Accept')")
+    await eventually(lambda: "link link1" in owner.text)
+    await page.wait_for_function("() => kindsl.scene.trees.robot.links.has('link1')")
 
 
 async def test_without_an_owner_there_are_no_handles(browser):
