@@ -88,6 +88,13 @@ vsix: $(STAMP)
 playground: $(TOOLS)
 	cd web && npm ci --ignore-scripts --no-audit --no-fund --silent && PYTHON=$(abspath $(BIN))/python npm run --silent playground
 
+# The documentation as one static folder, dist/site, with the playground if that is built.
+.PHONY: site
+site: $(TOOLS)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[site]'
+	$(BIN)/python docs/site/build.py
+	@echo "Read it with: python3 -m http.server --bind 127.0.0.1 --directory dist/site"
+
 demo-web: playground
 	@echo "The playground, on this machine only; Ctrl-C stops it."
 	$(BIN)/python web/serve.py dist/playground

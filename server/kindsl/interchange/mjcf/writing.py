@@ -100,7 +100,7 @@ def _inertial(bodies: Bodies, body: int) -> dict[str, str]:
     lowest, middle, highest = np.linalg.eigvalsh(I)
     missing = max(_LEAST - lowest, highest - lowest - middle, 0.0)
     moves = body > 0 or bodies.is_floating
-    if moves and (missing > _LEAST + _ROUNDING * abs(highest) or bodies.masses[body] < 0.0):
+    if moves and (missing > 2.0 * _LEAST + _ROUNDING * abs(highest) or bodies.masses[body] < 0.0):
         raise FormatError(_impossible(bodies, body, (lowest, middle, highest)))
     I = I + (missing + DUST if missing else 0.0) * np.eye(3)  # noqa: E741
     moments = [I[0, 0], I[1, 1], I[2, 2], I[0, 1], I[0, 2], I[1, 2]]
