@@ -108,7 +108,8 @@ def test_linting_imports_nothing_slow(folder: Path) -> None:
         "import sys\nfrom kindsl.cli.lint import main\nmain(['a.kindsl'])\n"
         "slow = {'numpy', 'lark', 'pygls', 'json', 'dataclasses', 'logging', 'tomllib', 'pathspec',"
         " 'importlib.metadata', 'asyncio', 'multiprocessing', 'difflib', 'tempfile', 'inspect',"
-        " 'subprocess', 'xml', 'shutil', 'tomlkit'}\n"
+        " 'subprocess', 'xml', 'shutil', 'tomlkit', 'kindsl.syntax.mending',"
+        " 'kindsl.rules.inertia.repairs'}\n"
         "print(sorted(slow & set(sys.modules)))"
     )
     assert run(sys.executable, "-I", "-S", "-c", _with_path(code)).stdout == "[]\n"

@@ -1,7 +1,6 @@
 """Findings that a mistake of syntax explains: their section was repaired to be read."""
 
 from kindsl.rules.base import Finding
-from kindsl.syntax.mending import is_repaired
 from kindsl.syntax.tree import Island, Node, Token
 
 _KEY = "repaired spans"
@@ -27,6 +26,9 @@ def _repaired_spans(island: Island) -> list[tuple[int, int]]:
 
 def _spans(island: Island, block: Node) -> list[tuple[int, int]]:
     """Return the spans of a block's repaired head and sections; a nameless block whole."""
+    # Imported for broken islands only, since it delays the linter's start.
+    from kindsl.syntax.mending import is_repaired
+
     skipped = [token.start for token in island.skipped]
     head = [child for child in block.children[:4] if isinstance(child, Token)]
     if len(head) > _NAME_PLACE and head[_NAME_PLACE].is_missing:
