@@ -1,5 +1,7 @@
 """What MJCF can say and the language can hold, or cannot: read, told or refused in one sentence."""
 
+import random
+import re
 from pathlib import Path
 
 import mujoco
@@ -7,6 +9,7 @@ import numpy as np
 import pytest
 from tests.interchange.mujoco_agreement import gap
 from tests.interchange.round_trips import mechanism_of, read
+from tests.support.urdf_mutants import mutant
 
 from kindsl.interchange.format import FormatError, ReadRobot
 from kindsl.interchange.kindsl_writing import kindsl_text, renamed
@@ -99,6 +102,27 @@ def test_what_cannot_be_held_is_refused(old: str, new: str, message: str, tmp_pa
     with pytest.raises(FormatError, match=f"^{message}$") as caught:
         robot(ARM.replace(old, new), tmp_path)
     assert "\n" not in str(caught.value) and not str(caught.value).endswith(".")
+
+
+def test_number_that_is_none_is_refused_and_leaves_no_log(
+    tmp_path: Path, capfd, monkeypatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(FormatError, match="'upper' has a number that is not finite"):
+        robot(ARM.replace('pos="0.1 0.2 0.3"', 'pos="0.1 nan 0.3"'), tmp_path)
+    assert [path.name for path in tmp_path.iterdir()] == ["robot.xml"]
+    assert capfd.readouterr() == ("", "")
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_mutant_is_read_or_refused(seed: int, tmp_path: Path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    try:
+        text = kindsl_text(robot(mutant(ARM, random.Random(seed)), tmp_path).robot)
+    except FormatError as error:
+        assert re.fullmatch(r"[^\n]+[^.\n]", str(error))
+    else:
+        assert "nan" not in text and "inf" not in text.replace("inertia", "")
 
 
 LOSSY = ARM.replace(

@@ -1,10 +1,13 @@
 """What SDF can say and the language can hold, or cannot: read, told or refused in one sentence."""
 
+import random
+import re
 from pathlib import Path
 
 import numpy as np
 import pytest
 from tests.interchange.round_trips import mechanism_of, read
+from tests.support.urdf_mutants import mutant
 
 from kindsl.interchange.format import FormatError, ReadRobot
 from kindsl.interchange.kindsl_writing import kindsl_text
@@ -85,6 +88,16 @@ def test_what_cannot_be_held_is_refused(old: str, new: str, message: str, tmp_pa
     with pytest.raises(FormatError, match=f"^{message}$") as caught:
         robot(ARM.replace(old, new), tmp_path)
     assert "\n" not in str(caught.value) and not str(caught.value).endswith(".")
+
+
+@pytest.mark.parametrize("seed", range(100))
+def test_mutant_is_read_or_refused(seed: int, tmp_path: Path) -> None:
+    try:
+        text = kindsl_text(robot(mutant(ARM, random.Random(seed)), tmp_path).robot)
+    except FormatError as error:
+        assert re.fullmatch(r"[^\n]+[^.\n]", str(error))
+    else:
+        assert "nan" not in text and "inf" not in text.replace("inertia", "")
 
 
 def test_each_loss_is_one_sentence(tmp_path: Path) -> None:

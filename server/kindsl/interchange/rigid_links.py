@@ -10,6 +10,7 @@ from typing import Literal
 
 import numpy as np
 
+from kindsl.interchange.format import FormatError
 from kindsl.interchange.robot_description import (
     DescribedFrame,
     DescribedLink,
@@ -22,6 +23,7 @@ from kindsl.spatial.inertia import move_inertia
 LinkJoint = Literal["", "fixed", "revolute", "prismatic"]
 BaseKind = Literal["fixed", "floating"]
 IDENTITY = np.eye(4)
+_GREATEST = 1e60
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -69,7 +71,12 @@ def described(name: str, base: BaseKind, links: Sequence[RigidLink]) -> RobotDes
         name: The robot's name.
         base: Whether the root is free to move.
         links: The root first, parents before children.
+
+    Raises:
+        FormatError: A number is not finite, or beyond all measure.
     """
+    for link in links:
+        _check_finite(link)
     bodies: list[_Body] = []
     placed: dict[int, tuple[int, Array]] = {}
     for index in _depth_first(links):
@@ -95,6 +102,16 @@ def fixed_remarks(links: Sequence[RigidLink], noun: str) -> Iterator[str]:
     without = [link.name for link in links if _moves(link) and link.name not in carriers]
     for name in without:
         yield f"the {noun} '{name}' has no inertia"
+
+
+def _check_finite(link: RigidLink) -> None:
+    numbers = [link.axis, link.parent_T_joint, link.joint_T_link]
+    numbers += [frame.link_T_frame for frame in link.frames]
+    if link.mass_properties is not None:
+        body = link.mass_properties
+        numbers += [np.array([body.mass]), body.com, body.inertia]
+    if not all((np.abs(array) < _GREATEST).all() for array in numbers):
+        raise FormatError(f"'{link.name}' has a number that is not finite")
 
 
 def _moves(link: RigidLink) -> bool:

@@ -58,11 +58,23 @@ def checked_text(text: str) -> None:
 
 
 def _told(action: Callable[[], Any], failure: str) -> Any:
-    """Return what an action returns; MuJoCo's complaint is told as one sentence."""
+    """Return what an action returns; MuJoCo's complaint is told as one sentence.
+
+    Warnings, which MuJoCo prints and appends to a file in the current folder, are dropped: what
+    they are about is checked afterwards.
+    """
     import mujoco
 
+    former = mujoco.get_mju_user_warning()
+    mujoco.set_mju_user_warning(_unheard)
     try:
         return action()
     except (ValueError, mujoco.FatalError) as error:
         reason = " ".join(str(error).split()).rstrip(".")
         raise FormatError(f"{failure}: {reason}") from error
+    finally:
+        mujoco.set_mju_user_warning(former)
+
+
+def _unheard(text: str) -> None:
+    del text
