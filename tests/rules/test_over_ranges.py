@@ -57,3 +57,18 @@ def test_ten_ranges_are_no_hindrance() -> None:
     found = analyse(document_of_bodies([section]), Settings(bindings=bindings)).findings
     (told,) = [f for f in found if f.code == "KD411"]
     assert "physically impossible at p0 = " in told.message
+
+
+def test_what_is_not_known_is_not_called_impossible() -> None:
+    for place in range(8):
+        written = ["1.0", "0.0", "0.0", "0.0", "0.1", "0.1", "0.1", "0.0"]
+        written[place] = "unbound"
+        inertia = inertia_of(SECTION % tuple(written))
+        assert is_possible(inertia, {})
+        assert over_ranges(inertia, {"other": (0.0, 1.0)}, {}).outcome is Outcome.POSSIBLE
+
+
+def test_a_body_without_mass_is_impossible() -> None:
+    for mass in ("0.0", "-1.0", "m"):
+        inertia = inertia_of(SECTION % (mass, "0.0", "0.0", "0.0", "0.1", "0.1", "0.1", "0.0"))
+        assert not is_possible(inertia, {"m": 0.0})

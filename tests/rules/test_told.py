@@ -1,0 +1,43 @@
+"""Powers of ten in words and titles are those that put the numbers right."""
+
+from fractions import Fraction
+
+import pytest
+
+from kindsl.rigid.body import MassDistribution
+from kindsl.rules.inertia.slips import Hypothesis, Slip
+from kindsl.rules.inertia.told import clause, title
+
+BODY = MassDistribution(1.0, (0.0, 0.0, 0.0), (1.0, 1.0, 1.0, 0.0, 0.0, 0.0))
+RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+POWERS = [power for power in range(-12, 13) if power]
+
+
+def scaled(slip: Slip, power: int, unit: str = "") -> Hypothesis:
+    return Hypothesis((slip,), BODY, BODY, 1.0, power=power, unit=unit)
+
+
+@pytest.mark.parametrize("power", POWERS)
+def test_a_title_names_the_power(power: int) -> None:
+    told = title(scaled(Slip.SCALE, power))
+    assert told.startswith("Multiply the moments by 10")
+    assert int(told.removeprefix("Multiply the moments by 10").translate(RAISED)) == power
+
+
+@pytest.mark.parametrize("power", POWERS)
+@pytest.mark.parametrize(("slip", "what"), [(Slip.SCALE, "moments"), (Slip.MASS, "mass")])
+def test_a_clause_names_the_factor(slip: Slip, what: str, power: int) -> None:
+    told = clause(scaled(slip, power))
+    if slip is Slip.MASS and power == -3:
+        assert told == "the mass were in g"
+        return
+    head, number = told.rsplit(" ", 1)
+    factor = Fraction(int(number)) if "multiplied" in told else 1 / Fraction(int(number))
+    assert head in (f"the {what} were multiplied by", f"the {what} were divided by")
+    assert factor == Fraction(10) ** power and int(number) > 1
+
+
+def test_a_unit_is_named_instead() -> None:
+    of_unit = scaled(Slip.SCALE, -9, "g·mm²")
+    assert clause(of_unit) == "the moments were in g·mm²"
+    assert title(of_unit) == "Convert the moments to kg·m²"
