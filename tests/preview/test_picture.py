@@ -37,6 +37,11 @@ def test_the_last_complete_version_stays(broken):
     assert drawn.message.endswith("the last complete version is shown")
 
 
+def test_a_pair_that_lacks_a_name_is_told_by_the_other():
+    drawn = picture_of(BROKEN_ARM, last_good=skeleton_of(ARM))
+    assert drawn.message == "Link 'slider' has no joint: the last complete version is shown"
+
+
 def test_what_there_is_is_shown_where_nothing_was_before():
     drawn = picture_of(ARM.replace("children {}", "children { upper via lift }"))
     assert drawn.skeleton.link_names == ("upper", "slider")

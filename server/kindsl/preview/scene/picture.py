@@ -82,10 +82,11 @@ def _defect(model: Model) -> str:
     if model.tree.loops:
         return "the links form a kinematic loop"
     for edge in model.tree.edges:
+        link, joint = str(edge.child.link), str(edge.child.joint)
         if edge.link is None:
-            return f"there is no link '{edge.child.link}'"
+            return f"there is no link '{link}'" if link else f"joint '{joint}' has no link"
         if edge.joint is None:
-            return f"there is no joint '{edge.child.joint}'"
+            return f"there is no joint '{joint}'" if joint else f"link '{link}' has no joint"
     if any(link not in model.tree.reachable for link in model.links):
         lost = "the document has syntax errors"
         return lost if model.broken_islands else "some links are not connected to the base"
