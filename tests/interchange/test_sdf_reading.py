@@ -74,7 +74,7 @@ def test_world_is_the_base_of_what_turns_on_it(tmp_path: Path) -> None:
         ("<parent>upper</parent>", "", "line 8: <joint name='slider'> has no <parent>"),
         ("<parent>upper<", "<parent>uper<", ".*names 'uper', .*; did you mean 'upper'."),
         ("<child>lower<", "<child>upper<", ".*gives link 'upper' a second parent.*'shoulder'"),
-        ("<parent>base<", "<parent>lower<", ".*in a loop of joints.*"),
+        ("<parent>base<", "<parent>lower<", ".*in a kinematic loop.*"),
         ('relative_to="upper"', 'relative_to="lower"', ".*relative to itself: lower -> lower"),
         ("<mass>2<", "<mass>two<", "line 4: <mass> has 'two', which is not a finite number"),
         ("0.1 0 0 0 0 0", "0.1 0", "line 6: <pose> has 2 numbers, not 6"),

@@ -31,7 +31,9 @@ def losses(spec: Any) -> Iterator[str]:
     """
     _check_equalities(spec)
     if len(spec.flexes):
-        raise FormatError("the MJCF has a deformable body (flex), which the language cannot hold")
+        raise FormatError(
+            "the MJCF has a deformable body (flex), which the language does not support"
+        )
     for name, noun in _DROPPED:
         if n := len(getattr(spec, name)):
             yield f"{counted(n, noun)} dropped: not supported"
@@ -79,7 +81,9 @@ def check_joints(model: Any) -> None:
     for joint in range(model.njnt):
         if model.jnt_type[joint] == _BALL:
             name = model.joint(joint).name
-            raise FormatError(f"the joint '{name}' is a ball joint, which the language has not")
+            raise FormatError(
+                f"the joint '{name}' is a ball joint, which the language does not support"
+            )
 
 
 def _strip_assets(spec: Any) -> None:
@@ -100,7 +104,9 @@ def _strip_assets(spec: Any) -> None:
 def _check_equalities(spec: Any) -> None:
     for equality in spec.equalities:
         if _kind(equality) in _LOOPS:
-            raise FormatError(f"{_told(equality)} closes a loop, which the language cannot hold")
+            raise FormatError(
+                f"{_told(equality)} closes a kinematic loop, which the language does not support"
+            )
 
 
 def _told(equality: Any) -> str:

@@ -138,7 +138,7 @@ def _impossible(bodies: Bodies, body: int, moments: tuple[float, ...]) -> str:
 def _mass_remarks(bodies: Bodies) -> Iterator[str]:
     for name, mass in zip(bodies.link_names, bodies.masses[1:], strict=True):
         if not mass:
-            yield f"the link '{name}' has no mass: MuJoCo moves none, so it has {DUST:g} kg there"
+            yield f"the link '{name}' has no mass: written with {DUST:g} kg, which MuJoCo requires"
 
 
 def _remarks(bodies: Bodies) -> Iterator[str]:

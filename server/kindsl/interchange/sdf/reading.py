@@ -106,7 +106,9 @@ def _root(model: Any, joints: Mapping[str, Any]) -> tuple[str, bool]:
     if len(free) + bool(on_world) != 1:
         roots = [*(["the world"] if on_world else []), *(f"'{name}'" for name in free)]
         if not roots:
-            raise FormatError("the joints of the SDF close a loop, which the language cannot hold")
+            raise FormatError(
+                "the joints of the SDF close a kinematic loop, which the language does not support"
+            )
         number = f"{len(roots)} root links, exactly one root link is required"
         raise FormatError(f"the SDF has {number}: {listed(roots[:5])}")
     if not on_world:
@@ -135,7 +137,7 @@ def _links(model: Any, graph: FrameGraph, joints: Mapping[str, Any], start: str)
     if len(links) != len(elements) + (start == WORLD):
         reached = {link.name for link in links}
         lost = next(name for name in elements if name not in reached)
-        raise defect(elements[lost], "is in a loop of joints, which the language cannot hold")
+        raise defect(elements[lost], "is in a kinematic loop, which the language does not support")
     return links
 
 

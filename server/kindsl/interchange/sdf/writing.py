@@ -44,7 +44,7 @@ def written_sdf(name: str, bodies: Bodies) -> WrittenRobot:
         element = added(model, "frame", name=names["frame", frame.name], attached_to=attached)
         _add_pose(element, frame.body_R_frame, frame.body_r_frame)
     renamed = (
-        f"the {kind} '{old}' is now '{new}': SDF wants one name for one thing"
+        f"the {kind} '{old}' is now '{new}': names are unique in SDF"
         for (kind, old), new in names.items()
         if old not in (new, WORLD) or (old == WORLD and kind != "joint")
     )
