@@ -4,6 +4,7 @@ import itertools
 import random
 import re
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 from tests.support.models import Style, random_model
@@ -11,6 +12,7 @@ from tests.support.mutants import lumps, mutants
 
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.analysis.fixing import is_mendable, mended
 from kindsl.analysis.settings import Settings
 from kindsl.semantics.parameters import Binding
 from kindsl.syntax.document import parse
@@ -151,3 +153,11 @@ def test_syntax_error_silences_nothing_elsewhere() -> None:
     for mutant in random.Random(13).sample(list(mutants(seeded)), 250):
         if not names & mutant.touched and mutant.kind != "truncate":
             assert any(f.code in ("KD101", "KD102", "KD105") for f in remarks(mutant.text)), mutant
+
+
+def test_a_fix_gives_no_joint_to_two_pairs() -> None:
+    good = (Path(__file__).parents[2] / "examples" / "quadruped.kindsl").read_text()
+    text = re.sub(r"r_joint R[FH]_HAA \{.*?\n\}\n", "", good, flags=re.DOTALL)
+    assert [f.code for f in remarks(text)] == ["KD106", "KD106"]
+    result = mended(analyse(text, SETTINGS), is_mendable).analysis
+    assert "KD205" not in {finding.code for finding in result.findings}

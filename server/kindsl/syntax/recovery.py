@@ -9,11 +9,10 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from kindsl.syntax.automaton import Stack, initial, is_complete, step
-from kindsl.syntax.block_kinds import Opening, opening
+from kindsl.syntax.block_kinds import Opening, lost_head, opening
 from kindsl.syntax.builder import build
 from kindsl.syntax.dialect import goes_on, unglued
 from kindsl.syntax.indentation import lost_closing
-from kindsl.syntax.lost_heads import lost_head
 from kindsl.syntax.messages import closing_problem, leftover_problem, repair_problem
 from kindsl.syntax.preferences import moments_around, preferences
 from kindsl.syntax.repair import Change, Found, completion, search

@@ -13,8 +13,8 @@ children { foream via elbow }
 where the link is called `forearm`.
 
 ## Fix
-Writes the name that is probably meant (of equally near names one is to be chosen), turns the pair
-round, or else adds a link of that name. Unsafe: each is a guess.
+Writes the name that is probably meant if no other pair has it (of equally near names one is to be
+chosen), turns the pair round, or else adds a link of that name. Unsafe: each is a guess.
 """
 
 from collections.abc import Iterator
@@ -33,6 +33,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each reference to a link that does not exist."""
     defects = reference_defects(model)
     idle = [str(body.name) for body in defects.idle_links]
+    free = set(idle)
     for number, edge in enumerate(defects.undefined_links):
         name = edge.child.link
         meant = suggestions(name, number, idle, (str(body.name) for body in model.links))
@@ -41,7 +42,9 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         if len(choices) > 1:
             yield Finding(name, message, choices=choices)
         else:
-            yield Finding(name, message, fix=choices[0] if choices else new_link(model, name))
+            is_free = bool(meant) and meant[0] in free
+            free.discard(meant[0] if meant else "")
+            yield Finding(name, message, fix=choices[0] if is_free else new_link(model, name))
     for edge in defects.swapped:
         message = f"'{edge.child.link}' is a joint and '{edge.child.joint}' is a link"
         yield Finding(edge.child, message, fix=_swap(edge.child))

@@ -13,8 +13,8 @@ children { forearm via elbwo }
 where the joint is called `elbow`.
 
 ## Fix
-Writes the name that is probably meant (of equally near names one is to be chosen), or else adds a
-revolute joint of that name. Unsafe: each is a guess.
+Writes the name that is probably meant if no other pair has it (of equally near names one is to be
+chosen), or else adds a revolute joint of that name. Unsafe: each is a guess.
 """
 
 from collections.abc import Iterator
@@ -33,6 +33,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each reference to a joint that does not exist."""
     defects = reference_defects(model)
     idle = [str(joint.name) for joint in defects.idle_joints]
+    free = set(idle)
     for number, edge in enumerate(defects.undefined_joints):
         name = edge.child.joint
         meant = suggestions(name, number, idle, (str(joint.name) for joint in model.joints))
@@ -41,7 +42,9 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         if len(choices) > 1:
             yield Finding(name, message, choices=choices)
         else:
-            yield Finding(name, message, fix=choices[0] if choices else new_joint(model, name))
+            is_free = bool(meant) and meant[0] in free
+            free.discard(meant[0] if meant else "")
+            yield Finding(name, message, fix=choices[0] if is_free else new_joint(model, name))
 
 
 def _rename(child: Child, meant: str) -> Fix:
