@@ -6,11 +6,9 @@ They are put right before the search for repairs, which would see several mistak
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from kindsl.syntax.foreign_relations import without_relatives
-from kindsl.syntax.foreign_words import in_our_words
+from kindsl.syntax.foreign_words import in_our_words, without_relatives
 from kindsl.syntax.forms import form_kind, kinds_accepted_by
-from kindsl.syntax.half_children import with_whole_children
-from kindsl.syntax.half_values import VECTOR, half_vector, with_whole_sections
+from kindsl.syntax.half_written import VECTOR, half_vector, with_whole_children, with_whole_sections
 from kindsl.syntax.obsolete_forms import in_todays_forms
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
 from kindsl.syntax.words import SPELLINGS, supplied
