@@ -21,11 +21,9 @@ vim.cmd("edit shin.kindsl")
 local function found() return #vim.diagnostic.get(0) > 0 end
 vim.wait(20000, found, 20)
 for _, each in ipairs(vim.diagnostic.get(0)) do io.stdout:write(each.message .. "\\n") end
-local shown
-print = function(text) shown = text end
 vim.cmd("KindslPreview")
-vim.wait(20000, function() return shown ~= nil end, 20)
-io.stdout:write(tostring(shown) .. "\\n")
+vim.wait(20000, function() return vim.g.kindsl_preview ~= nil end, 20)
+io.stdout:write(tostring(vim.g.kindsl_preview) .. "\\n")
 vim.cmd("qa!")
 """
 
@@ -86,6 +84,7 @@ def require(editor: str) -> str:
 def run(folder: Path, *command: str) -> str:
     """Run an editor with the language server on its path; return what it prints."""
     shutil.copy(GUIDE / "shin.kindsl", folder)
+    (folder / "kindsl").symlink_to(GUIDE.parents[1])
     search = f"{BIN}{os.pathsep}{os.environ['PATH']}"
     places = {"HOME": str(folder), "XDG_STATE_HOME": str(folder), "XDG_CACHE_HOME": str(folder)}
     done = subprocess.run(
@@ -98,9 +97,11 @@ def run(folder: Path, *command: str) -> str:
 
 def test_neovim(tmp_path: Path) -> None:
     neovim = require("nvim")
-    given = block(SETTINGS, "lua", "nvim_create_autocmd") + block(USAGE, "lua", "KindslPreview")
-    (tmp_path / "init.lua").write_text(given + NEOVIM)
-    printed = run(tmp_path, neovim, "--headless", "--clean", "-c", "luafile init.lua")
+    path = block(SETTINGS, "lua", "runtimepath").splitlines()[0]
+    given = f"{path}\n{block(SETTINGS, 'lua', 'start_client')}"
+    (tmp_path / "init.lua").write_text(given)
+    (tmp_path / "use.lua").write_text(NEOVIM)
+    printed = run(tmp_path, neovim, "--headless", "-u", "init.lua", "-c", "luafile use.lua")
     assert "not positive definite" in printed, printed
     assert "http://127.0.0.1:" in printed, printed
 
@@ -109,7 +110,7 @@ def test_emacs(tmp_path: Path) -> None:
     emacs = require("emacs")
     start = "(when (< emacs-major-version 29) (package-initialize))\n"
     start += "(require 'eglot)\n"
-    given = block(SETTINGS, "elisp", "kindsl-mode") + block(USAGE, "elisp", "kindsl-preview")
+    given = block(SETTINGS, "elisp", "kindsl-mode")
     (tmp_path / "init.el").write_text(start + given + EMACS)
     printed = run(tmp_path, emacs, "-q", "--batch", "-l", "init.el")
     if "Cannot open load file" in printed:
@@ -121,10 +122,12 @@ def test_emacs(tmp_path: Path) -> None:
 
 def test_vim_with_ale(tmp_path: Path) -> None:
     vim = require("vim")
-    begin = "set nocompatible noswapfile viminfo=\nfiletype plugin on\nsilent! packadd! ale\n"
+    begin = "set nocompatible noswapfile viminfo=\nsilent! packadd! ale\n"
     absent = "empty(globpath(&runtimepath, 'autoload/ale/linter.vim'))"
     leave = f"if {absent}\n  call writefile([], 'no-ale')\n  qa!\nendif\n"
-    (tmp_path / "vimrc").write_text(begin + leave + block(SETTINGS, "vim", "ale#linter"))
+    (tmp_path / "vimrc").write_text(
+        begin + leave + block(SETTINGS, "vim", "ale_completion_enabled")
+    )
     (tmp_path / "use.vim").write_text(VIM)
     printed = run(tmp_path, vim, "-es", "-u", "vimrc", "-S", "use.vim")
     if (tmp_path / "no-ale").exists():

@@ -3,16 +3,13 @@
 (when (< emacs-major-version 29) (package-initialize))
 (require 'eglot)
 (require 'flymake)
-(require 'json)
-
-(define-derived-mode kindsl-mode prog-mode "Kinematics-DSL")
-(add-to-list 'auto-mode-alist '("\\.kindsl\\'" . kindsl-mode))
-(add-to-list 'eglot-server-programs
-             (cons 'kindsl-mode (append (json-read-from-string (getenv "KINDSL_SERVER")) nil)))
+(load (getenv "KINDSL_MODE"))
+(defvar shown-address nil)
 (setq eglot-sync-connect 20
       flymake-no-changes-timeout 0.1
       eglot-confirm-server-initiated-edits nil
-      make-backup-files nil)
+      make-backup-files nil
+      browse-url-browser-function (lambda (url &rest _) (setq shown-address url)))
 
 (defvar all-is-well t)
 
@@ -36,6 +33,10 @@
   (search-forward text))
 
 (with-current-buffer (find-file-noselect (getenv "KINDSL_DOCUMENT"))
+  (step "filetype" (eq major-mode 'kindsl-mode))
+  (font-lock-ensure)
+  (at "\nlink ")
+  (step "syntax" (eq (get-text-property (- (point) 2) 'face) 'font-lock-keyword-face))
   (apply #'eglot--connect (eglot--guess-contact))
   (step "attached" (eglot-managed-p))
   (flymake-mode 1)
@@ -68,10 +69,20 @@
                                         :arguments (vector uri number)))))
     (wait-for (lambda () (not (equal before (buffer-string)))))
     (step "set" (and (eq t (plist-get answer :applied))
-                     (string-match-p "translation = (0.0, 0.0, 0.6)" (buffer-string))))
+                     (string-match-p "translation = (height, 0.0, 0.6)" (buffer-string))))
     (undo-boundary)
     (undo)
     (step "undone" (equal before (buffer-string))))
+  (let ((formatted (buffer-string)))
+    (indent-rigidly (point-min) (point-max) -8)
+    (indent-region (point-min) (point-max))
+    (step "indent" (string= formatted (buffer-string))))
+  (at "link forearm {")
+  (comment-region (line-beginning-position) (line-end-position))
+  (step "comments" (string-match-p "\n// link forearm {" (buffer-string)))
+  (uncomment-region (line-beginning-position) (line-end-position))
+  (step "preview" (and (string-match-p "^http://127.0.0.1:" (kindsl-preview))
+                       (or (null shown-address) (string-prefix-p "http://" shown-address))))
   (at "missing via")
   (delete-region (line-beginning-position) (1+ (line-end-position)))
   (eglot--signal-textDocument/didChange)

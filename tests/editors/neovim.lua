@@ -1,17 +1,16 @@
 -- Attaches to the language server as docs/editors.md says, then uses it like a hand would.
 -- Prints one line `name: true|false ...` a step; quits with an error if one is false.
 vim.opt.swapfile = false
-local command = vim.fn.json_decode(vim.env.KINDSL_SERVER)
+vim.cmd("filetype plugin indent on | syntax on")
 
-vim.api.nvim_create_autocmd({ "BufRead", "BufNewFile" }, {
-  pattern = "*.kindsl",
-  command = "setfiletype kinematics-dsl",
-})
 vim.api.nvim_create_autocmd("FileType", {
-  pattern = "kinematics-dsl",
+  pattern = "kindsl",
   callback = function(event)
-    local root = vim.fn.fnamemodify(event.file, ":p:h")
-    local config = { name = "kindsl", cmd = command, root_dir = root }
+    local config = {
+      name = "kindsl",
+      cmd = { "kindsl-language-server" },
+      root_dir = vim.fn.fnamemodify(event.file, ":p:h"),
+    }
     if vim.lsp.start then
       vim.lsp.start(config)
     else
@@ -50,6 +49,10 @@ local function apply(edit)
 end
 
 vim.cmd("edit " .. vim.env.KINDSL_DOCUMENT)
+step("filetype", vim.bo.filetype == "kindsl", vim.bo.filetype)
+step("comments", vim.bo.commentstring == "// %s", vim.bo.commentstring)
+local group = vim.fn.synIDattr(vim.fn.synID(vim.fn.search("^link"), 1, 1), "name")
+step("syntax", group == "kindslBlock", group)
 step("diagnostic", wait(function() return #vim.diagnostic.get(0) > 0 end))
 for _, found in ipairs(vim.diagnostic.get(0)) do
   io.stdout:write(("  %d:%d %s %s\n"):format(found.lnum + 1, found.col + 1, found.source, found.message))
@@ -76,10 +79,20 @@ local answer = ask("workspace/executeCommand", 0, 0, {
 })
 local is_set = wait(function() return text() ~= before end)
 local is_one = vim.fn.undotree().seq_last == steps + 1
-local written = text():find("translation = (0.0, 0.0, 0.6)", 1, true) ~= nil
+local written = text():find("translation = (height, 0.0, 0.6)", 1, true) ~= nil
 vim.cmd("undo")
 step("set", answer ~= nil and answer.applied and is_set and written)
 step("undone", is_one and text() == before)
+
+local formatted = text()
+vim.cmd("silent %left")
+vim.cmd("silent normal! gg=G")
+step("indent", text() == formatted, text())
+
+vim.cmd("KindslPreview")
+step("preview", wait(function()
+  return (vim.g.kindsl_preview or ""):find("^http://127%.0%.0%.1:%d+/") ~= nil
+end))
 
 local line = vim.fn.search("missing via")
 vim.api.nvim_buf_set_lines(0, line - 1, line, false, {})
