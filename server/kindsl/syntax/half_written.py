@@ -13,6 +13,7 @@ from kindsl.syntax.words import called, shown, supplied
 VECTOR = ("(", "FLOAT", ",", "FLOAT", ",", "FLOAT", ")")
 _VECTORS = frozenset({"CoM", "translation", "rotation"})
 _SCALARS = {"mass": "FLOAT", "MOMENT": "FLOAT", "id": "INT"}
+_OWNERS = {"translation": "frame", "rotation": "frame", "id": "link"}
 _BEFORE_SECTIONS = frozenset({"{", "}", ")", "FLOAT", "INT"})
 _IN_VECTORS = frozenset("*/-,") | {
     "FLOAT",
@@ -64,16 +65,33 @@ def half_vector(text: str, tokens: Sequence[Token], index: int) -> HalfVector | 
 def with_whole_sections(text: str, tokens: Sequence[Token], problems: list[Problem]) -> list[Token]:
     """Return tokens with `=` and a value behind keywords that stand alone; tell of each."""
     found: list[Token] = []
+    opened: list[str] = []
     for index, token in enumerate(tokens):
         found.append(token)
+        if token.kind == "{":
+            opened.append(_owner(tokens, index))
+        elif token.kind == "}" and opened:
+            opened.pop()
         value = VECTOR if token.kind in _VECTORS else _SCALARS.get(token.kind)
-        if value is None or not _stands_alone(text, tokens, index):
+        if value is None or opened[-1:] != [_OWNERS.get(token.kind, "inertia")]:
+            continue
+        if not _stands_alone(text, tokens, index):
             continue
         message = f"expected '=' after '{shown(token.text)}'"
         problems.append(Problem("KD001", message, token.end, token.end))
         kinds = ("=", *value) if isinstance(value, tuple) else ("=", value)
         found += [supplied(kind, token.end) for kind in kinds]
     return found
+
+
+def _owner(tokens: Sequence[Token], brace: int) -> str:
+    """Return the kind of block that a brace opens, as far as sections of values stand in it."""
+    before = [token.kind for token in tokens[max(brace - 2, 0) : brace]]
+    if before[-1:] == ["INERTIA"]:
+        return "inertia"
+    if before[:1] in (["link"], ["JOINT_KIND"]):
+        return "link"
+    return "frame" if before[-1:] in (["ref_frame"], ["NAME"]) else ""
 
 
 def _is_line_end(text: str, tokens: Sequence[Token], index: int) -> bool:
