@@ -69,6 +69,20 @@ def test_joints_not_yet_used_come_first():
     assert labels(ARM.replace("lower via elbow", "lower via sh$0")) == ["shoulder"]
 
 
+@pytest.mark.parametrize("n_links", range(1, 4))
+def test_a_new_joint_is_named_after_the_child_it_is_typed_for(n_links):
+    names = [f"part_{letter}" for letter in "abc"[:n_links]]
+    for typed in names:
+        links = "".join(
+            f"link {name} {{ id = {number} "
+            f"children {{ {'gadget via $0' if name == typed else ''} }} frames {{ }} }}\n"
+            for number, name in enumerate(names, 1)
+        )
+        children = " ".join(f"{name} via {name}_axis" for name in names)
+        text = f"Robot R {{\nRobotBase b {{ children {{ {children} }} }}\n{links}}}"
+        assert labels(text)[0] == "gadget_joint"
+
+
 def test_own_frames_stand_behind_ref_frame():
     assert labels(PARAMETRIC.replace("ref_frame = grip", "ref_frame = $0")) == ["grip"]
 
