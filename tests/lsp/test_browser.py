@@ -74,6 +74,15 @@ async def client():
     return Client()
 
 
+async def test_nothing_goes_on_when_all_is_answered(client):
+    """Else the memory image could not be made: whoever makes it would wait for ever."""
+    await client.open(TEXT)
+    await client.ask("textDocument/diagnostic", {"textDocument": {"uri": URI}})
+    async with asyncio.timeout(10):
+        while len(asyncio.all_tasks()) > 1:
+            await asyncio.sleep(0.01)
+
+
 async def test_it_finds_what_the_linter_finds(client):
     await client.open(TEXT)
     method = "textDocument/publishDiagnostics"

@@ -43,7 +43,7 @@ def start(post: PostText) -> Callable[[str], bool]:
         params = f'{{"document":{json.dumps(document)},"messages":[{",".join(messages)}]}}'
         server.protocol.notify_encoded(PREVIEW_MESSAGES, Encoded(params))
 
-    server = KindslLanguageServer(Surroundings(InlineWorker(), new_previews))
+    server = KindslLanguageServer(Surroundings(InlineWorker(), new_previews, has_files=False))
     server.session.loop = asyncio.get_event_loop()
     server.protocol.set_writer(_PostingWriter(post))
 

@@ -40,7 +40,8 @@ async def initialized(session: Session, _: types.InitializedParams) -> None:
     if registrations:
         params = types.RegistrationParams(registrations)
         await asked(session.editor.client_register_capability_async(params))
-    start_task(watch_disk(session, session.publisher, lambda: refresh(session)))
+    if session.surroundings.has_files:
+        start_task(watch_disk(session, session.publisher, lambda: refresh(session)))
     await ask_for_settings(session)
 
 

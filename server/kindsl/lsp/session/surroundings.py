@@ -16,10 +16,12 @@ class Surroundings(NamedTuple):
         worker: Does the long work.
         new_previews: Makes what shows documents and tells what was clicked and dragged; raises
             ImportError if something is not installed.
+        has_files: Whether others than the client may write the files that are read.
     """
 
     worker: Worker
     new_previews: "Callable[[OnReveal, OnEdit], DocumentPreviews]"
+    has_files: bool = True
 
 
 def process() -> Surroundings:
