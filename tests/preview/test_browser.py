@@ -1,5 +1,7 @@
 """The page in a real browser: what is drawn, moved, clicked, and kept."""
 
+import asyncio
+
 import numpy as np
 import pytest
 from tests.preview.browser import (
@@ -343,7 +345,9 @@ async def test_the_saved_version_is_a_ghost_behind_the_edited_one(browser, serve
         server.saved("arm.kindsl")
         await show(server, LONGER_ARM)
         await until(page, "kindsl.scene.trees.ghost.links.size === 3")
-        assert (await page.evaluate(PAINTED))["ghost"] > 50
+        async with asyncio.timeout(30):
+            while (await page.evaluate(PAINTED))["ghost"] <= 50:
+                await asyncio.sleep(0.05)
         ghost = await page.evaluate("kindsl.scene.poses.ghost.links.get('slider')[12]")
         assert ghost == pytest.approx(0.4)
         server.saved("arm.kindsl")
