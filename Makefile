@@ -88,9 +88,9 @@ vsix: $(STAMP)
 playground: $(TOOLS)
 	cd web && npm ci --ignore-scripts --no-audit --no-fund --silent && PYTHON=$(abspath $(BIN))/python npm run --silent playground
 
-# The documentation as one static folder, dist/site, with the playground if that is built.
+# The documentation and the playground as one static folder, dist/site.
 .PHONY: site
-site: $(TOOLS)
+site: playground
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[site]'
 	$(BIN)/python docs/site/build.py
 	@echo "Read it with: python3 -m http.server --bind 127.0.0.1 --directory dist/site"
