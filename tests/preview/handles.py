@@ -85,12 +85,12 @@ async def grasp(page: Page, kind: str, name: str) -> None:
     """Choose a thing, seen from where the camera stands at first."""
     await page.set_viewport_size(SMALL)
     await page.wait_for_function(IS_FRAMED, arg=SMALL["height"])
-    await page.keyboard.press("7")
     await page.evaluate(
         "(thing) => kindsl.selection.choose(thing)",
         {"kind": "link" if kind == "com" else kind, "name": name},
     )
     await page.wait_for_function(IS_GRASPED, arg=[kind, name])
+    await page.keyboard.press("7")
 
 
 async def drag(page: Page, component: str, share: float = 0.6) -> bool:

@@ -21,8 +21,7 @@ def test_a_slider_moves_the_robot(workbench: Workbench) -> None:
     frame = workbench.preview_frame()
     before = settled_picture(frame)
     set_slider(frame, "elbow", 1.2)
-    frame.wait_for_timeout(500)
-    assert settled_picture(frame) != before
+    workbench.eventually(lambda: settled_picture(frame) != before, "the moved robot")
     workbench.screenshot("preview-moved")
 
 
@@ -64,9 +63,9 @@ def test_a_pinned_panel_stays(workbench: Workbench) -> None:
 
 
 def test_the_panel_comes_back_after_a_server_restart(workbench: Workbench) -> None:
-    workbench.preview_frame()
+    before = workbench.preview_frame().url
     workbench.run("Kinematics-DSL: Restart Server")
-    workbench.page.wait_for_timeout(1500)
+    workbench.eventually(lambda: workbench.preview_frame().url != before, "another server's page")
     expect_robot(workbench, "arm")
 
 

@@ -5,11 +5,11 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from playwright.sync_api import Frame, Locator, Page, TimeoutError, expect
+from playwright.sync_api import Error, Frame, Locator, Page, TimeoutError, expect
 from tests.vscode.code_server import ROOT, CodeServer
 
 SHOTS = ROOT / "artifacts" / "vscode"
-TIMEOUT = 30_000
+TIMEOUT = 60_000
 START_TIMEOUT = 90_000
 
 
@@ -166,10 +166,9 @@ class Workbench:
 
         def find() -> Frame | None:
             frames = [frame for frame in self.page.frames if "token=" in frame.url]
-            return frames[-1] if frames else None
+            return frames[-1] if frames and _is_drawing(frames[-1]) else None
 
         frame: Frame = self.eventually(find, "the frame of the preview")
-        frame.wait_for_selector("canvas", timeout=TIMEOUT)
         return frame
 
     def screenshot(self, name: str) -> Path:
@@ -178,3 +177,11 @@ class Workbench:
         path = SHOTS / f"{name}.png"
         self.page.screenshot(path=path)
         return path
+
+
+def _is_drawing(frame: Frame) -> bool:
+    """Return whether a page shows its picture; not one that VS Code has just replaced."""
+    try:
+        return frame.locator("canvas").first.is_visible()
+    except Error:
+        return False

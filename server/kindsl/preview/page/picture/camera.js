@@ -141,9 +141,10 @@ const KindslCamera = (() => {
       return { target, distance: Math.max(...needed, 0.1 * this.scene.model.size) };
     }
 
-    // Where the robot reaches to; inertia does not count.
+    // Where the robot reaches to now, also before it is drawn; inertia does not count.
     points() {
-      const { poses, trees, model } = this.scene;
+      this.scene.update();
+      const { poses, model } = this.scene;
       const points = [[model.center[0], model.center[1], model.ground]];
       for (const name of poses.robot.links.keys()) points.push(...this.pointsOf({ kind: "link", name }));
       for (const pose of poses.robot.frames.values()) points.push(KindslKinematics.origin(pose));
