@@ -6,8 +6,10 @@ STAMP := $(VENV)/.installed-for-tests
 TOOLS := $(VENV)/.installed
 PYTHON ?= python3
 EXAMPLE ?= examples/quadruped.kindsl
+# On two workers; which of them runs what: tests/support/lanes.py.
+RUN_TESTS = $(BIN)/python -m pytest -n 2 --dist loadfile --no-loadscope-reorder
 
-.PHONY: demo demo-web playground test fix lint types layers docs tables bench vsix screenshots clean
+.PHONY: demo demo-web playground test thorough fix lint types layers docs tables bench vsix screenshots clean
 
 $(BIN)/python:
 	@echo "Making a virtual environment in $(VENV)"
@@ -33,7 +35,11 @@ demo: $(TOOLS)
 
 # Everything that the CI runs.
 test: $(STAMP) lint types layers docs-check vsix
-	$(BIN)/python -m pytest -n 2 --dist loadfile
+	$(RUN_TESTS)
+
+# The tests with every random case; `make test` tries a part of them.
+thorough: $(STAMP)
+	KINDSL_THOROUGH=1 $(RUN_TESTS)
 
 lint: $(STAMP)
 	$(BIN)/ruff check .

@@ -4,6 +4,7 @@ import random
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.support.amount import usually
 from tests.support.models import Style, random_model
 
 from kindsl.analysis.analysis import analyse
@@ -22,7 +23,7 @@ PIECES = (
 )  # fmt: skip
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=usually(15, thoroughly=40), deadline=None)
 @given(seed=st.integers(0, 10**9))
 def test_findings_after_edits_are_those_from_scratch(seed: int) -> None:
     generator = random.Random(seed)

@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.cli.conftest import Runner
 from tests.cli.samples import GOOD, INTEGER, arm
+from tests.support.amount import usually
 
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.diagnostics import Diagnostic, TextFix
@@ -160,7 +161,7 @@ def test_new_lines_are_as_the_others() -> None:
     assert in_line_style(TextEdit(0, 0, "a\nb"), "x\ny\r\n").text == "a\nb"
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=usually(30, thoroughly=100), deadline=None)
 @given(
     st.lists(st.sampled_from(["1", "-2", ".5", "1,5", "x", "2*PI", "PI/2", "0x1", "(", "\u00a0"]))
 )

@@ -1,14 +1,18 @@
 """One mistake: all other blocks survive, one message, near the mistake."""
 
 from collections import Counter
+from itertools import islice
 
 import pytest
+from tests.support.amount import usually
 from tests.support.models import LAYOUTS, Style, random_model
 from tests.support.mutants import Mutant, links_and_joints, messages, mutants
 
 from kindsl.syntax.document import SyntaxDocument, parse
 
-LINKS = 12
+LINKS = usually(7, thoroughly=12)
+STEP = usually(5, thoroughly=1)
+FEWEST = usually(12, thoroughly=100)
 # On one line, a token that makes "//" hides the rest of the document.
 LEAST_SURVIVAL = {"usual": 1.0, "allman": 1.0, "one_line": 0.995}
 
@@ -23,13 +27,18 @@ def lines_off(mutant: Mutant, offset: int) -> int:
     return abs(lines[0] - lines[1])
 
 
+def is_nearly_all(count: int, total: int, share: float) -> bool:
+    """Whether a share of all is there, or all but one: a small sample has no hundredths."""
+    return count >= min(share * total, total - 1)
+
+
 @pytest.mark.parametrize("layout", LAYOUTS)
 def test_one_mistake(layout: str) -> None:
     text = random_model(LINKS, 3, Style(layout=layout))
     intact = links_and_joints(parse(text))
     assert len(intact) == 2 * LINKS + 1
     counts: Counter[tuple[str, str]] = Counter()
-    for mutant in mutants(text):
+    for mutant in islice(mutants(text), None, None, STEP):
         document = parse(mutant.text)
         told = messages(document)
         counts[mutant.kind, "all"] += 1
@@ -40,10 +49,10 @@ def test_one_mistake(layout: str) -> None:
     for kind in ("delete", "duplicate", "substitute", "brace", "truncate"):
         if kind == "truncate" and layout == "one_line":
             continue
-        assert counts[kind, "all"] > 100
+        assert counts[kind, "all"] > FEWEST
         assert counts[kind, "survive"] >= LEAST_SURVIVAL[layout] * counts[kind, "all"]
-        assert counts[kind, "one"] >= 0.99 * counts[kind, "told"]
-        assert counts[kind, "near"] >= 0.98 * counts[kind, "told"]
+        assert is_nearly_all(counts[kind, "one"], counts[kind, "told"], 0.99)
+        assert is_nearly_all(counts[kind, "near"], counts[kind, "told"], 0.98)
 
 
 @pytest.mark.parametrize("seed", range(3))
