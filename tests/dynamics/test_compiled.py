@@ -19,14 +19,14 @@ pytestmark = needs_compiler
 EXTREMES = (0.0, 1e-308, 1e4, 1e6, 1e12, 1e300, np.inf, np.nan)
 
 
-@pytest.fixture(scope="module", params=[2, 3], ids=["fixed", "floating"])
+@pytest.fixture(scope="module", params=[4, 7], ids=["fixed", "floating"])
 def pair(
     request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
 ) -> Iterator[tuple[CompiledMechanics, Mechanics]]:
     """A mechanism, compiled and not."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("KINDSL_CACHE", str(tmp_path_factory.mktemp("cache")))
-        mechanics = Mechanics(bodies_of_seed(request.param, 4))
+        mechanics = Mechanics(bodies_of_seed(request.param, 3))
         yield CompiledMechanics(mechanics.bodies), mechanics
 
 
