@@ -20,6 +20,7 @@ from kindsl.codegen.library import (
 from kindsl.codegen.manifest import NAME, digest, manifest_text
 from kindsl.codegen.names import file_name
 from kindsl.codegen.reference import Reference, sample
+from kindsl.codegen.resistance import refuse_unresisted
 from kindsl.codegen.wanted import wanted_pairs
 from kindsl.mechanism.symbolic import symbolic_robot
 from kindsl.text.nearest import hint, nearest_name
@@ -66,21 +67,18 @@ def generate(
     )
     defaults = {name: values.get(name) for name in inputs}
     name = str(model.name or "robot")
+    parameters = parameter_values(defaults.items())
+    mechanics = source.analysis.mechanism(parameters)
+    values_of_arguments = sample(mechanics.bodies)
+    refuse_unresisted(options.quantities, mechanics.bodies, values_of_arguments["q"])
     try:
         wanted = wanted_pairs(source.transforms, model, robot) if source.transforms else None
         library = library_of(robot, name, defaults, options, stamp, wanted)
-        files = _files(source.analysis, library)
+        files = library_files(library, Reference(mechanics, values_of_arguments), parameters)
     except OverflowError as error:
         raise GenerationError(str(error)) from None
     files[NAME] = manifest_text(stamp, options, source.bindings, source.transforms, files)
     return library, files
-
-
-def _files(analysis: Analysis, library: Library) -> dict[str, str]:
-    parameters = parameter_values(library.defaults.items())
-    mechanics = analysis.mechanism(parameters)
-    reference = Reference(mechanics, sample(mechanics.bodies))
-    return library_files(library, reference, parameters)
 
 
 def library_files(

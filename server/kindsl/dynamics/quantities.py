@@ -25,10 +25,14 @@ STANDARD_GRAVITY: Final = (0.0, 0.0, -9.81)
 
 
 class SingularInertiaError(ValueError):
-    """Some motion meets no inertia, so its acceleration is not defined."""
+    """Some motion meets no inertia, so its acceleration is not defined.
+
+    Attributes:
+        moving: Whose motion: `joint 'x'`, `the base`, or nothing if unknown.
+    """
 
     def __init__(self, moving: str = "") -> None:
-        """Take whose motion nothing resists: `joint 'x'`, `the base`, or nothing if unknown."""
+        self.moving = moving
         why = f"nothing resists motion of {moving}: " if moving else ""
         message = f"the acceleration is not defined: {why}the inertia matrix is singular"
         super().__init__(message)

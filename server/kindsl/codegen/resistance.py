@@ -1,0 +1,55 @@
+"""Whether accelerations are defined: a motion that nothing resists makes code of no use."""
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from kindsl.codegen.library import GenerationError
+from kindsl.dynamics.bodies import Bodies
+from kindsl.dynamics.evaluation.singular import singular_inertia
+from kindsl.dynamics.joint_space_inertia import joint_space_inertia
+from kindsl.spatial.arrays import Array
+
+# The quantities that solve for accelerations: of all, or of a floating base alone.
+_OF_ALL = ("forward_dynamics", "inertia_factorization", "forward_dynamics_derivatives")
+_OF_THE_BASE = "inverse_dynamics"
+# With every variable in units of its own inertia, a worse condition is that of rounding errors.
+_SINGULAR = 1e15
+
+
+def refuse_unresisted(quantities: Iterable[str], bodies: Bodies, q: Array) -> None:
+    """Check that all motions that quantities solve for meet some inertia.
+
+    Args:
+        quantities: Their names.
+        bodies: The mechanism, with values for all parameters.
+        q: Joint positions of an ordinary configuration, shape (n,).
+
+    Raises:
+        GenerationError: One does not; the joint, or the base, is named.
+    """
+    with np.errstate(all="ignore"):
+        M = joint_space_inertia(bodies, q)
+    if not np.isfinite(M).all():
+        return
+    n_base = bodies.n_velocities - bodies.n_links
+    for name in quantities:
+        if name in _OF_ALL and _is_singular(M):
+            raise _undefined(name, singular_inertia(bodies, q).moving)
+        if name == _OF_THE_BASE and _is_singular(M[:n_base, :n_base]):
+            raise _undefined(name, "the base")
+
+
+def _is_singular(M: Array) -> bool:
+    """Return whether rounding errors decide what a symmetric matrix's inverse is."""
+    units = np.sqrt(np.abs(np.diagonal(M)))
+    if not units.all():
+        return True
+    return bool(len(M)) and bool(np.linalg.cond(M / np.outer(units, units)) > _SINGULAR)
+
+
+def _undefined(quantity: str, moving: str) -> GenerationError:
+    return GenerationError(
+        f"'{quantity}' is not defined: nothing resists motion of {moving}; "
+        "use --quantities to choose others, such as poses,jacobians"
+    )
