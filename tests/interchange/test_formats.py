@@ -7,6 +7,7 @@ import mujoco
 import numpy as np
 import pinocchio
 import pytest
+from lxml import etree
 from tests.interchange.mujoco_agreement import gap
 from tests.interchange.random_robots import random_robot
 from tests.interchange.round_trips import gaps, mechanism_of, read, written, written_and_read
@@ -14,10 +15,11 @@ from tests.support.published import published_models
 
 import kindsl
 from kindsl.analysis.settings import Settings
-from kindsl.interchange.format import Format, FormatError, WritingChoices
+from kindsl.interchange.format import ORDINARY, Format, FormatError, WritingChoices
 from kindsl.interchange.kindsl_writing import kindsl_text
 from kindsl.interchange.registry import all_formats, format_named, format_of_suffix
 from kindsl.mechanism.errors import ModelError, UnboundParameterError
+from kindsl.semantics.parameters import JointLimits
 
 TOLERANCE = 1e-9
 BOTH_WAYS = [format for format in all_formats() if format.read and format.write]
@@ -113,3 +115,29 @@ def test_revolute_joints_of_a_urdf_have_one_coordinate_unless_asked() -> None:
     endless = urdf.write("robot", ours.bodies, WritingChoices(endless_joints=True)).text
     n_turning = ours.bodies.joint_kinds.count("revolute")
     assert n_turning and pinocchio.buildModelFromXML(endless).nq == ours.n_joints + n_turning
+
+
+def test_limits_of_the_configuration_are_written_everywhere() -> None:
+    limits = {"ja": JointLimits(-1.0, 1.5), "jb": JointLimits(-0.5), "other": JointLimits(0.0, 1.0)}
+    bodies = kindsl.parse(MASSLESS, Settings()).mechanism().bodies
+    choices = WritingChoices(endless_joints=True, limits=limits)
+    text = {format.name: format.write("arm", bodies, choices) for format in BOTH_WAYS}
+    in_mujoco = mujoco.MjModel.from_xml_string(text["mjcf"].text)
+    assert in_mujoco.jnt_limited.tolist() == [1, 1, 0]
+    assert in_mujoco.jnt_range.tolist()[:2] == [[-1.0, 1.5], [-0.5, 1e6]]
+    in_pinocchio = pinocchio.buildModelFromXML(text["urdf"].text)
+    assert in_pinocchio.lowerPositionLimit[:2].tolist() == [-1.0, -0.5]
+    assert in_pinocchio.upperPositionLimit[:2].tolist() == [1.5, 1.0]
+    assert in_pinocchio.nq == 4, "the unlimited joint alone is endless"
+    assert text["urdf"].remarks == ()
+    limit = [list(found) for found in etree.fromstring(text["sdf"].text.encode()).iter("limit")]
+    ends = [[(end.tag, float(end.text)) for end in found] for found in limit]
+    assert ends == [[("lower", -1.0), ("upper", 1.5)], [("lower", -0.5)]]
+
+
+def test_a_massless_link_is_told_as_such_in_sdf() -> None:
+    bodies = kindsl.parse(MASSLESS, Settings()).mechanism().bodies
+    found = format_named("sdf").write("arm", bodies, ORDINARY)
+    assert found.remarks == tuple(
+        f"the link '{name}' has no mass: other tools refuse it" for name in "ab"
+    )

@@ -38,9 +38,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("input", metavar="IN", help="a .kindsl, .urdf, .xacro, .xml, .mjcf or .sdf file")
     add("output", metavar="OUT", help="the file to write, of another suffix, or '-' for stdout")
-    names = tuple(format.name for format in (_DOCUMENT, *all_formats()))
-    add("--from", dest="source", choices=names, help="the format of IN if its suffix does not tell")
-    add("--to", dest="target", choices=names, help="the format of OUT if its suffix does not tell")
+    others = tuple(all_formats())
+    read = (_DOCUMENT.name, *(format.name for format in others if format.read))
+    written = (_DOCUMENT.name, *(format.name for format in others if format.write))
+    untold = "the format of {} if its suffix does not tell"
+    add("--from", dest="source", choices=read, help=untold.format("IN"))
+    add("--to", dest="target", choices=written, help=untold.format("OUT"))
     add("--floating-base", action="store_true", help="the root link floats, whatever IN says")
     add("--continuous", action="store_true", help="write revolute joints of a URDF as endless ones")
     add("-q", "--quiet", action="store_true", help="do not report what was dropped")
@@ -150,7 +153,7 @@ def _written(
 ) -> tuple[str, tuple[str, ...]]:
     assert target.write is not None
     bodies = bodies_of_document(args.input, analysis)
-    choices = WritingChoices(endless_joints=args.continuous)
+    choices = WritingChoices(args.continuous, analysis.settings.joints)
     try:
         return target.write(analysis.model.name or "robot", bodies, choices)
     except ModuleNotFoundError as error:

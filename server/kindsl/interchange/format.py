@@ -1,13 +1,17 @@
 """A format of other tools: what it is called, who reads and who writes it."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
+
+from kindsl.text.words import counted
 
 if TYPE_CHECKING:
     from kindsl.dynamics.bodies import Bodies
     from kindsl.interchange.robot_description import RobotDescription
+    from kindsl.semantics.parameters import JointLimits
 
 
 class FormatError(ValueError):
@@ -29,17 +33,25 @@ class WrittenRobot(NamedTuple):
 
 
 class WritingChoices(NamedTuple):
-    """What may be asked for where a format has two ways.
+    """What may be asked for where a format has two ways, and what the document does not say.
 
     Attributes:
         endless_joints: Whether revolute joints are written as endless ones where a format has
             these, or as ordinary ones.
+        limits: Of joints by name, from the configuration.
     """
 
     endless_joints: bool = False
+    limits: "Mapping[str, JointLimits]" = MappingProxyType({})
 
 
 ORDINARY = WritingChoices()
+
+
+def limits_dropped(n_joints: int) -> str:
+    """Return the remark on limits of joints, which the language has no place for."""
+    where = "kindsl.toml takes them, as min and max of [joints.NAME]"
+    return f"limits of {counted(n_joints, 'joint')} dropped: {where}"
 
 
 Reader = Callable[[Path, bool], ReadRobot]

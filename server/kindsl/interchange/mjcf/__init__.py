@@ -19,10 +19,9 @@ def _read(path: Path, floating: bool) -> ReadRobot:
 
 
 def _write(name: str, bodies: "Bodies", choices: WritingChoices) -> WrittenRobot:
-    del choices
     from kindsl.interchange.mjcf.writing import written_mjcf
 
-    return written_mjcf(name, bodies)
+    return written_mjcf(name, bodies, choices)
 
 
 FORMAT = Format("mjcf", "MJCF", (".xml", ".mjcf"), "mjcf", _read, _write)

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import Any
 
-from kindsl.interchange.format import FormatError
+from kindsl.interchange.format import FormatError, limits_dropped
 from kindsl.text.words import counted
 
 # What is counted and taken away before the model is compiled, in an order that leaves no reference.
@@ -65,8 +65,9 @@ def strip(spec: Any) -> None:
 
 def joint_losses(model: Any) -> Iterator[str]:
     """Yield what is dropped of joints, one sentence each."""
+    if n_limited := int(model.jnt_limited.sum()):
+        yield limits_dropped(n_limited)
     for what, values in (
-        ("limits", model.jnt_limited),
         ("springs", model.jnt_stiffness),
         ("damping", model.dof_damping),
         ("dry friction", model.dof_frictionloss),

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from kindsl.dynamics.bodies import Bodies
-from kindsl.interchange.format import FormatError, WrittenRobot
+from kindsl.interchange.format import ORDINARY, FormatError, WritingChoices, WrittenRobot
 from kindsl.interchange.mjcf.compiling import checked_text
 from kindsl.interchange.xml_writing import added, document_text, numbers
 from kindsl.spatial.arrays import Array
@@ -22,11 +22,13 @@ _TYPES = {"revolute": "hinge", "prismatic": "slide"}
 _LEAST = 1e-15
 # What a body without mass has in MuJoCo, kg and kg m^2: enough to be moved, too little to count.
 DUST = 1e-14
+# Where a joint ends that has one limit only, rad or m: nowhere that it gets to.
+_FAR = 1e6
 # By how much, of the greatest principal moment, rounding may break the triangle inequality.
 _ROUNDING = 1e-12
 
 
-def written_mjcf(name: str, bodies: Bodies) -> WrittenRobot:
+def written_mjcf(name: str, bodies: Bodies, choices: WritingChoices = ORDINARY) -> WrittenRobot:
     """Return the MJCF of a mechanism.
 
     A fixed base is a body of the world without joint, or the world itself if that is its name; a
@@ -35,6 +37,7 @@ def written_mjcf(name: str, bodies: Bodies) -> WrittenRobot:
     Args:
         name: The robot's name.
         bodies: Its bodies.
+        choices: Limits of joints.
 
     Raises:
         FormatError: A body cannot move in MuJoCo.
@@ -48,7 +51,7 @@ def written_mjcf(name: str, bodies: Bodies) -> WrittenRobot:
     added(root, "compiler", angle="radian", autolimits="true", balanceinertia="false")
     elements = [_base(added(root, "worldbody"), bodies)]
     for link, parent in bodies.links():
-        elements.append(_link(elements[parent], bodies, link))
+        elements.append(_link(elements[parent], bodies, link, choices))
     for body in range(0 if bodies.is_floating else 1, bodies.n_links + 1):
         elements[body].insert(0, etree.Element("inertial", inertials[body]))
     for frame in bodies.frames:
@@ -76,13 +79,23 @@ def _base_name(bodies: Bodies) -> str:
     return name
 
 
-def _link(parent: Any, bodies: Bodies, link: int) -> Any:
+def _link(parent: Any, bodies: Bodies, link: int, choices: WritingChoices) -> Any:
     i = link - 1
     pose = _pose(bodies.p_R_j[i], bodies.p_r_j[i])
     body = added(parent, "body", name=_link_name(bodies, i), **pose)
     kind = _TYPES[bodies.joint_kinds[i]]
-    added(body, "joint", name=bodies.joint_names[i], type=kind, axis="0 0 1")
+    name = bodies.joint_names[i]
+    added(body, "joint", name=name, type=kind, axis="0 0 1", **_range(choices, name))
     return body
+
+
+def _range(choices: WritingChoices, joint: str) -> dict[str, str]:
+    """Return the attribute of a joint's limits, which in MuJoCo are two or none."""
+    lowest, highest = choices.limits.get(joint, (None, None))
+    if lowest is None and highest is None:
+        return {}
+    ends = (-_FAR if lowest is None else lowest, _FAR if highest is None else highest)
+    return {"range": numbers(ends)}
 
 
 def _link_name(bodies: Bodies, i: int) -> str:

@@ -19,10 +19,9 @@ def _read(path: Path, floating: bool) -> ReadRobot:
 
 
 def _write(name: str, bodies: "Bodies", choices: WritingChoices) -> WrittenRobot:
-    del choices
     from kindsl.interchange.sdf.writing import written_sdf
 
-    return written_sdf(name, bodies)
+    return written_sdf(name, bodies, choices)
 
 
 FORMAT = Format("sdf", "SDF", (".sdf",), "sdf", _read, _write)

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from typing import Any
 
+from kindsl.interchange.format import limits_dropped
 from kindsl.interchange.sdf.elements import name_of
 from kindsl.text.words import counted
 
@@ -23,12 +24,11 @@ def losses(model: Any) -> Iterator[str]:
     )
     if drawn:
         yield f"visuals and collisions of {counted(drawn, 'link')} dropped"
-    for what, tag in (
-        ("limits", "axis/limit"),
-        ("damping, friction and springs", "axis/dynamics"),
-    ):
-        if n := sum(joint.find(tag) is not None for joint in joints):
-            yield f"{what} of {counted(n, 'joint')} dropped: not supported"
+    if n_limited := sum(joint.find("axis/limit") is not None for joint in joints):
+        yield limits_dropped(n_limited)
+    if n_damped := sum(joint.find("axis/dynamics") is not None for joint in joints):
+        damped = counted(n_damped, "joint")
+        yield f"damping, friction and springs of {damped} dropped: not supported"
     for joint in joints:
         mimic = joint.find("axis/mimic")
         if mimic is not None:

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from kindsl.dynamics.bodies import Bodies
-from kindsl.interchange.format import WrittenRobot
+from kindsl.interchange.format import ORDINARY, WritingChoices, WrittenRobot
 from kindsl.interchange.sdf.frame_graph import WORLD
 from kindsl.interchange.xml_writing import added, document_text, numbers
 from kindsl.spatial.arrays import Array
@@ -16,12 +16,13 @@ from kindsl.spatial.inertia import point_inertia
 _VERSION = "1.9"
 
 
-def written_sdf(name: str, bodies: Bodies) -> WrittenRobot:
+def written_sdf(name: str, bodies: Bodies, choices: WritingChoices = ORDINARY) -> WrittenRobot:
     """Return the SDF of a mechanism; a fixed base has a fixed joint to the world.
 
     Args:
         name: The robot's name.
         bodies: Its bodies.
+        choices: Limits of joints.
 
     Raises:
         ModuleNotFoundError: lxml is not installed.
@@ -38,7 +39,8 @@ def written_sdf(name: str, bodies: Bodies) -> WrittenRobot:
     else:
         _add_joint(model, names["joint", WORLD], "fixed", WORLD, body_names[0])
     for link, parent in bodies.links():
-        _add_link(model, bodies, names, link, body_names[parent])
+        axis = _add_link(model, bodies, names, link, body_names[parent])
+        _add_limits(axis, choices.limits.get(bodies.joint_names[link - 1], (None, None)))
     for frame in bodies.frames:
         attached = body_names[frame.body]
         element = added(model, "frame", name=names["frame", frame.name], attached_to=attached)
@@ -69,7 +71,8 @@ def _names(bodies: Bodies) -> dict[tuple[str, str], str]:
 
 def _add_link(
     model: Any, bodies: Bodies, names: dict[tuple[str, str], str], link: int, parent: str
-) -> None:
+) -> Any:
+    """Add a link and its joint; return the joint's axis."""
     i = link - 1
     name = names["link", bodies.link_names[i]]
     joint_name = names["joint", bodies.joint_names[i]]
@@ -78,7 +81,18 @@ def _add_link(
     _add_inertial(element, bodies, link)
     joint = _add_joint(model, joint_name, bodies.joint_kinds[i], parent, name)
     _add_pose(joint, bodies.p_R_j[i], bodies.p_r_j[i], relative_to=parent)
-    added(added(joint, "axis"), "xyz").text = "0 0 1"
+    axis = added(joint, "axis")
+    added(axis, "xyz").text = "0 0 1"
+    return axis
+
+
+def _add_limits(axis: Any, limits: tuple[float | None, float | None]) -> None:
+    if limits == (None, None):
+        return
+    limit = added(axis, "limit")
+    for tag, end in zip(("lower", "upper"), limits, strict=True):
+        if end is not None:
+            added(limit, tag).text = numbers([end])
 
 
 def _add_joint(model: Any, name: str, kind: str, parent: str, child: str) -> Any:
@@ -133,5 +147,7 @@ def _refused_elsewhere(bodies: Bodies) -> Iterator[str]:
     names = (bodies.base_name, *bodies.link_names)
     for body in range(0 if bodies.is_floating else 1, len(names)):
         moments = np.linalg.eigvalsh(_about_com(bodies, body))
-        if not bodies.masses[body] > 0.0 or moments[0] <= 0.0:
+        if bodies.masses[body] == 0.0 and not moments.any():
+            yield f"the link '{names[body]}' has no mass: other tools refuse it"
+        elif not bodies.masses[body] > 0.0 or moments[0] <= 0.0:
             yield f"inertia of '{names[body]}' is physically impossible: other tools refuse it"

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from kindsl.interchange.format import ReadRobot
+from kindsl.interchange.format import ReadRobot, limits_dropped
 from kindsl.interchange.rigid_links import (
     IDENTITY,
     LinkJoint,
@@ -140,7 +140,7 @@ def _transform(origin: Any) -> Array:
 
 def _remarks(found: Remarkable) -> Iterator[str]:
     if found.limited:
-        yield f"limits of {counted(len(found.limited), 'joint')} dropped: not supported"
+        yield limits_dropped(len(found.limited))
     if found.n_drawn:
         yield f"visuals and collisions of {counted(found.n_drawn, 'link')} dropped"
     if found.damped:

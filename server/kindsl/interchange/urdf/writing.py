@@ -12,7 +12,7 @@ from kindsl.spatial.arrays import Array
 from kindsl.spatial.inertia import point_inertia
 from kindsl.text.words import counted
 
-# URDF wants limits of every joint but an endless one, and the language has none.
+# URDF wants limits of every joint but an endless one, and the configuration may give none.
 _LIMITS = {
     "prismatic": {"lower": -1.0, "upper": 1.0, "effort": 1000.0, "velocity": 10.0},
     "revolute": {"lower": -2.0 * pi, "upper": 2.0 * pi, "effort": 1000.0, "velocity": 10.0},
@@ -25,7 +25,8 @@ def urdf_text(name: str, bodies: Bodies, choices: WritingChoices = ORDINARY) -> 
     Args:
         name: The robot's name.
         bodies: Its bodies.
-        choices: Whether revolute joints become `continuous`, which pinocchio gives two coordinates.
+        choices: Whether revolute joints without limits become `continuous`, which pinocchio gives
+            two coordinates; and limits of joints.
 
     Raises:
         ModuleNotFoundError: yourdfpy is not installed.
@@ -39,16 +40,16 @@ def urdf_text(name: str, bodies: Bodies, choices: WritingChoices = ORDINARY) -> 
     robot.links = [Link(name=n, inertial=_inertial(bodies, i)) for i, n in enumerate(body_names)]
     for link, parent in bodies.links():
         i = link - 1
-        kind = _joint_type(bodies.joint_kinds[i], choices)
+        limits = _limits(bodies, i, choices)
         robot.joints.append(
             Joint(
                 name=bodies.joint_names[i],
-                type=kind,
+                type=bodies.joint_kinds[i] if limits else "continuous",
                 parent=body_names[parent],
                 child=body_names[link],
                 origin=_transform(bodies.p_R_j[i], bodies.p_r_j[i]),
                 axis=np.array([0.0, 0.0, 1.0]),
-                limit=Limit(**_LIMITS[kind]) if kind in _LIMITS else None,
+                limit=Limit(**limits) if limits else None,
             )
         )
     for frame in bodies.frames:
@@ -66,19 +67,26 @@ def urdf_text(name: str, bodies: Bodies, choices: WritingChoices = ORDINARY) -> 
 
 def urdf_remarks(bodies: Bodies, choices: WritingChoices = ORDINARY) -> Iterator[str]:
     """Yield what the URDF says that the document did not."""
-    n_turning = bodies.joint_kinds.count("revolute")
+    kinds = zip(bodies.joint_names, bodies.joint_kinds, strict=True)
+    unlimited = [(name, kind) for name, kind in kinds if name not in choices.limits]
+    n_turning = sum(kind == "revolute" for _, kind in unlimited)
     if n_turning and not choices.endless_joints:
         joints = counted(n_turning, "revolute joint")
         yield f"{joints} got limits of a full turn each way; --continuous writes endless joints"
-    for name, kind in zip(bodies.joint_names, bodies.joint_kinds, strict=True):
+    for name, kind in unlimited:
         if kind == "prismatic":
             yield f"the joint '{name}' got limits of -1 m and 1 m, which a URDF must give"
     if bodies.is_floating:
         yield f"the floating base '{bodies.base_name}' became the root link, which tools may fix"
 
 
-def _joint_type(kind: str, choices: WritingChoices) -> str:
-    return "continuous" if kind == "revolute" and choices.endless_joints else kind
+def _limits(bodies: Bodies, joint: int, choices: WritingChoices) -> dict[str, float]:
+    """Return the attributes of a joint's limits; none of an endless one."""
+    kind, given = bodies.joint_kinds[joint], choices.limits.get(bodies.joint_names[joint])
+    if given is None:
+        return {} if kind == "revolute" and choices.endless_joints else _LIMITS[kind]
+    ends = {"lower": given.minimum, "upper": given.maximum}
+    return _LIMITS[kind] | {end: value for end, value in ends.items() if value is not None}
 
 
 def _inertial(bodies: Bodies, body: int) -> Any:
