@@ -84,6 +84,11 @@ def test_free_joint_is_a_floating_base(tmp_path: Path) -> None:
         ("mujoco", "robot", "not an MJCF: a URDF: use --from urdf"),
         ("mujoco", "sdf", "not an MJCF: its root element is not <mujoco>"),
         ('type="slide" axis="0 1 0"', 'type="ball"', "the joint 'slider' is a ball joint.*"),
+        (
+            'name="slider" type="slide" axis="0 1 0"',
+            'type="ball"',
+            "a joint of the body '.*' is a ball joint.*",
+        ),
         ("<joint", "<jiont", "not a readable MJCF: .*"),
         (
             "</worldbody>",

@@ -81,10 +81,9 @@ def check_joints(model: Any) -> None:
     """Raise FormatError for a ball joint."""
     for joint in range(model.njnt):
         if model.jnt_type[joint] == _BALL:
-            name = model.joint(joint).name
-            raise FormatError(
-                f"the joint '{name}' is a ball joint, which the language does not support"
-            )
+            name, body = model.joint(joint).name, model.body(model.jnt_bodyid[joint]).name
+            told = f"the joint '{name}'" if name else f"a joint of the body '{body}'"
+            raise FormatError(f"{told} is a ball joint, which the language does not support")
 
 
 def _strip_assets(spec: Any) -> None:
