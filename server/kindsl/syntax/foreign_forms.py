@@ -6,15 +6,14 @@ They are put right before the search for repairs, which would see several mistak
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from kindsl.syntax.components import COMPONENTS, of_three
 from kindsl.syntax.foreign_words import in_our_words, without_relatives
-from kindsl.syntax.forms import form_kind, kinds_accepted_by
 from kindsl.syntax.half_written import VECTOR, half_vector, with_whole_children, with_whole_sections
 from kindsl.syntax.obsolete_forms import in_todays_forms
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
 from kindsl.syntax.words import SPELLINGS, supplied
 
 _REACH = 40
-_COMPONENTS = 3
 _VECTORS = frozenset({"CoM", "translation", "rotation"})
 _SCALARS = frozenset({"mass", "MOMENT"})
 _NUMBERS = frozenset({"FLOAT", "INT", "SCIENTIFIC", "POWER_FLOAT"})
@@ -147,7 +146,7 @@ def _put_vector(
         tokens = _with_parentheses(tokens, following, result.problems)
     tokens = _with_round_brackets(tokens, result.problems)
     tokens = _with_points_or_signs(text, tokens, False)
-    result.tokens.extend(_of_three(tokens, result))
+    result.tokens.extend(of_three(tokens, result.problems, result.skipped))
 
 
 def _with_parentheses(
@@ -162,57 +161,14 @@ def _with_parentheses(
     return [supplied("(", tokens[0].lead), *tokens, supplied(")", end)]
 
 
-def _of_three(tokens: Sequence[Token], result: Adapted) -> Sequence[Token]:
-    """Return a well-formed vector of fewer or more components as one of three."""
-    if tokens[0].kind != "(" or tokens[-1].kind != ")":
-        return tokens
-    parts = _components(tokens[1:-1])
-    if len(parts) == _COMPONENTS or not all(_is_form(part) for part in parts):
-        return tokens
-    noun = "component" if len(parts) == 1 else "components"
-    start, end = tokens[0].start, tokens[-1].end
-    message = f"vector has {len(parts)} {noun} instead of 3"
-    if len(parts) > _COMPONENTS:
-        count = sum(len(part) for part in parts[:_COMPONENTS]) + _COMPONENTS
-        surplus = tokens[count:-1]
-        edit = Edit(surplus[0].start, surplus[-1].end, "")
-        repair = Repair("Remove the surplus components", (edit,), False)
-        result.problems.append(Problem("KD001", message, start, end, repair))
-        result.skipped.extend(surplus)
-        return [*tokens[:count], tokens[-1]]
-    result.problems.append(Problem("KD001", message, start, end))
-    return [*tokens[:-1], *_padding(len(parts), tokens[-2].end), tokens[-1]]
-
-
-def _padding(count: int, position: int) -> list[Token]:
-    kinds = ["FLOAT", ",", "FLOAT", ",", "FLOAT"][2 * count - 1 if count else 0 :]
-    return [supplied(kind, position) for kind in kinds]
-
-
-def _components(tokens: Sequence[Token]) -> list[list[Token]]:
-    parts: list[list[Token]] = [[]] if tokens else []
-    for token in tokens:
-        if token.kind == ",":
-            parts.append([])
-        else:
-            parts[-1].append(token)
-    return parts
-
-
-def _is_form(tokens: Sequence[Token]) -> bool:
-    """Return whether tokens are a value, a whole number for a decimal one included."""
-    kinds = tuple("FLOAT" if token.kind == "INT" else form_kind(token) for token in tokens)
-    return len(kinds) <= 12 and bool(kinds_accepted_by(kinds))
-
-
 def _with_points_or_signs(text: str, tokens: Sequence[Token], is_scalar: bool) -> list[Token]:
     merged = _with_points(tokens)
     commas = sum(token.kind == "," for token in merged)
     is_vector = bool(merged) and merged[0].kind == "("
-    if not (is_vector and commas == _COMPONENTS - 1) and not (is_scalar and commas == 0):
+    if not (is_vector and commas == COMPONENTS - 1) and not (is_scalar and commas == 0):
         merged = list(tokens)
     commas = sum(token.kind == "," for token in merged)
-    is_whole = is_scalar or commas == _COMPONENTS - 1
+    is_whole = is_scalar or commas == COMPONENTS - 1
     return [part for i, token in enumerate(merged) for part in _unsigned(text, merged, i, is_whole)]
 
 

@@ -1,0 +1,54 @@
+"""The components of a vector: three, apart by commas."""
+
+from collections.abc import Sequence
+
+from kindsl.syntax.forms import form_kind, kinds_accepted_by
+from kindsl.syntax.tree import Edit, Problem, Repair, Token
+from kindsl.syntax.words import supplied
+
+COMPONENTS = 3
+
+
+def of_three(
+    tokens: Sequence[Token], problems: list[Problem], skipped: list[Token]
+) -> Sequence[Token]:
+    """Return a well-formed vector of fewer or more components as one of three."""
+    if tokens[0].kind != "(" or tokens[-1].kind != ")":
+        return tokens
+    parts = _components(tokens[1:-1])
+    if len(parts) == COMPONENTS or not all(_is_form(part) for part in parts):
+        return tokens
+    noun = "component" if len(parts) == 1 else "components"
+    start, end = tokens[0].start, tokens[-1].end
+    message = f"vector has {len(parts)} {noun} instead of 3"
+    if len(parts) > COMPONENTS:
+        count = sum(len(part) for part in parts[:COMPONENTS]) + COMPONENTS
+        surplus = tokens[count:-1]
+        edit = Edit(surplus[0].start, surplus[-1].end, "")
+        repair = Repair("Remove the surplus components", (edit,), False)
+        problems.append(Problem("KD001", message, start, end, repair))
+        skipped.extend(surplus)
+        return [*tokens[:count], tokens[-1]]
+    problems.append(Problem("KD001", message, start, end))
+    return [*tokens[:-1], *_padding(len(parts), tokens[-2].end), tokens[-1]]
+
+
+def _padding(count: int, position: int) -> list[Token]:
+    kinds = ["FLOAT", ",", "FLOAT", ",", "FLOAT"][2 * count - 1 if count else 0 :]
+    return [supplied(kind, position) for kind in kinds]
+
+
+def _components(tokens: Sequence[Token]) -> list[list[Token]]:
+    parts: list[list[Token]] = [[]] if tokens else []
+    for token in tokens:
+        if token.kind == ",":
+            parts.append([])
+        else:
+            parts[-1].append(token)
+    return parts
+
+
+def _is_form(tokens: Sequence[Token]) -> bool:
+    """Return whether tokens are a value, a whole number for a decimal one included."""
+    kinds = tuple("FLOAT" if token.kind == "INT" else form_kind(token) for token in tokens)
+    return len(kinds) <= 12 and bool(kinds_accepted_by(kinds))
