@@ -13,7 +13,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from tests.typist.monaco import editor
+from tests.typist.monaco import QUICK_FRAMES, editor
 from tests.typist.typist import Hand, lines_to_type, type_document
 from tests.vscode.browser import chromium
 
@@ -48,7 +48,7 @@ def published() -> list[Path]:
 def typed(file: Path, hand: Hand, closing: str) -> list[object]:
     """Type a document; print and return the stumbles."""
     lines = lines_to_type(file.read_text())
-    with chromium() as browser, editor(browser, autoClosingBrackets=closing) as page:
+    with chromium(*QUICK_FRAMES) as browser, editor(browser, autoClosingBrackets=closing) as page:
         stumbles = type_document(page, lines, hand)
     print(f"{file.name:50} {len(lines):5} lines, {len(stumbles)} stumbles", flush=True)
     for stumble in stumbles:

@@ -37,6 +37,7 @@ _REACH = 200
 _LAST_SECTION = {"base": "children", "link": "children", "joint": "ref_frame"}
 _FAR_BACK = 400
 _SECTIONS_OF_BLOCKS = frozenset({"id", "INERTIA", "children"})
+_GOES_ON = {"via": "NAME", "INERTIA": "{", "ref_frame": "{"}
 _HEADS = frozenset({"Robot", "RobotBase", "link", "JOINT_KIND", "FLOATING"})
 
 
@@ -95,6 +96,8 @@ def lost_head(
     if len(read) < 3 or read[-1].kind in _HEADS or read[-2].kind in _HEADS:
         return None
     kinds = [token.kind for token in tokens[index : index + 4]]
+    if kinds[:1] == [_GOES_ON.get(read[-1].kind)]:
+        return None
     n_head = 2 if kinds[:2] == ["NAME", "{"] else int(kinds[:1] == ["{"])
     if not _begins_body(kinds[n_head:], n_head) and not _repeats_block(start, read, kinds):
         return None
@@ -256,7 +259,7 @@ def kind_by_content(tokens: Sequence[Token], index: int) -> str | None:
 
 def _begins_body(kinds: Sequence[str], n_head: int) -> bool:
     """Return whether sections of a block come, which stand behind `{` there alone."""
-    if n_head == 0 or not kinds:
+    if n_head == 0 or not kinds or (kinds[0] != "id" and kinds[1:2] == ["="]):
         return False
     return kinds[0] in _SECTIONS_OF_BLOCKS or kinds[:2] == ["ref_frame", "{"]
 

@@ -4,9 +4,58 @@ from collections.abc import Sequence
 
 from kindsl.syntax.forms import form_kind, kinds_accepted_by
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
-from kindsl.syntax.words import supplied
+from kindsl.syntax.words import shown, supplied
 
 COMPONENTS = 3
+
+_OPERANDS = frozenset({"FLOAT", "INT", "SCIENTIFIC", "POWER_FLOAT", "NAME", "PI", "LOWER_PI"})
+
+
+def with_commas(tokens: Sequence[Token], problems: list[Problem]) -> list[Token]:
+    """Return the tokens of a vector whose components blanks keep apart, with commas there.
+
+    Of fewer than three components nothing is told: `of_three` counts them.
+    """
+    gaps = _gaps(tokens) if tokens[0].kind == "(" and tokens[-1].kind == ")" else []
+    commas = sum(token.kind == "," for token in tokens)
+    parts = _components(_separated(tokens, gaps)[1:-1])
+    if not gaps or len(parts) > COMPONENTS or not all(_is_form(part) for part in parts):
+        return list(tokens)
+    if commas + len(gaps) == COMPONENTS - 1:
+        before = [tokens[gap - 1] for gap in gaps]
+        edits = tuple(Edit(token.end, token.end, ",") for token in before)
+        place, message = before[0].end, f"expected ',' after '{shown(before[0].text)}'"
+        repair = Repair("Insert ','", edits, False)
+        problems.append(Problem("KD001", message, place, place, repair))
+    return _separated(tokens, gaps)
+
+
+def _gaps(tokens: Sequence[Token]) -> list[int]:
+    """Return the index of each token that begins a value right behind another one."""
+    return [
+        index
+        for index in range(2, len(tokens) - 1)
+        if tokens[index - 1].kind in _OPERANDS and _begins_value(tokens, index)
+    ]
+
+
+def _begins_value(tokens: Sequence[Token], index: int) -> bool:
+    """Return whether a token is an operand, or a sign that stands apart on its left alone."""
+    token = tokens[index]
+    if token.kind == "-":
+        is_apart = tokens[index - 1].end < token.start
+        return is_apart and token.end == tokens[index + 1].start
+    return token.kind in _OPERANDS
+
+
+def _separated(tokens: Sequence[Token], gaps: Sequence[int]) -> list[Token]:
+    """Return the tokens with a comma before each index."""
+    found: list[Token] = []
+    for index, token in enumerate(tokens):
+        if index in gaps:
+            found.append(supplied(",", tokens[index - 1].end))
+        found.append(token)
+    return found
 
 
 def of_three(

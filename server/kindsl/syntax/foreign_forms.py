@@ -6,7 +6,7 @@ They are put right before the search for repairs, which would see several mistak
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from kindsl.syntax.components import COMPONENTS, of_three
+from kindsl.syntax.components import COMPONENTS, of_three, with_commas
 from kindsl.syntax.foreign_words import in_our_words, without_relatives
 from kindsl.syntax.half_written import VECTOR, half_vector, with_whole_children, with_whole_sections
 from kindsl.syntax.obsolete_forms import in_todays_forms
@@ -145,6 +145,7 @@ def _put_vector(
     if first.kind in _NUMBERS:
         tokens = _with_parentheses(tokens, following, result.problems)
     tokens = _with_round_brackets(tokens, result.problems)
+    tokens = with_commas(tokens, result.problems)
     tokens = _with_points_or_signs(text, tokens, False)
     result.tokens.extend(of_three(tokens, result.problems, result.skipped))
 
