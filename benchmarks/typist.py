@@ -1,6 +1,6 @@
 """How often a hand stumbles that types robots into VS Code's editor core.
 
-    python benchmarks/typist.py [FILE ...] [--delay 12] [--pause 250] [--closing never]
+    python benchmarks/typist.py [FILE ...] [--delay 12] [--pause 250] [--closing never] [--hurry]
 
 Types every line of the documents (the examples and, where they are there, the published models
 beside this project), 12 ms a key, waits a quarter of a second, presses Enter. A stumble is an Enter
@@ -31,9 +31,12 @@ def main() -> int:
     parser.add_argument(
         "--closing", choices=["languageDefined", "never"], default="languageDefined"
     )
+    parser.add_argument(
+        "--hurry", action="store_true", help="type lines like one before too fast for any list"
+    )
     options = parser.parse_args()
     files = options.files or [*sorted(ROOT.glob("examples/*.kindsl")), *published()]
-    hand = Hand(options.delay, options.pause)
+    hand = Hand(options.delay, options.pause, options.hurry)
     count = sum(len(typed(file, hand, options.closing)) for file in files)
     print(f"{count} stumbles in {len(files)} documents")
     return int(count > 0)

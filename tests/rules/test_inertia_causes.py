@@ -192,6 +192,20 @@ def test_no_fix_leads_into_another_rule(write: Callable[[float], str]) -> None:
             assert not [f for f in rest if f.severity in ("error", "warning")]
 
 
+@pytest.mark.parametrize(
+    ("targets", "is_fixed"), [((), True), (("robcogen",), True), (("robcogen2",), False)]
+)
+def test_no_fix_for_robcogen2_writes_what_it_treats_as_zero(
+    targets: tuple[str, ...], is_fixed: bool
+) -> None:
+    light = "inertia_params { mass = 0.02 CoM = (0.0, 0.0, 0.0) Ix=170.0 Iy=170.0"
+    light += " Iz=30.0 Ixy=0.0 Ixz=0.0 Iyz=0.0 }"
+    causes = Settings(frozenset(targets), select=("KD308",))
+    (found,) = analyse(document_of_bodies([light]), causes).findings
+    assert "the moments were in g·cm²" in found.message
+    assert (found.fix is not None) == is_fixed
+
+
 @settings(max_examples=60, deadline=None)
 @given(seed=st.integers(0, 10**9), digits=st.integers(4, 7), is_short=st.booleans())
 def test_repair_of_the_reference_point_gives_the_numbers_that_were_meant(
