@@ -26,9 +26,27 @@ MENDED = [
         "KD006",
         "expression '3.0*PI/4.0' is of a form that no generator takes",
     ),
-    ("(0.0, 0.1, 0.3)", "[0.0, 0.1, 0.3]", "KD001", "vector stands in '[]' instead of '()'"),
-    ("(0.0, 0.1, 0.3)", "0.0, 0.1, 0.3", "KD001", "vector stands without '()'"),
+    ("(0.0, 0.1, 0.3)", "[0.0, 0.1, 0.3]", "KD001", "vector is enclosed in '[]' instead of '()'"),
+    ("(0.0, 0.1, 0.3)", "0.0, 0.1, 0.3", "KD001", "vector is not enclosed in '()'"),
     ("(0.0, 0.1, 0.3)", "(0.0, 0.1, 0.3, 1.0)", "KD001", "vector has 4 components instead of 3"),
+    (
+        "(0.0, 0.1, 0.3)",
+        "0.0 -0.1 1",
+        "KD001",
+        "expected a vector '(x, y, z)' instead of '0.0 -0.1 1'",
+    ),
+    (
+        "(0.0, 0.1, 0.3)",
+        '"0 0.1 0.3"',
+        "KD001",
+        "expected a vector '(x, y, z)' instead of '0 0.1 0.3'",
+    ),
+    ("(PI/2.0,", "(90°,", "KD005", "'90°' is not a number"),
+    ("(PI/2.0,", "(-90.0°,", "KD005", "'-90.0°' is not a number"),
+    ("id = 1", "id = 1.0", "KD005", "id '1.0' is not a natural number"),
+    ("via shoulder }", "via shoulder; }", "KD001", "unexpected ';'"),
+    ("via shoulder }", "via shoulder, }", "KD001", "unexpected ','"),
+    ("link upper", "link up-per", "KD001", "'up-per' is not a name"),
     ("(0.0, 0.1, 0.3)", "(0.0 0.1, 0.3)", "KD001", "expected ',' after '0.0'"),
     ("(0.0, 0.1, 0.3)", "(0.0 0.1 0.3)", "KD001", "expected ',' after '0.0'"),
     ("(0.0, 0.1, 0.3)", "(0.0, -0.1 0.3)", "KD001", "expected ',' after '-0.1'"),
@@ -86,7 +104,7 @@ MENDED = [
 TOLD = [
     ("id = 1\n", "\n", "KD008", "link 'upper' has no 'id'"),
     ("id = 1", "id = 0", "KD005", "id '0' is not a natural number"),
-    ("id = 1", "id = 1.0", "KD005", "id '1.0' is not a natural number"),
+    ("id = 1", "id = 1.5", "KD005", "id '1.5' is not a natural number"),
     ("id = 1", "id = 3000000000", "KD005", "id '3000000000' is larger than 2147483647"),
     ("Ixy=0.0", "", "KD008", "'inertia_params' has no 'Ixy'"),
     ("children { }", "", "KD008", "link 'upper' has no 'children'"),
@@ -101,9 +119,8 @@ TOLD = [
     ("(0.0, 0.1, 0.3)", "(0.0 PI/2.0)", "KD001", "vector has 2 components instead of 3"),
     ("(0.0, 0.1, 0.3)", "(0.0PI/2.0)", "KD001", "vector has 2 components instead of 3"),
     ("(0.0, 0.1, 0.3)", "", "KD001", "expected a vector '(x, y, z)' after '='"),
-    ("link upper", "link up-per", "KD001", "'up-per' is not a name"),
     ("link upper", "link 1upper", "KD001", "'1upper' is not a name"),
-    ("Robot arm {\n", "", "KD008", "robot's opening 'Robot NAME {' lacks before base 'base'"),
+    ("Robot arm {\n", "", "KD008", "expected 'Robot NAME {' before base 'base'"),
     ("link upper {", "link {", "KD001", "expected a name after 'link'"),
     ("mass = 2.0", "children = 2.0", "KD001", "expected 'mass' instead of 'children'"),
     ("mass = 2.0", "id = 2.0", "KD001", "expected 'mass' instead of 'id'"),
@@ -127,6 +144,19 @@ TOLD = [
 def changed(old: str, new: str) -> str:
     assert old in MODEL
     return MODEL.replace(old, new, 1)
+
+
+def test_a_misspelt_block_behind_a_mistake_does_not_hide_it() -> None:
+    text = changed("r_joint shoulder", "Joint shoulder").replace("children { }", "children { ; }")
+    assert [entry[2] for entry in messages(parse(text))] == [
+        "unexpected ';'",
+        "unknown keyword 'Joint', did you mean 'r_joint' or 'p_joint'",
+    ]
+    text = changed("via shoulder }\n}\nlink", "via shoulder; }\n}\nLink")
+    assert [entry[2] for entry in messages(parse(text))] == [
+        "unexpected ';'",
+        "unknown keyword 'Link', did you mean 'link'",
+    ]
 
 
 def test_the_model_is_correct() -> None:

@@ -202,7 +202,7 @@ def _lacking(
         if any(island.problems for island in islands[: first.number + 1]):
             return []
         start = first.node.start
-        message = f"robot's opening 'Robot NAME {{' lacks before {title_of(first.node)}"
+        message = f"expected 'Robot NAME {{' before {title_of(first.node)}"
         return [_placed(first, Problem("KD008", message, start, start))]
     if "end" not in kinds:
         if _explains_end(islands):

@@ -5,6 +5,8 @@ from collections.abc import Iterator, Sequence
 
 from kindsl.syntax.scanner import BAD
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
+from kindsl.syntax.values import in_radians
+from kindsl.syntax.words import shown
 
 _MOST_PROBLEMS = 20
 _BLANKS = frozenset(
@@ -46,6 +48,10 @@ def without_invalid(
                 good.append(token)
             continue
         is_glued = bool(good) and good[-1].end == token.start
+        if is_glued and token.text == "°" and good[-1].kind in ("INT", "FLOAT"):
+            invalid.append(token)
+            problems.append(_degrees(good[-1], token))
+            continue
         end = token.end if is_glued else -1
         invalid.append(token)
         problems.append(_problem(token))
@@ -91,6 +97,15 @@ def _problem(token: Token) -> Problem:
     title = "Replace with a blank" if new else "Remove the invalid character"
     repair = Repair(title, (Edit(token.start, token.end, new),), True)
     return Problem("KD004", message, token.start, token.end, repair)
+
+
+def _degrees(number: Token, sign: Token) -> Problem:
+    repair = None
+    if float(number.text):
+        meant = in_radians(number.text)
+        repair = Repair(f"Write {meant}", (Edit(number.start, sign.end, meant),), False)
+    message = f"'{shown(number.text)}°' is not a number"
+    return Problem("KD005", message, number.start, sign.end, repair)
 
 
 def _named(character: str) -> str:

@@ -7,8 +7,33 @@ from kindsl.syntax.tree import Edit, Problem, Repair, Token
 from kindsl.syntax.words import shown, supplied
 
 COMPONENTS = 3
+QUOTES = ('"', "'")
 
 _OPERANDS = frozenset({"FLOAT", "INT", "SCIENTIFIC", "POWER_FLOAT", "NAME", "PI", "LOWER_PI"})
+
+
+def from_attribute(tokens: Sequence[Token], problems: list[Problem]) -> list[Token]:
+    """Return three numbers as URDF writes them, `"0 0 1.57"`, as a vector; nothing for others."""
+    is_quoted = tokens[0].text in QUOTES and tokens[0].text == tokens[-1].text
+    numbers = tokens[1:-1] if is_quoted else tokens
+    if len(numbers) != COMPONENTS or any(n.kind not in ("INT", "FLOAT") for n in numbers):
+        return []
+    x, y, z = (n.text if n.kind == "FLOAT" else f"{n.text}.0" for n in numbers)
+    start, end = tokens[0].start, tokens[-1].end
+    written = shown("".join(f" {n.text}" for n in numbers))
+    repair = Repair(f"Write '({x}, {y}, {z})'", (Edit(start, end, f"({x}, {y}, {z})"),), False)
+    message = f"expected a vector '(x, y, z)' instead of '{written}'"
+    problems.append(Problem("KD001", message, start, end, repair))
+    first, second, third = numbers
+    return [
+        supplied("(", tokens[0].lead),
+        first,
+        supplied(",", first.end),
+        second,
+        supplied(",", second.end),
+        third,
+        supplied(")", end),
+    ]
 
 
 def with_commas(tokens: Sequence[Token], problems: list[Problem]) -> list[Token]:

@@ -6,7 +6,7 @@ They are put right before the search for repairs, which would see several mistak
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from kindsl.syntax.components import COMPONENTS, of_three, with_commas
+from kindsl.syntax.components import COMPONENTS, QUOTES, from_attribute, of_three, with_commas
 from kindsl.syntax.foreign_words import in_our_words, without_relatives
 from kindsl.syntax.half_written import VECTOR, half_vector, with_whole_children, with_whole_sections
 from kindsl.syntax.obsolete_forms import in_todays_forms
@@ -124,6 +124,10 @@ def _value_end(tokens: Sequence[Token], index: int) -> int:
             if tokens[end].kind in ("=", "{", "}"):
                 break
         return index + 1
+    if tokens[index].text in QUOTES:
+        inside = [token.text for token in tokens[index + 1 : index + 2 + COMPONENTS]]
+        quote = tokens[index].text
+        return index + 2 + inside.index(quote) if quote in inside else index + 1
     end = index + 1
     while end < min(index + _REACH, len(tokens)) and tokens[end].kind in ("INT", "FLOAT", ","):
         end += 1
@@ -142,6 +146,10 @@ def _put_vector(
             result.tokens.extend(supplied(kind, equals.end) for kind in VECTOR)
         result.tokens.extend(tokens)
         return
+    attribute = from_attribute(tokens, result.problems) if following != ")" else []
+    if attribute:
+        result.tokens.extend(attribute)
+        return
     if first.kind in _NUMBERS:
         tokens = _with_parentheses(tokens, following, result.problems)
     tokens = _with_round_brackets(tokens, result.problems)
@@ -158,7 +166,7 @@ def _with_parentheses(
         return tokens
     start, end = tokens[0].start, tokens[-1].end
     repair = Repair("Insert '()'", (Edit(start, start, "("), Edit(end, end, ")")), True)
-    problems.append(Problem("KD001", "vector stands without '()'", start, end, repair))
+    problems.append(Problem("KD001", "vector is not enclosed in '()'", start, end, repair))
     return [supplied("(", tokens[0].lead), *tokens, supplied(")", end)]
 
 
@@ -179,7 +187,7 @@ def _with_round_brackets(tokens: Sequence[Token], problems: list[Problem]) -> li
     if _CLOSING.get(first.kind) != last.kind or not any(t.kind == "," for t in tokens):
         return list(tokens)
     edits = (Edit(first.start, first.end, "("), Edit(last.start, last.end, ")"))
-    message = f"vector stands in '{first.text}{last.text}' instead of '()'"
+    message = f"vector is enclosed in '{first.text}{last.text}' instead of '()'"
     repair = Repair("Write '()'", edits, True)
     problems.append(Problem("KD001", message, first.start, last.end, repair))
     opening = Token("(", first.text, first.lead, first.start, first.end)

@@ -11,6 +11,7 @@ from kindsl.syntax.words import SPELLINGS, called, first_row, shown, unknown_key
 from kindsl.text.nearest import nearest_words
 
 _WRITTEN = frozenset("{}()=,]>")
+_SEPARATORS = frozenset(";,")
 _TITLED = frozenset({"link", "Robot", "RobotBase", "JOINT_KIND"})
 
 
@@ -47,6 +48,8 @@ def repair_problem(
     else:
         code, message = _lost(read, tokens, *added[0])
     repairs = _repairs(text, read, tokens, changes, words)
+    if not added and message.endswith("is not a name"):
+        repairs = _as_one_name(text, tokens, gone) or repairs
     if len(repairs) > 1:
         return Problem(code, message, start, end, choices=repairs)
     return Problem(code, message, start, end, repairs[0] if repairs else None)
@@ -122,6 +125,8 @@ def _span(tokens: Sequence[Token], group: Sequence[Change]) -> tuple[int, int]:
 
 def _left_out(text: str, tokens: Sequence[Token], gone: Sequence[Token]) -> str:
     """Return what to say about tokens that are too much; glued to a name they spoil it."""
+    if all(token.text in _SEPARATORS for token in gone):
+        return f"unexpected '{gone[0].text}'"
     for token in tokens:
         if token.end == gone[0].start and token.text[:1].isidentifier():
             return f"'{shown(text[token.start : gone[-1].end])}' is not a name"
@@ -129,6 +134,20 @@ def _left_out(text: str, tokens: Sequence[Token], gone: Sequence[Token]) -> str:
         if is_behind and gone[0].text[:1].isdigit():
             return f"'{shown(text[gone[0].start : token.end])}' is not a name"
     return f"unexpected '{shown(first_row(text, gone))}'"
+
+
+def _as_one_name(text: str, tokens: Sequence[Token], gone: Sequence[Token]) -> tuple[Repair, ...]:
+    """Return the repair of a name with signs in it, `_` in their place; none if it is no name."""
+    first = next((token for token in tokens if token.end == gone[0].start), None)
+    if first is None:
+        return ()
+    written = text[first.start : gone[-1].end]
+    signs = [token for token in gone if not token.text[:1].isalnum()]
+    name = "".join("_" if token in signs else token.text for token in (first, *gone))
+    if len(name) != len(written) or not name.isidentifier() or gone[-1] in signs:
+        return ()
+    edits = tuple(Edit(token.start, token.end, "_") for token in signs)
+    return (Repair(f"Replace '{shown(written)}' with '{name}'", edits, False),)
 
 
 def _half_keyword(
@@ -217,11 +236,16 @@ def _is_removed_on(text: str, last: Edit, edit: Edit) -> bool:
 
 def _title(text: str, edits: Sequence[Edit]) -> str:
     """Return what is written: what is put in place of what, put in, or taken out."""
-    old = " ".join(text[e.start : e.end] for e in edits if e.start < e.end)
-    new = " ".join(e.text.strip() for e in edits if e.text.strip())
+    old = _told([text[e.start : e.end] for e in edits if e.start < e.end])
+    new = _told([e.text.strip() for e in edits if e.text.strip()])
     if old and new:
         return f"Replace '{shown(old)}' with '{shown(new)}'"
     return f"Insert '{shown(new)}'" if new else f"Remove '{shown(old)}'"
+
+
+def _told(pieces: Sequence[str]) -> str:
+    """Return pieces side by side; what is the same everywhere once."""
+    return " ".join(pieces if len(set(pieces)) > 1 else pieces[:1])
 
 
 def _edit(

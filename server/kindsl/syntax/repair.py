@@ -174,7 +174,7 @@ def _is_goal(candidate: _Candidate, tokens: Sequence[Token], failed: int, start:
     index = candidate.at
     if index < len(tokens):
         is_behind = index > failed and candidate.shifts > 0
-        if not is_behind or tokens[index].kind not in BLOCK_STARTS:
+        if not is_behind or not _begins_block(tokens, index):
             return False
     return is_complete(candidate.stack, start)
 
@@ -217,13 +217,20 @@ def _following(
     return followers
 
 
+def _begins_block(tokens: Sequence[Token], index: int) -> bool:
+    """Return whether a block begins at a token, perhaps with its keyword misspelt: `Link arm {`."""
+    kinds = [token.kind for token in tokens[index : index + 3]]
+    return kinds[0] in BLOCK_STARTS or kinds == ["NAME", "NAME", "{"]
+
+
 def _run(goal: _Candidate, tokens: Sequence[Token], start: str) -> int:
     """Return how many more tokens fit; many where they fit to the end."""
     stack, count = goal.stack, 0
     for token in tokens[goal.at : goal.at + _RUN]:
         after = step(stack, token.kind)
         if after is None:
-            return _RUN if token.kind in BLOCK_STARTS and is_complete(stack, start) else count
+            is_next = _begins_block(tokens, goal.at + count) and is_complete(stack, start)
+            return _RUN if is_next else count
         stack = after
         count += 1
     if goal.at + count >= len(tokens) and not is_complete(stack, start):

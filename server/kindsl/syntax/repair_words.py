@@ -68,5 +68,14 @@ def _word(change: Change, tokens: Sequence[Token], lacking: Sequence[str]) -> Wo
         return Word(usual)
     known = lacking if is_moment else SPELLINGS.get(change.kind, ())
     written = tokens[change.at].text
+    if change.kind == "INT":
+        return Word(_whole(tokens[change.at]))
     near = nearest_words(written, known) if written[:1].isidentifier() else ()
     return Word(near[0] if near else usual, near)
+
+
+def _whole(token: Token) -> str:
+    """Return `2` for `2.0`; nothing for what is no such number."""
+    whole, _, fraction = token.text.partition(".")
+    is_whole = token.kind == "FLOAT" and whole.isdigit() and not fraction.strip("0")
+    return whole if is_whole and int(whole) > 0 else ""

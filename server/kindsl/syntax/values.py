@@ -106,11 +106,16 @@ def _with_unit(number: Token, unit: Token) -> Problem:
     text = number.text + unit.text
     repair = None
     if unit.text in ("deg", "degrees") and int(number.text):
-        angle = math.radians(int(number.text))
-        meant = _part_of_pi(angle) or exact_decimal(angle)
+        meant = in_radians(number.text)
         repair = Repair(f"Write {meant}", (Edit(number.start, unit.end, meant),), False)
     message = f"'{shown(text)}' is not a number"
     return Problem("KD005", message, number.start, unit.end, repair)
+
+
+def in_radians(degrees: str) -> str:
+    """Return an angle other than zero as both generators read it."""
+    angle = math.radians(float(degrees))
+    return _part_of_pi(angle) or exact_decimal(angle)
 
 
 def _unsupported(text: str, node: Node, tokens: Sequence[Token]) -> Problem:
