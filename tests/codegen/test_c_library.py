@@ -1,6 +1,5 @@
 """Libraries in C compile without warnings and compute what the mechanics do."""
 
-import ctypes
 import shutil
 import subprocess
 from pathlib import Path
@@ -15,59 +14,30 @@ from tests.codegen.compiling import (
     needs_compiler,
     run_tests,
 )
+from tests.codegen.loaded import Loaded
 from tests.codegen.robots import PLAIN, bodies_of_seed, library, reference, write_c
 
 from kindsl.codegen.c_test import TOLERANCES
-from kindsl.codegen.reference import worst_difference
-from kindsl.dynamics.bodies import Bodies
-from kindsl.dynamics.generation.function import Function
-from kindsl.spatial.arrays import Array
+from kindsl.codegen.reference import Reference, worst_difference
 
 pytestmark = needs_compiler
 FEW = ("poses", "foot_jacobians", "inverse_dynamics", "forward_dynamics")
 EXTREMES = (0.0, 1e-308, 1e4, 1e8, 1e300, np.inf, -np.inf, np.nan)
 
 
-class Loaded:
-    """A library in C as functions in Python."""
-
-    def __init__(self, folder: Path, bodies: Bodies, compiler: Compiler) -> None:
-        path = build(compiler, folder, ["-shared", "-fPIC"], "robot.so")
-        self.code = ctypes.CDLL(str(path))
-        self.bodies = bodies
-        self.library = library(bodies)
-        self.model = np.zeros(max(1, len(self.library.setup)))
-
-    def call(
-        self, function: Function, values: dict[str, Array], n: int | None = None
-    ) -> list[Array]:
-        """Call a function, or with a number of configurations its batch."""
-        name = f"robot_{self.library.function_names[function.name]}"
-        outputs = [np.full((n or 1) * len(r.entries), -7.0) for r in function.results]
-        given = [values[a.name] for a in function.arguments]
-        if function.loaded is not None:
-            given.append(values.get("fext"))
-        pointers = [_pointer(a) for a in (self.model, *given, *outputs)]
-        if n is None:
-            getattr(self.code, name)(*pointers)
-        else:
-            getattr(self.code, f"{name}_batch")(ctypes.c_long(n), *pointers)
-        return outputs
-
-
-def _pointer(array: Array | None) -> ctypes.c_void_p:
-    return ctypes.c_void_p(None if array is None else array.ctypes.data)
-
-
 @pytest.fixture(scope="module", params=[4, 3], ids=["fixed", "floating"])
-def loaded(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Loaded:
+def pair(
+    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
+) -> tuple[Loaded, Reference]:
     """A library with branches, frames and both kinds of joints, compiled once for all tests."""
     bodies = bodies_of_seed(request.param, 5)
-    return Loaded(write_c(bodies, tmp_path_factory.mktemp("c") / "robot"), bodies, COMPILERS[0])
+    folder = write_c(bodies, tmp_path_factory.mktemp("c") / "robot")
+    path = build(COMPILERS[0], folder, ["-shared", "-fPIC"], "robot.so")
+    return Loaded(path, library(bodies)), reference(bodies)
 
 
-def test_numbers_are_the_mechanics(loaded: Loaded) -> None:
-    expected = reference(loaded.bodies)
+def test_numbers_are_the_mechanics(pair: tuple[Loaded, Reference]) -> None:
+    loaded, expected = pair
     free = {**expected.values, "fext": None}
     for function in loaded.library.all_functions:
         found = loaded.call(function, free)
@@ -77,9 +47,10 @@ def test_numbers_are_the_mechanics(loaded: Loaded) -> None:
             assert worst_difference(found, expected.loaded_results(function)) < 1e-12
 
 
-def test_batches_are_the_single_answers(loaded: Loaded) -> None:
+def test_batches_are_the_single_answers(pair: tuple[Loaded, Reference]) -> None:
+    loaded, expected = pair
     generator = np.random.default_rng(1)
-    one = reference(loaded.bodies).values
+    one = expected.values
     many = {k: generator.uniform(-1.0, 1.0, (3, len(v))) for k, v in one.items()}
     many["g"] = one["g"]
     for function in loaded.library.all_functions:
@@ -90,9 +61,12 @@ def test_batches_are_the_single_answers(loaded: Loaded) -> None:
                 np.testing.assert_array_equal(whole.reshape(3, -1)[k], single)
 
 
-def test_extreme_values_give_numbers_or_none_but_never_a_trap(loaded: Loaded) -> None:
+def test_extreme_values_give_numbers_or_none_but_never_a_trap(
+    pair: tuple[Loaded, Reference],
+) -> None:
+    loaded, expected = pair
     generator = np.random.default_rng(2)
-    ordinary = reference(loaded.bodies).values
+    ordinary = expected.values
     inverse = next(f for f in loaded.library.all_functions if f.name == "inverse_dynamics")
     for _ in range(40):
         values = {
