@@ -1,4 +1,4 @@
-"""The mechanisms that the dynamics benchmark measures: an arm, a quadruped, a long chain."""
+"""The mechanisms that benchmarks measure: an arm, a quadruped, a long chain, a pendulum."""
 
 import numpy as np
 
@@ -8,6 +8,11 @@ from kindsl.spatial.inertia import point_inertia
 from kindsl.spatial.transforms import rotation_from_intrinsic_xyz
 
 RIGHT = np.pi / 2
+
+
+def pendulum() -> Bodies:
+    """Return one revolute joint on a fixed base."""
+    return _bodies(range(1), [(RIGHT, 0.0, 0.0)], [(0.0, 0.0, 0.3)], is_floating=False)
 
 
 def arm() -> Bodies:
