@@ -18,40 +18,27 @@ chosen), turns the pair round, or else adds a link of that name. Unsafe: each is
 """
 
 from collections.abc import Iterator
+from functools import partial
 
 from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
+from kindsl.rules.missing_names import missing_names
 from kindsl.rules.new_blocks import new_link
-from kindsl.rules.reference_defects import reference_defects, suggestions
+from kindsl.rules.reference_defects import reference_defects
 from kindsl.semantics.declarations import Child
 from kindsl.semantics.model import Model
-from kindsl.text.nearest import hint
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each reference to a link that does not exist."""
     defects = reference_defects(model)
-    idle = [str(body.name) for body in defects.idle_links]
-    free = set(idle)
-    for number, edge in enumerate(defects.undefined_links):
-        name = edge.child.link
-        meant = suggestions(name, number, idle, (str(body.name) for body in model.links))
-        message = f"link '{name}' does not exist{hint(meant)}"
-        choices = tuple(_rename(edge.child, each) for each in meant)
-        if len(choices) > 1:
-            yield Finding(name, message, choices=choices)
-        else:
-            is_free = bool(meant) and meant[0] in free
-            free.discard(meant[0] if meant else "")
-            yield Finding(name, message, fix=choices[0] if is_free else new_link(model, name))
+    names = (edge.child.link for edge in defects.undefined_links)
+    add = partial(new_link, model)
+    yield from missing_names(names, "link", defects.idle_links, model.links, add)
     for edge in defects.swapped:
         message = f"'{edge.child.link}' is a joint and '{edge.child.joint}' is a link"
         yield Finding(edge.child, message, fix=_swap(edge.child))
-
-
-def _rename(child: Child, meant: str) -> Fix:
-    return Fix(f"Replace '{child.link}' with '{meant}'", (Change(child.link, meant),))
 
 
 def _swap(child: Child) -> Fix:

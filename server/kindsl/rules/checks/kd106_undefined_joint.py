@@ -18,37 +18,23 @@ chosen), or else adds a revolute joint of that name. Unsafe: each is a guess.
 """
 
 from collections.abc import Iterator
+from functools import partial
 
-from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
+from kindsl.rules.base import Example, Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
+from kindsl.rules.missing_names import missing_names
 from kindsl.rules.new_blocks import new_joint
-from kindsl.rules.reference_defects import reference_defects, suggestions
-from kindsl.semantics.declarations import Child
+from kindsl.rules.reference_defects import reference_defects
 from kindsl.semantics.model import Model
-from kindsl.text.nearest import hint
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each reference to a joint that does not exist."""
     defects = reference_defects(model)
-    idle = [str(joint.name) for joint in defects.idle_joints]
-    free = set(idle)
-    for number, edge in enumerate(defects.undefined_joints):
-        name = edge.child.joint
-        meant = suggestions(name, number, idle, (str(joint.name) for joint in model.joints))
-        message = f"joint '{name}' does not exist{hint(meant)}"
-        choices = tuple(_rename(edge.child, each) for each in meant)
-        if len(choices) > 1:
-            yield Finding(name, message, choices=choices)
-        else:
-            is_free = bool(meant) and meant[0] in free
-            free.discard(meant[0] if meant else "")
-            yield Finding(name, message, fix=choices[0] if is_free else new_joint(model, name))
-
-
-def _rename(child: Child, meant: str) -> Fix:
-    return Fix(f"Replace '{child.joint}' with '{meant}'", (Change(child.joint, meant),))
+    names = (edge.child.joint for edge in defects.undefined_joints)
+    add = partial(new_joint, model)
+    yield from missing_names(names, "joint", defects.idle_joints, model.joints, add)
 
 
 def _arm(joint: str, joints: str) -> str:
