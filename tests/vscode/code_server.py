@@ -12,7 +12,6 @@ import socket
 import subprocess
 import sys
 import time
-import urllib.error
 import urllib.request
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
@@ -82,7 +81,7 @@ def install() -> Path:
     """Return the folder of VS Code's server, installed if it is not there yet."""
     BUILD.mkdir(parents=True, exist_ok=True)
     vscode = BUILD / "node_modules" / "code-server" / "lib" / "vscode"
-    with _locked(BUILD / "lock"):
+    with locked(BUILD / "lock"):
         stamp = BUILD / "installed"
         if not stamp.exists() or stamp.read_text() != VERSION:
             _install_into(BUILD, vscode)
@@ -100,11 +99,11 @@ def package_extension() -> Path:
     """Return the extension's package, built if a source is younger than it."""
     version = json.loads((EXTENSION / "package.json").read_text())["version"]
     package = EXTENSION / f"kindsl-{version}.vsix"
-    with _locked(ROOT / "build" / "vsix.lock"):
-        if not package.exists() or package.stat().st_mtime < _youngest_source():
+    with locked(ROOT / "build" / "vsix.lock"):
+        if not package.exists() or package.stat().st_mtime < youngest_source():
             if not (EXTENSION / "node_modules" / ".package-lock.json").exists():
-                _npm("ci", "--ignore-scripts", folder=EXTENSION)
-            _npm("run", "package", folder=EXTENSION)
+                npm("ci", "--ignore-scripts", folder=EXTENSION)
+            npm("run", "package", folder=EXTENSION)
     return package
 
 
@@ -159,9 +158,9 @@ _CAPTURED = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": Tru
 
 def _install_into(folder: Path, vscode: Path) -> None:
     (folder / "package.json").write_text('{"private": true}\n')
-    _npm("install", "--ignore-scripts", f"code-server@{VERSION}", folder=folder)
+    npm("install", "--ignore-scripts", f"code-server@{VERSION}", folder=folder)
     for part in (vscode, vscode / "extensions"):
-        _npm("install", "--ignore-scripts", "--omit=dev", folder=part)
+        npm("install", "--ignore-scripts", "--omit=dev", folder=part)
     asar = vscode / "node_modules.asar"
     if not asar.exists():
         asar.symlink_to("node_modules")
@@ -177,15 +176,20 @@ def _compile_terminals(vscode: Path) -> None:
     subprocess.run(["npm", "rebuild", "node-pty"], cwd=vscode, check=False, **_CAPTURED)
 
 
-def _youngest_source() -> float:
-    """When the latest change was made to what goes into the package."""
-    listed = ["git", "ls-files", "-z", *SOURCES]
+def youngest_source(*more: str) -> float:
+    """When the latest change was made to what goes into the package, or into more folders."""
+    listed = ["git", "ls-files", "-z", *SOURCES, *more]
     names = subprocess.run(listed, cwd=ROOT, capture_output=True, text=True, check=True).stdout
     files = [ROOT / name for name in names.split("\0") if name]
     return max(file.stat().st_mtime for file in files if file.exists())
 
 
-def _npm(*arguments: str, folder: Path) -> None:
+def npm(*arguments: str, folder: Path) -> None:
+    """Run npm in a folder.
+
+    Raises:
+        RuntimeError: With what it said, if it failed.
+    """
     npm = shutil.which("npm")
     if npm is None:
         raise FileNotFoundError("npm is not installed")
@@ -224,13 +228,15 @@ def _wait_until_up(port: int, process: "subprocess.Popen[bytes]", log: Path) -> 
         try:
             with urllib.request.urlopen(f"http://127.0.0.1:{port}/version", timeout=5):
                 return
-        except (urllib.error.URLError, ConnectionError):
+        except OSError:
+            # Not there yet, or there and too busy to answer.
             time.sleep(0.1)
     raise RuntimeError(f"VS Code's server did not come up:\n{log.read_text(errors='replace')}")
 
 
 @contextmanager
-def _locked(path: Path) -> Iterator[None]:
+def locked(path: Path) -> Iterator[None]:
+    """Let one process at a time do it."""
     path.parent.mkdir(parents=True, exist_ok=True)
     with path.open("w") as file:
         fcntl.flock(file, fcntl.LOCK_EX)

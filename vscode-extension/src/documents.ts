@@ -1,13 +1,12 @@
 // Documents that the extension makes: a new robot, and a robot's URDF.
 import * as vscode from "vscode";
-import { ExecuteCommandRequest } from "vscode-languageclient/node";
-import { LANGUAGE } from "./client";
-import { installAction } from "./packages";
-import { RESTART, SHOW_LOG, showError } from "./problems";
-import type { Server } from "./server";
+import { ExecuteCommandRequest } from "vscode-languageclient";
+import { installAction, RESTART, SHOW_LOG, showError } from "./actions";
+import { LANGUAGE } from "./clientOptions";
+import type { ServerAccess } from "./serverAccess";
 
 /** Open the robot that the server offers in an empty document, its names to be typed over. */
-export async function newFile(server: Server): Promise<void> {
+export async function newFile(server: ServerAccess): Promise<void> {
   const document = await vscode.workspace.openTextDocument({ language: LANGUAGE });
   const editor = await vscode.window.showTextDocument(document);
   if ((await server.client()) === undefined) return;
@@ -21,7 +20,7 @@ export async function newFile(server: Server): Promise<void> {
 }
 
 /** Open the document's URDF beside it, unsaved. */
-export async function showUrdf(uri: vscode.Uri, server: Server): Promise<void> {
+export async function showUrdf(uri: vscode.Uri, server: ServerAccess): Promise<void> {
   const client = await server.client();
   if (client === undefined) {
     void showError("The conversion needs the language server, which is not running", [RESTART, SHOW_LOG]);

@@ -1,16 +1,18 @@
 // Finds Python, starts the language server, shows its preview. The language itself is the server's matter.
 import * as vscode from "vscode";
-import type { Location, Position } from "vscode-languageclient/node";
-import { LANGUAGE } from "./client";
+import type { Location, Position } from "vscode-languageclient";
+import { LANGUAGE } from "./clientOptions";
 import { newFile, showUrdf } from "./documents";
 import { selectInterpreter } from "./interpreterChoice";
+import { FrameScreen, previewAddress } from "./frameScreen";
 import type { Home } from "./launch";
 import { onSelectionChange } from "./msPython";
 import { installPackages } from "./packages";
 import { Previews } from "./preview";
 import { report, type Problem } from "./problems";
 import { showReferences } from "./references";
-import { Server, type ServerState } from "./server";
+import { Server } from "./server";
+import type { ServerState } from "./serverAccess";
 import { needsRestart, previewOpensByItself, readSettings } from "./settings";
 import { StatusItems } from "./status";
 import { registerTasks } from "./tasks";
@@ -31,10 +33,10 @@ let server: Server | undefined;
 export function activate(context: vscode.ExtensionContext): Api {
   const log = vscode.window.createOutputChannel("Kinematics-DSL", { log: true });
   const own = (server = new Server(context, log, {
-    openPreview: (uri = activeDocument(previews)) => uri && previews.open(uri),
+    openPreview: (uri = previews.currentUri()) => uri && previews.open(uri),
     showStatus: (received) => status.receive(received),
   }));
-  const previews = new Previews(context.extensionUri, own);
+  const previews = new Previews(context.extensionUri, own, (panel) => new FrameScreen(panel, own));
   const status = new StatusItems(own);
   const api = exported(own, context);
   context.subscriptions.push(log, own, previews, status, new KinematicTree(own));
@@ -82,12 +84,12 @@ function registerCommands(
   log: vscode.LogOutputChannel,
 ): vscode.Disposable[] {
   const onDocument = (run: (uri: vscode.Uri) => unknown) => (uri?: vscode.Uri) => {
-    const chosen = uri instanceof vscode.Uri ? uri : activeDocument(previews);
+    const chosen = uri instanceof vscode.Uri ? uri : previews.currentUri();
     return chosen && run(chosen);
   };
   const commands: Record<string, (...args: never[]) => unknown> = {
     "kindsl.openPreview": onDocument((uri) => previews.open(uri)),
-    "kindsl.openPreviewInBrowser": onDocument((uri) => openInBrowser(previews, uri)),
+    "kindsl.openPreviewInBrowser": onDocument((uri) => openInBrowser(own, uri)),
     "kindsl.pinPreview": () => previews.setPinned(true),
     "kindsl.unpinPreview": () => previews.setPinned(false),
     "kindsl.showSource": () => previews.showSourceOfActive(),
@@ -106,9 +108,9 @@ function registerCommands(
   return Object.entries(commands).map(([name, run]) => vscode.commands.registerCommand(name, run));
 }
 
-async function openInBrowser(previews: Previews, uri: vscode.Uri): Promise<void> {
+async function openInBrowser(own: Server, uri: vscode.Uri): Promise<void> {
   try {
-    await previews.openInBrowser(uri);
+    await vscode.env.openExternal(vscode.Uri.parse(await previewAddress(own, uri), true));
   } catch (error) {
     void vscode.window.showErrorMessage((error as Error).message);
   }
@@ -130,9 +132,4 @@ function openFirstPreview(context: vscode.ExtensionContext, previews: Previews):
   const listening = vscode.window.onDidChangeActiveTextEditor(open);
   context.subscriptions.push(listening);
   open(vscode.window.activeTextEditor);
-}
-
-function activeDocument(previews: Previews): vscode.Uri | undefined {
-  const document = vscode.window.activeTextEditor?.document;
-  return document?.languageId === LANGUAGE ? document.uri : previews.activeUri();
 }

@@ -1,21 +1,14 @@
 // Packages that mechanics need: installed on request, into a folder of the extension's own.
 import { spawn } from "node:child_process";
 import * as vscode from "vscode";
+import { command, showError, SHOW_LOG } from "./actions";
 import { script, type Home } from "./launch";
-import { command, showError, SHOW_LOG, type Action } from "./problems";
 import type { Interpreter } from "./python";
 import type { Server } from "./server";
 
 const NO_PIP = 3;
 const UNREACHABLE = /NewConnectionError|NameResolutionError|getaddrinfo|ConnectTimeout|ProxyError|Network is unreachable/;
 const NOT_OFFERED = /No matching distribution|Could not find a version/;
-
-/** The button that installs what a request lacks, as the server names it in an error's data; none for other errors. */
-export function installAction(error: unknown): Action[] {
-  const missing = (error as { data?: { missing?: unknown } }).data?.missing;
-  if (!Array.isArray(missing) || missing.length === 0) return [];
-  return [command(`Install ${missing.join(" and ")}`, "kindsl.installPackages", missing)];
-}
 
 /** Install packages for the interpreter that runs the server, and start that again. */
 export async function installPackages(names: readonly string[], home: Home, server: Server, log: vscode.LogOutputChannel) {

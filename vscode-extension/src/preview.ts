@@ -1,26 +1,27 @@
 // The preview panels: one that follows the active editor, and any number pinned to a document each.
-import { randomBytes } from "node:crypto";
 import * as vscode from "vscode";
-import { ExecuteCommandRequest } from "vscode-languageclient/node";
-import { LANGUAGE } from "./client";
-import { installAction } from "./packages";
-import { actionsFor, describe, RESTART, SHOW_LOG, type Action } from "./problems";
-import { previewPage, type PanelContent, type PanelState } from "./previewPage";
-import { relocate } from "./relocate";
-import type { Server } from "./server";
+import { ExecuteCommandRequest } from "vscode-languageclient";
+import { LANGUAGE } from "./clientOptions";
+import type { PanelState } from "./previewPage";
+import type { ServerAccess } from "./serverAccess";
 import { showSource } from "./source";
 
 export const VIEW_TYPE = "kindsl.preview";
 const PINNED_CONTEXT = "kindsl.previewPinned";
 
+/** What is in a panel. */
+export interface Screen {
+  /** Show a document, or the same one anew. */
+  show(uri: vscode.Uri, state: PanelState): Promise<void>;
+}
+
+export type NewScreen = (panel: vscode.WebviewPanel) => Screen;
+
 interface Preview {
   readonly panel: vscode.WebviewPanel;
+  readonly screen: Screen;
   uri: vscode.Uri;
   isPinned: boolean;
-  /** What the buttons do of a panel that shows no robot. */
-  actions: readonly Action[];
-  /** Counts what was asked to be shown, so that a late answer does not replace a newer one. */
-  request: number;
 }
 
 export class Previews implements vscode.Disposable, vscode.WebviewPanelSerializer<PanelState> {
@@ -29,7 +30,8 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
 
   constructor(
     private readonly extension: vscode.Uri,
-    private readonly server: Server,
+    private readonly server: ServerAccess,
+    private readonly newScreen: NewScreen,
   ) {
     this.#disposables = [
       vscode.window.registerWebviewPanelSerializer(VIEW_TYPE, this),
@@ -55,10 +57,6 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
     this.#adopt(panel, uri, false);
   }
 
-  async openInBrowser(uri: vscode.Uri): Promise<void> {
-    await vscode.env.openExternal(vscode.Uri.parse(await this.#url(uri), true));
-  }
-
   setPinned(isPinned: boolean): void {
     const preview = this.#active();
     if (preview === undefined) return;
@@ -68,12 +66,18 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
   }
 
   async showSourceOfActive(): Promise<void> {
-    const uri = this.activeUri();
+    const uri = this.#activeUri();
     if (uri !== undefined) await showSource(uri);
   }
 
+  /** The document that a command means: the active editor's, or that of the panel which has the focus. */
+  currentUri(): vscode.Uri | undefined {
+    const document = vscode.window.activeTextEditor?.document;
+    return document?.languageId === LANGUAGE ? document.uri : this.#activeUri();
+  }
+
   /** The document of the panel that has the focus. */
-  activeUri(): vscode.Uri | undefined {
+  #activeUri(): vscode.Uri | undefined {
     return this.#active()?.uri;
   }
 
@@ -83,13 +87,9 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
   }
 
   #adopt(panel: vscode.WebviewPanel, uri: vscode.Uri, isPinned: boolean): void {
-    const preview: Preview = { panel, uri, isPinned, actions: [], request: 0 };
+    const preview: Preview = { panel, screen: this.newScreen(panel), uri, isPinned };
     this.#previews.add(preview);
-    panel.webview.options = { enableScripts: true, localResourceRoots: [] };
     panel.iconPath = vscode.Uri.joinPath(this.extension, "images", "file.svg");
-    panel.webview.onDidReceiveMessage((message: { action?: unknown }) =>
-      preview.actions.find(({ title }) => title === message.action)?.run(),
-    );
     panel.onDidDispose(() => this.#previews.delete(preview));
     panel.onDidChangeViewState(() => this.#announcePin());
     this.#show(preview, uri);
@@ -98,49 +98,7 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
   #show(preview: Preview, uri: vscode.Uri): void {
     preview.uri = uri;
     preview.panel.title = `${preview.isPinned ? "Pinned: " : ""}Preview ${uri.path.split("/").at(-1) ?? ""}`;
-    void this.#load(preview, ++preview.request);
-  }
-
-  async #load(preview: Preview, request: number): Promise<void> {
-    const { content, actions } = await this.#content(preview.uri);
-    if (request !== preview.request || !this.#previews.has(preview)) return;
-    preview.actions = actions;
-    const state = { uri: preview.uri.toString(), isPinned: preview.isPinned };
-    const nonce = randomBytes(16).toString("hex");
-    preview.panel.webview.html = previewPage(content, state, nonce);
-  }
-
-  /** The page of the preview, or why there is none and what would help. */
-  async #content(uri: vscode.Uri): Promise<{ content: PanelContent; actions: readonly Action[] }> {
-    try {
-      return { content: { kind: "frame", url: await this.#url(uri) }, actions: [] };
-    } catch (error) {
-      const { problem } = this.server;
-      const text = problem === undefined ? (error as Error).message : describe(problem);
-      const actions = problem === undefined ? [...installAction(error), RESTART, SHOW_LOG] : actionsFor(problem);
-      return { content: { kind: "message", text, actions: actions.map(({ title }) => title) }, actions };
-    }
-  }
-
-  /** The address of the document's preview for the user's browser. Throws what the user should read. */
-  async #url(uri: vscode.Uri): Promise<string> {
-    const local = await this.#ask(uri);
-    const { origin } = new URL(local);
-    const root = (await vscode.env.asExternalUri(vscode.Uri.parse(origin, true))).toString(true);
-    // A page that comes through a tunnel or proxy has another origin: the server must know it.
-    if (new URL(root).origin !== origin) await this.#ask(uri, { origin: new URL(root).origin });
-    return relocate(local, root);
-  }
-
-  async #ask(uri: vscode.Uri, ...options: { origin: string }[]): Promise<string> {
-    const client = await this.server.client();
-    if (client === undefined) throw new Error("The preview needs the language server, which is not running");
-    await vscode.workspace.openTextDocument(uri);
-    const identifier = client.code2ProtocolConverter.asUri(uri);
-    const parameters = { command: "kindsl.preview", arguments: [identifier, ...options] };
-    const answer = (await client.sendRequest(ExecuteCommandRequest.type, parameters)) as { url?: string } | null;
-    if (typeof answer?.url !== "string") throw new Error("The language server gives no preview of this document");
-    return answer.url;
+    void preview.screen.show(uri, { uri: uri.toString(), isPinned: preview.isPinned });
   }
 
   #followEditor(editor: vscode.TextEditor | undefined): void {
@@ -170,4 +128,20 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
   #pinnedTo(uri: vscode.Uri): Preview | undefined {
     return [...this.#previews].find((one) => one.isPinned && one.uri.toString() === uri.toString());
   }
+}
+
+/** Ask for a document's preview; return how the server calls its page. Throws what the user should read. */
+export async function askForPreview(
+  server: ServerAccess,
+  uri: vscode.Uri,
+  ...options: { origin: string }[]
+): Promise<string> {
+  const client = await server.client();
+  if (client === undefined) throw new Error("The preview needs the language server, which is not running");
+  await vscode.workspace.openTextDocument(uri);
+  const identifier = client.code2ProtocolConverter.asUri(uri);
+  const parameters = { command: "kindsl.preview", arguments: [identifier, ...options] };
+  const answer = (await client.sendRequest(ExecuteCommandRequest.type, parameters)) as { url?: string } | null;
+  if (typeof answer?.url !== "string") throw new Error("The language server gives no preview of this document");
+  return answer.url;
 }

@@ -1,5 +1,6 @@
 // What the user must put right: one message, with the actions that do it.
 import * as vscode from "vscode";
+import { command, RESTART, SHOW_LOG, showError, type Action } from "./actions";
 import type { Launch } from "./launch";
 import { OLDEST_PYTHON } from "./python";
 
@@ -8,25 +9,12 @@ export type Problem =
   | { readonly kind: "startFailed"; readonly launch: Launch }
   | { readonly kind: "crashed"; readonly times: number };
 
-export interface Action {
-  readonly title: string;
-  readonly run: () => unknown;
-}
-
-export const SHOW_LOG = command("Show Log", "kindsl.showLog");
-export const RESTART = command("Restart Server", "kindsl.restart");
 const SELECT = command("Select Interpreter", "kindsl.selectInterpreter");
 const DOWNLOADS = "https://www.python.org/downloads/";
 
 /** Tell the problem, and do what the user chooses. */
 export async function report(problem: Problem): Promise<void> {
   await showError(describe(problem), actionsFor(problem));
-}
-
-/** Say what is wrong, and do what the user chooses. */
-export async function showError(message: string, actions: readonly Action[]): Promise<void> {
-  const chosen = await vscode.window.showErrorMessage(message, ...actions.map(({ title }) => title));
-  await actions.find(({ title }) => title === chosen)?.run();
 }
 
 export function describe(problem: Problem): string {
@@ -51,10 +39,6 @@ export function actionsFor(problem: Problem): Action[] {
     case "crashed":
       return [RESTART, SHOW_LOG];
   }
-}
-
-export function command(title: string, name: string, ...args: unknown[]): Action {
-  return { title, run: () => vscode.commands.executeCommand(name, ...args) };
 }
 
 function usesEnvironment(): boolean {

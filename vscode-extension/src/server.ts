@@ -1,19 +1,17 @@
 // The life of the language server: one at a time, started, stopped and started again in order.
 import * as vscode from "vscode";
 import { State as ClientState, type LanguageClient } from "vscode-languageclient/node";
-import { createClient, type Requests } from "./client";
+import { createClient } from "./client";
+import type { Requests } from "./clientOptions";
 import { findLaunch, type Home, type Launch } from "./launch";
 import type { Interpreter } from "./python";
 import type { Problem } from "./problems";
-
-export type ServerState = "stopped" | "starting" | "running" | "failed";
-
-const STATE_CONTEXT = "kindsl.serverState";
+import { STATE_CONTEXT, type ServerAccess, type ServerState } from "./serverAccess";
 
 /** A server that ends by itself more often than that within the window is left alone. */
 const CRASHES = { limit: 4, windowMilliseconds: 180_000 };
 
-export class Server implements vscode.Disposable {
+export class Server implements ServerAccess, vscode.Disposable {
   readonly #changed = new vscode.EventEmitter<ServerState>();
   readonly onDidChange = this.#changed.event;
   readonly #failed = new vscode.EventEmitter<Problem>();
@@ -47,7 +45,6 @@ export class Server implements vscode.Disposable {
     return this.#interpreter;
   }
 
-  /** The running client, once all that was asked before is done. */
   async client(): Promise<LanguageClient | undefined> {
     await this.#queue;
     return this.#state === "running" ? this.#client : undefined;

@@ -1,7 +1,7 @@
 // What the status bar says: the degrees of freedom, and the state of the server behind them.
 import * as vscode from "vscode";
-import { LANGUAGE, type DocumentStatus } from "./client";
-import type { Server, ServerState } from "./server";
+import { LANGUAGE, type DocumentStatus } from "./clientOptions";
+import type { ServerAccess, ServerState } from "./serverAccess";
 
 const STATE_TEXT: Record<ServerState, string> = {
   stopped: "Server stopped",
@@ -16,7 +16,7 @@ export class StatusItems implements vscode.Disposable {
   readonly #byDocument = new Map<string, DocumentStatus>();
   readonly #disposables: vscode.Disposable[];
 
-  constructor(private readonly server: Server) {
+  constructor(private readonly server: ServerAccess) {
     this.#bar.name = "Degrees of Freedom";
     this.#bar.command = "kindsl.openPreview";
     this.#item.name = "Kinematics-DSL";

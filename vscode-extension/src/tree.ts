@@ -1,8 +1,8 @@
 // The kinematic tree as a view of its own, beside the outline, which shows what is written in what.
 import * as vscode from "vscode";
-import type { DocumentSymbol } from "vscode-languageclient/node";
-import { LANGUAGE } from "./client";
-import type { Server } from "./server";
+import type { DocumentSymbol } from "vscode-languageclient";
+import { LANGUAGE } from "./clientOptions";
+import type { ServerAccess } from "./serverAccess";
 import { showSource } from "./source";
 
 export const VIEW = "kindsl.kinematicTree";
@@ -24,9 +24,9 @@ export class KinematicTree implements vscode.TreeDataProvider<Node>, vscode.Disp
   readonly #view: vscode.TreeView<Node>;
   readonly #disposables: vscode.Disposable[];
   #uri: vscode.Uri | undefined;
-  #timer: NodeJS.Timeout | undefined;
+  #timer: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(private readonly server: Server) {
+  constructor(private readonly server: ServerAccess) {
     this.#view = vscode.window.createTreeView(VIEW, { treeDataProvider: this, showCollapseAll: true });
     this.#disposables = [
       vscode.window.onDidChangeActiveTextEditor((editor) => this.#follow(editor)),

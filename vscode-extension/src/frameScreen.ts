@@ -1,0 +1,57 @@
+// A panel that shows the page that the language server serves, in a frame.
+import { randomBytes } from "node:crypto";
+import * as vscode from "vscode";
+import { installAction, RESTART, SHOW_LOG, type Action } from "./actions";
+import { askForPreview, type Screen } from "./preview";
+import { previewPage, type PanelContent, type PanelState } from "./previewPage";
+import { actionsFor, describe } from "./problems";
+import { relocate } from "./relocate";
+import type { Server } from "./server";
+
+export class FrameScreen implements Screen {
+  /** What the buttons do of a panel that shows no robot. */
+  #actions: readonly Action[] = [];
+  /** Counts what was asked to be shown, so that a late answer does not replace a newer one. */
+  #request = 0;
+
+  constructor(
+    private readonly panel: vscode.WebviewPanel,
+    private readonly server: Server,
+  ) {
+    panel.webview.options = { enableScripts: true, localResourceRoots: [] };
+    panel.webview.onDidReceiveMessage((message: { action?: unknown }) =>
+      this.#actions.find(({ title }) => title === message.action)?.run(),
+    );
+    panel.onDidDispose(() => ++this.#request);
+  }
+
+  async show(uri: vscode.Uri, state: PanelState): Promise<void> {
+    const request = ++this.#request;
+    const { content, actions } = await this.#content(uri);
+    if (request !== this.#request) return;
+    this.#actions = actions;
+    this.panel.webview.html = previewPage(content, state, randomBytes(16).toString("hex"));
+  }
+
+  /** The page of the preview, or why there is none and what would help. */
+  async #content(uri: vscode.Uri): Promise<{ content: PanelContent; actions: readonly Action[] }> {
+    try {
+      return { content: { kind: "frame", url: await previewAddress(this.server, uri) }, actions: [] };
+    } catch (error) {
+      const { problem } = this.server;
+      const text = problem === undefined ? (error as Error).message : describe(problem);
+      const actions = problem === undefined ? [...installAction(error), RESTART, SHOW_LOG] : actionsFor(problem);
+      return { content: { kind: "message", text, actions: actions.map(({ title }) => title) }, actions };
+    }
+  }
+}
+
+/** The address of the document's preview for the user's browser. Throws what the user should read. */
+export async function previewAddress(server: Server, uri: vscode.Uri): Promise<string> {
+  const local = await askForPreview(server, uri);
+  const { origin } = new URL(local);
+  const root = (await vscode.env.asExternalUri(vscode.Uri.parse(origin, true))).toString(true);
+  // A page that comes through a tunnel or proxy has another origin: the server must know it.
+  if (new URL(root).origin !== origin) await askForPreview(server, uri, { origin: new URL(root).origin });
+  return relocate(local, root);
+}
