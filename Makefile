@@ -90,6 +90,12 @@ mutation: $(STAMP)
 vsix: $(STAMP)
 	cd vscode-extension && npm ci --ignore-scripts --no-audit --no-fund --silent && PYTHON=$(abspath $(BIN))/python npm run --silent package
 
+# The extension for editors in a browser, with Python in it: dist/kindsl-web-*.vsix.
+.PHONY: vsix-web
+vsix-web: vsix
+	cd web && npm ci --ignore-scripts --no-audit --no-fund --silent && PYTHON=$(abspath $(BIN))/python npm run --silent server
+	cd vscode-extension && PYTHON=$(abspath $(BIN))/python npm run --silent package:web
+
 # The whole tool in a browser's tab: one static folder, dist/playground.
 playground: $(TOOLS)
 	cd web && npm ci --ignore-scripts --no-audit --no-fund --silent && PYTHON=$(abspath $(BIN))/python npm run --silent playground

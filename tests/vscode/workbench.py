@@ -3,14 +3,22 @@
 import re
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 from playwright.sync_api import Error, Frame, Locator, Page, TimeoutError, expect
-from tests.vscode.code_server import ROOT, CodeServer
+from tests.vscode.code_server import ROOT
 
 SHOTS = ROOT / "artifacts" / "vscode"
 TIMEOUT = 60_000
 START_TIMEOUT = 90_000
+
+
+class Server(Protocol):
+    """What serves VS Code."""
+
+    def url(self, folder: Path) -> str:
+        """Return the address that opens a folder."""
+        ...
 
 
 class Workbench:
@@ -21,7 +29,7 @@ class Workbench:
         folder: The folder that the window shows.
     """
 
-    def __init__(self, page: Page, server: CodeServer, folder: Path) -> None:
+    def __init__(self, page: Page, server: Server, folder: Path) -> None:
         self.page = page
         self.folder = folder
         page.set_default_timeout(TIMEOUT)

@@ -16,23 +16,36 @@ export const COLORS: Readonly<Record<string, readonly string[]>> = {
   note: ["--vscode-editorInfo-foreground"],
 };
 
-/** A script that sends the colours when the frame has loaded, and again whenever the theme changes. */
-export function themeScript(origin: string): string {
-  return `{
+const READ = `
 const COLORS = ${JSON.stringify(COLORS)};
-const frame = document.querySelector("iframe");
-const tell = () => {
+const read = () => {
   const style = getComputedStyle(document.documentElement), colors = {};
   for (const [name, variables] of Object.entries(COLORS)) {
     const color = variables.map((variable) => style.getPropertyValue(variable).trim()).find(Boolean);
     if (color) colors[name] = color;
   }
   const isLight = ["vscode-light", "vscode-high-contrast-light"].some((kind) => document.body.classList.contains(kind));
-  frame.contentWindow.postMessage({ type: "kindsl.theme", kind: isLight ? "light" : "dark", colors }, ${JSON.stringify(origin)});
-};
+  return { type: "kindsl.theme", kind: isLight ? "light" : "dark", colors };
+};`;
+
+/** A script that sends the colours when the frame has loaded, and again whenever the theme changes. */
+export function themeScript(origin: string): string {
+  return `{${READ}
+const frame = document.querySelector("iframe");
+const tell = () => frame.contentWindow.postMessage(read(), ${JSON.stringify(origin)});
 frame.addEventListener("load", tell);
 for (const element of [document.documentElement, document.body]) {
   new MutationObserver(tell).observe(element, { attributes: true, attributeFilter: ["class", "style"] });
 }
+}`;
+}
+
+/** A script for the preview's page where that is the panel itself. */
+export function ownThemeScript(): string {
+  // The page writes its own colours into the root's style: to watch that would go round in circles.
+  return `{${READ}
+const tell = () => kindsl.theme.take(read());
+new MutationObserver(tell).observe(document.body, { attributes: true, attributeFilter: ["class", "data-vscode-theme-id"] });
+tell();
 }`;
 }

@@ -3,7 +3,7 @@
 import base64
 import hashlib
 import struct
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from kindsl.preview.assets import SCRIPTS, STYLES, assets, page
 from kindsl.preview.scene.messages import Message, encode
@@ -25,14 +25,26 @@ def exported_page(state: Iterable[Message]) -> str:
     Raises:
         PreviewUnavailableError: If meshcat is not installed.
     """
-    scripts = [assets()[name].content for name in SCRIPTS]
+    frames = base64.b64encode(_joined(state)).decode("ascii")
+    data = f'<script id="embedded-state" type="text/plain">{frames}</script>'
+    return sealed_page([assets()[name].content for name in SCRIPTS], data)
+
+
+def sealed_page(scripts: Sequence[str], data: str = "") -> str:
+    """Return the page as one text, which may run these scripts only and reach no address.
+
+    Args:
+        scripts: The texts of its scripts.
+        data: An element to put before them.
+
+    Raises:
+        PreviewUnavailableError: If meshcat is not installed.
+    """
     policy = _POLICY.format(hashes=" ".join(map(_hash, scripts)))
     head = (
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
         f"<style>{''.join(assets()[name].content for name in STYLES)}</style>"
     )
-    frames = base64.b64encode(_joined(state)).decode("ascii")
-    data = f'<script id="embedded-state" type="text/plain">{frames}</script>'
     return page(head, "\n".join([data, *(f"<script>{script}</script>" for script in scripts)]))
 
 

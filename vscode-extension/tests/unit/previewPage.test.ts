@@ -29,6 +29,6 @@ test("an address that is none is refused", () => {
 
 test("the frame is told the theme, and nobody else is", () => {
   const html = previewPage({ kind: "frame", url: "http://127.0.0.1:4000/?token=abc" }, state, "n0nce");
-  assert.match(html, /postMessage\(\{ type: "kindsl\.theme"[^\n]*, "http:\/\/127\.0\.0\.1:4000"\)/);
+  assert.match(html, /return \{ type: "kindsl\.theme"[^]*postMessage\(read\(\), "http:\/\/127\.0\.0\.1:4000"\)/);
   assert.doesNotMatch(previewPage({ kind: "message", text: "none", actions: [] }, state, "n0nce"), /kindsl\.theme/);
 });

@@ -36,7 +36,9 @@ const KindslTheme = (() => {
 
     // Only the page that holds this one in a frame is listened to, and it may say no more than colours.
     receive({ source, origin, data }) {
-      const isEditor = parent !== window && source === parent && EDITORS.test(origin);
+      // A panel of an editor has no parent: it takes its colours by itself.
+      const { parent } = window;
+      const isEditor = parent && parent !== window && source === parent && EDITORS.test(origin);
       if (isEditor && data && data.type === "kindsl.theme") this.take(data);
     }
 

@@ -1,0 +1,114 @@
+"""The extension in VS Code for the web: no process, the server in a worker, a virtual workspace."""
+
+import json
+from collections.abc import Iterator
+from urllib.parse import urlsplit
+
+import pytest
+from playwright.sync_api import Browser, Locator, expect
+from tests.vscode import browser as browser_module
+from tests.vscode import models, vscode_web
+from tests.vscode.code_server import EXTENSION
+from tests.vscode.workbench import Workbench
+
+# The reach is bound by the configuration in the workspace, and nowhere else.
+BROKEN = models.BROKEN.replace("(0.4, 0.0, 0.0)", "(reach, 0.0, 0.0)")
+CONFIGURATION = "parameters = { reach = 0.4 }\n"
+
+
+@pytest.fixture(scope="module")
+def requests() -> list[str]:
+    """The addresses that the window and its frames have asked for."""
+    return []
+
+
+@pytest.fixture(scope="module")
+def workbench(
+    browser: Browser, requests: list[str], tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[Workbench]:
+    """One window on the workspace."""
+    browser_module.require("npm")
+    files = {"arm.kindsl": BROKEN, "kindsl.toml": CONFIGURATION}
+    extension = vscode_web.stage_extension()
+    work = tmp_path_factory.mktemp("vscode-web")
+    with vscode_web.running(work, extension, files) as server:
+        page = browser.new_page(viewport={"width": 1440, "height": 900})
+        page.context.on("request", lambda request: requests.append(request.url))
+        window = Workbench(page, server, work)
+        page.get_by_role("treeitem", name="arm.kindsl").click()
+        window.active_tab("arm.kindsl").wait_for()
+        # The server starts, then finds.
+        expect(window.squiggles("error")).to_have_count(2, timeout=90_000)
+        yield window
+        page.close()
+
+
+def test_findings_explain_and_fix_themselves(workbench: Workbench) -> None:
+    place = BROKEN.partition("elbov")[0]
+    go_to(workbench, place.count("\n") + 1, len(place) - place.rfind("\n"))
+    expect(workbench.hover()).to_contain_text("elbov")
+    workbench.press("Escape")
+    workbench.run("Quick Fix...")
+    workbench.page.locator(".action-widget .monaco-list-row.action").first.wait_for()
+    workbench.press("Enter")
+    expect(workbench.squiggles("error")).to_have_count(1)
+    workbench.eventually(lambda: any("via elbow" in line for line in workbench.lines()), "the fix")
+
+
+def test_the_configuration_of_a_virtual_workspace_holds(workbench: Workbench) -> None:
+    shown = [line for line in workbench.lines() if "reach" in line]
+    assert shown
+    workbench.eventually(
+        lambda: any("0.4" in line for line in workbench.lines() if "reach" in line), "its value"
+    )
+
+
+def test_a_slider_moves_the_robot_in_the_panel(workbench: Workbench) -> None:
+    workbench.page.locator(".editor-actions [aria-label*='Open Preview to the Side']").click()
+    page = preview_page(workbench)
+    expect(page.locator("#robot")).to_have_text("arm")
+    page.get_by_role("slider", name="shoulder", exact=True).fill("1.2")
+    turned = "() => Math.abs(kindsl.scene.q.get('shoulder') - 1.2) < 0.01"
+    workbench.eventually(lambda: page.evaluate(turned), "the arm turned")
+    workbench.screenshot("vscode-web")
+
+
+def test_the_picture_follows_the_text(workbench: Workbench) -> None:
+    workbench.page.locator(".editor-group-container .view-line").first.click()
+    go_to(workbench, 1, len("Robot arm") + 1)
+    workbench.type("2")
+    expect(preview_page(workbench).locator("#robot")).to_have_text("arm2")
+
+
+def test_no_other_host_is_asked(requests: list[str]) -> None:
+    web = [urlsplit(url) for url in requests if url.startswith("http")]
+    assert web
+    assert {
+        url.hostname for url in web if not (url.hostname or "").endswith(vscode_web.SITE)
+    } == set()
+
+
+def test_the_package_offers_only_what_it_can_do() -> None:
+    text = (vscode_web.stage_extension() / "package.json").read_text()
+    manifest = json.loads(text)
+    source = (EXTENSION / "src" / "browser" / "extension.ts").read_text()
+    for command in manifest["contributes"]["commands"]:
+        assert f'"{command["command"]}"' in source, command
+    assert "main" not in manifest
+    for word in ("Interpreter", "selectInterpreter", "installPackages", "kindsl.path"):
+        assert word not in text, word
+
+
+def go_to(workbench: Workbench, line: int, column: int) -> None:
+    """Put the cursor at a place of the document that has the focus."""
+    workbench.press("Control+g")
+    field = workbench.page.locator(".quick-input-widget input[type=text]")
+    field.fill(f":{line}:{column}")
+    workbench.press("Enter")
+    workbench.expect_cursor(line, column)
+
+
+def preview_page(workbench: Workbench) -> Locator:
+    """Return the body of the panel's page, found again whenever the editor replaces its frames."""
+    panel = workbench.page.frame_locator("iframe.webview.ready").frame_locator("#active-frame")
+    return panel.locator("body")

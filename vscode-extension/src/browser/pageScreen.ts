@@ -1,0 +1,71 @@
+// A panel that is the preview's page itself: nothing serves it, the extension passes its messages on.
+import * as vscode from "vscode";
+import { askForPreview, type Screen } from "../preview";
+import { RESTART, SHOW_LOG } from "../actions";
+import { previewPage, type PanelState } from "../previewPage";
+import type { WorkerServer } from "./workerServer";
+
+const ACTIONS = [RESTART, SHOW_LOG];
+const HELLO = { type: "hello", joints: {}, parameters: {} };
+
+interface FromPage {
+  readonly action?: unknown;
+  readonly kindslRequest?: { readonly type?: unknown };
+}
+
+export class PageScreen implements Screen {
+  /** How the server calls the document that is shown. */
+  #document: string | undefined;
+  #hasPage = false;
+  /** Whether the page's scripts run; what is sent before is lost. */
+  #isListening = false;
+  #request = 0;
+
+  constructor(
+    private readonly panel: vscode.WebviewPanel,
+    private readonly server: WorkerServer,
+    private readonly page: Promise<string>,
+  ) {
+    const { webview } = panel;
+    webview.options = { enableScripts: true, localResourceRoots: [] };
+    const receiving = webview.onDidReceiveMessage((message: FromPage) => this.#receive(message));
+    const drawing = server.onPageMessages(({ document, messages }) => {
+      if (document === this.#document) void webview.postMessage({ kindslMessages: messages });
+    });
+    panel.onDidDispose(() => {
+      ++this.#request;
+      vscode.Disposable.from(receiving, drawing).dispose();
+    });
+  }
+
+  async show(uri: vscode.Uri, state: PanelState): Promise<void> {
+    const request = ++this.#request;
+    try {
+      const document = await askForPreview(this.server, uri);
+      const page = await this.page;
+      if (request !== this.#request) return;
+      this.#document = document;
+      if (!this.#hasPage) this.panel.webview.html = page;
+      this.#hasPage = true;
+      void this.panel.webview.postMessage({ kindslState: state });
+      if (this.#isListening) this.server.sendFromPage(document, HELLO);
+    } catch (error) {
+      if (request === this.#request) this.#tell((error as Error).message, state);
+    }
+  }
+
+  #tell(text: string, state: PanelState): void {
+    this.#hasPage = this.#isListening = false;
+    this.#document = undefined;
+    const content = { kind: "message", text, actions: ACTIONS.map(({ title }) => title) } as const;
+    this.panel.webview.html = previewPage(content, state, crypto.randomUUID());
+  }
+
+  #receive({ action, kindslRequest: request }: FromPage): void {
+    void ACTIONS.find(({ title }) => title === action)?.run();
+    if (request === undefined || this.#document === undefined) return;
+    // A panel that was hidden or moved starts its page again, which then says hello.
+    if (request.type === "hello") this.#isListening = true;
+    this.server.sendFromPage(this.#document, request);
+  }
+}

@@ -1,0 +1,134 @@
+// The life of the language server in a worker of the browser's extension host.
+import * as vscode from "vscode";
+import { LanguageClient } from "vscode-languageclient/browser";
+import { RESTART, SHOW_LOG, showError } from "../actions";
+import { clientOptions, LANGUAGE, TRANSFORMS, type DocumentStatus, type Requests } from "../clientOptions";
+import { STATE_CONTEXT, type ServerAccess, type ServerState } from "../serverAccess";
+import { ProjectFiles } from "./projectFiles";
+
+const READY = "kindsl/ready", FAILED = "kindsl/failed";
+const PAGE_REQUEST = "kindsl/previewRequest", PAGE_MESSAGES = "kindsl/previewMessages";
+
+/** What the server has to draw, for the page of one document. */
+export interface PageMessages {
+  readonly document: string;
+  readonly messages: readonly unknown[];
+}
+
+export class WorkerServer implements ServerAccess, vscode.Disposable {
+  readonly #changed = new vscode.EventEmitter<ServerState>();
+  readonly onDidChange = this.#changed.event;
+  readonly #drawn = new vscode.EventEmitter<PageMessages>();
+  readonly onPageMessages = this.#drawn.event;
+
+  #state: ServerState = "stopped";
+  #client: LanguageClient | undefined;
+  #worker: Worker | undefined;
+  #files: ProjectFiles | undefined;
+  #queue: Promise<void> = Promise.resolve();
+
+  constructor(
+    private readonly extension: vscode.Uri,
+    private readonly log: vscode.LogOutputChannel,
+    private readonly requests: Requests,
+  ) {}
+
+  get state(): ServerState {
+    return this.#state;
+  }
+
+  async client(): Promise<LanguageClient | undefined> {
+    await this.#queue;
+    return this.#state === "running" ? this.#client : undefined;
+  }
+
+  /** Pass on what a preview's page asks for. */
+  sendFromPage(document: string, request: unknown): void {
+    if (this.#state === "running") void this.#client?.sendNotification(PAGE_REQUEST, { document, request });
+  }
+
+  restart(): Promise<void> {
+    return this.#enqueue(async () => {
+      await this.#stop();
+      await this.#start();
+    });
+  }
+
+  stop(): Promise<void> {
+    return this.#enqueue(() => this.#stop());
+  }
+
+  dispose(): void {
+    this.#changed.dispose();
+    this.#drawn.dispose();
+  }
+
+  #enqueue(step: () => Promise<void>): Promise<void> {
+    this.#queue = this.#queue.then(step).catch((error) => this.#fail(error));
+    return this.#queue;
+  }
+
+  async #start(): Promise<void> {
+    this.#set("starting");
+    const worker = (this.#worker = newWorker(this.extension));
+    const files = (this.#files = new ProjectFiles());
+    const client = (this.#client = this.#newClient(worker, files));
+    const broken = new Promise<never>((_, reject) => {
+      worker.addEventListener("error", ({ message }) => reject(new Error(message)));
+      client.onNotification(FAILED, ({ message }: { message: string }) => reject(new Error(message)));
+    });
+    await Promise.race([client.start(), broken]);
+    this.#set("running");
+    files.follow(client);
+  }
+
+  #newClient(worker: Worker, files: ProjectFiles): LanguageClient {
+    const rules = vscode.Uri.joinPath(this.extension, "rules");
+    const options = {
+      ...clientOptions(this.log, { ...this.requests, crashed: () => false, rules }),
+      documentSelector: [{ language: LANGUAGE }, { language: TRANSFORMS }, { pattern: "**/kindsl.toml" }],
+      uriConverters: files.uriConverters,
+    };
+    const client = new LanguageClient("kindsl", "Kinematics-DSL", options, worker);
+    client.onNotification("kindsl/status", (status: DocumentStatus) =>
+      this.requests.showStatus({ ...status, uri: files.toEditor(status.uri).toString() }),
+    );
+    client.onNotification(PAGE_MESSAGES, (params: PageMessages) => this.#drawn.fire(params));
+    client.onNotification(READY, ({ isImage, total }: { isImage: boolean; total: number }) =>
+      this.log.info(`Python started in ${total} ms from ${isImage ? "its memory image" : "the packed sources"}`),
+    );
+    return client;
+  }
+
+  /** End the worker: it holds nothing that is not in the documents. */
+  async #stop(): Promise<void> {
+    this.#files?.dispose();
+    if (this.#client?.isRunning()) await this.#client.stop().catch((error) => this.log.warn(String(error)));
+    this.#worker?.terminate();
+    this.#client = this.#worker = this.#files = undefined;
+    this.#set("stopped");
+  }
+
+  #fail(error: unknown): void {
+    const message = `The Kinematics-DSL server did not start in this browser: ${(error as Error).message}`;
+    this.log.error(message);
+    this.#set("failed");
+    void showError(message, [RESTART, SHOW_LOG]);
+  }
+
+  #set(state: ServerState): void {
+    if (state === this.#state) return;
+    this.#state = state;
+    void vscode.commands.executeCommand("setContext", STATE_CONTEXT, state);
+    this.#changed.fire(state);
+  }
+}
+
+/** A worker of another origin than the page's must come as a blob; what it imports may be anywhere. */
+function newWorker(extension: vscode.Uri): Worker {
+  const base = vscode.Uri.joinPath(extension, "server/").toString(true);
+  const script = `importScripts(${JSON.stringify(`${base}worker.js`)})`;
+  const worker = new Worker(URL.createObjectURL(new Blob([script], { type: "text/javascript" })));
+  worker.postMessage({ base });
+  return worker;
+}
