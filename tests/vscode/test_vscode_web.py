@@ -45,7 +45,7 @@ def workbench(
 
 def test_findings_explain_and_fix_themselves(workbench: Workbench) -> None:
     place = BROKEN.partition("elbov")[0]
-    go_to(workbench, place.count("\n") + 1, len(place) - place.rfind("\n"))
+    workbench.go_to_place(place.count("\n") + 1, len(place) - place.rfind("\n"))
     expect(workbench.hover()).to_contain_text("elbov")
     workbench.press("Escape")
     workbench.run("Quick Fix...")
@@ -75,7 +75,7 @@ def test_a_slider_moves_the_robot_in_the_panel(workbench: Workbench) -> None:
 
 def test_the_picture_follows_the_text(workbench: Workbench) -> None:
     workbench.page.locator(".editor-group-container .view-line").first.click()
-    go_to(workbench, 1, len("Robot arm") + 1)
+    workbench.go_to_place(1, len("Robot arm") + 1)
     workbench.type("2")
     expect(preview_page(workbench).locator("#robot")).to_have_text("arm2")
 
@@ -97,15 +97,6 @@ def test_the_package_offers_only_what_it_can_do() -> None:
     assert "main" not in manifest
     for word in ("Interpreter", "selectInterpreter", "installPackages", "kindsl.path"):
         assert word not in text, word
-
-
-def go_to(workbench: Workbench, line: int, column: int) -> None:
-    """Put the cursor at a place of the document that has the focus."""
-    workbench.press("Control+g")
-    field = workbench.page.locator(".quick-input-widget input[type=text]")
-    field.fill(f":{line}:{column}")
-    workbench.press("Enter")
-    workbench.expect_cursor(line, column)
 
 
 def preview_page(workbench: Workbench) -> Locator:

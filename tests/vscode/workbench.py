@@ -77,6 +77,10 @@ class Workbench:
         before = path.read_text(encoding="utf-8").partition(text)[0] + text[:offset]
         line = before.count("\n") + 1
         column = len(before) - (before.rfind("\n") + 1) + 1
+        self.go_to_place(line, column)
+
+    def go_to_place(self, line: int, column: int) -> None:
+        """Put the cursor at a place of the document that has the focus, both from 1."""
         self._ask("Control+g").fill(f":{line}:{column}")
         self.press("Enter")
         self.expect_cursor(line, column)
