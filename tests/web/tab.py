@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from playwright.sync_api import Frame, Page
+from tests.preview.handles import ARE_FREE, IS_GRASPED, LINES
 
 TIMEOUT = 90.0
 FOUND = """() => {
@@ -92,6 +93,37 @@ class Tab:
             lambda: next((f for f in self.page.frames if "preview.html" in f.url), None), "preview"
         )
         return frame
+
+    def grasp(self, kind: str, name: str) -> None:
+        """Choose a thing in the preview and wait for its handles."""
+        frame = self.preview()
+        thing = {"kind": kind, "name": name}
+        frame.evaluate("(thing) => kindsl.selection.choose(thing)", thing)
+        frame.wait_for_function(IS_GRASPED, arg=[kind, name])
+
+    def drag_arrow(self, component: str) -> None:
+        """Pull a component's arrow by half of its length, from where nothing lies over it."""
+        frame = self.preview()
+        seen: list[Any] = []
+
+        def found() -> tuple[float, float, float, float] | None:
+            seen.append(frame.evaluate(LINES).get(component))
+            if seen[-1] is None or seen[-1] not in seen[:-1]:
+                return None  # still turning
+            (x0, y0), (x1, y1) = seen[-1]
+            dx, dy = x1 - x0, y1 - y0
+            places = [(x0 + s * dx, y0 + s * dy) for s in (0.95, 0.8, 0.65, 0.5)]
+            free = frame.evaluate(ARE_FREE, [component, places])
+            return (*places[free.index(True)], dx, dy) if True in free else None
+
+        x, y, dx, dy = self.eventually(found, f"the arrow {component}")
+        box = self.page.locator("#preview").bounding_box()
+        assert box is not None
+        self.page.mouse.move(box["x"] + x, box["y"] + y)
+        self.page.mouse.down()
+        for share in (0.2, 0.35, 0.5):
+            self.page.mouse.move(box["x"] + x + share * dx, box["y"] + y + share * dy)
+        self.page.mouse.up()
 
     def expect_robot(self, name: str) -> None:
         """Wait until the preview shows a robot of that name."""

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser
+from tests.preview.handles import changed
 from tests.support.published import published_models
 from tests.vscode import models
 from tests.web import site
@@ -77,6 +78,22 @@ def test_a_click_in_the_preview_shows_the_source(tab: Tab) -> None:
         lambda: tab.page.evaluate("() => playground.editor.getPosition().lineNumber") == line,
         "the cursor at the link",
     )
+
+
+def test_a_dragged_arrow_changes_one_number_and_undo_restores_it(tab: Tab) -> None:
+    tab.show("arm.kindsl", models.ARM)
+    tab.expect_robot("arm")
+    frame = tab.preview()
+    frame.locator("#pane").press("7")
+    tab.grasp("joint", "elbow")
+    tab.drag_arrow("x")
+    tab.eventually(lambda: tab.text() != models.ARM, "the text changed by the drag")
+    ((old, new),) = changed(models.ARM, tab.text())
+    assert old == "0.4"
+    assert re.fullmatch(r"0\.\d\d?", new)
+    tab.page.evaluate("() => playground.editor.focus()")
+    tab.page.keyboard.press("Control+z")
+    tab.eventually(lambda: tab.text() == models.ARM, "the text as it was")
 
 
 def test_the_configuration_beside_the_text_holds(tab: Tab) -> None:

@@ -13,12 +13,18 @@ const KindslConnection = (() => {
         if (!editor && source !== parent) return;
         if (editor && data?.kindslState) editor.setState(data.kindslState);
         if (!Array.isArray(data?.kindslMessages)) return;
-        onState("live");
+        this.live(onState);
         for (const message of data.kindslMessages) kindsl.viewer.handle_command(message);
       });
       // There is no address under which the page could be found again.
       document.getElementById("link").hidden = true;
       this.send(greeting());
+    }
+
+    // Said once: whoever hears it begins anew.
+    live(onState) {
+      if (!this.isLive) onState("live");
+      this.isLive = true;
     }
 
     send(request) {

@@ -77,13 +77,20 @@ function showPlace(uri, selection) {
   return { success: true };
 }
 
+/** Make the server's edits, each file's as one step to undo; none if a text is not the one that they were made for. */
 function applyEdit({ changes = {}, documentChanges = [] }) {
-  const edits = [...Object.entries(changes), ...documentChanges.map(({ textDocument, edits: own }) => [textDocument.uri, own])];
-  for (const [uri, own] of edits) {
-    const operations = own.map(({ range: { start, end }, newText }) => ({
+  const unversioned = Object.entries(changes).map(([uri, edits]) => ({ textDocument: { uri }, edits }));
+  const all = [...unversioned, ...documentChanges].map(({ textDocument: { uri, version }, edits }) => ({
+    model: files.model(nameOf(uri)), isCurrent: (version ?? port.version(uri)) === port.version(uri), edits,
+  }));
+  if (all.some(({ model, isCurrent }) => model === undefined || !isCurrent)) return false;
+  for (const { model, edits } of all) {
+    const operations = edits.map(({ range: { start, end }, newText }) => ({
       range: new monaco.Range(start.line + 1, start.character + 1, end.line + 1, end.character + 1), text: newText,
     }));
-    files.model(nameOf(uri))?.pushEditOperations([], operations, () => null);
+    model.pushStackElement();
+    model.pushEditOperations(null, operations, () => null);
+    model.pushStackElement();
   }
   return true;
 }

@@ -1,5 +1,6 @@
 // The line to the language server in its worker. Looks like the worker itself to Monaco's client, and lets us ask, too.
 const OWN = "playground-";
+const HAS_VERSION = new Set(["textDocument/didOpen", "textDocument/didChange"]);
 
 export class ServerPort {
   #worker;
@@ -7,6 +8,7 @@ export class ServerPort {
   #waiting = new Map();
   #count = 0;
   #open = new Map(); // by address: { promise, resolve }
+  #versions = new Map(); // by address: what the server was told last
   /** Handlers of notifications and requests of the server that are ours, by method. */
   handlers = new Map();
 
@@ -27,6 +29,7 @@ export class ServerPort {
   /** Send what Monaco's client says; it does not speak of all that we can. */
   postMessage(message) {
     if (message.method === "initialize") Object.assign(message.params, additions(message.params));
+    if (HAS_VERSION.has(message.method)) this.#versions.set(message.params.textDocument.uri, message.params.textDocument.version);
     if (message.method === "textDocument/didOpen") this.#opening(message.params.textDocument.uri).resolve();
     if (message.method === "textDocument/didClose") this.#open.delete(message.params.textDocument.uri);
     this.#worker.postMessage(message);
@@ -35,6 +38,11 @@ export class ServerPort {
   /** Wait until the server has been told of a document. */
   whenOpen(uri) {
     return this.#opening(uri).promise;
+  }
+
+  /** The version of a document that the server was told last. */
+  version(uri) {
+    return this.#versions.get(uri);
   }
 
   notify(method, params) {
