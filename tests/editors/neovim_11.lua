@@ -40,6 +40,8 @@ local function not_find(pattern)
   end
 end
 
+local toml = vim.fs.joinpath(vim.fs.dirname(vim.env.KINDSL_DOCUMENT), "kindsl.toml")
+vim.fn.delete(toml)
 vim.lsp.enable("kindsl")
 vim.cmd("edit " .. vim.env.KINDSL_DOCUMENT)
 step("filetype", vim.bo.filetype == "kindsl", vim.bo.filetype)
@@ -69,7 +71,6 @@ vim.cmd("silent %left")
 vim.cmd("silent normal! gg=G")
 step("indent", vim.deep_equal(lines(), formatted), text())
 
-local toml = vim.fs.joinpath(vim.fs.dirname(vim.env.KINDSL_DOCUMENT), "kindsl.toml")
 step("unbound", wait(find("KD401")), vim.inspect(vim.diagnostic.get(0)))
 vim.fn.writefile({ "[parameters]", "height = 0.5" }, toml)
 step("configuration", wait(not_find("KD401")), vim.inspect(vim.diagnostic.get(0)))
@@ -82,9 +83,9 @@ end))
 -- The hand: a timer presses the next key once nothing is under way that the last one began.
 local typed = vim.fn.readfile(vim.env.KINDSL_TYPED)
 vim.cmd("edit! " .. vim.fs.joinpath(vim.fs.dirname(vim.env.KINDSL_DOCUMENT), "new.kindsl"))
-wait(function()
+step("one server", wait(function()
   return client.attached_buffers[vim.api.nvim_get_current_buf()] == true
-end)
+end) and #vim.lsp.get_clients({ name = "kindsl" }) == 1)
 vim.bo.autoindent = false
 vim.bo.indentexpr = ""
 vim.lsp.completion.enable(true, client.id, 0, { autotrigger = false })

@@ -143,6 +143,7 @@ def test_neovim_11(tmp_path: Path) -> None:
         "format",
         "configuration",
         "preview",
+        "one server",
         "typed",
         "lists",
     )
