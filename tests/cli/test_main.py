@@ -25,8 +25,8 @@ def test_without_command_shows_help_as_an_error(kindsl: Runner) -> None:
     ("command", "told"),
     [
         ("lnit", "unknown command 'lnit', did you mean 'lint'?"),
-        ("xyz", "unknown command 'xyz'; 'kindsl --help' tells all"),
-        ("--lint", "unknown option '--lint'; 'kindsl --help' tells all"),
+        ("xyz", "unknown command 'xyz'; see 'kindsl --help'"),
+        ("--lint", "unknown option '--lint'; see 'kindsl --help'"),
     ],
 )
 def test_unknown_command(kindsl: Runner, command: str, told: str) -> None:

@@ -7,6 +7,7 @@ import pytest
 from kindsl.rigid.body import MassDistribution
 from kindsl.rules.inertia.slips import Hypothesis, Slip
 from kindsl.rules.inertia.told import clause, title
+from kindsl.rules.inertia.wording import with_unit
 
 BODY = MassDistribution(1.0, (0.0, 0.0, 0.0), (1.0, 1.0, 1.0, 0.0, 0.0, 0.0))
 RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
@@ -41,3 +42,19 @@ def test_a_unit_is_named_instead() -> None:
     of_unit = scaled(Slip.SCALE, -9, "g·mm²")
     assert clause(of_unit) == "the moments were in g·mm²"
     assert title(of_unit) == "Convert the moments to kg·m²"
+
+
+@pytest.mark.parametrize(
+    ("value", "told"),
+    [
+        (-0.1652, "-0.165 m"),
+        (1234.5, "1230 m"),
+        (9999.0, "10 000 m"),
+        (40049.0, "40 000 m"),
+        (-2.5e6, "-2 500 000 m"),
+        (6.5e-11, "6.5e-11 m"),
+        (1e12, "1e+12 m"),
+    ],
+)
+def test_large_quantities_are_written_out(value: float, told: str) -> None:
+    assert with_unit(value, "m") == told

@@ -10,7 +10,7 @@ from kindsl.cli.console import write
 from kindsl.cli.process import run_and_exit
 
 COMMANDS = {
-    "lint": "tell what is wrong with documents",
+    "lint": "report what is wrong with documents",
     "format": "format documents; changes whitespace only",
     "info": "show the tree, masses and parameters of a document",
     "compute": "compute poses, inertia and forces",
@@ -18,9 +18,9 @@ COMMANDS = {
     "convert": "convert from and to URDF, MJCF and SDF",
     "generate": "write code for kinematics and dynamics",
     "card": "write a page about a document: picture, tables, transforms",
-    "diff": "tell what changed mechanically between two documents",
-    "review": "write what a reviewer wants to see of a change",
-    "language-server": "serve an editor",
+    "diff": "report mechanical changes between two documents",
+    "review": "write a report on a change for its reviewer",
+    "language-server": "run the language server of an editor",
 }
 LONG_RUNNING = ("preview", "language-server")
 USAGE_ERROR = 2
@@ -56,7 +56,7 @@ def overview() -> str:
     return (
         "usage: kindsl COMMAND ...\n\nTools for the Kinematics-DSL of RobCoGen.\n\n"
         f"commands:\n{rows}\noptions:\n  -h, --help       show this help\n"
-        "  --version        print the version\n\n'kindsl COMMAND --help' tells more.\n"
+        "  --version        print the version\n\nSee 'kindsl COMMAND --help' for its options.\n"
     )
 
 
@@ -112,9 +112,9 @@ def _unknown(command: str) -> str:
     from kindsl.text.nearest import hint, nearest_word
 
     if command.startswith("-"):
-        return f"unknown option '{command}'; 'kindsl --help' tells all"
+        return f"unknown option '{command}'; see 'kindsl --help'"
     near = hint(nearest_word(command, available()), after=",")
-    return f"unknown command '{command}'" + (near or "; 'kindsl --help' tells all")
+    return f"unknown command '{command}'" + (near or "; see 'kindsl --help'")
 
 
 if __name__ == "__main__":

@@ -147,7 +147,7 @@ def _tell_about_rules(args: Any) -> int:
 
         known = [name for rule in all_rules() for name in (rule.code, rule.name)]
         hint = did_you_mean(args.explain.upper(), known).partition(" (known")[0]
-        return _unusable(f"no rule '{args.explain}'{hint}; --list-rules tells all")
+        return _unusable(f"no rule '{args.explain}'{hint}; see --list-rules")
     page = rule_pages.explained_as_json(rule) if is_json else rule_pages.explained(rule)
     write(sys.stdout, page)
     return OK

@@ -3,11 +3,16 @@
 from collections.abc import Sequence
 
 _NOISE = 1e-12
+_LEAST_GROUPED, _LARGEST_PLAIN = 1e4, 1e9
 
 
 def with_unit(value: float, unit: str) -> str:
-    """Return a value with three digits and its unit: `-0.165 kg·m²`."""
-    return f"{value:.3g} {unit}".lstrip()
+    """Return a value with three digits and its unit: `-0.165 kg·m²`, `40 000 kg/m³`."""
+    text = f"{value:.3g}"
+    if "e+" in text and abs(value) < _LARGEST_PLAIN:
+        grouped = "," if abs(float(text)) >= _LEAST_GROUPED else ""
+        text = f"{float(text):{grouped}.0f}".replace(",", " ")
+    return f"{text} {unit}".lstrip()
 
 
 def sum_below(left: Sequence[float], right: float, sign: str = "<") -> str:
