@@ -2,7 +2,7 @@
 
     python benchmarks/generated_numbers.py [--trees N] [--extreme N] [--corpus FOLDER]
 
-Each library is generated with all quantities, compiled (gcc or cc, -O1), called, and compared with
+Each library is generated with all quantities, compiled (cc -O0), called, and compared with
 the readable algorithms, which share no code with what is generated. A difference is relative to
 the greatest entry of a result, or to one. C and NumPy do all; CasADi and JAX, whose operations
 are slow one by one, every tenth tree.
@@ -79,7 +79,7 @@ def main() -> None:
     )
     parser.add_argument("--trees", metavar="N", type=int, default=100)
     parser.add_argument("--extreme", metavar="N", type=int, default=30)
-    parser.add_argument("--links", metavar="N", type=int, default=6)
+    parser.add_argument("--links", metavar="N", type=int, default=4)
     parser.add_argument("--corpus", metavar="FOLDER", type=Path)
     args = parser.parse_args()
     random_trees(args.trees, args.links)
@@ -211,7 +211,7 @@ def _compiled(made: Library, files: Mapping[str, str], parameters: Mapping[str, 
         for name, text in files.items():
             (place / name).write_text(text, encoding="utf-8")
         sources = [str(p) for p in place.glob("*.c") if not p.name.endswith("_test.c")]
-        options = ["-std=c11", "-O1", "-shared", "-fPIC", "-lm", "-o", str(place / "robot.so")]
+        options = ["-std=c11", "-O0", "-shared", "-fPIC", "-lm", "-o", str(place / "robot.so")]
         subprocess.run(["cc", *sources, *options], check=True)
         loaded = Loaded(place / "robot.so", made, parameters)
     return lambda function, values, is_loaded: loaded.call(

@@ -11,6 +11,7 @@ from kindsl.codegen.reference import worst_difference
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.dynamics.generation.emitters.numbers import evaluate
+from kindsl.dynamics.generation.emitters.straight_line import operations
 from kindsl.dynamics.generation.functions import QUANTITIES
 from kindsl.dynamics.quantities import SingularInertiaError
 from kindsl.spatial.arrays import Array
@@ -36,6 +37,17 @@ def test_the_graph_and_the_readable_form_agree(seed: int) -> None:
     for function in lib.all_functions:
         found = [np.array(evaluate(lib.robot.graph, numbers, r.entries)) for r in function.results]
         assert worst_difference(found, expected.results(function)) < 1e-12, function.name
+
+
+@pytest.mark.parametrize("seed", [3, 7])
+def test_a_body_is_not_counted_once_for_each_joint_that_carries_it(seed: int) -> None:
+    """Differentiating the forces along each direction takes eight times their operations."""
+    lib = library(bodies_of_seed(seed), ("inverse_dynamics_actuated", DERIVATIVES[0]))
+    forces, derivatives = (
+        operations(lib.robot.graph, [x for result in function.results for x in result.entries])
+        for function in lib.all_functions
+    )
+    assert derivatives < 5.5 * forces
 
 
 @pytest.mark.parametrize("seed", [2, 3])

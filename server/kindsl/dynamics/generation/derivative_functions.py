@@ -6,19 +6,18 @@ feels, and a shift, which nothing does. Velocity and acceleration of the base ke
 coordinates in the base while it is displaced.
 """
 
-from collections.abc import Mapping
 from dataclasses import replace
 
 from kindsl.dynamics.generation.composite_bodies import joint_space_inertia
-from kindsl.dynamics.generation.derivatives import held, jacobian_matrix, unit_directions
-from kindsl.dynamics.generation.expressions import Expression, Scalar
 from kindsl.dynamics.generation.factorization import Factorization, factorize, solve_factorized
+from kindsl.dynamics.generation.force_derivatives import force_derivatives
 from kindsl.dynamics.generation.function import Function, Inputs, Result, flat
 from kindsl.dynamics.generation.inverse_dynamics import actuated_base_inverse_dynamics
 from kindsl.dynamics.generation.mass_moments import MassDistribution
 from kindsl.dynamics.generation.robot import Robot, massless
 from kindsl.dynamics.generation.vectors import (
     EYE,
+    ZERO,
     Matrix,
     Vector,
     cross,
@@ -34,13 +33,8 @@ PARAMETERS_PER_BODY = 10
 
 def inverse_dynamics_derivatives(robot: Robot, inputs: Inputs) -> list[Function]:
     """Record what the forces change by with positions, velocities and accelerations."""
-    tau = actuated_base_inverse_dynamics(
-        robot.tree, inputs.q, inputs.qd, inputs.qdd, inputs.v0, inputs.a0, inputs.g
-    )
-    dq = jacobian_matrix(robot.graph, tau, position_directions(robot, inputs))
-    dqd = jacobian_matrix(robot.graph, tau, unit_directions([*inputs.v0, *inputs.qd]))
-    M = joint_space_inertia(robot.tree, inputs.q)
-    shape = (len(tau), len(tau))
+    dq, dqd, M = force_derivatives(robot.tree, inputs)
+    shape = (len(M), len(M))
     results = (
         Result("dtau_dq", shape, flat(dq)),
         Result("dtau_dqd", shape, flat(dqd)),
@@ -54,7 +48,8 @@ def inverse_dynamics_derivatives(robot: Robot, inputs: Inputs) -> list[Function]
 def forward_dynamics_derivatives(robot: Robot, inputs: Inputs) -> list[Function]:
     """Record what the accelerations change by with positions, velocities and forces.
 
-    At the solution, `M d qdd = -d tau` with the accelerations held.
+    At the solution, `M d qdd = -d tau` with the accelerations held. What a floating base's turn or
+    linear velocity changes are accelerations of all points alike, which the base's undoes.
     """
     rest: Vector = [0.0] * len(inputs.q)
     bias = actuated_base_inverse_dynamics(
@@ -62,18 +57,20 @@ def forward_dynamics_derivatives(robot: Robot, inputs: Inputs) -> list[Function]
     )
     factors = factorize(joint_space_inertia(robot.tree, inputs.q))
     forces: Vector = [*[0.0] * (len(bias) - len(inputs.tau)), *inputs.tau]
-    solution = held(robot.graph, solve_factorized(factors, subtract(forces, bias)))
+    solution = solve_factorized(factors, subtract(forces, bias))
     n_base = len(bias) - len(inputs.q)
     base, joints = solution[:n_base] or [0.0] * 6, solution[n_base:]
-    tau = actuated_base_inverse_dynamics(
-        robot.tree, inputs.q, inputs.qd, joints, inputs.v0, base, inputs.g
-    )
-    dq = jacobian_matrix(robot.graph, tau, position_directions(robot, inputs))
-    dqd = jacobian_matrix(robot.graph, tau, unit_directions([*inputs.v0, *inputs.qd]))
-    shape = (len(tau), len(tau))
+    dq, dqd, _ = force_derivatives(robot.tree, replace(inputs, qdd=joints, a0=base))
+    by_position, by_velocity = _solved(factors, dq), _solved(factors, dqd)
+    if robot.tree.is_floating:
+        for column, axis in enumerate(EYE):
+            turn, moving = cross(inputs.g, axis), cross(axis, inputs.v0[:3])
+            _set_column(by_position, column, [*ZERO, *turn, *rest])
+            _set_column(by_velocity, 3 + column, [*ZERO, *moving, *rest])
+    shape = (len(bias), len(bias))
     results = (
-        Result("dqdd_dq", shape, flat(_solved(factors, dq))),
-        Result("dqdd_dqd", shape, flat(_solved(factors, dqd))),
+        Result("dqdd_dq", shape, flat(by_position)),
+        Result("dqdd_dqd", shape, flat(by_velocity)),
         Result("dqdd_dtau", shape, flat(_inverse(factors))),
     )
     summary = "the derivatives of the accelerations under forces"
@@ -117,22 +114,14 @@ def unit_bodies() -> list[MassDistribution]:
     return units
 
 
-def position_directions(robot: Robot, inputs: Inputs) -> list[Mapping[int, Scalar]]:
-    """Return the directions of small displacements: of a floating base, then of the joints."""
-    directions: list[Mapping[int, Scalar]] = []
-    if robot.tree.is_floating:
-        # Gravity is given in base coordinates: it turns the other way.
-        gravity = [x for x in inputs.g if isinstance(x, Expression)]
-        for axis in EYE:
-            rates = cross(inputs.g, axis)
-            directions.append({x.index: rate for x, rate in zip(gravity, rates, strict=True)})
-        directions += [{}, {}, {}]
-    return [*directions, *unit_directions(inputs.q)]
-
-
 def _solved(factors: Factorization, rates: Matrix) -> Matrix:
     columns = [solve_factorized(factors, scale(-1.0, column)) for column in transpose(rates)]
     return transpose(columns)
+
+
+def _set_column(matrix: Matrix, column: int, entries: Vector) -> None:
+    for row, entry in zip(matrix, entries, strict=True):
+        row[column] = entry
 
 
 def _inverse(factors: Factorization) -> Matrix:

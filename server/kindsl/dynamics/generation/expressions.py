@@ -2,9 +2,8 @@
 
 An algorithm that is run on `Expression` inputs leaves a graph of what it computed. Operations on
 constants are folded, zeros and ones drop out, multiples of one value become one, negations move
-outwards, and equal operations are recorded once. A copy is opaque: nothing looks through it. The
-graph's nodes are tuples `(operation, operand, ...)`; an operand is the index of an earlier node,
-or a float.
+outwards, and equal operations are recorded once. The graph's nodes are tuples
+`(operation, operand, ...)`; an operand is the index of an earlier node, or a float.
 """
 
 import math

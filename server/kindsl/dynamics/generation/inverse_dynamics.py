@@ -6,6 +6,7 @@ accelerations are relative to gravity throughout.
 """
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 from kindsl.dynamics.generation.composite_bodies import (
     composites,
@@ -15,7 +16,7 @@ from kindsl.dynamics.generation.composite_bodies import (
 from kindsl.dynamics.generation.expressions import Scalar
 from kindsl.dynamics.generation.factorization import solve_symmetric
 from kindsl.dynamics.generation.mass_moments import acceleration_field
-from kindsl.dynamics.generation.tree import Tree, joint_motions
+from kindsl.dynamics.generation.tree import JointMotion, Tree, joint_motions
 from kindsl.dynamics.generation.vectors import (
     ZERO,
     Vector,
@@ -51,11 +52,48 @@ def newton_euler(
             first; none if empty.
     """
     joints = joint_motions(tree, q)
-    # Outward: accelerations, and the force and moment that each body's motion takes.
+    motions = body_motions(tree, joints, qd, qdd, base_w, base_a, base_wd)
+    forces, moments = [*motions.forces], [*motions.moments]
+    for i, wrench in enumerate(external):
+        moments[i] = subtract(moments[i], wrench[:3])
+        forces[i] = subtract(forces[i], wrench[3:])
+    forces, moments = carried_wrenches(tree, joints, forces, moments)
+    tau = [
+        moments[i][2] if joints[i].kind == "revolute" else forces[i][2] for i in tree.links()
+    ]  # fmt: skip
+    return tau, [*moments[0], *forces[0]]
+
+
+class BodyMotions(NamedTuple):
+    """How bodies move, base first, each in its own coordinates.
+
+    Attributes:
+        w: Angular velocities.
+        wd: Angular accelerations.
+        a: Accelerations of the bodies' origins, relative to gravity.
+        forces: What the bodies' own motions take.
+        moments: The same about the bodies' origins.
+    """
+
+    w: list[Vector]
+    wd: list[Vector]
+    a: list[Vector]
+    forces: list[Vector]
+    moments: list[Vector]
+
+
+def body_motions(
+    tree: Tree,
+    joints: Sequence[JointMotion],
+    qd: Vector,
+    qdd: Vector,
+    base_w: Vector,
+    base_a: Vector,
+    base_wd: Vector,
+) -> BodyMotions:
+    """Return accelerations, from the base outward, and the wrenches that they take."""
     w, wd, a = [base_w], [base_wd], [base_a]
     W = [acceleration_field(base_w, base_wd)]
-    forces = [tree.masses[0].force(base_a, W[0])]
-    moments = [tree.masses[0].moment(base_a, W[0])]
     for i in tree.links():
         parent, joint, rate, acceleration = tree.parents[i], joints[i], qd[i - 1], qdd[i - 1]
         w_i, wd_i = joint.to_link(w[parent]), joint.to_link(wd[parent])
@@ -70,21 +108,24 @@ def newton_euler(
         wd.append(wd_i)
         a.append(a_i)
         W.append(acceleration_field(w_i, wd_i))
-        forces.append(tree.masses[i].force(a_i, W[i]))
-        moments.append(tree.masses[i].moment(a_i, W[i]))
-    for i, wrench in enumerate(external):
-        moments[i] = subtract(moments[i], wrench[:3])
-        forces[i] = subtract(forces[i], wrench[3:])
-    # Inward: each joint carries its whole subtree.
-    tau: Vector = [0.0] * len(tree.links())
+    own = list(zip(tree.masses, a, W, strict=True))
+    forces = [body.force(a_i, W_i) for body, a_i, W_i in own]
+    moments = [body.moment(a_i, W_i) for body, a_i, W_i in own]
+    return BodyMotions(w, wd, a, forces, moments)
+
+
+def carried_wrenches(
+    tree: Tree, joints: Sequence[JointMotion], forces: list[Vector], moments: list[Vector]
+) -> tuple[list[Vector], list[Vector]]:
+    """Return forces and moments of bodies with all that they carry, from the leaves inward."""
+    forces, moments = [*forces], [*moments]
     for i in tree.links_leaves_first():
         parent, joint = tree.parents[i], joints[i]
-        tau[i - 1] = moments[i][2] if joint.kind == "revolute" else forces[i][2]
         force = joint.to_parent(forces[i])
         moment = add(joint.to_parent(moments[i]), cross(joint.offset, force))
         forces[parent] = add(forces[parent], force)
         moments[parent] = add(moments[parent], moment)
-    return tau, [*moments[0], *forces[0]]
+    return forces, moments
 
 
 def inverse_dynamics(

@@ -186,7 +186,7 @@ class _Writer:
             return f"{words[0]} {operation} {words[1]}"
         if operation in ("sin", "cos"):
             return f"{operation}{self._dialect.suffix}({words[0]})"
-        return f"-{words[0]}" if operation == "neg" else words[0]
+        return f"-{words[0]}"
 
     def _operand(self, operand: Operand | Expression, local: set[int], uses: set[str]) -> str:
         node = operand.index if isinstance(operand, Expression) else operand

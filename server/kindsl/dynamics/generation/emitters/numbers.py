@@ -13,7 +13,6 @@ OPERATIONS: dict[str, Callable[..., float]] = {
     "*": operator.mul,
     "/": operator.truediv,
     "neg": operator.neg,
-    "copy": operator.pos,
     "sin": math.sin,
     "cos": math.cos,
 }
