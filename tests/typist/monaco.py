@@ -136,9 +136,9 @@ def type_keys(page: Page, text: str, delay: float) -> None:
         page.evaluate("text => typist.type(text)", text)
 
 
-def hurry(page: Page, line: str) -> None:
-    """Type a line and Enter too fast for any list; a brace that is closed is stepped over."""
-    page.evaluate("line => typist.hurry(line)", line)
+def hurry(page: Page, lines: list[str]) -> None:
+    """Type lines and Enter too fast for any list; a brace that is closed is stepped over."""
+    page.evaluate("lines => lines.forEach(typist.hurry)", lines)
 
 
 def put(page: Page, text: str, offset: int | None = None) -> None:

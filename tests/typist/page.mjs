@@ -118,6 +118,9 @@ async function type(text) {
   }
 }
 
+// Words go in at once, which nothing in the editor minds; each bracket and quote by itself.
+const PLAIN_OR_BRACKET = /[\w .=,+*/-]+|[^]/gu;
+
 /** Type a line and Enter too fast for any list. */
 function hurry(line) {
   const model = editor.getModel();
@@ -126,15 +129,15 @@ function hurry(line) {
     editor.trigger("typist", "cursorDown", {});
     editor.trigger("typist", "cursorEnd", {});
   } else {
-    for (const key of line) press(key);
+    for (const keys of line.match(PLAIN_OR_BRACKET) ?? []) press(keys);
   }
   press("\n");
 }
 
-/** Type a key; brackets and Enter are clever only in a line whose tokens are known. */
-function press(key) {
+/** Type keys; brackets and Enter are clever only in a line whose tokens are known. */
+function press(keys) {
   editor.getModel().tokenization.forceTokenization(editor.getPosition().lineNumber);
-  editor.trigger("keyboard", "type", { text: key });
+  editor.trigger("keyboard", "type", { text: keys });
 }
 
 /** Wait until nothing that a key began is going on: no timer of the editor, no question, no drawing. */

@@ -52,11 +52,19 @@ def page(browser: Browser) -> Iterator[Page]:
         yield page
 
 
+@pytest.fixture(scope="module")
+def known() -> set[str]:
+    """What kinds of lines were typed before, by the one hand that types all examples."""
+    return set()
+
+
 @pytest.mark.parametrize("name", ["broken_arm", "fancy", "industrial_arm", "quadruped"])
-def test_enter_breaks_the_line_and_indents_as_the_formatter_does(page: Page, name: str) -> None:
+def test_enter_breaks_the_line_and_indents_as_the_formatter_does(
+    page: Page, name: str, known: set[str]
+) -> None:
     put(page, "")
     lines = lines_to_type((EXAMPLES / f"{name}.kindsl").read_text())
-    assert not type_document(page, lines, QUICK)
+    assert not type_document(page, lines, QUICK, known)
     text = settled(page).text
     assert text.split() == " ".join(lines).split()
     syntax = analyse(text).syntax

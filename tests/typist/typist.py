@@ -49,20 +49,30 @@ def lines_to_type(text: str) -> list[str]:
     return [row for line in _COMMENT.sub(" ", text).splitlines() for row in _rows(line)]
 
 
-def type_document(page: Page, lines: list[str], hand: Hand) -> list[Stumble]:
-    """Type lines into the empty document of a page, Enter at the end of each."""
+def type_document(
+    page: Page, lines: list[str], hand: Hand, known: set[str] | None = None
+) -> list[Stumble]:
+    """Type lines into the empty document of a page, Enter at the end of each.
+
+    Args:
+        known: Shapes of lines that were typed before, in other documents; takes those of this one.
+    """
     stumbles: list[Stumble] = []
-    known: set[str] = set()
+    known = set() if known is None else known
+    hurried: list[str] = []
     for number, line in enumerate(lines, 1):
         shape = _shape(line)
         if hand.hurries_repetitions and shape in known:
-            hurry(page, line)
+            hurried.append(line)
             continue
         known.add(shape)
+        hurry(page, hurried)
+        hurried.clear()
         found = _type_line(page, "".join(lines[:number]), line, hand)
         if found is not None:
             stumbles.append(Stumble(number, line, *found))
             put(page, "\n".join([*lines[:number], ""]))
+    hurry(page, hurried)
     return stumbles
 
 
