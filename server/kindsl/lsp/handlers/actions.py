@@ -1,16 +1,14 @@
 """Fixes and refactorings."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from lsprotocol import types
 
 from kindsl.lsp.handlers.table import Handlers
 from kindsl.lsp.session.binding import bound
 from kindsl.lsp.session.findings import diagnostics
-from kindsl.lsp.session.session import Session
-from kindsl.lsp.session.transforms import transforms_view
+from kindsl.lsp.session.transforms import TransformsView
 from kindsl.lsp.session.view import Sight, View
-from kindsl.lsp.text.document import Document
 from kindsl.lsp.wire.edits import makes_files, text_edits, workspace_edit
 
 if TYPE_CHECKING:
@@ -33,16 +31,9 @@ _KINDS = types.CodeActionOptions(
 )
 
 
-@handlers.session(types.TEXT_DOCUMENT_CODE_ACTION, _KINDS)
-def offer(session: Session, params: types.CodeActionParams) -> Any:
+@handlers.judged(types.TEXT_DOCUMENT_CODE_ACTION, _KINDS)
+def offer(view: View, params: types.CodeActionParams) -> list[types.CodeAction]:
     """Offer what can be done about a selection, of the kinds that are asked for."""
-    document = session.documents.get(params.text_document.uri)
-    if document is not None and document.is_transforms:
-        return _of_transforms(session, document, params)
-    return session.ask_judged(_of_robot, params.text_document.uri, params)
-
-
-def _of_robot(view: View, params: types.CodeActionParams) -> list[types.CodeAction]:
     from kindsl.features.actions.code_actions import code_actions, fix_all_action
 
     start, end = view.offset(params.range.start), view.offset(params.range.end)
@@ -50,12 +41,13 @@ def _of_robot(view: View, params: types.CodeActionParams) -> list[types.CodeActi
     return _wanted(view, found, params.context.only)
 
 
-async def _of_transforms(
-    session: Session, document: Document, params: types.CodeActionParams
+@handlers.transforms(types.TEXT_DOCUMENT_CODE_ACTION)
+def offer_for_transforms(
+    view: TransformsView, params: types.CodeActionParams
 ) -> list[types.CodeAction]:
+    """Offer what can be done about a selection in a transforms document."""
     from kindsl.features.transforms_actions import transforms_actions
 
-    view = await transforms_view(session, document)
     start, end = view.offset(params.range.start), view.offset(params.range.end)
     found = transforms_actions(view.document.text, view.model, start, end)
     return _wanted(view, found, params.context.only)

@@ -6,9 +6,8 @@ from lsprotocol import types
 
 from kindsl.lsp.handlers.table import Handlers
 from kindsl.lsp.session.session import Session
-from kindsl.lsp.session.transforms import transforms_view
+from kindsl.lsp.session.transforms import TransformsView
 from kindsl.lsp.session.view import Sight, View, plain
-from kindsl.lsp.text.document import Document
 
 if TYPE_CHECKING:
     from kindsl.features.completion.completion import Completions
@@ -33,26 +32,18 @@ _NEVER_TYPED = " "
 _ITEM = "text_document.completion.completion_item"
 
 
-@handlers.session(types.TEXT_DOCUMENT_COMPLETION, _OPTIONS)
-def complete(session: Session, params: types.CompletionParams) -> Any:
+@handlers.place(types.TEXT_DOCUMENT_COMPLETION, _OPTIONS)
+def complete(view: View, params: types.CompletionParams) -> dict[str, Any]:
     """Offer what may be typed, the best first; in the protocol's form, which is asked for often."""
-    document = session.documents.get(params.text_document.uri)
-    if document is not None and document.is_transforms:
-        return _of_transforms(session, document, params)
-    return session.ask_at_once(_of_robot, params.text_document.uri, params)
-
-
-def _of_robot(view: View, params: types.CompletionParams) -> dict[str, Any]:
     found = _found(view, view.offset(params.position), params.context)
     return _list(view, found, params.position)
 
 
-async def _of_transforms(
-    session: Session, document: Document, params: types.CompletionParams
-) -> dict[str, Any]:
+@handlers.transforms(types.TEXT_DOCUMENT_COMPLETION)
+def complete_transforms(view: TransformsView, params: types.CompletionParams) -> dict[str, Any]:
+    """Offer what may be typed in a transforms document."""
     from kindsl.features.transforms_completion import transforms_completions
 
-    view = await transforms_view(session, document)
     offset = view.offset(params.position)
     found = transforms_completions(view.document.text, offset, view.model)
     is_typed = params.context is not None and params.context.trigger_kind is _KIND.TriggerCharacter

@@ -8,6 +8,8 @@ from collections.abc import Callable
 from typing import Any, NamedTuple, TypeVar
 
 from kindsl.lsp.session.session import Session
+from kindsl.lsp.session.transforms import transforms_view
+from kindsl.lsp.text.document import Document
 
 F = TypeVar("F", bound=Callable[..., Any])
 Bind = Callable[[Session, Callable[..., Any]], Callable[..., Any]]
@@ -22,11 +24,12 @@ class _Entry(NamedTuple):
 class Handlers:
     """The handlers of one module."""
 
-    __slots__ = ("_commands", "_entries")
+    __slots__ = ("_commands", "_entries", "_of_transforms")
 
     def __init__(self) -> None:
         self._entries: list[_Entry] = []
         self._commands: list[_Entry] = []
+        self._of_transforms: dict[str, Callable[..., Any]] = {}
 
     def place(self, method: str, options: Any = None) -> Callable[[F], F]:
         """Register a handler `(view, params) -> result` of a place, answered at once."""
@@ -48,6 +51,15 @@ class Handlers:
         """Register a handler `(session, params) -> result`, which may be awaitable."""
         return self._add(method, options, _on_session)
 
+    def transforms(self, method: str) -> Callable[[F], F]:
+        """Register `(view, params) -> result` besides the method's handler, for transforms."""
+
+        def register(handler: F) -> F:
+            self._of_transforms[method] = handler
+            return handler
+
+        return register
+
     def command(self, name: str) -> Callable[[F], F]:
         """Register a command `(session, *arguments) -> result`, which may be awaitable."""
 
@@ -60,7 +72,10 @@ class Handlers:
     def register(self, session: Session) -> None:
         """Announce everything to the editor."""
         for method, options, bind in self._entries:
-            session.editor.feature(method, options)(bind(session))
+            answer = bind(session)
+            other = self._of_transforms.get(method)
+            chosen = answer if other is None else _by_kind(session, answer, other)
+            session.editor.feature(method, options)(chosen)
         for name, _, bind in self._commands:
             session.editor.command(name)(bind(session))
 
@@ -70,6 +85,23 @@ class Handlers:
             return handler
 
         return register
+
+
+def _by_kind(
+    session: Session, of_robot: Callable[..., Any], of_transforms: Callable[..., Any]
+) -> Callable[..., Any]:
+    """Return what asks one handler or the other, by what the document is."""
+
+    async def ask(document: Document, params: Any) -> Any:
+        return of_transforms(await transforms_view(session, document), params)
+
+    def answer(params: Any) -> Any:
+        document = session.documents.get(params.text_document.uri)
+        if document is not None and document.is_transforms:
+            return ask(document, params)
+        return of_robot(params)
+
+    return answer
 
 
 def _on_session(session: Session, handler: Callable[..., Any]) -> Callable[..., Any]:
