@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from urllib.parse import urlsplit
 
 import pytest
-from playwright.sync_api import Browser, Locator, expect
+from playwright.sync_api import Browser, Locator, TimeoutError, expect
 from tests.vscode import browser as browser_module
 from tests.vscode import models, vscode_web
 from tests.vscode.code_server import EXTENSION
@@ -48,9 +48,7 @@ def test_findings_explain_and_fix_themselves(workbench: Workbench) -> None:
     workbench.go_to_place(place.count("\n") + 1, len(place) - place.rfind("\n"))
     expect(workbench.hover()).to_contain_text("elbov")
     workbench.press("Escape")
-    workbench.run("Quick Fix...")
-    workbench.page.locator(".action-widget .monaco-list-row.action").first.wait_for()
-    workbench.press("Enter")
+    take_first_fix(workbench)
     expect(workbench.squiggles("error")).to_have_count(1)
     workbench.eventually(lambda: any("via elbow" in line for line in workbench.lines()), "the fix")
 
@@ -97,6 +95,21 @@ def test_the_package_offers_only_what_it_can_do() -> None:
     assert "main" not in manifest
     for word in ("Interpreter", "selectInterpreter", "installPackages", "kindsl.path"):
         assert word not in text, word
+
+
+def take_first_fix(workbench: Workbench) -> None:
+    """Take the first fix at the cursor; a list that comes during a check closes at once."""
+    fix = workbench.page.locator(".action-widget .monaco-list-row.action").first
+
+    def is_taken() -> bool:
+        workbench.run("Quick Fix...")
+        try:
+            fix.click(timeout=5000)
+        except TimeoutError:
+            return False
+        return True
+
+    workbench.eventually(is_taken, "a list of fixes")
 
 
 def preview_page(workbench: Workbench) -> Locator:

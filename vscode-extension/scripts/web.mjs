@@ -10,7 +10,8 @@ import { webManifest } from "./web_manifest.mjs";
 
 const STAGE = "out/web";
 const WEB = path.resolve("../web");
-const AS_THEY_ARE = ["LICENSE", "CHANGELOG.md", "syntaxes", "images/icon.png", "images/file.svg", "images/vscode-preview.png", "walkthrough"];
+const PICTURES = ["icon.png", "file.svg", "vscode-preview.png", "vscode-problems.png"].map((name) => `images/${name}`);
+const AS_THEY_ARE = ["LICENSE", "CHANGELOG.md", "syntaxes", ...PICTURES, "walkthrough"];
 const python = process.env.PYTHON ?? "python3";
 const environment = { ...process.env, PYTHONPATH: path.resolve("../server") };
 
