@@ -19,6 +19,8 @@ ARGUMENTS = (
     "--disable-component-update",
     "--disable-sync",
 )
+# For windows in which nothing is drawn but the workbench: a third less work.
+UNDRAWN = ("--disable-gpu",)
 
 
 def require(program: str) -> str:

@@ -48,6 +48,8 @@ QUIET_SETTINGS: Mapping[str, object] = {
     "update.mode": "none",
     "git.enabled": False,
     "editor.minimap.enabled": False,
+    "editor.cursorBlinking": "solid",
+    "workbench.reduceMotion": "on",
     "editor.acceptSuggestionOnEnter": "on",
     "files.autoSave": "off",
     "breadcrumbs.enabled": True,

@@ -29,9 +29,12 @@ def server(vsix: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Cod
 
 
 @pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    """Closed with the module: the loop of Playwright must not outlive it."""
-    with browser_module.chromium() as running:
+def browser(request: pytest.FixtureRequest) -> Iterator[Browser]:
+    """Closed with the module: the loop of Playwright must not outlive it.
+
+    A module may say in `BROWSER_ARGUMENTS` how it is started.
+    """
+    with browser_module.chromium(*getattr(request.module, "BROWSER_ARGUMENTS", ())) as running:
         yield running
 
 

@@ -13,7 +13,8 @@ from tests.vscode.code_server import CodeServer
 from tests.vscode.workbench import SHOTS
 
 HOST = Path(__file__).parent / "host"
-TIMEOUT = 120_000
+TIMEOUT = 240_000
+SIZE = {"width": 640, "height": 480}
 
 OLD_PYTHON = """#!/bin/sh
 echo '{"executable": "python3", "version": [3, 8, 10], "missing": []}'
@@ -48,7 +49,7 @@ def run_suite(
         others: Folders of further extensions, taken as they are.
     """
     outcome = Outcome()
-    page = browser.new_page()
+    page = browser.new_page(viewport=SIZE)
     page.expose_function(
         "codeAutomationLog", lambda kind, arguments: outcome.log.append(_line(kind, arguments))
     )

@@ -38,42 +38,56 @@ def test_no_python_is_said_once_and_colours_stay(
         expect(words.first).not_to_have_class("mtk1")
 
 
-def test_a_python_without_packages_is_enough(browser: Browser, vsix: Path, tmp_path: Path) -> None:
-    bare = bare_environment(tmp_path / "bare")
-    with window(browser, vsix, tmp_path, {"kindsl.interpreter": [str(bare)]}) as workbench:
-        workbench.open("broken.kindsl", models.BROKEN)
-        expect(workbench.squiggles("error")).to_have_count(2)
-        workbench.open("arm.kindsl", models.ARM)
-        workbench.run("Kinematics-DSL: Open Preview to the Side")
-        frame = workbench.preview_frame()
-        expect(frame.locator("#robot")).to_have_text("arm")
-        frame.get_by_role("slider", name="elbow", exact=True).fill("1.2")
-        expect(workbench.notifications()).to_have_count(0)
-        workbench.screenshot("bare-python")
+@pytest.fixture(scope="module")
+def offered(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Where pip looks for packages in the window without packages."""
+    return tmp_path_factory.mktemp("wheels")
+
+
+@pytest.fixture(scope="module")
+def without_packages(
+    browser: Browser, vsix: Path, tmp_path_factory: pytest.TempPathFactory, offered: Path
+) -> Iterator[Workbench]:
+    """A window whose Python has no package and no network."""
+    work = tmp_path_factory.mktemp("bare")
+    settings = {"kindsl.interpreter": [str(bare_environment(work / "bare"))]}
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("PIP_NO_INDEX", "1")
+        patch.setenv("PIP_FIND_LINKS", str(offered))
+        with window(browser, vsix, work, settings) as workbench:
+            yield workbench
+
+
+def test_a_python_without_packages_is_enough(without_packages: Workbench) -> None:
+    workbench = without_packages
+    workbench.open("broken.kindsl", models.BROKEN)
+    expect(workbench.squiggles("error")).to_have_count(2)
+    workbench.open("arm.kindsl", models.ARM)
+    workbench.run("Kinematics-DSL: Open Preview to the Side")
+    frame = workbench.preview_frame()
+    expect(frame.locator("#robot")).to_have_text("arm")
+    frame.get_by_role("slider", name="elbow", exact=True).fill("1.2")
+    expect(workbench.notifications()).to_have_count(0)
+    workbench.screenshot("bare-python")
 
 
 def test_what_is_missing_is_installed_by_a_button(
-    browser: Browser, vsix: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    without_packages: Workbench, offered: Path
 ) -> None:
-    bare = bare_environment(tmp_path / "bare")
-    offered = tmp_path / "wheels"
-    offered.mkdir()
-    monkeypatch.setenv("PIP_NO_INDEX", "1")
-    monkeypatch.setenv("PIP_FIND_LINKS", str(offered))
-    with window(browser, vsix, tmp_path, {"kindsl.interpreter": [str(bare)]}) as workbench:
-        workbench.open("arm.kindsl", models.ARM)
-        expect(workbench.squiggles("error")).to_have_count(0)
-        workbench.run("Kinematics-DSL: Show as URDF")
-        message = workbench.notifications().first
-        expect(message).to_contain_text("No URDF: the export needs numpy")
-        message.get_by_role("button", name="Install yourdfpy").click()
-        expect(workbench.notifications().first).to_contain_text("the package index offers nothing")
-        write_wheel(offered, "yourdfpy")
-        workbench.screenshot("nothing-offered")
-        workbench.notifications().first.get_by_role("button", name="Try Again").click()
-        installed = "data/user/User/globalStorage/kindsl.kindsl/packages/*/yourdfpy/__init__.py"
-        workbench.eventually(lambda: list(tmp_path.glob(installed)), "the installed package")
-        expect(workbench.notifications()).to_have_count(0)
+    workbench = without_packages
+    workbench.open("arm.kindsl", models.ARM)
+    workbench.run("Kinematics-DSL: Show as URDF")
+    message = workbench.notifications().first
+    expect(message).to_contain_text("No URDF: the export needs numpy")
+    message.get_by_role("button", name="Install yourdfpy").click()
+    expect(workbench.notifications().first).to_contain_text("the package index offers nothing")
+    write_wheel(offered, "yourdfpy")
+    workbench.screenshot("nothing-offered")
+    workbench.notifications().first.get_by_role("button", name="Try Again").click()
+    installed = "data/user/User/globalStorage/kindsl.kindsl/packages/*/yourdfpy/__init__.py"
+    work = workbench.folder.parent
+    workbench.eventually(lambda: list(work.glob(installed)), "the installed package")
+    expect(workbench.notifications()).to_have_count(0)
 
 
 def test_a_workspace_that_is_not_trusted_chooses_no_program(
