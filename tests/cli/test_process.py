@@ -80,7 +80,7 @@ def test_interrupted_watch_ends_quietly(folder: Path) -> None:
             told = process.stderr.readline()
         process.send_signal(signal.SIGINT)
         try:
-            output, errors = process.communicate(timeout=30)
+            output, errors = process.communicate(timeout=60)
         finally:
             process.kill()
     assert output.startswith("a.kindsl:21:32:")

@@ -18,7 +18,7 @@
   (princ (format "%s: %s\n" name (and is-well t))))
 
 (defun wait-for (condition)
-  (let ((end (+ (float-time) 15)) found)
+  (let ((end (+ (float-time) 60)) found)
     (while (and (not (setq found (funcall condition))) (< (float-time) end))
       (accept-process-output nil 0.05)
       (sit-for 0.02))

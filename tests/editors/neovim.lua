@@ -26,7 +26,7 @@ local function step(name, is_well, more)
 end
 
 local function wait(condition)
-  return vim.wait(15000, condition, 20)
+  return vim.wait(60000, condition, 20)
 end
 
 local function text()
@@ -38,7 +38,7 @@ local function ask(method, line, character, more)
     textDocument = vim.lsp.util.make_text_document_params(0),
     position = { line = line, character = character },
   }, more or {})
-  for _, answer in pairs(vim.lsp.buf_request_sync(0, method, params, 10000) or {}) do
+  for _, answer in pairs(vim.lsp.buf_request_sync(0, method, params, 60000) or {}) do
     return answer.result
   end
 end
@@ -67,7 +67,7 @@ step("completion", offered ~= nil and #(offered.items or offered) > 0)
 apply(ask("textDocument/rename", 6, 6, { newName = "forearm" }))
 step("rename", text():find("link forearm") ~= nil and text():find("forearm via") ~= nil)
 
-vim.lsp.buf.formatting_sync(nil, 10000)
+vim.lsp.buf.formatting_sync(nil, 60000)
 step("format", text():find("\n    id = 1") ~= nil)
 
 vim.cmd("let &undolevels = &undolevels") -- what follows is a step of its own

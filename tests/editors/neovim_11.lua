@@ -12,7 +12,7 @@ local function step(name, is_well, more)
 end
 
 local function wait(condition)
-  return (vim.wait(20000, condition, 10))
+  return (vim.wait(60000, condition, 10))
 end
 
 local function lines()
@@ -58,13 +58,13 @@ local function ask(method, line, column)
     position = { line = line, character = column },
     range = { start = { line = 0, character = 0 }, ["end"] = { line = #lines(), character = 0 } },
   }
-  return client:request_sync(method, params, 20000, 0).result
+  return client:request_sync(method, params, 60000, 0).result
 end
 
 step("hover", vim.inspect(ask("textDocument/hover", 6, 6)):find("arm") ~= nil)
 step("hints", #ask("textDocument/inlayHint", 0, 0) > 0)
 
-vim.lsp.buf.format({ timeout_ms = 20000 })
+vim.lsp.buf.format({ timeout_ms = 60000 })
 step("format", text():find("\n    id = 1") ~= nil, text())
 local formatted = lines()
 vim.cmd("silent %left")

@@ -110,7 +110,7 @@ def use(command: list[str], folder: Path) -> "subprocess.CompletedProcess[str]":
         cwd=folder,
         capture_output=True,
         text=True,
-        timeout=120,
+        timeout=240,
         check=False,
     )
 
@@ -153,7 +153,7 @@ def test_neovim_11(tmp_path: Path) -> None:
 def test_emacs(tmp_path: Path) -> None:
     emacs = require("emacs")
     eglot = [emacs, "-q", "--batch", "--eval", "(progn (package-initialize) (require 'eglot))"]
-    if subprocess.run(eglot, capture_output=True, timeout=60, check=False).returncode:
+    if subprocess.run(eglot, capture_output=True, timeout=120, check=False).returncode:
         assert os.environ.get("CI") != "true", "eglot is not installed"
         pytest.skip("eglot is not installed")
     check(use([emacs, "-q", "--batch", "-l", str(HERE / "emacs.el")], tmp_path), STEPS)
@@ -171,7 +171,7 @@ def test_vim_with_ale(tmp_path: Path) -> None:
         "-c",
         "exe exists('g:loaded_ale') ? 'q!' : 'cq!'",
     ]
-    if subprocess.run(has_ale, capture_output=True, timeout=60, check=False).returncode:
+    if subprocess.run(has_ale, capture_output=True, timeout=120, check=False).returncode:
         assert os.environ.get("CI") != "true", "ALE is not installed"
         pytest.skip("ALE is not installed")
     run = use([vim, "-N", "-u", str(HERE / "vim.vim"), "-es"], tmp_path)

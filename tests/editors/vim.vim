@@ -12,7 +12,7 @@ endfunction
 
 function! s:Wait(is_there) abort
   let l:start = reltime()
-  while reltimefloat(reltime(l:start)) < 20 && empty(s:Errors()) == a:is_there
+  while reltimefloat(reltime(l:start)) < 60 && empty(s:Errors()) == a:is_there
     sleep 50m
   endwhile
   return empty(s:Errors()) != a:is_there

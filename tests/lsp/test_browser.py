@@ -44,7 +44,7 @@ class Client:
         return await self.seen(lambda m: m.get("id") == number and "method" not in m)
 
     async def seen(self, is_wanted):
-        async with asyncio.timeout(20):
+        async with asyncio.timeout(60):
             while True:
                 found = [message for message in self.messages if is_wanted(message)]
                 if found:
@@ -78,7 +78,7 @@ async def test_nothing_goes_on_when_all_is_answered(client):
     """Else the memory image could not be made: whoever makes it would wait for ever."""
     await client.open(TEXT)
     await client.ask("textDocument/diagnostic", {"textDocument": {"uri": URI}})
-    async with asyncio.timeout(10):
+    async with asyncio.timeout(60):
         while len(asyncio.all_tasks()) > 1:
             await asyncio.sleep(0.01)
 

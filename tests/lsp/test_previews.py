@@ -70,7 +70,7 @@ def type_comment(session: Session, version: int, comment: str) -> None:
 
 
 async def until(condition: Any) -> None:
-    async with asyncio.timeout(30):
+    async with asyncio.timeout(60):
         while not condition():
             await asyncio.sleep(0.001)
 

@@ -70,9 +70,11 @@ PLACE = """([group, name]) => {
 }"""
 
 
+# Drawn, and the camera stands where it stays: a place on the page is one from now on.
 IS_SHOWN = """(name) => {
   const { model, poses, paths, isWhole } = kindsl.scene;
-  return model.name === name && poses.robot && paths.size > 0 && isWhole;
+  const isDrawn = model.name === name && poses.robot && paths.size > 0 && isWhole;
+  return isDrawn && kindsl.camera.framedSize > 0;
 }"""
 
 
@@ -131,7 +133,7 @@ async def until(page: Page, condition: str, argument: object = None) -> None:
 
 
 async def until_shown(page: Page, robot: str) -> None:
-    """Wait until the whole state has come and a robot is drawn."""
+    """Wait until the whole state has come and a robot is drawn, all of it in the picture."""
     await until(page, IS_SHOWN, robot)
 
 

@@ -345,7 +345,7 @@ async def test_the_saved_version_is_a_ghost_behind_the_edited_one(browser, serve
         server.saved("arm.kindsl")
         await show(server, LONGER_ARM)
         await until(page, "kindsl.scene.trees.ghost.links.size === 3")
-        async with asyncio.timeout(30):
+        async with asyncio.timeout(60):
             while (await page.evaluate(PAINTED))["ghost"] <= 50:
                 await asyncio.sleep(0.05)
         ghost = await page.evaluate("kindsl.scene.poses.ghost.links.get('slider')[12]")

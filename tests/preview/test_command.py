@@ -16,7 +16,7 @@ DRIVER = (
     "import argparse, sys; from kindsl.cli import preview; parser = argparse.ArgumentParser();"
     "preview.add_arguments(parser); sys.exit(preview.run(parser.parse_args()))"
 )
-PATIENCE = 30.0
+PATIENCE = 60.0
 
 
 @pytest.fixture

@@ -33,7 +33,7 @@ async def page(editor):
 
 
 async def next_message(connection, kind):
-    async with asyncio.timeout(30.0):
+    async with asyncio.timeout(60.0):
         while True:
             message = umsgpack.unpackb(await connection.read_message())
             if message["type"] == kind:
@@ -82,7 +82,7 @@ async def test_a_saved_version_stays_as_a_ghost(editor):
     async with page(editor) as connection:
         editor.notify("textDocument/didSave", {"textDocument": {"uri": URI}})
         editor.change(URI, 2, {"text": ARM.replace("(0.4, 0.0", "(0.45, 0.0")})
-        async with asyncio.timeout(30.0):
+        async with asyncio.timeout(60.0):
             while True:
                 message = await next_message(connection, "joint")
                 if message["path"].startswith("/kindsl/ghost/"):

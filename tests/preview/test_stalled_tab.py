@@ -25,7 +25,7 @@ async def hanging_tab(server):
 
 
 async def last_pose(connection, wanted):
-    async with asyncio.timeout(30.0):
+    async with asyncio.timeout(60.0):
         while True:
             message = umsgpack.unpackb(await connection.read_message())
             if message["type"] == "joint" and message.get("placement") == wanted:

@@ -20,6 +20,6 @@ async def connected(address: str, **headers: str) -> AsyncIterator[WebSocketClie
         yield connection
     finally:
         connection.close()
-        async with asyncio.timeout(30.0):
+        async with asyncio.timeout(60.0):
             while await connection.read_message() is not None:
                 continue

@@ -14,7 +14,7 @@ from typing import Any
 from tests.support.lsp_messages import faults
 
 SERVER = (sys.executable, "-m", "kindsl.cli.language_server")
-TIMEOUT = 30.0
+TIMEOUT = 60.0
 
 
 class RawClient:
