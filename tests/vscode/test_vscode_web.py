@@ -11,6 +11,8 @@ from tests.vscode import models, vscode_web
 from tests.vscode.code_server import EXTENSION
 from tests.vscode.workbench import Workbench
 
+# The first test waits for what is built for all of them.
+pytestmark = pytest.mark.timeout(900)
 # The reach is bound by the configuration in the workspace, and nowhere else.
 BROKEN = models.BROKEN.replace("(0.4, 0.0, 0.0)", "(reach, 0.0, 0.0)")
 CONFIGURATION = "parameters = { reach = 0.4 }\n"

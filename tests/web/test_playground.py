@@ -14,6 +14,8 @@ from tests.web.tab import PLACE_CURSOR, Tab, fragment
 import kindsl
 from kindsl.text.lines import LineIndex
 
+# The first test waits for what is built for all of them.
+pytestmark = pytest.mark.timeout(900)
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SHOTS = site.ROOT / "artifacts" / "web"
 BROKEN = (
