@@ -79,7 +79,7 @@ def main() -> None:
     )
     parser.add_argument("--trees", metavar="N", type=int, default=100)
     parser.add_argument("--extreme", metavar="N", type=int, default=30)
-    parser.add_argument("--links", metavar="N", type=int, default=4)
+    parser.add_argument("--links", metavar="N", type=int, default=4, help="most links of a tree")
     parser.add_argument("--corpus", metavar="FOLDER", type=Path)
     args = parser.parse_args()
     random_trees(args.trees, args.links)
@@ -102,6 +102,7 @@ def random_trees(count: int, links: int) -> None:
             done[language] += 1
             for answers in _answers(one, _caller(one, _files(one, expected), {}), expected):
                 _keep(worst, language, answers, f"seed {seed}")
+        print(f"{seed + 1} of {count} trees", end="\r", file=sys.stderr, flush=True)
     for language, (difference, where) in worst.items():
         _row("random trees", f"{done[language]} in {language}", difference, where)
 

@@ -136,39 +136,68 @@ def _fields(
     return Field([a[1], 0.0 - a[0], 0.0], b, across), Field(ZERO, scale(2.0, across), EYE[2])
 
 
+class _Column(NamedTuple):
+    """What a joint is for those that carry it, at the origin of one of them.
+
+    Attributes:
+        by_position: What the wrench there changes by with its position.
+        by_velocity: The same with its velocity.
+        reaction: The wrench when it accelerates by one.
+        turning: Its `flow_reaction`.
+    """
+
+    by_position: Wrench
+    by_velocity: Wrench
+    reaction: Wrench
+    turning: Vector
+
+
 def _fill_joint(mechanism: _Mechanism, link: int, inputs: Inputs, dq: Matrix, dqd: Matrix) -> None:
-    """Fill row and column of a joint, as far as the joints are concerned that carry it."""
+    """Fill row and column of a joint, as far as those are concerned that carry it."""
     tree, joints = mechanism.tree, mechanism.joints
-    kind, body, flow = joints[link].kind, mechanism.bodies[link], mechanism.flows[link]
     first = 6 if tree.is_floating else 0
-    here = first + link - 1
-    by_position = wrench_of(mechanism.by_position[link], body, flow)
-    by_velocity = wrench_of(mechanism.by_velocity[link], body, flow)
-    dq[here][here], dqd[here][here] = _along(kind, by_position), _along(kind, by_velocity)
-    by_position = _turned(kind, by_position, mechanism.wrenches[link])
-    reaction, turning = Wrench(*joint_reaction(kind, body)), flow_reaction(kind, flow)
-    # Towards the base.
-    while link != 0 and (tree.parents[link] != 0 or tree.is_floating):
-        joint, step = joints[link], mechanism.steps[link]
-        by_position = wrench_in_parent(joint, by_position)
-        by_velocity = wrench_in_parent(joint, by_velocity)
-        reaction = wrench_in_parent(joint, reaction)
-        turning = add(joint.to_parent(turning), scale(2.0, cross(step, reaction.force)))
-        link = tree.parents[link]
-        if link != 0:
-            there, kind = first + link - 1, joints[link].kind
-            dq[there][here], dqd[there][here] = _along(kind, by_position), _along(kind, by_velocity)
-            dq[here][there] = joint_force(mechanism.by_position[link], reaction, turning)
-            dqd[here][there] = joint_force(mechanism.by_velocity[link], reaction, turning)
+    here, column = first + link - 1, _own_column(mechanism, link)
+    dq[here][here] = _along(joints[link].kind, column.by_position)
+    dqd[here][here] = _along(joints[link].kind, column.by_velocity)
+    while tree.parents[link] != 0:
+        column, link = _in_parent(mechanism, link, column), tree.parents[link]
+        there, kind = first + link - 1, joints[link].kind
+        dq[there][here] = _along(kind, column.by_position)
+        dqd[there][here] = _along(kind, column.by_velocity)
+        dq[here][there] = _taken(mechanism.by_position[link], column)
+        dqd[here][there] = _taken(mechanism.by_velocity[link], column)
     if tree.is_floating:
-        for row, (x, y) in enumerate(
-            zip(_entries(by_position), _entries(by_velocity), strict=True)
-        ):
-            dq[row][here], dqd[row][here] = x, y
-        turn, turning_base, moving_base = _base_fields(inputs)
-        dq[here][:3] = [joint_force(field, reaction, turning) for field in turn]
-        dqd[here][:3] = [joint_force(field, reaction, turning) for field in turning_base]
-        dqd[here][3:6] = [joint_force(field, reaction, turning) for field in moving_base]
+        column = _in_parent(mechanism, link, column)
+        for row in range(6):
+            dq[row][here] = _entries(column.by_position)[row]
+            dqd[row][here] = _entries(column.by_velocity)[row]
+        turns, turning, moving = _base_fields(inputs)
+        dq[here][:3] = [_taken(field, column) for field in turns]
+        dqd[here][:6] = [_taken(field, column) for field in (*turning, *moving)]
+
+
+def _own_column(mechanism: _Mechanism, link: int) -> _Column:
+    kind, body, flow = mechanism.joints[link].kind, mechanism.bodies[link], mechanism.flows[link]
+    by_position = wrench_of(mechanism.by_position[link], body, flow)
+    return _Column(
+        _turned(kind, by_position, mechanism.wrenches[link]),
+        wrench_of(mechanism.by_velocity[link], body, flow),
+        Wrench(*joint_reaction(kind, body)),
+        flow_reaction(kind, flow),
+    )
+
+
+def _in_parent(mechanism: _Mechanism, link: int, column: _Column) -> _Column:
+    joint = mechanism.joints[link]
+    by_position, by_velocity, reaction = (
+        wrench_in_parent(joint, wrench) for wrench in column[:3]
+    )  # fmt: skip
+    moved = scale(2.0, cross(mechanism.steps[link], reaction.force))
+    return _Column(by_position, by_velocity, reaction, add(joint.to_parent(column.turning), moved))
+
+
+def _taken(field: Field, column: _Column) -> Scalar:
+    return joint_force(field, column.reaction, column.turning)
 
 
 def _along(kind: str, wrench: Wrench) -> Scalar:
