@@ -24,6 +24,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
@@ -128,45 +129,47 @@ def calls_of(bodies: Bodies) -> Calls:
     return Calls(
         {
             "inverse dynamics": (
-                lambda: ours.inverse_dynamics(q, qd, x, *base),
-                lambda: pin.rnea(model, data, tq, tv, ta),
+                partial(ours.inverse_dynamics, q, qd, x, *base),
+                partial(pin.rnea, model, data, tq, tv, ta),
             ),
             "forward dynamics": (
-                lambda: ours.forward_dynamics(q, qd, x, *base),
-                lambda: pin.aba(model, data, tq, tv, ta),
+                partial(ours.forward_dynamics, q, qd, x, *base),
+                partial(pin.aba, model, data, tq, tv, ta),
             ),
-            "inertia": (lambda: ours.joint_space_inertia(q), lambda: pin.crba(model, data, tq)),
+            "inertia": (
+                partial(ours.joint_space_inertia, q), partial(pin.crba, model, data, tq),
+            ),
         },
         {
             "inverse dynamics derivatives": (
-                lambda: ours.inverse_dynamics_derivatives(q, qd, x, *both),
-                lambda: pin.computeRNEADerivatives(model, data, tq, tv, ta),
+                partial(ours.inverse_dynamics_derivatives, q, qd, x, *both),
+                partial(pin.computeRNEADerivatives, model, data, tq, tv, ta),
             ),
             "forward dynamics derivatives": (
-                lambda: ours.forward_dynamics_derivatives(q, qd, x, *base),
-                lambda: pin.computeABADerivatives(model, data, tq, tv, ta),
+                partial(ours.forward_dynamics_derivatives, q, qd, x, *base),
+                partial(pin.computeABADerivatives, model, data, tq, tv, ta),
             ),
             "regressor": (
-                lambda: ours.regressor(q, qd, x, *both),
-                lambda: pin.computeJointTorqueRegressor(model, data, tq, tv, ta),
+                partial(ours.regressor, q, qd, x, *both),
+                partial(pin.computeJointTorqueRegressor, model, data, tq, tv, ta),
             ),
         },
         {
-            "inverse dynamics derivatives": lambda: ours.inverse_dynamics_derivatives(
-                Q, QD, X, *moving_few
+            "inverse dynamics derivatives": partial(
+                ours.inverse_dynamics_derivatives, Q, QD, X, *moving_few
             ),
-            "forward dynamics derivatives": lambda: ours.forward_dynamics_derivatives(
-                Q, QD, X, *base_few
+            "forward dynamics derivatives": partial(
+                ours.forward_dynamics_derivatives, Q, QD, X, *base_few
             ),
-            "regressor": lambda: ours.regressor(Q, QD, X, *moving_few),
+            "regressor": partial(ours.regressor, Q, QD, X, *moving_few),
         },
         {
-            "inverse dynamics": lambda: ours.inverse_dynamics(Q_, QD_, X_, *base_many),
-            "forward dynamics": lambda: ours.forward_dynamics(Q_, QD_, X_, *base_many),
-            "inertia": lambda: ours.joint_space_inertia(Q_),
+            "inverse dynamics": partial(ours.inverse_dynamics, Q_, QD_, X_, *base_many),
+            "forward dynamics": partial(ours.forward_dynamics, Q_, QD_, X_, *base_many),
+            "inertia": partial(ours.joint_space_inertia, Q_),
         },
-        lambda: pin.computeKineticEnergy(model, data),
-    )
+        partial(pin.computeKineticEnergy, model, data),
+    )  # fmt: skip
 
 
 def against_robcogen(folder: Path) -> None:
