@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from kindsl.syntax.components import COMPONENTS, QUOTES, from_attribute, of_three, with_commas
-from kindsl.syntax.foreign_words import in_our_words, without_relatives
+from kindsl.syntax.foreign.words import in_our_words, without_relatives
 from kindsl.syntax.half_written import VECTOR, half_vector, with_whole_children, with_whole_sections
 from kindsl.syntax.obsolete_forms import in_todays_forms
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
