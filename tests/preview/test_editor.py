@@ -1,6 +1,7 @@
 """The preview beside an editor: the real language server over stdio, a page's websocket."""
 
 import asyncio
+import json
 from contextlib import asynccontextmanager
 
 import pytest
@@ -108,6 +109,25 @@ async def test_typed_values_are_written_by_the_editor(tmp_path):
         request = await asyncio.to_thread(client.wait, is_wanted)
         made = request["params"]["edit"]["changes"][(tmp_path / "kindsl.toml").as_uri()]
         assert [each["newText"] for each in made] == ["reach = 0.25\n"]
+        client.send(id=request["id"], result={"applied": True})
+    client.kill()
+
+
+async def test_a_drag_in_a_document_without_a_file_is_one_labelled_edit_of_it():
+    client = RawClient()
+    client.initialize({"workspace": {"applyEdit": True}}, initializationOptions=SETTINGS)
+    client.open(URI, ARM)
+    async with page(client) as connection:
+        await connection.write_message('{"type": "grasp", "kind": "joint", "name": "lift"}')
+        revision = (await next_message(connection, "handles"))["revision"]
+        drop = {"type": "drag", "kind": "joint", "name": "lift", "component": "x", "phase": "drop"}
+        numbers = {"value": 0.45, "step": 0.01, "revision": revision}
+        await connection.write_message(json.dumps(drop | numbers))
+        is_wanted = lambda m: m.get("method") == "workspace/applyEdit"  # noqa: E731
+        request = await asyncio.to_thread(client.wait, is_wanted)
+        assert request["params"]["label"] == "Set x of joint 'lift'"
+        ((address, edits),) = request["params"]["edit"]["changes"].items()
+        assert (address, [edit["newText"] for edit in edits]) == (URI, ["0.45"])
         client.send(id=request["id"], result={"applied": True})
     client.kill()
 
