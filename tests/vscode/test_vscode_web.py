@@ -91,7 +91,8 @@ def test_no_other_host_is_asked(requests: list[str]) -> None:
 def test_the_package_offers_only_what_it_can_do() -> None:
     text = (vscode_web.stage_extension() / "package.json").read_text()
     manifest = json.loads(text)
-    source = (EXTENSION / "src" / "browser" / "extension.ts").read_text()
+    sources = [EXTENSION / "src" / name for name in ("commands.ts", "browser/extension.ts")]
+    source = "".join(path.read_text() for path in sources)
     for command in manifest["contributes"]["commands"]:
         assert f'"{command["command"]}"' in source, command
     assert "main" not in manifest

@@ -1,8 +1,8 @@
 // Finds Python, starts the language server, shows its preview. The language itself is the server's matter.
 import * as vscode from "vscode";
-import type { Location, Position } from "vscode-languageclient";
 import { LANGUAGE } from "./clientOptions";
-import { newFile, showUrdf } from "./documents";
+import { onDocument, registerCommands, type Commands } from "./commands";
+import { showUrdf } from "./documents";
 import { selectInterpreter } from "./interpreterChoice";
 import { FrameScreen, previewAddress } from "./frameScreen";
 import type { Home } from "./launch";
@@ -10,13 +10,12 @@ import { onSelectionChange } from "./msPython";
 import { installPackages } from "./packages";
 import { Previews } from "./preview";
 import { report, type Problem } from "./problems";
-import { showReferences } from "./references";
 import { Server } from "./server";
 import type { ServerState } from "./serverAccess";
 import { needsRestart, previewOpensByItself, readSettings } from "./settings";
 import { StatusItems } from "./status";
 import { registerTasks } from "./tasks";
-import { KinematicTree, revealSymbol } from "./tree";
+import { KinematicTree } from "./tree";
 
 /** What the extension tells others, its own tests among them. */
 export interface Api {
@@ -42,7 +41,7 @@ export function activate(context: vscode.ExtensionContext): Api {
   context.subscriptions.push(log, own, previews, status, new KinematicTree(own));
   context.subscriptions.push(
     registerTasks(context, own),
-    ...registerCommands(context, own, previews, log),
+    ...registerCommands(own, previews, log, desktopCommands(context, own, previews, log)),
     ...restartOnChange(own),
   );
   void followPythonExtension(context, own);
@@ -77,35 +76,14 @@ function restartOnChange(own: Server): vscode.Disposable[] {
   ];
 }
 
-function registerCommands(
-  home: Home,
-  own: Server,
-  previews: Previews,
-  log: vscode.LogOutputChannel,
-): vscode.Disposable[] {
-  const onDocument = (run: (uri: vscode.Uri) => unknown) => (uri?: vscode.Uri) => {
-    const chosen = uri instanceof vscode.Uri ? uri : previews.currentUri();
-    return chosen && run(chosen);
-  };
-  const commands: Record<string, (...args: never[]) => unknown> = {
-    "kindsl.openPreview": onDocument((uri) => previews.open(uri)),
-    "kindsl.openPreviewInBrowser": onDocument((uri) => openInBrowser(own, uri)),
-    "kindsl.pinPreview": () => previews.setPinned(true),
-    "kindsl.unpinPreview": () => previews.setPinned(false),
-    "kindsl.showSource": () => previews.showSourceOfActive(),
-    "kindsl.showUrdf": onDocument((uri) => showUrdf(uri, own)),
-    "kindsl.restart": () => own.restart(),
-    "kindsl.showLog": () => log.show(),
+/** The commands that need a machine around the editor. */
+function desktopCommands(home: Home, own: Server, previews: Previews, log: vscode.LogOutputChannel): Commands {
+  return {
+    "kindsl.openPreviewInBrowser": onDocument(previews, (uri) => openInBrowser(own, uri)),
+    "kindsl.showUrdf": onDocument(previews, (uri) => showUrdf(uri, own)),
     "kindsl.selectInterpreter": () => selectInterpreter(home, log),
     "kindsl.installPackages": (names: readonly string[] = ["numpy"]) => installPackages(names, home, own, log),
-    "kindsl.newFile": () => newFile(own),
-    "kindsl.revealSymbol": revealSymbol,
-    "kindsl.showRule": (page: string) =>
-      vscode.commands.executeCommand("markdown.showPreview", vscode.Uri.parse(page, true)),
-    "kindsl.showReferences": (uri: string, position: Position, places: Location[]) =>
-      showReferences(uri, position, places, own),
   };
-  return Object.entries(commands).map(([name, run]) => vscode.commands.registerCommand(name, run));
 }
 
 async function openInBrowser(own: Server, uri: vscode.Uri): Promise<void> {

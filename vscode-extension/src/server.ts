@@ -6,38 +6,31 @@ import type { Requests } from "./clientOptions";
 import { findLaunch, type Home, type Launch } from "./launch";
 import type { Interpreter } from "./python";
 import type { Problem } from "./problems";
-import { STATE_CONTEXT, type ServerAccess, type ServerState } from "./serverAccess";
+import { ServerLife } from "./serverLife";
 
 /** A server that ends by itself more often than that within the window is left alone. */
 const CRASHES = { limit: 4, windowMilliseconds: 180_000 };
 
-export class Server implements ServerAccess, vscode.Disposable {
-  readonly #changed = new vscode.EventEmitter<ServerState>();
-  readonly onDidChange = this.#changed.event;
+export class Server extends ServerLife<LanguageClient> {
   readonly #failed = new vscode.EventEmitter<Problem>();
   /** Something that the user must put right. */
   readonly onProblem = this.#failed.event;
 
-  #state: ServerState = "stopped";
   #problem: Problem | undefined;
-  #client: LanguageClient | undefined;
   #interpreter: Interpreter | undefined;
-  #queue: Promise<void> = Promise.resolve();
   #crashes: number[] = [];
 
   constructor(
     private readonly home: Home,
     private readonly log: vscode.LogOutputChannel,
     private readonly requests: Requests,
-  ) {}
-
-  get state(): ServerState {
-    return this.#state;
+  ) {
+    super();
   }
 
   /** Why no server runs, where that is so. */
   get problem(): Problem | undefined {
-    return this.#state === "failed" ? this.#problem : undefined;
+    return this.state === "failed" ? this.#problem : undefined;
   }
 
   /** The interpreter that was found last, whether or not the server could run in it. */
@@ -45,37 +38,14 @@ export class Server implements ServerAccess, vscode.Disposable {
     return this.#interpreter;
   }
 
-  async client(): Promise<LanguageClient | undefined> {
-    await this.#queue;
-    return this.#state === "running" ? this.#client : undefined;
-  }
-
-  /** Start anew; `meanwhile` is done while no server runs. */
-  restart(meanwhile: () => Promise<void> = async () => undefined): Promise<void> {
-    return this.#enqueue(async () => {
-      await this.#stop();
-      await meanwhile().catch((error) => this.log.error(String(error)));
-      this.#crashes = [];
-      await this.#start();
-    });
-  }
-
-  stop(): Promise<void> {
-    return this.#enqueue(() => this.#stop());
-  }
-
-  dispose(): void {
-    this.#changed.dispose();
+  override dispose(): void {
+    super.dispose();
     this.#failed.dispose();
   }
 
-  #enqueue(step: () => Promise<void>): Promise<void> {
-    this.#queue = this.#queue.then(step).catch((error) => this.log.error(String(error)));
-    return this.#queue;
-  }
-
-  async #start(): Promise<void> {
-    this.#set("starting");
+  protected override async begin(): Promise<void> {
+    this.#crashes = [];
+    this.set("starting");
     const launch = await findLaunch(this.home, this.log);
     if ("rejected" in launch) {
       this.#interpreter = undefined;
@@ -89,30 +59,30 @@ export class Server implements ServerAccess, vscode.Disposable {
   async #run(launch: Launch): Promise<void> {
     this.log.info(`Starting ${launch.command} ${launch.args.join(" ")}`);
     const client = createClient(launch, this.log, { ...this.requests, crashed: () => this.#crashed() });
-    this.#client = client;
+    this.current = client;
     client.onDidChangeState(({ newState }) => this.#follow(client, newState));
     // A server that ends while it is starting may leave the promise resolved: the client's state decides.
     await client.start().catch((error) => this.log.error(`The server did not start: ${String(error)}`));
     if (!client.isRunning()) this.#fail({ kind: "startFailed", launch });
   }
 
-  async #stop(): Promise<void> {
-    const client = this.#client;
-    this.#client = undefined;
+  protected override async end(): Promise<void> {
+    const client = this.current;
+    this.current = undefined;
     await client?.stop().catch((error) => this.log.warn(`The server did not stop in order: ${String(error)}`));
-    this.#set("stopped");
+    this.set("stopped");
   }
 
   /** Take over the client's own transitions: a restart after a crash does not pass through here. */
   #follow(client: LanguageClient, state: ClientState): void {
-    if (client !== this.#client) return;
-    if (state === ClientState.Running) this.#set("running");
-    if (state === ClientState.Starting) this.#set("starting");
+    if (client !== this.current) return;
+    if (state === ClientState.Running) this.set("running");
+    if (state === ClientState.Starting) this.set("starting");
   }
 
   #crashed(): boolean {
     // The first start reports its own failure; one that follows a crash is the library's.
-    if (this.#state !== "running" && this.#crashes.length === 0) return false;
+    if (this.state !== "running" && this.#crashes.length === 0) return false;
     const now = Date.now();
     this.#crashes = [...this.#crashes.filter((time) => now - time < CRASHES.windowMilliseconds), now];
     if (this.#crashes.length <= CRASHES.limit) return true;
@@ -122,14 +92,11 @@ export class Server implements ServerAccess, vscode.Disposable {
 
   #fail(problem: Problem): void {
     this.#problem = problem;
-    this.#set("failed");
+    this.set("failed");
     this.#failed.fire(problem);
   }
 
-  #set(state: ServerState): void {
-    if (state === this.#state) return;
-    this.#state = state;
-    void vscode.commands.executeCommand("setContext", STATE_CONTEXT, state);
-    this.#changed.fire(state);
+  protected override stepFailed(error: unknown): void {
+    this.log.error(String(error));
   }
 }

@@ -1,11 +1,9 @@
 // The extension where there is no process to start: the same server in a worker, the same page in the panel.
 import * as vscode from "vscode";
-import type { Location, Position } from "vscode-languageclient";
-import { newFile } from "../documents";
+import { registerCommands } from "../commands";
 import { Previews } from "../preview";
-import { showReferences } from "../references";
 import { StatusItems } from "../status";
-import { KinematicTree, revealSymbol } from "../tree";
+import { KinematicTree } from "../tree";
 import { PageScreen } from "./pageScreen";
 import { WorkerServer } from "./workerServer";
 
@@ -32,29 +30,4 @@ export async function deactivate(): Promise<void> {
 async function readPage(extension: vscode.Uri): Promise<string> {
   const content = await vscode.workspace.fs.readFile(vscode.Uri.joinPath(extension, "out/preview.html"));
   return new TextDecoder().decode(content);
-}
-
-function registerCommands(
-  own: WorkerServer,
-  previews: Previews,
-  log: vscode.LogOutputChannel,
-): vscode.Disposable[] {
-  const commands: Record<string, (...args: never[]) => unknown> = {
-    "kindsl.openPreview": (uri?: vscode.Uri) => {
-      const chosen = uri instanceof vscode.Uri ? uri : previews.currentUri();
-      if (chosen !== undefined) previews.open(chosen);
-    },
-    "kindsl.pinPreview": () => previews.setPinned(true),
-    "kindsl.unpinPreview": () => previews.setPinned(false),
-    "kindsl.showSource": () => previews.showSourceOfActive(),
-    "kindsl.restart": () => own.restart(),
-    "kindsl.showLog": () => log.show(),
-    "kindsl.newFile": () => newFile(own),
-    "kindsl.revealSymbol": revealSymbol,
-    "kindsl.showRule": (page: string) =>
-      vscode.commands.executeCommand("markdown.showPreview", vscode.Uri.parse(page, true)),
-    "kindsl.showReferences": (uri: string, position: Position, places: Location[]) =>
-      showReferences(uri, position, places, own),
-  };
-  return Object.entries(commands).map(([name, run]) => vscode.commands.registerCommand(name, run));
 }

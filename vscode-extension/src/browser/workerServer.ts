@@ -3,7 +3,7 @@ import * as vscode from "vscode";
 import { LanguageClient } from "vscode-languageclient/browser";
 import { RESTART, SHOW_LOG, showError } from "../actions";
 import { clientOptions, LANGUAGE, TRANSFORMS, type DocumentStatus, type Requests } from "../clientOptions";
-import { STATE_CONTEXT, type ServerAccess, type ServerState } from "../serverAccess";
+import { ServerLife } from "../serverLife";
 import { ProjectFiles } from "./projectFiles";
 
 const READY = "kindsl/ready", FAILED = "kindsl/failed";
@@ -15,70 +15,42 @@ export interface PageMessages {
   readonly messages: readonly unknown[];
 }
 
-export class WorkerServer implements ServerAccess, vscode.Disposable {
-  readonly #changed = new vscode.EventEmitter<ServerState>();
-  readonly onDidChange = this.#changed.event;
+export class WorkerServer extends ServerLife<LanguageClient> {
   readonly #drawn = new vscode.EventEmitter<PageMessages>();
   readonly onPageMessages = this.#drawn.event;
 
-  #state: ServerState = "stopped";
-  #client: LanguageClient | undefined;
   #worker: Worker | undefined;
   #files: ProjectFiles | undefined;
-  #queue: Promise<void> = Promise.resolve();
 
   constructor(
     private readonly extension: vscode.Uri,
     private readonly log: vscode.LogOutputChannel,
     private readonly requests: Requests,
-  ) {}
-
-  get state(): ServerState {
-    return this.#state;
-  }
-
-  async client(): Promise<LanguageClient | undefined> {
-    await this.#queue;
-    return this.#state === "running" ? this.#client : undefined;
+  ) {
+    super();
   }
 
   /** Pass on what a preview's page asks for. */
   sendFromPage(document: string, request: unknown): void {
-    if (this.#state === "running") void this.#client?.sendNotification(PAGE_REQUEST, { document, request });
+    if (this.state === "running") void this.current?.sendNotification(PAGE_REQUEST, { document, request });
   }
 
-  restart(): Promise<void> {
-    return this.#enqueue(async () => {
-      await this.#stop();
-      await this.#start();
-    });
-  }
-
-  stop(): Promise<void> {
-    return this.#enqueue(() => this.#stop());
-  }
-
-  dispose(): void {
-    this.#changed.dispose();
+  override dispose(): void {
+    super.dispose();
     this.#drawn.dispose();
   }
 
-  #enqueue(step: () => Promise<void>): Promise<void> {
-    this.#queue = this.#queue.then(step).catch((error) => this.#fail(error));
-    return this.#queue;
-  }
-
-  async #start(): Promise<void> {
-    this.#set("starting");
+  protected override async begin(): Promise<void> {
+    this.set("starting");
     const worker = (this.#worker = newWorker(this.extension));
     const files = (this.#files = new ProjectFiles());
-    const client = (this.#client = this.#newClient(worker, files));
+    const client = (this.current = this.#newClient(worker, files));
     const broken = new Promise<never>((_, reject) => {
       worker.addEventListener("error", ({ message }) => reject(new Error(message)));
       client.onNotification(FAILED, ({ message }: { message: string }) => reject(new Error(message)));
     });
     await Promise.race([client.start(), broken]);
-    this.#set("running");
+    this.set("running");
     files.follow(client);
   }
 
@@ -101,26 +73,19 @@ export class WorkerServer implements ServerAccess, vscode.Disposable {
   }
 
   /** End the worker: it holds nothing that is not in the documents. */
-  async #stop(): Promise<void> {
+  protected override async end(): Promise<void> {
     this.#files?.dispose();
-    if (this.#client?.isRunning()) await this.#client.stop().catch((error) => this.log.warn(String(error)));
+    if (this.current?.isRunning()) await this.current.stop().catch((error) => this.log.warn(String(error)));
     this.#worker?.terminate();
-    this.#client = this.#worker = this.#files = undefined;
-    this.#set("stopped");
+    this.current = this.#worker = this.#files = undefined;
+    this.set("stopped");
   }
 
-  #fail(error: unknown): void {
+  protected override stepFailed(error: unknown): void {
     const message = `The Kinematics-DSL server did not start in this browser: ${(error as Error).message}`;
     this.log.error(message);
-    this.#set("failed");
+    this.set("failed");
     void showError(message, [RESTART, SHOW_LOG]);
-  }
-
-  #set(state: ServerState): void {
-    if (state === this.#state) return;
-    this.#state = state;
-    void vscode.commands.executeCommand("setContext", STATE_CONTEXT, state);
-    this.#changed.fire(state);
   }
 }
 
