@@ -3,6 +3,7 @@ from itertools import pairwise
 import pytest
 from tests.features.samples import ARM
 from tests.support.cursor import at_cursor
+from tests.support.documents import ROOT
 
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.fixing import disjoint_fixes, is_mendable
@@ -17,6 +18,11 @@ BAD = ARM.replace("mass = 2.0", "mass = 2").replace("(0.5, 0.0, 0.0)", "(1, 2, 3
 
 def codes(text):
     return [finding.code for finding in analyse(text).findings]
+
+
+def first_quick_fix(analysis):
+    offered = (quick_fixes(analysis, f.start, f.end) for f in analysis.findings)
+    return next((fixes[0] for fixes in offered if fixes), None)
 
 
 def titles(marked):
@@ -117,6 +123,28 @@ def test_what_is_omitted_can_be_added(omitted, title):
     action = quick_fixes(analyse(text), finding.start, finding.start)[0]
     assert (action.title, action.kind, action.diagnostics) == (title, "quickfix", (finding,))
     assert apply_edits(text, action.edits) == ARM
+
+
+def test_a_frame_that_an_inertia_names_can_be_added():
+    text = ARM.replace(
+        "Iyz=0.0\n    }\n    children {}", "Iyz=0.0 ref_frame = lower_com\n    }\n    children {}"
+    )
+    assert text != ARM
+    (finding,) = [d for d in analyse(text).findings if d.code == "KD107"]
+    (action,) = quick_fixes(analyse(text), finding.start, finding.start)
+    assert (action.title, action.kind) == ("Add a frame 'lower_com' to 'lower'", "quickfix")
+    assert action.diagnostics == (finding,)
+    assert codes(apply_edits(text, action.edits)) == codes(ARM)
+
+
+def test_quick_fixes_alone_mend_all_of_the_broken_arm_that_one_can_know():
+    """Nobody can know a divisor, a body that was never measured, moments of no body, a length."""
+    text = (ROOT / "examples" / "broken_arm.kindsl").read_text()
+    while (fix := first_quick_fix(analyse(text))) is not None:
+        text = apply_edits(text, fix.edits)
+        mended = fix.diagnostics[0].message
+        assert mended not in [finding.message for finding in analyse(text).findings]
+    assert set(codes(text)) == {"KD301", "KD310", "KD401", "KD409", "KD508"}
 
 
 @pytest.mark.parametrize(

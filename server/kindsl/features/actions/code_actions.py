@@ -13,6 +13,7 @@ from kindsl.features.actions.extract_parameter import extract_parameter
 from kindsl.features.actions.fix_all import fix_all
 from kindsl.features.actions.inline_parameter import inline_parameter
 from kindsl.features.actions.move_inertia import move_inertia
+from kindsl.features.actions.new_frame import add_referenced_frame
 from kindsl.features.actions.sort_links import renumber_links, sort_links
 from kindsl.features.symbol_at import EntityKind, symbol_at
 from kindsl.semantics.declarations import ValueKind
@@ -33,6 +34,7 @@ _REFACTORINGS: tuple[Callable[[Analysis, int, int], Iterator[CodeAction]], ...] 
 )
 _UNBOUND = "KD401"
 _OMITTED = "KD008"
+_UNDEFINED_FRAME = "KD107"
 
 
 def code_actions(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, ...]:
@@ -57,7 +59,13 @@ def quick_fixes(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, .
         for finding in omitted
         for action in add_missing(analysis, finding.start)
     ]
-    return (*fixes, *additions, *_fixes_of_rules(analysis, touched))
+    frames = [
+        action
+        for finding in touched
+        if finding.code == _UNDEFINED_FRAME
+        for action in add_referenced_frame(analysis, finding)
+    ]
+    return (*fixes, *additions, *frames, *_fixes_of_rules(analysis, touched))
 
 
 def fix_all_action(analysis: Analysis) -> CodeAction | None:

@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.actions.action import CodeAction
 from kindsl.features.actions.layout_edits import inserted_section, line_indent
+from kindsl.features.actions.new_frame import new_frame
 from kindsl.features.link_inertia import link_inertia
 from kindsl.features.tree_path import path_at
 from kindsl.features.unknown import Unknown, pose_expressions
@@ -82,7 +83,7 @@ def _to_com(
 ) -> Iterator[CodeAction]:
     name = _new_frame_name(analysis, link)
     pose = IDENTITY._replace(translation=body.com)
-    frame = _new_frame(link, name, body)
+    frame = new_frame(link, name, body.com)
     reference = _with_frame(inertia, name)
     if frame is not None and reference is not None and any(body.com):
         edits = (*_numbers(inertia, body, pose), reference, frame)
@@ -130,26 +131,6 @@ def _without_frame(inertia: Inertia) -> TextEdit:
         return TextEdit(start, node.end, "")
     start -= 2 if text[start - 2 : start] == "\r\n" else 1
     return TextEdit(start, node.end, "")
-
-
-def _new_frame(link: Link, name: str, body: MassDistribution) -> TextEdit | None:
-    length = sum(map(abs, body.com))
-    com = ", ".join(rounded_decimal(value, length) for value in body.com)
-    lines = [
-        f"{name} {{",
-        f"    translation = ({com})",
-        "    rotation = (0.0, 0.0, 0.0)",
-        "}",
-    ]
-    text = link.island.text
-    sections = [child for child in link.node.children if isinstance(child, Node)]
-    frames = next((section for section in sections if section.kind == "frames"), None)
-    if frames is None:
-        indented = ["frames {", *(f"    {line}" for line in lines), "}"]
-        return inserted_section(text, link.node, sections[-1], indented)
-    group = list(frames.nodes("frame_group"))[-1]
-    last = list(group.nodes("frame"))[-1:]
-    return inserted_section(text, group, last[0] if last else None, lines)
 
 
 def _new_frame_name(analysis: Analysis, link: Link) -> str:

@@ -12,14 +12,19 @@ RobCoGen2 with `KeyError`, or not at all.
 link upper { id = 1 children { lower via elbow } }
 link lower { id = 2 children { upper via wrist } }
 ```
+
+## Fix
+Where a single link is carried by nothing, the pair that closes the loop probably means it: writes
+its name there. Unsafe: it is a guess.
 """
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Finding, Related, Rule, Severity
+from kindsl.rules.base import Change, Example, Finding, Fix, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.reference_defects import reference_defects
+from kindsl.semantics.kinematic_tree import Edge
 from kindsl.semantics.model import Model
 
 
@@ -31,13 +36,29 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         related = tuple(
             Related(e.child, f"'{e.predecessor.name}' carries '{e.child.link}'") for e in loop
         )
-        yield Finding(loop[-1].child.link, message, related)
+        yield Finding(loop[-1].child.link, message, related, _to_idle_link(model, loop[-1]))
 
 
-def _arm(last: str) -> str:
+def _to_idle_link(model: Model, edge: Edge) -> Fix | None:
+    """Return the fix that has the pair name the one link that no pair names."""
+    defects = reference_defects(model)
+    if len(defects.loops) > 1 or len(defects.idle_links) != 1 or defects.undefined_links:
+        return None
+    (idle,) = defects.idle_links
+    if edge.predecessor in (idle, *model.tree.in_topological_order(idle)):
+        return None
+    name = edge.child.link
+    return Fix(f"Replace '{name}' with '{idle.name}'", (Change(name, str(idle.name)),))
+
+
+def _arm(last: str, *more: str) -> str:
     links = link("upper", 1, "lower via elbow"), link("lower", 2, last)
     joints = "shoulder elbow" + last.partition(" via")[2]
-    return robot(*links, base="upper via shoulder", joints=joints)
+    return robot(*links, *more, base="upper via shoulder", joints=joints)
+
+
+def _with_hand(last: str) -> str:
+    return _arm(last, link("hand", 3))
 
 
 RULE = Rule(
@@ -46,5 +67,11 @@ RULE = Rule(
     Severity.ERROR,
     check_document=check_document,
     good=(_arm(""),),
-    bad=(_arm("upper via wrist"), _arm("lower via wrist")),
+    bad=(
+        _arm("upper via wrist"),
+        _arm("lower via wrist"),
+        Example(_with_hand("upper via wrist"), fixed=_with_hand("hand via wrist")),
+        _arm("upper via wrist", link("hand", 3), link("tool", 4)),
+        _arm("upper via wrist", link("hand", 3, "lower via elbow")),
+    ),
 )

@@ -12,37 +12,56 @@ dynamics divides by zero. Both generators accept it in silence.
 ```kindsl
 mass = -1.5
 ```
+
+## Fix
+Writes the mass without its sign where the inertia is that of a possible body then. Unsafe: it is a
+guess.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
-from kindsl.rules.base import Finding, Rule, Severity
+from kindsl.rigid.body import eigensystem, second_moments_about_com
+from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
 from kindsl.rules.broken_text import has_problem_within
 from kindsl.rules.context import Context
 from kindsl.rules.examples import STEEL_BALL, link
-from kindsl.rules.inertia.judgements import is_moving
+from kindsl.rules.inertia.digits import half_widths
+from kindsl.rules.inertia.judgements import Verdict, is_moving, verdict_of
 from kindsl.rules.inertia.wording import with_unit
-from kindsl.semantics.declarations import Declarations, Link
+from kindsl.semantics.declarations import Declarations, Inertia
 from kindsl.semantics.expressions import Expression
+from kindsl.semantics.numbers import mass_distribution
 
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
     """Yield a finding for each mass that is not positive."""
     for body in declared.bodies():
-        mass = body.inertia.mass if body.inertia is not None else None
+        inertia = body.inertia
+        mass = inertia.mass if inertia is not None else None
         value = mass.value(context.values) if mass is not None else None
-        if mass is None or value is None or value > 0.0:
+        if inertia is None or mass is None or value is None or value > 0.0:
             continue
-        if is_moving(body) and not has_problem_within(mass):
-            yield _finding(body, mass, value)
+        if not is_moving(body) or has_problem_within(mass):
+            continue
+        if value < 0.0:
+            message = f"mass of '{body.name}' is negative: {with_unit(value, 'kg')}"
+            yield Finding(mass, message, fix=_without_sign(inertia, mass, context.values))
+        else:
+            message = f"mass of the moving link '{body.name}' is zero"
+            yield Finding(mass, message, severity=Severity.WARNING)
 
 
-def _finding(body: Link, mass: Expression, value: float) -> Finding:
-    if value < 0.0:
-        message = f"mass of '{body.name}' is negative: {with_unit(value, 'kg')}"
-        return Finding(mass, message, severity=Severity.ERROR)
-    message = f"mass of the moving link '{body.name}' is zero"
-    return Finding(mass, message, severity=Severity.WARNING)
+def _without_sign(inertia: Inertia, mass: Expression, values: Mapping[str, float]) -> Fix | None:
+    """Return the fix that takes the sign away, None where the body would be impossible still."""
+    written = mass_distribution(inertia, values)
+    if written is None or mass.literal is None or has_problem_within(inertia):
+        return None
+    body = written._replace(mass=-written.mass)
+    pairs = eigensystem(second_moments_about_com(body))
+    if verdict_of(body, half_widths(inertia, values), pairs) is not Verdict.POSSIBLE:
+        return None
+    text = mass.text.removeprefix("-").lstrip()
+    return Fix(f"Write {text}", (Change(mass, text),))
 
 
 def _ball(mass: str) -> str:
@@ -55,5 +74,10 @@ RULE = Rule(
     Severity.ERROR,
     check_island=check_island,
     good=(_ball("4.1"), _ball("m_ball")),
-    bad=(_ball("-4.1"), _ball("0.0"), _ball("-m_ball[4.1]")),
+    bad=(
+        Example(_ball("-4.1"), fixed=_ball("4.1")),
+        link("ball", 1, inertia=STEEL_BALL.replace("4.1", "-4.1", 1).replace("0.0041", "-0.0041")),
+        _ball("0.0"),
+        _ball("-m_ball[4.1]"),
+    ),
 )
