@@ -112,6 +112,18 @@ def test_results_go_where_they_are_wanted(pair: tuple[CompiledMechanics, Mechani
         compiled.joint_space_inertia(q, out=np.empty(3))
 
 
+def test_results_that_no_cache_holds(pair: tuple[CompiledMechanics, Mechanics]) -> None:
+    """They are written another way, also to places between the borders of registers."""
+    compiled, _ = pair
+    size, nv = 7001, compiled.bodies.n_velocities
+    q = np.random.default_rng(6).uniform(-3.0, 3.0, (size, compiled.n_joints))
+    q[::1000, 0] = 1e6
+    out = np.empty(size * nv**2 + 1)[1:].reshape((size, nv, nv))
+    assert compiled.joint_space_inertia(q, out=out) is out
+    for some in (slice(0, 90), slice(3000, 3100), slice(-90, None)):
+        np.testing.assert_array_equal(out[some], compiled.joint_space_inertia(q[some]))
+
+
 def test_lists_strides_and_keywords_are_taken(pair: tuple[CompiledMechanics, Mechanics]) -> None:
     compiled, mechanics = pair
     n = compiled.n_joints
@@ -178,6 +190,17 @@ def test_a_second_time_nothing_is_compiled(
 ) -> None:
     monkeypatch.setattr("kindsl.dynamics.evaluation.compiling._compile", None)
     CompiledMechanics(pair[1].bodies)
+
+
+def test_derivatives_are_compiled_once(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """Also for who has asked for the method before it was compiled."""
+    monkeypatch.setenv("KINDSL_CACHE", str(tmp_path))
+    compiled = CompiledMechanics(bodies_of_seed(4, 2))
+    method, q = compiled.regressor, np.zeros(compiled.n_joints)
+    first = method(q, q, q)
+    monkeypatch.setattr("kindsl.dynamics.evaluation.compiled.kernels_of", None)
+    np.testing.assert_array_equal(method(q, q, q), first)
+    assert len(list(tmp_path.iterdir())) == 2
 
 
 def test_without_a_compiler(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

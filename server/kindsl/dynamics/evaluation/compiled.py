@@ -44,8 +44,9 @@ class CompiledMechanics(Mechanics):
     Derivatives are compiled on their first use.
     """
 
-    __slots__ = ("_batch", "_extension", "_jacobians", "_pose_entries", "_threads", *DIRECT,
+    __slots__ = ("_derivatives", "_extension", "_jacobians", "_pose_entries", "_threads", *DIRECT,
                  *DERIVATIVE_KERNELS)  # fmt: skip
+    _derivatives: _Extension | None
 
     def __init__(self, bodies: Bodies, threads: int = 1) -> None:
         """Compile, or find what was compiled before.
@@ -73,8 +74,9 @@ class CompiledMechanics(Mechanics):
                 setattr(self, name, self._extension.bind(name, general, threads == 1))
             else:
                 setattr(self, name, partial(getattr(Mechanics, name), self))
+        self._derivatives = None
         for name in DERIVATIVE_KERNELS:
-            setattr(self, name, partial(_compile_derivatives, self, robot, name))
+            setattr(self, name, partial(_derivative, self, name))
         self._pose_entries = self._extension.bind("poses", _not_direct, True)
         self._jacobians = {
             name: self._extension.bind(f"jacobian_{number}", _not_direct, True)
@@ -194,14 +196,18 @@ def _general(method: Method, owner: Mechanics, *arguments: Any, **named: Any) ->
     return out
 
 
-def _compile_derivatives(
-    owner: CompiledMechanics, robot: Robot, name: str, *arguments: Any, **named: Any
-) -> Any:
-    """Compile all derivatives, put them in place, and answer."""
-    extension = _Extension(robot, is_derivative=True)
-    for each in DERIVATIVE_KERNELS:
-        general = partial(_general, getattr(Differentiable, each), owner)
-        setattr(owner, each, extension.bind(each, general, True))
+def _derivative(owner: CompiledMechanics, name: str, *arguments: Any, **named: Any) -> Any:
+    """Answer by compiled code, which takes this function's place, and is made if it is not there.
+
+    Who asked for the method before that keeps this function.
+    """
+    if owner._derivatives is None:
+        # A robot of its own: what is compiled depends on nothing that was recorded before.
+        extension = _Extension(robot_of(owner.bodies), is_derivative=True)
+        for each in DERIVATIVE_KERNELS:
+            general = partial(_general, getattr(Differentiable, each), owner)
+            setattr(owner, each, extension.bind(each, general, True))
+        owner._derivatives = extension
     return getattr(owner, name)(*arguments, **named)
 
 
