@@ -16,9 +16,10 @@ from types import ModuleType
 import numpy as np
 
 # Fused multiplication and addition rounds once instead of twice; straight lines packed into vector
-# registers spend more on packing than they save.
+# registers spend more on packing than they save. Python's own options ask for debugging
+# information, which takes a third of the compiler's time.
 OPTIONS = (
-    "-O2", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=fast",
+    "-O2", "-g0", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=fast",
     "-fno-tree-slp-vectorize", "-march=native",
 )  # fmt: skip
 
