@@ -120,16 +120,13 @@ def _many(number: int, kernel: Kernel) -> str:
     for i, argument in _given(kernel):
         row = f"in[{i}] + i * strides[{i}], strides[{i}]"
         lines.append(f"    gather(a{i}, {row}, {argument.length}, width);")
-    lines.append(f"    for (int k = 0; k < {n_angles}; k++) {{")
-    lines.append("        sine_and_cosine(a0[k], &sines[k], &cosines[k]);")
-    lines.append("    }")
+    lines.append(f"    sines_and_cosines(a0, sines, cosines, {n_angles});")
     given_names = [*(f"a{i}" for i, _ in _given(kernel)), "cosines", "sines"]
     names = [*given_names, *(f"o{i}" for i in range(len(kernel.results)))]
     lines.append(f"    wide_{number}({', '.join(names)});")
     for i, result in enumerate(kernel.results):
-        size = len(result.entries)
-        lines.append(f"    scatter(out[{i}] + i * {size}, o{i}, {size}, width);")
-    lines.append("}")
+        lines.append(f"    hand_out(out[{i}], o{i}, {len(result.entries)}, i, n);")
+    lines += ["}", "END_OF_STREAMS;"]
     text = "".join(f"    {line}\n" for line in lines)
     return f"#if defined(LANES)\n{text}#else\n{loop}#endif\n"
 

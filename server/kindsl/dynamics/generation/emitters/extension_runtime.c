@@ -312,19 +312,52 @@ static inline void small_sine_and_cosine(lanes x, lanes *sine, lanes *cosine)
     *cosine = (lanes)(((swap & s_bits) | (~swap & c_bits)) ^ (((quarter + 1) & 2) << 62));
 }
 
-static inline void sine_and_cosine(lanes x, lanes *sine, lanes *cosine)
+static inline void sines_and_cosines(const lanes *angles, lanes *sines, lanes *cosines, int n)
 {
-    int i, is_small = 1;
-    for (i = 0; i < LANES; i++) {
-        is_small &= x[i] <= LARGEST_ANGLE && x[i] >= -LARGEST_ANGLE;
-    }
-    if (is_small) {
-        small_sine_and_cosine(x, sine, cosine);
-        return;
+    bits large = {0};
+    int i, k;
+    for (k = 0; k < n; k++) {
+        small_sine_and_cosine(angles[k], &sines[k], &cosines[k]);
+        large |= ~((angles[k] <= LARGEST_ANGLE) & (angles[k] >= -LARGEST_ANGLE));
     }
     for (i = 0; i < LANES; i++) {
-        (*sine)[i] = sin(x[i]);
-        (*cosine)[i] = cos(x[i]);
+        for (k = 0; k < n && large[i]; k++) {
+            sines[k][i] = sin(angles[k][i]);
+            cosines[k][i] = cos(angles[k][i]);
+        }
+    }
+}
+
+/* The lanes of `a` and `b` in turns: of their first halves, and of their second. */
+#if defined(__clang__) || __GNUC__ >= 12
+#define MIXED(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
+#else
+#define MIXED(a, b, ...) __builtin_shuffle(a, b, (bits){__VA_ARGS__})
+#endif
+#if LANES == 8
+#define FIRST_IN_TURNS(a, b) MIXED(a, b, 0, 8, 1, 9, 2, 10, 3, 11)
+#define SECOND_IN_TURNS(a, b) MIXED(a, b, 4, 12, 5, 13, 6, 14, 7, 15)
+#elif LANES == 4
+#define FIRST_IN_TURNS(a, b) MIXED(a, b, 0, 4, 1, 5)
+#define SECOND_IN_TURNS(a, b) MIXED(a, b, 2, 6, 3, 7)
+#else
+#define FIRST_IN_TURNS(a, b) MIXED(a, b, 0, 2)
+#define SECOND_IN_TURNS(a, b) MIXED(a, b, 1, 3)
+#endif
+
+/* Transpose a square: each round doubles the length of what lies in order. */
+static inline void transpose(lanes *to, const lanes *from)
+{
+    lanes rows[LANES];
+    memcpy(to, from, sizeof rows);
+#pragma GCC unroll 3
+    for (int length = 1; length < LANES; length *= 2) {
+        memcpy(rows, to, sizeof rows);
+#pragma GCC unroll 4
+        for (int i = 0; i < LANES / 2; i++) {
+            to[2 * i] = FIRST_IN_TURNS(rows[i], rows[i + LANES / 2]);
+            to[2 * i + 1] = SECOND_IN_TURNS(rows[i], rows[i + LANES / 2]);
+        }
     }
 }
 
@@ -332,19 +365,93 @@ static inline void sine_and_cosine(lanes x, lanes *sine, lanes *cosine)
 static inline void gather(lanes *to, const double *from, npy_intp stride, npy_intp length,
                           npy_intp width)
 {
-    for (npy_intp i = 0; i < length; i++) {
-        for (npy_intp j = 0; j < LANES; j++) {
-            to[i][j] = from[(j < width ? j : 0) * stride + i];
+    npy_intp i = 0;
+    if (width < LANES || length < LANES) {
+        for (; i < length; i++) {
+            for (npy_intp j = 0; j < LANES; j++) {
+                to[i][j] = from[(j < width ? j : 0) * stride + i];
+            }
+        }
+    }
+    for (; i < length; i += LANES) {
+        lanes rows[LANES];
+        i = i < length - LANES ? i : length - LANES;
+#pragma GCC unroll 8
+        for (int j = 0; j < LANES; j++) {
+            memcpy(&rows[j], &from[j * stride + i], sizeof rows[j]);
+        }
+        transpose(&to[i], rows);
+    }
+}
+
+/* Write lanes into `width` rows that follow one another. */
+static inline void scatter(double *to, const lanes *from, npy_intp length, npy_intp width)
+{
+    npy_intp i = 0;
+    if (width < LANES || length < LANES) {
+        for (; i < length; i++) {
+            for (npy_intp j = 0; j < width; j++) {
+                to[j * length + i] = from[i][j];
+            }
+        }
+    }
+    for (; i < length; i += LANES) {
+        lanes rows[LANES];
+        i = i < length - LANES ? i : length - LANES;
+        transpose(rows, &from[i]);
+#pragma GCC unroll 8
+        for (int j = 0; j < LANES; j++) {
+            memcpy(&to[j * length + i], &rows[j], sizeof rows[j]);
         }
     }
 }
 
-static inline void scatter(double *to, const lanes *from, npy_intp length, npy_intp width)
+/* Results that no cache holds are written past them, whole registers one after the other: a cache
+ * would first read what is overwritten. */
+#if defined(__x86_64__)
+#include <immintrin.h>
+#define LEAST_STREAMED_BYTES (4 << 20)
+#if LANES == 8
+#define STREAM(to, x) _mm512_stream_pd(to, (__m512d)(x))
+#elif LANES == 4
+#define STREAM(to, x) _mm256_stream_pd(to, (__m256d)(x))
+#else
+#define STREAM(to, x) _mm_stream_pd(to, (__m128d)(x))
+#endif
+
+static inline void stream(double *to, const double *from, npy_intp n)
 {
-    for (npy_intp j = 0; j < width; j++) {
-        for (npy_intp i = 0; i < length; i++) {
-            to[j * length + i] = from[i][j];
-        }
+    npy_intp i = 0;
+    for (; i < n && (uintptr_t)(to + i) % sizeof(lanes) != 0; i++) {
+        to[i] = from[i];
     }
+    for (; i + LANES <= n; i += LANES) {
+        lanes x;
+        memcpy(&x, &from[i], sizeof x);
+        STREAM(&to[i], x);
+    }
+    for (; i < n; i++) {
+        to[i] = from[i];
+    }
+}
+#define END_OF_STREAMS _mm_sfence()
+#else
+#define END_OF_STREAMS
+#endif
+
+/* Write lanes as rows `i` and following of a result of `n` rows. */
+static inline void hand_out(double *result, const lanes *from, npy_intp length, npy_intp i,
+                            npy_intp n)
+{
+    double *to = result + i * length;
+#if defined(LEAST_STREAMED_BYTES)
+    if (n - i >= LANES && n * length * (npy_intp)sizeof *to >= LEAST_STREAMED_BYTES) {
+        lanes rows[length];
+        scatter((double *)rows, from, length, LANES);
+        stream(to, (const double *)rows, length * LANES);
+        return;
+    }
+#endif
+    scatter(to, from, length, n - i < LANES ? n - i : LANES);
 }
 #endif
