@@ -7,7 +7,16 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from kindsl.rigid.pose import IDENTITY, PLAIN, Rotation, Vector3, angles, pose_from
+from kindsl.rigid.pose import (
+    IDENTITY,
+    PLAIN,
+    Rotation,
+    Vector3,
+    angles,
+    fixed_axis_angles,
+    pose_from,
+    pose_from_fixed_axes,
+)
 from kindsl.spatial.transforms import homogeneous, rotation_from_intrinsic_xyz
 
 # Rounding of sums and products of numbers up to one.
@@ -53,6 +62,23 @@ def test_angles_make_the_rotation_again(given_angles: Vector3) -> None:
     rotation = pose_from((0.0, 0.0, 0.0), given_angles).rotation
     np.testing.assert_allclose(_again(rotation, 0.0), _matrix(rotation), rtol=0, atol=2 * ROUNDING)
     np.testing.assert_allclose(_again(rotation, PLAIN), _matrix(rotation), rtol=0, atol=2 * PLAIN)
+
+
+@many
+@given(triples, places)
+@example((0.4, pi / 2, -1.1), (1.0, 2.0, 3.0))
+def test_turns_about_fixed_axes_follow_each_other(rpy: Vector3, place: Vector3) -> None:
+    pose = pose_from_fixed_axes(place, rpy)
+    single = [
+        pose_from((0.0, 0.0, 0.0), tuple(rpy[i] * (i == j) for j in range(3))) for i in (0, 1, 2)
+    ]
+    x, y, z = (_matrix(turn.rotation) for turn in single)
+    assert pose.translation == place
+    np.testing.assert_allclose(_matrix(pose.rotation), z @ y @ x, rtol=0, atol=ROUNDING)
+    again = pose_from_fixed_axes(place, fixed_axis_angles(pose.rotation))
+    np.testing.assert_allclose(
+        _matrix(again.rotation), _matrix(pose.rotation), rtol=0, atol=2 * ROUNDING
+    )
 
 
 @pytest.mark.parametrize("quarter", [pi / 2, -pi / 2])

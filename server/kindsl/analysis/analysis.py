@@ -28,6 +28,7 @@ from kindsl.text.words import counted
 
 if TYPE_CHECKING:
     from kindsl.mechanism.build import Mechanism
+    from kindsl.mechanism.skeleton import Skeleton
 
 _NO_SETTINGS = Settings()
 
@@ -110,16 +111,24 @@ class Analysis:
             ModelError: The document does not describe a kinematic tree.
             ModuleNotFoundError: NumPy is not installed.
         """
-        from kindsl.mechanism.given_values import checked_values
-
-        known = [str(parameter.name) for parameter in self.model.parameters]
-        given = checked_values(parameters or {}, known, self.settings.bindings)
+        values = self._values(parameters or {})
         try:
             from kindsl.mechanism.build import mechanism_of
         except ModuleNotFoundError as error:
             message = f"{error.name} is not installed: pip install 'kindsl[numpy]'"
             raise ModuleNotFoundError(message, name=error.name) from None
-        return mechanism_of(self.model, {**self.context.values, **given})
+        return mechanism_of(self.model, values)
+
+    def skeleton(self) -> Skeleton:
+        """Return the numbered bodies in plain floats, to be written in other formats.
+
+        Raises:
+            UnboundParameterError: A parameter has no value.
+            ModelError: The document does not describe a kinematic tree.
+        """
+        from kindsl.mechanism.strict_reading import strict_skeleton
+
+        return strict_skeleton(self.model, self.context.values)
 
     def __repr__(self) -> str:
         n_errors = sum(finding.severity == "error" for finding in self.findings)
@@ -130,6 +139,13 @@ class Analysis:
     def _repr_html_(self) -> str | None:
         """Return what a notebook shows."""
         return html_of(self)
+
+    def _values(self, parameters: Mapping[str, float]) -> dict[str, float]:
+        from kindsl.mechanism.given_values import checked_values
+
+        known = [str(parameter.name) for parameter in self.model.parameters]
+        given = checked_values(parameters, known, self.settings.bindings)
+        return {**self.context.values, **given}
 
     def _resolve(self, rule: Rule, finding: Finding) -> Diagnostic:
         severity = severity_of(rule, finding.severity, self.settings)

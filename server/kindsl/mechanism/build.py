@@ -1,16 +1,13 @@
 """The way from a model and parameter values to mechanics."""
 
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanism.bodies import bodies_of
-from kindsl.mechanism.errors import ModelError, UnboundParameterError
-from kindsl.mechanism.numbering import numbered_by_id, require_base
-from kindsl.mechanism.skeleton import Skeleton, skeleton_of
-from kindsl.mechanism.strict_reading import StrictReader
-from kindsl.rigid.body import NO_BODY
+from kindsl.mechanism.errors import ModelError
+from kindsl.mechanism.numbering import require_base
+from kindsl.mechanism.strict_reading import strict_skeleton
 from kindsl.semantics.model import Model
 from kindsl.text.display import html_of
 
@@ -48,10 +45,7 @@ class Mechanism(Mechanics):
 
 
 def mechanism_of(model: Model, values: Mapping[str, float]) -> Mechanism:
-    """Return the mechanics of a model; body index and order are the links' ids.
-
-    A fixed base's mass and inertia do not matter: they are zero here, so that total mass and centre
-    of mass are those of what moves.
+    """Return the mechanics of a model: those of its strict skeleton.
 
     Args:
         model: A model without defects in its tree.
@@ -61,25 +55,8 @@ def mechanism_of(model: Model, values: Mapping[str, float]) -> Mechanism:
         UnboundParameterError: A parameter has no value; names all of them.
         ModelError: The model is no kinematic tree with regular numbering.
     """
-    edges = numbered_by_id(model)
+    skeleton = strict_skeleton(model, values)
     try:
-        skeleton = skeleton_of(model, edges, StrictReader(values))
-        return Mechanism(bodies_of(_moving(skeleton)))
-    except UnboundParameterError as error:
-        raise UnboundParameterError(_unbound(model, values) or error.names, error.at) from None
-    except ModelError:
-        raise
+        return Mechanism(bodies_of(skeleton))
     except ValueError as error:
         raise ModelError(str(error), require_base(model)) from error
-
-
-def _moving(skeleton: Skeleton) -> Skeleton:
-    """Return the skeleton with nothing known of a fixed base's mass, which does not matter."""
-    if skeleton.is_floating:
-        return skeleton
-    return replace(skeleton, masses=(NO_BODY, *skeleton.masses[1:]))
-
-
-def _unbound(model: Model, values: Mapping[str, float]) -> tuple[str, ...]:
-    names = (str(parameter.name) for parameter in model.parameters)
-    return tuple(name for name in names if name not in values)

@@ -1,14 +1,55 @@
 """What is written as numbers, where all of it must be there."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import NamedTuple
 
 from kindsl.mechanism.errors import ModelError, UnboundParameterError
+from kindsl.mechanism.numbering import numbered_by_id, require_base
+from kindsl.mechanism.skeleton import Skeleton, skeleton_of
 from kindsl.rigid.body import NO_BODY, MassDistribution, seen_from
 from kindsl.rigid.pose import RigidPose, Vector3, pose_from
 from kindsl.semantics.declarations import MOMENTS, Frame, Inertia, Joint, Link, Pose, Vector
 from kindsl.semantics.expressions import ConstantUse, Expression, symbols
+from kindsl.semantics.model import Model
 from kindsl.semantics.places import Located
+
+
+def strict_skeleton(model: Model, values: Mapping[str, float]) -> Skeleton:
+    """Return the numbered bodies; body index and order are the links' ids.
+
+    A fixed base's mass and inertia do not matter: they are zero here, so that total mass and centre
+    of mass are those of what moves.
+
+    Args:
+        model: A model without defects in its tree.
+        values: Of parameters by name, and of constants by `<name>`.
+
+    Raises:
+        UnboundParameterError: A parameter has no value; names all of them.
+        ModelError: The model is no kinematic tree with regular numbering.
+    """
+    edges = numbered_by_id(model)
+    try:
+        return _moving(skeleton_of(model, edges, StrictReader(values)))
+    except UnboundParameterError as error:
+        raise UnboundParameterError(_unbound(model, values) or error.names, error.at) from None
+    except ModelError:
+        raise
+    except ValueError as error:
+        raise ModelError(str(error), require_base(model)) from error
+
+
+def _moving(skeleton: Skeleton) -> Skeleton:
+    """Return the skeleton with nothing known of a fixed base's mass, which does not matter."""
+    if skeleton.is_floating:
+        return skeleton
+    return replace(skeleton, masses=(NO_BODY, *skeleton.masses[1:]))
+
+
+def _unbound(model: Model, values: Mapping[str, float]) -> tuple[str, ...]:
+    names = (str(parameter.name) for parameter in model.parameters)
+    return tuple(name for name in names if name not in values)
 
 
 class StrictReader(NamedTuple):

@@ -90,11 +90,10 @@ def shifted(body: MassDistribution, sign: float = 1.0) -> MassDistribution:
 
 def seen_from(body: MassDistribution, pose: RigidPose) -> MassDistribution:
     """Return a body in frame A, `pose` being the pose in A of the frame that it is given in."""
-    turned = _turned(second_moments_about_com(body), pose)
-    x, y, z = com = pose.point(body.com)
-    of_point = (x * x, y * y, z * z, x * y, x * z, y * z)
-    xx, yy, zz, xy, xz, yz = (s + body.mass * p for s, p in zip(turned, of_point, strict=True))
-    return MassDistribution(body.mass, com, moments_of((xx, yy, zz, xy, xz, yz)))
+    Ix, Iy, Iz, Ixy, Ixz, Iyz = shifted(body, -1.0).moments
+    xx, yy, zz, xy, xz, yz = _turned((Ix, Iy, Iz, -Ixy, -Ixz, -Iyz), pose)
+    about_com = (xx, yy, zz, 0.0 - xy, 0.0 - xz, 0.0 - yz)
+    return shifted(MassDistribution(body.mass, pose.point(body.com), about_com))
 
 
 def principal_moments(pairs: tuple[Eigenpair, Eigenpair, Eigenpair]) -> Vector3:

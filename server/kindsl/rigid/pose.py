@@ -66,6 +66,20 @@ def pose_from(translation: Vector3, angles: Vector3) -> RigidPose:
     return RigidPose(rotation, translation)
 
 
+def pose_from_fixed_axes(translation: Vector3, angles: Vector3) -> RigidPose:
+    """Return the pose after turns about the fixed x, y, z (roll, pitch, yaw), then a translation.
+
+    They are the turns about own axes the other way round, backwards.
+
+    Args:
+        translation: Metres.
+        angles: Radians.
+    """
+    x, y, z = angles
+    back = pose_from(translation, (-x, -y, -z))
+    return RigidPose(transposed(back.rotation), translation)
+
+
 def angles(rotation: Rotation, within: float) -> Vector3:
     """Return the turns about x, the new y, the newest z that make a rotation, radians.
 
@@ -85,6 +99,12 @@ def angles(rotation: Rotation, within: float) -> Vector3:
     x = atan2(-r12, r22)
     c, s = cos(x), sin(x)
     return x, atan2(r02, c * r22 - s * r12), atan2(c * r10 + s * r20, c * r11 + s * r21)
+
+
+def fixed_axis_angles(rotation: Rotation) -> Vector3:
+    """Return the turns about the fixed x, y, z (roll, pitch, yaw) that make a rotation, radians."""
+    x, y, z = angles(transposed(rotation), within=0.0)
+    return 0.0 - x, 0.0 - y, 0.0 - z
 
 
 def transposed(rotation: Rotation) -> Rotation:
