@@ -23,7 +23,7 @@ from tests.support.urdf_mutants import mutant
 import kindsl
 from kindsl.interchange.kindsl_writing import kindsl_text
 from kindsl.interchange.urdf.reading import UrdfError, read_urdf
-from kindsl.interchange.urdf.writing import urdf_text
+from kindsl.interchange.urdf.writing import written_urdf
 
 NO_NUMBER = re.compile(r"[=(,] *-?(nan|inf)\b")
 SLOW, NOTICEABLE = 10.0, 0.05
@@ -32,8 +32,8 @@ SLOW, NOTICEABLE = 10.0, 0.05
 def texts(folder: Path | None) -> list[str]:
     if folder is not None:
         return [path.read_text(encoding="utf-8") for path in sorted(folder.rglob("*.urdf"))]
-    robots = (kindsl.parse(kindsl_text(random_robot(seed))).mechanism() for seed in range(20))
-    return [urdf_text("robot", robot.bodies) for robot in robots]
+    robots = (kindsl.parse(kindsl_text(random_robot(seed))).skeleton() for seed in range(20))
+    return [written_urdf("robot", robot).text for robot in robots]
 
 
 def seconds_and_outcome(text: str, path: Path) -> tuple[float, str]:

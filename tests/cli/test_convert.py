@@ -1,5 +1,7 @@
 """`kindsl convert` on the command line: formats by suffix or by name; nothing half written."""
 
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -50,10 +52,21 @@ def test_what_mujoco_cannot_move_is_refused_and_not_written(tmp_path: Path, caps
     assert not (tmp_path / "a.xml").exists()
 
 
-@pytest.mark.parametrize(("module", "suffix"), [("mujoco", "xml"), ("lxml", "sdf")])
-def test_missing_library_names_its_extra(module, suffix, tmp_path, capsys, monkeypatch) -> None:
-    monkeypatch.setitem(__import__("sys").modules, module, None)
-    target = tmp_path / f"a.{suffix}"
+def test_missing_library_names_its_extra(tmp_path, capsys, monkeypatch) -> None:
+    monkeypatch.setitem(sys.modules, "mujoco", None)
+    target = tmp_path / "a.xml"
     assert main(["convert", "--isolated", str(EXAMPLE), str(target)]) == 2
-    assert f"{module} is not installed: pip install 'kindsl[" in capsys.readouterr().err
+    assert "mujoco is not installed: pip install 'kindsl[mjcf]'" in capsys.readouterr().err
     assert not target.exists()
+
+
+@pytest.mark.parametrize("suffix", [".urdf", ".sdf"])
+def test_nothing_need_be_installed_for_formats_of_plain_numbers(suffix: str, tmp_path) -> None:
+    """Nothing is in a browser."""
+    there, back = tmp_path / f"a{suffix}", tmp_path / "a.kindsl"
+    code = "import sys; sys.modules.update(dict.fromkeys(('numpy', 'lxml', 'yourdfpy')));"
+    code += "from kindsl.cli.main import main; sys.exit(main(sys.argv[1:]))"
+    convert = [sys.executable, "-c", code, "convert", "--isolated", "-q"]
+    subprocess.run([*convert, str(EXAMPLE), str(there)], check=True)
+    subprocess.run([*convert, "--floating-base", str(there), str(back)], check=True)
+    assert main(["diff", "--isolated", str(EXAMPLE), str(back)]) == 0

@@ -5,12 +5,11 @@ import numpy as np
 from kindsl.interchange.robot_description import (
     DescribedFrame,
     DescribedLink,
-    MassProperties,
     RobotDescription,
 )
-from kindsl.spatial.arrays import Array
+from kindsl.rigid.body import MassDistribution
+from kindsl.rigid.pose import RigidPose, pose_from
 from kindsl.spatial.inertia import point_inertia
-from kindsl.spatial.transforms import homogeneous, rotation_from_intrinsic_xyz
 
 
 def random_robot(seed: int) -> RobotDescription:
@@ -31,16 +30,18 @@ def _link(chance: np.random.Generator, index: int) -> DescribedLink:
     )
 
 
-def _pose(chance: np.random.Generator) -> Array:
+def _pose(chance: np.random.Generator) -> RigidPose:
     angles = chance.choice([0.0, np.pi / 2, -np.pi / 2, np.pi], 3)
     if chance.integers(2):
         angles = chance.uniform(-np.pi, np.pi, 3)
-    return homogeneous(rotation_from_intrinsic_xyz(angles), chance.uniform(-1, 1, 3))
+    return pose_from(tuple(chance.uniform(-1, 1, 3).tolist()), tuple(angles.tolist()))
 
 
-def _body(chance: np.random.Generator) -> MassProperties:
+def _body(chance: np.random.Generator) -> MassDistribution:
     """A cloud of point masses, which is a body for certain."""
     points = chance.uniform(-0.5, 0.5, (6, 3))
     masses = chance.uniform(0.1, 2.0, 6)
-    inertia = np.sum(point_inertia(masses, points), axis=0)
-    return MassProperties(float(masses.sum()), masses @ points / masses.sum(), inertia)
+    (Ix, Ixy, Ixz), (_, Iy, Iyz), (_, _, Iz) = np.sum(point_inertia(masses, points), axis=0)
+    moments = tuple(map(float, (Ix, Iy, Iz, -Ixy, -Ixz, -Iyz)))
+    com = tuple((masses @ points / masses.sum()).tolist())
+    return MassDistribution(float(masses.sum()), com, moments)

@@ -10,6 +10,7 @@ from kindsl.analysis.settings import Settings
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.interchange.format import ORDINARY, Format, ReadRobot
 from kindsl.interchange.kindsl_writing import kindsl_text
+from kindsl.mechanism.bodies import skeleton_of_bodies
 
 
 def mechanism_of(text: str) -> Mechanics:
@@ -22,7 +23,7 @@ def mechanism_of(text: str) -> Mechanics:
 def written(robot: Mechanics, format: Format) -> str:
     """Return a robot in a format."""
     assert format.write is not None
-    return format.write("robot", robot.bodies, ORDINARY).text
+    return format.write("robot", skeleton_of_bodies(robot.bodies), ORDINARY).text
 
 
 def read(text: str, format: Format, folder: Path) -> ReadRobot:

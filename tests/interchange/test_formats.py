@@ -18,6 +18,7 @@ from kindsl.analysis.settings import Settings
 from kindsl.interchange.format import ORDINARY, Format, FormatError, WritingChoices
 from kindsl.interchange.kindsl_writing import kindsl_text
 from kindsl.interchange.registry import all_formats, format_named, format_of_suffix
+from kindsl.mechanism.bodies import skeleton_of_bodies
 from kindsl.mechanism.errors import ModelError, UnboundParameterError
 from kindsl.semantics.parameters import JointLimits
 
@@ -62,7 +63,7 @@ r_joint jc { ref_frame { translation = (0.0, 0.7, 0.1) rotation = (0.0, 0.2, 0.9
 
 def test_links_without_mass_move_in_mujoco(tmp_path: Path) -> None:
     ours, mjcf = kindsl.parse(MASSLESS, Settings()).mechanism(), format_named("mjcf")
-    found = mjcf.write("arm", ours.bodies, WritingChoices())
+    found = mjcf.write("arm", skeleton_of_bodies(ours.bodies), WritingChoices())
     assert [remark.split("'")[1] for remark in found.remarks] == ["a", "b"]
     model = mujoco.MjModel.from_xml_string(found.text)
     data, q, qd = mujoco.MjData(model), [0.3, -0.4, 0.5], [0.7, 0.2, -0.3]
@@ -75,7 +76,7 @@ def test_links_without_mass_move_in_mujoco(tmp_path: Path) -> None:
     for name, pose in ours.forward_kinematics(q).items():
         np.testing.assert_allclose(data.body(name).xpos, pose[:3, 3], atol=1e-12)
     again = read(found.text, mjcf, tmp_path).robot
-    assert [link.mass_properties is None for link in again.links] == [True, True, True, False]
+    assert [link.body is None for link in again.links] == [True, True, True, False]
     back = mechanism_of(kindsl_text(again))
     np.testing.assert_allclose(back.joint_space_inertia(q), M, atol=1e-12)
 
@@ -112,16 +113,17 @@ def test_revolute_joints_of_a_urdf_have_one_coordinate_unless_asked() -> None:
     urdf, ours = format_named("urdf"), mechanism_of(kindsl_text(random_robot(3)))
     plain = pinocchio.buildModelFromXML(written(ours, urdf))
     assert plain.nq == plain.nv == ours.n_joints
-    endless = urdf.write("robot", ours.bodies, WritingChoices(endless_joints=True)).text
+    skeleton = skeleton_of_bodies(ours.bodies)
+    endless = urdf.write("robot", skeleton, WritingChoices(endless_joints=True)).text
     n_turning = ours.bodies.joint_kinds.count("revolute")
     assert n_turning and pinocchio.buildModelFromXML(endless).nq == ours.n_joints + n_turning
 
 
 def test_limits_of_the_configuration_are_written_everywhere() -> None:
     limits = {"ja": JointLimits(-1.0, 1.5), "jb": JointLimits(-0.5), "other": JointLimits(0.0, 1.0)}
-    bodies = kindsl.parse(MASSLESS, Settings()).mechanism().bodies
+    skeleton = kindsl.parse(MASSLESS, Settings()).skeleton()
     choices = WritingChoices(endless_joints=True, limits=limits)
-    text = {format.name: format.write("arm", bodies, choices) for format in BOTH_WAYS}
+    text = {format.name: format.write("arm", skeleton, choices) for format in BOTH_WAYS}
     in_mujoco = mujoco.MjModel.from_xml_string(text["mjcf"].text)
     assert in_mujoco.jnt_limited.tolist() == [1, 1, 0]
     assert in_mujoco.jnt_range.tolist()[:2] == [[-1.0, 1.5], [-0.5, 1e6]]
@@ -136,8 +138,8 @@ def test_limits_of_the_configuration_are_written_everywhere() -> None:
 
 
 def test_a_massless_link_is_told_as_such_in_sdf() -> None:
-    bodies = kindsl.parse(MASSLESS, Settings()).mechanism().bodies
-    found = format_named("sdf").write("arm", bodies, ORDINARY)
+    skeleton = kindsl.parse(MASSLESS, Settings()).skeleton()
+    found = format_named("sdf").write("arm", skeleton, ORDINARY)
     assert found.remarks == tuple(
         f"the link '{name}' has no mass: other tools refuse it" for name in "ab"
     )

@@ -8,17 +8,19 @@ import pinocchio
 import pytest
 from tests.interchange.configurations import configuration, velocity_order
 from tests.interchange.random_robots import random_robot
+from tests.interchange.round_trips import written
 
 import kindsl
 from kindsl.analysis.settings import Settings
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.interchange.kindsl_writing import kindsl_text
+from kindsl.interchange.registry import format_named
 from kindsl.interchange.urdf.reading import UrdfError, read_urdf
-from kindsl.interchange.urdf.writing import urdf_text
 from kindsl.spatial.arrays import Array
 
 TOLERANCE = 1e-9  # what the issue of a round trip promises, absolute, at dimensions near one
 SEEDS = range(200)
+URDF_FORMAT = format_named("urdf")
 
 
 def mechanism_of(text: str) -> Mechanics:
@@ -29,7 +31,7 @@ def mechanism_of(text: str) -> Mechanics:
 
 def written_and_read(robot: Mechanics, folder: Path) -> Mechanics:
     path = folder / "robot.urdf"
-    path.write_text(urdf_text("robot", robot.bodies))
+    path.write_text(written(robot, URDF_FORMAT))
     return mechanism_of(kindsl_text(read_urdf(path, floating=robot.bodies.is_floating).robot))
 
 
@@ -66,7 +68,7 @@ def _joint_forces(mechanics: Mechanics, state: list[Array]) -> Array:
 @pytest.mark.parametrize("seed", range(0, 200, 10))
 def test_pinocchio_reads_the_same_inertia(seed: int) -> None:
     ours = mechanism_of(kindsl_text(random_robot(seed)))
-    model = pinocchio.buildModelFromXML(urdf_text("robot", ours.bodies))
+    model = pinocchio.buildModelFromXML(written(ours, URDF_FORMAT))
     values = dict.fromkeys(ours.bodies.joint_names, 0.0)
     chance = np.random.default_rng(seed)
     values |= {name: float(chance.uniform(-1, 1)) for name in values}
@@ -81,7 +83,7 @@ def test_pinocchio_reads_the_same_inertia(seed: int) -> None:
 @pytest.mark.parametrize("seed", range(5, 200, 20))
 def test_mujoco_reads_the_same_inertia(seed: int) -> None:
     ours = mechanism_of(kindsl_text(random_robot(seed)))
-    model = mujoco.MjModel.from_xml_string(urdf_text("robot", ours.bodies))
+    model = mujoco.MjModel.from_xml_string(written(ours, URDF_FORMAT))
     data = mujoco.MjData(model)
     chance = np.random.default_rng(seed)
     values = {name: float(chance.uniform(-1, 1)) for name in ours.bodies.joint_names}

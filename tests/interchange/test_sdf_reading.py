@@ -55,7 +55,23 @@ def test_without_a_joint_to_the_world_the_base_floats(tmp_path: Path) -> None:
     found = robot(ARM.replace(weld, ""), tmp_path)
     assert found.robot.is_floating
     assert "the link 'base' has no inertia: SDFormat's default is 1 kg" in found.remarks
-    assert found.robot.links[0].mass_properties.mass == 1.0
+    assert found.robot.links[0].body.mass == 1.0
+
+
+@pytest.mark.parametrize(
+    ("version", "is_in_model"),
+    [("1.4", True), ("1.04", True), ("1.5", False), ("1.10", False), ("1.²", False), ("", False)],
+)
+def test_axes_are_in_the_model_before_version_1_5(
+    version: str, is_in_model: bool, tmp_path: Path
+) -> None:
+    text = ARM.replace('"1.9"', f'"{version}"').replace(' expressed_in="__model__"', "")
+    text = text.replace("<xyz>0 1 0<", "<xyz>1 0 0<")
+    arm = mechanism_of(kindsl_text(robot(text, tmp_path).robot))
+    axis = arm.forward_kinematics([0.0, 0.0])["upper"][:3, 2]
+    # In the joint's frame it leans with the upper arm, whose frame turns with z along the axis.
+    leaning = [np.cos(0.5), 0.0, -np.sin(0.5)]
+    np.testing.assert_allclose(axis, [1.0, 0.0, 0.0] if is_in_model else leaning, atol=1e-12)
 
 
 def test_world_is_the_base_of_what_turns_on_it(tmp_path: Path) -> None:

@@ -13,10 +13,10 @@ from kindsl.cli.console import write
 from kindsl.cli.documents.choices import choices_of
 from kindsl.cli.documents.reading import (
     CommandError,
-    bodies_of_document,
     missing_module,
     read_document,
     shown_name,
+    skeleton_of_document,
 )
 from kindsl.cli.documents.sources import STDIN, reason
 from kindsl.cli.options import add_parameter_arguments
@@ -30,7 +30,7 @@ from kindsl.text.words import alternatives
 if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis
 
-_DOCUMENT = Format("kindsl", "Kinematics-DSL", (".kindsl",), "numpy")
+_DOCUMENT = Format("kindsl", "Kinematics-DSL", (".kindsl",), "")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -152,10 +152,10 @@ def _written(
     args: argparse.Namespace, target: Format, analysis: "Analysis"
 ) -> tuple[str, tuple[str, ...]]:
     assert target.write is not None
-    bodies = bodies_of_document(args.input, analysis)
+    skeleton = skeleton_of_document(args.input, analysis)
     choices = WritingChoices(args.continuous, analysis.settings.joints)
     try:
-        return target.write(analysis.model.name or "robot", bodies, choices)
+        return target.write(analysis.model.name or "robot", skeleton, choices)
     except ModuleNotFoundError as error:
         raise missing_module(args.input, error, target.extra) from None
     except FormatError as error:

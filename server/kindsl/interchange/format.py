@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, NamedTuple
 from kindsl.text.words import counted
 
 if TYPE_CHECKING:
-    from kindsl.dynamics.bodies import Bodies
     from kindsl.interchange.robot_description import RobotDescription
+    from kindsl.mechanism.skeleton import Skeleton
     from kindsl.semantics.parameters import JointLimits
 
 
@@ -55,7 +55,7 @@ def limits_dropped(n_joints: int) -> str:
 
 
 Reader = Callable[[Path, bool], ReadRobot]
-Writer = Callable[[str, "Bodies", WritingChoices], WrittenRobot]
+Writer = Callable[[str, "Skeleton", WritingChoices], WrittenRobot]
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,10 +66,10 @@ class Format:
         name: What the command line calls it: `"urdf"`.
         title: What people call it: `"URDF"`.
         suffixes: Of its files, in lower case, the usual one first.
-        extra: The extra that installs what it needs.
+        extra: The extra that installs what it needs, empty if that is nothing more.
         read: Takes a file, and whether its root floats, which overrides what the file says.
             Raises FormatError, OSError, and ModuleNotFoundError for what is not installed.
-        write: Takes the robot's name, its bodies and choices. Raises FormatError and
+        write: Takes the robot's name, its skeleton and choices. Raises FormatError and
             ModuleNotFoundError.
     """
 

@@ -7,17 +7,16 @@ from kindsl.interchange.names import valid_name, valid_names
 from kindsl.interchange.robot_description import (
     DescribedFrame,
     DescribedLink,
-    MassProperties,
     RobotDescription,
 )
-from kindsl.rigid.pose import angles
-from kindsl.spatial.arrays import Array
+from kindsl.rigid.body import MassDistribution
+from kindsl.rigid.pose import RigidPose, angles
 from kindsl.text.decimals import fixed_decimal
 
 _DECIMALS = 15
 _ANGLE_TOLERANCE = 1e-14
 _QUARTER_TURNS = {0: "0.0", 1: "PI/2.0", -1: "-PI/2.0", 2: "PI", -2: "-PI"}
-
+_MOMENTS = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")
 
 _Names = dict[tuple[str, str], str]
 
@@ -25,7 +24,12 @@ _Names = dict[tuple[str, str], str]
 def kindsl_text(robot: RobotDescription) -> str:
     """Return the document of a robot; its names made valid and unique."""
     names = valid_names(_things(robot.links))
-    blocks = [_link(robot, index, names) for index in range(len(robot.links))]
+    children: dict[int | None, list[DescribedLink]] = {}
+    for link in robot.links:
+        children.setdefault(link.parent, []).append(link)
+    blocks = [
+        _link(robot, index, children.get(index, []), names) for index in range(len(robot.links))
+    ]
     blocks += [_joint(link, names) for link in robot.links if link.parent is not None]
     head = f"Robot {valid_name(robot.name)} {{"
     return "\n\n".join((head, *blocks)) + "\n}\n"
@@ -49,16 +53,17 @@ def _things(links: Sequence[DescribedLink]) -> Iterable[tuple[str, str]]:
         yield from (("frame", frame.name) for frame in link.frames)
 
 
-def _link(robot: RobotDescription, index: int, names: _Names) -> str:
+def _link(
+    robot: RobotDescription, index: int, children: Sequence[DescribedLink], names: _Names
+) -> str:
     link = robot.links[index]
     if link.parent is None:
         floating = " floating" if robot.is_floating else ""
         lines = [f"RobotBase {names['link', link.name]}{floating} {{"]
     else:
         lines = [f"link {names['link', link.name]} {{", f"    id = {index}"]
-    if link.mass_properties is not None:
-        lines += _inertia(link.mass_properties)
-    children = [child for child in robot.links if child.parent == index]
+    if link.body is not None:
+        lines += _inertia(link.body)
     lines += _children(children, names)
     if link.frames:
         lines += ["    frames {", *_frames(link.frames, names), "    }"]
@@ -72,21 +77,13 @@ def _children(children: Sequence[DescribedLink], names: _Names) -> list[str]:
     return ["    children {", *edges, "    }"]
 
 
-def _inertia(body: MassProperties) -> list[str]:
-    tensor = body.inertia
-    moments = {
-        "Ix": tensor[0, 0],
-        "Iy": tensor[1, 1],
-        "Iz": tensor[2, 2],
-        "Ixy": -tensor[0, 1],
-        "Ixz": -tensor[0, 2],
-        "Iyz": -tensor[1, 2],
-    }
+def _inertia(body: MassDistribution) -> list[str]:
+    moments = zip(_MOMENTS, body.moments, strict=True)
     return [
         "    inertia_params {",
         f"        mass = {_number(body.mass)}",
         f"        CoM = {_vector(map(_number, body.com))}",
-        *(f"        {name} = {_number(value)}" for name, value in moments.items()),
+        *(f"        {name} = {_number(value)}" for name, value in moments),
         "    }",
     ]
 
@@ -104,10 +101,10 @@ def _joint(link: DescribedLink, names: _Names) -> str:
     return "\n".join((*lines, *_pose(link.parent_T_joint, " " * 8), "    }", "}"))
 
 
-def _pose(T: Array, indent: str) -> list[str]:
+def _pose(pose: RigidPose, indent: str) -> list[str]:
     return [
-        f"{indent}translation = {_vector(map(_number, T[:3, 3]))}",
-        f"{indent}rotation = {_vector(map(_angle, angles(T[:3, :3].tolist(), within=0.0)))}",
+        f"{indent}translation = {_vector(map(_number, pose.translation))}",
+        f"{indent}rotation = {_vector(map(_angle, angles(pose.rotation, within=0.0)))}",
     ]
 
 

@@ -6,27 +6,25 @@ turned with their joints, and what is fixed to a link becomes a frame and a mass
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from math import hypot
 from typing import Literal
-
-import numpy as np
 
 from kindsl.interchange.format import FormatError
 from kindsl.interchange.robot_description import (
     DescribedFrame,
     DescribedLink,
-    MassProperties,
     RobotDescription,
 )
-from kindsl.spatial.arrays import Array
-from kindsl.spatial.inertia import move_inertia
+from kindsl.rigid.body import MassDistribution, Symmetric, seen_from
+from kindsl.rigid.pose import IDENTITY, RigidPose, Rotation, Vector3
 
 LinkJoint = Literal["", "fixed", "revolute", "prismatic"]
 BaseKind = Literal["fixed", "floating"]
-IDENTITY = np.eye(4)
 _GREATEST = 1e60
+_AT_ORIGIN = (0.0, 0.0, 0.0)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True)
 class RigidLink:
     """A link with the joint that carries it.
 
@@ -35,10 +33,10 @@ class RigidLink:
         parent: Index of the parent among the links, less than its own; None for the root.
         joint: Name of the joint, empty for the root.
         joint_kind: Empty for the root.
-        axis: Of a moving joint, in the joint's frame, shape (3,), not zero.
-        parent_T_joint: The joint's frame in the parent's, shape (4, 4).
-        joint_T_link: The link's frame in the joint's while it is at zero, shape (4, 4).
-        mass_properties: In the link's frame, None where nothing is known.
+        axis: Of a moving joint, in the joint's frame, not zero.
+        parent_T_joint: The joint's frame in the parent's.
+        joint_T_link: The link's frame in the joint's while it is at zero.
+        body: In the link's frame, None where nothing is known.
         frames: Fixed to the link.
     """
 
@@ -46,21 +44,21 @@ class RigidLink:
     parent: int | None = None
     joint: str = ""
     joint_kind: LinkJoint = ""
-    axis: Array = field(default_factory=lambda: np.array([0.0, 0.0, 1.0]))
-    parent_T_joint: Array = field(default_factory=lambda: IDENTITY)
-    joint_T_link: Array = field(default_factory=lambda: IDENTITY)
-    mass_properties: MassProperties | None = None
+    axis: Vector3 = (0.0, 0.0, 1.0)
+    parent_T_joint: RigidPose = IDENTITY
+    joint_T_link: RigidPose = IDENTITY
+    body: MassDistribution | None = None
     frames: tuple[DescribedFrame, ...] = ()
 
 
-@dataclass(slots=True, eq=False)
+@dataclass(slots=True)
 class _Body:
     """A link with all that is fixed to it, while it is put together."""
 
     link: RigidLink
     parent: int | None
-    parent_T_joint: Array
-    masses: list[MassProperties] = field(default_factory=list)
+    parent_T_joint: RigidPose
+    masses: list[MassDistribution] = field(default_factory=list)
     frames: list[DescribedFrame] = field(default_factory=list)
 
 
@@ -78,12 +76,12 @@ def described(name: str, base: BaseKind, links: Sequence[RigidLink]) -> RobotDes
     for link in links:
         _check_finite(link)
     bodies: list[_Body] = []
-    placed: dict[int, tuple[int, Array]] = {}
+    placed: dict[int, tuple[int, RigidPose]] = {}
     for index in _depth_first(links):
         link = links[index]
         if link.joint_kind == "fixed" and link.parent is not None:
             body, body_T_parent = placed[link.parent]
-            body_T_link = body_T_parent @ link.parent_T_joint @ link.joint_T_link
+            body_T_link = body_T_parent.then(link.parent_T_joint).then(link.joint_T_link)
             bodies[body].frames.append(DescribedFrame(link.name, body_T_link))
         else:
             body, body_T_link = len(bodies), _add_body(link, bodies, placed)
@@ -94,34 +92,30 @@ def described(name: str, base: BaseKind, links: Sequence[RigidLink]) -> RobotDes
 
 def fixed_remarks(links: Sequence[RigidLink], noun: str) -> Iterator[str]:
     """Yield what became of links that do not move by themselves, and which have no mass."""
+    carriers: list[int] = []
     for index, link in enumerate(links):
-        if link.joint_kind == "fixed":
-            carrier = _carrier(links, index).name
+        is_fixed = link.joint_kind == "fixed" and link.parent is not None
+        carriers.append(carriers[link.parent or 0] if is_fixed else index)
+        if is_fixed:
+            carrier = links[carriers[index]].name
             yield f"the {noun} '{link.name}', fixed to '{carrier}', became a frame of it"
-    carriers = [_carrier(links, i).name for i, link in enumerate(links) if link.mass_properties]
-    without = [link.name for link in links if _moves(link) and link.name not in carriers]
-    for name in without:
-        yield f"the {noun} '{name}' has no inertia"
+    heavy = {carriers[index] for index, link in enumerate(links) if link.body is not None}
+    for index, link in enumerate(links):
+        if link.joint_kind in ("revolute", "prismatic") and index not in heavy:
+            yield f"the {noun} '{link.name}' has no inertia"
 
 
 def _check_finite(link: RigidLink) -> None:
-    numbers = [link.axis, link.parent_T_joint, link.joint_T_link]
-    numbers += [frame.link_T_frame for frame in link.frames]
-    if link.mass_properties is not None:
-        body = link.mass_properties
-        numbers += [np.array([body.mass]), body.com, body.inertia]
-    if not all((np.abs(array) < _GREATEST).all() for array in numbers):
+    poses = [link.parent_T_joint, link.joint_T_link, *(f.link_T_frame for f in link.frames)]
+    numbers = [*link.axis, *(number for pose in poses for number in _numbers_of(pose))]
+    if link.body is not None:
+        numbers += [link.body.mass, *link.body.com, *link.body.moments]
+    if not all(abs(number) < _GREATEST for number in numbers):
         raise FormatError(f"'{link.name}' has a number that is not finite")
 
 
-def _moves(link: RigidLink) -> bool:
-    return link.joint_kind in ("revolute", "prismatic")
-
-
-def _carrier(links: Sequence[RigidLink], index: int) -> RigidLink:
-    while links[index].joint_kind == "fixed":
-        index = links[index].parent or 0
-    return links[index]
+def _numbers_of(pose: RigidPose) -> tuple[float, ...]:
+    return (*pose.translation, *(number for row in pose.rotation for number in row))
 
 
 def _depth_first(links: Sequence[RigidLink]) -> Iterator[int]:
@@ -136,53 +130,55 @@ def _depth_first(links: Sequence[RigidLink]) -> Iterator[int]:
         pending += reversed(below.get(index, []))
 
 
-def _add_body(link: RigidLink, bodies: list[_Body], placed: dict[int, tuple[int, Array]]) -> Array:
+def _add_body(
+    link: RigidLink, bodies: list[_Body], placed: dict[int, tuple[int, RigidPose]]
+) -> RigidPose:
     """Add the body of a link that moves, or of the root; return the link's frame in its own."""
     if link.parent is None:
         bodies.append(_Body(link, None, IDENTITY))
         return IDENTITY
     parent, body_T_parent = placed[link.parent]
-    joint_T_body = IDENTITY.copy()
-    joint_T_body[:3, :3] = z_to(link.axis)
-    bodies.append(_Body(link, parent, body_T_parent @ link.parent_T_joint @ joint_T_body))
-    return np.asarray(joint_T_body.T @ link.joint_T_link)
+    joint_T_body = RigidPose(z_to(link.axis), _AT_ORIGIN)
+    bodies.append(_Body(link, parent, body_T_parent.then(link.parent_T_joint).then(joint_T_body)))
+    return joint_T_body.inverse().then(link.joint_T_link)
 
 
-def z_to(axis: Array) -> Array:
-    """Return a rotation that takes z to an axis, shape (3, 3); none if it is z already.
+def z_to(axis: Vector3) -> Rotation:
+    """Return a rotation that takes z to an axis; none if it is z already.
 
     It is the smallest one on z's side; on the other, one after a half turn about x, since the
     smallest is not defined near -z.
     """
-    half_turn = np.diag([1.0, -1.0, -1.0] if axis[2] < 0.0 else [1.0, 1.0, 1.0])
-    x, y, z = half_turn @ axis / float(np.linalg.norm(axis))
+    side = -1.0 if axis[2] < 0.0 else 1.0
+    length = hypot(*axis)
+    x, y, z = axis[0] / length, side * axis[1] / length, side * axis[2] / length
     k = 1.0 / (1.0 + z)
-    smallest = [[1.0 - k * x * x, -k * x * y, x], [-k * x * y, 1.0 - k * y * y, y], [-x, -y, z]]
-    return np.asarray(half_turn @ np.array(smallest))
+    return (
+        (1.0 - k * x * x, -k * x * y, x),
+        (side * (-k * x * y), side * (1.0 - k * y * y), side * y),
+        (side * -x, side * -y, side * z),
+    )
 
 
-def about_origin(mass: float, about_com: Array, link_T_inertial: Array) -> MassProperties:
-    """Return mass properties in the link's frame.
+def about_origin(mass: float, tensor: Symmetric, link_T_inertial: RigidPose) -> MassDistribution:
+    """Return mass and inertia in the link's frame.
 
     Args:
         mass: Kilograms.
-        about_com: Tensor about the centre of mass along the inertial frame's axes, shape (3, 3).
-        link_T_inertial: A frame whose origin is the centre of mass, shape (4, 4).
+        tensor: `xx yy zz xy xz yz` of the inertia tensor about the centre of mass, along the
+            inertial frame's axes.
+        link_T_inertial: A frame whose origin is the centre of mass.
     """
-    return _moved(MassProperties(mass, np.zeros(3), about_com), link_T_inertial)
+    xx, yy, zz, xy, xz, yz = tensor
+    moments = (xx, yy, zz, 0.0 - xy, 0.0 - xz, 0.0 - yz)
+    return seen_from(MassDistribution(mass, _AT_ORIGIN, moments), link_T_inertial)
 
 
-def _moved(body: MassProperties, A_T_B: Array) -> MassProperties:
-    R, r = A_T_B[:3, :3], A_T_B[:3, 3]
-    com, inertia = move_inertia(np.asarray(body.mass), body.com, body.inertia, R, r)
-    return MassProperties(body.mass, com, inertia)
-
-
-def _attach(link: RigidLink, body: _Body, body_T_link: Array) -> None:
-    if link.mass_properties is not None:
-        body.masses.append(_moved(link.mass_properties, body_T_link))
+def _attach(link: RigidLink, body: _Body, body_T_link: RigidPose) -> None:
+    if link.body is not None:
+        body.masses.append(seen_from(link.body, body_T_link))
     for frame in link.frames:
-        body.frames.append(DescribedFrame(frame.name, body_T_link @ frame.link_T_frame))
+        body.frames.append(DescribedFrame(frame.name, body_T_link.then(frame.link_T_frame)))
 
 
 def _with_own_names(bodies: Sequence[_Body]) -> tuple[DescribedLink, ...]:
@@ -211,12 +207,11 @@ def _described(body: _Body, frames: list[DescribedFrame]) -> DescribedLink:
     )
 
 
-def _lumped(parts: list[MassProperties]) -> MassProperties | None:
-    if not parts:
-        return None
-    if len(parts) == 1:
-        return parts[0]
+def _lumped(parts: list[MassDistribution]) -> MassDistribution | None:
+    if len(parts) < 2:
+        return parts[0] if parts else None
     mass = sum(part.mass for part in parts)
-    moment = np.sum([part.mass * part.com for part in parts], axis=0)
-    inertia = np.sum([part.inertia for part in parts], axis=0)
-    return MassProperties(mass, moment / mass if mass else np.zeros(3), inertia)
+    x, y, z = (sum(part.mass * part.com[i] for part in parts) for i in range(3))
+    com = (x / mass, y / mass, z / mass) if mass else _AT_ORIGIN
+    xx, yy, zz, xy, xz, yz = map(sum, zip(*(part.moments for part in parts), strict=True))
+    return MassDistribution(mass, com, (xx, yy, zz, xy, xz, yz))

@@ -1,57 +1,43 @@
-"""A robot as plain numbers and names, between URDF and the Kinematics-DSL."""
+"""A robot as plain numbers and names, between another format and the Kinematics-DSL."""
 
 from dataclasses import dataclass
 
-from kindsl.spatial.arrays import Array
+from kindsl.rigid.body import MassDistribution
+from kindsl.rigid.pose import RigidPose
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class MassProperties:
-    """Mass properties of a body in its link frame.
-
-    Attributes:
-        mass: Kilograms.
-        com: Centre of mass, shape (3,), metres.
-        inertia: Tensor about the link frame's origin and axes, shape (3, 3), kg m^2.
-    """
-
-    mass: float
-    com: Array
-    inertia: Array
-
-
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True)
 class DescribedFrame:
-    """A frame fixed to a link: `link_T_frame`, shape (4, 4)."""
+    """A frame fixed to a link: `link_T_frame` is its pose in the link's."""
 
     name: str
-    link_T_frame: Array
+    link_T_frame: RigidPose
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True)
 class DescribedLink:
     """A body with the joint that supports it.
 
     Attributes:
         name: The link's name.
-        mass_properties: None where nothing is known.
+        body: Its mass distribution in the link's frame, None where nothing is known.
         frames: Frames fixed to it.
         parent: Index of the parent in the description, None for the base.
         joint: Name of the supporting joint, empty for the base.
         joint_kind: `"revolute"` or `"prismatic"`, about or along the joint frame's z.
-        parent_T_joint: The joint frame in the parent's link frame, shape (4, 4).
+        parent_T_joint: The joint frame in the parent's link frame.
     """
 
     name: str
-    mass_properties: MassProperties | None
+    body: MassDistribution | None
     frames: tuple[DescribedFrame, ...]
     parent: int | None
     joint: str
     joint_kind: str
-    parent_T_joint: Array
+    parent_T_joint: RigidPose
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True)
 class RobotDescription:
     """A tree of links, the base first, parents before children."""
 

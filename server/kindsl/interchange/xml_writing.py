@@ -1,30 +1,25 @@
 """Elements and numbers of XML formats, written so that the same doubles are read again."""
 
-from typing import Any
-
-import numpy as np
-import numpy.typing as npt
+from collections.abc import Iterable
+from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
 
-def added(parent: Any, tag: str, **attributes: str) -> Any:
+def added(parent: Element, tag: str, **attributes: str) -> Element:
     """Return a new last child of an element."""
-    from lxml import etree
-
-    return etree.SubElement(parent, tag, attributes)
+    return SubElement(parent, tag, attributes)
 
 
-def numbers(values: npt.ArrayLike) -> str:
+def numbers(values: Iterable[float]) -> str:
     """Return numbers separated by blanks, the shortest that are read as the same values."""
-    return " ".join(_number(value) for value in np.ravel(np.asarray(values, float)).tolist())
+    return " ".join(_number(float(value)) for value in values)
 
 
-def document_text(root: Any) -> str:
+def document_text(root: Element) -> str:
     """Return a document with its declaration, indented by two blanks."""
-    from lxml import etree
-
-    etree.indent(root, "  ")
-    content: bytes = etree.tostring(root, xml_declaration=True, encoding="utf-8")
-    return content.decode() + "\n"
+    indent(root, "  ")
+    # In attributes and texts '>' is escaped: here a tag ends.
+    content = tostring(root, encoding="unicode").replace(" />", "/>")
+    return f"<?xml version='1.0' encoding='utf-8'?>\n{content}\n"
 
 
 def _number(value: float) -> str:

@@ -1,7 +1,8 @@
 """Reads the one document that a command is about."""
 
 import sys
-from typing import TYPE_CHECKING
+from collections.abc import Callable
+from typing import TYPE_CHECKING, TypeVar
 
 from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.cli.console import write
@@ -16,6 +17,9 @@ from kindsl.text.printable import printable
 
 if TYPE_CHECKING:
     from kindsl.dynamics.bodies import Bodies
+    from kindsl.mechanism.skeleton import Skeleton
+
+T = TypeVar("T")
 
 _SYNTAX = "KD0"
 
@@ -97,17 +101,31 @@ def bodies_of_document(path: str, analysis: Analysis) -> "Bodies":
     Raises:
         CommandError: It does not describe a mechanism, or NumPy is missing.
     """
+    try:
+        return _mechanism_of_document(path, analysis, lambda: analysis.mechanism().bodies)
+    except ModuleNotFoundError as error:
+        raise missing_module(path, error, "numpy") from None
+
+
+def skeleton_of_document(path: str, analysis: Analysis) -> "Skeleton":
+    """Return the bodies of a document in plain floats.
+
+    Raises:
+        CommandError: It does not describe a mechanism.
+    """
+    return _mechanism_of_document(path, analysis, analysis.skeleton)
+
+
+def _mechanism_of_document(path: str, analysis: Analysis, make: Callable[[], T]) -> T:
     from kindsl.mechanism.errors import ModelError, UnboundParameterError
 
     require_syntax(path, analysis)
     try:
-        return analysis.mechanism().bodies
+        return make()
     except UnboundParameterError as error:
         raise defect(path, analysis, f"{error}; {BINDING_HINT}", error.at) from None
     except ModelError as error:
         raise defect(path, analysis, str(error), error.at) from None
-    except ModuleNotFoundError as error:
-        raise missing_module(path, error, "numpy") from None
 
 
 def missing_module(path: str, error: ModuleNotFoundError, extra: str) -> CommandError:

@@ -17,9 +17,9 @@ from kindsl.interchange.rigid_links import (
     described,
     fixed_remarks,
 )
-from kindsl.interchange.robot_description import DescribedFrame, MassProperties
-from kindsl.spatial.arrays import Array
-from kindsl.spatial.transforms import homogeneous
+from kindsl.interchange.robot_description import DescribedFrame
+from kindsl.rigid.body import MassDistribution
+from kindsl.rigid.pose import IDENTITY, RigidPose, Vector3
 from kindsl.text.words import listed
 
 _WORLD = 0
@@ -97,7 +97,7 @@ def _joints(model: Any, body: int) -> range:
 def _links(model: Any, roots: list[int]) -> list[RigidLink]:
     """Return the links, parents first; a body with several joints is several links."""
     root = roots[0]
-    links = [RigidLink(_name(model, root), mass_properties=_masses(model, root))]
+    links = [RigidLink(_name(model, root), body=_body(model, root))]
     links[0] = replace(links[0], frames=_sites(model, root))
     place = {root: 0}
     for body in range(root + 1, model.nbody):
@@ -114,29 +114,27 @@ def _links_of_body(model: Any, body: int, parent: int, n_links: int) -> Iterator
     name, joints = _name(model, body), list(_joints(model, body))
     T = _transform(model.body_pos[body], model.body_quat[body])
     if not joints:
-        masses, sites = _masses(model, body), _sites(model, body)
+        carried, sites = _body(model, body), _sites(model, body)
         yield RigidLink(name, parent, f"{name}_fixed", "fixed", parent_T_joint=T,
-                        mass_properties=masses, frames=sites)  # fmt: skip
+                        body=carried, frames=sites)  # fmt: skip
         return
     for number, joint in enumerate(joints):
         link = _jointed(model, joint, T)
         if joint == joints[-1]:
-            link = replace(
-                link, name=name, mass_properties=_masses(model, body), frames=_sites(model, body)
-            )
+            link = replace(link, name=name, body=_body(model, body), frames=_sites(model, body))
         else:
             link = replace(link, name=f"{name}_{link.joint}")
         yield replace(link, parent=parent if number == 0 else n_links + number - 1)
-        T = np.eye(4)
+        T = IDENTITY
 
 
-def _jointed(model: Any, joint: int, parent_T_body: Array) -> RigidLink:
+def _jointed(model: Any, joint: int, parent_T_body: RigidPose) -> RigidLink:
     """Return a link without name and mass; MuJoCo's joint values become ours.
 
     MuJoCo turns a body about an anchor in its frame, and by the joint value less `ref`.
     """
-    axis, slides = np.array(model.jnt_axis[joint]), model.jnt_type[joint] == _SLIDE
-    body_T_anchor = _translation(np.zeros(3) if slides else model.jnt_pos[joint])
+    axis, slides = model.jnt_axis[joint], model.jnt_type[joint] == _SLIDE
+    body_T_anchor = IDENTITY if slides else _translation(model.jnt_pos[joint])
     ref = float(model.qpos0[model.jnt_qposadr[joint]])
     back = _translation(-ref * axis) if slides else _turned(axis, -ref)
     return RigidLink(
@@ -144,18 +142,18 @@ def _jointed(model: Any, joint: int, parent_T_body: Array) -> RigidLink:
         None,
         _joint_name(model, joint),
         "prismatic" if slides else "revolute",
-        axis,
-        parent_T_body @ body_T_anchor @ back,
-        _translation(-body_T_anchor[:3, 3]),
+        _triple(axis),
+        parent_T_body.then(body_T_anchor).then(back),
+        body_T_anchor.inverse(),
     )
 
 
-def _masses(model: Any, body: int) -> MassProperties | None:
+def _body(model: Any, body: int) -> MassDistribution | None:
     mass, moments = float(model.body_mass[body]), model.body_inertia[body]
     if body == _WORLD or (mass <= _DUST and np.all(moments <= _DUST)):
         return None
     body_T_inertial = _transform(model.body_ipos[body], model.body_iquat[body])
-    return about_origin(mass, np.diag(moments), body_T_inertial)
+    return about_origin(mass, (*_triple(moments), 0.0, 0.0, 0.0), body_T_inertial)
 
 
 def _sites(model: Any, body: int) -> tuple[DescribedFrame, ...]:
@@ -166,9 +164,9 @@ def _sites(model: Any, body: int) -> tuple[DescribedFrame, ...]:
 
 
 def _world_sites(model: Any, root: int) -> Iterator[DescribedFrame]:
-    root_T_world = np.linalg.inv(_transform(model.body_pos[root], model.body_quat[root]))
+    root_T_world = _transform(model.body_pos[root], model.body_quat[root]).inverse()
     for site in _sites(model, _WORLD):
-        yield DescribedFrame(site.name, root_T_world @ site.link_T_frame)
+        yield DescribedFrame(site.name, root_T_world.then(site.link_T_frame))
 
 
 def _joint_remarks(model: Any) -> Iterator[str]:
@@ -189,21 +187,27 @@ def _joint_name(model: Any, joint: int) -> str:
     return str(model.joint(joint).name) or f"joint_{joint}"
 
 
-def _transform(position: Array, quaternion: Array) -> Array:
+def _transform(position: Any, quaternion: Any) -> RigidPose:
     import mujoco
 
     R = np.zeros(9)
     mujoco.mju_quat2Mat(R, np.array(quaternion))
-    return homogeneous(R.reshape(3, 3), np.array(position))
+    x, y, z = (_triple(row) for row in R.reshape(3, 3))
+    return RigidPose((x, y, z), _triple(position))
 
 
-def _translation(r: Array) -> Array:
-    return homogeneous(np.eye(3), np.array(r))
+def _translation(position: Any) -> RigidPose:
+    return IDENTITY._replace(translation=_triple(position))
 
 
-def _turned(axis: Array, angle: float) -> Array:
+def _turned(axis: Any, angle: float) -> RigidPose:
     import mujoco
 
     quaternion = np.zeros(4)
-    mujoco.mju_axisAngle2Quat(quaternion, axis, angle)
+    mujoco.mju_axisAngle2Quat(quaternion, np.array(axis), angle)
     return _transform(np.zeros(3), quaternion)
+
+
+def _triple(values: Any) -> Vector3:
+    x, y, z = map(float, values)
+    return x, y, z

@@ -5,7 +5,7 @@ and MuJoCo reads them again before anybody else does.
 """
 
 from collections.abc import Iterator
-from typing import Any
+from xml.etree.ElementTree import Element
 
 import numpy as np
 
@@ -13,6 +13,8 @@ from kindsl.dynamics.bodies import Bodies
 from kindsl.interchange.format import ORDINARY, FormatError, WritingChoices, WrittenRobot
 from kindsl.interchange.mjcf.compiling import checked_text
 from kindsl.interchange.xml_writing import added, document_text, numbers
+from kindsl.mechanism.bodies import bodies_of
+from kindsl.mechanism.skeleton import Skeleton
 from kindsl.spatial.arrays import Array
 from kindsl.spatial.inertia import point_inertia
 
@@ -28,7 +30,7 @@ _FAR = 1e6
 _ROUNDING = 1e-12
 
 
-def written_mjcf(name: str, bodies: Bodies, choices: WritingChoices = ORDINARY) -> WrittenRobot:
+def written_mjcf(name: str, skeleton: Skeleton, choices: WritingChoices = ORDINARY) -> WrittenRobot:
     """Return the MJCF of a mechanism.
 
     A fixed base is a body of the world without joint, or the world itself if that is its name; a
@@ -36,24 +38,24 @@ def written_mjcf(name: str, bodies: Bodies, choices: WritingChoices = ORDINARY) 
 
     Args:
         name: The robot's name.
-        bodies: Its bodies.
+        skeleton: Its bodies.
         choices: Limits of joints.
 
     Raises:
         FormatError: A body cannot move in MuJoCo.
-        ModuleNotFoundError: mujoco or lxml is not installed.
+        ModuleNotFoundError: mujoco is not installed.
     """
     import mujoco  # noqa: F401
-    from lxml import etree
 
+    bodies = bodies_of(skeleton)
     inertials = [_inertial(bodies, body) for body in range(bodies.n_links + 1)]
-    root = etree.Element("mujoco", {"model": name})
+    root = Element("mujoco", {"model": name})
     added(root, "compiler", angle="radian", autolimits="true", balanceinertia="false")
     elements = [_base(added(root, "worldbody"), bodies)]
     for link, parent in bodies.links():
         elements.append(_link(elements[parent], bodies, link, choices))
     for body in range(0 if bodies.is_floating else 1, bodies.n_links + 1):
-        elements[body].insert(0, etree.Element("inertial", inertials[body]))
+        elements[body].insert(0, Element("inertial", inertials[body]))
     for frame in bodies.frames:
         pose = _pose(frame.body_R_frame, frame.body_r_frame)
         added(elements[frame.body], "site", name=frame.name, **pose)
@@ -62,7 +64,7 @@ def written_mjcf(name: str, bodies: Bodies, choices: WritingChoices = ORDINARY) 
     return WrittenRobot(text, (*_remarks(bodies), *_mass_remarks(bodies)))
 
 
-def _base(world: Any, bodies: Bodies) -> Any:
+def _base(world: Element, bodies: Bodies) -> Element:
     if not bodies.is_floating and bodies.base_name == WORLD:
         return world
     base = added(world, "body", name=_base_name(bodies))
@@ -79,7 +81,7 @@ def _base_name(bodies: Bodies) -> str:
     return name
 
 
-def _link(parent: Any, bodies: Bodies, link: int, choices: WritingChoices) -> Any:
+def _link(parent: Element, bodies: Bodies, link: int, choices: WritingChoices) -> Element:
     i = link - 1
     pose = _pose(bodies.p_R_j[i], bodies.p_r_j[i])
     body = added(parent, "body", name=_link_name(bodies, i), **pose)
@@ -119,7 +121,7 @@ def _inertial(bodies: Bodies, body: int) -> dict[str, str]:
     moments = [I[0, 0], I[1, 1], I[2, 2], I[0, 1], I[0, 2], I[1, 2]]
     return {
         "pos": numbers(bodies.coms[body]),
-        "mass": numbers(max(bodies.masses[body], DUST)),
+        "mass": numbers([max(bodies.masses[body], DUST)]),
         "fullinertia": numbers(moments),
     }
 

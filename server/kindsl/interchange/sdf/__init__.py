@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from kindsl.interchange.format import Format, ReadRobot, WritingChoices, WrittenRobot
 
 if TYPE_CHECKING:
-    from kindsl.dynamics.bodies import Bodies
+    from kindsl.mechanism.skeleton import Skeleton
 
 
 def _read(path: Path, floating: bool) -> ReadRobot:
@@ -18,10 +18,10 @@ def _read(path: Path, floating: bool) -> ReadRobot:
     return read_sdf(path, floating=floating)
 
 
-def _write(name: str, bodies: "Bodies", choices: WritingChoices) -> WrittenRobot:
+def _write(name: str, skeleton: "Skeleton", choices: WritingChoices) -> WrittenRobot:
     from kindsl.interchange.sdf.writing import written_sdf
 
-    return written_sdf(name, bodies, choices)
+    return written_sdf(name, skeleton, choices)
 
 
-FORMAT = Format("sdf", "SDF", (".sdf",), "sdf", _read, _write)
+FORMAT = Format("sdf", "SDF", (".sdf",), "", _read, _write)

@@ -1,14 +1,12 @@
 """The elements of an SDF file and the values in them, each error with its line."""
 
 import re
-from math import isfinite, radians
+from math import hypot, isfinite, radians
 from typing import Any
 
-import numpy as np
-
 from kindsl.interchange.format import FormatError
-from kindsl.spatial.arrays import Array
-from kindsl.spatial.transforms import homogeneous
+from kindsl.interchange.xml_reading import XmlError, parsed_xml
+from kindsl.rigid.pose import IDENTITY, RigidPose, Rotation, pose_from_fixed_axes
 
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 _GREATEST = 1e50
@@ -20,17 +18,10 @@ def parsed(content: bytes) -> Any:
     Raises:
         FormatError: It is no well-formed SDF.
     """
-    from lxml import etree
-
-    parser = etree.XMLParser(
-        resolve_entities=False, no_network=True, remove_comments=True, remove_pis=True
-    )
     try:
-        root = etree.fromstring(content, parser=parser)
-    except (etree.XMLSyntaxError, ValueError) as error:
-        line = getattr(error, "lineno", None)
-        where = f" at line {line}" if line else ""
-        raise FormatError(f"not a readable SDF: not well-formed XML{where}") from error
+        root = parsed_xml(content)
+    except XmlError as error:
+        raise FormatError(f"not a readable SDF: {error}") from error
     if root.tag != "sdf":
         raise FormatError(f"not an SDF: its root element is <{root.tag}>, not <sdf>")
     return root
@@ -79,18 +70,19 @@ def numbers_in(element: Any, count: int) -> list[float]:
     return [_number(element, word) for word in words]
 
 
-def pose_of(element: Any) -> Array:
-    """Return the pose that an element's <pose> gives, shape (4, 4); none is the identity."""
+def pose_of(element: Any) -> RigidPose:
+    """Return the pose that an element's <pose> gives; none is the identity."""
     pose = element.find("pose")
     if pose is None or not (pose.text or "").strip():
-        return np.eye(4)
+        return IDENTITY
     if pose.get("rotation_format", "euler_rpy") == "quat_xyzw":
         x, y, z, *quaternion = numbers_in(pose, 7)
-        return homogeneous(_rotation_of_quaternion(pose, np.array(quaternion)), np.array([x, y, z]))
+        return RigidPose(_rotation_of_quaternion(pose, quaternion), (x, y, z))
     x, y, z, *angles = numbers_in(pose, 6)
     if (pose.get("degrees") or "").lower() in ("1", "true"):
         angles = [radians(angle) for angle in angles]
-    return homogeneous(_rotation_of_angles(*angles), np.array([x, y, z]))
+    roll, pitch, yaw = angles
+    return pose_from_fixed_axes((x, y, z), (roll, pitch, yaw))
 
 
 def _number(element: Any, word: str) -> float:
@@ -100,24 +92,13 @@ def _number(element: Any, word: str) -> float:
     return value
 
 
-def _rotation_of_angles(roll: float, pitch: float, yaw: float) -> Array:
-    """Return the rotation about fixed axes: x, then y, then z."""
-    (cr, cp, cy), (sr, sp, sy) = np.cos([roll, pitch, yaw]), np.sin([roll, pitch, yaw])
-    about_x = np.array([[1.0, 0.0, 0.0], [0.0, cr, -sr], [0.0, sr, cr]])
-    about_y = np.array([[cp, 0.0, sp], [0.0, 1.0, 0.0], [-sp, 0.0, cp]])
-    about_z = np.array([[cy, -sy, 0.0], [sy, cy, 0.0], [0.0, 0.0, 1.0]])
-    return np.asarray(about_z @ about_y @ about_x)
-
-
-def _rotation_of_quaternion(element: Any, quaternion: Array) -> Array:
-    length = float(np.linalg.norm(quaternion))
+def _rotation_of_quaternion(element: Any, quaternion: list[float]) -> Rotation:
+    length = hypot(*quaternion)
     if not length > 0.0:
         raise defect(element, "has a quaternion of no length")
-    x, y, z, w = quaternion / length
-    return np.array(
-        [
-            [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - z * w), 2.0 * (x * z + y * w)],
-            [2.0 * (x * y + z * w), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - x * w)],
-            [2.0 * (x * z - y * w), 2.0 * (y * z + x * w), 1.0 - 2.0 * (x * x + y * y)],
-        ]
+    x, y, z, w = (component / length for component in quaternion)
+    return (
+        (1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - z * w), 2.0 * (x * z + y * w)),
+        (2.0 * (x * y + z * w), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - x * w)),
+        (2.0 * (x * z - y * w), 2.0 * (y * z + x * w), 1.0 - 2.0 * (x * x + y * y)),
     )

@@ -1,26 +1,30 @@
 """Where links, joints and frames of an SDF model are: a graph of poses relative to each other."""
 
+import re
 from typing import Any
 
-import numpy as np
-
 from kindsl.interchange.sdf.elements import defect, name_of, pose_of, text_of
-from kindsl.spatial.arrays import Array
+from kindsl.rigid.pose import IDENTITY, RigidPose
 from kindsl.text.nearest import hint, nearest_name
 
 MODEL = "__model__"
 WORLD = "world"
+_BEFORE_1_5 = re.compile(r"1\.0*[0-4]")
 
 
 class FrameGraph:
     """The named frames of a model, all in the model's frame.
+
+    Attributes:
+        has_axes_in_model: Whether the version has axes of joints in the model's frame.
 
     Raises:
         FormatError: On construction, if a name stands for two things; when asked, if a frame is
             relative to what there is not, or to itself.
     """
 
-    def __init__(self, model: Any) -> None:
+    def __init__(self, model: Any, version: str) -> None:
+        self.has_axes_in_model = _BEFORE_1_5.fullmatch(version) is not None
         self._elements: dict[str, Any] = {}
         for element in model.iterfind("*"):
             if element.tag in ("link", "joint", "frame"):
@@ -34,16 +38,16 @@ class FrameGraph:
             name_of(first) if first is not None else ""
         )
 
-    def model_T(self, name: str, asking: Any) -> Array:
-        """Return the pose of a frame in the model's, shape (4, 4)."""
-        T = np.eye(4)
+    def model_T(self, name: str, asking: Any) -> RigidPose:
+        """Return the pose of a frame in the model's."""
+        T = IDENTITY
         seen: list[str] = []
         while name not in (MODEL, WORLD):
             if name in seen:
                 raise defect(asking, f"is relative to itself: {' -> '.join((*seen, name))}")
             seen.append(name)
             element = self._element(name, asking)
-            T = pose_of(element) @ T
+            T = pose_of(element).then(T)
             name = _reference(element)
         return T
 

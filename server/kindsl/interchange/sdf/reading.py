@@ -5,8 +5,6 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from kindsl.interchange.format import FormatError, ReadRobot
 from kindsl.interchange.rigid_links import (
     BaseKind,
@@ -16,7 +14,7 @@ from kindsl.interchange.rigid_links import (
     described,
     fixed_remarks,
 )
-from kindsl.interchange.robot_description import DescribedFrame, MassProperties
+from kindsl.interchange.robot_description import DescribedFrame
 from kindsl.interchange.sdf.elements import (
     defect,
     is_true,
@@ -29,7 +27,8 @@ from kindsl.interchange.sdf.elements import (
 )
 from kindsl.interchange.sdf.frame_graph import MODEL, WORLD, FrameGraph
 from kindsl.interchange.sdf.losses import losses
-from kindsl.spatial.arrays import Array
+from kindsl.rigid.body import MassDistribution, Symmetric
+from kindsl.rigid.pose import IDENTITY, Vector3
 from kindsl.text.words import listed
 
 _KINDS: dict[str, LinkJoint] = {
@@ -38,6 +37,7 @@ _KINDS: dict[str, LinkJoint] = {
     "prismatic": "prismatic",
     "fixed": "fixed",
 }
+_UNIT: Symmetric = (1.0, 1.0, 1.0, 0.0, 0.0, 0.0)
 
 
 def read_sdf(path: Path, *, floating: bool = False) -> ReadRobot:
@@ -50,11 +50,10 @@ def read_sdf(path: Path, *, floating: bool = False) -> ReadRobot:
     Raises:
         FormatError: The file is unreadable or beyond the Kinematics-DSL.
         OSError: The file cannot be read.
-        ModuleNotFoundError: lxml is not installed.
     """
     root = parsed(path.read_bytes())
     model = _only_model(root)
-    graph = FrameGraph(model)
+    graph = FrameGraph(model, root.get("version") or "")
     joints = _joints_by_child(model, graph)
     start, is_fixed = _root(model, joints)
     links = _links(model, graph, joints, start)
@@ -143,33 +142,26 @@ def _links(model: Any, graph: FrameGraph, joints: Mapping[str, Any], start: str)
 
 def _carried(joint: Any, index: int, parent: str, child: str, graph: FrameGraph) -> RigidLink:
     model_T_joint = graph.model_T(name_of(joint), joint)
-    parent_T_joint = np.linalg.inv(graph.model_T(parent, joint)) @ model_T_joint
-    joint_T_child = np.linalg.inv(model_T_joint) @ graph.model_T(child, joint)
+    parent_T_joint = graph.model_T(parent, joint).inverse().then(model_T_joint)
+    joint_T_child = model_T_joint.inverse().then(graph.model_T(child, joint))
     kind = _KINDS[joint.get("type")]
-    axis = np.array([0.0, 0.0, 1.0])
+    axis = (0.0, 0.0, 1.0)
     if kind != "fixed":
-        axis = model_T_joint[:3, :3].T @ _axis_in_model(joint, graph)
+        axis = model_T_joint.inverse().turn(_axis_in_model(joint, graph))
     return RigidLink(child, index, name_of(joint), kind, axis, parent_T_joint, joint_T_child)
 
 
-def _axis_in_model(joint: Any, graph: FrameGraph) -> Array:
+def _axis_in_model(joint: Any, graph: FrameGraph) -> Vector3:
     axis = joint.find("axis")
     xyz = None if axis is None else axis.find("xyz")
-    values = np.array([0.0, 0.0, 1.0] if xyz is None else numbers_in(xyz, 3))
-    if not values.any():
+    x, y, z = (0.0, 0.0, 1.0) if xyz is None else numbers_in(xyz, 3)
+    if not (x or y or z):
         raise defect(xyz, f"of joint '{name_of(joint)}' has no length")
     frame = name_of(joint) if xyz is None else xyz.get("expressed_in")
     if not frame:
-        frame = MODEL if _is_in_model(joint, axis) else name_of(joint)
-    return np.asarray(graph.model_T(frame, joint)[:3, :3] @ values)
-
-
-def _is_in_model(joint: Any, axis: Any) -> bool:
-    """Return whether an old version's axis is in the model's frame."""
-    version = joint.getroottree().getroot().get("version") or ""
-    major, _, minor = version.partition(".")
-    is_old = major == "1" and minor.isdigit() and int(minor) < 5
-    return is_old or is_true(axis, "use_parent_model_frame")
+        is_in_model = graph.has_axes_in_model or is_true(axis, "use_parent_model_frame")
+        frame = MODEL if is_in_model else name_of(joint)
+    return graph.model_T(frame, joint).turn((x, y, z))
 
 
 def _frames(model: Any, graph: FrameGraph) -> dict[str, list[DescribedFrame]]:
@@ -178,35 +170,35 @@ def _frames(model: Any, graph: FrameGraph) -> dict[str, list[DescribedFrame]]:
     for frame in model.iterfind("frame"):
         name = name_of(frame)
         link = graph.link_of(name, frame)
-        link_T_frame = np.linalg.inv(graph.model_T(link, frame)) @ graph.model_T(name, frame)
+        link_T_frame = graph.model_T(link, frame).inverse().then(graph.model_T(name, frame))
         found.setdefault(link, []).append(DescribedFrame(name, link_T_frame))
     return found
 
 
 def _with_mass(link: RigidLink, element: Any) -> RigidLink:
-    return replace(link, mass_properties=_mass_properties(element))
+    return replace(link, body=_body(element))
 
 
 def _with_frames(link: RigidLink, frames: tuple[DescribedFrame, ...]) -> RigidLink:
     return replace(link, frames=frames)
 
 
-def _mass_properties(link: Any) -> MassProperties:
+def _body(link: Any) -> MassDistribution:
     """Return a link's mass; SDFormat's default is 1 kg, and 1 kg m^2 about each axis."""
     inertial = link.find("inertial")
     if inertial is None:
-        return about_origin(1.0, np.eye(3), np.eye(4))
+        return about_origin(1.0, _UNIT, IDENTITY)
     if (inertial.get("auto") or "").lower() in ("1", "true"):
         raise defect(link, "takes its inertia from its shape (auto), which is not supported")
     inertia = inertial.find("inertia")
-    tensor = np.eye(3) if inertia is None else _tensor(inertia)
+    tensor = _UNIT if inertia is None else _tensor(inertia)
     return about_origin(number_of(inertial, "mass", 1.0), tensor, pose_of(inertial))
 
 
-def _tensor(inertia: Any) -> Array:
+def _tensor(inertia: Any) -> Symmetric:
     ixx, iyy, izz = (number_of(inertia, tag, 1.0) for tag in ("ixx", "iyy", "izz"))
     ixy, ixz, iyz = (number_of(inertia, tag, 0.0) for tag in ("ixy", "ixz", "iyz"))
-    return np.array([[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]])
+    return ixx, iyy, izz, ixy, ixz, iyz
 
 
 def _default_masses(model: Any, start: str, base: BaseKind) -> Iterator[str]:

@@ -1,4 +1,4 @@
-"""Knows URDF, and xacro through its own package.
+"""Knows URDF.
 
 Must not know the other formats.
 """
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from kindsl.interchange.format import Format, ReadRobot, WritingChoices, WrittenRobot
 
 if TYPE_CHECKING:
-    from kindsl.dynamics.bodies import Bodies
+    from kindsl.mechanism.skeleton import Skeleton
 
 
 def _read(path: Path, floating: bool) -> ReadRobot:
@@ -18,11 +18,10 @@ def _read(path: Path, floating: bool) -> ReadRobot:
     return read_urdf(path, floating=floating)
 
 
-def _write(name: str, bodies: "Bodies", choices: WritingChoices) -> WrittenRobot:
-    from kindsl.interchange.urdf.writing import urdf_remarks, urdf_text
+def _write(name: str, skeleton: "Skeleton", choices: WritingChoices) -> WrittenRobot:
+    from kindsl.interchange.urdf.writing import written_urdf
 
-    text = urdf_text(name, bodies, choices)
-    return WrittenRobot(text, tuple(urdf_remarks(bodies, choices)))
+    return written_urdf(name, skeleton, choices)
 
 
-FORMAT = Format("urdf", "URDF", (".urdf",), "convert", _read, _write)
+FORMAT = Format("urdf", "URDF", (".urdf",), "", _read, _write)

@@ -5,24 +5,17 @@ and axes. Meshes, materials, limits and whatever other programs add cannot be wr
 """
 
 import re
-from io import BytesIO
 from math import isfinite
 from typing import Any, NamedTuple
 
 from kindsl.interchange.format import FormatError
+from kindsl.interchange.xml_reading import XmlElement, XmlError, parsed_xml
 from kindsl.text.nearest import hint, nearest_name, nearest_word
 
-_KEPT = {
-    "robot": ("link", "joint"),
-    "link": ("inertial",),
-    "inertial": ("origin", "mass", "inertia"),
-    "joint": ("origin", "parent", "child", "axis"),
-}
 _TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
 _INERTIA = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 _GREATEST = 1e50
-_HARMLESS = ("NS_ERR_UNDEFINED_NAMESPACE",)
 
 
 class UrdfError(FormatError):
@@ -45,14 +38,12 @@ class Remarkable(NamedTuple):
     n_drawn: int
 
 
-def checked(content: bytes) -> tuple[BytesIO, Remarkable]:
-    """Return a URDF reduced to its tree, poses and masses, and what was left out.
+def checked(content: bytes) -> tuple[XmlElement, Remarkable]:
+    """Return the root element of a URDF whose tree, poses and masses are sound.
 
     Raises:
         UrdfError: It is not well-formed, not a tree, or has a number that is none.
     """
-    from lxml import etree
-
     robot = _parsed(content)
     if robot.tag != "robot":
         raise UrdfError(f"not a URDF: its root element is <{_name_of(robot)}>, not <robot>")
@@ -67,29 +58,14 @@ def checked(content: bytes) -> tuple[BytesIO, Remarkable]:
     for joint in joints:
         _check_joint(joint)
     _check_tree(links, joints)
-    remarkable = _remarkable(links, joints)
-    _reduce(robot)
-    return BytesIO(etree.tostring(robot, encoding="utf-8")), remarkable
+    return robot, _remarkable(links, joints)
 
 
 def _parsed(content: bytes) -> Any:
-    """Return the root element; prefixes that nobody declared are common and do no harm."""
-    from lxml import etree
-
-    strict = {"resolve_entities": False, "no_network": True}
-    quiet = {"remove_comments": True, "remove_pis": True}
     try:
-        return etree.fromstring(content, parser=etree.XMLParser(**strict, **quiet))
-    except (etree.XMLSyntaxError, ValueError) as error:
-        if getattr(error, "code", None) == etree.ErrorTypes.NS_ERR_UNDEFINED_NAMESPACE:
-            parser = etree.XMLParser(**strict, **quiet, recover=True)
-            root = etree.fromstring(content, parser=parser)
-            if root is not None and all(e.type_name in _HARMLESS for e in parser.error_log):
-                return root
-        line = getattr(error, "lineno", None)
-        where = f" at line {line}" if line else ""
-        message = f"not a readable URDF: not well-formed XML{where}"
-        raise UrdfError(message) from error
+        return parsed_xml(content)
+    except XmlError as error:
+        raise UrdfError(f"not a readable URDF: {error}") from error
 
 
 def _check_names(elements: list[Any]) -> None:
@@ -108,11 +84,11 @@ def _check_link(link: Any) -> None:
     for inertial in link.findall("inertial"):
         if inertial.find("mass") is None:
             raise _error(inertial, f"of link '{link.get('name')}' has no <mass>")
-        _numbers(inertial.find("mass"), "value", 1)
+        numbers_of(inertial.find("mass"), "value", 1)
         for inertia in inertial.findall("inertia"):
             for name in _INERTIA:
                 _required(inertia, name)
-                _numbers(inertia, name, 1)
+                numbers_of(inertia, name, 1)
         _check_origin(inertial)
 
 
@@ -128,7 +104,7 @@ def _check_joint(joint: Any) -> None:
         _required(elements[0], "link")
     _check_origin(joint)
     for axis in joint.findall("axis") if kind not in ("fixed", "floating") else ():
-        x, y, z = _numbers(axis, "xyz", 3) if axis.get("xyz") is not None else (1.0, 0.0, 0.0)
+        x, y, z = numbers_of(axis, "xyz", 3) if axis.get("xyz") is not None else (1.0, 0.0, 0.0)
         if not x * x + y * y + z * z > 0.0:
             raise _error(axis, f"of joint '{joint.get('name')}' has no length")
 
@@ -137,7 +113,7 @@ def _check_origin(parent: Any) -> None:
     for origin in parent.findall("origin"):
         for name in ("xyz", "rpy"):
             if origin.get(name) is not None:
-                _numbers(origin, name, 3)
+                numbers_of(origin, name, 3)
 
 
 def _check_tree(links: list[Any], joints: list[Any]) -> None:
@@ -194,14 +170,6 @@ def _has(element: Any, tag: str) -> bool:
     return element.find(tag) is not None
 
 
-def _reduce(element: Any) -> None:
-    for child in list(element):
-        if child.tag in _KEPT.get(element.tag, ()):
-            _reduce(child)
-        else:
-            element.remove(child)
-
-
 def _required(element: Any, name: str) -> str:
     value = element.get(name)
     if value is None:
@@ -209,7 +177,7 @@ def _required(element: Any, name: str) -> str:
     return str(value)
 
 
-def _numbers(element: Any, name: str, count: int) -> list[float]:
+def numbers_of(element: Any, name: str, count: int) -> list[float]:
     """Return the finite numbers of an attribute, or raise where there are more or fewer."""
     words = _required(element, name).split()
     if len(words) != count:
@@ -230,5 +198,5 @@ def _error(element: Any, what: str) -> UrdfError:
 
 def _name_of(element: Any) -> str:
     name = element.get("name")
-    tag = str(element.tag).rpartition("}")[2]
+    tag = str(element.tag)
     return f"{tag} name='{name}'" if name and tag in ("link", "joint") else tag

@@ -1,25 +1,21 @@
-"""URDF to a robot description, through yourdfpy."""
+"""URDF to a robot description."""
 
-import logging
 from collections.abc import Iterator
-from io import BytesIO
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from kindsl.interchange.format import ReadRobot, limits_dropped
 from kindsl.interchange.rigid_links import (
-    IDENTITY,
+    BaseKind,
     LinkJoint,
     RigidLink,
     about_origin,
     described,
     fixed_remarks,
 )
-from kindsl.interchange.robot_description import MassProperties
-from kindsl.interchange.urdf.checking import Remarkable, UrdfError, checked
-from kindsl.spatial.arrays import Array
+from kindsl.interchange.urdf.checking import Remarkable, UrdfError, checked, numbers_of
+from kindsl.rigid.body import MassDistribution, Symmetric
+from kindsl.rigid.pose import IDENTITY, RigidPose, Vector3, pose_from_fixed_axes
 from kindsl.text.words import counted
 
 __all__ = ["UrdfError", "read_urdf", "robot_of_urdf"]
@@ -30,7 +26,7 @@ _KINDS: dict[str, LinkJoint] = {
     "prismatic": "prismatic",
     "fixed": "fixed",
 }
-_Z = np.array([0.0, 0.0, 1.0])
+_X, _Z = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
 
 
 def read_urdf(path: Path, *, floating: bool = False) -> ReadRobot:
@@ -42,7 +38,6 @@ def read_urdf(path: Path, *, floating: bool = False) -> ReadRobot:
 
     Raises:
         UrdfError: The file is unreadable or beyond the Kinematics-DSL.
-        ModuleNotFoundError: yourdfpy is not installed.
     """
     return robot_of_urdf(path.read_bytes(), path.stem, floating=floating)
 
@@ -55,87 +50,77 @@ def robot_of_urdf(text: bytes, name: str, *, floating: bool = False) -> ReadRobo
         name: What to call a robot without a name.
         floating: Whether the root link floats.
     """
-    content, remarkable = checked(text)
-    robot = _load(content)
+    robot, remarkable = checked(text)
+    joints = robot.findall("joint")
     children: dict[str, list[Any]] = {}
-    for joint in robot.joints:
-        children.setdefault(joint.parent, []).append(joint)
-    root = _root(robot)
-    floats = [j for j in children.get(root, []) if j.type == "floating"]
+    for joint in joints:
+        children.setdefault(_end(joint, "parent"), []).append(joint)
+    bodies = {str(link.get("name")): _body(link) for link in robot.findall("link")}
+    carried = {_end(joint, "child") for joint in joints}
+    root = next(link for link in bodies if link not in carried)
+    floats = [j for j in children.get(root, []) if j.get("type") == "floating"]
     if len(floats) == 1 and len(children[root]) == 1:
-        root, floating = floats[0].child, True
-    links = _links(robot, root, children)
+        root, floating = _end(floats[0], "child"), True
+    links = _links(root, children, bodies)
     if not any(link.joint_kind in ("revolute", "prismatic") for link in links):
         raise UrdfError("the URDF has no joint that moves, and a document needs one")
-    base = described(robot.name or name, "floating" if floating else "fixed", links)
-    return ReadRobot(base, (*_remarks(remarkable), *fixed_remarks(links, "link")))
+    base: BaseKind = "floating" if floating else "fixed"
+    read = described(robot.get("name") or name, base, links)
+    return ReadRobot(read, (*_remarks(remarkable), *fixed_remarks(links, "link")))
 
 
-def _load(content: BytesIO) -> Any:
-    from yourdfpy import URDF
-
-    logging.getLogger("yourdfpy.urdf").setLevel(logging.CRITICAL)
-    try:
-        urdf = URDF.load(
-            content,
-            build_scene_graph=False,
-            load_meshes=False,
-            build_collision_scene_graph=False,
-            load_collision_meshes=False,
-        )
-    except Exception as error:
-        raise UrdfError("not a readable URDF") from error
-    return urdf.robot
+def _end(joint: Any, which: str) -> str:
+    return str(joint.find(which).get("link"))
 
 
-def _root(robot: Any) -> str:
-    carried = {joint.child for joint in robot.joints}
-    return next(str(link.name) for link in robot.links if link.name not in carried)
-
-
-def _links(robot: Any, root: str, children: dict[str, list[Any]]) -> list[RigidLink]:
+def _links(
+    root: str, children: dict[str, list[Any]], bodies: dict[str, MassDistribution | None]
+) -> list[RigidLink]:
     """Return the links, parents first."""
-    masses = {link.name: _mass_properties(link) for link in robot.links}
-    links = [RigidLink(root, mass_properties=masses[root])]
+    links = [RigidLink(root, body=bodies[root])]
     for index, link in enumerate(links):
-        links += [_carried(joint, index, masses) for joint in children.get(link.name, [])]
+        links += [_carried(joint, index, bodies) for joint in children.get(link.name, [])]
     return links
 
 
-def _carried(joint: Any, parent: int, masses: dict[str, MassProperties | None]) -> RigidLink:
-    if joint.type not in _KINDS:
-        raise UrdfError(
-            f"the joint '{joint.name}' is {joint.type}, which the language does not support"
-        )
-    kind = _KINDS[joint.type]
-    return RigidLink(
-        str(joint.child),
-        parent,
-        str(joint.name),
-        kind,
-        _Z if kind == "fixed" else _axis(joint),
-        _transform(joint.origin),
-        mass_properties=masses[joint.child],
-    )
+def _carried(joint: Any, parent: int, bodies: dict[str, MassDistribution | None]) -> RigidLink:
+    name, kind = str(joint.get("name")), joint.get("type")
+    if kind not in _KINDS:
+        raise UrdfError(f"the joint '{name}' is {kind}, which the language does not support")
+    child = _end(joint, "child")
+    axis = _Z if kind == "fixed" else _triple(joint.find("axis"), "xyz", _X)
+    pose = _pose(joint.find("origin"))
+    return RigidLink(child, parent, name, _KINDS[kind], axis, pose, body=bodies[child])
 
 
-def _axis(joint: Any) -> Array:
-    axis = np.array([1.0, 0.0, 0.0]) if joint.axis is None else np.asarray(joint.axis, float)
-    if not float(np.linalg.norm(axis)) > 0.0:
-        raise UrdfError(f"the joint '{joint.name}' has an axis of no length")
-    return axis
-
-
-def _mass_properties(link: Any) -> MassProperties | None:
-    inertial = link.inertial
-    if inertial is None or inertial.mass is None:
+def _body(link: Any) -> MassDistribution | None:
+    inertial = link.find("inertial")
+    if inertial is None:
         return None
-    about_com = np.zeros((3, 3)) if inertial.inertia is None else np.asarray(inertial.inertia)
-    return about_origin(float(inertial.mass), about_com, _transform(inertial.origin))
+    mass = numbers_of(inertial.find("mass"), "value", 1)[0]
+    return about_origin(mass, _tensor(inertial.find("inertia")), _pose(inertial.find("origin")))
 
 
-def _transform(origin: Any) -> Array:
-    return IDENTITY if origin is None else np.asarray(origin, float)
+def _tensor(inertia: Any) -> Symmetric:
+    if inertia is None:
+        return (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    names = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
+    xx, yy, zz, xy, xz, yz = (numbers_of(inertia, name, 1)[0] for name in names)
+    return xx, yy, zz, xy, xz, yz
+
+
+def _pose(origin: Any) -> RigidPose:
+    if origin is None:
+        return IDENTITY
+    zero = (0.0, 0.0, 0.0)
+    return pose_from_fixed_axes(_triple(origin, "xyz", zero), _triple(origin, "rpy", zero))
+
+
+def _triple(element: Any, name: str, default: Vector3) -> Vector3:
+    if element is None or element.get(name) is None:
+        return default
+    x, y, z = numbers_of(element, name, 3)
+    return x, y, z
 
 
 def _remarks(found: Remarkable) -> Iterator[str]:

@@ -1,73 +1,56 @@
-"""Numbered bodies to URDF: the same mechanics, frames as links on fixed joints."""
+"""A skeleton to URDF: the same mechanics, frames as links on fixed joints."""
 
 from collections.abc import Iterator
 from math import pi
-from typing import Any
+from xml.etree.ElementTree import Element
 
-import numpy as np
-
-from kindsl.dynamics.bodies import Bodies
-from kindsl.interchange.format import ORDINARY, WritingChoices
-from kindsl.spatial.arrays import Array
-from kindsl.spatial.inertia import point_inertia
+from kindsl.interchange.format import ORDINARY, WritingChoices, WrittenRobot
+from kindsl.interchange.xml_writing import added, document_text
+from kindsl.mechanism.skeleton import Skeleton
+from kindsl.rigid.body import MassDistribution, shifted
+from kindsl.rigid.pose import IDENTITY, RigidPose, fixed_axis_angles
 from kindsl.text.words import counted
 
 # URDF wants limits of every joint but an endless one, and the configuration may give none.
 _LIMITS = {
-    "prismatic": {"lower": -1.0, "upper": 1.0, "effort": 1000.0, "velocity": 10.0},
-    "revolute": {"lower": -2.0 * pi, "upper": 2.0 * pi, "effort": 1000.0, "velocity": 10.0},
+    "prismatic": {"effort": 1000.0, "velocity": 10.0, "lower": -1.0, "upper": 1.0},
+    "revolute": {"effort": 1000.0, "velocity": 10.0, "lower": -2.0 * pi, "upper": 2.0 * pi},
 }
 
 
-def urdf_text(name: str, bodies: Bodies, choices: WritingChoices = ORDINARY) -> str:
+def written_urdf(name: str, skeleton: Skeleton, choices: WritingChoices = ORDINARY) -> WrittenRobot:
     """Return the URDF of a mechanism; the root link is the base, floating or not.
 
     Args:
         name: The robot's name.
-        bodies: Its bodies.
+        skeleton: Its bodies.
         choices: Whether revolute joints without limits become `continuous`, which pinocchio gives
             two coordinates; and limits of joints.
-
-    Raises:
-        ModuleNotFoundError: yourdfpy is not installed.
     """
-    from lxml import etree
-    from yourdfpy import URDF, Joint, Link, Robot
-    from yourdfpy.urdf import Limit
-
-    body_names = (bodies.base_name, *bodies.link_names)
-    robot = Robot(name=name)
-    robot.links = [Link(name=n, inertial=_inertial(bodies, i)) for i, n in enumerate(body_names)]
-    for link, parent in bodies.links():
+    robot = Element("robot", {"name": name})
+    for body_name, body in zip(skeleton.body_names, skeleton.masses, strict=True):
+        _add_inertial(added(robot, "link", name=body_name), body)
+    for frame in skeleton.frames:
+        added(robot, "link", name=frame.name)
+    for link, parent in skeleton.links():
         i = link - 1
-        limits = _limits(bodies, i, choices)
-        robot.joints.append(
-            Joint(
-                name=bodies.joint_names[i],
-                type=bodies.joint_kinds[i] if limits else "continuous",
-                parent=body_names[parent],
-                child=body_names[link],
-                origin=_transform(bodies.p_R_j[i], bodies.p_r_j[i]),
-                axis=np.array([0.0, 0.0, 1.0]),
-                limit=Limit(**limits) if limits else None,
-            )
-        )
-    for frame in bodies.frames:
-        robot.links.append(Link(name=frame.name))
-        origin = _transform(frame.body_R_frame, frame.body_r_frame)
-        fixed = f"{frame.name}_fixed"
-        carrier = body_names[frame.body]
-        robot.joints.append(Joint(fixed, "fixed", carrier, frame.name, origin))
-    document = URDF(robot, build_scene_graph=False, load_meshes=False).write_xml()
-    text: str = etree.tostring(
-        document, xml_declaration=True, pretty_print=True, encoding="utf-8"
-    ).decode()
-    return text
+        limits = _limits(skeleton, i, choices)
+        kind = skeleton.joint_kinds[i] if limits else "continuous"
+        joint = added(robot, "joint", name=skeleton.joint_names[i], type=kind)
+        ends = skeleton.body_names[parent], skeleton.body_names[link]
+        _add_ends(joint, *ends, skeleton.placements[i])
+        added(joint, "axis", xyz=_numbers(0.0, 0.0, 1.0))
+        if limits:
+            added(joint, "limit", **{end: _numbers(value) for end, value in limits.items()})
+    for frame in skeleton.frames:
+        joint = added(robot, "joint", name=f"{frame.name}_fixed", type="fixed")
+        _add_ends(joint, skeleton.body_names[frame.body], frame.name, frame.pose)
+    return WrittenRobot(document_text(robot), tuple(_remarks(skeleton, choices)))
 
 
-def urdf_remarks(bodies: Bodies, choices: WritingChoices = ORDINARY) -> Iterator[str]:
+def _remarks(skeleton: Skeleton, choices: WritingChoices) -> Iterator[str]:
     """Yield what the URDF says that the document did not."""
-    kinds = zip(bodies.joint_names, bodies.joint_kinds, strict=True)
+    kinds = zip(skeleton.joint_names, skeleton.joint_kinds, strict=True)
     unlimited = [(name, kind) for name, kind in kinds if name not in choices.limits]
     n_turning = sum(kind == "revolute" for _, kind in unlimited)
     if n_turning and not choices.endless_joints:
@@ -76,32 +59,41 @@ def urdf_remarks(bodies: Bodies, choices: WritingChoices = ORDINARY) -> Iterator
     for name, kind in unlimited:
         if kind == "prismatic":
             yield f"the joint '{name}' got limits of -1 m and 1 m, which a URDF must give"
-    if bodies.is_floating:
-        yield f"the floating base '{bodies.base_name}' became the root link, which tools may fix"
+    if skeleton.is_floating:
+        yield f"the floating base '{skeleton.base_name}' became the root link, which tools may fix"
 
 
-def _limits(bodies: Bodies, joint: int, choices: WritingChoices) -> dict[str, float]:
+def _limits(skeleton: Skeleton, joint: int, choices: WritingChoices) -> dict[str, float]:
     """Return the attributes of a joint's limits; none of an endless one."""
-    kind, given = bodies.joint_kinds[joint], choices.limits.get(bodies.joint_names[joint])
+    kind, given = skeleton.joint_kinds[joint], choices.limits.get(skeleton.joint_names[joint])
     if given is None:
         return {} if kind == "revolute" and choices.endless_joints else _LIMITS[kind]
     ends = {"lower": given.minimum, "upper": given.maximum}
     return _LIMITS[kind] | {end: value for end, value in ends.items() if value is not None}
 
 
-def _inertial(bodies: Bodies, body: int) -> Any:
-    """Return URDF's inertial: about the centre of mass, along the link's axes."""
-    from yourdfpy.urdf import Inertial
-
-    mass, com = bodies.masses[body], bodies.coms[body]
-    if not mass and not bodies.inertias[body].any():
-        return None
-    about_com = bodies.inertias[body] - point_inertia(mass, com)
-    return Inertial(_transform(np.eye(3), com), float(mass), about_com)
+def _add_ends(joint: Element, parent: str, child: str, pose: RigidPose) -> None:
+    added(joint, "parent", link=parent)
+    added(joint, "child", link=child)
+    _add_origin(joint, pose)
 
 
-def _transform(R: Array, r: Array) -> Array:
-    T = np.eye(4)
-    T[:3, :3] = R
-    T[:3, 3] = r
-    return T
+def _add_inertial(link: Element, body: MassDistribution) -> None:
+    """Add URDF's inertial: about the centre of mass, along the link's axes."""
+    if not body.mass and not any(body.moments):
+        return
+    inertial = added(link, "inertial")
+    _add_origin(inertial, IDENTITY._replace(translation=body.com))
+    added(inertial, "mass", value=_numbers(body.mass))
+    Ix, Iy, Iz, Ixy, Ixz, Iyz = shifted(body, -1.0).moments
+    tensor = {"ixx": Ix, "ixy": -Ixy, "ixz": -Ixz, "iyy": Iy, "iyz": -Iyz, "izz": Iz}
+    added(inertial, "inertia", **{name: _numbers(value) for name, value in tensor.items()})
+
+
+def _add_origin(element: Element, pose: RigidPose) -> None:
+    angles = fixed_axis_angles(pose.rotation)
+    added(element, "origin", xyz=_numbers(*pose.translation), rpy=_numbers(*angles))
+
+
+def _numbers(*values: float) -> str:
+    return " ".join(repr(value + 0.0) for value in values)

@@ -110,16 +110,13 @@ def _uri(uri: object) -> str:
 
 
 def _urdf(view: View) -> str:
-    try:
-        from kindsl.interchange.urdf.writing import urdf_text
+    from kindsl.interchange.urdf.writing import written_urdf
 
-        return urdf_text(view.analysis.model.name, view.analysis.mechanism().bodies)
-    except ImportError as error:
-        hint = "install it with: pip install 'kindsl[convert]'"
-        problem = f"the export needs {error.name}; {hint}"
-        raise PackagesMissing(problem, ["yourdfpy"]) from None
+    try:
+        skeleton = view.analysis.skeleton()
     except ValueError as error:
         raise RequestFailed(str(error)) from None
+    return written_urdf(view.analysis.model.name or "robot", skeleton).text
 
 
 def _all_fixes(view: View) -> types.WorkspaceEdit | None:

@@ -1,0 +1,85 @@
+"""XML to elements that know their lines.
+
+Names are what is written, prefix and all, so that a prefix that nobody declared does no harm.
+Comments and processing instructions are passed over; entities are refused, since no robot needs
+them and what they expand to may be without bound.
+"""
+
+from typing import NoReturn, cast
+from xml.etree.ElementTree import Element, TreeBuilder
+from xml.parsers import expat
+
+_DEEPEST = 256
+_LARGEST = 64 * 2**20
+
+
+class XmlError(ValueError):
+    """A text is no XML, or more than is read; one sentence."""
+
+
+class XmlElement(Element):
+    """An element.
+
+    Attributes:
+        sourceline: The line where it begins, from 1.
+    """
+
+    sourceline: int
+
+
+def parsed_xml(content: bytes) -> XmlElement:
+    """Return the root element.
+
+    Raises:
+        XmlError: The text is not well-formed, declares entities, or is too deep or too long.
+    """
+    if len(content) > _LARGEST:
+        raise XmlError(f"longer than {_LARGEST // 2**20} MB, which is not supported")
+    return _Reading().of(content)
+
+
+class _Reading:
+    """One text on its way through expat."""
+
+    def __init__(self) -> None:
+        self._depth = 0
+        self._builder = TreeBuilder(self._element)
+        self._parser = expat.ParserCreate()
+        self._parser.buffer_text = True
+        self._parser.StartElementHandler = self._start
+        self._parser.EndElementHandler = self._end
+        self._parser.CharacterDataHandler = self._builder.data
+        self._parser.EntityDeclHandler = self._refuse_entity
+
+    def of(self, content: bytes) -> XmlElement:
+        try:
+            self._parser.Parse(content, True)
+        except expat.ExpatError as error:
+            raise XmlError(f"not well-formed XML at line {error.lineno}") from error
+        except (LookupError, ValueError) as error:
+            if isinstance(error, XmlError):
+                raise
+            raise XmlError("in an encoding that is not supported") from error
+        return cast(XmlElement, self._builder.close())
+
+    def _element(self, tag: str, attributes: dict[str, str]) -> XmlElement:
+        element = XmlElement(tag, attributes)
+        element.sourceline = self._parser.CurrentLineNumber
+        return element
+
+    def _start(self, tag: str, attributes: dict[str, str]) -> None:
+        self._depth += 1
+        if self._depth > _DEEPEST:
+            self._refuse(f"elements nested deeper than {_DEEPEST}")
+        self._builder.start(tag, attributes)
+
+    def _end(self, tag: str) -> None:
+        self._depth -= 1
+        self._builder.end(tag)
+
+    def _refuse_entity(self, *_: object) -> None:
+        self._refuse("an entity declared")
+
+    def _refuse(self, what: str) -> NoReturn:
+        line = self._parser.CurrentLineNumber
+        raise XmlError(f"{what} at line {line}, which is not supported")
