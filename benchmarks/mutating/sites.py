@@ -1,7 +1,9 @@
 """Where code can be changed so that a test should notice, and the changed code.
 
 A change is one of a comparison, an operator, a condition, a returned value, a number or a truth
-value. Texts, annotations, decorators and the rules' own examples are left alone.
+value. Left alone is what no test can notice by what it says: texts, annotations and what is for
+type checkers alone, decorators, slots, assertions (`strict` of `zip` is one), and the rules' own
+examples.
 """
 
 import ast
@@ -81,41 +83,66 @@ def sample(kindsl: Path, package: str, count: int, seed: int) -> list[Site]:
 
 def mutated(source: str, site: Site) -> str:
     """Return the source of a module with one change."""
-    tree = ast.parse(source)
+    tree = _parsed(source)
     node = list(ast.walk(tree))[site.index]
     _, new = list(_changes(node))[site.variant]
     return ast.unparse(ast.fix_missing_locations(_Replacing(node, new).visit(tree)))
 
 
-def instrumented(source: str, numbers_by_index: dict[int, list[int]]) -> str:
-    """Return a module that notes in `kindsl._reached` which changes its calls come past.
+def instrumented(source: str, numbers_by_index: dict[int, list[int]]) -> tuple[str, list[int]]:
+    """Return a module that notes in `kindsl._reached` which changes it comes past.
 
     Args:
         source: The module.
-        numbers_by_index: Numbers to note, by the place in `ast.walk` of the changed node. What is
-            changed outside of all functions is noted by each function.
+        numbers_by_index: Numbers to note, by the place in `ast.walk` of the changed node.
+
+    Returns:
+        The module, and the numbers of what is changed outside of all functions.
     """
     tree = ast.parse(source)
     nodes = list(ast.walk(tree))
-    functions = [node for node in nodes if isinstance(node, ast.FunctionDef)]
+    places = {index: _innermost(tree, nodes[index]) for index in numbers_by_index}
+    at_import: list[int] = []
     for index, numbers in numbers_by_index.items():
-        around = [f for f in functions if nodes[index] in _within(f)]
-        for function in around[-1:] or functions:
+        place = places[index]
+        if place is None:
+            at_import += numbers
+        else:
+            block, statement = place
             text = f"__import__('kindsl._reached')._reached.numbers.update({numbers})"
-            function.body[_body_start(function) : _body_start(function)] = ast.parse(text).body
-    return ast.unparse(ast.fix_missing_locations(tree))
+            at = next(k for k, other in enumerate(block) if other is statement)
+            block[at:at] = ast.parse(text).body
+    return ast.unparse(ast.fix_missing_locations(tree)), at_import
 
 
-def _within(function: ast.FunctionDef) -> list[ast.AST]:
-    return [node for statement in function.body for node in ast.walk(statement)]
+def _innermost(tree: ast.Module, node: ast.AST) -> tuple[list[ast.stmt], ast.stmt] | None:
+    """Return the innermost statement of a function around a node, and the block that it is in."""
+    found = None
+    for function in ast.walk(tree):
+        if isinstance(function, ast.FunctionDef | ast.AsyncFunctionDef):
+            for around in ast.walk(function):
+                for name in ("body", "orelse", "finalbody"):
+                    block = getattr(around, name, None)
+                    for statement in block if isinstance(block, list) else ():
+                        if any(other is node for other in ast.walk(statement)):
+                            found = block, statement
+    return found
 
 
-def _body_start(function: ast.FunctionDef) -> int:
-    return 1 if ast.get_docstring(function) is not None else 0
+def _parsed(source: str) -> ast.Module:
+    """Return the tree of a module, each `return` with the type that its function declares."""
+    tree = ast.parse(source)
+    for function in ast.walk(tree):
+        if isinstance(function, ast.FunctionDef | ast.AsyncFunctionDef):
+            declared = ast.unparse(function.returns) if function.returns else ""
+            for node in ast.walk(function):
+                if isinstance(node, ast.Return):
+                    vars(node)["declared"] = declared
+    return tree
 
 
 def _sites(path: Path, source: str) -> Iterator[Site]:
-    tree = ast.parse(source)
+    tree = _parsed(source)
     left_alone = {id(node) for root in _left_alone(tree) for node in ast.walk(root)}
     for index, node in enumerate(ast.walk(tree)):
         if id(node) in left_alone:
@@ -133,7 +160,19 @@ def _left_alone(tree: ast.Module) -> Iterator[ast.AST]:
             yield node.returns
         if isinstance(node, ast.arg | ast.AnnAssign) and node.annotation:
             yield node.annotation
+        if isinstance(node, ast.Assert) or _is_for_type_checkers(node) or _is_slots(node):
+            yield node
+        if isinstance(node, ast.keyword) and ast.unparse(node) == "strict=True":
+            yield node
     yield from _examples(tree)
+
+
+def _is_for_type_checkers(node: ast.AST) -> bool:
+    return isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING"
+
+
+def _is_slots(node: ast.AST) -> bool:
+    return isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__slots__"
 
 
 def _examples(tree: ast.Module) -> Iterator[ast.AST]:
@@ -185,11 +224,22 @@ def _changes(node: ast.AST) -> Iterator[tuple[str, ast.AST]]:
         case ast.comprehension(target, iterated, [_, *_], is_async):
             yield "condition", ast.comprehension(target, iterated, [], is_async)
         case ast.Return(value) if value is not None and not _is_constant(value, None):
-            yield "return", ast.Return(ast.Constant(value=None))
+            yield "return", ast.Return(_other_value(value, vars(node)["declared"]))
         case ast.Constant(bool(value)):
             yield "constant", ast.Constant(not value)
         case ast.Constant(int(value) | float(value)):
             yield "constant", ast.Constant(value + 1 if isinstance(value, int) else 2 * value + 1)
+
+
+def _other_value(value: ast.expr, declared: str) -> ast.expr:
+    """Return another value of a simple type, since another type is noticed by mypy; else None."""
+    if declared == "bool":
+        return ast.UnaryOp(ast.Not(), value)
+    if declared in ("int", "float"):
+        return ast.BinOp(value, ast.Add(), ast.Constant(value=1))
+    if declared == "str":
+        return ast.Constant(value="?" if _is_constant(value, "") else "")
+    return ast.Constant(value=None)
 
 
 def _is_text(node: ast.expr) -> bool:
@@ -199,7 +249,7 @@ def _is_text(node: ast.expr) -> bool:
 
 
 def _is_constant(node: ast.expr, value: object) -> bool:
-    return isinstance(node, ast.Constant) and node.value is value
+    return isinstance(node, ast.Constant) and node.value == value
 
 
 def _shown(node: ast.AST) -> str:
