@@ -50,3 +50,30 @@ link l { id = 1 children {} }
 """
 
 ALL = (ARM, PARAMETRIC, BROKEN, COMMENTED)
+
+TANGLED = """\
+Robot Tangled {
+RobotBase ^base {
+    inertia_params { mass = 1.0 CoM = (0.0, 0.0, 0.0) Ix=1.0 Iy=1.0 Iz=1.0 Ixy=0.0 Ixz=0.0 Iyz=0.0 }
+    children { a via j  b via k  nobody via nothing }
+    frames { tip { translation = (1e999, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } }
+}
+link a { id = 1 children { b via j } frames { tip { translation = (x, x/0.0, <c>) } eye { } } }
+link b {
+    id = 2
+    inertia_params {
+        ref_frame = gone
+        mass = 2.0*<d=0.5> CoM = (-x, PI/-y, +0.1) Ix=0.1 Iy=-0.1 Iz=(0.2) Ixy=0.01 Ixz=pi Iyz=0.0
+    }
+    children { c via m }
+}
+link c { id = 2 inertia_properties { mass = -1.0 } children { d via k } }
+link d { children { c via n } }
+link a { id = 7 }
+r_joint j { id = 4 ref_frame { translation = (0.1, -0.2, 0.3) rotation = (-PI/2.0, y, 3.0*y) } }
+p_joint k { ref_frame { translation = (0.0, x[0.5], 2 x) rotation = (0.0, 0.0, 0.0) } }
+r_joint m { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 1.5708) } }
+r_joint loose { ref_frame { translation = (0.0, 0.0, 0.0) } }
+p_joint loose { }
+}
+"""

@@ -13,6 +13,7 @@ from kindsl.features.tree_path import path_at
 from kindsl.syntax.sections import ORDER
 from kindsl.syntax.tree import Node, Token
 from kindsl.text.edits import TextEdit
+from kindsl.text.words import listed
 
 _KIND = "refactor.rewrite"
 _BLOCKS = ("base", "link", "joint", "inertia", "frame", "joint_frame")
@@ -51,7 +52,7 @@ def add_missing(analysis: Analysis, start: int) -> Iterator[CodeAction]:
         return
     needed = [s for s in _missing(analysis, block) if ORDER[block.kind][s.kind].is_needed]
     if needed:
-        words = " and ".join(dict.fromkeys(_called(s.lines) for s in needed))
+        words = listed(dict.fromkeys(_called(s.lines) for s in needed))
         yield from _action(
             f"Add the missing {words}", place.island.text, block, needed, place.start
         )
