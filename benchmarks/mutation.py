@@ -18,6 +18,7 @@ import tempfile
 import time
 from collections.abc import Sequence
 from multiprocessing import get_context
+from multiprocessing.pool import Pool
 from pathlib import Path
 
 # Loaded once for all runs, which are forks.
@@ -33,12 +34,15 @@ sys.path.insert(0, str(ROOT))
 from benchmarks.mutating.sites import Site, instrumented, mutated, sample  # noqa: E402
 
 GOAL = 0.95
-PACKAGES = ("rules", "semantics", "features", "formatting", "rigid", "dynamics")
-# All that run in one process: without compilers, editors, browsers.
-TESTS = (
-    ("rules", "rigid", "semantics", "formatting", "analysis", "config", "syntax", "mechanism"),
-    ("features", "dynamics", "spatial", "interchange", "reports", "cli"),
-)
+# The folders of tests for each package, its own first.
+TESTS = {
+    "rules": ("rules", "analysis", "config", "features"),
+    "semantics": ("semantics", "rules", "mechanism", "analysis", "features"),
+    "features": ("features",),
+    "formatting": ("formatting",),
+    "rigid": ("rigid", "rules", "mechanism"),
+    "dynamics": ("dynamics", "mechanism", "spatial"),
+}
 # A mutant that outlives so many seconds of tests is said to live.
 PATIENCE = 120.0
 OPTIONS = ["-x", "-q", "-p", "no:cacheprovider", "-p", "no:xdist"]
@@ -125,8 +129,9 @@ class Worker:
         cls.copy = Copy(folder / str(os.getpid()))
 
     @classmethod
-    def reached(cls, sites: Sequence[Site], folders: Sequence[str]) -> list[Seconds]:
-        """Return the tests in some folders that come past each site, with their seconds."""
+    def reached(cls, asked: tuple[Sequence[Site], str]) -> list[Seconds]:
+        """Return the tests in a folder that come past each site, with their seconds."""
+        sites, folder = asked
         numbers: dict[Path, dict[int, list[int]]] = {}
         for number, site in enumerate(sites):
             numbers.setdefault(site.path, {}).setdefault(site.index, []).append(number)
@@ -136,8 +141,7 @@ class Worker:
             cls.copy.write(path, source)
             anywhere.update(at_import)
         report = cls.copy.kindsl.parent / "reached.json"
-        tests = [f"tests/{folder}" for folder in folders]
-        if not cls.copy.passes(tests, 3600.0, MUTATION_REACHED=str(report)):
+        if not cls.copy.passes([f"tests/{folder}"], 3600.0, MUTATION_REACHED=str(report)):
             output = (report.parent / "output.txt").read_text(encoding="utf-8")
             raise RuntimeError(f"the tests fail without a change:\n{output[-3000:]}")
         for path in numbers:
@@ -184,33 +188,33 @@ def _quickest(tests: Seconds) -> Seconds:
 def scores(packages: Sequence[str], count: int, seed: int) -> list[float]:
     """Print what lives of samples of packages' mutants; return the parts that do not."""
     server = ROOT / "server" / "kindsl"
-    samples = [sample(server, package, count, seed) for package in packages]
-    sites = [site for chosen in samples for site in chosen]
-    found = []
     with tempfile.TemporaryDirectory() as folder:
         begin = {"initializer": Worker.begin, "initargs": (Path(folder),)}
         with get_context("fork").Pool(2, **begin) as pool:
-            start = time.monotonic()
-            halves = pool.starmap(Worker.reached, [(sites, folders) for folders in TESTS])
-            tests = [one | other for one, other in zip(*halves, strict=True)]
-            print(f"{len(sites)} changes, {_minutes(start)} to find their tests", flush=True)
-            for package, chosen in zip(packages, samples, strict=True):
-                start = time.monotonic()
-                of_package, tests = tests[: len(chosen)], tests[len(chosen) :]
-                changes = list(zip(chosen, of_package, strict=True))
-                n_alive = 0
-                for (site, reaching), lives in zip(
-                    changes, pool.imap(Worker.lives, changes), strict=True
-                ):
-                    if lives:
-                        n_alive += 1
-                        told = f"{site.path}:{site.line}: {site.change} ({len(reaching)} tests)"
-                        print(f"  lives: {told}", flush=True)
-                n_killed = len(chosen) - n_alive
-                found.append(n_killed / len(chosen))
-                told = f"{n_killed} of {len(chosen)} noticed, {found[-1]:.0%}"
-                print(f"{package}: {told}, {_minutes(start)}", flush=True)
-    return found
+            return [
+                score(pool, package, sample(server, package, count, seed)) for package in packages
+            ]
+
+
+def score(pool: Pool, package: str, sites: Sequence[Site]) -> float:
+    """Print what lives of a package's mutants; return the part that does not."""
+    start, n_alive = time.monotonic(), 0
+    found = pool.map(Worker.reached, [(sites, folder) for folder in TESTS[package]], chunksize=1)
+    changes = [
+        (site, {name: seconds for tests in found for name, seconds in tests[number].items()})
+        for number, site in enumerate(sites)
+    ]
+    print(f"{package}: {_minutes(start)} to find the tests", flush=True)
+    for (site, tests), lives in zip(changes, pool.imap(Worker.lives, changes), strict=True):
+        if lives:
+            n_alive += 1
+            where = f"{site.path}:{site.line}"
+            print(f"  lives: {where}: {site.change} ({len(tests)} tests)", flush=True)
+    n_killed = len(sites) - n_alive
+    killed = n_killed / len(sites)
+    told = f"{n_killed} of {len(sites)} noticed, {killed:.0%}, {_minutes(start)}"
+    print(f"{package}: {told}", flush=True)
+    return killed
 
 
 def _minutes(start: float) -> str:
@@ -220,11 +224,13 @@ def _minutes(start: float) -> str:
 def main() -> int:
     """Return the exit status."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("--package", action="append", choices=PACKAGES)
+    parser.add_argument("--package", action="append", choices=TESTS)
     parser.add_argument("--count", type=int, default=25)
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
-    return 0 if min(scores(options.package or PACKAGES, options.count, options.seed)) >= GOAL else 1
+    return (
+        0 if min(scores(options.package or list(TESTS), options.count, options.seed)) >= GOAL else 1
+    )
 
 
 if __name__ == "__main__":

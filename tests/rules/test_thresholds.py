@@ -1,0 +1,184 @@
+"""Where a rule has a threshold: what it says of a value just on this side of it and just beyond."""
+
+from collections.abc import Callable
+
+import pytest
+
+from kindsl.analysis.analysis import analyse
+from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.analysis.settings import Settings
+from kindsl.rules.examples import document_of, inertia, joint, link, pitched_joint, robot
+from kindsl.semantics.parameters import Binding
+
+EVERY_RULE = Settings(select=("KD",))
+Writes = Callable[[str], str]
+
+
+def found(code: str, text: str, settings: Settings = EVERY_RULE) -> list[Diagnostic]:
+    return [f for f in analyse(document_of(text), settings).findings if f.code == code]
+
+
+def moved_by(x: str) -> str:
+    return joint("elbow").replace("(0.0, 0.0, 0.3)", f"({x}, 0.0, 0.3)")
+
+
+def second_of_two(rotation: str = "0.0, 0.0, PI/4.0", x: str = "0.0", kind: str = "r") -> str:
+    """Return a shoulder and an elbow at a pose, both of one kind."""
+    elbow = joint("elbow", rotation=rotation).replace("(0.0, 0.0, 0.3)", f"({x}, 0.0, 0.3)")
+    links = link("upper", 1, "lower via elbow"), link("lower", 2)
+    text = robot(*links, joint("shoulder"), elbow, base="upper via shoulder")
+    return text.replace("r_joint", f"{kind}_joint")
+
+
+def ball(mass: str = "4.1", ix: str = "0.0041", iz: str = "0.0041", ixy: str = "0.0") -> str:
+    section = inertia(mass, "0.0", ix, ix, iz).replace("Ixy=0.0", f"Ixy={ixy}")
+    return link("ball", 1, inertia=section)
+
+
+def two_arms(right: str) -> str:
+    """Return two mirrored arms; the right one's Iz is given."""
+    arm = "inertia_params { mass = 1.0 CoM = (0.1, %s, 0.0) Ix=0.021 Iy=0.031 Iz=%s"
+    arm += " Ixy=0.0 Ixz=0.0 Iyz=0.0 }"
+    return robot(
+        link("left_arm", 1, inertia=arm % ("0.05", "0.0410")),
+        link("right_arm", 2, inertia=arm % ("-0.05", right)),
+        base="left_arm via left right_arm via right",
+        joints="left right",
+    )
+
+
+def hand_at(height: str, com: str = "2.0", ix: str = "4.01") -> str:
+    """Return an arm whose only known length is the height of its wrist."""
+    arm = link("arm", 1, "hand via wrist", inertia("1.0", com, ix, ix, "0.01"))
+    joints = joint("elbow"), joint("wrist").replace("0.3)", f"{height})")
+    return robot(arm, link("hand", 2), *joints, base="arm via elbow")
+
+
+@pytest.mark.parametrize(
+    ("code", "write", "within", "beyond"),
+    [
+        ("KD303", ball, "0.001", "0.0"),
+        ("KD303", ball, "0.001", "-0.001"),
+        ("KD305", lambda iz: ball("1.0", "0.1", iz), "0.0000000004", "0.0000000001"),
+        ("KD309", hand_at, "0.02", "0.0201"),
+        ("KD309", lambda end: hand_at(end, "0.0", "15000.0"), "10.0", "9.99"),
+        ("KD312", two_arms, "0.0390", "0.0389"),
+        ("KD312", two_arms, "0.0431", "0.0432"),
+        ("KD501", pitched_joint, "6.2894", "6.2895"),
+        ("KD501", pitched_joint, "-6.2894", "-6.2895"),
+        ("KD501", pitched_joint, "1e999", "1e300"),
+        ("KD502", moved_by, "10.0", "10.001"),
+        ("KD502", moved_by, "-10.0", "-10.001"),
+        ("KD503", pitched_joint, "1.6", "1.57"),
+        ("KD503", pitched_joint, "1.560", "1.570"),
+        ("KD503", pitched_joint, "1.56", "1.58"),
+        ("KD503", pitched_joint, "1.57078", "1.57079"),
+        ("KD503", pitched_joint, "1.57081", "1.57080"),
+        ("KD504", lambda ry: joint("j", rotation=f"0.1, {ry}, 0.1"), "1.57069", "1.57071"),
+        ("KD504", lambda ry: joint("j", rotation=f"0.1, {ry}, 0.1"), "-1.57069", "-1.57071"),
+        ("KD504", lambda rx: joint("j", rotation=f"{rx}, PI/2.0, 0.1"), "0.0", "0.000001"),
+        ("KD504", lambda rz: joint("j", rotation=f"0.1, PI/2.0, {rz}"), "0.0", "0.000001"),
+        ("KD506", lambda rx: second_of_two(f"{rx}, 0.0, 0.0"), "0.0000011", "0.0000009"),
+        ("KD506", lambda ry: second_of_two(f"0.0, {ry}, 0.0"), "0.0000011", "0.0000009"),
+        ("KD506", lambda x: second_of_two(x=x), "0.0000011", "0.0000009"),
+        ("KD507", moved_by, "0.000005", "0.0000049"),
+        ("KD507", moved_by, "-0.000005", "-0.0000049"),
+        ("KD507", moved_by, "0.0", "0.0000000001"),
+        ("KD507", lambda ixy: ball(ixy=ixy), "0.0000004", "0.0000005"),
+        ("KD507", lambda ixy: ball(ixy=ixy), "-0.0000004", "-0.0000005"),
+        ("KD508", ball, "4.12345678", "4.123456789"),
+        ("KD508", ball, "0.00000412345678", "0.000004123456789"),
+        ("KD508", moved_by, "1.23456789", "1.234567891"),
+    ],
+)
+def test_threshold(code: str, write: Writes, within: str, beyond: str) -> None:
+    assert found(code, write(within)) == []
+    assert len(found(code, write(beyond))) == 1
+
+
+@pytest.mark.parametrize(
+    ("written", "is_safe"), [("1.5708", True), ("1.571", False), ("3.1416", True), ("3.142", False)]
+)
+def test_five_digits_make_a_fraction_of_pi_sure(written: str, is_safe: bool) -> None:
+    (finding,) = found("KD503", pitched_joint(written))
+    assert finding.fix is not None
+    assert finding.fix.is_safe == is_safe
+
+
+def test_prismatic_joints_are_parallel_wherever_they_are() -> None:
+    (finding,) = found("KD506", second_of_two(x="0.5", kind="p"))
+    assert finding.message == "joint 'elbow' slides along the axis of joint 'shoulder' before it"
+    assert found("KD506", second_of_two(x="0.5")) == []
+
+
+@pytest.mark.parametrize(
+    ("value", "minimum", "maximum", "message"),
+    [
+        (0.2, 0.2, 0.5, None),
+        (0.5, 0.2, 0.5, None),
+        (0.19, 0.2, 0.5, "parameter 'x' is 0.19, below its minimum 0.2"),
+        (0.51, 0.2, 0.5, "parameter 'x' is 0.51, above its maximum 0.5"),
+        (0.19, None, 0.5, None),
+        (0.51, 0.2, None, None),
+    ],
+)
+def test_ends_of_a_range_are_in_it(
+    value: float, minimum: float | None, maximum: float | None, message: str | None
+) -> None:
+    bound = Settings(bindings={"x": Binding(value, minimum, maximum)})
+    told = [f.message for f in found("KD410", moved_by("x"), bound)]
+    assert told == ([] if message is None else [message])
+
+
+@pytest.mark.parametrize(("names", "count"), [("abc", 1), ("ab", 0), ("LF_a RF_a b", 0)])
+def test_three_different_parts_alike_are_suspicious(names: str, count: int) -> None:
+    words = names.split() if " " in names else list(names)
+    section = inertia("1.5", "0.1", "0.03", "0.03", "0.01")
+    links = [link(name, number, inertia=section) for number, name in enumerate(words, 1)]
+    joints = [f"to_{name}" for name in words]
+    base = " ".join(f"{name} via to_{name}" for name in words)
+    assert len(found("KD310", robot(*links, base=base, joints=" ".join(joints)))) == count
+
+
+@pytest.mark.parametrize(
+    ("numbers", "is_placeholder"),
+    [
+        (("1.0", "1.0", "1.0", "1.0"), True),
+        (("1.1", "1.0", "1.0", "1.0"), False),
+        (("1.0", "1.1", "1.0", "1.0"), False),
+        (("1.0", "1.0", "1.1", "1.0"), False),
+        (("1.0", "1.0", "1.0", "1.1"), False),
+    ],
+)
+def test_only_ones_are_a_placeholder(numbers: tuple[str, ...], is_placeholder: bool) -> None:
+    mass, ix, iy, iz = numbers
+    assert bool(found("KD310", link("a", 1, inertia=inertia(mass, "0.0", ix, iy, iz)))) == (
+        is_placeholder
+    )
+
+
+def without_moments(mass: str, height: str) -> str:
+    return link("point", 1, inertia=inertia(mass, height, "0.0", "0.0", "0.0"))
+
+
+def test_a_point_mass_may_have_a_parameter() -> None:
+    assert found("KD405", without_moments("m[1.0]", "0.0")) == []
+    assert len(found("KD405", ball("m[4.1]"))) == 1
+
+
+@pytest.mark.parametrize(
+    ("height", "end", "is_told"),
+    [
+        ("0.3000", 0.9, False),
+        ("0.3000", 0.905, True),
+        ("0.3", 1.29, False),
+        ("0.3", 1.3, True),
+    ],
+)
+def test_a_body_is_impossible_from_a_value_on(height: str, end: float, is_told: bool) -> None:
+    """Of 0.0811 kg·m² about the origin, `m` at 0.3 m has 0.09 m; 0.0625 m if that is 0.25 m."""
+    section = inertia("m", height, "0.0811", "0.0811", "0.0001")
+    bound = Settings(select=("KD",), bindings={"m": Binding(0.4, 0.3, end)})
+    told = [f.message for f in found("KD411", link("a", 1, inertia=section), bound)]
+    expected = f"inertia of 'a' is physically impossible at m = {end:g}"
+    assert told == ([expected] if is_told else [])
