@@ -29,7 +29,9 @@ def assert_as_recorded(path: Path, answers: Iterable[str]) -> None:
         path.write_text("\n".join(lines) + "\n", encoding="utf-8")
     recorded = path.read_text(encoding="utf-8").removesuffix("\n").split("\n")
     difference = "\n".join(unified_diff(recorded, lines, "recorded", "now", lineterm="", n=2))
-    assert not difference, difference
+    assert not difference, (
+        f"{difference}\nIf that is meant: KINDSL_RECORD=1 pytest, and look at what git diff shows"
+    )
 
 
 class Teller:
