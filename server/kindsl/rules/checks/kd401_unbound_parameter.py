@@ -3,7 +3,7 @@
 ## What it does
 Reports each parameter that has neither a default in the document nor a value from outside: from
 `kindsl.toml`, from `--param`, or from the editor's settings. One that is called like a link or a
-joint is left to KD408.
+joint, and a unit behind a number, is left to KD408.
 
 ## Why is this bad?
 The document is right, and RobCoGen generates code that asks for the value at run time. But nothing
@@ -31,6 +31,7 @@ from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
 from kindsl.rules.broken_text import is_doubtful, is_greek_pi
 from kindsl.rules.context import ROBCOGEN2, Context
 from kindsl.rules.examples import joint
+from kindsl.rules.units import numbers_with_unit
 from kindsl.semantics.model import Model
 from kindsl.semantics.parameters import Parameter
 from kindsl.semantics.places import Place
@@ -41,7 +42,8 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     for parameter in model.parameters:
         name = str(parameter.name)
         is_known = name in context.values or name in model.body_named or name in model.joint_named
-        if not is_known and not is_doubtful(parameter) and not is_greek_pi(name):
+        is_known = is_known or is_doubtful(parameter) or is_greek_pi(name)
+        if not is_known and not numbers_with_unit(parameter, context.values):
             message = f"parameter '{parameter.name}' ({parameter.kind}) has no value"
             fix = _default(parameter) if context.targets == {ROBCOGEN2} else None
             yield Finding(parameter.name, message, fix=fix)

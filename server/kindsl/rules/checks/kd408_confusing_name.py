@@ -2,12 +2,14 @@
 
 ## What it does
 Reports `pi`, `Pi` and `pI`, `π` where it has no value, a parameter with the name of a link or a
-joint, and a parameter whose name begins with `pi` where the document is not for one target alone.
+joint, a parameter whose name begins with `pi` where the document is not for one target alone, and a
+unit behind a number, unless that name has a value.
 
 ## Why is this bad?
 `pi` is a parameter of that name for RobCoGen and the number for RobCoGen2: one text with two
 meanings. Of `pitch` RobCoGen2 reads `pi` and stops at `tch`. `π` is a parameter like any other, so
-whoever means the number gets an angle that somebody else decides.
+whoever means the number gets an angle that somebody else decides. `2.275kg` is the product of 2.275
+and a parameter `kg`.
 
 ## Example
 ```kindsl
@@ -15,7 +17,8 @@ rotation = (pi/2.0, 0.0, 0.0)
 ```
 
 ## Fix
-Writes `PI`. Unsafe: for RobCoGen the parameter ceases to be.
+Writes `PI`, or the number in kilograms, metres or radians. Unsafe: for RobCoGen the parameter
+ceases to be.
 """
 
 from collections.abc import Iterator
@@ -24,6 +27,7 @@ from kindsl.rules.base import Change, Example, Finding, Fix, Related, Rule, Seve
 from kindsl.rules.broken_text import is_doubtful, is_greek_pi
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint
+from kindsl.rules.units import NumberWithUnit, numbers_with_unit
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Located, Place
 
@@ -39,6 +43,14 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
             message = f"'{name}' is a parameter, not the constant PI"
             for use in parameter.uses:
                 yield Finding(use.name, message, fix=_replacement(use.name, name))
+            continue
+        units = numbers_with_unit(parameter, context.values)
+        for found in units:
+            message = (
+                f"'{found.text}' is {found.number} times a parameter '{name}': numbers have no unit"
+            )
+            yield Finding(found.place, message, fix=_in_si(found))
+        if units:
             continue
         other = model.body_named.get(name) or model.joint_named.get(name)
         if other is not None:
@@ -66,6 +78,10 @@ def _ambiguous(place: Place, text: str) -> Finding:
     return Finding(place, message, fix=_replacement(place, text))
 
 
+def _in_si(found: NumberWithUnit) -> Fix:
+    return Fix(f"Write {found.in_si}", (Change(found.place, found.in_si),))
+
+
 def _replacement(place: Located, text: str) -> Fix:
     return Fix(f"Replace '{text}' with 'PI'", (Change(place, "PI"),))
 
@@ -75,7 +91,11 @@ RULE = Rule(
     "confusing-name",
     Severity.WARNING,
     check_document=check_document,
-    good=(joint("elbow", rotation="PI/2.0, tilt, 0.0"),),
+    good=(
+        joint("elbow", rotation="PI/2.0, tilt, 0.0"),
+        joint("elbow", rotation="2.0 m, 0.5tilt, 0.0"),
+        Example(joint("elbow", rotation="1.57rad, 0.0, 0.0"), parameters=(("rad", 1.0),)),
+    ),
     bad=(
         Example(
             joint("elbow", rotation="pi/2.0, 0.0, 0.0"),
@@ -84,6 +104,15 @@ RULE = Rule(
         Example(
             joint("elbow", rotation="-π/2.0, 0.0, 0.0"),
             fixed=joint("elbow", rotation="-PI/2.0, 0.0, 0.0"),
+        ),
+        Example(
+            joint("elbow", rotation="90.0 deg, 0.0, 0.0"),
+            fixed=joint("elbow", rotation="PI/2.0, 0.0, 0.0"),
+        ),
+        Example(joint("elbow").replace("0.3", "300.0mm"), fixed=joint("elbow")),
+        Example(
+            joint("elbow", rotation="0.125rad, 0.0, 0.0"),
+            fixed=joint("elbow", rotation="0.125, 0.0, 0.0"),
         ),
         joint("elbow", rotation="elbow, 0.0, 0.0"),
         joint("elbow", rotation="0.0, pitch, 0.0"),
