@@ -115,6 +115,13 @@ TOLD = [
         "expected a name after 'via'",
     ),
     ("mass = 2.0", "mass = ", "KD001", "expected a number after '='"),
+    ("mass = 2.0", "mass = sqrt(2.0)", "KD006", "function 'sqrt' where the language has none"),
+    (
+        "(0.0, 0.1, 0.3)",
+        "(0.0, sin(PI/2.0), 0.3)",
+        "KD006",
+        "function 'sin' where the language has none",
+    ),
     ("(0.0, 0.1, 0.3)", "(0.0, 0.1)", "KD001", "vector has 2 components instead of 3"),
     ("(0.0, 0.1, 0.3)", "(0.0 PI/2.0)", "KD001", "vector has 2 components instead of 3"),
     ("(0.0, 0.1, 0.3)", "(0.0PI/2.0)", "KD001", "vector has 2 components instead of 3"),

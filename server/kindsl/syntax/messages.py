@@ -41,6 +41,9 @@ def repair_problem(
     meant = _half_keyword(text, tokens, gone, wanted) if gone else ()
     if meant and (not added or added[0][0].kind == "}"):
         return Problem("KD010", unknown_keyword(gone[0].text, meant), start, end)
+    if not added and _is_function(tokens, group):
+        message = f"function '{shown(gone[0].text)}' where the language has none"
+        return Problem("KD006", message, start, end)
     if not added:
         message = _left_out(text, tokens, gone)
     elif gone:
@@ -121,6 +124,13 @@ def _span(tokens: Sequence[Token], group: Sequence[Change]) -> tuple[int, int]:
         return gone[0].start, gone[-1].end
     place = insertion_place(tokens, group[0])
     return place, place
+
+
+def _is_function(tokens: Sequence[Token], group: Sequence[Change]) -> bool:
+    """Return whether what is left out is a name right before an opening parenthesis."""
+    name, behind = tokens[group[0].at], tokens[group[-1].at + 1 : group[-1].at + 2]
+    is_called = bool(behind) and behind[0].text == "(" and behind[0].start == name.end
+    return len(group) == 1 and name.kind == "NAME" and is_called
 
 
 def _left_out(text: str, tokens: Sequence[Token], gone: Sequence[Token]) -> str:

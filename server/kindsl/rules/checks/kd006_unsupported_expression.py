@@ -1,8 +1,8 @@
 """Arithmetic that neither generator can read.
 
 ## What it does
-Reports sums, parentheses, products of two names and products that do not begin with a number. They
-are understood, so nothing else is reported of them.
+Reports sums, parentheses, functions, products of two names and products that do not begin with a
+number. Nothing else is reported of them.
 
 ## Why is this bad?
 The language has values of one product or one quotient at most: `PI/2.0`, `2.0 x`, `-x/2.0`.
@@ -29,5 +29,6 @@ RULE = Rule(
         Example(pitched_joint("3.0*PI/4.0"), fixed=pitched_joint("2.356194490192345")),
         Example(pitched_joint("(PI/4.0)"), fixed=pitched_joint("PI/4.0")),
         pitched_joint("tilt+0.1"),
+        pitched_joint("atan(1.0)"),
     ),
 )
