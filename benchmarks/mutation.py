@@ -147,7 +147,9 @@ class Worker:
         for path in numbers:
             cls.copy.restore(path)
         found: list[Seconds] = [{} for _ in sites]
-        for name, (passed, seconds) in json.loads(report.read_text(encoding="utf-8")).items():
+        by_test = json.loads(report.read_text(encoding="utf-8"))
+        anywhere.update(by_test.pop("")[0])
+        for name, (passed, seconds) in by_test.items():
             for number in anywhere.union(passed):
                 found[number][name] = seconds
         return found
@@ -198,23 +200,31 @@ def scores(packages: Sequence[str], count: int, seed: int) -> list[float]:
 
 def score(pool: Pool, package: str, sites: Sequence[Site]) -> float:
     """Print what lives of a package's mutants; return the part that does not."""
-    start, n_alive = time.monotonic(), 0
+    start = time.monotonic()
     found = pool.map(Worker.reached, [(sites, folder) for folder in TESTS[package]], chunksize=1)
     changes = [
         (site, {name: seconds for tests in found for name, seconds in tests[number].items()})
         for number, site in enumerate(sites)
     ]
     print(f"{package}: {_minutes(start)} to find the tests", flush=True)
+    alive: list[Site] = []
     for (site, tests), lives in zip(changes, pool.imap(Worker.lives, changes), strict=True):
         if lives:
-            n_alive += 1
+            alive.append(site)
             where = f"{site.path}:{site.line}"
             print(f"  lives: {where}: {site.change} ({len(tests)} tests)", flush=True)
-    n_killed = len(sites) - n_alive
-    killed = n_killed / len(sites)
-    told = f"{n_killed} of {len(sites)} noticed, {killed:.0%}, {_minutes(start)}"
-    print(f"{package}: {told}", flush=True)
+    killed = 1.0 - len(alive) / len(sites)
+    for kind in sorted({site.kind for site in sites}):
+        print(f"  {kind}s: {_noticed(sites, alive, kind)}")
+    print(
+        f"{package}: {_noticed(sites, alive)} noticed, {killed:.0%}, {_minutes(start)}", flush=True
+    )
     return killed
+
+
+def _noticed(sites: Sequence[Site], alive: Sequence[Site], kind: str = "") -> str:
+    tried, left = ([s for s in some if kind in ("", s.kind)] for some in (sites, alive))
+    return f"{len(tried) - len(left)} of {len(tried)}"
 
 
 def _minutes(start: float) -> str:

@@ -1,7 +1,8 @@
 """For pytest: notes which tests reach which changes, or runs the tests of a list in its order.
 
 With `MUTATION_REACHED` a JSON file is written there: for each test the numbers it reached and its
-seconds. With `MUTATION_TESTS` that file's tests are run, one a line, and no others.
+seconds; under no name the numbers that importing the tests reached. With `MUTATION_TESTS` that
+file's tests are run, one a line, and no others.
 """
 
 import json
@@ -26,6 +27,13 @@ def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
     result = yield
     _found[item.nodeid] = sorted(_reached.numbers), time.perf_counter() - start
     return result
+
+
+def pytest_collection_finish() -> None:
+    if "MUTATION_REACHED" in os.environ:
+        from kindsl import _reached
+
+        _found[""] = sorted(_reached.numbers), 0.0
 
 
 def pytest_sessionfinish() -> None:

@@ -3,6 +3,7 @@
 import random
 from itertools import product
 
+import pytest
 from tests.support.bodies import document_of_bodies
 
 from kindsl.analysis.analysis import analyse
@@ -47,6 +48,24 @@ def test_what_is_impossible_inside_alone_is_found_by_halving() -> None:
     section = SECTION % ("1.0", "0.0", "0.0", "c", "1.0/10.0-c*c*0.0", "0.1", "0.1", "0.0")
     inertia = inertia_of(section)
     assert over_ranges(inertia, {"c": (-0.1, 0.1)}, {"c": 0.0}).outcome is Outcome.POSSIBLE
+
+
+@pytest.mark.parametrize(
+    ("iz", "outcome", "where"),
+    [
+        ("0.25-c*c", Outcome.IMPOSSIBLE, {"d": 1.0, "c": -0.05}),
+        ("0.25-c*c*d", Outcome.IMPOSSIBLE, {"d": 1.0, "c": -0.05}),
+        ("0.201-c*c", Outcome.UNDECIDED, None),
+        ("0.19-c*c*d", Outcome.POSSIBLE, None),
+        ("0.4-c*c", Outcome.IMPOSSIBLE, {"d": 1.0, "c": 0.3}),
+    ],
+)
+def test_a_range_without_extent_is_not_halved(
+    iz: str, outcome: Outcome, where: dict[str, float] | None
+) -> None:
+    inertia = inertia_of(SECTION % ("1.000", "0.0", "0.0", "0.0", "0.100", "0.100", iz, "0.0"))
+    proof = over_ranges(inertia, {"d": (1.0, 1.0), "c": (-0.4, 0.3)}, {})
+    assert proof == (outcome, where if where is None else pytest.approx(where))
 
 
 def test_ten_ranges_are_no_hindrance() -> None:

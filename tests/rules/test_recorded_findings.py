@@ -4,7 +4,7 @@ Of every rule's bad examples, of the documents with marks, of a document with ea
 lost. The findings are in `recorded/`; how they get there: `tests/support/recorded.py`.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -84,5 +84,5 @@ def of_losses() -> Iterator[str]:
 
 
 @pytest.mark.parametrize("of", [of_examples, of_documents, of_losses])
-def test_findings_are_as_recorded(of: type[Iterator[str]]) -> None:
+def test_findings_are_as_recorded(of: Callable[[], Iterator[str]]) -> None:
     assert_as_recorded(FOLDER / f"{of.__name__}.txt", of())

@@ -30,8 +30,10 @@ def second_of_two(rotation: str = "0.0, 0.0, PI/4.0", x: str = "0.0", kind: str 
     return text.replace("r_joint", f"{kind}_joint")
 
 
-def ball(mass: str = "4.1", ix: str = "0.0041", iz: str = "0.0041", ixy: str = "0.0") -> str:
-    section = inertia(mass, "0.0", ix, ix, iz).replace("Ixy=0.0", f"Ixy={ixy}")
+def ball(mass: str = "4.1", ix: str = "0.0041", iz: str = "0.0041", products: str = "") -> str:
+    section = inertia(mass, "0.0", ix, ix, iz)
+    for product in products.split():
+        section = section.replace(f"{product.partition('=')[0]}=0.0", product)
     return link("ball", 1, inertia=section)
 
 
@@ -45,6 +47,34 @@ def two_arms(right: str) -> str:
         base="left_arm via left right_arm via right",
         joints="left right",
     )
+
+
+def with_product(name: str) -> Writes:
+    """Return what writes two mirrored arms, the right one with this product of inertia."""
+
+    def write(right: str) -> str:
+        arm = "inertia_params { mass = 1.0 CoM = (0.1, %s, 0.02) Ix=0.021 Iy=0.031 Iz=0.041"
+        arm += " Ixy=0.004 Ixz=0.004 Iyz=0.004 }"
+        signs = {"Ixy": "-0.004", "Ixz": "0.004", "Iyz": "-0.004", name: right}
+        other = arm % "-0.05"
+        for product, value in signs.items():
+            other = other.replace(f"{product}=0.004", f"{product}={value}")
+        return robot(
+            link("left_arm", 1, inertia=arm % "0.05"),
+            link("right_arm", 2, inertia=other),
+            base="left_arm via left right_arm via right",
+            joints="left right",
+        )
+
+    return write
+
+
+def framed(user: str) -> str:
+    """Return a link with a frame that lies on its own, and an inertia in this frame."""
+    section = inertia("4.1", "0.0", "0.0041", "0.0041", "0.0041")
+    head = link("head", 1, inertia=section.replace("}", f"{user} }}")).removesuffix("}\n")
+    poses = "{ translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) }"
+    return f"{head} frames {{ camera {poses} }} }}\n"
 
 
 def hand_at(height: str, com: str = "2.0", ix: str = "4.01") -> str:
@@ -62,8 +92,13 @@ def hand_at(height: str, com: str = "2.0", ix: str = "4.01") -> str:
         ("KD305", lambda iz: ball("1.0", "0.1", iz), "0.0000000004", "0.0000000001"),
         ("KD309", hand_at, "0.02", "0.0201"),
         ("KD309", lambda end: hand_at(end, "0.0", "15000.0"), "10.0", "9.99"),
+        ("KD312", with_product("Ixy"), "-0.004", "0.004"),
+        ("KD312", with_product("Ixz"), "0.004", "-0.004"),
+        ("KD312", with_product("Iyz"), "-0.004", "0.004"),
         ("KD312", two_arms, "0.0390", "0.0389"),
         ("KD312", two_arms, "0.0431", "0.0432"),
+        ("KD408", pitched_joint, "omega", "\N{GREEK SMALL LETTER PI}"),
+        ("KD408", pitched_joint, "\N{GREEK SMALL LETTER OMEGA}", "\N{GREEK PI SYMBOL}"),
         ("KD501", pitched_joint, "6.2894", "6.2895"),
         ("KD501", pitched_joint, "-6.2894", "-6.2895"),
         ("KD501", pitched_joint, "1e999", "1e300"),
@@ -84,11 +119,13 @@ def hand_at(height: str, com: str = "2.0", ix: str = "4.01") -> str:
         ("KD507", moved_by, "0.000005", "0.0000049"),
         ("KD507", moved_by, "-0.000005", "-0.0000049"),
         ("KD507", moved_by, "0.0", "0.0000000001"),
-        ("KD507", lambda ixy: ball(ixy=ixy), "0.0000004", "0.0000005"),
-        ("KD507", lambda ixy: ball(ixy=ixy), "-0.0000004", "-0.0000005"),
+        ("KD507", lambda ixy: ball(products=f"Ixy={ixy}"), "0.0000004", "0.0000005"),
+        ("KD507", lambda ixy: ball(products=f"Ixy={ixy}"), "-0.0000004", "-0.0000005"),
+        ("KD507", lambda ixz: ball(products=f"Ixy=0.5 Ixz={ixz}"), "0.00001", "0.000001"),
         ("KD508", ball, "4.12345678", "4.123456789"),
         ("KD508", ball, "0.00000412345678", "0.000004123456789"),
         ("KD508", moved_by, "1.23456789", "1.234567891"),
+        ("KD703", framed, "ref_frame = camera", ""),
     ],
 )
 def test_threshold(code: str, write: Writes, within: str, beyond: str) -> None:

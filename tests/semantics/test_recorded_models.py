@@ -3,7 +3,7 @@
 The answers are in `recorded/`; how they get there: `tests/support/recorded.py`.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -157,5 +157,5 @@ def of_value(value: Expression) -> Iterator[str]:
 
 
 @pytest.mark.parametrize("of", [of_documents, of_losses, of_values])
-def test_meanings_are_as_recorded(of: type[Iterator[str]]) -> None:
+def test_meanings_are_as_recorded(of: Callable[[], Iterator[str]]) -> None:
     assert_as_recorded(FOLDER / f"{of.__name__}.txt", of())

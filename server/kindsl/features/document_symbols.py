@@ -47,7 +47,7 @@ def document_symbols(analysis: Analysis) -> tuple[DocumentSymbol, ...]:
     before = [block for block in blocks if block.start < start]
     inside = tuple(blocks[len(before) :])
     name_start, name_end = analysis.resolver.span(name)
-    end = max(name_end, _last_brace(analysis), *(block.end for block in inside))
+    end = max(name_end, *_closing_braces(analysis), *(block.end for block in inside))
     robot = DocumentSymbol(str(name), "robot", "robot", start, end, name_start, name_end, inside)
     return (*before, robot)
 
@@ -93,14 +93,11 @@ def _blocks(analysis: Analysis) -> Iterator[DocumentSymbol]:
         yield joint_symbol(analysis, joint)
 
 
-def _last_brace(analysis: Analysis) -> int:
-    """Return the end of the brace that closes the robot, 0 where none does."""
+def _closing_braces(analysis: Analysis) -> Iterator[int]:
+    """Yield the ends of the braces that close the robot: of one, unless the text is broken."""
     syntax = analysis.syntax
-    for island, start in zip(reversed(syntax.islands), reversed(syntax.starts), strict=True):
-        ends = [start + node.end for node in island.nodes if node.kind == "end"]
-        if ends:
-            return ends[-1]
-    return 0
+    for island, start in zip(syntax.islands, syntax.starts, strict=True):
+        yield from (start + node.end for node in island.nodes if node.kind == "end")
 
 
 def _entry(

@@ -21,7 +21,7 @@ def is_doubtful(parameter: Parameter) -> bool:
 
 def is_greek_pi(name: str) -> bool:
     """Return whether a name is the letter for the number pi, in whatever style it is set."""
-    return not name.isascii() and unicodedata.normalize("NFKC", name) == "\N{GREEK SMALL LETTER PI}"
+    return unicodedata.normalize("NFKC", name) == "\N{GREEK SMALL LETTER PI}"
 
 
 def is_cut_off(model: Model) -> bool:

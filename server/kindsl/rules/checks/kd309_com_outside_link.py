@@ -65,7 +65,7 @@ def _message(body: Link, inertia: Inertia, points: list[Vector3], context: Conte
     length = max([hypot(*point) for point in points])
     if numbers is None or numbers.mass <= 0.0 or not _SHORTEST < length < GREATEST_LENGTH:
         return ""
-    if inertia.frame is None and _is_plainly_inside(numbers, length):
+    if _is_plainly_inside(numbers, length):
         return ""
     spread = sum(second_moments_about_com(numbers)[:3])
     com = _in_link_frame(body, inertia, numbers.com, context)
@@ -87,7 +87,10 @@ def _message(body: Link, inertia: Inertia, points: list[Vector3], context: Conte
 
 
 def _is_plainly_inside(body: MassDistribution, length: float) -> bool:
-    """Return whether neither distance nor radius can be too great, from the numbers as given."""
+    """Return whether neither distance nor radius can be too great, from the numbers as given.
+
+    Those of a frame say as much, since its origin is no further away than the link is long.
+    """
     ix, iy, iz = body.moments[:3]
     is_narrow = ix + iy + iz <= 2.0 * body.mass * (_WIDE * length) ** 2
     return is_narrow and hypot(*body.com) <= _FAR * length
