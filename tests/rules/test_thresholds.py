@@ -219,3 +219,34 @@ def test_a_body_is_impossible_from_a_value_on(height: str, end: float, is_told: 
     told = [f.message for f in found("KD411", link("a", 1, inertia=section), bound)]
     expected = f"inertia of 'a' is physically impossible at m = {end:g}"
     assert told == ([expected] if is_told else [])
+
+
+@pytest.mark.parametrize(("n_below", "n_shown"), [(3, 3), (20, 20), (21, 20)])
+def test_twenty_other_places_are_shown(n_below: int, n_shown: int) -> None:
+    names = [f"part{letter}" for letter in "abcdefghijklmnopqrstuvwxyz"[:n_below]]
+    section = inertia("1.5", "0.1", "0.03", "0.03", "0.01")
+    children = " ".join(f"{name} via to_{name}" for name in names)
+    trunk = link("trunk", 1, children, section)
+    limbs = [link(name, number, inertia=section) for number, name in enumerate(names, 2)]
+    text = robot(trunk, *limbs, joints=" ".join(f"to_{name}" for name in names))
+    (orphan,) = found("KD203", text)
+    assert orphan.message == f"link 'trunk' has no parent; {n_below} more links attached to it"
+    assert [r.message for r in orphan.related] == [
+        f"'{name}' is attached to it" for name in names[:n_shown]
+    ]
+    (alike,) = found("KD310", text)
+    assert alike.message == (
+        f"'trunk' and {n_below} differently shaped links share the same mass and moments"
+    )
+    assert [r.message for r in alike.related] == [
+        f"inertia of '{name}'" for name in names[:n_shown]
+    ]
+
+
+def test_twenty_wrong_names_may_be_slips() -> None:
+    """Of what is lost beyond that nothing is suggested."""
+    names = [f"elbow_{letter}" for letter in "abcdefghijklmnopqrstuvwxyz"[:22]]
+    children = " ".join(f"x_{name} via {name}x" for name in names)
+    links = [link(f"x_{name}", number) for number, name in enumerate(names, 1)]
+    told = found("KD106", robot(*links, base=children, joints=" ".join(names)))
+    assert ["did you mean" in finding.message for finding in told] == [True] * 20 + [False] * 2
