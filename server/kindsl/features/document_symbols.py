@@ -47,7 +47,7 @@ def document_symbols(analysis: Analysis) -> tuple[DocumentSymbol, ...]:
     before = [block for block in blocks if block.start < start]
     inside = tuple(blocks[len(before) :])
     name_start, name_end = analysis.resolver.span(name)
-    end = max(name_end, *_closing_braces(analysis), *(block.end for block in inside))
+    end = max((name_end, *_closing_braces(analysis), *(block.end for block in inside)))
     robot = DocumentSymbol(str(name), "robot", "robot", start, end, name_start, name_end, inside)
     return (*before, robot)
 
