@@ -18,8 +18,8 @@ def written_pose(pose: Pose, values: Mapping[str, float]) -> RigidPose | None:
     """Return a pose in numbers, None where one is missing, unbound or infinite."""
     if pose.translation is None or pose.rotation is None:
         return None
-    island, key = pose.translation.island, ("pose", pose.translation.start)
-    known = island.facts.get(key)
+    island = pose.translation.island
+    known = island.facts.get(pose.translation)
     if isinstance(known, RigidPose):
         return known
     translation, angles = triple(pose.translation, values), triple(pose.rotation, values)
@@ -27,14 +27,14 @@ def written_pose(pose: Pose, values: Mapping[str, float]) -> RigidPose | None:
         return None
     written = pose_from(translation, angles)
     if _is_literal(island):
-        island.facts[key] = written
+        island.facts[pose.translation] = written
     return written
 
 
 def mass_distribution(inertia: Inertia, values: Mapping[str, float]) -> MassDistribution | None:
     """Return the numbers of an inertia, None where one is missing, unbound or infinite."""
-    island, key = inertia.island, ("body", inertia.start)
-    known = island.facts.get(key)
+    island = inertia.island
+    known = island.facts.get(inertia)
     if isinstance(known, MassDistribution):
         return known
     mass = inertia.mass.value(values) if inertia.mass is not None else None
@@ -47,7 +47,7 @@ def mass_distribution(inertia: Inertia, values: Mapping[str, float]) -> MassDist
         return None
     written = MassDistribution(mass, com, moments)  # type: ignore[arg-type]
     if _is_literal(island):
-        island.facts[key] = written
+        island.facts[inertia] = written
     return written
 
 

@@ -23,7 +23,7 @@ from kindsl.rules.examples import joint, link, robot
 from kindsl.semantics.declarations import Joint, Pose
 from kindsl.semantics.kinematic_tree import Edge
 from kindsl.semantics.model import Model
-from kindsl.semantics.numbers import triple
+from kindsl.semantics.numbers import triple, written_pose
 
 # Translation and angles as written, so that nothing is compared but what was copied.
 Placed = tuple[Vector3, Vector3]
@@ -32,8 +32,14 @@ Placed = tuple[Vector3, Vector3]
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each joint that coincides with an earlier sibling."""
     for edges in model.tree.below.values():
-        if len(edges) > 1:
+        if len(edges) > 1 and _is_any_alike(edges, context):
             yield from _siblings(edges, context)
+
+
+def _is_any_alike(edges: list[Edge], context: Context) -> bool:
+    """Return whether two poses are equal as numbers that are known already, however written."""
+    poses = [written_pose(e.joint.pose, context.values) for e in edges if e.joint is not None]
+    return len(set(poses)) < len(poses)
 
 
 def _siblings(edges: list[Edge], context: Context) -> Iterator[Finding]:
