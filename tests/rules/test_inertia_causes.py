@@ -20,14 +20,22 @@ from kindsl.analysis.analysis import analyse
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.analysis.settings import Settings
 from kindsl.rigid.body import MassDistribution, shifted
-from kindsl.rules.examples import link, robot
-from kindsl.rules.inertia import repairs
+from kindsl.rules.examples import joint, link, robot
+from kindsl.rules.inertia import explanations, repairs
 from kindsl.semantics.parameters import Binding
 from kindsl.text.edits import TextEdit, apply_edits
 
 INERTIA = Settings(select=("KD301", "KD302", "KD306", "KD307", "KD308", "KD311"))
 ROD = (0.05, 0.06, 0.09)
 CAUSES = ("KD306", "KD307", "KD308")
+CAUSES_ONLY = Settings(select=CAUSES)
+LIGHT = "inertia_params { mass = 0.02 CoM = (0.0, 0.0, 0.0) Ix=170.0 Iy=170.0"
+LIGHT += " Iz=30.0 Ixy=0.0 Ixz=0.0 Iyz=0.0 }"
+UPPER, LOWER = (
+    f"inertia_params {{ mass = {mass} CoM = (0.0, 0.0, 0.3)"
+    " Ix=0.020 Iy=0.020 Iz=0.002 Ixy=0.0 Ixz=0.0 Iyz=0.0 }"
+    for mass in ("2.0", "2.1")
+)
 
 
 def cloud(generator: random.Random) -> MassDistribution:
@@ -198,12 +206,26 @@ def test_no_fix_leads_into_another_rule(write: Callable[[float], str]) -> None:
 def test_no_fix_for_robcogen2_writes_what_it_treats_as_zero(
     targets: tuple[str, ...], is_fixed: bool
 ) -> None:
-    light = "inertia_params { mass = 0.02 CoM = (0.0, 0.0, 0.0) Ix=170.0 Iy=170.0"
-    light += " Iz=30.0 Ixy=0.0 Ixz=0.0 Iyz=0.0 }"
     causes = Settings(frozenset(targets), select=("KD308",))
-    (found,) = analyse(document_of_bodies([light]), causes).findings
+    (found,) = analyse(document_of_bodies([LIGHT]), causes).findings
     assert "the moments were in g·cm²" in found.message
     assert (found.fix is not None) == is_fixed
+
+
+@pytest.mark.parametrize("first", [{"robcogen"}, {"robcogen2"}])
+def test_a_fix_follows_the_targets(first: set[str]) -> None:
+    analysis = analyse(document_of_bodies([LIGHT]), Settings(frozenset(first)))
+    assert "KD308" in {finding.code for finding in analysis.findings}
+    others = Settings(frozenset({"robcogen", "robcogen2"} - first))
+    assert analysis.with_settings(others).findings == analyse(analysis.text, others).findings
+
+
+def test_a_message_follows_values_that_change_no_number() -> None:
+    text = UPPER.replace("Ixy=0.0", "Ixy=0.0 * load")
+    one, other = (Settings(select=CAUSES, bindings={"load": Binding(load)}) for load in (1.0, 2.0))
+    analysis = analyse(document_of_bodies([text]), one)
+    assert "at load = 1" in analysis.findings[0].message
+    assert "at load = 2" in analysis.with_settings(other).findings[0].message
 
 
 @settings(max_examples=60, deadline=None)
@@ -282,17 +304,51 @@ def test_two_slips_are_named_together() -> None:
     assert [f.code for f in found] == ["KD301"] or {f.code for f in found} & set(CAUSES)
 
 
-def test_a_keystroke_elsewhere_tries_no_cause_again(monkeypatch):
-    tried, candidates = [], repairs.candidates
-    monkeypatch.setattr(
-        repairs, "candidates", lambda *given: tried.append(given) or candidates(*given)
-    )
-    moments = "Ix=0.020 Iy=0.020 Iz=0.002 Ixy=0.0 Ixz=0.0 Iyz=0.0"
-    body = f"inertia_params {{ mass = 2.0 CoM = (0.0, 0.0, 0.3) {moments} }}"
-    links = (link("a", 1, inertia=body), link("b", 2, inertia=body))
-    analysis = analyse(robot(*links, joints="last"))
+ARM = robot(
+    link("upper", 1, "lower via elbow", UPPER),
+    link("lower", 2, inertia=LOWER),
+    *(joint("shoulder", 0.5), joint("elbow", 0.7)),
+    base="upper via shoulder",
+)
+
+
+@pytest.fixture
+def judged(monkeypatch):
+    """Return the names of the steps of judging causes, as they are taken."""
+    steps: list[str] = []
+
+    def watch(module, name):
+        step = getattr(module, name)
+        monkeypatch.setattr(module, name, lambda *given: steps.append(name) or step(*given))
+
+    watch(explanations, "candidates")
+    watch(explanations, "ranked")
+    watch(repairs, "likely_cause")
+    return steps
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "anew"),
+    [
+        ("Robot Arm", "Robot Leg", (0, 0, 0)),
+        ("0.5", "0.6", (0, 0, 0)),
+        ("r_joint elbow {", "r_joint elbow { id = 7", (0, 0, 0)),
+        ("0.7", "0.8", (1, 1, 1)),
+        ("mass = 2.1", "mass = 2.2", (1, 1, 1)),
+        ("mass = 2.1", "mass = 0.1", (0, 1, 0)),
+    ],
+)
+def test_a_keystroke_judges_only_bodies_that_it_says_something_of(judged, old, new, anew):
+    analysis = analyse(ARM, CAUSES_ONLY)
     assert [finding.code for finding in analysis.findings].count("KD306") == 2
-    n_tried = len(tried)
-    edited = analysis.edited([TextEdit(len(analysis.text), len(analysis.text), "\n")])
-    assert [finding.code for finding in edited.findings].count("KD306") == 2
-    assert len(tried) == n_tried == 2
+    judged.clear()
+    at = analysis.text.index(old)
+    analysis.edited([TextEdit(at, at + len(old), new)]).findings  # noqa: B018
+    assert tuple(map(judged.count, ("candidates", "ranked", "likely_cause"))) == anew
+
+
+def test_copies_of_a_body_are_tried_together(judged):
+    links = (link("upper", 1, inertia=UPPER), link("lower", 2, inertia=UPPER))
+    found = analyse(robot(*links, joints="last")).findings
+    assert [finding.code for finding in found].count("KD306") == 2
+    assert judged.count("candidates") == 1

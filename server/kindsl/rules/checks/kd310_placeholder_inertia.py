@@ -24,7 +24,7 @@ from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.inertia.judgements import is_moving, keyword
-from kindsl.rules.inertia.twins import part_name
+from kindsl.rules.inertia.twins import part_of
 from kindsl.semantics.declarations import MOMENTS, Inertia, Link
 from kindsl.semantics.model import Model
 
@@ -45,7 +45,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
             elif numbers[0] and None not in numbers and any(numbers[1:]):
                 groups.setdefault(numbers, []).append((body, body.inertia))
     for group in groups.values():
-        if len(group) >= _ENOUGH and len({part_name(b.name) for b, _ in group}) >= _ENOUGH:
+        if len(group) >= _ENOUGH and len({part_of(b) for b, _ in group}) >= _ENOUGH:
             yield _shared(group)
 
 

@@ -27,7 +27,7 @@ from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.inertia.judgements import is_impossible, keyword
-from kindsl.rules.inertia.twins import mirrored_name
+from kindsl.rules.inertia.twins import right_twin_of
 from kindsl.semantics.declarations import MOMENTS, Link
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.model import Model
@@ -42,7 +42,7 @@ _SIGNS = tuple(product((1.0, -1.0), repeat=3))
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each pair of parts that is nearly the same."""
     for left in model.bodies:
-        name = mirrored_name(left.name)
+        name = right_twin_of(left)
         right = model.body_named.get(name) if name is not None else None
         if right is not None and right is not left and right.inertia is not None:
             message = _difference(left, right)

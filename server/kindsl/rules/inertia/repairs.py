@@ -1,14 +1,13 @@
 """What the rules KD306, KD307 and KD308 find, and the fix that they offer."""
 
-from collections import Counter
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
 from kindsl.rigid.body import MassDistribution, eigensystem, second_moments_about_com
 from kindsl.rules.base import Change, Finding, Fix, Related, Severity
 from kindsl.rules.context import ROBCOGEN, ROBCOGEN2, Context
-from kindsl.rules.inertia.causes import Cause, candidates, likelihood_as_written, ranked, said_by
+from kindsl.rules.inertia.causes import Cause
 from kindsl.rules.inertia.digits import likely_half_widths, numbers_written, rewritten_number
+from kindsl.rules.inertia.explanations import Explained, explanations
 from kindsl.rules.inertia.judgements import (
     IMPOSSIBLE,
     Judgement,
@@ -18,16 +17,15 @@ from kindsl.rules.inertia.judgements import (
     keyword,
     verdict_of,
 )
-from kindsl.rules.inertia.slips import Kind, Slip
-from kindsl.rules.inertia.surroundings import Surroundings, surroundings
+from kindsl.rules.inertia.slips import Slip
 from kindsl.rules.inertia.told import likely_cause, several_causes, shared_cause, title
+from kindsl.rules.memory import remembered
 from kindsl.rules.number_writing import rescaled, rewritten
 from kindsl.rules.tiny_values import is_negligible, is_tiny
 from kindsl.semantics.declarations import MOMENTS
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.model import Model
 
-_KEY = "tried causes"
 _SURE = 0.85
 _MOST_RELATED = 20
 _LEAST_SHARED = 3
@@ -38,71 +36,45 @@ _RULES = {
     Slip.SCALE: "KD308",
 }
 
-
-class Explained(NamedTuple):
-    """An inertia, and what may have happened to it, the most likely first."""
-
-    found: Judgement
-    causes: list[Cause]
+# The code of the rule that tells it, and what it tells.
+_Told = tuple[str, Finding]
 
 
-def findings(
-    suspects: Sequence[Judgement], model: Model, context: Context
-) -> Iterator[tuple[str, Finding]]:
-    """Yield what is told of inertias that need an explanation, with the code of its rule."""
-    told = explanations(suspects, model, context)
-    shared = _shared(told, model, context)
-    if shared is not None:
-        yield shared
-        return
-    for found, causes in told:
+def findings(suspects: Sequence[Judgement], model: Model, context: Context) -> list[_Told]:
+    """Return what is told of inertias that need an explanation, with the code of its rule."""
+    explained = explanations(suspects, model, context)
+    told = [each for e in explained if (each := _told(e, context)) is not None]
+    shared = _shared(explained, told, model)
+    return told if shared is None else [shared]
+
+
+def _told(explained: Explained, context: Context) -> _Told | None:
+    """Return what is told of one inertia; made again only where its likely causes have changed."""
+    found, causes = explained
+    at = at_values(found.inertia, context.values)
+
+    def telling() -> _Told | None:
         code = next((_RULES[c.hypothesis.slips[0]] for c in causes if _has_rule(c)), None)
-        if code is not None:
-            yield code, _finding(found, causes, context)
+        return None if code is None else (code, _finding(explained, at, context))
+
+    return remembered(found.link, "told causes", (causes, at, context.targets), telling)
 
 
-def explanations(suspects: Sequence[Judgement], model: Model, context: Context) -> list[Explained]:
-    """Return what may have happened to each inertia that needs an explanation."""
-    around = [surroundings(model, context, found) for found in suspects]
-    tried = [_tried(found, near) for found, near in zip(suspects, around, strict=True)]
-    said = [said_by(causes) for causes in tried]
-    by_all: Counter[Kind] = Counter()
-    for logs in said:
-        by_all.update(logs)
-    result = []
-    for found, near, causes, own in zip(suspects, around, tried, said, strict=True):
-        others = {kind: by_all[kind] - own.get(kind, 0.0) for kind in by_all}
-        others = others if len(suspects) > 1 else {}
-        likely = ranked(causes, others, likelihood_as_written(found, near))
-        result.append(Explained(found, likely))
-    return result
-
-
-def _tried(found: Judgement, around: Surroundings) -> list[Cause]:
-    """Return what explains an inertia; tried again only where it or its surroundings changed."""
-    facts, key = found.link.island.facts, (_KEY, found.link.start)
-    known = facts.get(key)
-    if not isinstance(known, tuple) or known[0] is not found or known[1] != around:
-        known = facts[key] = found, around, candidates(found, around)
-    causes: list[Cause] = known[2]
-    return causes
-
-
-def _shared(
-    told: Sequence[Explained], model: Model, context: Context
-) -> tuple[str, Finding] | None:
+def _shared(explained: Sequence[Explained], told: Sequence[_Told], model: Model) -> _Told | None:
     """Return the one finding of a document in which every body shows the same slip."""
-    fixes = [fix for e in told if (fix := _only_fix(e, context)) is not None]
-    kinds = {e.causes[0].hypothesis.kind for e in told if e.causes}
-    moving = [body for body in model.bodies if is_moving(body) and body.inertia is not None]
-    if not _LEAST_SHARED <= len(fixes) == len(told) == len(moving) or len(kinds) != 1:
+    fixes = [finding.fix for _, finding in told if finding.fix is not None]
+    if not _LEAST_SHARED <= len(fixes) == len(explained):
         return None
-    (first, (cause, *_)), *others = told
+    kinds = {causes[0].hypothesis.kind for _, causes in explained}
+    moving = [body for body in model.bodies if is_moving(body) and body.inertia is not None]
+    if len(kinds) != 1 or len(moving) != len(fixes):
+        return None
+    (first, (cause, *_)), *others = explained
     changes = tuple(change for fix in fixes for change in fix.changes)
     related = [
         Related(keyword(e.found.inertia), f"inertia of '{e.found.link.name}'") for e in others
     ]
-    message = shared_cause(len(told), cause)
+    message = shared_cause(len(explained), cause)
     whole = Fix(f"{fixes[0].title} in all links", changes)
     finding = Finding(
         keyword(first.inertia), message, tuple(related[:_MOST_RELATED]), whole, Severity.INFORMATION
@@ -110,17 +82,13 @@ def _shared(
     return _RULES[cause.hypothesis.slips[0]], finding
 
 
-def _only_fix(explained: Explained, context: Context) -> Fix | None:
-    found, causes = explained
-    return _fix(found, causes[0], context) if len(causes) == 1 else None
-
-
 def _has_rule(cause: Cause) -> bool:
     return cause.hypothesis.slips[0] in _RULES
 
 
-def _finding(found: Judgement, causes: Sequence[Cause], context: Context) -> Finding:
-    at, name = at_values(found.inertia, context.values), found.link.name
+def _finding(explained: Explained, at: str, context: Context) -> Finding:
+    found, causes = explained
+    name = found.link.name
     if len(causes) > 1:
         message, fix = several_causes(name, causes, at), None
     else:

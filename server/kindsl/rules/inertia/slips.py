@@ -1,7 +1,7 @@
 """What can go wrong when ten numbers are copied, and the numbers as they were meant."""
 
 from collections.abc import Iterator, Sequence
-from enum import Enum
+from enum import StrEnum
 from itertools import combinations
 from typing import NamedTuple, TypeVar
 
@@ -26,7 +26,7 @@ _RARE = 1e-5
 _MASS_POWERS = ((-3, 1e-3), (-1, _RARE), (1, _RARE))
 
 
-class Slip(Enum):
+class Slip(StrEnum):
     """A simple mistake."""
 
     SIGNS = "signs"

@@ -11,7 +11,7 @@ from kindsl.rules.context import Context
 from kindsl.rules.inertia.judgements import Judgement, is_impossible
 from kindsl.rules.inertia.likelihood import Shape
 from kindsl.rules.inertia.slips import Hypothesis, Slip
-from kindsl.rules.inertia.twins import mirrored_name, part_name
+from kindsl.rules.inertia.twins import part_of, right_twin_of
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
 from kindsl.semantics.numbers import mass_distribution, written_pose
@@ -42,7 +42,7 @@ class Surroundings(NamedTuple):
     Attributes:
         points: Origins of its frames and of its children's joints, in the link frame, m.
         twins: Links of the same part, on the other side or at another leg.
-        mirror: Name of the mirrored twin, if there is one.
+        mirror: Name of the mirrored twin, if there are twins and it may be one of them.
     """
 
     points: tuple[Vector3, ...]
@@ -71,10 +71,11 @@ def surroundings(model: Model, context: Context, found: Judgement) -> Surroundin
         poses += [edge.joint.pose for edge in edges if edge.joint is not None]
         placed = (written_pose(pose, context.values) for pose in poses)
         points = [place.translation for place in placed if place is not None]
+    twins = tuple(_twins(model, context, link, found.body.mass))
     return Surroundings(
         tuple(point for point in points if hypot(*point) > _NEAR),
-        tuple(_twins(model, context, link, found.body.mass)),
-        _mirror(model, link),
+        twins,
+        _mirror(model, link) if twins else None,
     )
 
 
@@ -135,7 +136,7 @@ def _reflected(body: MassDistribution, signs: Vector3) -> MassDistribution:
 
 
 def _twins(model: Model, context: Context, link: Link, mass: float) -> Iterator[Twin]:
-    for other in _parts(model).get(part_name(link.name), ()):
+    for other in _parts(model).get(part_of(link), ()):
         if other is not link and other.inertia is not None:
             body = mass_distribution(other.inertia, context.values)
             if body is None or abs(body.mass - mass) > _SAME * abs(mass) or body.mass <= 0.0:
@@ -145,10 +146,11 @@ def _twins(model: Model, context: Context, link: Link, mass: float) -> Iterator[
 
 
 def _mirror(model: Model, link: Link) -> str | None:
-    names = (other.name for other in _parts(model).get(part_name(link.name), ()))
-    are_mirrored = (n for n in names if mirrored_name(n) == link.name)
-    name = mirrored_name(link.name)
-    return name if name in model.body_named else next(are_mirrored, None)
+    name = right_twin_of(link)
+    if name in model.body_named:
+        return name
+    others = _parts(model).get(part_of(link), ())
+    return next((str(o.name) for o in others if right_twin_of(o) == link.name), None)
 
 
 def _parts(model: Model) -> dict[str, list[Link]]:
@@ -158,7 +160,7 @@ def _parts(model: Model) -> dict[str, list[Link]]:
         return known
     parts: dict[str, list[Link]] = {}
     for body in model.bodies:
-        part = part_name(body.name)
+        part = part_of(body)
         if part and len(parts.setdefault(part, [])) < _MOST_PARTS:
             parts[part].append(body)
     model.facts[_KEY] = parts

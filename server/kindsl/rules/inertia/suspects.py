@@ -37,4 +37,4 @@ def _findings(model: Model, context: Context) -> list[tuple[str, Finding]]:
     # Imported for suspects only, since it delays the linter's start.
     from kindsl.rules.inertia.repairs import findings
 
-    return list(findings(suspects, model, context))
+    return findings(suspects, model, context)
