@@ -5,6 +5,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from tests.support.robots import ARM
 
 from kindsl.cli.main import main
 
@@ -42,6 +43,15 @@ def test_what_is_not_possible_is_one_sentence(arguments, message, tmp_path, caps
     told = capsys.readouterr().err
     assert message in told and told.count("\n") == 1
     assert [path.name for path in tmp_path.iterdir()] == [".git"]
+
+
+def test_all_parameters_without_a_value_are_named_with_the_remedy(tmp_path: Path, capsys) -> None:
+    source, target = tmp_path / "a.kindsl", tmp_path / "a.urdf"
+    source.write_text(ARM.replace("(0.5, 0.0, 0.0)", "(upper, 0.0, 0.0)"))
+    assert main(["convert", "--isolated", str(source), str(target)]) == 1
+    told = capsys.readouterr().err
+    assert "--param reach=VALUE --param upper=VALUE" in told
+    assert not target.exists()
 
 
 def test_what_mujoco_cannot_move_is_refused_and_not_written(tmp_path: Path, capsys) -> None:

@@ -18,6 +18,7 @@ from kindsl.cli.documents.reading import (
     read_document,
     require_syntax,
     shown_name,
+    unbound,
 )
 from kindsl.cli.motion_options import motions_of
 from kindsl.cli.options import add_parameter_arguments
@@ -86,9 +87,7 @@ def _mechanism(path: str, analysis: "Analysis") -> "Mechanism":
     try:
         return analysis.mechanism()
     except UnboundParameterError as error:
-        how = " ".join(f"--param {name}=VALUE" for name in error.names)
-        bind = f"{error}; bind with {how}, or under [parameters] in kindsl.toml"
-        raise defect(path, analysis, bind, error.at) from None
+        raise unbound(path, analysis, error) from None
     except ModelError as error:
         raise defect(path, analysis, str(error), error.at) from None
 

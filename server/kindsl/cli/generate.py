@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING
 from kindsl.cli.console import write
 from kindsl.cli.documents.choices import choices_of
 from kindsl.cli.documents.reading import (
-    BINDING_HINT,
     CommandError,
     defect,
     missing_module,
@@ -22,6 +21,7 @@ from kindsl.cli.documents.reading import (
     read_document,
     require_syntax,
     shown_name,
+    unbound,
 )
 from kindsl.cli.documents.sources import STDIN, read_text, reason
 from kindsl.cli.options import add_parameter_arguments
@@ -158,7 +158,7 @@ def _told(args: argparse.Namespace, source: "Source") -> Iterator[None]:
     except GenerationError as error:
         raise CommandError([Failure(shown_name(args.file), str(error))], status=1) from None
     except UnboundParameterError as error:
-        raise defect(args.file, source.analysis, f"{error}; {BINDING_HINT}", error.at) from None
+        raise unbound(args.file, source.analysis, error) from None
     except ModelError as error:
         raise defect(args.file, source.analysis, str(error), error.at) from None
 

@@ -17,13 +17,12 @@ from kindsl.text.printable import printable
 
 if TYPE_CHECKING:
     from kindsl.dynamics.bodies import Bodies
+    from kindsl.mechanism.errors import UnboundParameterError
     from kindsl.mechanism.skeleton import Skeleton
 
 T = TypeVar("T")
 
 _SYNTAX = "KD0"
-
-BINDING_HINT = "bind it with --param NAME=VALUE or in kindsl.toml"
 
 
 class CommandError(Exception):
@@ -95,6 +94,13 @@ def defect(path: str, analysis: Analysis, message: str, at: Located | None) -> C
     return CommandError([Failure(shown_name(path), message, line + 1, column + 1)], status=1)
 
 
+def unbound(path: str, analysis: Analysis, error: "UnboundParameterError") -> CommandError:
+    """Return the error for parameters without values, and how to give them."""
+    how = " ".join(f"--param {name}=VALUE" for name in error.names)
+    message = f"{error}; bind with {how}, or under [parameters] in kindsl.toml"
+    return defect(path, analysis, message, error.at)
+
+
 def bodies_of_document(path: str, analysis: Analysis) -> "Bodies":
     """Return the bodies of a document.
 
@@ -123,7 +129,7 @@ def _mechanism_of_document(path: str, analysis: Analysis, make: Callable[[], T])
     try:
         return make()
     except UnboundParameterError as error:
-        raise defect(path, analysis, f"{error}; {BINDING_HINT}", error.at) from None
+        raise unbound(path, analysis, error) from None
     except ModelError as error:
         raise defect(path, analysis, str(error), error.at) from None
 
