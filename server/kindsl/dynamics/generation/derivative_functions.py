@@ -125,10 +125,14 @@ def _set_column(matrix: Matrix, column: int, entries: Vector) -> None:
 
 
 def _inverse(factors: Factorization) -> Matrix:
-    """Return the inverse of a factorized matrix, whose upper half mirrors the lower one."""
-    size = len(factors.inverse_pivots)
-    columns = [
-        solve_factorized(factors, [float(row == column) for row in range(size)])
-        for column in range(size)
-    ]
-    return [[columns[min(r, c)][max(r, c)] for c in range(size)] for r in range(size)]
+    """Return the inverse of a factorized matrix; what its symmetry tells is not solved for."""
+    L, inverse_pivots = factors
+    size = len(inverse_pivots)
+    inverse: Matrix = [[0.0] * size for _ in range(size)]
+    for column in range(size):
+        for row in range(column, size):
+            entry = inverse_pivots[column] if row == column else 0.0
+            for k in range(row):
+                entry = entry - L[row][k] * inverse[k][column]
+            inverse[row][column] = inverse[column][row] = entry
+    return inverse
