@@ -54,7 +54,7 @@ def editor_settings(raw: object) -> EditorSettings:
 
 def merged(project: Settings, editor: Settings) -> Settings:
     """Return both; where they disagree the project wins, so that all who work on it agree."""
-    return Settings(
+    return project._replace(
         targets=project.targets or editor.targets,
         select=project.select or editor.select,
         ignore=tuple(dict.fromkeys((*project.ignore, *editor.ignore))),
