@@ -12,7 +12,7 @@ from tests.interchange.round_trips import mechanism_of, read
 from tests.support.urdf_mutants import mutant
 
 from kindsl.interchange.format import FormatError, ReadRobot, limits_dropped
-from kindsl.interchange.kindsl_writing import kindsl_text, renamed
+from kindsl.interchange.kindsl_writing import kindsl_text, written_kindsl
 from kindsl.interchange.registry import format_named
 
 BODY = '<inertial pos="0.1 0 0" mass="2" fullinertia="0.1 0.2 0.2 0.01 0 0"/>'
@@ -166,6 +166,6 @@ def test_names_that_collide_are_told(tmp_path: Path) -> None:
     text = ARM.replace('"elbow"', '"tool"').replace('"slider"', '"lower"')
     found = robot(text, tmp_path)
     mechanism_of(kindsl_text(found.robot))
-    told = renamed(found.robot)
+    told = written_kindsl(found).remarks
     assert any("joint 'lower' is now 'lower_joint'" in sentence for sentence in told)
     assert {"tool", "tool_2"} == {f.name for link in found.robot.links for f in link.frames}

@@ -128,10 +128,54 @@ async def test_what_needs_more_says_what_to_install(client, monkeypatch):
     assert answer["error"]["data"] == {"missing": ["numpy"]}
 
 
+URDF = (Path(__file__).parents[2] / "docs" / "guide" / "pan_tilt.urdf").read_text()
+
+
+async def test_a_urdf_becomes_a_document_with_remarks(client):
+    await client.open(TEXT)
+    found = await client.ask(
+        "workspace/executeCommand", command("kindsl.importRobot", "pan_tilt.urdf", URDF)
+    )
+    assert "link tilt_link {" in found["text"]
+    assert not [f for f in analyse(found["text"]).findings if f.severity == "error"]
+    assert "the link 'camera', fixed to 'tilt_link', became a frame of it" in found["remarks"]
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "message"),
+    [
+        ("a.urdf", URDF.replace('"0 0 1"', '"0 1"', 1), "has 2 numbers in 'xyz', not 3"),
+        ("a.URDF", "<robot>\n<link", "not a readable URDF: not well-formed XML at line 2"),
+        ("a.sdf", URDF, "not an SDF: its root element is <robot>, not <sdf>"),
+        ("a.xml", "<mujoco/>", "MJCF cannot be read from one text, as .sdf or .urdf can"),
+        ("a.step", "", "the suffix '.step' does not tell the format: use .sdf or .urdf"),
+    ],
+)
+async def test_what_cannot_be_imported_is_one_sentence(client, name, text, message):
+    await client.open(TEXT)
+    request = command("kindsl.importRobot", name, text)
+    error = (await client.answer("workspace/executeCommand", request))["error"]
+    assert message in error["message"] and "\n" not in error["message"]
+
+
+async def test_a_urdf_for_download_has_the_limits_of_the_configuration(client, tmp_path):
+    (tmp_path / "kindsl.toml").write_text("[joints.LF_HAA]\nmin = -0.5\nmax = 0.25\n")
+    text = (EXAMPLES / "quadruped.kindsl").read_text()
+    uri = (tmp_path / "quadruped.kindsl").as_uri()
+    await client.open(TEXT)
+    document = {"uri": uri, "languageId": "kinematics-dsl", "version": 1, "text": text}
+    client.notify("textDocument/didOpen", {"textDocument": document})
+    urdf = await client.ask("workspace/executeCommand", command("kindsl.exportUrdf", uri))
+    assert 'lower="-0.5" upper="0.25"' in urdf
+    told = await client.seen(lambda message: message.get("method") == "window/showMessage")
+    assert "11 revolute joints got limits of a full turn each way" in told["params"]["message"]
+
+
 def test_it_needs_nothing_that_a_browser_lacks():
-    missing = ("numpy", "tornado", "umsgpack", "ssl")
+    missing = ("numpy", "lxml", "tornado", "umsgpack", "ssl")
     code = f"import sys; sys.modules.update(dict.fromkeys({missing}));"
-    code += "import kindsl.lsp.browser, kindsl.preview.posted, kindsl.preview.scene.robot"
+    code += "import kindsl.lsp.browser, kindsl.preview.posted, kindsl.preview.scene.robot;"
+    code += "import kindsl.interchange.urdf.reading, kindsl.interchange.urdf.writing"
     subprocess.run([sys.executable, "-c", code], check=True)
 
 

@@ -22,7 +22,7 @@ from kindsl.cli.documents.sources import STDIN, reason
 from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import Failure, as_failures
 from kindsl.config.configuration import ConfigurationError
-from kindsl.interchange.format import Format, FormatError, ReadRobot, WritingChoices
+from kindsl.interchange.format import Format, FormatError, ReadRobot, WritingChoices, WrittenRobot
 from kindsl.interchange.registry import all_formats, format_named, format_of_suffix
 from kindsl.text.printable import printable
 from kindsl.text.words import alternatives
@@ -128,11 +128,11 @@ def _known(format: Format | None) -> Format:
     return format
 
 
-def _document(args: argparse.Namespace, source: Format) -> tuple[str, tuple[str, ...]]:
+def _document(args: argparse.Namespace, source: Format) -> WrittenRobot:
     read = _read(args, source)
-    from kindsl.interchange.kindsl_writing import kindsl_text, renamed
+    from kindsl.interchange.kindsl_writing import written_kindsl
 
-    return kindsl_text(read.robot), (*read.remarks, *renamed(read.robot))
+    return written_kindsl(read)
 
 
 def _read(args: argparse.Namespace, source: Format) -> ReadRobot:

@@ -55,7 +55,13 @@ def limits_dropped(n_joints: int) -> str:
 
 
 Reader = Callable[[Path, bool], ReadRobot]
+Parser = Callable[[bytes | str, str, bool], ReadRobot]
 Writer = Callable[[str, "Skeleton", WritingChoices], WrittenRobot]
+
+
+def file_reader(parse: Parser) -> Reader:
+    """Return what reads files of a format whose texts say it all."""
+    return lambda path, floating: parse(path.read_bytes(), path.stem, floating)
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,6 +75,8 @@ class Format:
         extra: The extra that installs what it needs, empty if that is nothing more.
         read: Takes a file, and whether its root floats, which overrides what the file says.
             Raises FormatError, OSError, and ModuleNotFoundError for what is not installed.
+        parse: The same of a text, which names no other files, and what to call a robot without a
+            name. None where it takes more than the text.
         write: Takes the robot's name, its skeleton and choices. Raises FormatError and
             ModuleNotFoundError.
     """
@@ -78,4 +86,5 @@ class Format:
     suffixes: tuple[str, ...]
     extra: str
     read: Reader | None = None
+    parse: Parser | None = None
     write: Writer | None = None

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Sequence
 from math import pi
 
+from kindsl.interchange.format import ReadRobot, WrittenRobot
 from kindsl.interchange.names import valid_name, valid_names
 from kindsl.interchange.robot_description import (
     DescribedFrame,
@@ -21,6 +22,11 @@ _MOMENTS = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")
 _Names = dict[tuple[str, str], str]
 
 
+def written_kindsl(read: ReadRobot) -> WrittenRobot:
+    """Return the document of a robot, and all that is to be said of it."""
+    return WrittenRobot(kindsl_text(read.robot), (*read.remarks, *_renamed(read.robot)))
+
+
 def kindsl_text(robot: RobotDescription) -> str:
     """Return the document of a robot; its names made valid and unique."""
     names = valid_names(_things(robot.links))
@@ -35,7 +41,7 @@ def kindsl_text(robot: RobotDescription) -> str:
     return "\n\n".join((head, *blocks)) + "\n}\n"
 
 
-def renamed(robot: RobotDescription) -> tuple[str, ...]:
+def _renamed(robot: RobotDescription) -> tuple[str, ...]:
     """Return what is to be said of names that the document cannot keep."""
     names = valid_names(_things(robot.links))
     return tuple(

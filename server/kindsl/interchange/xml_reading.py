@@ -27,8 +27,11 @@ class XmlElement(Element):
     sourceline: int
 
 
-def parsed_xml(content: bytes) -> XmlElement:
+def parsed_xml(content: bytes | str) -> XmlElement:
     """Return the root element.
+
+    Args:
+        content: A file, in the encoding that it declares, or its text, whatever it declares.
 
     Raises:
         XmlError: The text is not well-formed, declares entities, or is too deep or too long.
@@ -51,7 +54,7 @@ class _Reading:
         self._parser.CharacterDataHandler = self._builder.data
         self._parser.EntityDeclHandler = self._refuse_entity
 
-    def of(self, content: bytes) -> XmlElement:
+    def of(self, content: bytes | str) -> XmlElement:
         try:
             self._parser.Parse(content, True)
         except expat.ExpatError as error:

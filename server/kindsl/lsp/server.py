@@ -8,6 +8,7 @@ from kindsl.lsp.handlers import (
     diagnostics,
     formatting,
     highlighting,
+    interchange,
     manipulating,
     navigation,
     presentation,
@@ -30,6 +31,7 @@ _HANDLERS = (
     presentation.handlers,
     completing.handlers,
     commands.handlers,
+    interchange.handlers,
     manipulating.handlers,
 )
 

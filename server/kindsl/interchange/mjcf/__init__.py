@@ -24,4 +24,4 @@ def _write(name: str, skeleton: "Skeleton", choices: WritingChoices) -> WrittenR
     return written_mjcf(name, skeleton, choices)
 
 
-FORMAT = Format("mjcf", "MJCF", (".xml", ".mjcf"), "mjcf", _read, _write)
+FORMAT = Format("mjcf", "MJCF", (".xml", ".mjcf"), "mjcf", _read, write=_write)

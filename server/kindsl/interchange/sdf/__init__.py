@@ -3,19 +3,24 @@
 Must not know the other formats.
 """
 
-from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kindsl.interchange.format import Format, ReadRobot, WritingChoices, WrittenRobot
+from kindsl.interchange.format import (
+    Format,
+    ReadRobot,
+    WritingChoices,
+    WrittenRobot,
+    file_reader,
+)
 
 if TYPE_CHECKING:
     from kindsl.mechanism.skeleton import Skeleton
 
 
-def _read(path: Path, floating: bool) -> ReadRobot:
-    from kindsl.interchange.sdf.reading import read_sdf
+def _parse(text: bytes | str, name: str, floating: bool) -> ReadRobot:
+    from kindsl.interchange.sdf.reading import robot_of_sdf
 
-    return read_sdf(path, floating=floating)
+    return robot_of_sdf(text, name, floating=floating)
 
 
 def _write(name: str, skeleton: "Skeleton", choices: WritingChoices) -> WrittenRobot:
@@ -24,4 +29,4 @@ def _write(name: str, skeleton: "Skeleton", choices: WritingChoices) -> WrittenR
     return written_sdf(name, skeleton, choices)
 
 
-FORMAT = Format("sdf", "SDF", (".sdf",), "", _read, _write)
+FORMAT = Format("sdf", "SDF", (".sdf",), "", file_reader(_parse), _parse, _write)

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 from kindsl.interchange.format import FormatError, ReadRobot
@@ -40,18 +39,19 @@ _KINDS: dict[str, LinkJoint] = {
 _UNIT: Symmetric = (1.0, 1.0, 1.0, 0.0, 0.0, 0.0)
 
 
-def read_sdf(path: Path, *, floating: bool = False) -> ReadRobot:
-    """Return the robot of an SDF file.
+def robot_of_sdf(text: bytes | str, name: str, *, floating: bool = False) -> ReadRobot:
+    """Return the robot of an SDF's text.
 
     Args:
-        path: The file. Files that it includes are not read.
+        text: As in the file. Files that it includes are not read.
+        name: Not needed: a model has a name.
         floating: Whether the root floats though it is fixed to the world.
 
     Raises:
-        FormatError: The file is unreadable or beyond the Kinematics-DSL.
-        OSError: The file cannot be read.
+        FormatError: The text is unreadable or beyond the Kinematics-DSL.
     """
-    root = parsed(path.read_bytes())
+    del name
+    root = parsed(text)
     model = _only_model(root)
     graph = FrameGraph(model, root.get("version") or "")
     joints = _joints_by_child(model, graph)

@@ -3,19 +3,24 @@
 Must not know the other formats.
 """
 
-from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kindsl.interchange.format import Format, ReadRobot, WritingChoices, WrittenRobot
+from kindsl.interchange.format import (
+    Format,
+    ReadRobot,
+    WritingChoices,
+    WrittenRobot,
+    file_reader,
+)
 
 if TYPE_CHECKING:
     from kindsl.mechanism.skeleton import Skeleton
 
 
-def _read(path: Path, floating: bool) -> ReadRobot:
-    from kindsl.interchange.urdf.reading import read_urdf
+def _parse(text: bytes | str, name: str, floating: bool) -> ReadRobot:
+    from kindsl.interchange.urdf.reading import robot_of_urdf
 
-    return read_urdf(path, floating=floating)
+    return robot_of_urdf(text, name, floating=floating)
 
 
 def _write(name: str, skeleton: "Skeleton", choices: WritingChoices) -> WrittenRobot:
@@ -24,4 +29,4 @@ def _write(name: str, skeleton: "Skeleton", choices: WritingChoices) -> WrittenR
     return written_urdf(name, skeleton, choices)
 
 
-FORMAT = Format("urdf", "URDF", (".urdf",), "", _read, _write)
+FORMAT = Format("urdf", "URDF", (".urdf",), "", file_reader(_parse), _parse, _write)

@@ -38,7 +38,7 @@ class Remarkable(NamedTuple):
     n_drawn: int
 
 
-def checked(content: bytes) -> tuple[XmlElement, Remarkable]:
+def checked(content: bytes | str) -> tuple[XmlElement, Remarkable]:
     """Return the root element of a URDF whose tree, poses and masses are sound.
 
     Raises:
@@ -61,7 +61,7 @@ def checked(content: bytes) -> tuple[XmlElement, Remarkable]:
     return robot, _remarkable(links, joints)
 
 
-def _parsed(content: bytes) -> Any:
+def _parsed(content: bytes | str) -> Any:
     try:
         return parsed_xml(content)
     except XmlError as error:

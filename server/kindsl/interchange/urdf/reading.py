@@ -42,7 +42,7 @@ def read_urdf(path: Path, *, floating: bool = False) -> ReadRobot:
     return robot_of_urdf(path.read_bytes(), path.stem, floating=floating)
 
 
-def robot_of_urdf(text: bytes, name: str, *, floating: bool = False) -> ReadRobot:
+def robot_of_urdf(text: bytes | str, name: str, *, floating: bool = False) -> ReadRobot:
     """Return the robot of a URDF's text; see `read_urdf`.
 
     Args:

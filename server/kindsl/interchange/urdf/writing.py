@@ -55,7 +55,8 @@ def _remarks(skeleton: Skeleton, choices: WritingChoices) -> Iterator[str]:
     n_turning = sum(kind == "revolute" for _, kind in unlimited)
     if n_turning and not choices.endless_joints:
         joints = counted(n_turning, "revolute joint")
-        yield f"{joints} got limits of a full turn each way; --continuous writes endless joints"
+        way = "kindsl convert --continuous writes endless joints"
+        yield f"{joints} got limits of a full turn each way; {way}"
     for name, kind in unlimited:
         if kind == "prismatic":
             yield f"the joint '{name}' got limits of -1 m and 1 m, which a URDF must give"

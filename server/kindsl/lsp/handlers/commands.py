@@ -44,12 +44,6 @@ async def preview(
     return {"url": url}
 
 
-@handlers.command("kindsl.exportUrdf")
-async def export_urdf(session: Session, uri: object = None, *_: object) -> str:
-    """Return a document as URDF."""
-    return str(await _of_document(session, uri, _urdf))
-
-
 @handlers.command("kindsl.compute")
 async def compute(session: Session, uri: object = None, options: object = None, *_: object) -> Any:
     """Return poses, inertia and forces in some configurations."""
@@ -107,16 +101,6 @@ def _uri(uri: object) -> str:
     if not isinstance(uri, str):
         raise JsonRpcInvalidParams("the first argument must be the URI of a document")
     return uri
-
-
-def _urdf(view: View) -> str:
-    from kindsl.interchange.urdf.writing import written_urdf
-
-    try:
-        skeleton = view.analysis.skeleton()
-    except ValueError as error:
-        raise RequestFailed(str(error)) from None
-    return written_urdf(view.analysis.model.name or "robot", skeleton).text
 
 
 def _all_fixes(view: View) -> types.WorkspaceEdit | None:

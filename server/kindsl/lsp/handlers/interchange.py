@@ -1,0 +1,70 @@
+"""Documents out of other formats and into them, by commands."""
+
+from pathlib import PurePath
+
+from lsprotocol import types
+from pygls.exceptions import JsonRpcInvalidParams
+
+from kindsl.lsp.handlers.commands import view_of
+from kindsl.lsp.handlers.table import Handlers
+from kindsl.lsp.session.session import Session
+from kindsl.lsp.session.view import View
+from kindsl.lsp.wire.protocol import RequestFailed
+
+handlers = Handlers()
+
+
+@handlers.command("kindsl.exportUrdf")
+async def export_urdf(session: Session, uri: object = None, *_: object) -> str:
+    """Return a document as URDF; what that says beyond the document is told to the user."""
+    view = await view_of(session, uri)
+    text, remarks = await session.worker.run(lambda: _urdf(view))
+    if remarks:
+        message = f"URDF: {'; '.join(remarks)}"
+        session.editor.window_show_message(types.ShowMessageParams(types.MessageType.Info, message))
+    return text
+
+
+@handlers.command("kindsl.importRobot")
+async def import_robot(
+    session: Session, name: object = None, text: object = None, *_: object
+) -> dict[str, object]:
+    """Return the document of a robot in another format, and remarks on what it cannot keep.
+
+    The arguments are a file's name, whose suffix tells the format, and its text.
+    """
+    if not isinstance(name, str) or not isinstance(text, str):
+        raise JsonRpcInvalidParams("the arguments must be a file's name and its text")
+    document, remarks = await session.worker.run(lambda: _document(PurePath(name), text))
+    return {"text": document, "remarks": list(remarks)}
+
+
+def _urdf(view: View) -> tuple[str, tuple[str, ...]]:
+    from kindsl.interchange.format import WritingChoices
+    from kindsl.interchange.urdf.writing import written_urdf
+
+    analysis = view.analysis
+    try:
+        skeleton = analysis.skeleton()
+    except ValueError as error:
+        raise RequestFailed(str(error)) from None
+    choices = WritingChoices(limits=analysis.settings.joints)
+    return written_urdf(analysis.model.name or "robot", skeleton, choices)
+
+
+def _document(name: PurePath, text: str) -> tuple[str, tuple[str, ...]]:
+    from kindsl.interchange.format import FormatError
+    from kindsl.interchange.kindsl_writing import written_kindsl
+    from kindsl.interchange.registry import all_formats, format_of_suffix
+    from kindsl.text.words import alternatives
+
+    format = format_of_suffix(name.suffix)
+    if format is None or format.parse is None:
+        known = alternatives(f.suffixes[0] for f in all_formats() if f.parse is not None)
+        if format is None:
+            raise RequestFailed(f"the suffix '{name.suffix}' does not tell the format: use {known}")
+        raise RequestFailed(f"{format.title} cannot be read from one text, as {known} can")
+    try:
+        return written_kindsl(format.parse(text, name.stem, False))
+    except FormatError as error:
+        raise RequestFailed(str(error)) from None
