@@ -7,23 +7,24 @@ import pytest
 
 import kindsl
 from kindsl.analysis.settings import Settings
-from kindsl.dynamics.bodies import Bodies
 from kindsl.mechanism.difference import Difference, difference
+from kindsl.mechanism.skeleton import Skeleton
+from kindsl.semantics.parameters import Binding
 
 ARM = (Path(__file__).parents[2] / "examples" / "industrial_arm.kindsl").read_text()
 
 
-def bodies(text: str) -> Bodies:
-    return kindsl.parse(text, Settings()).mechanism({"tool_length": 0.1}).bodies
+def skeleton(text: str) -> Skeleton:
+    return kindsl.parse(text, Settings(bindings={"tool_length": Binding(0.1)})).skeleton()
 
 
 def changed(old: str, new: str) -> Difference:
     assert old in ARM
-    return difference(bodies(ARM), bodies(ARM.replace(old, new)))
+    return difference(skeleton(ARM), skeleton(ARM.replace(old, new)))
 
 
 def test_nothing() -> None:
-    assert difference(bodies(ARM), bodies(ARM)).is_empty
+    assert difference(skeleton(ARM), skeleton(ARM)).is_empty
     assert changed("mass = 8.058", "mass = 8.0580").is_empty
 
 
@@ -69,7 +70,7 @@ def test_reparented() -> None:
     text = ARM.replace("wrist_3_link via wrist_3", "").replace(
         "wrist_2_link via wrist_2", "wrist_2_link via wrist_2\n        wrist_3_link via wrist_3"
     )
-    (moved,) = difference(bodies(ARM), bodies(text)).reparented
+    (moved,) = difference(skeleton(ARM), skeleton(text)).reparented
     assert (moved.link, moved.old_parent, moved.new_parent) == (
         "wrist_3_link",
         "wrist_2_link",

@@ -15,10 +15,9 @@ from kindsl.cli.console import write
 from kindsl.cli.documents.choices import choices_of
 from kindsl.cli.documents.reading import (
     CommandError,
-    bodies_of_document,
-    missing_module,
     read_document,
     shown_name,
+    skeleton_of_document,
 )
 from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import Failure, as_failures
@@ -69,17 +68,14 @@ def _difference(args: argparse.Namespace) -> "tuple[Difference, tuple[str, ...]]
     choices = choices_of(args)
     old, new = (read_document(path, choices) for path in (args.old, args.new))
     both = ((args.old, old), (args.new, new))
-    try:
-        from kindsl.reports.comparison import compared
+    from kindsl.reports.comparison import compared
 
-        found = compared(old, new)
-    except ModuleNotFoundError as error:
-        raise missing_module(args.old, error, "numpy") from None
+    found = compared(old, new)
     if found.difference is None:
         path, analysis = both[found.treeless or 0]
-        bodies_of_document(path, analysis)
+        skeleton_of_document(path, analysis)
         raise CommandError([Failure(shown_name(path), "has no tree of links to compare")])
-    if found.mechanics is not None:
+    if found.is_of_whole:
         return found.difference, ()
     broken = [path for path, analysis in both if _is_broken(analysis)]
     notes = [f"{shown_name(path)} has errors: showing the rest" for path in broken]
@@ -92,13 +88,11 @@ def _of_one(path: str, args: argparse.Namespace) -> "tuple[Difference, tuple[str
         raise CommandError([Failure(devnull, "there is no document to compare")])
     analysis = read_document(path, choices_of(args))
     document = analysis.model, analysis.context.values
-    try:
-        from kindsl.mechanism.partial_difference import added, partial_difference, removed
-    except ModuleNotFoundError as error:
-        raise missing_module(path, error, "numpy") from None
+    from kindsl.mechanism.partial_difference import added, partial_difference, removed
+
     same = partial_difference(document, document)
     if isinstance(same, int):
-        bodies_of_document(path, analysis)
+        skeleton_of_document(path, analysis)
         raise CommandError([Failure(shown_name(path), "has no tree of links to compare")])
     found = (added if args.old == devnull else removed)(same.difference, analysis.model)
     return found, same.notes

@@ -1,14 +1,19 @@
 """What changed mechanically between two mechanisms."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from math import atan2, dist, fsum, hypot
 
-import numpy as np
-
-from kindsl.dynamics.bodies import Bodies
-from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.spatial.arrays import Array
-from kindsl.spatial.inertia import point_inertia
+from kindsl.mechanism.skeleton import Skeleton
+from kindsl.rigid.body import (
+    MassDistribution,
+    Symmetric,
+    eigensystem,
+    principal_moments,
+    second_moments_about_com,
+    shifted,
+)
+from kindsl.rigid.pose import IDENTITY, RigidPose, transposed
 
 _LENGTH_TOLERANCE = 1e-9
 _ANGLE_TOLERANCE = 1e-9
@@ -132,7 +137,7 @@ class Difference:
         return not any(lists) and all(_is_close(a, b) for a, b in old_new)
 
 
-def difference(old: Bodies, new: Bodies) -> Difference:
+def difference(old: Skeleton, new: Skeleton) -> Difference:
     """Return what changed from `old` to `new`; links, joints and frames are matched by name."""
     renamed = tuple(_renamed(old, new))
     new_name = {pair.old: pair.new for pair in renamed}
@@ -168,15 +173,11 @@ def _missing(names: tuple[str, ...], others: tuple[str, ...]) -> tuple[str, ...]
     return tuple(name for name in names if name not in known)
 
 
-def _only_in(bodies: Bodies, other: Bodies) -> tuple[str, ...]:
-    return _missing(_body_names(bodies), _body_names(other))
+def _only_in(skeleton: Skeleton, other: Skeleton) -> tuple[str, ...]:
+    return _missing(skeleton.body_names, other.body_names)
 
 
-def _body_names(bodies: Bodies) -> tuple[str, ...]:
-    return bodies.base_name, *bodies.link_names
-
-
-def _renamed(old: Bodies, new: Bodies) -> Iterator[Renamed]:
+def _renamed(old: Skeleton, new: Skeleton) -> Iterator[Renamed]:
     """Yield links that are gone, paired with new ones on the same joint or with the same body."""
     gone = [n for n in _only_in(old, new) if n != old.base_name]
     come = [n for n in _only_in(new, old) if n != new.base_name]
@@ -197,105 +198,109 @@ def _renamed(old: Bodies, new: Bodies) -> Iterator[Renamed]:
                 break
 
 
-def _joint_of(bodies: Bodies, link: str) -> str:
-    return bodies.joint_names[bodies.link_names.index(link)]
+def _joint_of(skeleton: Skeleton, link: str) -> str:
+    return skeleton.joint_names[skeleton.link_names.index(link)]
 
 
-def _is_same_body(old: Bodies, old_link: str, new: Bodies, new_link: str) -> bool:
+def _is_same_body(old: Skeleton, old_link: str, new: Skeleton, new_link: str) -> bool:
     i, j = old.link_names.index(old_link), new.link_names.index(new_link)
-    return bool(
-        old.masses[i + 1] == new.masses[j + 1] != 0.0
-        and np.array_equal(old.coms[i + 1], new.coms[j + 1])
-        and np.array_equal(old.inertias[i + 1], new.inertias[j + 1])
-        and np.array_equal(old.p_r_j[i], new.p_r_j[j])
-        and np.array_equal(old.p_R_j[i], new.p_R_j[j])
-    )
+    body = old.masses[i + 1]
+    is_same = body == new.masses[j + 1] and old.placements[i] == new.placements[j]
+    return is_same and body.mass != 0.0
 
 
-def _reparented(old: Bodies, new: Bodies, new_name: Mapping[str, str]) -> Iterator[Reparented]:
+def _reparented(old: Skeleton, new: Skeleton, new_name: Mapping[str, str]) -> Iterator[Reparented]:
     parents = dict(zip(new.link_names, new.parents, strict=True))
     for name, parent in zip(old.link_names, old.parents, strict=True):
         now = new_name.get(name, name)
         if now in parents:
-            before, after = _body_names(old)[parent], _body_names(new)[parents[now]]
+            before, after = old.body_names[parent], new.body_names[parents[now]]
             if new_name.get(before, before) != after:
                 yield Reparented(now, before, after)
 
 
-def _joint_kinds(old: Bodies, new: Bodies) -> Iterator[JointKindChange]:
+def _joint_kinds(old: Skeleton, new: Skeleton) -> Iterator[JointKindChange]:
     kinds = dict(zip(new.joint_names, new.joint_kinds, strict=True))
     for name, kind in zip(old.joint_names, old.joint_kinds, strict=True):
         if name in kinds and kinds[name] != kind:
             yield JointKindChange(name, kind, kinds[name])
 
 
-def _frame_names(bodies: Bodies) -> tuple[str, ...]:
-    return tuple(frame.name for frame in bodies.frames)
+def _frame_names(skeleton: Skeleton) -> tuple[str, ...]:
+    return tuple(frame.name for frame in skeleton.frames)
 
 
-def _joint_frames(bodies: Bodies) -> dict[str, tuple[Array, Array]]:
-    poses = zip(bodies.joint_names, bodies.p_R_j, bodies.p_r_j, strict=True)
-    return {name: (R, r) for name, R, r in poses}
+def _joint_frames(skeleton: Skeleton) -> dict[str, RigidPose]:
+    return dict(zip(skeleton.joint_names, skeleton.placements, strict=True))
 
 
-def _frames(bodies: Bodies) -> dict[str, tuple[Array, Array]]:
-    return {frame.name: (frame.body_R_frame, frame.body_r_frame) for frame in bodies.frames}
+def _frames(skeleton: Skeleton) -> dict[str, RigidPose]:
+    return {frame.name: frame.pose for frame in skeleton.frames}
 
 
-def _zero_poses(bodies: Bodies) -> dict[str, tuple[Array, Array]]:
-    poses = Mechanics(bodies).forward_kinematics(np.zeros(bodies.n_links))
-    return {name: (T[:3, :3], T[:3, 3]) for name, T in poses.items()}
+def _zero_poses(skeleton: Skeleton) -> dict[str, RigidPose]:
+    poses = [IDENTITY]
+    for (_, parent), placement in zip(skeleton.links(), skeleton.placements, strict=True):
+        poses.append(poses[parent].then(placement))
+    of_frames = {frame.name: poses[frame.body].then(frame.pose) for frame in skeleton.frames}
+    return {**dict(zip(skeleton.link_names, poses[1:], strict=True)), **of_frames}
 
 
 def _renamed_keys(
-    poses: dict[str, tuple[Array, Array]], new_name: Mapping[str, str]
-) -> dict[str, tuple[Array, Array]]:
+    poses: Mapping[str, RigidPose], new_name: Mapping[str, str]
+) -> dict[str, RigidPose]:
     return {new_name.get(name, name): pose for name, pose in poses.items()}
 
 
-def _moved(
-    old: Mapping[str, tuple[Array, Array]], new: Mapping[str, tuple[Array, Array]]
-) -> Iterator[Moved]:
-    for name, (R_old, r_old) in old.items():
+def _moved(old: Mapping[str, RigidPose], new: Mapping[str, RigidPose]) -> Iterator[Moved]:
+    for name, before in old.items():
         if name not in new:
             continue
-        R_new, r_new = new[name]
-        distance = float(np.linalg.norm(r_new - r_old))
-        angle = _angle(R_old.T @ R_new)
-        if distance > _LENGTH_TOLERANCE or angle > _ANGLE_TOLERANCE:
-            yield Moved(name, distance, angle)
+        distance = dist(before.translation, new[name].translation)
+        angle = _angle_between(before, new[name])
+        has_shifted, has_turned = distance > _LENGTH_TOLERANCE, angle > _ANGLE_TOLERANCE
+        if has_shifted or has_turned:
+            yield Moved(name, distance if has_shifted else 0.0, angle if has_turned else 0.0)
 
 
-def _angle(R: Array) -> float:
-    """Return the angle of a rotation, exact near zero too."""
-    axis = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
-    return float(np.arctan2(np.linalg.norm(axis), np.trace(R) - 1.0))
+def _angle_between(old: RigidPose, new: RigidPose) -> float:
+    """Return the angle of the rotation between two poses, exact near zero too."""
+    back = old._replace(rotation=transposed(old.rotation))
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = back.then(new).rotation
+    return atan2(hypot(zy - yz, xz - zx, yx - xy), xx + yy + zz - 1.0)
 
 
-def _masses(old: Bodies, new: Bodies, new_name: Mapping[str, str]) -> Iterator[MassChange]:
-    index = {name: i for i, name in enumerate(_body_names(new))}
-    for i, name in enumerate(_body_names(old)):
+def _masses(old: Skeleton, new: Skeleton, new_name: Mapping[str, str]) -> Iterator[MassChange]:
+    index = {name: i for i, name in enumerate(new.body_names)}
+    for i, name in enumerate(old.body_names):
         now = new_name.get(name, name)
         if now not in index or (i == 0 and not (old.is_floating or new.is_floating)):
             continue
-        change = _mass_change(now, old, i, new, index[now])
+        change = _mass_change(now, old.masses[i], new.masses[index[now]])
         if not _is_same_mass(change):
             yield change
 
 
-def _mass_change(name: str, old: Bodies, i: int, new: Bodies, j: int) -> MassChange:
+def _mass_change(name: str, old: MassDistribution, new: MassDistribution) -> MassChange:
     return MassChange(
         name,
-        (float(old.masses[i]), float(new.masses[j])),
-        float(np.linalg.norm(new.coms[j] - old.coms[i])),
-        (_principal_moments(old, i), _principal_moments(new, j)),
-        _inertia_change(_about_com(old, i), _about_com(new, j)),
+        (old.mass, new.mass),
+        dist(old.com, new.com),
+        (_principal_moments(old), _principal_moments(new)),
+        _inertia_change(shifted(old, -1.0).moments, shifted(new, -1.0).moments),
     )
 
 
-def _inertia_change(old: Array, new: Array) -> float:
-    scale = max(np.linalg.norm(old), np.linalg.norm(new))
-    return float(np.linalg.norm(new - old) / scale) if scale > 0.0 else 0.0
+def _inertia_change(old: Symmetric, new: Symmetric) -> float:
+    scale = max(_norm(old), _norm(new))
+    change = [b - a for a, b in zip(old, new, strict=True)]
+    return _norm(change) / scale if scale > 0.0 else 0.0
+
+
+def _norm(tensor: Sequence[float]) -> float:
+    """Return the root of the sum of the squares of all nine entries."""
+    xx, yy, zz, *products = tensor
+    return hypot(xx, yy, zz, *products, *products)
 
 
 def _is_same_mass(change: MassChange) -> bool:
@@ -308,26 +313,21 @@ def _is_same_mass(change: MassChange) -> bool:
     )
 
 
-def _principal_moments(bodies: Bodies, body: int) -> tuple[float, ...]:
-    return tuple(float(moment) for moment in np.linalg.eigvalsh(_about_com(bodies, body)))
+def _principal_moments(body: MassDistribution) -> tuple[float, ...]:
+    return principal_moments(eigensystem(second_moments_about_com(body)))
 
 
-def _about_com(bodies: Bodies, body: int) -> Array:
-    at_com = point_inertia(bodies.masses[body], bodies.coms[body])
-    return np.asarray(bodies.inertias[body] - at_com)
+def _base_kind(skeleton: Skeleton) -> str:
+    return "floating" if skeleton.is_floating else "fixed"
 
 
-def _base_kind(bodies: Bodies) -> str:
-    return "floating" if bodies.is_floating else "fixed"
+def _total_mass(skeleton: Skeleton) -> float:
+    return fsum(body.mass for body in skeleton.masses[0 if skeleton.is_floating else 1 :])
 
 
-def _total_mass(bodies: Bodies) -> float:
-    return float(bodies.masses[0 if bodies.is_floating else 1 :].sum())
-
-
-def _reach(bodies: Bodies) -> float:
+def _reach(skeleton: Skeleton) -> float:
     ways = [0.0]
-    for i, parent in enumerate(bodies.parents):
-        ways.append(ways[parent] + float(np.linalg.norm(bodies.p_r_j[i])))
-    ends = (ways[f.body] + float(np.linalg.norm(f.body_r_frame)) for f in bodies.frames)
+    for parent, placement in zip(skeleton.parents, skeleton.placements, strict=True):
+        ways.append(ways[parent] + hypot(*placement.translation))
+    ends = (ways[frame.body] + hypot(*frame.pose.translation) for frame in skeleton.frames)
     return max((*ways, *ends))

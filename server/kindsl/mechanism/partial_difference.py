@@ -8,10 +8,9 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import NamedTuple
 
-from kindsl.dynamics.bodies import Bodies
-from kindsl.mechanism.bodies import bodies_of
 from kindsl.mechanism.difference import Difference, difference
 from kindsl.mechanism.fragments import skeleton_as_far_as_known
+from kindsl.mechanism.skeleton import Skeleton
 from kindsl.semantics.declarations import Frame, Joint, Link
 from kindsl.semantics.model import Model
 from kindsl.text.words import listed
@@ -36,9 +35,9 @@ class PartialDifference(NamedTuple):
 def partial_difference(old: Document, new: Document) -> PartialDifference | int:
     """Return what changed, or the number of the document, 0 or 1, that has no tree at all."""
     unbound = _unbound(old) | _unbound(new)
-    versions: list[tuple[Bodies, Bodies]] = []
+    versions: list[tuple[Skeleton, Skeleton]] = []
     for stand_in in _STAND_INS:
-        sides = [_bodies(document, dict.fromkeys(unbound, stand_in)) for document in (old, new)]
+        sides = [_skeleton(document, dict.fromkeys(unbound, stand_in)) for document in (old, new)]
         if sides[0] is None or sides[1] is None:
             return 0 if sides[0] is None else 1
         versions.append((sides[0], sides[1]))
@@ -88,10 +87,9 @@ def _unbound(document: Document) -> set[str]:
     return {str(p.name) for p in model.parameters} - set(values)
 
 
-def _bodies(document: Document, stand_ins: Mapping[str, float]) -> Bodies | None:
+def _skeleton(document: Document, stand_ins: Mapping[str, float]) -> Skeleton | None:
     model, values = document
-    skeleton = skeleton_as_far_as_known(model, {**stand_ins, **values})
-    return None if skeleton is None else bodies_of(skeleton)
+    return skeleton_as_far_as_known(model, {**stand_ins, **values})
 
 
 def _without(found: Difference, depends: list[Difference]) -> Difference:

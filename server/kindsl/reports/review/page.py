@@ -43,7 +43,7 @@ def review_page(old: Analysis, new: Analysis, names: tuple[str, str]) -> Page:
         *_pictures(old, new, found.difference),
         *_tree(old, new, found.difference),
         *_masses(old, new, found.difference),
-        *_balance(found),
+        *(_balance(old.mechanism(), new.mechanism()) if found.is_of_whole else ()),
         *_findings(old, new),
     )
 
@@ -198,20 +198,18 @@ def _change(
     return f"{100.0 * (b - a) / a:+.3g} %" if a else f"{b:+.6g} kg"
 
 
-def _balance(found: Comparison) -> Iterator[Block]:
+def _balance(old: Mechanics, new: Mechanics) -> Iterator[Block]:
     """Yield how the centre of mass and the forces that hold the robot shift, at zero."""
-    if found.mechanics is None:
-        return
     yield Heading("Balance at zero")
-    before, after = (_com(mechanics) for mechanics in found.mechanics)
+    before, after = _com(old), _com(new)
     if before is not None and after is not None:
         shift = f"{dist(before, after) * 1e3:.4g} mm"
         texts = (triple(before), triple(after))
         yield Paragraph(f"The centre of mass shifts by {shift}: {texts[0]} m to {texts[1]} m.")
-    old, new = map(_gravity_torques, found.mechanics)
+    held, now = _gravity_torques(old), _gravity_torques(new)
     rows = tuple(
-        (name, number(old.get(name)), number(new.get(name)), _shift(old, new, name))
-        for name in dict.fromkeys((*new, *old))
+        (name, number(held.get(name)), number(now.get(name)), _shift(held, now, name))
+        for name in dict.fromkeys((*now, *held))
     )
     header = ("joint", "gravity before / N m, N", "after", "shift")
     yield Table(header, rows, frozenset((1, 2, 3)))
