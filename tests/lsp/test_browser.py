@@ -128,6 +128,22 @@ async def test_what_needs_more_says_what_to_install(client, monkeypatch):
     assert answer["error"]["data"] == {"missing": ["numpy"]}
 
 
+async def test_two_texts_are_compared_as_robots(client):
+    text = (EXAMPLES / "quadruped.kindsl").read_text()
+    await client.open(text)
+    document = {"uri": "file:///new.kindsl", "languageId": "kinematics-dsl", "version": 1}
+    heavier = text.replace("mass = 3.3", "mass = 3.5", 1)
+    client.notify("textDocument/didOpen", {"textDocument": {**document, "text": heavier}})
+    request = command("kindsl.difference", URI, document["uri"])
+    found = await client.ask("workspace/executeCommand", request)
+    assert sorted({row["kind"] for row in found["rows"]}) == ["inertia", "total"]
+    request = command("kindsl.difference", document["uri"], document["uri"], text)
+    assert await client.ask("workspace/executeCommand", request) == found
+    request = command("kindsl.difference", URI, document["uri"], "Robot r {}")
+    error = (await client.answer("workspace/executeCommand", request))["error"]
+    assert error["message"] == "the old document has no tree of links to compare"
+
+
 URDF = (Path(__file__).parents[2] / "docs" / "guide" / "pan_tilt.urdf").read_text()
 
 

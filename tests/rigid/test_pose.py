@@ -81,6 +81,12 @@ def test_turns_about_fixed_axes_follow_each_other(rpy: Vector3, place: Vector3) 
     )
 
 
+def test_rounding_at_a_quarter_turn_about_the_fixed_y_is_no_turn_about_z() -> None:
+    """It leaves a cosine, from which two angles of no meaning could be read."""
+    pose = pose_from((0.0, 0.0, 0.0), (-pi / 2, 0.0, -pi / 2))
+    assert fixed_axis_angles(pose.rotation) == pytest.approx((-pi / 2, -pi / 2, 0.0), abs=1e-15)
+
+
 @pytest.mark.parametrize("quarter", [pi / 2, -pi / 2])
 @given(turns, turns)
 @many

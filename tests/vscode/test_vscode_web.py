@@ -80,6 +80,14 @@ def test_the_picture_follows_the_text(workbench: Workbench) -> None:
     expect(preview_page(workbench).locator("#robot")).to_have_text("arm2")
 
 
+def test_the_robot_is_shown_as_urdf(workbench: Workbench) -> None:
+    workbench.page.locator(".editor-group-container .view-line").first.click()
+    workbench.run("Kinematics-DSL: Show as URDF")
+    workbench.eventually(
+        lambda: any('<robot name="arm2">' in line for line in workbench.lines()), "the URDF"
+    )
+
+
 def test_no_other_host_is_asked(requests: list[str]) -> None:
     web = [urlsplit(url) for url in requests if url.startswith("http")]
     assert web

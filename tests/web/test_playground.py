@@ -12,6 +12,9 @@ from tests.web import site
 from tests.web.tab import PLACE_CURSOR, Tab, fragment
 
 import kindsl
+from kindsl.interchange.kindsl_writing import written_kindsl
+from kindsl.interchange.urdf.reading import read_urdf
+from kindsl.reports.comparison import compared
 from kindsl.text.lines import LineIndex
 
 # The first test waits for what is built for all of them.
@@ -104,6 +107,64 @@ def test_the_configuration_beside_the_text_holds(tab: Tab) -> None:
     tab.open_beside("kindsl.toml", "parameters = { reach = 0.4 }")
     tab.eventually(lambda: not tab.found(), "no finding any more")
     tab.open_beside("kindsl.toml", "")
+
+
+URDF = site.ROOT / "docs" / "guide" / "pan_tilt.urdf"
+
+
+def test_a_urdf_is_opened_as_a_document_and_downloaded_again(tab: Tab, tmp_path: Path) -> None:
+    tab.page.locator("#file").set_input_files(URDF)
+    tab.expect_robot("pan_tilt")
+    assert tab.page.locator("#tabs [aria-selected=true]").inner_text().startswith("pan_tilt.kindsl")
+    assert tab.text() == written_kindsl(read_urdf(URDF)).text
+    remarks = tab.page.locator("#notice li").all_inner_texts()
+    assert remarks == list(written_kindsl(read_urdf(URDF)).remarks)
+    tab.page.screenshot(path=_shot("playground-urdf"))
+    with tab.page.expect_download() as downloading:
+        tab.page.locator("#do-urdf").click()
+    assert downloading.value.suggested_filename == "pan_tilt.urdf"
+    downloading.value.save_as(tmp_path / "again.urdf")
+    again = kindsl.parse(written_kindsl(read_urdf(tmp_path / "again.urdf")).text)
+    found = compared(kindsl.parse(tab.text()), again)
+    assert found.difference is not None and found.difference.is_empty
+    message = tab.page.locator("#message")
+    tab.eventually(
+        lambda: "2 revolute joints got limits" in message.inner_text(), "what the URDF adds"
+    )
+    tab.page.locator("#file").set_input_files(URDF)
+    tab.page.locator("#tabs [role=tab]", has_text="pan_tilt_2.kindsl").wait_for()
+
+
+def test_a_bad_urdf_is_one_sentence_with_its_line(tab: Tab, tmp_path: Path) -> None:
+    tab.show("arm.kindsl", models.ARM)
+    bad = tmp_path / "bad.urdf"
+    bad.write_text(URDF.read_text().replace('xyz="0 0 0.05"', 'xyz="0 0.05"'))
+    tab.page.locator("#file").set_input_files(bad)
+    told = "bad.urdf: line 5: <origin> has 2 numbers in 'xyz', not 3"
+    notice = tab.page.locator("#notice p")
+    tab.eventually(lambda: notice.text_content() == told, told)
+    assert tab.text() == models.ARM
+    tab.page.locator("#notice .close").click()
+    assert notice.is_hidden()
+
+
+def test_two_open_texts_are_compared_as_texts_and_as_robots(tab: Tab) -> None:
+    heavier = models.ARM.replace("mass = 2.0", "mass = 2.5")
+    assert heavier != models.ARM
+    tab.open_beside("heavier.kindsl", heavier)
+    tab.show("arm.kindsl", models.ARM)
+    tab.page.locator("#do-compare").click()
+    tab.page.locator("#old-side").select_option("heavier.kindsl")
+    changes = tab.page.locator("#changes")
+    tab.eventually(lambda: "mass 2.5 -> 2 kg" in changes.inner_text(), "the lighter link")
+    tab.page.locator("#difference .line-delete").first.wait_for()
+    tab.page.screenshot(path=_shot("playground-comparison"))
+    tab.page.evaluate("(text) => playground.files.model().setValue(text)", heavier)
+    tab.eventually(lambda: changes.inner_text() == "Nothing changed mechanically", "no change")
+    tab.page.locator("#old-side").select_option("arm.kindsl as it was opened")
+    tab.eventually(lambda: "mass 2 -> 2.5 kg" in changes.inner_text(), "the heavier link")
+    tab.page.locator("#end-comparison").click()
+    assert tab.page.locator("#editor").is_visible()
 
 
 def test_nothing_but_its_own_host_is_asked(tab: Tab, address: str, playground: Path) -> None:

@@ -18,10 +18,3 @@ export async function showError(message: string, actions: readonly Action[]): Pr
   const chosen = await vscode.window.showErrorMessage(message, ...actions.map(({ title }) => title));
   await actions.find(({ title }) => title === chosen)?.run();
 }
-
-/** The button that installs what a request lacks, as the server names it in an error's data; none for other errors. */
-export function installAction(error: unknown): Action[] {
-  const missing = (error as { data?: { missing?: unknown } }).data?.missing;
-  if (!Array.isArray(missing) || missing.length === 0) return [];
-  return [command(`Install ${missing.join(" and ")}`, "kindsl.installPackages", missing)];
-}

@@ -1,7 +1,7 @@
 // The commands that the extension has wherever it runs.
 import * as vscode from "vscode";
 import type { BaseLanguageClient, Location, Position } from "vscode-languageclient";
-import { newFile } from "./documents";
+import { newFile, showUrdf } from "./documents";
 import type { Previews } from "./preview";
 import { showReferences } from "./references";
 import type { ServerLife } from "./serverLife";
@@ -21,6 +21,7 @@ export function registerCommands(
     "kindsl.pinPreview": () => previews.setPinned(true),
     "kindsl.unpinPreview": () => previews.setPinned(false),
     "kindsl.showSource": () => previews.showSourceOfActive(),
+    "kindsl.showUrdf": onDocument(previews, (uri) => showUrdf(uri, own)),
     "kindsl.restart": () => own.restart(),
     "kindsl.showLog": () => log.show(),
     "kindsl.newFile": () => newFile(own),

@@ -1,7 +1,7 @@
 // Documents that the extension makes: a new robot, and a robot's URDF.
 import * as vscode from "vscode";
 import { ExecuteCommandRequest } from "vscode-languageclient";
-import { installAction, RESTART, SHOW_LOG, showError } from "./actions";
+import { RESTART, SHOW_LOG, showError } from "./actions";
 import { LANGUAGE } from "./clientOptions";
 import type { ServerAccess } from "./serverAccess";
 
@@ -32,6 +32,6 @@ export async function showUrdf(uri: vscode.Uri, server: ServerAccess): Promise<v
     const urdf = await vscode.workspace.openTextDocument({ language: "xml", content });
     await vscode.window.showTextDocument(urdf, { viewColumn: vscode.ViewColumn.Beside, preview: true });
   } catch (error) {
-    void showError(`No URDF: ${(error as Error).message}`, installAction(error));
+    void showError(`No URDF: ${(error as Error).message}`, []);
   }
 }

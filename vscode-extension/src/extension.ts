@@ -2,7 +2,6 @@
 import * as vscode from "vscode";
 import { LANGUAGE } from "./clientOptions";
 import { onDocument, registerCommands, type Commands } from "./commands";
-import { showUrdf } from "./documents";
 import { selectInterpreter } from "./interpreterChoice";
 import { FrameScreen, previewAddress } from "./frameScreen";
 import type { Home } from "./launch";
@@ -80,7 +79,6 @@ function restartOnChange(own: Server): vscode.Disposable[] {
 function desktopCommands(home: Home, own: Server, previews: Previews, log: vscode.LogOutputChannel): Commands {
   return {
     "kindsl.openPreviewInBrowser": onDocument(previews, (uri) => openInBrowser(own, uri)),
-    "kindsl.showUrdf": onDocument(previews, (uri) => showUrdf(uri, own)),
     "kindsl.selectInterpreter": () => selectInterpreter(home, log),
     "kindsl.installPackages": (names: readonly string[] = ["numpy"]) => installPackages(names, home, own, log),
   };

@@ -1,7 +1,7 @@
 // A panel that shows the page that the language server serves, in a frame.
 import { randomBytes } from "node:crypto";
 import * as vscode from "vscode";
-import { installAction, RESTART, SHOW_LOG, type Action } from "./actions";
+import { RESTART, SHOW_LOG, type Action } from "./actions";
 import { askForPreview, type Screen } from "./preview";
 import { previewPage, type PanelContent, type PanelState } from "./previewPage";
 import { actionsFor, describe } from "./problems";
@@ -40,7 +40,7 @@ export class FrameScreen implements Screen {
     } catch (error) {
       const { problem } = this.server;
       const text = problem === undefined ? (error as Error).message : describe(problem);
-      const actions = problem === undefined ? [...installAction(error), RESTART, SHOW_LOG] : actionsFor(problem);
+      const actions = problem === undefined ? [RESTART, SHOW_LOG] : actionsFor(problem);
       return { content: { kind: "message", text, actions: actions.map(({ title }) => title) }, actions };
     }
   }

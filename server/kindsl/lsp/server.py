@@ -3,6 +3,7 @@
 from kindsl.lsp.handlers import (
     actions,
     commands,
+    comparing,
     completing,
     configuration,
     diagnostics,
@@ -32,6 +33,7 @@ _HANDLERS = (
     completing.handlers,
     commands.handlers,
     interchange.handlers,
+    comparing.handlers,
     manipulating.handlers,
 )
 

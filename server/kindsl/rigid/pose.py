@@ -5,6 +5,8 @@ from typing import NamedTuple
 
 # For people: nearer to a quarter turn, one sum is plainer than two angles.
 PLAIN = 1e-9
+# For programs: no more than rounding, so that a quarter turn is one.
+_ROUNDING = 1e-15
 
 Vector3 = tuple[float, float, float]
 Rotation = tuple[Vector3, Vector3, Vector3]
@@ -103,7 +105,7 @@ def angles(rotation: Rotation, within: float) -> Vector3:
 
 def fixed_axis_angles(rotation: Rotation) -> Vector3:
     """Return the turns about the fixed x, y, z (roll, pitch, yaw) that make a rotation, radians."""
-    x, y, z = angles(transposed(rotation), within=0.0)
+    x, y, z = angles(transposed(rotation), _ROUNDING)
     return 0.0 - x, 0.0 - y, 0.0 - z
 
 

@@ -74,6 +74,13 @@ export class Files {
     return [...this.#files.keys()];
   }
 
+  /** The name, or one like it that no tab has: a text that was converted replaces none. */
+  freeName(name) {
+    let free = name;
+    for (let number = 2; this.#files.has(free); number++) free = `${name.slice(0, 50).replace(/\.kindsl$/, "")}_${number}.kindsl`;
+    return free;
+  }
+
   #tab(name) {
     const close = element("button", { className: "close", title: `Close ${name}`, textContent: "×" });
     const tab = element("div", { role: "tab", tabIndex: 0, className: "tab" }, [name, close]);

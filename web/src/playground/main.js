@@ -3,8 +3,9 @@ import * as monaco from "monaco-editor/editor/editor.api.js";
 import "monaco-editor/features/register.all.js";
 import { MonacoLspClient, createTransportToWorker } from "../../node_modules/monaco-editor/esm/external/monaco-lsp-client/out/index.js";
 import { byId, debounced } from "./elements.js";
-import { CONFIGURATION, Files, LANGUAGE, nameOf, properName } from "./files.js";
+import { CONFIGURATION, Files, nameOf, properName, uriOf } from "./files.js";
 import { registerLanguage } from "./language.js";
+import { Notice } from "./notice.js";
 import { Outline } from "./outline.js";
 import { Preview } from "./preview.js";
 import { Problems } from "./problems.js";
@@ -13,6 +14,7 @@ import { fromFragment, toFragment } from "./share.js";
 import { Comparison } from "./comparison.js";
 
 const FIRST = "quadruped";
+const OF_OTHERS = /\.(urdf|sdf|xacro|mjcf|xml)$/i;
 const NEW_ROBOT = `Robot my_robot {
 
     RobotBase base {
@@ -33,7 +35,8 @@ const port = new ServerPort(new Worker("server/worker.js"), new URL("server/", l
 const files = new Files(editor, byId("tabs"));
 const preview = new Preview(byId("preview"), port);
 const outline = new Outline(byId("outline"), editor, port);
-const comparison = new Comparison(byId("comparison"), byId("editor"));
+const comparison = new Comparison(byId("comparison"), byId("editor"), files, port);
+const notice = new Notice(byId("notice"));
 new Problems(byId("problems"), byId("problem-count"), editor);
 
 files.onActive = (name) => {
@@ -44,6 +47,7 @@ files.onActive = (name) => {
 files.onChange = (name) => {
   if (name === CONFIGURATION) writeConfiguration();
   if (name === files.active) outline.refresh();
+  comparison.refresh();
 };
 
 const writeConfiguration = debounced(() => {
@@ -110,12 +114,24 @@ function showPart(part) {
   for (const button of document.querySelectorAll("#parts button")) button.setAttribute("aria-pressed", String(button.value === part));
 }
 
-function download() {
+function download(name, text) {
   const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([files.model().getValue()], { type: "text/plain" }));
-  link.download = files.active;
+  link.href = URL.createObjectURL(new Blob([text], { type: "text/plain" }));
+  link.download = name;
   link.click();
   URL.revokeObjectURL(link.href);
+}
+
+/** Download the robot in the active tab as URDF; what that adds to it, the server tells. */
+async function downloadUrdf() {
+  notice.hide();
+  const name = files.active.replace(/\.\w+$/, ".urdf");
+  try {
+    await port.whenOpen(uriOf(files.active));
+    download(name, await port.command("kindsl.exportUrdf", uriOf(files.active)));
+  } catch (error) {
+    notice.tell(`No URDF of ${files.active}: ${error.message}`);
+  }
 }
 
 async function share() {
@@ -134,9 +150,25 @@ async function addExample(name) {
 
 async function openFile([file]) {
   if (file === undefined) return;
+  notice.hide();
+  say("");
+  if (OF_OTHERS.test(file.name)) return openConverted(file);
   const name = file.name === CONFIGURATION ? CONFIGURATION : properName(file.name);
   files.open(name, await file.text());
   files.show(name);
+}
+
+/** Open a robot of another format as a document, and tell what could not be kept. */
+async function openConverted(file) {
+  try {
+    const { text, remarks } = await port.command("kindsl.importRobot", file.name, await file.text());
+    const name = files.freeName(properName(file.name.replace(/\.\w+$/, "")));
+    files.open(name, text);
+    files.show(name);
+    notice.tell(`${file.name} is open as ${name}${remarks.length > 0 ? ":" : ""}`, remarks);
+  } catch (error) {
+    notice.tell(`${file.name}: ${error.message}`);
+  }
 }
 
 const actions = {
@@ -148,13 +180,17 @@ const actions = {
   open: () => byId("file").click(),
   format: () => editor.getAction("editor.action.formatDocument")?.run(),
   rename: () => (editor.focus(), editor.trigger("bar", "editor.action.rename", {})),
-  compare: () => comparison.toggle(files.original(), files.model()),
-  download,
+  compare: () => (notice.hide(), comparison.toggle()),
+  download: () => download(files.active, files.model().getValue()),
+  urdf: downloadUrdf,
   share,
 };
 for (const [name, run] of Object.entries(actions)) byId(`do-${name}`).addEventListener("click", run);
 for (const button of document.querySelectorAll("#parts button")) button.addEventListener("click", () => showPart(button.value));
-byId("file").addEventListener("change", ({ target }) => void openFile(target.files));
+byId("file").addEventListener("change", ({ target }) => {
+  void openFile([...target.files]);
+  target.value = ""; // so that the same file can be opened again
+});
 
 const examples = await (await fetch("examples/list.json")).json();
 const chooser = byId("examples");
