@@ -164,6 +164,13 @@ async def test_a_page_is_answered_whatever_fails(page, capsys, request_, kind):
     assert capsys.readouterr().err == "internal error in the preview: ZeroDivisionError()\n"
 
 
+async def test_only_a_drop_that_changes_the_text_is_told_as_written(page):
+    await page.ask(**drag(value=0.5))
+    assert page.last("dragged")["written"] is False
+    await page.ask(**drag("drop", value=0.5))
+    assert page.last("dragged")["written"] is True
+
+
 async def test_what_was_dragged_is_taken_back_and_made_again(page):
     await page.ask(**drag("drop", value=0.55))
     await page.ask(**drag("drop", value=0.7))

@@ -43,7 +43,9 @@ AS_AT_FIRST = """() => {
   kindsl.selection.choose(null);
   kindsl.editing.choose("move");
   kindsl.actions.zero();
+  kindsl.history.begin();
 }"""
+LIFTED = "() => kindsl.scene.q.get('lift') || 0"
 QUADRUPED = (EXAMPLES / "quadruped.kindsl").read_text()
 # x and the newest z are one line, so two rings lie in one plane.
 LOCKED = ARM.replace("rotation = (PI/2.0, 0.0, 0.0)", "rotation = (0.3, PI/2.0, 0.4)", 1)
@@ -101,6 +103,46 @@ async def test_a_number_is_typed_and_an_arrow_key_nudges(arm):
     await page.wait_for_selector(".handle[data-component=ry]", state="attached")
     await page.click("[data-mode=move]")
     await page.wait_for_selector(".handle[data-component=ry]", state="detached")
+
+
+async def test_the_key_takes_back_what_was_done_last_edit_or_pose(arm):
+    owner, page = arm
+    await grasp(page, "joint", "lift")
+    await page.fill("#editing .number-row.x input >> nth=0", "0.55")
+    await page.keyboard.press("Enter")
+    await eventually(lambda: "(0.55, 0.0, 0.0)" in owner.text)
+    await page.wait_for_function("() => !kindsl.editing.isWaiting")
+    await page.evaluate("() => kindsl.actions.setJoint('lift', 0.25)")
+    await page.focus("#pane")
+    await page.keyboard.press("Control+z")
+    assert await page.evaluate(LIFTED) == 0.0
+    assert "(0.55, 0.0, 0.0)" in owner.text
+    await page.keyboard.press("Control+z")
+    await eventually(lambda: owner.text == ARM)
+    await page.wait_for_function("() => !kindsl.editing.isWaiting")
+    await page.keyboard.press("Control+y")
+    await eventually(lambda: "(0.55, 0.0, 0.0)" in owner.text)
+    await page.wait_for_function("() => !kindsl.editing.isWaiting")
+    await page.keyboard.press("Control+y")
+    assert await page.evaluate(LIFTED) == 0.25
+    assert "(0.55, 0.0, 0.0)" in owner.text
+
+
+async def test_what_somebody_typed_since_is_not_tried_twice_by_the_key(arm):
+    owner, page = arm
+    await grasp(page, "joint", "lift")
+    await page.fill("#editing .number-row.x input >> nth=0", "0.55")
+    await page.keyboard.press("Enter")
+    await eventually(lambda: "(0.55, 0.0, 0.0)" in owner.text)
+    typed = owner.text + "\n"
+    await owner.show(typed)
+    await page.focus("#pane")
+    await page.keyboard.press("Control+z")
+    await page.wait_for_function(
+        "() => document.querySelector('#editing output').textContent.includes('has changed')"
+    )
+    assert await page.evaluate("() => kindsl.history.past.includes('written')") is False
+    assert owner.text == typed
 
 
 async def test_a_finger_drags_a_handle(arm):

@@ -152,7 +152,8 @@ class Dragging:
             reason = await self._written(writing)
         if reason:
             self._preview.put_back()
-        self._answer(request, change.text, change.value, reason)
+        is_written = bool(change.edits) and not reason
+        self._answer(request, change.text, change.value, reason, is_written=is_written)
         self._tell_handles()
 
     async def _written(self, writing: Writing) -> str:
@@ -197,7 +198,9 @@ class Dragging:
         self._answer(request, "", request.value, reason)
         self._tell_handles()
 
-    def _answer(self, request: Drag, text: str, value: float, reason: str) -> None:
+    def _answer(
+        self, request: Drag, text: str, value: float, reason: str, *, is_written: bool = False
+    ) -> None:
         message = {
             "type": "dragged",
             "path": path_of("dragged"),
@@ -206,6 +209,7 @@ class Dragging:
             "text": text,
             "value": value,
             "reason": reason,
+            "written": is_written,
         }
         self._preview.channel.announce(message)
 

@@ -1,14 +1,17 @@
-// Undo and redo of the pose and of where it is seen from. The document has its own undo, in the editor.
+// Undo and redo, in the order in which things were done: of the pose, of where it is seen from, and of what was written
+// into the document from here.
 "use strict";
 
 const KindslHistory = (() => {
   const REST = 400; // milliseconds without a change make a step
   const MOST = 200; // steps
+  const WRITTEN = "written"; // a step that changed the document; the others are states
 
   class History {
-    // `take()` returns the present state as a string, `put(state)` restores one.
-    constructor(take, put) {
-      Object.assign(this, { take, put, past: [], future: [], present: null, timer: null });
+    // `take()` returns the present state as a string, `put(state)` restores one; `rewrite` takes the last writing back
+    // for "undo", makes it again for "redo", and tells by `rewritten` that it did.
+    constructor(take, put, rewrite) {
+      Object.assign(this, { take, put, rewrite, past: [], future: [], present: null, timer: null });
       this.undoButton = document.getElementById("undo");
       this.redoButton = document.getElementById("redo");
       this.undoButton.addEventListener("click", () => this.undo());
@@ -30,25 +33,49 @@ const KindslHistory = (() => {
       clearTimeout(this.timer);
       const now = this.take();
       if (this.present === null || now === this.present) return;
-      this.past.push(this.present);
+      this.add(this.present);
+      this.present = now;
+    }
+
+    add(step) {
+      this.past.push(step);
       if (this.past.length > MOST) this.past.shift();
       this.future = [];
-      this.present = now;
+      this.tell();
+    }
+
+    // Something was written into the document.
+    wrote() {
+      this.settle();
+      this.add(WRITTEN);
+    }
+
+    // A writing was taken back or made again, wherever that was asked for; or it cannot be any more.
+    rewritten(which, isDone) {
+      const [from, to] = which === "undo" ? [this.past, this.future] : [this.future, this.past];
+      const at = from.lastIndexOf(WRITTEN);
+      if (at < 0) return;
+      from.splice(at, 1);
+      if (isDone) to.push(WRITTEN);
       this.tell();
     }
 
     undo() {
       this.settle();
-      this.go(this.past, this.future);
+      this.go("undo", this.past, this.future);
     }
 
     redo() {
       this.settle();
-      this.go(this.future, this.past);
+      this.go("redo", this.future, this.past);
     }
 
-    go(from, to) {
+    go(which, from, to) {
       if (!from.length) return;
+      if (from.at(-1) === WRITTEN) {
+        this.rewrite(which);
+        return;
+      }
       to.push(this.present);
       this.present = from.pop();
       this.put(this.present);

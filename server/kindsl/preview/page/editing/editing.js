@@ -39,6 +39,7 @@ const KindslEditing = (() => {
       const { type, gesture, reason } = message;
       if (gesture !== this.asked) return;
       this.asked = null;
+      if (AT_ONCE.has(gesture)) this.page.history.rewritten(gesture, !reason);
       if (reason) this.card.tell(reason, true);
       else if (type === "plan") this.propose(message);
       else this.finish(message);
@@ -47,6 +48,7 @@ const KindslEditing = (() => {
 
     // The pose that is the new zero is reached with all joints at zero.
     finish({ gesture, title }) {
+      if (!AT_ONCE.has(gesture)) this.page.history.wrote();
       if (gesture === "pose-as-zero") this.page.actions.zero();
       this.card.tell(`${title}: done`);
     }
@@ -153,9 +155,10 @@ const KindslEditing = (() => {
     }
 
     // Answers to what was asked before, or by another page, are passed over.
-    hear({ phase, component, text, value, reason }) {
+    hear({ phase, component, text, value, reason, written }) {
       if (phase !== this.asked) return;
       const { next } = this;
+      if (written) this.page.history.wrote();
       Object.assign(this, { asked: next && next.phase, next: null });
       if (next) this.page.send(next);
       this.card.tell(reason || (phase === "cancel" ? "" : `${component}: ${this.start.text} → ${text}`), Boolean(reason));

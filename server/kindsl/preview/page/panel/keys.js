@@ -28,7 +28,7 @@ const KindslKeys = (() => {
       ["p", "P: save the picture", () => actions.savePicture()],
       ["l", "L: copy a link to this view", () => actions.copyLink()],
       ["b", "B: show or hide the panel", () => actions.foldPanel()],
-      ["Control+z", "Ctrl+Z: undo pose or view", () => history.undo()],
+      ["Control+z", "Ctrl+Z: undo an edit, pose or view", () => history.undo()],
       ["Control+y", "", () => history.redo()], ["Control+Shift+z", "Ctrl+Y: redo", () => history.redo()],
       ["?", "?: these keys", () => actions.showKeys()],
     ];
