@@ -102,9 +102,18 @@ def test_constants_are_named_behind_their_bracket():
     assert labels(PARAMETRIC.replace("2.0*<offset>", "2.0*<$0")) == ["offset"]
 
 
-def test_a_target_without_constants_is_offered_none():
-    settings = Settings(frozenset({"robcogen"}))
-    assert "<offset>" not in labels(PARAMETRIC.replace("-tilt", "-$0"), settings)
+@pytest.mark.parametrize(
+    ("targets", "is_offered"),
+    [
+        ((), True),
+        (("robcogen",), False),
+        (("robcogen2",), True),
+        (("robcogen", "robcogen2"), False),
+    ],
+)
+def test_a_target_without_constants_is_offered_none(targets, is_offered):
+    settings = Settings(frozenset(targets))
+    assert ("<offset>" in labels(PARAMETRIC.replace("-tilt", "-$0"), settings)) == is_offered
 
 
 def test_details_tell_what_a_parameter_is_bound_to():

@@ -47,14 +47,15 @@ DOCUMENTS = {
     "arm": (ARM, Settings()),
     "gripper": (PARAMETRIC, BOUND),
     "half": (BROKEN, Settings()),
-    "commented": (COMMENTED, Settings()),
+    "commented": (f"\n {COMMENTED} \n", Settings()),
     "tangled": (TANGLED, Settings()),
 }
 Answers = Callable[[Analysis, Teller, list[int]], Iterator[str]]
 
 
 def edges_of_tokens(analysis: Analysis) -> list[int]:
-    found: set[int] = set()
+    """Return where tokens begin and end, and both ends of the text."""
+    found = {0, analysis.syntax.length}
     for island, start in zip(analysis.syntax.islands, analysis.syntax.starts, strict=True):
         for token in island.tokens:
             found |= {start + token.start, start + token.end}

@@ -28,7 +28,7 @@ def value_items(
         yield from _plain(place)
     elif place.kind is ValueKind.ANGLE:
         yield CompletionItem("PI", "value", "PI", "180°", 3)
-    if not (analysis.settings.targets and ROBCOGEN in analysis.settings.targets):
+    if ROBCOGEN not in analysis.settings.targets:
         yield from constant_items(analysis, "<{}>")
 
 
