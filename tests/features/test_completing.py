@@ -160,7 +160,20 @@ def test_documentation_is_asked_for_one_by_one():
     assert "revolute" in documentation(analysis, "joint", "shoulder")
     assert "reach" in documentation(analysis, "parameter", "reach")
     assert "intrinsic" in documentation(analysis, "snippet", "rotation")
-    assert documentation(analysis, "link", "nobody") is None
+
+
+@pytest.mark.parametrize(
+    ("kind", "label", "told"),
+    [
+        ("link", "nobody", None),
+        ("joint", "nobody", None),
+        ("parameter", "nobody", "There is no parameter `nobody`."),
+        ("constant", "<nobody>", "There is no constant `nobody`."),
+        ("value", "nobody", None),
+    ],
+)
+def test_what_is_gone_has_no_documentation(kind, label, told):
+    assert documentation(analyse(ARM), kind, label) == told
 
 
 def test_many_names_are_cut():

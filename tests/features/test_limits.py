@@ -62,3 +62,9 @@ def test_a_fraction_of_pi_is_half_a_degree_at_least(divisor: float, text: str | 
         found = fraction_of_pi(sign * pi / divisor)
         shown = text if text is None or sign > 0.0 else f"-{text}"
         assert (found.text if found is not None else None) == shown
+
+
+@pytest.mark.parametrize(("angle", "text"), [(9e-13, "0.0"), (-9e-13, "0.0"), (1.1e-12, None)])
+def test_what_is_left_of_zero_is_zero(angle: float, text: str | None) -> None:
+    found = fraction_of_pi(angle)
+    assert (found.text if found is not None else None) == text

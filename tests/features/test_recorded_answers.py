@@ -49,6 +49,7 @@ DOCUMENTS = {
     "half": (BROKEN, Settings()),
     "commented": (f"\n {COMMENTED} \n", Settings()),
     "tangled": (TANGLED, Settings()),
+    "nothing": ("", Settings()),
 }
 Answers = Callable[[Analysis, Teller, list[int]], Iterator[str]]
 

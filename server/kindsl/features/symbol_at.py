@@ -126,13 +126,13 @@ def _symbols(node: Node, link: str) -> Iterator[Symbol]:
     if kind in _DECLARED:
         name = _text(names[0]) if names else ""
         owner = link if kind == "frame" else ""
-        yield from _named(names[:1], Entity(_DECLARED[kind], name, owner), Role.DECLARATION)
+        yield from _named(names, Entity(_DECLARED[kind], name, owner), Role.DECLARATION)
         link = name if kind in ("base", "link") else link
     elif kind in _VALUES and names:
         what, role = _VALUES[kind]
-        yield from _named(names[:1], Entity(what, _text(names[0])), role)
+        yield from _named(names, Entity(what, _text(names[0])), role)
     elif kind == "inertia_frame" and names:
-        yield from _named(names[:1], Entity(EntityKind.FRAME, _text(names[0]), link), Role.READ)
+        yield from _named(names, Entity(EntityKind.FRAME, _text(names[0]), link), Role.READ)
     elif kind == "child":
         for token, what in zip(names, (EntityKind.LINK, EntityKind.JOINT), strict=False):
             yield from _named([token], Entity(what, _text(token)), Role.READ)
