@@ -7,7 +7,7 @@ import random
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from tests.support.bodies import inertia_text, random_body, significant
+from tests.support.bodies import document_of_bodies, inertia_text, random_body, significant
 from tests.support.recorded import assert_as_recorded
 
 from kindsl.analysis.analysis import analyse
@@ -20,7 +20,7 @@ from kindsl.rigid.body import (
 from kindsl.rules.inertia.causes import Cause, candidates
 from kindsl.rules.inertia.plausibility import density_of
 from kindsl.rules.inertia.repairs import explanations
-from kindsl.rules.inertia.slips import Hypothesis
+from kindsl.rules.inertia.slips import Hypothesis, hypotheses
 from kindsl.rules.inertia.surroundings import surroundings
 from kindsl.rules.inertia.suspects import suspects_of
 
@@ -51,7 +51,12 @@ PLANTED: dict[str, Callable[[MassDistribution], MassDistribution]] = {
     "one sign": slipped(lambda m: [*m[:3], -m[3], *m[4:]]),
     "about the CoM": lambda body: shifted(body, -1.0),
     "g·mm²": slipped(lambda m: [1e9 * x for x in m]),
+    "kg·mm²": slipped(lambda m: [1e6 * x for x in m]),
+    "g·cm²": slipped(lambda m: [1e7 * x for x in m]),
+    "kg·cm²": slipped(lambda m: [1e4 * x for x in m]),
+    "g·m²": slipped(lambda m: [1e3 * x for x in m]),
     "a digit": slipped(lambda m: [10.0 * x for x in m]),
+    "two digits": slipped(lambda m: [0.01 * x for x in m]),
     "two swapped": slipped(lambda m: [m[2], m[1], m[0], *m[3:]]),
     "CoM's sign": lambda body: body._replace(com=(-body.com[0], *body.com[1:])),
     "grams": lambda body: body._replace(mass=1000.0 * body.mass),
@@ -82,6 +87,8 @@ def documents() -> Iterator[tuple[str, str]]:
                 legs = [right, mirrored(right), right]
                 legs = [plant(leg) if k < count else leg for k, leg in enumerate(legs)]
                 yield f"{name}, {shape}, at {count}", document(legs)
+            alone = inertia_text(plant(right), significant(4))
+            yield f"{name}, {shape}, alone", document_of_bodies([alone])
 
 
 def document(legs: list[MassDistribution]) -> str:
@@ -94,6 +101,14 @@ def document(legs: list[MassDistribution]) -> str:
 
 
 def weights() -> Iterator[str]:
+    body = of_light_metal(random_body(random.Random("slips"), "block"))
+    half = MassDistribution(0.01, (0.001, 0.002, 0.003), (0.01, 0.02, 0.03, 0.04, 0.05, 0.06))
+    yield "## every slip"
+    for h in hypotheses(body, half):
+        told = f"{_slips(h)}: weight {h.weight:.4g}, {h.is_partial} {h.is_last_resort} {h.kinds}"
+        yield told.replace("<Slip.", "").replace(">", "")
+        numbers = (*h.body.com, *h.body.moments, h.half.mass, *h.half.moments)
+        yield f"    {h.body.mass:.6g} {' '.join(f'{x:.6g}' for x in numbers)}"
     for title, text in documents():
         analysis = analyse(text)
         yield f"## {title}"

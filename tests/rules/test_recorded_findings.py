@@ -83,6 +83,37 @@ def of_losses() -> Iterator[str]:
         yield from told(analyse(text))
 
 
-@pytest.mark.parametrize("of", [of_examples, of_documents, of_losses])
+POSE = "{ translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) }"
+PAIRS = (
+    "a via", "via j", "a via ,", "a via j b via", "a b via j", "a via j via k", "a via 5",
+    "a via j.", "a² via j", "a via j²", "x via y", "j via a", "c via j", "c via k c via k",
+    "c via k c via", "b via k",
+)  # fmt: skip
+FRAMES = (
+    "", "frames {}", "frames { %s }", "frames { f %s }", "frames { f %s f %s }", "frames { g %s }",
+    "frames { f { } g %s", "frames { translation = (0.0, 0.0, 0.0) }", "frames { fr_a %s }",
+)  # fmt: skip
+
+
+def of_broken_text() -> Iterator[str]:
+    """Yield what is concluded from pairs and frames that are there in part."""
+    inertia = "inertia_params { mass = 1.0 CoM = (0.0, 0.0, 0.0) Ix=0.01 Iy=0.01 Iz=0.01"
+    inertia += " Ixy=0.0 Ixz=0.0 Iyz=0.0 ref_frame = f }"
+    joint = f"r_joint %s {{ ref_frame {POSE} }}"
+    for pair in PAIRS:
+        for names in ("aj", "ck"):
+            link = f"link {names[0]} {{ id = 1 children {{}} }}"
+            text = f"RobotBase b {{ children {{ {pair} }} }}\n{link}\n{joint % names[1]}"
+            yield f"## {pair} of {names}"
+            yield from told(analyse(f"Robot R {{\n{text}\n}}\n", Settings(ignore=("KD7", "KD3"))))
+    for frames in FRAMES:
+        section = frames.replace("%s", POSE)
+        link = f"link a {{ id = 1 {inertia} children {{}} {section} }}"
+        text = f"RobotBase b {{ children {{ a via j }} }}\n{link}\n{joint % 'j'}"
+        yield f"## {frames}"
+        yield from told(analyse(f"Robot R {{\n{text}\n}}\n", Settings(ignore=("KD506",))))
+
+
+@pytest.mark.parametrize("of", [of_examples, of_documents, of_losses, of_broken_text])
 def test_findings_are_as_recorded(of: Callable[[], Iterator[str]]) -> None:
     assert_as_recorded(FOLDER / f"{of.__name__}.txt", of())
