@@ -111,6 +111,20 @@ def test_what_is_clearly_positive_is_so_in_any_unit(
     assert not is_clearly_positive(tuple(matrix))
 
 
+@settings(max_examples=60, deadline=None, derandomize=True)
+@given(st.floats(0.6, 20.0), st.tuples(*[st.sampled_from((-1.0, 1.0))] * 3), st.floats(0.1, 10.0))
+def test_two_negative_directions_are_not_positive(
+    share: float, signs: Vector3, size: float
+) -> None:
+    """With ones on the diagonal and the determinant positive, as an even count of them makes it."""
+    a, b, c = signs
+    between = (1.0 + share) * size
+    matrix = (size, size, size, a * b * between, a * c * between, b * c * between)
+    assert determinant(matrix) > 0.0
+    assert sum(value < 0.0 for value in np.linalg.eigvalsh(matrix_of(matrix))) == 2
+    assert not is_clearly_positive(matrix)
+
+
 @settings(deadline=None)
 @given(entries)
 def test_determinant_is_that_of_numpy(matrix: Symmetric) -> None:

@@ -44,9 +44,9 @@ class RigidPose(NamedTuple):
 
     def inverse(self) -> "RigidPose":
         """Return where A is in B."""
-        turned = RigidPose(transposed(self.rotation), (0.0, 0.0, 0.0))
-        x, y, z = turned.turn(self.translation)
-        return RigidPose(turned.rotation, (-x, -y, -z))
+        x, y, z = rotation = transposed(self.rotation)
+        r = self.translation
+        return RigidPose(rotation, (-_dot(x, r), -_dot(y, r), -_dot(z, r)))
 
 
 IDENTITY = RigidPose(_IDENTITY, (0.0, 0.0, 0.0))
