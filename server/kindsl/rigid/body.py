@@ -109,9 +109,7 @@ def is_clearly_positive(matrix: Symmetric) -> bool:
     """
     xx, yy, zz, xy, _, _ = matrix
     trace = xx + yy + zz
-    if xx <= 0.0 or yy <= 0.0 or zz <= 0.0:
-        return False
-    if xx * yy - xy * xy <= 1e-12 * trace * trace:
+    if xx < 0.0 or xx * yy - xy * xy <= 1e-12 * trace * trace:
         return False
     return determinant(matrix) > 1e-12 * trace * trace * trace
 
