@@ -129,6 +129,8 @@ def test_casadi() -> None:
     )  # fmt: skip
     values = {k: casadi.DM(v) for k, v in expected.values.items()}
     _assert_right(module, made, Reference(expected.mechanics, expected.values))
+    with pytest.raises(ValueError, match=r"an argument has shape \(99, 1\), expected \(\d+, 1\)"):
+        module.poses(np.zeros(99))
     q = casadi.SX.sym("q", bodies.n_links)
     slope = casadi.Function("slope", [q], [casadi.jacobian(module.gravity_torque(q), q)])
     rest = [np.zeros(bodies.n_links)] * 2

@@ -14,6 +14,9 @@ def _answer(function, shapes, parameters, *vectors):
     for x, n in vectors:
         column = casadi.vertcat(*x) if isinstance(x, (list, tuple)) else x
         column = casadi.DM.zeros(n) if column is None else column
+        column = column if hasattr(column, "numel") else casadi.DM(column)
+        if column.numel() != n:
+            raise ValueError(f"an argument has shape {column.shape}, expected ({n}, 1)")
         parts.append([column[i] for i in range(n)])
     results = []
     for entries, shape in zip(function(_values(parameters), *parts), shapes):
