@@ -110,6 +110,15 @@ def test_long_functions_are_cut_without_loss(
     assert "FAILED" not in run_tests(build(COMPILERS[0], folder, [], "tests"))
 
 
+@pytest.mark.skipif(shutil.which("g++") is None, reason="there is no C++ compiler")
+def test_one_header_tells_that_its_code_is_c(tmp_path: Path) -> None:
+    folder = write_c(bodies_of_seed(2), tmp_path, ("poses",), is_single_header=True)
+    (folder / "main.cpp").write_text('#define ROBOT_IMPLEMENTATION\n#include "robot.h"\n')
+    command = ["g++", "-fsyntax-only", "-fmax-errors=1", "main.cpp"]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    assert "#error ROBOT_IMPLEMENTATION belongs in a C source file" in done.stderr
+
+
 def test_tolerances_of_the_test_program_are_those_of_the_type() -> None:
     assert TOLERANCES["double"] < 1e-8 < TOLERANCES["float"]
 

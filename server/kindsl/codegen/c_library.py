@@ -5,6 +5,7 @@ from kindsl.codegen.c_header import header
 from kindsl.codegen.c_sources import model_source, noinline, quantity_source, sources
 from kindsl.codegen.c_test import test_program
 from kindsl.codegen.c_text import macro
+from kindsl.codegen.cpp_header import namespace
 from kindsl.codegen.library import Library
 from kindsl.codegen.readme import readme
 from kindsl.codegen.reference import Reference
@@ -46,7 +47,9 @@ def single_header(library: Library) -> str:
     P = macro(library)
     return (
         f"{header(library)}\n#if defined({P}_IMPLEMENTATION) && !defined({P}_IMPLEMENTED)\n"
-        f"#define {P}_IMPLEMENTED\n#include <math.h>\n#include <stddef.h>\n\n{code}\n#endif\n"
+        f"#define {P}_IMPLEMENTED\n#if defined(__cplusplus)\n"
+        f"#error {P}_IMPLEMENTATION belongs in a C source file\n#endif\n"
+        f"#include <math.h>\n#include <stddef.h>\n\n{code}\n#endif\n"
     )
 
 
@@ -63,7 +66,7 @@ cmake -B build && cmake --build build && ctest --test-dir build && cmake --insta
 
 Then `find_package({p})` and `target_link_libraries(program {p}::{p})`.
 
-{_example(library)}"""
+{_example(library)}{_in_cpp(library)}"""
 
 
 def _single_usage(library: Library) -> str:
@@ -74,7 +77,7 @@ def _single_usage(library: Library) -> str:
 Write `#define {P}_IMPLEMENTATION` before `#include "{p}.h"` in one source file (C11, link with
 `-lm`); include it as it is in others. `cc {p}_test.c -lm && ./a.out` tests it.
 
-{_example(library)}"""
+{_example(library)}{_in_cpp(library)}"""
 
 
 def _example(library: Library) -> str:
@@ -84,5 +87,24 @@ def _example(library: Library) -> str:
 {p}_parameters parameters = {p}_default_parameters();
 {p}_model model;
 {p}_model_init(&model, &parameters); /* again whenever a parameter changes */
+```
+"""
+
+
+def _in_cpp(library: Library) -> str:
+    if library.options.language != "cpp":
+        return ""
+    p, space = library.prefix, namespace(library)
+    given = "" if library.is_bound else "(parameters)"
+    return f"""\
+
+`{p}.hpp` has the functions as methods in C++17, with Eigen's types. A single result is returned,
+several are filled in, and `fext` comes last and may be left out:
+
+```cpp
+#include <{p}.hpp>
+
+const {space}::Model model{given};
+const {space}::JointVector q = {space}::JointVector::Zero();
 ```
 """
