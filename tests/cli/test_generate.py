@@ -56,6 +56,16 @@ def test_names_that_no_language_takes_are_changed_and_told(kindsl: Runner, folde
     assert told.err.endswith("out: note: 'double' is 'double_' in the code\n")
 
 
+@pytest.mark.parametrize("robot", ["double", "Größe"])
+def test_a_prefix_that_differs_from_the_name_is_told(
+    robot: str, kindsl: Runner, folder: Path
+) -> None:
+    (folder / "robot.kindsl").write_text(f"Robot {robot} {GOOD[GOOD.index('{') :]}")
+    told = kindsl(*_c(folder / "robot.kindsl", "--quantities", "poses"))
+    prefix = {"double": "double_", "Größe": "gr__e"}[robot]
+    assert told.err.endswith(f"note: the robot is '{robot}', so the prefix is '{prefix}'\n")
+
+
 def test_a_second_generation_replaces_the_first(
     kindsl: Runner, document: Path, folder: Path
 ) -> None:
@@ -88,6 +98,8 @@ def test_foreign_and_edited_files_stay(kindsl: Runner, document: Path, folder: P
         (("", ""), ("--name", "int"), "--name: 'int' is a reserved word in C, C++ or Python"),
         (("", ""), ("--quantities", "pose"),
          "--quantities: there is no quantity 'pose'; did you mean 'poses'?"),
+        (("", ""), ("--quantities", ","), "--quantities: no quantity is named"),
+        (("", ""), ("--param", "x=1.0"), "there is no parameter 'x'"),
         (("", ""), ("--parameters", "x"), "--parameters: there is no parameter 'x'"),
         (("lower via elbow", "lowr via elbow"), (), "there is no link 'lowr'"),
         (("mass = ", "mass = 0.0 * "), ("--quantities", "center_of_mass"),
@@ -105,6 +117,24 @@ def test_one_sentence_and_nothing_written(
     assert message in last
     assert "error: " in last
     assert not (folder / "out").exists()
+
+
+@pytest.mark.parametrize("option", ["--real float", "--single-header"])
+def test_options_of_c_are_of_no_use_elsewhere(
+    option: str, kindsl: Runner, document: Path, folder: Path
+) -> None:
+    told = kindsl("generate", str(document), "--language", "jax", "-o", "out", *option.split())
+    message = f"{option} cannot be used with --language jax"
+    assert (told.status, told.err) == (2, f"kindsl generate: error: {message}\n")
+    assert not (folder / "out").exists()
+
+
+def test_a_library_in_cpp_tells_how_it_is_used(
+    kindsl: Runner, document: Path, folder: Path
+) -> None:
+    kindsl("generate", str(document), "--language", "cpp", "-o", "out")
+    readme = (folder / "out" / "README.md").read_text()
+    assert "#include <arm.hpp>\n\nconst arm::Model model;\n" in readme
 
 
 MASSLESS = "children { a via j } } link a { id = 1 children { } }"

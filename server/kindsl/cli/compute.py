@@ -16,6 +16,7 @@ from kindsl.cli.documents.reading import (
     defect,
     note_errors,
     read_document,
+    require_parameters,
     require_syntax,
     shown_name,
     unbound,
@@ -25,7 +26,6 @@ from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import Failure, as_failures
 from kindsl.config.errors import ConfigurationError
 from kindsl.reports.motions import Motion, MotionError, Robot
-from kindsl.text.nearest import hint, nearest_name
 
 if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis
@@ -83,23 +83,13 @@ def run(args: argparse.Namespace) -> int:
 def _mechanism(path: str, analysis: "Analysis") -> "Mechanism":
     from kindsl.mechanism.errors import ModelError, UnboundParameterError
 
-    _check_names(path, analysis)
+    require_parameters(path, analysis)
     try:
         return analysis.mechanism()
     except UnboundParameterError as error:
         raise unbound(path, analysis, error) from None
     except ModelError as error:
         raise defect(path, analysis, str(error), error.at) from None
-
-
-def _check_names(path: str, analysis: "Analysis") -> None:
-    """Raise CommandError for a value given on the command line to what is no parameter."""
-    known = [str(parameter.name) for parameter in analysis.model.parameters]
-    for name, binding in analysis.settings.bindings.items():
-        if binding.origin == "--param" and name not in known:
-            meant = hint(nearest_name(name, known), after=",")
-            message = f"there is no parameter '{name}'{meant}"
-            raise CommandError([Failure(shown_name(path), message)])
 
 
 def _show(

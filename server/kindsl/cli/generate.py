@@ -19,6 +19,7 @@ from kindsl.cli.documents.reading import (
     missing_module,
     note_errors,
     read_document,
+    require_parameters,
     require_syntax,
     shown_name,
     unbound,
@@ -34,7 +35,8 @@ if TYPE_CHECKING:
     from kindsl.codegen.generating import Source
     from kindsl.codegen.library import Library, Options
 
-LANGUAGES = ("c", "cpp", "python", "jax", "casadi")
+C_LANGUAGES = ("c", "cpp")
+LANGUAGES = (*C_LANGUAGES, "python", "jax", "casadi")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -82,6 +84,12 @@ def _run(args: argparse.Namespace) -> int:
     if args.check is None and (args.language is None or args.output is None):
         write(sys.stderr, "kindsl generate: error: --language and -o DIR are needed\n")
         return 2
+    if args.check is None and args.language not in C_LANGUAGES:
+        options = {"--real float": args.real == "float", "--single-header": args.single_header}
+        for option in (option for option, is_given in options.items() if is_given):
+            message = f"{option} cannot be used with --language {args.language}"
+            write(sys.stderr, f"kindsl generate: error: {message}\n")
+            return 2
     source = _source(args)
     return _generate(args, source) if args.check is None else _check(args, source)
 
@@ -91,6 +99,7 @@ def _source(args: argparse.Namespace) -> "Source":
 
     analysis = read_document(args.file, choices_of(args))
     require_syntax(args.file, analysis)
+    require_parameters(args.file, analysis)
     note_errors(args.file, analysis)
     name = Path(shown_name(args.file)).name
     return Source(name, analysis, dict(args.param), _transforms(args))
@@ -128,7 +137,7 @@ def _generate(args: argparse.Namespace, source: "Source") -> int:
         why = reason(args.output, error).replace("read", "written")
         raise CommandError([Failure(args.output, why)]) from None
     if not args.quiet:
-        write(sys.stderr, _remarks(library, args.output, len(files)))
+        write(sys.stderr, _remarks(library, args, len(files)))
     return 0
 
 
@@ -182,6 +191,8 @@ def _quantities(args: argparse.Namespace) -> tuple[str, ...]:
 
     listed = args.quantities or ""
     chosen = [name.strip() for name in listed.split(",") if name.strip()]
+    if args.quantities is not None and not chosen:
+        raise CommandError([Failure(shown_name(args.file), "--quantities: no quantity is named")])
     for name in chosen:
         if name not in QUANTITIES:
             close = hint(nearest_word(name, QUANTITIES))
@@ -196,13 +207,13 @@ def _quantities(args: argparse.Namespace) -> tuple[str, ...]:
     )
 
 
-def _remarks(library: "Library", folder: str, n_files: int) -> str:
-    lines = [f"{folder}: {counted(n_files, 'file')} written\n"]
+def _remarks(library: "Library", args: argparse.Namespace, n_files: int) -> str:
+    lines = [f"{counted(n_files, 'file')} written"]
     lines += [
-        f"{folder}: note: '{printable(name)}' is '{safe}' in the code\n"
+        f"note: '{printable(name)}' is '{safe}' in the code"
         for name, safe in library.renamed.items()
     ]
-    prefix = library.prefix
-    if prefix != library.robot_name.lower() and not library.robot_name:
-        lines.append(f"{folder}: note: the robot has no name, so the prefix is '{prefix}'\n")
-    return "".join(lines)
+    robot, prefix = library.robot_name, library.prefix
+    if args.name is None and prefix != robot.lower():
+        lines.append(f"note: the robot is '{printable(robot)}', so the prefix is '{prefix}'")
+    return "".join(f"{args.output}: {line}\n" for line in lines)

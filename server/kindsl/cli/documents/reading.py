@@ -13,6 +13,7 @@ from kindsl.config.errors import ConfigurationError
 from kindsl.rules.base import Severity
 from kindsl.semantics.places import Located
 from kindsl.text.lines import LineIndex
+from kindsl.text.nearest import hint, nearest_name
 from kindsl.text.printable import printable
 
 if TYPE_CHECKING:
@@ -76,6 +77,16 @@ def require_syntax(path: str, analysis: Analysis) -> None:
             failures.append(Failure(shown_name(path), message, line + 1, column + 1))
     if failures:
         raise CommandError(failures, status=1)
+
+
+def require_parameters(path: str, analysis: Analysis) -> None:
+    """Raise CommandError for a value given on the command line to what is no parameter."""
+    known = [str(parameter.name) for parameter in analysis.model.parameters]
+    for name, binding in analysis.settings.bindings.items():
+        if binding.origin == "--param" and name not in known:
+            meant = hint(nearest_name(name, known), after=",")
+            message = f"there is no parameter '{name}'{meant}"
+            raise CommandError([Failure(shown_name(path), message)])
 
 
 def note_errors(path: str, analysis: Analysis) -> None:
