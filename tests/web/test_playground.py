@@ -167,6 +167,18 @@ def test_two_open_texts_are_compared_as_texts_and_as_robots(tab: Tab) -> None:
     assert tab.page.locator("#editor").is_visible()
 
 
+def test_a_comparison_ends_with_one_of_its_texts(tab: Tab) -> None:
+    tab.open_beside("other.kindsl", models.ARM.replace("Robot arm", "Robot other"))
+    tab.show("arm.kindsl", models.ARM)
+    tab.page.locator("#do-compare").click()
+    tab.page.locator("#old-side").select_option("other.kindsl")
+    tab.page.locator("#difference .line-delete").first.wait_for()
+    complaints = len(tab.complaints)
+    tab.page.get_by_title("Close other.kindsl").click()
+    assert tab.page.locator("#editor").is_visible()
+    assert tab.complaints[complaints:] == []
+
+
 def test_nothing_but_its_own_host_is_asked(tab: Tab, address: str, playground: Path) -> None:
     tab.page.screenshot(path=_shot("playground"))
     strangers = [url for url in tab.requests if not url.startswith((address, "blob:", "data:"))]

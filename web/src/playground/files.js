@@ -26,6 +26,7 @@ export class Files {
     this.bar = bar;
     this.onActive = () => {};
     this.onChange = () => {};
+    this.onClose = () => {};
   }
 
   /** Open a text in a tab, replacing the one of that name. */
@@ -41,6 +42,7 @@ export class Files {
   close(name) {
     const file = this.#files.get(name);
     if (file === undefined) return;
+    this.onClose(name);
     file.tab.remove();
     file.model.dispose();
     this.#files.delete(name);

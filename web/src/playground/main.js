@@ -50,6 +50,9 @@ files.onChange = (name) => {
   comparison.refresh();
 };
 
+// What is compared may be gone, and what is offered is.
+files.onClose = () => comparison.hide();
+
 const writeConfiguration = debounced(() => {
   const text = files.model(CONFIGURATION)?.getValue() ?? null;
   port.notify("kindsl/writeFile", { path: `/robots/${CONFIGURATION}`, text });
