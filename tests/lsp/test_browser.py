@@ -163,6 +163,11 @@ async def test_a_urdf_becomes_a_document_with_remarks(client):
         ("a.urdf", URDF.replace('"0 0 1"', '"0 1"', 1), "has 2 numbers in 'xyz', not 3"),
         ("a.URDF", "<robot>\n<link", "not a readable URDF: not well-formed XML at line 2"),
         ("a.sdf", URDF, "not an SDF: its root element is <robot>, not <sdf>"),
+        (
+            "a.urdf",
+            URDF.replace('parent link="base_link"', 'parent link="a&#10;b"'),
+            "link 'a\ufffdb'",
+        ),
         ("a.xml", "<mujoco/>", "MJCF cannot be read from one text, as .sdf or .urdf can"),
         ("a.step", "", "the suffix '.step' does not tell the format: use .sdf or .urdf"),
     ],

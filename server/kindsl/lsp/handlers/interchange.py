@@ -10,6 +10,7 @@ from kindsl.lsp.handlers.table import Handlers
 from kindsl.lsp.session.session import Session
 from kindsl.lsp.session.view import View
 from kindsl.lsp.wire.protocol import RequestFailed
+from kindsl.text.printable import printable
 
 handlers = Handlers()
 
@@ -36,7 +37,7 @@ async def import_robot(
     if not isinstance(name, str) or not isinstance(text, str):
         raise JsonRpcInvalidParams("the arguments must be a file's name and its text")
     document, remarks = await session.worker.run(lambda: _document(PurePath(name), text))
-    return {"text": document, "remarks": list(remarks)}
+    return {"text": document, "remarks": [printable(remark) for remark in remarks]}
 
 
 def _urdf(view: View) -> tuple[str, tuple[str, ...]]:
@@ -67,4 +68,4 @@ def _document(name: PurePath, text: str) -> tuple[str, tuple[str, ...]]:
     try:
         return written_kindsl(format.parse(text, name.stem, False))
     except FormatError as error:
-        raise RequestFailed(str(error)) from None
+        raise RequestFailed(printable(str(error))) from None
