@@ -19,7 +19,6 @@ _LINES = frozenset(
 )  # fmt: skip
 _GLUED_AFTER = frozenset("(<[")
 _GLUED_BEFORE = frozenset(",)>]")
-_VALUES = frozenset(("multiply", "divide", "constant", "defaulted"))
 _COMMENTS = frozenset(("//", "/*"))
 _NUMBERS = frozenset(("FLOAT", "INT", "SCIENTIFIC", "POWER_FLOAT"))
 
@@ -102,6 +101,6 @@ def _space(before: Piece, piece: Piece) -> str:
         return ""
     if before.parent == "constant" and before.kind == "=":
         return ""
-    if before.kind in ("-", "+") and before.parent in ("negate", "plus"):
+    if before.parent == "negate":
         return " " if piece.kind in _NUMBERS else ""
     return " "
