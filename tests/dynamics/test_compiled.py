@@ -85,6 +85,7 @@ def test_poses_and_jacobians(
     assert list(poses) == list(expected)
     for name in expected:
         _assert_close(poses[name], expected[name])
+    for name in (*expected, compiled.bodies.base_name):
         _assert_close(compiled.jacobian(q, name), mechanics.jacobian(q, name))
     with pytest.raises(ValueError, match="there is no link or frame 'nothing'"):
         compiled.jacobian(q, "nothing")

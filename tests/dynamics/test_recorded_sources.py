@@ -56,6 +56,8 @@ def sources(patch: pytest.MonkeyPatch) -> Iterator[str]:
     named = dict(zip("qp", recorded.arguments, strict=True))
     results = [outputs[:5], outputs[5:]]
     yield from python_function(graph, "f", named, results).splitlines()
+    given = {"q": [0.0, *recorded.arguments[0][:2]], "none": []}
+    yield from python_function(graph, "g", given, [outputs[:2], []]).splitlines()
     for size in (500, 6):
         patch.setattr(c, "OPERATIONS_PER_PART", size)
         for dialect in (DOUBLE, FLOAT):

@@ -18,7 +18,15 @@ from kindsl.semantics.numbers import mass_distribution, written_pose
 from kindsl.semantics.parameters import values_of
 from kindsl.semantics.places import Located
 from kindsl.semantics.ranges import bounds_of, degrees_of
+from kindsl.semantics.transforms import (
+    frame_names,
+    other_robot,
+    repeated_transforms,
+    undeclared_frames,
+    unknown_frames,
+)
 from kindsl.syntax.document import parse
+from kindsl.syntax.transforms_text import read_transforms
 
 FOLDER = Path(__file__).parent / "recorded"
 VALUES = (
@@ -156,6 +164,28 @@ def of_value(value: Expression) -> Iterator[str]:
         yield f"    {type(symbol).__name__} {symbol.name} at {place}: {inner}"
 
 
-@pytest.mark.parametrize("of", [of_documents, of_losses, of_values])
+TRANSFORMS = (
+    "Robot arm\nFrames { fr_base, fr_upper, tip, uper }\nTransforms {\n"
+    "    base=fr_base, target=tip\n    base=tip, target=fr_base\n    base=fr_base, target=tip\n"
+    "    base=fr_base, target=tool\n}\nJacobians { base=fr_base, target=tip\n"
+    "    base=fr_base, target=tip base=uper, target=tool }",
+    "Robot leg\nFrames { fr_base, fr_base }\nTransforms { }",
+    "Robot",
+    "",
+)
+
+
+def of_transforms() -> Iterator[str]:
+    model = analyse(STUB).model
+    yield f"{frame_names(model)}"
+    for text in TRANSFORMS:
+        document, teller = read_transforms(text), Teller(text)
+        yield f"## {text!r}"
+        for check in (unknown_frames, undeclared_frames, repeated_transforms, other_robot):
+            for message, start, end in check(document, model):
+                yield f"{teller.span(start, end)}: {message}"
+
+
+@pytest.mark.parametrize("of", [of_documents, of_losses, of_values, of_transforms])
 def test_meanings_are_as_recorded(of: Callable[[], Iterator[str]]) -> None:
     assert_as_recorded(FOLDER / f"{of.__name__}.txt", of())
