@@ -110,6 +110,19 @@ def test_long_functions_are_cut_without_loss(
     assert "FAILED" not in run_tests(build(COMPILERS[0], folder, [], "tests"))
 
 
+def test_forces_that_add_little_are_zeros_where_there_are_none(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("kindsl.codegen.c_sources.MOST_ADDED", 9.0)
+    folder = write_c(bodies_of_seed(9, 3), tmp_path, FEW)
+    text = (folder / "robot_inverse_dynamics.c").read_text()
+    assert "inverse_dynamics_loaded(" in text
+    assert "inverse_dynamics_free(" not in text
+    told = run_tests(build(COMPILERS[0], folder, [], "tests"))
+    assert "ok inverse_dynamics: tau with forces" in told
+    assert "FAILED" not in told
+
+
 @pytest.mark.skipif(shutil.which("g++") is None, reason="there is no C++ compiler")
 def test_one_header_tells_that_its_code_is_c(tmp_path: Path) -> None:
     folder = write_c(bodies_of_seed(2), tmp_path, ("poses",), is_single_header=True)
