@@ -46,12 +46,12 @@ class CArray(NamedTuple):
     Attributes:
         name: Its name.
         declaration: Of the parameter.
-        entries: What it holds.
+        entries: What it holds; None where a function leaves what is there.
     """
 
     name: str
     declaration: str
-    entries: Sequence[Scalar]
+    entries: Sequence[Scalar | None]
 
 
 class CBody(NamedTuple):
@@ -82,7 +82,9 @@ def c_definition(graph: Graph, body: CBody, dialect: Dialect, linkage: str = "")
         linkage: What stands before it: `"static "` or nothing.
     """
     writer = _Writer(graph, body, dialect)
-    order = computed(graph, [e for a in body.gives for e in a.entries], writer.given)
+    order = computed(
+        graph, [e for a in body.gives for e in a.entries if e is not None], writer.given
+    )
     parts = cut(graph, order, OPERATIONS_PER_PART)
     written = [writer.written(part) for part in parts.parts]
     written[-1] = writer.with_the_rest(written[-1])
@@ -152,7 +154,7 @@ class _Writer:
                 if isinstance(entry, Expression) and entry.index not in self.given:
                     place = f"{array.name}[{number}]"
                     self._computed.setdefault(entry.index, []).append((array.name, place))
-                else:
+                elif entry is not None:
                     self._rest.append((array.name, number, entry))
 
     def written(self, part: Part) -> _Written:

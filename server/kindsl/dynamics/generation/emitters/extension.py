@@ -115,6 +115,8 @@ def _many(number: int, kernel: Kernel) -> str:
         lines.append(f"lanes a{i}[{argument.length}];")
     for i, result in enumerate(kernel.results):
         lines.append(f"lanes o{i}[{len(result.entries)}];")
+    results = ", ".join(f"o{i}" for i in range(len(kernel.results)))
+    lines.append(f"constants_{number}({results});")
     lines.append("for (npy_intp i = 0; i < n; i += LANES) {")
     lines.append("    const npy_intp width = n - i < LANES ? n - i : LANES;")
     for i, argument in _given(kernel):
@@ -122,8 +124,7 @@ def _many(number: int, kernel: Kernel) -> str:
         lines.append(f"    gather(a{i}, {row}, {argument.length}, width);")
     lines.append(f"    sines_and_cosines(a0, sines, cosines, {n_angles});")
     given_names = [*(f"a{i}" for i, _ in _given(kernel)), "cosines", "sines"]
-    names = [*given_names, *(f"o{i}" for i in range(len(kernel.results)))]
-    lines.append(f"    wide_{number}({', '.join(names)});")
+    lines.append(f"    wide_{number}({', '.join([*given_names, results])});")
     for i, result in enumerate(kernel.results):
         lines.append(f"    hand_out(out[{i}], o{i}, {len(result.entries)}, i, n);")
     lines += ["}", "END_OF_STREAMS;"]
@@ -139,10 +140,17 @@ def _wide(graph: Graph, number: int, kernel: Kernel) -> str:
     arrays = [CArray(name, f"const lanes *restrict {name}", c) for name, c in takes]
     trigonometry = [CArray("cosines", "const lanes *restrict cosines", cosines),
                     CArray("sines", "const lanes *restrict sines", sines)]  # fmt: skip
-    gives = [CArray(f"o{i}", f"lanes *restrict o{i}", r.entries)
-             for i, r in enumerate(kernel.results)]  # fmt: skip
-    body = CBody(f"wide_{number}", [*arrays, *trigonometry], gives, {})
-    text = c_definition(graph, body, WIDE, "static ")
+    varying, constant = [], []
+    for i, result in enumerate(kernel.results):
+        array = CArray(f"o{i}", f"lanes *restrict o{i}", result.entries)
+        entries = [(e, None) if isinstance(e, Expression) else (None, e) for e in result.entries]
+        varying.append(array._replace(entries=[entry for entry, _ in entries]))
+        constant.append(array._replace(entries=[entry for _, entry in entries]))
+    bodies = (
+        CBody(f"constants_{number}", [], constant, {}),
+        CBody(f"wide_{number}", [*arrays, *trigonometry], varying, {}),
+    )
+    text = "\n".join(c_definition(graph, body, WIDE, "static ") for body in bodies)
     return f"#if defined(LANES)\n{text}#endif\n"
 
 
