@@ -1,0 +1,66 @@
+"""What a compiler takes for the generated code of a large robot, in processor time.
+
+    python benchmarks/generated_compiling.py [--seed N] [--links N]
+
+A random tree with a floating base, prismatic joints, branches and frames; all quantities, with
+derivatives, in C. Each file is compiled by itself with `cc -O2`, and with `cc -O0` as a measure of
+the machine and its load.
+"""
+
+import argparse
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from tests.codegen.robots import ALL, write_c
+from tests.dynamics.random_bodies import random_bodies
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--seed", type=int, default=7)
+    parser.add_argument("--links", type=int, default=30)
+    args = parser.parse_args()
+    bodies = random_bodies(np.random.default_rng(args.seed), args.links, is_floating=True)
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = write_c(bodies, Path(temporary), ALL)
+        paths = sorted(path for path in folder.glob("*.c") if not path.name.endswith("_test.c"))
+        rows = [(path.stem, path.stat().st_size, *_seconds(path)) for path in paths]
+    for row in sorted(rows, key=lambda row: row[2]):
+        _row(*row)
+    _row("all", *(sum(column) for column in list(zip(*rows, strict=True))[1:]))
+
+
+def _seconds(path: Path) -> tuple[float, float]:
+    """Return the processor's seconds for a file, optimized and not."""
+    optimized, plain = (_compile(path, option) for option in ("-O2", "-O0"))
+    return optimized, plain
+
+
+def _compile(path: Path, option: str) -> float:
+    before = os.times()
+    command = ["cc", "-std=c11", option, "-c", path.name, "-o", "object.o"]
+    subprocess.run(command, cwd=path.parent, check=True)
+    after = os.times()
+    return (
+        after.children_user
+        + after.children_system
+        - (before.children_user + before.children_system)
+    )
+
+
+def _row(name: str, size: int, optimized: float, plain: float) -> None:
+    ratio = optimized / plain
+    print(f"{name:36} {size / 1e6:6.2f} MB  -O2 {optimized:6.1f} s  {ratio:5.1f} x -O0", flush=True)
+
+
+if __name__ == "__main__":
+    main()
