@@ -53,14 +53,14 @@ def written_number(value: float, old: str) -> Written:
     whole, _, decimals = f"{value:.{MOST_DECIMALS}f}".partition(".")
     if not float(f"{whole}.{decimals}"):
         return Written("0.0", 0.0)
-    least = max(1, min(_decimals(old), MOST_DECIMALS))
+    least = min(_decimals(old), MOST_DECIMALS)
     text = f"{whole}.{decimals.rstrip('0').ljust(least, '0')}"
     return Written(text, float(text))
 
 
 def _decimals(text: str) -> int:
     decimals = text.partition(".")[2]
-    return len(decimals) if decimals.isdecimal() else 0
+    return len(decimals) if decimals.isdecimal() else 1
 
 
 def _has_pi(node: Node) -> bool:
