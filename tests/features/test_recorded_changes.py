@@ -78,6 +78,7 @@ DOCUMENTS = {
     "gripper": PARAMETRIC,
     "tangled": TANGLED,
     "unsorted": UNSORTED,
+    "unsorted, far out": UNSORTED.replace("0.2, 0.3)", "20.2, 0.3)"),
     "unsorted, carriage returns": UNSORTED.replace("\n", "\r\n"),
     "scattered": SCATTERED,
     "fragment": FRAGMENT,

@@ -122,6 +122,20 @@ def test_every_offset(text):
     visit(text, range(-1, len(text) + 2, 3))
 
 
+@pytest.mark.parametrize("feature", AT_OFFSET, ids=lambda feature: feature.__name__)
+def test_what_is_beyond_an_end_is_at_it(feature):
+    for text in (SMALL, SMALL.rstrip()[:-4], "Rob", ""):
+        analysis = analyse(text)
+        assert feature(analysis, -3) == feature(analysis, 0)
+        assert feature(analysis, len(text) + 3) == feature(analysis, len(text))
+
+
+def test_a_range_that_ends_before_it_begins_has_nothing():
+    analysis = analyse(SMALL)
+    assert inlay_hints(analysis, 60, 50, ALL_HINTS) == ()
+    assert semantic_tokens(analysis, 60, 50) == ()
+
+
 @given(st.lists(st.tuples(st.integers(0, len(SMALL)), st.integers(0, 9)), max_size=4), st.data())
 @settings(max_examples=60, deadline=None, derandomize=True)
 def test_mutilated_documents(cuts, data):

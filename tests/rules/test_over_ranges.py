@@ -68,6 +68,26 @@ def test_a_range_without_extent_is_not_halved(
     assert proof == (outcome, where if where is None else pytest.approx(where))
 
 
+@pytest.mark.parametrize("place", range(6))
+def test_what_is_proved_possible_is_so_everywhere(place: int) -> None:
+    """Where one moment varies with the square of a parameter, in whichever place."""
+    generator = random.Random(f"squares {place}")
+    outcomes = set()
+    for _ in range(12):
+        moments = ["0.200", "0.200", "0.200", "0.000", "0.000", "0.000"]
+        width = generator.uniform(0.1, 0.75)
+        moments[place] += f"+c*c*{generator.choice((0.5, -0.5, 0.9)):.1f}"
+        names = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")
+        told = " ".join(f"{n}={v}" for n, v in zip(names, moments, strict=True))
+        inertia = inertia_of(f"inertia_params {{ mass = 1.000 CoM = (0.0, 0.0, 0.0) {told} }}")
+        proof = over_ranges(inertia, {"c": (-width, width)}, {})
+        outcomes.add(proof.outcome)
+        grid = [width * (k / 50.0 - 1.0) for k in range(101)]
+        wrong = [c for c in grid if not is_possible(inertia, {"c": c})]
+        assert not wrong or proof.outcome is Outcome.IMPOSSIBLE
+    assert outcomes == {Outcome.POSSIBLE, Outcome.IMPOSSIBLE}
+
+
 def test_ten_ranges_are_no_hindrance() -> None:
     mass, x, y, z, ix, iy, iz, ixy, *_ = TEN
     section = SECTION % (mass, x, y, z, ix, iy, iz, ixy)

@@ -104,7 +104,8 @@ def weights() -> Iterator[str]:
     body = of_light_metal(random_body(random.Random("slips"), "block"))
     half = MassDistribution(0.01, (0.001, 0.002, 0.003), (0.01, 0.02, 0.03, 0.04, 0.05, 0.06))
     yield "## every slip"
-    for h in hypotheses(body, half):
+    without_products = body._replace(moments=(*body.moments[:3], 0.0, 0.0, 0.0))
+    for h in (*hypotheses(body, half), *hypotheses(without_products, half)):
         told = f"{_slips(h)}: weight {h.weight:.4g}, {h.is_partial} {h.is_last_resort} {h.kinds}"
         yield told.replace("<Slip.", "").replace(">", "")
         numbers = (*h.body.com, *h.body.moments, h.half.mass, *h.half.moments)

@@ -69,6 +69,17 @@ def with_product(name: str) -> Writes:
     return write
 
 
+def in_a_frame(com: str) -> str:
+    """Return an arm of 0.3 m with its CoM above a frame at its end."""
+    about_frame = f"{1.2 * float(com) ** 2 + 0.0005:.4f}"
+    section = inertia("1.2", com, about_frame, about_frame, "0.0010")
+    arm = link("arm", 1, "hand via wrist", section.replace("}", "ref_frame = f }"))
+    pose = "translation = (0.0, 0.0, 0.3) rotation = (0.0, 0.0, 0.0)"
+    arm = f"{arm.removesuffix('}' + chr(10))} frames {{ f {{ {pose} }} }} }}\n"
+    joints = joint("elbow"), joint("wrist", 0.3)
+    return robot(arm, link("hand", 2), *joints, base="arm via elbow")
+
+
 def framed(user: str) -> str:
     """Return a link with a frame that lies on its own, and an inertia in this frame."""
     section = inertia("4.1", "0.0", "0.0041", "0.0041", "0.0041")
@@ -92,6 +103,7 @@ def hand_at(height: str, com: str = "2.0", ix: str = "4.01") -> str:
         ("KD305", lambda iz: ball("1.0", "0.1", iz), "0.0000000004", "0.0000000001"),
         ("KD309", hand_at, "0.02", "0.0201"),
         ("KD309", lambda end: hand_at(end, "0.0", "15000.0"), "10.0", "9.99"),
+        ("KD309", in_a_frame, "0.95", "1.00"),
         ("KD312", with_product("Ixy"), "-0.004", "0.004"),
         ("KD312", with_product("Ixz"), "0.004", "-0.004"),
         ("KD312", with_product("Iyz"), "-0.004", "0.004"),
@@ -219,6 +231,26 @@ def test_a_body_is_impossible_from_a_value_on(height: str, end: float, is_told: 
     told = [f.message for f in found("KD411", link("a", 1, inertia=section), bound)]
     expected = f"inertia of 'a' is physically impossible at m = {end:g}"
     assert told == ([expected] if is_told else [])
+
+
+@pytest.mark.parametrize(
+    ("parent", "child", "other", "count"),
+    [
+        (2, 1, 3, 1),
+        (3, 2, 1, 1),
+        (1, 2, 3, 0),
+        (3, 1, 1, 0),
+        (3, 1, 3, 0),
+        (2, 1, 2, 0),
+        (9, 1, 2, 0),
+    ],
+)
+def test_numbers_that_are_wrong_otherwise_have_no_order(
+    parent: int, child: int, other: int, count: int
+) -> None:
+    links = link("a", parent, "b via jb"), link("b", child), link("c", other)
+    text = robot(*links, base="a via ja c via jc", joints="ja jb jc")
+    assert len(found("KD110", text)) == count
 
 
 @pytest.mark.parametrize(("n_below", "n_shown"), [(3, 3), (20, 20), (21, 20)])

@@ -73,8 +73,6 @@ def _comments(island: Island) -> Iterator[Fold]:
 
 def _robot(analysis: Analysis) -> Iterator[Fold]:
     syntax = analysis.syntax
-    if not len(syntax):
-        return
     first, last = syntax.island(0), syntax.island(len(syntax) - 1)
     opening = next((t for t in _of(first.island, "head") if t.kind == "{"), None)
     closing = next((t for t in _of(last.island, "end") if t.kind == "}"), None)

@@ -55,7 +55,7 @@ def inlay_hints(
 ) -> tuple[InlayHint, ...]:
     """Return the hints in a range, in the order of the text."""
     syntax = analysis.syntax
-    if not len(syntax) or start > end:
+    if start > end:
         return ()
     hints: list[InlayHint] = []
     for index in range(syntax.island_at(start).index, syntax.island_at(end).index + 1):
