@@ -1,24 +1,24 @@
 """Names and numbers that nothing has yet, in the manner of those that are there."""
 
-import re
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
+from itertools import chain
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.semantics.declarations import Link
 
-_NUMBERED = re.compile(r"(.*?)(\d+)")
+_KEY = "names taken"
 
 
 def fresh_link(analysis: Analysis) -> str:
     """Return a name for a new link: `link4` behind `link3`."""
-    return _fresh([str(link.name) for link in analysis.model.links], "link", _taken(analysis))
+    return _fresh([link.name for link in analysis.model.links], "link", _taken(analysis))
 
 
 def fresh_joint(analysis: Analysis, child: str = "") -> str:
     """Return a name for a new joint: `joint4` behind `joint3`, else told by the child it moves."""
-    names = [str(joint.name) for joint in analysis.model.joints]
-    names += [str(c.joint) for body in analysis.model.bodies for c in body.children]
-    is_numbered = any(_NUMBERED.fullmatch(name) for name in names)
+    names: list[str] = [joint.name for joint in analysis.model.joints]
+    names += [child.joint for body in analysis.model.bodies for child in body.children]
+    is_numbered = any(map(_is_numbered, names))
     stem = f"{child}_joint" if child and names and not is_numbered else "joint"
     return _fresh(names if is_numbered else [], stem, _taken(analysis))
 
@@ -29,12 +29,15 @@ def next_id(analysis: Analysis, own: Link | None = None) -> int:
     return next(number for number in range(1, len(taken) + 2) if number not in taken)
 
 
-def _fresh(names: list[str], stem: str, taken: Collection[str]) -> str:
+def _fresh(names: Sequence[str], stem: str, taken: Collection[str]) -> str:
     """Return the next name of the last numbered ones, else the stem, with a number if need be."""
-    matches = [match for name in names if (match := _NUMBERED.fullmatch(name))]
-    if matches:
-        stem = matches[-1][1]
-        first = 1 + max(int(match[2]) for match in matches if match[1] == stem)
+    last = next(filter(_is_numbered, reversed(names)), "")
+    if last:
+        stem = last
+        while _is_numbered(stem):
+            stem = stem[:-1]
+        ends = [name[len(stem) :] for name in set(names) if name.startswith(stem)]
+        first = 1 + max(map(int, filter(str.isdecimal, ends)))
     elif stem not in ("link", "joint") and stem not in taken:
         return stem
     else:
@@ -43,10 +46,17 @@ def _fresh(names: list[str], stem: str, taken: Collection[str]) -> str:
     return next(f"{stem}{number}" for number in numbers if f"{stem}{number}" not in taken)
 
 
-def _taken(analysis: Analysis) -> set[str]:
-    """Return every name that something has, or is called by."""
+def _is_numbered(name: str) -> bool:
+    return name[-1:].isdecimal()
+
+
+def _taken(analysis: Analysis) -> Collection[str]:
+    """Return every name that something has, or is called by; collected once in a model's life."""
     model = analysis.model
-    names = {str(body.name) for body in model.bodies} | {str(frame.name) for frame in model.frames}
-    names |= {str(joint.name) for joint in model.joints}
-    names |= {str(n) for body in model.bodies for child in body.children for n in child[:2]}
-    return names | {model.name}
+    known = model.facts.get(_KEY)
+    if not isinstance(known, set):
+        known = model.facts[_KEY] = {model.name, *model.body_named, *model.joint_named}
+        known |= {frame.name for frame in model.frames}
+        children = chain.from_iterable(body.children for body in model.bodies)
+        known.update(chain.from_iterable(children))
+    return known

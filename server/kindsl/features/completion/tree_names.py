@@ -84,8 +84,8 @@ def _uses(analysis: Analysis, context: CompletionContext) -> _Uses:
     for body in analysis.model.bodies:
         for child in body.children:
             if child is not typed:
-                uses.parents.setdefault(str(child.link), str(body.name))
-                uses.moved.setdefault(str(child.joint), str(child.link))
+                uses.parents.setdefault(child.link, body.name)
+                uses.moved.setdefault(child.joint, child.link)
     return uses
 
 
@@ -102,8 +102,8 @@ def _fitting(analysis: Analysis, context: CompletionContext, uses: _Uses) -> Ite
 
 
 def _free_joint(analysis: Analysis, uses: _Uses) -> str:
-    names = (str(joint.name) for joint in analysis.model.joints)
-    return next((name for name in names if name and name not in uses.moved), "")
+    names = (joint.name for joint in analysis.model.joints)
+    return str(next((name for name in names if name and name not in uses.moved), ""))
 
 
 def _child_before(context: CompletionContext) -> str:
