@@ -9,7 +9,6 @@ from typing import NamedTuple
 _WORDS = re.compile(
     r"(?P<skip>\s+|//[^\n]*|/\*.*?\*/)|(?P<word>[A-Za-z_]\w*|[{}=,])|(?P<odd>.)", re.S
 )
-TRANSFORMS_SUFFIX = ".dtdsl"
 FRAME = "a frame"
 ROBOT_NAME = "the robot's name"
 SECTIONS = ("Frames", "Transforms", "Jacobians")

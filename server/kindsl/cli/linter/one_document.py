@@ -9,9 +9,9 @@ from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.analysis.settings import Settings
 from kindsl.cli.documents.sources import STDIN, NotText, is_decodable, read_text
 from kindsl.cli.outcome import Failure, LintedFile
+from kindsl.config.file_names import TRANSFORMS_SUFFIX
 from kindsl.rules.base import Severity
 from kindsl.semantics.model import Model
-from kindsl.syntax.transforms_text import TRANSFORMS_SUFFIX
 
 _CODE = "KD004"
 _NAME = "invalid-character"

@@ -13,8 +13,8 @@ from kindsl.cli.linter.one_document import Checked, Mending, Task
 from kindsl.cli.linter.parallel import check_all
 from kindsl.cli.outcome import Failure, LintedFile, Outcome, as_failures
 from kindsl.config.errors import ConfigurationError
+from kindsl.config.file_names import TRANSFORMS_SUFFIX
 from kindsl.config.robots import SUFFIX, TOOLS_FOLDERS
-from kindsl.syntax.transforms_text import TRANSFORMS_SUFFIX
 
 if TYPE_CHECKING:
     from kindsl.config.configuration import Configuration

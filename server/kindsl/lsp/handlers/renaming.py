@@ -2,6 +2,7 @@
 
 from lsprotocol import types
 
+from kindsl.config.file_names import TRANSFORMS_SUFFIX
 from kindsl.lsp.handlers.table import Handlers
 from kindsl.lsp.session.configuration_files import bound_places, rename_binding
 from kindsl.lsp.session.view import View
@@ -9,7 +10,6 @@ from kindsl.lsp.text import uris
 from kindsl.lsp.text.document import Document
 from kindsl.lsp.wire.edits import text_edits, workspace_edit
 from kindsl.lsp.wire.protocol import RequestFailed
-from kindsl.syntax.transforms_text import TRANSFORMS_SUFFIX
 
 handlers = Handlers()
 

@@ -5,12 +5,12 @@ from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types
 
+from kindsl.config.file_names import TRANSFORMS_SUFFIX
 from kindsl.lsp.text import uris
 from kindsl.lsp.text.changes import Change, changed
 from kindsl.lsp.text.differences import edits_between
 from kindsl.lsp.text.lines import Lines
 from kindsl.lsp.text.row import PlainPiece, Row
-from kindsl.syntax.transforms_text import TRANSFORMS_SUFFIX
 from kindsl.text.span import Span
 
 if TYPE_CHECKING:
