@@ -21,6 +21,7 @@ sys.path.insert(0, str(ROOT))
 from benchmarks.lsp import resident_megabytes, robot  # noqa: E402
 from tests.support.lsp import RawClient, ready_client  # noqa: E402
 from tests.support.lsp_requests import every_request, place_of  # noqa: E402
+from tests.support.walkers import walker  # noqa: E402
 
 CANCELLED = -32800
 MEMORY_BACK = 1.2
@@ -124,6 +125,7 @@ class Session:
     def _texts(self) -> Iterator[str]:
         examples = sorted((ROOT / "examples").glob("*.kindsl"))
         texts = [path.read_text(encoding="utf-8") for path in examples] + [robot(12), robot(60), ""]
+        texts += [walker(self.random) for _ in range(3)]
         while True:
             yield self.random.choice(texts)
 

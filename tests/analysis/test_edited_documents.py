@@ -6,13 +6,11 @@ import re
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.support.amount import usually
-from tests.support.bodies import inertia_text, random_body, significant
 from tests.support.models import Style, random_model
+from tests.support.walkers import LEGS, walker
 
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.settings import Settings
-from kindsl.rigid.body import MassDistribution, shifted
-from kindsl.rules.examples import joint, link, robot
 from kindsl.semantics.parameters import Binding
 from kindsl.text.edits import TextEdit
 
@@ -62,43 +60,8 @@ def test_blocks_pasted_beside_their_twins_are_blocks_of_their_own(
     assert pasted.findings == analyse(pasted.text, SETTINGS).findings
 
 
-LEGS = ("LF", "RF", "LH", "RH")
-SLIPS = ("none", "reference", "signs", "unit", "mass", "reference and signs")
 NUMBER = re.compile(r"(?<![\w.])-?\d+\.\d+")
 SECTION = re.compile(r"inertia_params \{.*?\}", re.DOTALL)
-
-
-def walker(generator: random.Random) -> str:
-    """Return a robot with four legs of two links, many of whose inertias are wrong."""
-    links, joints, children = [], [], []
-    slips = generator.choice((SLIPS, SLIPS, ("reference",), ("unit",)))
-    for part in ("hip", "shank"):
-        body = random_body(generator)
-        for number, leg in enumerate(LEGS, 1 if part == "hip" else 5):
-            section = inertia_text(planted(generator, body, slips), significant(4))
-            if leg == "RH" and slips is SLIPS:
-                section = re.sub(r"mass = \S+", "mass = load", section)
-            below = f"{leg}_shank via {leg}_knee" if part == "hip" else ""
-            links.append(link(f"{leg}_{part}", number, below, section))
-    for leg in LEGS:
-        joints += [joint(f"{leg}_top"), joint(f"{leg}_knee", generator.choice((0.2, 0.3)))]
-        children.append(f"{leg}_hip via {leg}_top")
-    return robot(*links, *joints, base=" ".join(children))
-
-
-def planted(
-    generator: random.Random, body: MassDistribution, slips: tuple[str, ...]
-) -> MassDistribution:
-    """Return a leg's body on some side, with a mistake in it."""
-    (x, y, z), (ix, iy, iz, ixy, ixz, iyz) = body.com, body.moments
-    side, slip = generator.choice((1.0, -1.0)), generator.choice(slips)
-    body = body._replace(com=(x, side * y, z), moments=(ix, iy, iz, side * ixy, ixz, side * iyz))
-    if "reference" in slip:
-        body = shifted(body, -1.0)
-    sign, unit = -1.0 if "signs" in slip else 1.0, 1e7 if slip == "unit" else 1.0
-    plain, products = body.moments[:3], body.moments[3:]
-    moments = (*(unit * m for m in plain), *(sign * unit * p for p in products))
-    return MassDistribution((1000.0 if slip == "mass" else 1.0) * body.mass, body.com, moments)
 
 
 def edit_of_a_body_or_its_neighbours(generator: random.Random, text: str) -> TextEdit:
