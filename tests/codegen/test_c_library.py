@@ -132,6 +132,16 @@ def test_one_header_tells_that_its_code_is_c(tmp_path: Path) -> None:
     assert "#error ROBOT_IMPLEMENTATION belongs in a C source file" in done.stderr
 
 
+def test_in_floats_the_test_program_allows_for_rounding_only(tmp_path: Path) -> None:
+    """A mistake of a ten-thousandth is found, rounding is not."""
+    folder = write_c(bodies_of_seed(2), tmp_path, ("poses",), real="float")
+    run_tests(build(COMPILERS[0], folder, [], "tests"))
+    source = folder / "robot_poses.c"
+    source.write_text(source.read_text().replace("T[0] = ", "T[0] = 1e-4f + ", 1))
+    program = build(COMPILERS[0], folder, [], "tests")
+    assert subprocess.run([program], capture_output=True, check=False).returncode == 1
+
+
 def test_tolerances_of_the_test_program_are_those_of_the_type() -> None:
     assert TOLERANCES["double"] < 1e-8 < TOLERANCES["float"]
 

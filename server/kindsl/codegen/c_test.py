@@ -5,11 +5,15 @@ from collections.abc import Iterable, Sequence
 from kindsl.codegen.c_text import EXTERNAL, real, stamp_comment
 from kindsl.codegen.library import Library
 from kindsl.codegen.reference import Reference
+from kindsl.codegen.resistance import magnification
 from kindsl.dynamics.generation.function import Function
 from kindsl.spatial.arrays import Array
 
 # Of the greatest number of a result, or of one.
 TOLERANCES = {"double": 1e-9, "float": 2e-3}
+# A body adds no more roundings to a result than this; the worst of 70 random trees has 6 a body.
+ROUNDINGS_PER_BODY = 30
+FLOAT_ROUNDING = 2.0**-24
 
 
 def test_program(
@@ -44,7 +48,8 @@ def test_program(
 
 {values}
 
-static int differs(const char *what, const {number} *found, const double *expected, int length)
+static int differs(const char *what, const {number} *found, const double *expected, int length,
+                   double tolerance)
 {{
     double largest = 1.0, worst = 0.0;
     for (int i = 0; i < length; i++) {{
@@ -54,7 +59,7 @@ static int differs(const char *what, const {number} *found, const double *expect
         const double difference = fabs((double)found[i] - expected[i]);
         worst = difference <= worst ? worst : difference;
     }}
-    const int is_wrong = !(worst <= {TOLERANCES[library.options.real]!r} * largest);
+    const int is_wrong = !(worst <= tolerance * largest);
     printf("%s %s (%.1e)\\n", is_wrong ? "FAILED" : "ok", what, worst / largest);
     return is_wrong;
 }}
@@ -74,7 +79,7 @@ static int differs(const char *what, const {number} *found, const double *expect
 
 def _test(library: Library, reference: Reference, function: Function) -> str:
     number, name = real(library), library.function_names[function.name]
-    results = function.results
+    results, tolerance = function.results, _tolerance(library, reference, function)
     lines = [f"    {number} {r.name}_[{len(r.entries)}];" for r in results]
     lines.append("    int failures = 0;")
     arguments = ["model", *(argument.name for argument in function.arguments)]
@@ -90,11 +95,24 @@ def _test(library: Library, reference: Reference, function: Function) -> str:
             tables.append(_array("double", table, answer))
             what = f'"{name}: {result.name}{suffix}"'
             lines.append(
-                f"    failures += differs({what}, {result.name}_, {table}, {len(result.entries)});"
+                f"    failures += differs({what}, {result.name}_, {table}, {len(result.entries)}, "
+                f"{tolerance:.1e});"
             )
     head = f"static int test_{name}(const {library.prefix}_model *model)"
     body = "\n".join([*lines, "    return failures;"])
     return "\n".join([*tables, "", f"{head}\n{{\n{body}\n}}\n\n"])
+
+
+def _tolerance(library: Library, reference: Reference, function: Function) -> float:
+    """Return what rounding may change a result by, relative to its greatest number or to one."""
+    tolerance = TOLERANCES[library.options.real]
+    if library.options.real == "double":
+        return tolerance
+    bodies = reference.mechanics.bodies
+    M = reference.mechanics.joint_space_inertia(reference.values["q"])
+    roundings = ROUNDINGS_PER_BODY * (bodies.n_links + 1)
+    magnified = magnification(function.name, M, bodies.n_links) * FLOAT_ROUNDING
+    return min(tolerance, roundings * magnified)
 
 
 def _array(number: str, name: str, values: Array) -> str:

@@ -40,12 +40,31 @@ def refuse_unresisted(quantities: Iterable[str], bodies: Bodies, q: Array) -> No
             raise _undefined(name, "the base")
 
 
+def magnification(quantity: str, M: Array, n_links: int) -> float:
+    """Return what a quantity magnifies rounding errors by: the condition of what it solves.
+
+    Args:
+        quantity: Its name.
+        M: The joint-space inertia, a floating base's six rows and columns first.
+        n_links: The number of joints.
+    """
+    n_base = len(M) - n_links
+    if quantity in _OF_ALL:
+        return _condition(M)
+    return _condition(M[:n_base, :n_base]) if quantity == _OF_THE_BASE else 1.0
+
+
 def _is_singular(M: Array) -> bool:
     """Return whether rounding errors decide what a symmetric matrix's inverse is."""
+    return _condition(M) > _SINGULAR
+
+
+def _condition(M: Array) -> float:
+    """Return the condition of a symmetric matrix, each variable in units of its own inertia."""
     units = np.sqrt(np.abs(np.diagonal(M)))
     if not units.all():
-        return True
-    return bool(len(M)) and bool(np.linalg.cond(M / np.outer(units, units)) > _SINGULAR)
+        return np.inf
+    return float(np.linalg.cond(M / np.outer(units, units))) if len(M) else 1.0
 
 
 def _undefined(quantity: str, moving: str) -> GenerationError:
