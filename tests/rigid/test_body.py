@@ -6,10 +6,12 @@ from itertools import product
 from math import inf, sqrt
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.support.bodies import SHAPES, random_body
 
+import kindsl.rigid.body as body_module
 from kindsl.rigid.body import (
     MassDistribution,
     Symmetric,
@@ -58,6 +60,15 @@ def test_eigensystem_is_that_of_numpy(matrix: Symmetric) -> None:
     np.testing.assert_allclose(axes @ axes.T, np.eye(3), atol=1e-12)
     again = sum(pair.value * np.outer(pair.axis, pair.axis) for pair in pairs)
     np.testing.assert_allclose(again, matrix_of(matrix), atol=size)
+
+
+@pytest.mark.parametrize("diagonal", [(3.0, 1.0, 2.0), (1.0, 1.0, 1.0), (0.0, 0.0, 0.0)])
+def test_what_is_diagonal_is_not_turned(diagonal: Vector3, monkeypatch: pytest.MonkeyPatch) -> None:
+    turns: list[object] = []
+    monkeypatch.setattr(body_module, "_rotate", lambda *given: turns.append(given))
+    pairs = eigensystem((*diagonal, 0.0, 0.0, 0.0))
+    assert [pair.value for pair in pairs] == sorted(diagonal)
+    assert not turns
 
 
 @settings(deadline=None)
