@@ -1,9 +1,11 @@
 """`kindsl`: which subcommand runs, and the help."""
 
 import re
+from pathlib import Path
 
 import pytest
 from tests.cli.conftest import Runner
+from tests.cli.samples import UNBOUND
 
 from kindsl.cli.main import COMMANDS, available, with_joined_negatives
 
@@ -52,3 +54,15 @@ def test_negative_numbers_are_values() -> None:
     given = ["f", "--q", "-1,2", "--gravity", "-.5,0,0", "-q", "-3", "--qd=1", "-2", "--forward"]
     joined = ["f", "--q=-1,2", "--gravity=-.5,0,0", "-q", "-3", "--qd=1", "-2", "--forward"]
     assert with_joined_negatives(given) == joined
+
+
+@pytest.mark.parametrize("command", ["info", "card", "compute", "convert"])
+def test_a_value_for_what_is_no_parameter_is_refused(
+    kindsl: Runner, folder: Path, command: str
+) -> None:
+    (folder / "a.kindsl").write_text(UNBOUND)
+    outputs = ["a.urdf"] if command == "convert" else []
+    told = kindsl(command, "a.kindsl", *outputs, "--param", "lenght=1.0")
+    assert (told.status, told.out) == (2, "")
+    assert told.err == "a.kindsl: error: there is no parameter 'lenght', did you mean 'length'?\n"
+    assert not (folder / "a.urdf").exists()

@@ -9,7 +9,12 @@ import sys
 
 from kindsl.cli.console import write
 from kindsl.cli.documents.choices import choices_of
-from kindsl.cli.documents.reading import CommandError, note_errors, read_document
+from kindsl.cli.documents.reading import (
+    CommandError,
+    note_errors,
+    read_document,
+    require_parameters,
+)
 from kindsl.cli.documents.sources import STDIN
 from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import Failure, as_failures
@@ -34,6 +39,7 @@ def run(args: argparse.Namespace) -> int:
     """
     try:
         analysis = read_document(args.file, choices_of(args))
+        require_parameters(args.file, analysis)
         from kindsl.reports.card import card_page
         from kindsl.reports.page.rendering import rendered
 

@@ -15,6 +15,7 @@ from kindsl.cli.documents.reading import (
     CommandError,
     missing_module,
     read_document,
+    require_parameters,
     shown_name,
     skeleton_of_document,
 )
@@ -74,7 +75,9 @@ def _converted(args: argparse.Namespace) -> tuple[str, tuple[str, ...]]:
     if target is _DOCUMENT:
         return _document(args, source)
     if source is _DOCUMENT:
-        return _written(args, target, read_document(args.input, choices_of(args)))
+        analysis = read_document(args.input, choices_of(args))
+        require_parameters(args.input, analysis)
+        return _written(args, target, analysis)
     text, lost = _document(args, source)
     from kindsl.analysis.analysis import analyse
 

@@ -5,7 +5,13 @@ import sys
 
 from kindsl.cli.console import write
 from kindsl.cli.documents.choices import choices_of
-from kindsl.cli.documents.reading import CommandError, note_errors, read_document, shown_name
+from kindsl.cli.documents.reading import (
+    CommandError,
+    note_errors,
+    read_document,
+    require_parameters,
+    shown_name,
+)
 from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import as_failures
 from kindsl.config.errors import ConfigurationError
@@ -27,6 +33,7 @@ def run(args: argparse.Namespace) -> int:
     """
     try:
         analysis = read_document(args.file, choices_of(args))
+        require_parameters(args.file, analysis)
     except CommandError as error:
         return error.tell()
     except ConfigurationError as error:

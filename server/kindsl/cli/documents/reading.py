@@ -80,7 +80,12 @@ def require_syntax(path: str, analysis: Analysis) -> None:
 
 
 def require_parameters(path: str, analysis: Analysis) -> None:
-    """Raise CommandError for a value given on the command line to what is no parameter."""
+    """Raise CommandError for a value given on the command line to what is no parameter.
+
+    Not where the syntax is broken: the parameter may stand in what cannot be read.
+    """
+    if analysis.model.broken_islands:
+        return
     known = [str(parameter.name) for parameter in analysis.model.parameters]
     for name, binding in analysis.settings.bindings.items():
         if binding.origin == "--param" and name not in known:
