@@ -128,14 +128,26 @@ async def test_the_key_takes_back_what_was_done_last_edit_or_pose(arm):
     assert "(0.55, 0.0, 0.0)" in owner.text
 
 
+async def test_the_key_waits_for_what_is_being_written(arm):
+    owner, page = arm
+    await grasp(page, "joint", "lift")
+    before = len(owner.labels)
+    await page.evaluate("() => { kindsl.editing.set('x', 0.55); kindsl.history.undo(); }")
+    await eventually(lambda: len(owner.labels) == before + 2)
+    assert owner.labels[-1] == f"Undo: {owner.labels[-2]}"
+    assert owner.text == ARM
+
+
 async def test_what_somebody_typed_since_is_not_tried_twice_by_the_key(arm):
     owner, page = arm
     await grasp(page, "joint", "lift")
     await page.fill("#editing .number-row.x input >> nth=0", "0.55")
     await page.keyboard.press("Enter")
     await eventually(lambda: "(0.55, 0.0, 0.0)" in owner.text)
-    typed = owner.text + "\n"
+    await page.wait_for_function("() => !kindsl.editing.isWaiting")
+    typed, revision = owner.text + "\n", await page.evaluate("kindsl.editing.revision")
     await owner.show(typed)
+    await page.wait_for_function("(old) => kindsl.editing.numbers?.revision > old", arg=revision)
     await page.focus("#pane")
     await page.keyboard.press("Control+z")
     await page.wait_for_function(

@@ -8,10 +8,10 @@ const KindslHistory = (() => {
   const WRITTEN = "written"; // a step that changed the document; the others are states
 
   class History {
-    // `take()` returns the present state as a string, `put(state)` restores one; `rewrite` takes the last writing back
-    // for "undo", makes it again for "redo", and tells by `rewritten` that it did.
-    constructor(take, put, rewrite) {
-      Object.assign(this, { take, put, rewrite, past: [], future: [], present: null, timer: null });
+    // `take()` returns the present state as a string, `put(state)` restores one; `editing` takes the last writing back
+    // or makes it again, and tells by `rewritten` that it did.
+    constructor(take, put, editing) {
+      Object.assign(this, { take, put, editing, past: [], future: [], present: null, timer: null });
       this.undoButton = document.getElementById("undo");
       this.redoButton = document.getElementById("redo");
       this.undoButton.addEventListener("click", () => this.undo());
@@ -52,7 +52,7 @@ const KindslHistory = (() => {
 
     // A writing was taken back or made again, wherever that was asked for; or it cannot be any more.
     rewritten(which, isDone) {
-      const [from, to] = which === "undo" ? [this.past, this.future] : [this.future, this.past];
+      const [from, to] = this.sides(which);
       const at = from.lastIndexOf(WRITTEN);
       if (at < 0) return;
       from.splice(at, 1);
@@ -60,20 +60,17 @@ const KindslHistory = (() => {
       this.tell();
     }
 
-    undo() {
-      this.settle();
-      this.go("undo", this.past, this.future);
-    }
+    // What is being written comes first: it is what was done last.
+    undo() { this.editing.afterwards(() => this.go("undo")); }
 
-    redo() {
-      this.settle();
-      this.go("redo", this.future, this.past);
-    }
+    redo() { this.editing.afterwards(() => this.go("redo")); }
 
-    go(which, from, to) {
+    go(which) {
+      this.settle();
+      const [from, to] = this.sides(which);
       if (!from.length) return;
       if (from.at(-1) === WRITTEN) {
-        this.rewrite(which);
+        this.editing.plan(which);
         return;
       }
       to.push(this.present);
@@ -82,6 +79,8 @@ const KindslHistory = (() => {
       clearTimeout(this.timer);
       this.tell();
     }
+
+    sides(which) { return which === "undo" ? [this.past, this.future] : [this.future, this.past]; }
 
     tell() {
       this.undoButton.disabled = this.past.length === 0;

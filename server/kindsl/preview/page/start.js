@@ -29,7 +29,7 @@ const kindsl = (() => {
   page.legend = new KindslLegend.Legend(scene, page.presets, page.actions);
   page.address = new KindslAddress.Address(page);
   page.editing = new KindslEditing.Editing(page);
-  page.history = new KindslHistory.History(takeState, putState, (which) => page.editing.plan(which));
+  page.history = new KindslHistory.History(takeState, putState, page.editing);
   page.keys = new KindslKeys.Keys(pane, page);
   page.motion = new KindslMotion.Motion(scene, {
     range: (joint) => page.joints.range(joint),
