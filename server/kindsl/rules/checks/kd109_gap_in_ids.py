@@ -69,7 +69,8 @@ def _gaps(used: list[int], count: int) -> list[tuple[int, int]]:
 def _message(low: int, high: int, number: int) -> str:
     if low == 1 and number == high + 1:
         return f"the links are numbered from {number}, not from 1"
-    which = f"id {low} is" if high == low else f"ids {low} to {high} are"
+    to = "and" if high == low + 1 else "to"
+    which = f"id {low} is" if high == low else f"ids {low} {to} {high} are"
     return f"{which} missing, and id {number} is out of sequence"
 
 
