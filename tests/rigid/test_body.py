@@ -13,6 +13,7 @@ from tests.support.bodies import SHAPES, random_body
 
 import kindsl.rigid.body as body_module
 from kindsl.rigid.body import (
+    NO_BODY,
     MassDistribution,
     Symmetric,
     determinant,
@@ -29,6 +30,23 @@ from kindsl.rigid.body import (
 )
 from kindsl.rigid.pose import Vector3, pose_from
 from kindsl.spatial.inertia import move_inertia
+
+
+def test_nothing_known_is_nothing_wherever_it_is() -> None:
+    moved = seen_from(NO_BODY, pose_from((0.3, -0.2, 0.1), (0.4, 0.5, 0.6)))
+    assert not any((moved.mass, *moved.moments, *NO_BODY.com))
+
+
+def test_nothing_at_all_is_not_positive() -> None:
+    assert not is_clearly_positive((0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+
+
+@pytest.mark.parametrize(
+    "turned", [(-1.0, -2.0, 3.0), (-1.0, 2.0, -3.0), (0.0, 0.0, -1.0), (1.0, 2.0, -3e-9)]
+)
+def test_a_negative_direction_is_not_positive(turned: Vector3) -> None:
+    assert not is_clearly_positive((*turned, 0.0, 0.0, 0.0))
+
 
 entries = st.tuples(*[st.floats(-1e3, 1e3) for _ in range(6)])
 seeds = st.integers(0, 10**9)

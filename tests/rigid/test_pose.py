@@ -122,3 +122,13 @@ def test_poses_chain_as_matrices_do(
     back = first.inverse().then(first)
     np.testing.assert_allclose(_matrix(back.rotation), _matrix(IDENTITY.rotation), atol=1e-14)
     np.testing.assert_allclose(back.translation, IDENTITY.translation, atol=1e-13)
+
+
+@pytest.mark.parametrize(("off", "is_plain"), [(1e-3, False), (1e-7, False), (1e-10, True)])
+def test_for_people_only_what_is_a_quarter_turn_to_nine_digits_is_one_sum(
+    off: float, is_plain: bool
+) -> None:
+    rotation = pose_from((0.0, 0.0, 0.0), (0.3, pi / 2 - off, 0.4)).rotation
+    x, _, z = angles(rotation, PLAIN)
+    assert (z == 0.0) is is_plain
+    assert x == pytest.approx(0.7 if is_plain else 0.3, abs=1e-6)

@@ -105,13 +105,12 @@ def principal_moments(pairs: tuple[Eigenpair, Eigenpair, Eigenpair]) -> Vector3:
 def is_clearly_positive(matrix: Symmetric) -> bool:
     """Return whether a matrix is positive definite far beyond the rounding of arithmetic.
 
-    Source: Sylvester's criterion, with a margin.
+    Source: Sylvester's criterion, with a margin: all leading minors, made equally large.
     """
     xx, yy, zz, xy, _, _ = matrix
-    trace = xx + yy + zz
-    if xx < 0.0 or xx * yy - xy * xy <= 1e-12 * trace * trace:
-        return False
-    return determinant(matrix) > 1e-12 * trace * trace * trace
+    size = abs(xx + yy + zz)
+    minors = xx * size * size, (xx * yy - xy * xy) * size, determinant(matrix)
+    return min(minors) > 1e-12 * size * size * size
 
 
 def determinant(matrix: Symmetric) -> float:
