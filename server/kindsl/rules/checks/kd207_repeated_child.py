@@ -62,6 +62,7 @@ RULE = Rule(
     bad=(
         Example(_arm(" arm via shoulder"), fixed=_arm("")),
         Example(_arm("\n        arm via shoulder\n"), fixed=_arm("\n")),
+        Example(_arm(" arm via shoulder  \n"), fixed=_arm(" \n")),
         _arm(" arm via elbow"),
     ),
 )
@@ -79,4 +80,4 @@ def removal(at: Located) -> Change:
     if is_first and is_last:
         end += 2 if text.startswith("\r\n", end) else 1
         return Change(Place(at.island, start, end), "")
-    return Change(Place(at.island, at.start, end if not is_last else at.end), "")
+    return Change(Place(at.island, at.start, end), "")

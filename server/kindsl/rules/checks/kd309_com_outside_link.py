@@ -131,6 +131,6 @@ RULE = Rule(
     "com-outside-link",
     Severity.WARNING,
     check_document=check_document,
-    good=(_arm("0.15", "0.037"),),
+    good=(_arm("0.15", "0.037"), _arm("150.0", "27100.0")),
     bad=(_arm("1.5", "2.71"),),
 )

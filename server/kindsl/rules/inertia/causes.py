@@ -10,7 +10,7 @@ weighs `0.2 w + 0.8 q`.
 """
 
 from collections.abc import Mapping, Sequence
-from math import exp, inf, log
+from math import exp, inf, isclose, log
 from typing import NamedTuple
 
 from kindsl.rigid.body import MassDistribution
@@ -131,7 +131,10 @@ def _are_equal(one: MassDistribution, other: MassDistribution) -> bool:
     return (
         one.mass == other.mass
         and one.com == other.com
-        and all(abs(a - b) <= 1e-9 * size for a, b in zip(one.moments, other.moments, strict=True))
+        and all(
+            isclose(a, b, abs_tol=1e-9 * size)
+            for a, b in zip(one.moments, other.moments, strict=True)
+        )
     )
 
 
