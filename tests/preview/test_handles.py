@@ -105,13 +105,18 @@ async def test_a_number_is_typed_and_an_arrow_key_nudges(arm):
     await page.wait_for_selector(".handle[data-component=ry]", state="detached")
 
 
-async def test_the_key_takes_back_what_was_done_last_edit_or_pose(arm):
-    owner, page = arm
+async def write_x_of_lift(page, owner):
+    """Type 0.55 for the lift's x and wait until that is written and answered."""
     await grasp(page, "joint", "lift")
     await page.fill("#editing .number-row.x input >> nth=0", "0.55")
     await page.keyboard.press("Enter")
     await eventually(lambda: "(0.55, 0.0, 0.0)" in owner.text)
     await page.wait_for_function("() => !kindsl.editing.isWaiting")
+
+
+async def test_the_key_takes_back_what_was_done_last_edit_or_pose(arm):
+    owner, page = arm
+    await write_x_of_lift(page, owner)
     await page.evaluate("() => kindsl.actions.setJoint('lift', 0.25)")
     await page.focus("#pane")
     await page.keyboard.press("Control+z")
@@ -140,11 +145,7 @@ async def test_the_key_waits_for_what_is_being_written(arm):
 
 async def test_what_somebody_typed_since_is_not_tried_twice_by_the_key(arm):
     owner, page = arm
-    await grasp(page, "joint", "lift")
-    await page.fill("#editing .number-row.x input >> nth=0", "0.55")
-    await page.keyboard.press("Enter")
-    await eventually(lambda: "(0.55, 0.0, 0.0)" in owner.text)
-    await page.wait_for_function("() => !kindsl.editing.isWaiting")
+    await write_x_of_lift(page, owner)
     typed, revision = owner.text + "\n", await page.evaluate("kindsl.editing.revision")
     await owner.show(typed)
     await page.wait_for_function("(old) => kindsl.editing.numbers?.revision > old", arg=revision)

@@ -111,13 +111,16 @@ class Analysis:
             ModelError: The document does not describe a kinematic tree.
             ModuleNotFoundError: NumPy is not installed.
         """
-        values = self._values(parameters or {})
+        from kindsl.mechanism.given_values import checked_values
+
+        known = [str(parameter.name) for parameter in self.model.parameters]
+        given = checked_values(parameters or {}, known, self.settings.bindings)
         try:
             from kindsl.mechanism.build import mechanism_of
         except ModuleNotFoundError as error:
             message = f"{error.name} is not installed: pip install 'kindsl[numpy]'"
             raise ModuleNotFoundError(message, name=error.name) from None
-        return mechanism_of(self.model, values)
+        return mechanism_of(self.model, {**self.context.values, **given})
 
     def skeleton(self) -> Skeleton:
         """Return the numbered bodies in plain floats, to be written in other formats.
@@ -139,13 +142,6 @@ class Analysis:
     def _repr_html_(self) -> str | None:
         """Return what a notebook shows."""
         return html_of(self)
-
-    def _values(self, parameters: Mapping[str, float]) -> dict[str, float]:
-        from kindsl.mechanism.given_values import checked_values
-
-        known = [str(parameter.name) for parameter in self.model.parameters]
-        given = checked_values(parameters, known, self.settings.bindings)
-        return {**self.context.values, **given}
 
     def _resolve(self, rule: Rule, finding: Finding) -> Diagnostic:
         severity = severity_of(rule, finding.severity, self.settings)

@@ -21,10 +21,10 @@ def add_referenced_frame(analysis: Analysis, finding: Diagnostic) -> Iterator[Co
 
     Not where the finding tells another name that is probably meant, nor one that something has.
     """
-    model = analysis.model
-    taken = {name.lower() for name in (*model.body_named, *model.joint_named)}
     if finding.fix is not None:
         return
+    model = analysis.model
+    taken = {name.lower() for name in (*model.body_named, *model.joint_named)}
     place = analysis.syntax.island_at(finding.start)
     for link in declarations(place.island).bodies():
         name = link.inertia.frame if link.inertia is not None else None
