@@ -1,7 +1,7 @@
 """What must hold of any parsed document."""
 
 from kindsl.syntax.document import SyntaxDocument
-from kindsl.syntax.tree import Edit, Island, Problem
+from kindsl.syntax.tree import Edit, Island, Node, Problem
 from kindsl.text.edits import TextEdit, apply_edits
 
 
@@ -26,6 +26,19 @@ def _assert_tiled(island: Island) -> None:
     assert read == [id(token) for node in island.nodes for token in node.tokens()]
     for problem in island.problems:
         assert 0 <= problem.start <= problem.end <= len(island.text)
+    for node in island.nodes:
+        assert_whole_vectors(node)
+
+
+def assert_whole_vectors(block: Node) -> None:
+    """Check that all vectors of a block have three components, repaired or not."""
+    pending = [block]
+    while pending:
+        node = pending.pop()
+        if node.kind == "vector":
+            shape = [None if isinstance(child, Node) else child.kind for child in node.children]
+            assert shape == ["(", None, ",", None, ",", None, ")"]
+        pending += [child for child in node.children if isinstance(child, Node)]
 
 
 def assert_same(left: SyntaxDocument, right: SyntaxDocument) -> None:

@@ -81,9 +81,9 @@ class LenientReader(NamedTuple):
         return pose_from(self._vector(pose.translation), self._vector(pose.rotation))
 
     def _vector(self, vector: Vector | None) -> Vector3:
-        components = vector.components[:3] if vector is not None else ()
-        numbers = [self._value(component) or 0.0 for component in components]
-        x, y, z = (*numbers, *[0.0] * (3 - len(numbers)))
+        if vector is None:
+            return 0.0, 0.0, 0.0
+        x, y, z = (self._value(component) or 0.0 for component in vector.components)
         return x, y, z
 
     def _value(self, expression: Expression | None) -> float | None:

@@ -107,8 +107,8 @@ class StrictReader(NamedTuple):
         return pose_from(translation, self._vector(owner, "rotation", pose.rotation, at))
 
     def _vector(self, owner: str, what: str, vector: Vector | None, at: Located) -> Vector3:
-        if vector is None or len(vector.components) != 3:
-            raise ModelError(f"{owner}: '{what}' needs three components", vector or at)
+        if vector is None:
+            raise ModelError(f"{owner}: '{what}' needs three components", at)
         x, y, z = (self._number(owner, what, component, at) for component in vector.components)
         return x, y, z
 

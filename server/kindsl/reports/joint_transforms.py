@@ -71,7 +71,7 @@ def joint_transform(joint: Joint, values: Mapping[str, float]) -> Rows | None:
 def _components(
     vector: Vector | None, values: Mapping[str, float]
 ) -> tuple[_Linear, _Linear, _Linear] | None:
-    if vector is None or len(vector.components) != 3:
+    if vector is None:
         return None
     x, y, z = (_affine(component, values) for component in vector.components)
     return None if x is None or y is None or z is None else (x, y, z)

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from enum import StrEnum
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.places import Construct, Name, Place
@@ -19,12 +19,15 @@ class ValueKind(StrEnum):
     DYNAMICS = "dynamics"
 
 
+Components: TypeAlias = tuple[Expression, Expression, Expression]
+
+
 class Vector(Construct):
-    """Three components as written; fewer or more while someone types."""
+    """Three components as written; their text is empty where the parser supplied them."""
 
     __slots__ = ("components",)
 
-    def __init__(self, node: Node, island: Island, components: tuple[Expression, ...]) -> None:
+    def __init__(self, node: Node, island: Island, components: Components) -> None:
         self.node = node
         self.island = island
         self.components = components

@@ -132,12 +132,10 @@ def _pose(node: Node, island: Island) -> Pose:
     return Pose(translation, rotation)
 
 
-def _vector(section: Node, island: Island) -> Vector | None:
-    node = section.children[-1]
-    if not isinstance(node, Node):
-        return None
-    parts = [Expression(child, island) for child in node.children if isinstance(child, Node)]
-    return Vector(node, island, tuple(parts))
+def _vector(section: Node, island: Island) -> Vector:
+    node = cast(Node, section.children[-1])
+    x, y, z = (Expression(cast(Node, child), island) for child in node.children[1::2])
+    return Vector(node, island, (x, y, z))
 
 
 def _expression(section: Node, island: Island) -> Expression | None:

@@ -53,7 +53,7 @@ def mass_distribution(inertia: Inertia, values: Mapping[str, float]) -> MassDist
 
 def triple(vector: Vector | None, values: Mapping[str, float]) -> Vector3 | None:
     """Return three components as written, None where one is missing, unbound or infinite."""
-    if vector is None or len(vector.components) != 3:
+    if vector is None:
         return None
     first, second, third = vector.components
     x, y, z = first.value(values), second.value(values), third.value(values)

@@ -97,7 +97,7 @@ def _mirrored_pose(pose: Pose) -> Iterator[TextEdit]:
 
 
 def _negated(vector: Vector | None, axes: Sequence[int]) -> Iterator[TextEdit]:
-    if vector is not None and len(vector.components) == 3:
+    if vector is not None:
         yield from (_opposite(vector.components[axis]) for axis in axes)
 
 

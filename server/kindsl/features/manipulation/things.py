@@ -49,8 +49,6 @@ def component(analysis: Analysis, thing: Thing, name: str) -> Expression | Missi
     vector = translation if name in LENGTHS else rotation if name in ANGLES else None
     if vector is None:
         return Missing(f"{thing.kind} '{thing.name}' has no component '{name}'")
-    if len(vector.components) != len(LENGTHS):
-        return Missing(f"{thing.kind} '{thing.name}' has a vector that is not whole")
     row = LENGTHS if name in LENGTHS else ANGLES
     value = vector.components[row.index(name)]
     if not value.text:

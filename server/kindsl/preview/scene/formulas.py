@@ -57,7 +57,7 @@ def _formula(
 
 def _affine(vector: Vector | None, values: Mapping[str, float]) -> list[Affine] | None:
     """Return the components of a vector, None if one has another form or no value."""
-    if vector is None or len(vector.components) != _COMPONENTS:
+    if vector is None:
         return None
     components = [affine_component(component, values) for component in vector.components]
     known = [component for component in components if component is not None]

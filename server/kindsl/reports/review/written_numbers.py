@@ -115,7 +115,7 @@ def _inertia(inertia: Inertia) -> Iterator[tuple[str, Expression]]:
 
 def _vector(name: str, vector: Vector | None) -> Iterator[tuple[str, Expression]]:
     if vector is not None:
-        for axis, component in zip(_AXES, vector.components, strict=False):
+        for axis, component in zip(_AXES, vector.components, strict=True):
             yield f"{name} {axis}", component
 
 

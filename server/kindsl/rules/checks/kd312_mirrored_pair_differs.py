@@ -70,7 +70,7 @@ def _difference(left: Link, right: Link) -> str:
 def _numbers(body: Link) -> list[float] | None:
     """Return mass, CoM and moments, None where one is missing or no plain number."""
     inertia = body.inertia
-    if inertia is None or inertia.com is None or len(inertia.com.components) != 3:
+    if inertia is None or inertia.com is None:
         return None
     values: list[Expression | None] = [inertia.mass, *inertia.com.components]
     values += [inertia.moments.get(name) for name in MOMENTS]
