@@ -63,6 +63,7 @@ DEFECTS = {
     "used twice": ("via wrist_3", "via wrist_2"),
     "has no frame 'nofr'": ("ref_frame = forearm_com", "ref_frame = nofr"),
     "'CoM' has no value": ("(-0.2125", "(1.0/0.0"),
+    "inertia of 'shoulder': 'CoM' is missing": ("CoM = (0.0, -0.00193, -0.02561)", ""),
 }  # fmt: skip
 
 

@@ -108,7 +108,7 @@ class StrictReader(NamedTuple):
 
     def _vector(self, owner: str, what: str, vector: Vector | None, at: Located) -> Vector3:
         if vector is None:
-            raise ModelError(f"{owner}: '{what}' needs three components", at)
+            raise ModelError(f"{owner}: '{what}' is missing", at)
         x, y, z = (self._number(owner, what, component, at) for component in vector.components)
         return x, y, z
 
