@@ -1,7 +1,9 @@
 """`kindsl generate`."""
 
 import hashlib
+import io
 import json
+import shlex
 from pathlib import Path
 
 import pytest
@@ -135,6 +137,56 @@ def test_a_library_in_cpp_tells_how_it_is_used(
     kindsl("generate", str(document), "--language", "cpp", "-o", "out")
     readme = (folder / "out" / "README.md").read_text()
     assert "#include <arm.hpp>\n\nconst arm::Model model;\n" in readme
+
+
+def _contents(folder: Path) -> dict[str, str]:
+    return {path.name: path.read_text() for path in folder.iterdir()}
+
+
+def test_the_readme_line_of_a_document_from_stdin(
+    kindsl: Runner, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(GOOD.encode())))
+    assert kindsl("generate", "-", "--language", "c", "-o", "out").status == 0
+    line = "    kindsl generate - -o out --language c --name arm --real double "
+    assert line in (folder / "out" / "README.md").read_text()
+
+
+@pytest.mark.parametrize(
+    ("document", "options"),
+    [
+        ("arm.kindsl", "--language c -o out"),
+        ("models/my arm.kindsl", "--language c -o 'code/of (it)' --single-header --real float"),
+        ("models/arm.kindsl", "--language cpp -o models --derivatives --name r2"),
+        ("models/arm.kindsl", "--language jax -o out/of/it --params values.toml --param m=3e-05"),
+        ("models/arm.kindsl", "--language c -o out --transforms other.dtdsl"),
+        ("arm.kindsl", "--language casadi -o out --parameters 'm, tool' --config other/own.toml"),
+        ("arm.kindsl", "--language python -o out --isolated --param tool=-1.0 --param m=2.0"),
+    ],
+)
+def test_the_readme_line_typed_beside_the_document_writes_the_same_again(
+    document: str, options: str, kindsl: Runner, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("models", "other"):
+        (folder / name).mkdir()
+    text = GOOD.replace("mass = 2.0", "mass = m").replace("0.5)", "tool)")
+    (folder / document).write_text(text)
+    (folder / "values.toml").write_text("tool = 0.25\nof_another = 1.0\n")
+    (folder / "kindsl.toml").write_text("[parameters]\ntool = 0.5\nm = 1.5\n")
+    (folder / "other" / "own.toml").write_text("[parameters]\ntool = 0.75\n")
+    (folder / "other.dtdsl").write_text(
+        "Robot arm Frames { fr_base, fr_lower } Transforms { base=fr_base, target=fr_lower }"
+    )
+    words = shlex.split(options)
+    assert kindsl("generate", document, *words).status == 0
+    out = folder / words[words.index("-o") + 1]
+    before = _contents(out)
+    where = before.get("README.md") or next(v for k, v in before.items() if k.endswith(".py"))
+    (line,) = (line for line in where.splitlines() if "kindsl generate " in line)
+    monkeypatch.chdir((folder / document).parent)
+    _, *typed = shlex.split(line[line.index("kindsl generate ") :])
+    told = kindsl(*typed)
+    assert (told.status, _contents(out)) == (0, before), (told.err, line)
 
 
 MASSLESS = "children { a via j } } link a { id = 1 children { } }"

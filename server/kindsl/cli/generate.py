@@ -5,6 +5,7 @@ generated there is never overwritten without --force.
 """
 
 import argparse
+import os
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -97,12 +98,36 @@ def _run(args: argparse.Namespace) -> int:
 def _source(args: argparse.Namespace) -> "Source":
     from kindsl.codegen.generating import Source
 
-    analysis = read_document(args.file, choices_of(args))
+    choices = choices_of(args)
+    analysis = read_document(args.file, choices)
     require_syntax(args.file, analysis)
     require_parameters(args.file, analysis)
     note_errors(args.file, analysis)
     name = Path(shown_name(args.file)).name
-    return Source(name, analysis, dict(args.param), _transforms(args))
+    known = {str(parameter.name) for parameter in analysis.model.parameters}
+    bound = choices.decisions.bindings.items()
+    given = {parameter: binding.value for parameter, binding in bound if parameter in known}
+    return Source(name, analysis, given, _transforms(args), tuple(_places(args)))
+
+
+def _places(args: argparse.Namespace) -> Iterator[str]:
+    """Yield the document and the options that name files and folders, as typed in its folder."""
+    document = Path(args.file)
+    yield document.name
+    folder = document.parent
+    given = {"-o": args.output, "--transforms": args.transforms, "--config": args.config}
+    for option, path in given.items():
+        if path is not None:
+            yield from (option, _seen_from(folder, path))
+    if args.isolated:
+        yield "--isolated"
+
+
+def _seen_from(folder: Path, path: str) -> str:
+    try:
+        return Path(os.path.relpath(path, folder)).as_posix()
+    except ValueError:  # on another drive
+        return Path(path).name
 
 
 def _transforms(args: argparse.Namespace) -> str | None:

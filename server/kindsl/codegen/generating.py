@@ -18,7 +18,7 @@ from kindsl.codegen.library import (
     library_of,
 )
 from kindsl.codegen.manifest import NAME, digest, manifest_text
-from kindsl.codegen.names import file_name
+from kindsl.codegen.names import command_line, file_name
 from kindsl.codegen.reference import Reference, sample
 from kindsl.codegen.resistance import refuse_unresisted
 from kindsl.codegen.wanted import wanted_pairs
@@ -34,12 +34,14 @@ class Source(NamedTuple):
         analysis: The document.
         bindings: Parameters bound on the command line.
         transforms: The text of a transforms document, None without one.
+        places: The document and the options that name files and folders, as typed in its folder.
     """
 
     name: str
     analysis: Analysis
     bindings: Mapping[str, float]
     transforms: str | None = None
+    places: tuple[str, ...] = ()
 
 
 def generate(
@@ -110,12 +112,12 @@ def _inputs(analysis: Analysis, choice: str) -> list[str]:
 
 
 def _typed(options: Options, source: Source) -> str:
-    """Return options as they could be typed."""
-    parts = [
-        f"kindsl generate {file_name(source.name)} --language {options.language}",
-        f"--name {options.prefix} --real {options.real} --parameters {options.parameters}",
-        f"--quantities {','.join(options.quantities)}",
-        *(["--single-header"] if options.is_single_header else []),
-        *(f"--param {name}={value!r}" for name, value in source.bindings.items()),
-    ]
-    return " ".join(parts)
+    """Return what gives the same, as it could be typed in the folder of the document."""
+    words = ["kindsl", "generate", *(source.places or [source.name])]
+    words += ["--language", options.language, "--name", options.prefix]
+    words += ["--real", options.real, "--parameters", options.parameters]
+    words += ["--quantities", ",".join(options.quantities)]
+    words += ["--single-header"] if options.is_single_header else []
+    for name, value in source.bindings.items():
+        words += ["--param", f"{name}={value!r}"]
+    return command_line(words)

@@ -58,7 +58,7 @@ class Stamp:
         generator: Name and version of this program.
         document: The document's file name.
         sha256: Of the document's bytes.
-        options: As they could be typed.
+        options: As they could be typed in the document's folder.
     """
 
     generator: str

@@ -2,9 +2,11 @@
 
 import keyword
 import re
+import shlex
 from collections.abc import Iterable
 
 _UNSAFE = re.compile(r"[^A-Za-z0-9_]")
+_COMMENT_END = re.compile(r'[*"\\]|[^\w\s!-~]|[^\S ]')
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 
 # Of C, C++ and Python; what one of them reserves is no name in any.
@@ -55,6 +57,11 @@ def identifier(name: str) -> str:
 def file_name(name: str) -> str:
     """Return a file's name as it may stand in a comment of any language."""
     return re.sub(r"[^\w.+ -]", "_", name)
+
+
+def command_line(words: Iterable[str]) -> str:
+    """Return words as they could be typed, such that no comment of any language ends in them."""
+    return shlex.join(_COMMENT_END.sub("_", word) for word in words)
 
 
 def identifiers(names: Iterable[str]) -> dict[str, str]:
