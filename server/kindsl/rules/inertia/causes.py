@@ -24,7 +24,7 @@ from kindsl.rules.inertia.judgements import (
 from kindsl.rules.inertia.likelihood import Shape, log_likelihood, shape_of
 from kindsl.rules.inertia.plausibility import density_of
 from kindsl.rules.inertia.slips import Hypothesis, Kind, Slip, hypotheses
-from kindsl.rules.inertia.surroundings import Surroundings, evidence
+from kindsl.rules.inertia.surroundings import Surroundings, of_points, of_twins
 
 _NEGLIGIBLE = 0.1
 _MOST = 4
@@ -44,6 +44,7 @@ class Cause(NamedTuple):
         shape: The second moments about the CoM without it.
         reasons: What of the rest of the robot speaks for it.
         log_likelihood: How likely the numbers are under it, apart from how common it is.
+        log_alone: The same without what its twins say.
         probability: Of it among all that were tried.
     """
 
@@ -51,6 +52,7 @@ class Cause(NamedTuple):
     shape: Shape
     reasons: tuple[str, ...]
     log_likelihood: float
+    log_alone: float
     probability: float = 0.0
 
 
@@ -101,11 +103,11 @@ def ranked(
 
 
 def _weighed(h: Hypothesis, shape: Shape, around: Surroundings) -> Cause:
-    said = evidence(h, shape, around)
-    total = log_likelihood(h.body.mass, shape, around.reach(h.body.com)) + said.log_weight
+    here, twins = of_points(h, shape, around), of_twins(h, around)
+    alone = log_likelihood(h.body.mass, shape, around.reach(h.body.com)) + here.log_weight
     if Slip.SCALE in h.slips:
-        total += 6.0 * h.power * _LOG_TEN
-    return Cause(h, shape, said.reasons, total)
+        alone += 6.0 * h.power * _LOG_TEN
+    return Cause(h, shape, here.reasons + twins.reasons, alone + twins.log_weight, alone)
 
 
 def _fits(h: Hypothesis, shape: Shape) -> bool:
@@ -139,10 +141,13 @@ def _are_equal(one: MassDistribution, other: MassDistribution) -> bool:
 
 
 def said_by(causes: Sequence[Cause]) -> dict[Kind, float]:
-    """Return how much more likely than any rare slip each kind makes a link, as a logarithm."""
-    best = max((cause.log_likelihood for cause in causes), default=0.0)
+    """Return how much more likely than any rare slip each kind makes a link, as a logarithm.
+
+    What its twins say is not said again: the other links have the same twins.
+    """
+    best = max((cause.log_alone for cause in causes), default=0.0)
     logs = {
-        kind: cause.log_likelihood - best - log(_UNLIKELY)
+        kind: cause.log_alone - best - log(_UNLIKELY)
         for cause in causes
         for kind in cause.hypothesis.kinds
     }

@@ -1,7 +1,6 @@
 """What the rest of the robot says of a link's inertia: its children's joints, and its twins."""
 
 from collections.abc import Iterator, Sequence
-from itertools import product
 from math import hypot, log
 from typing import NamedTuple
 
@@ -11,6 +10,7 @@ from kindsl.rules.context import Context
 from kindsl.rules.inertia.judgements import Judgement, is_impossible
 from kindsl.rules.inertia.likelihood import Shape
 from kindsl.rules.inertia.slips import Hypothesis, Slip
+from kindsl.rules.inertia.symmetry import SIGNS, twin_signs, with_signs
 from kindsl.rules.inertia.twins import part_of, right_twin_of
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
@@ -22,18 +22,24 @@ _NEAR = 0.02
 _ELONGATED = 2.5
 _ALONG = 0.85
 _SAME = 0.02
-_LOG_EQUAL, _LOG_MIRRORED = log(1500.0), log(30.0)
+_LOG_EXPECTED, _LOG_MIRRORED = log(1500.0), log(30.0)
 _LOG_ALONG, _LOG_ACROSS = log(2.5), log(0.6)
 _LOG_TOWARDS, _LOG_AWAY = log(1.2), log(0.3)
-_SIGNS: tuple[Vector3, ...] = tuple(product((1.0, -1.0), repeat=3))  # type: ignore[arg-type]
 _PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
 
 
 class Twin(NamedTuple):
-    """A link of the same part whose inertia is possible."""
+    """A link of the same part whose inertia is possible.
+
+    Attributes:
+        name: Its name.
+        body: Its inertia.
+        expected: The inertia that the link should have for its sake, None if that is not known.
+    """
 
     name: str
     body: MassDistribution
+    expected: MassDistribution | None
 
 
 class Surroundings(NamedTuple):
@@ -42,11 +48,13 @@ class Surroundings(NamedTuple):
     Attributes:
         points: Origins of its frames and of its children's joints, in the link frame, m.
         twins: Links of the same part, on the other side or at another leg.
+        share: How many of the links of the same part these are.
         mirror: Name of the mirrored twin, if there are twins and it may be one of them.
     """
 
     points: tuple[Vector3, ...]
     twins: tuple[Twin, ...]
+    share: float
     mirror: str | None
 
     def reach(self, com: Vector3) -> float:
@@ -71,22 +79,18 @@ def surroundings(model: Model, context: Context, found: Judgement) -> Surroundin
         poses += [edge.joint.pose for edge in edges if edge.joint is not None]
         placed = (written_pose(pose, context.values) for pose in poses)
         points = [place.translation for place in placed if place is not None]
-    twins = tuple(_twins(model, context, link, found.body.mass))
+    alike = list(_alike(model, context, link, found.body.mass))
+    twins = _twins(model, context, link, alike)
     return Surroundings(
         tuple(point for point in points if hypot(*point) > _NEAR),
         twins,
+        len(twins) / len(alike) if twins else 0.0,
         _mirror(model, link) if twins else None,
     )
 
 
-def evidence(h: Hypothesis, shape: Shape, around: Surroundings) -> Evidence:
-    """Return what the surroundings say of a hypothesis."""
-    parts = [_of_points(h, shape, around), _of_twins(h, around)]
-    reasons = tuple(reason for part in parts for reason in part.reasons)
-    return Evidence(sum(part.log_weight for part in parts), reasons)
-
-
-def _of_points(h: Hypothesis, shape: Shape, around: Surroundings) -> Evidence:
+def of_points(h: Hypothesis, shape: Shape, around: Surroundings) -> Evidence:
+    """Return what the places of the next joints and of the frames say of a hypothesis."""
     if not around.points:
         return Evidence(0.0)
     point = max(around.points, key=lambda p: hypot(*p))
@@ -103,19 +107,28 @@ def _of_points(h: Hypothesis, shape: Shape, around: Surroundings) -> Evidence:
     return Evidence(total, tuple(reasons))
 
 
-def _of_twins(h: Hypothesis, around: Surroundings) -> Evidence:
-    alike = [twin for twin in around.twins if is_mirror_image(h.body, twin.body)]
-    if not alike:
+def of_twins(h: Hypothesis, around: Surroundings) -> Evidence:
+    """Return what the twin that says most says of a hypothesis."""
+    nearest_first = sorted(around.twins, key=lambda twin: twin.name != around.mirror)
+    said = [_of_twin(h, twin, around.share) for twin in nearest_first]
+    return max(said, key=lambda each: each.log_weight, default=Evidence(0.0))
+
+
+def _of_twin(h: Hypothesis, twin: Twin, share: float) -> Evidence:
+    """Return what a twin says: most where the body is as it expects it."""
+    if not is_mirror_image(h.body, twin.body):
         return Evidence(0.0)
-    name = next((twin.name for twin in alike if twin.name == around.mirror), alike[0].name)
-    if any(is_same_body(h.body, twin.body) for twin in alike if twin.name == name):
-        return Evidence(_LOG_EQUAL, (f"equal to '{name}'",))
-    return Evidence(_LOG_MIRRORED, (f"mirror image of '{name}'",))
+    is_equal = is_same_body(h.body, twin.body)
+    is_expected = twin.expected is not None and is_same_body(h.body, twin.expected)
+    return Evidence(
+        _LOG_EXPECTED + log(share) if is_expected else _LOG_MIRRORED,
+        (f"{'equal to' if is_equal else 'mirror image of'} '{twin.name}'",),
+    )
 
 
 def is_mirror_image(one: MassDistribution, other: MassDistribution) -> bool:
     """Return whether axes turned round by some signs, or none, make one body the other."""
-    return any(is_same_body(_reflected(one, signs), other) for signs in _SIGNS)
+    return any(is_same_body(_reflected(one, signs), other) for signs in SIGNS)
 
 
 def is_same_body(one: MassDistribution, other: MassDistribution) -> bool:
@@ -130,19 +143,45 @@ def _are_near(one: Sequence[float], other: Sequence[float]) -> bool:
 
 
 def _reflected(body: MassDistribution, signs: Vector3) -> MassDistribution:
-    x, y, z = (sign * c for sign, c in zip(signs, body.com, strict=True))
     moments = (signs[i] * signs[j] * m for (i, j), m in zip(_PAIRS, body.moments, strict=True))
-    return MassDistribution(body.mass, (x, y, z), tuple(moments))  # type: ignore[arg-type]
+    return MassDistribution(body.mass, with_signs(signs, body.com), tuple(moments))  # type: ignore[arg-type]
 
 
-def _twins(model: Model, context: Context, link: Link, mass: float) -> Iterator[Twin]:
+def _alike(
+    model: Model, context: Context, link: Link, mass: float
+) -> Iterator[tuple[Link, MassDistribution]]:
+    """Yield the links of the same part that weigh the same, with their inertias."""
     for other in _parts(model).get(part_of(link), ()):
         if other is not link and other.inertia is not None:
             body = mass_distribution(other.inertia, context.values)
-            if body is None or abs(body.mass - mass) > _SAME * abs(mass) or body.mass <= 0.0:
-                continue
-            if not is_impossible(other, context):
-                yield Twin(str(other.name), body)
+            if body is not None and body.mass > 0.0 and abs(body.mass - mass) <= _SAME * abs(mass):
+                yield other, body
+
+
+def _twins(
+    model: Model, context: Context, link: Link, alike: Sequence[tuple[Link, MassDistribution]]
+) -> tuple[Twin, ...]:
+    """Return those that are possible, and what all of them can expect, seeing how they lie."""
+    twins = [(other, body) for other, body in alike if not is_impossible(other, context)]
+    seen = [
+        [_reflected(body, signs) for signs in _signs(model, context, link, other)]
+        for other, body in twins
+    ]
+    agreed = (
+        each
+        for each in (seen[0] if seen else ())
+        if all(any(is_same_body(each, body) for body in bodies) for bodies in seen)
+    )
+    expected = next(agreed, None)
+    return tuple(Twin(str(other.name), body, expected) for other, body in twins)
+
+
+def _signs(model: Model, context: Context, link: Link, other: Link) -> list[Vector3]:
+    """Return `twin_signs`, none where an inertia is given in a frame that is not the link's."""
+    inertias = [body.inertia for body in (link, other) if body.inertia is not None]
+    if any(inertia.frame is not None for inertia in inertias):
+        return []
+    return twin_signs(model.tree, link, other, context.values)
 
 
 def _mirror(model: Model, link: Link) -> str | None:
