@@ -2,12 +2,10 @@
 
 import json
 import sys
-import zipfile
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
-import pytest
 from playwright.sync_api import Browser, Frame, expect
 from tests.vscode import code_server, models
 from tests.vscode.extension_host import bare_environment
@@ -38,53 +36,18 @@ def test_no_python_is_said_once_and_colours_stay(
         expect(words.first).not_to_have_class("mtk1")
 
 
-@pytest.fixture(scope="module")
-def offered(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Where pip looks for packages in the window without packages."""
-    return tmp_path_factory.mktemp("wheels")
-
-
-@pytest.fixture(scope="module")
-def without_packages(
-    browser: Browser, vsix: Path, tmp_path_factory: pytest.TempPathFactory, offered: Path
-) -> Iterator[Workbench]:
-    """A window whose Python has no package and no network."""
-    work = tmp_path_factory.mktemp("bare")
-    settings = {"kindsl.interpreter": [str(bare_environment(work / "bare"))]}
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("PIP_NO_INDEX", "1")
-        patch.setenv("PIP_FIND_LINKS", str(offered))
-        with window(browser, vsix, work, settings) as workbench:
-            yield workbench
-
-
-def test_a_python_without_packages_is_enough(without_packages: Workbench) -> None:
-    workbench = without_packages
-    workbench.open("broken.kindsl", models.BROKEN)
-    expect(workbench.squiggles("error")).to_have_count(2)
-    workbench.open("arm.kindsl", models.ARM)
-    workbench.run("Kinematics-DSL: Open Preview to the Side")
-    frame = workbench.preview_frame()
-    expect(frame.locator("#robot")).to_have_text("arm")
-    frame.get_by_role("slider", name="elbow", exact=True).fill("1.2")
-    expect(workbench.notifications()).to_have_count(0)
-    workbench.screenshot("bare-python")
-
-
-def test_what_is_missing_is_installed_by_a_command(
-    without_packages: Workbench, offered: Path
-) -> None:
-    workbench = without_packages
-    workbench.open("arm.kindsl", models.ARM)
-    workbench.run("Kinematics-DSL: Install NumPy for This Extension")
-    expect(workbench.notifications().first).to_contain_text("the package index offers nothing")
-    write_wheel(offered, "numpy")
-    workbench.screenshot("nothing-offered")
-    workbench.notifications().first.get_by_role("button", name="Try Again").click()
-    installed = "data/user/User/globalStorage/kindsl.kindsl/packages/*/numpy/__init__.py"
-    work = workbench.folder.parent
-    workbench.eventually(lambda: list(work.glob(installed)), "the installed package")
-    expect(workbench.notifications()).to_have_count(0)
+def test_a_python_without_packages_is_enough(browser: Browser, vsix: Path, tmp_path: Path) -> None:
+    settings = {"kindsl.interpreter": [str(bare_environment(tmp_path / "bare"))]}
+    with window(browser, vsix, tmp_path, settings) as workbench:
+        workbench.open("broken.kindsl", models.BROKEN)
+        expect(workbench.squiggles("error")).to_have_count(2)
+        workbench.open("arm.kindsl", models.ARM)
+        workbench.run("Kinematics-DSL: Open Preview to the Side")
+        frame = workbench.preview_frame()
+        expect(frame.locator("#robot")).to_have_text("arm")
+        frame.get_by_role("slider", name="elbow", exact=True).fill("1.2")
+        expect(workbench.notifications()).to_have_count(0)
+        workbench.screenshot("bare-python")
 
 
 def test_a_workspace_that_is_not_trusted_chooses_no_program(
@@ -124,17 +87,3 @@ def reason_in_panel(workbench: Workbench) -> Frame | None:
         if "webview" in frame.url and frame.locator("body > p").count():
             return frame
     return None
-
-
-def write_wheel(folder: Path, name: str) -> None:
-    """Write an empty package that pip can install."""
-    info = f"{name}-1.0.dist-info"
-    files = {
-        f"{name}/__init__.py": "",
-        f"{info}/METADATA": f"Metadata-Version: 2.1\nName: {name}\nVersion: 1.0\n",
-        f"{info}/WHEEL": "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n",
-        f"{info}/RECORD": "",
-    }
-    with zipfile.ZipFile(folder / f"{name}-1.0-py3-none-any.whl", "w") as wheel:
-        for file, text in files.items():
-            wheel.writestr(file, text)

@@ -104,7 +104,7 @@ def test_the_package_offers_only_what_it_can_do() -> None:
     for command in manifest["contributes"]["commands"]:
         assert f'"{command["command"]}"' in source, command
     assert "main" not in manifest
-    for word in ("Interpreter", "selectInterpreter", "installPackages", "kindsl.path"):
+    for word in ("Interpreter", "selectInterpreter", "kindsl.path"):
         assert word not in text, word
 
 

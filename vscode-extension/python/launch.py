@@ -1,10 +1,9 @@
 """Start kindsl in the interpreter that runs this file.
 
-Usage: launch.py useBundled|fromEnvironment PACKAGES SUBCOMMAND [ARGUMENT ...]
+Usage: launch.py useBundled|fromEnvironment SUBCOMMAND [ARGUMENT ...]
 
 With useBundled the libraries beside the extension win over whatever the environment holds, so that
-an old pygls there cannot break the server; with fromEnvironment they only fill gaps. PACKAGES is a
-folder, there or not, of what was installed for the extension alone, such as NumPy; it comes last.
+an old pygls there cannot break the server; with fromEnvironment they only fill gaps.
 """
 
 # Without pathlib, whose import would delay the start.
@@ -17,7 +16,7 @@ import sys
 
 def main():
     """Rearrange the module path and run the subcommand."""
-    strategy, packages = sys.argv[1:3]
+    strategy = sys.argv[1]
     extension = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
     libraries = os.path.join(extension, "bundled", "libs")
     # The folder of this file, which Python put there, must not offer its modules.
@@ -26,8 +25,7 @@ def main():
         sys.path.insert(0, libraries)
     else:
         sys.path.append(libraries)
-    sys.path.append(packages)
-    sys.argv[:3] = ["kindsl"]
+    sys.argv[:2] = ["kindsl"]
     runpy.run_module("kindsl", run_name="__main__", alter_sys=True)
 
 

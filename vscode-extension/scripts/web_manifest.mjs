@@ -1,7 +1,7 @@
 // The extension's manifest where no process can be started: the entry for browsers, and no word of Python's interpreters.
 
 const PROGRAMS = ["kindsl.interpreter", "kindsl.importStrategy", "kindsl.path", "kindsl.args"];
-const COMMANDS = ["kindsl.openPreviewInBrowser", "kindsl.selectInterpreter", "kindsl.installPackages"];
+const COMMANDS = ["kindsl.openPreviewInBrowser", "kindsl.selectInterpreter"];
 const TRUST = { supported: true };
 const VIRTUAL = { supported: true };
 

@@ -6,7 +6,6 @@ import { selectInterpreter } from "./interpreterChoice";
 import { FrameScreen, previewAddress } from "./frameScreen";
 import type { Home } from "./launch";
 import { onSelectionChange } from "./msPython";
-import { installPackages } from "./packages";
 import { Previews } from "./preview";
 import { report, type Problem } from "./problems";
 import { Server } from "./server";
@@ -80,7 +79,6 @@ function desktopCommands(home: Home, own: Server, previews: Previews, log: vscod
   return {
     "kindsl.openPreviewInBrowser": onDocument(previews, (uri) => openInBrowser(own, uri)),
     "kindsl.selectInterpreter": () => selectInterpreter(home, log),
-    "kindsl.installPackages": (names: readonly string[] = ["numpy"]) => installPackages(names, home, own, log),
   };
 }
 

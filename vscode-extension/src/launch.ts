@@ -12,8 +12,8 @@ export interface Launch {
   readonly interpreter?: Interpreter;
 }
 
-/** Where the extension's files are, and where it may keep some. */
-export type Home = Pick<vscode.ExtensionContext, "extensionUri" | "globalStorageUri">;
+/** Where the extension's files are. */
+export type Home = Pick<vscode.ExtensionContext, "extensionUri">;
 
 export interface NoPython {
   readonly rejected: readonly string[];
@@ -42,7 +42,7 @@ export function launchWith(
   const [program, ...options] = interpreter.command;
   return {
     command: program,
-    args: [...options, script(home, "launch.py"), importStrategy, interpreter.packages, ...args],
+    args: [...options, script(home, "launch.py"), importStrategy, ...args],
     cwd: workspaceFolder(),
     interpreter,
   };
@@ -70,9 +70,9 @@ async function hints(configured: readonly string[], log: vscode.LogOutputChannel
 
 /** What asks an interpreter what it has. */
 export function probeIn(home: Home): Probe {
-  return probeWith(script(home, "probe.py"), vscode.Uri.joinPath(home.globalStorageUri, "packages").fsPath);
+  return probeWith(script(home, "probe.py"));
 }
 
-export function script(home: Home, name: string): string {
+function script(home: Home, name: string): string {
   return vscode.Uri.joinPath(home.extensionUri, "python", name).fsPath;
 }

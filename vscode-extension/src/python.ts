@@ -7,10 +7,8 @@ export type Command = readonly [string, ...string[]];
 export interface Interpreter {
   readonly command: Command;
   readonly version: readonly number[];
-  /** Packages for mechanics that neither this interpreter nor the extension's own folder has. */
+  /** Packages for mechanics that it has not. */
   readonly missing: readonly string[];
-  /** The extension's own folder for packages of this kind of Python, there or not. */
-  readonly packages: string;
 }
 
 export interface Search {
@@ -67,11 +65,11 @@ export async function search(commands: readonly Command[], probe: Probe): Promis
 }
 
 /** Run the probe script in the interpreter. Throws an error with a message for the user. */
-export function probeWith(script: string, folder: string): Probe {
+export function probeWith(script: string): Probe {
   return (command) =>
     new Promise((resolve, reject) => {
       const [program, ...options] = command;
-      execFile(program, [...options, script, folder], { timeout: PROBE_MILLISECONDS }, (error, stdout, stderr) => {
+      execFile(program, [...options, script], { timeout: PROBE_MILLISECONDS }, (error, stdout, stderr) => {
         if (error) reject(new Error(reason(error, stderr)));
         else resolveAnswer(command, stdout, resolve, reject);
       });
@@ -85,8 +83,8 @@ function resolveAnswer(
   reject: (error: Error) => void,
 ): void {
   try {
-    const { version, missing, packages } = JSON.parse(stdout) as Omit<Interpreter, "command">;
-    resolve({ command, version, missing, packages });
+    const { version, missing } = JSON.parse(stdout) as Omit<Interpreter, "command">;
+    resolve({ command, version, missing });
   } catch {
     reject(new Error("is no Python"));
   }

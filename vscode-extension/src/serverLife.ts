@@ -21,11 +21,9 @@ export abstract class ServerLife<Client extends BaseLanguageClient> implements S
     return this.#state === "running" ? this.current : undefined;
   }
 
-  /** Start anew; `meanwhile` is done while no server runs. */
-  restart(meanwhile: () => Promise<void> = async () => undefined): Promise<void> {
+  restart(): Promise<void> {
     return this.#enqueue(async () => {
       await this.end();
-      await meanwhile().catch((error) => this.stepFailed(error));
       await this.begin();
     });
   }

@@ -37,32 +37,27 @@ test("one without NumPy is better than none", async () => {
 });
 
 test("an old Python is rejected with its version", async () => {
-  const probe: Probe = async (command) => ({ command, version: [3, 9, 2], missing: [], packages: "" });
+  const probe: Probe = async (command) => ({ command, version: [3, 9, 2], missing: [] });
   assert.deepEqual(await search([["python3"]], probe), { rejected: ["python3: Python 3.9.2 is too old"] });
 });
 
 test("the probe tells a missing program from one that is no Python and from one that fails", async () => {
-  const probe = probeWith("/dev/null", "");
+  const probe = probeWith("/dev/null");
   await assert.rejects(probe(["/nowhere/python"]), /not found/);
   await assert.rejects(probe(["echo"]), /is no Python/);
   await assert.rejects(probe([await script("echo broken pipe organ >&2; exit 3")]), /broken pipe organ/);
 });
 
 test("the probe reads what the script prints", async () => {
-  const program = await script(`echo '{"version": [3, 12, 1], "missing": ["numpy"], "packages": "'$2'/cp"}'`);
-  assert.deepEqual(await probeWith("x", "/store")([program]), {
-    command: [program],
-    version: [3, 12, 1],
-    missing: ["numpy"],
-    packages: "/store/cp",
-  });
+  const program = await script(`echo '{"version": [3, 12, 1], "missing": ["numpy"]}'`);
+  assert.deepEqual(await probeWith("x")([program]), { command: [program], version: [3, 12, 1], missing: ["numpy"] });
 });
 
 function answers(missing: Record<string, string[]>): Probe {
   return async (command): Promise<Interpreter> => {
     const packages = missing[command[0]];
     if (packages === undefined) throw new Error("not found");
-    return { command, version: [3, 11, 0], missing: packages, packages: "" };
+    return { command, version: [3, 11, 0], missing: packages };
   };
 }
 
