@@ -16,9 +16,10 @@ from tests.codegen.compiling import (
 )
 from tests.codegen.loaded import Loaded
 from tests.codegen.robots import PLAIN, bodies_of_seed, library, reference, write_c
+from tests.support.differences import worst_difference
 
 from kindsl.codegen.c_test import TOLERANCES
-from kindsl.codegen.reference import Reference, worst_difference
+from kindsl.codegen.reference import Reference
 
 pytestmark = needs_compiler
 FEW = ("poses", "foot_jacobians", "inverse_dynamics", "forward_dynamics")

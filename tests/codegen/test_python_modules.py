@@ -9,12 +9,13 @@ import numpy as np
 import pytest
 from tests.codegen.compiling import COMPILERS, needs_compiler
 from tests.codegen.robots import ALL, PLAIN, bodies_of_seed, library, reference
+from tests.support.differences import worst_difference
 
 import kindsl
 from kindsl.analysis.settings import Settings
 from kindsl.codegen.generating import Source, generate, library_files
 from kindsl.codegen.library import Options
-from kindsl.codegen.reference import Reference, sample, worst_difference
+from kindsl.codegen.reference import Reference, sample
 
 ROOT = Path(__file__).parents[2]
 FEW = ("poses", "inverse_dynamics", "forward_dynamics", "gravity_torque")

@@ -6,8 +6,8 @@ import pytest
 from tests.codegen.robots import bodies_of_seed, library, reference
 from tests.dynamics.pinocchio_model import PinocchioModel
 from tests.dynamics.random_bodies import random_bodies
+from tests.support.differences import worst_difference
 
-from kindsl.codegen.reference import worst_difference
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.dynamics.generation.emitters.numbers import evaluate

@@ -1,7 +1,7 @@
 """What generated functions should give, from the mechanics that the rest of this program uses."""
 
 import random
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 import numpy as np
 
@@ -181,12 +181,3 @@ def _factors(M: Array) -> list[Array]:
         L[k, :k] = rest[k, :k] / D[k]
         rest[:k, :k] -= D[k] * np.outer(L[k, :k], L[k, :k])
     return [L, D]
-
-
-def worst_difference(found: Sequence[Array], expected: Sequence[Array]) -> float:
-    """Return the greatest difference, relative to the greatest entry or one."""
-    return max(
-        float(np.max(abs(np.ravel(a) - np.ravel(b)), initial=0.0))
-        / (1.0 + float(np.max(abs(b), initial=0.0)))
-        for a, b in zip(found, expected, strict=True)
-    )

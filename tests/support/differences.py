@@ -1,0 +1,16 @@
+"""How far numbers are from those expected."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from kindsl.spatial.arrays import Array
+
+
+def worst_difference(found: Sequence[Array], expected: Sequence[Array]) -> float:
+    """Return the greatest difference, relative to the greatest entry or one."""
+    return max(
+        float(np.max(abs(np.ravel(a) - np.ravel(b)), initial=0.0))
+        / (1.0 + float(np.max(abs(b), initial=0.0)))
+        for a, b in zip(found, expected, strict=True)
+    )
