@@ -7,7 +7,6 @@ from typing import NamedTuple
 from kindsl.analysis.analysis import Analysis
 
 _ADDRESS = re.compile(r"https?://[^\s<>\"'`]+")
-_PATH = re.compile(r"^\s*path\s*=\s*[\"']([^\"'*?\[\]\r\n]+)[\"']", re.M)
 _TRAILING = ".,;:!?)*]}"
 
 
@@ -33,14 +32,6 @@ def document_links(analysis: Analysis) -> tuple[DocumentLink, ...]:
 def links_in_text(text: str) -> tuple[DocumentLink, ...]:
     """Return the addresses in any text, such as a `kindsl.toml`."""
     return tuple(_addresses(text, 0, len(text)))
-
-
-def documents_in_toml(text: str) -> tuple[DocumentLink, ...]:
-    """Return the documents that a `kindsl.toml` names without wildcards.
-
-    The target is the path as written, relative to that file.
-    """
-    return tuple(DocumentLink(*match.span(1), match[1]) for match in _PATH.finditer(text))
 
 
 def _addresses(text: str, start: int, end: int) -> Iterator[DocumentLink]:

@@ -2,7 +2,6 @@
 
 import asyncio
 import contextlib
-import logging
 import signal
 import sys
 
@@ -12,8 +11,6 @@ from kindsl.lsp.session.worker import start_task
 from kindsl.lsp.wire import parent_watch
 from kindsl.lsp.wire.frames import read_messages
 from kindsl.lsp.wire.transport import MessageWriter, TransportWriter, open_stdio
-
-logger = logging.getLogger(__name__)
 
 
 async def serve_stdio(server: KindslLanguageServer) -> int:

@@ -72,11 +72,6 @@ class PreviewServer(DocumentPreviews):
         """Where it listens, once started."""
         return self._access.port
 
-    @property
-    def is_running(self) -> bool:
-        """Whether it was started and not stopped."""
-        return self._http is not None
-
     async def start(self) -> str:
         """Begin to listen and return the address of the first document's page.
 

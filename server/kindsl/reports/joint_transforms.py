@@ -36,7 +36,6 @@ class _Linear(NamedTuple):
     terms: tuple[tuple[str, float], ...] = ()
 
 
-UNKNOWN = Formula("?", "?")
 _ONE, _MINUS = _Factor(1), _Factor(-1)
 Rows = tuple[tuple[Formula, ...], ...]
 

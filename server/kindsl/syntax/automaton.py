@@ -1,6 +1,5 @@
 """The LALR automaton of the grammar, states only: what may follow what."""
 
-from collections.abc import Iterable
 from typing import NamedTuple
 
 from kindsl.syntax.tables import ACTIONS, GOTOS, RULES, STARTS
@@ -51,14 +50,6 @@ def settled(stack: Stack) -> Stack:
         if actions or action >= 0:
             return stack
         stack = _reduce(stack, ~action)
-
-
-def accepts(start: str, kinds: Iterable[str]) -> bool:
-    """Return whether these token kinds are the whole of a construct."""
-    stack: Stack | None = initial(start)
-    for kind in kinds:
-        stack = step(stack, kind) if stack is not None else None
-    return stack is not None and is_complete(stack, start)
 
 
 def _reduce(stack: Stack, rule: int) -> Stack:

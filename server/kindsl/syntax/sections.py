@@ -20,16 +20,15 @@ _fine: set[tuple[str, ...]] = set()
 
 
 class Place(NamedTuple):
-    """Where a section stands in the order, whether it must be there, and may be repeated."""
+    """Where a section stands in the order, and whether it must be there."""
 
     rank: int
     is_needed: bool
-    is_repeatable: bool
 
 
 ORDER: dict[str, dict[str, Place]] = {
     kind: {
-        section.rstrip("?+"): Place(rank, not section.endswith("?"), section.endswith("+"))
+        section.rstrip("?+"): Place(rank, not section.endswith("?"))
         for rank, section in enumerate(order)
     }
     for kind, order in ORDERS.items()

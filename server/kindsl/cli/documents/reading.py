@@ -1,8 +1,7 @@
 """Reads the one document that a command is about."""
 
 import sys
-from collections.abc import Callable
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING
 
 from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.cli.console import write
@@ -17,11 +16,8 @@ from kindsl.text.nearest import hint, nearest_name
 from kindsl.text.printable import printable
 
 if TYPE_CHECKING:
-    from kindsl.dynamics.bodies import Bodies
     from kindsl.mechanism.errors import UnboundParameterError
     from kindsl.mechanism.skeleton import Skeleton
-
-T = TypeVar("T")
 
 _SYNTAX = "KD0"
 
@@ -117,33 +113,17 @@ def unbound(path: str, analysis: Analysis, error: "UnboundParameterError") -> Co
     return defect(path, analysis, message, error.at)
 
 
-def bodies_of_document(path: str, analysis: Analysis) -> "Bodies":
-    """Return the bodies of a document.
-
-    Raises:
-        CommandError: It does not describe a mechanism, or NumPy is missing.
-    """
-    try:
-        return _mechanism_of_document(path, analysis, lambda: analysis.mechanism().bodies)
-    except ModuleNotFoundError as error:
-        raise missing_module(path, error, "numpy") from None
-
-
 def skeleton_of_document(path: str, analysis: Analysis) -> "Skeleton":
     """Return the bodies of a document in plain floats.
 
     Raises:
         CommandError: It does not describe a mechanism.
     """
-    return _mechanism_of_document(path, analysis, analysis.skeleton)
-
-
-def _mechanism_of_document(path: str, analysis: Analysis, make: Callable[[], T]) -> T:
     from kindsl.mechanism.errors import ModelError, UnboundParameterError
 
     require_syntax(path, analysis)
     try:
-        return make()
+        return analysis.skeleton()
     except UnboundParameterError as error:
         raise unbound(path, analysis, error) from None
     except ModelError as error:

@@ -10,7 +10,6 @@ from kindsl.text.lines import LineIndex
 
 STDIN = "-"
 UNNAMED = "<stdin>"
-BOM = "\ufeff"
 
 # Bytes that are no UTF-8, and NUL: a text in Latin-1 has some, noise consists of them.
 _MOST_STRANGE = 0.1

@@ -28,7 +28,6 @@ from kindsl.dynamics.generation.vectors import (
 
 # The order of a body's inertial parameters in the regressor's columns.
 TENSOR_ENTRIES = ((0, 0), (0, 1), (1, 1), (0, 2), (1, 2), (2, 2))
-PARAMETERS_PER_BODY = 10
 
 
 def inverse_dynamics_derivatives(robot: Robot, inputs: Inputs) -> list[Function]:

@@ -48,11 +48,6 @@ def transform(M: Matrix, v: Vector) -> Vector:
     return [dot(row, v) for row in M]
 
 
-def transform_transposed(M: Matrix, v: Vector) -> Vector:
-    """Return `M.T @ v`."""
-    return transform(transpose(M), v)
-
-
 def transpose(M: Matrix) -> Matrix:
     """Return `M.T`."""
     return [list(column) for column in zip(*M, strict=True)]

@@ -9,7 +9,6 @@ from kindsl.semantics.declarations import Vector
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.model import Model
 
-KINDS = ("joint", "frame", "com")
 LENGTHS = ("x", "y", "z")
 ANGLES = ("rx", "ry", "rz")
 

@@ -6,7 +6,6 @@ Everywhere else columns and offsets are code points.
 from lsprotocol import types
 
 UTF8 = types.PositionEncodingKind.Utf8
-UTF16 = types.PositionEncodingKind.Utf16
 UTF32 = types.PositionEncodingKind.Utf32
 
 

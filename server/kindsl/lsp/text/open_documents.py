@@ -95,7 +95,3 @@ class Documents:
             self._files.pop(path, None)
             return None
         return known[1]
-
-    def forget_files(self) -> None:
-        """Drop what was read from disk."""
-        self._files.clear()

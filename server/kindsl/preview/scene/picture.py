@@ -12,7 +12,6 @@ from kindsl.mechanism.errors import ModelError
 from kindsl.mechanism.fragments import LenientReader, skeleton_as_far_as_known
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.preview.scene.guesses import NO_GUESSES, Guesses, guesses
-from kindsl.rigid.pose import RigidPose
 from kindsl.semantics.model import Model
 from kindsl.semantics.parameters import values_of
 from kindsl.text.words import counted
@@ -68,13 +67,6 @@ def picture(model: Model, given: dict[str, float], last_good: Skeleton | None) -
     message = _message(guessed) or _incomplete(model, values)
     state = State.GUESSED if guessed.values or guessed.left_out else State.LIVE
     return Picture(skeleton, state, message, guessed)
-
-
-def _places(last_good: Skeleton | None) -> dict[str, RigidPose]:
-    """Return where joints were, by name."""
-    if last_good is None:
-        return {}
-    return dict(zip(last_good.joint_names, last_good.placements, strict=True))
 
 
 def _defect(model: Model) -> str:

@@ -9,7 +9,6 @@ from kindsl.dynamics.generation.expressions import Expression, Graph, Scalar
 
 MODULE = "compiled_mechanism"
 RUNTIME = Path(__file__).with_name("extension_runtime.c")
-NOINLINE = "__attribute__((noinline)) "
 PLAIN = Dialect("double", "", "KEPT_APART ")
 WIDE = Dialect("lanes", "", "KEPT_APART ", "spread({})")
 
