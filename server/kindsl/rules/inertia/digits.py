@@ -34,7 +34,7 @@ class Written(NamedTuple):
 
     text: str
     literal: float | None
-    rounding: float = 0.0
+    rounding: float
 
 
 def half_widths(inertia: Inertia, values: Mapping[str, float]) -> MassDistribution:
@@ -75,8 +75,8 @@ def _halves(group: Sequence[Written], manner: Sequence[Written]) -> list[float]:
     """Return the half-widths of a group that is written in the manner of some numbers."""
     numbers = [number for number in manner if number.literal]
     finest = min((half_unit(number.text) for number in numbers), default=float("inf"))
-    digits = max(map(_believed_digits, numbers), default=0)
-    return [_half(number, finest, max(digits, _FEWEST_DIGITS)) for number in group]
+    digits = max([_FEWEST_DIGITS, *map(_believed_digits, numbers)])
+    return [_half(number, finest, digits) for number in group]
 
 
 def _half(number: Written, finest: float, digits: int) -> float:
@@ -91,21 +91,22 @@ def _half(number: Written, finest: float, digits: int) -> float:
 
 def _own_half(number: Written) -> float:
     """Return the half-width of a number alone; of `120.0` the digits before its zeros count."""
-    if number.literal is None or not _is_whole(number):
+    whole, unit = _whole(number), 1
+    if whole is None:
         return number.rounding
-    whole, unit = int(abs(number.literal)), 1
     while whole % 10 == 0 and whole >= 100:
         whole, unit = whole // 10, unit * 10
     return 0.5 * unit
 
 
 def _believed_digits(number: Written) -> int:
-    if not _is_whole(number):
-        return significant_digits(number.text)
-    return len(str(int(abs(number.literal or 0.0))).rstrip("0"))
+    whole = _whole(number)
+    return significant_digits(number.text) if whole is None else len(str(whole).rstrip("0"))
 
 
-def _is_whole(number: Written) -> bool:
-    """Return whether the point stands there only because the language wants it."""
-    is_whole = number.literal is not None and 10.0 <= abs(number.literal) < _GREATEST_WHOLE
-    return is_whole and number.text.endswith(".0")
+def _whole(number: Written) -> int | None:
+    """Return the size of a number whose point is there only because the language wants it."""
+    if number.literal is None or not number.text.endswith(".0"):
+        return None
+    size = abs(number.literal)
+    return int(size) if 10.0 <= size < _GREATEST_WHOLE else None

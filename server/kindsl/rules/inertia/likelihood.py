@@ -118,7 +118,7 @@ def _of_orientation(shape: Shape, values: Vector3, error: float) -> float:
     tilted = 1.0 / 6.0
     for product, gap in zip(products, gaps, strict=True):
         z = product / (_TILT * gap)
-        tilted *= exp(-0.5 * min(z * z, 200.0)) / (_TILT * gap * sqrt(2.0 * pi))
+        tilted *= exp(-0.5 * z * z) / (_TILT * gap * sqrt(2.0 * pi))
     # A product that is zero under every hypothesis says nothing of how exactly it is known.
     known = [shape.errors[i] if shape.matrix[i] else 0.0 for i in (3, 4, 5)]
     widths = [2.0 * max(_SURE * error, _ZERO * c) for error in known]
