@@ -1,7 +1,8 @@
 """Bodies are taken for matter from ten to thirty thousand kg/m³, however they lie."""
 
-from math import pi
+from math import inf, pi
 
+import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from tests.support.bodies import document_of_bodies
@@ -69,9 +70,20 @@ def test_what_is_no_matter_is_reported_and_nothing_else(
     assert is_reported == (not 10.0 < density < 30_000.0)
 
 
-def test_a_point_is_dense_without_bound() -> None:
-    pairs = eigensystem((0.0,) * 6)
-    assert density_of(1.0, pairs) == float("inf")
+@pytest.mark.parametrize(
+    ("density", "expected"), [(9.99, False), (10.01, True), (29_990.0, True), (30_010.0, False)]
+)
+def test_matter_ends_at_foam_and_at_the_heaviest_metal(density: float, expected: bool) -> None:
+    body = ellipsoid(density, (0.1, 0.2, 0.3), (0.3, 0.2, 0.1), (0.1, 0.0, 0.0))
+    second = second_moments_about_com(body)
+    assert is_dense_as_matter(body.mass, eigensystem(second)) == expected
+    assert is_plainly_dense_as_matter(body.mass, second) == expected
+
+
+@pytest.mark.parametrize("value", [0.0, -0.1])
+def test_what_has_no_extent_is_dense_without_bound(value: float) -> None:
+    pairs = eigensystem((value, value, value, 0.0, 0.0, 0.0))
+    assert density_of(1.0, pairs) == inf
     assert not is_dense_as_matter(1.0, pairs)
 
 

@@ -7,7 +7,7 @@ import pytest
 from kindsl.rigid.body import MassDistribution
 from kindsl.rules.inertia.slips import Hypothesis, Slip
 from kindsl.rules.inertia.told import clause, title
-from kindsl.rules.inertia.wording import with_unit
+from kindsl.rules.inertia.wording import sum_below, with_unit
 
 BODY = MassDistribution(1.0, (0.0, 0.0, 0.0), (1.0, 1.0, 1.0, 0.0, 0.0, 0.0))
 RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
@@ -54,9 +54,34 @@ def test_a_unit_is_named_instead() -> None:
         (-2.5e6, "-2 500 000 m"),
         (6.5e-11, "6.5e-11 m"),
         (999.4e6, "999 000 000 m"),
+        (1e9, "1e+09 m"),
         (1.5e9, "1.5e+09 m"),
         (1e12, "1e+12 m"),
     ],
 )
 def test_large_quantities_are_written_out(value: float, told: str) -> None:
     assert with_unit(value, "m") == told
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "told"),
+    [
+        ((0.1, 0.2), 0.31, "0.1 + 0.2 < 0.31"),
+        ((0.12345, 0.2), 0.5, "0.123 + 0.2 < 0.5"),
+        ((0.1, 0.2), 0.30001, "0.1 + 0.2 < 0.30001"),
+        ((0.1, 0.15), 0.2501, "0.1 + 0.15 < 0.2501"),
+        ((-0.4, 0.1), -0.2, "-0.4 + 0.1 < -0.2"),
+        # What is left of zero after rounding: a million-millionth of the sum, at most.
+        ((1e-18, 0.1), 0.2, "0 + 0.1 < 0.2"),
+        ((1e-12, 0.5), 1.0, "0 + 0.5 < 1"),
+        ((1e-10, 500.0), 1000.0, "0 + 500 < 1e+03"),
+        ((2e-9, 500.0), 1000.0, "2e-09 + 500 < 1e+03"),
+        # Sixteen digits at most, whatever they show.
+        ((1.0 / 3.0,), 1.0 / 3.0, "0.3333333333333333 < 0.3333333333333333"),
+    ],
+)
+def test_a_sum_is_told_with_as_many_digits_as_show_that_it_is_below(
+    left: tuple[float, ...], right: float, told: str
+) -> None:
+    assert sum_below(left, right) == told
+    assert sum_below(left, right, "<=") == told.replace("<", "<=")

@@ -212,13 +212,13 @@ def equivalent_density(mass: float, eigenvalues: Vector3) -> float:
     """Return the density of the homogeneous ellipsoid with these second moments, kg/m³.
 
     A body thinner than a tenth of its length is taken to be that thick, so that rods and plates
-    whose thickness is lost in rounding are not dense without bound.
+    whose thickness is lost in rounding are not dense without bound. A body without any extent is.
 
     Args:
         mass: kg, positive.
-        eigenvalues: Of the second moments about the CoM, ascending, the last one positive.
+        eigenvalues: Of the second moments about the CoM, ascending.
     """
-    least = 0.01 * eigenvalues[2]
+    least = 0.01 * max(eigenvalues[2], 0.0)
     volume = 4.0 / 3.0 * pi
     for value in eigenvalues:
         volume *= sqrt(5.0 * max(value, least) / mass)

@@ -34,14 +34,12 @@ def is_placeholder(body: MassDistribution) -> bool:
 
 
 def density_of(mass: float, pairs: tuple[Eigenpair, Eigenpair, Eigenpair]) -> float:
-    """Return the density of the equivalent ellipsoid, kg/m³; infinite for a point.
+    """Return the density of the equivalent ellipsoid, kg/m³; infinite without extent.
 
     Args:
         mass: kg, positive.
         pairs: Eigenpairs of the second moments about the CoM, ascending.
     """
-    if pairs[2].value <= 0.0:
-        return float("inf")
     return equivalent_density(mass, (pairs[0].value, pairs[1].value, pairs[2].value))
 
 
