@@ -1,12 +1,17 @@
-"""Powers of ten in words and titles are those that put the numbers right."""
+"""How mistakes and quantities are put into words: powers of ten are those that mend the numbers."""
 
 from fractions import Fraction
+from math import pi
+from typing import Any
 
 import pytest
 
-from kindsl.rigid.body import MassDistribution
+from kindsl.rigid.body import MassDistribution, eigensystem
+from kindsl.rigid.pose import Vector3
+from kindsl.rules.inertia.causes import Cause
+from kindsl.rules.inertia.likelihood import Shape
 from kindsl.rules.inertia.slips import Hypothesis, Slip
-from kindsl.rules.inertia.told import clause, title
+from kindsl.rules.inertia.told import clause, likely_cause, several_causes, shared_cause, title
 from kindsl.rules.inertia.wording import sum_below, with_unit
 
 BODY = MassDistribution(1.0, (0.0, 0.0, 0.0), (1.0, 1.0, 1.0, 0.0, 0.0, 0.0))
@@ -42,6 +47,102 @@ def test_a_unit_is_named_instead() -> None:
     of_unit = scaled(Slip.SCALE, -9, "g·mm²")
     assert clause(of_unit) == "the moments were in g·mm²"
     assert title(of_unit) == "Convert the moments to kg·m²"
+
+
+def of(*slips: Slip, names: tuple[str, ...] = (), **given: Any) -> Hypothesis:
+    return Hypothesis(slips, BODY, BODY, 1.0, names, **given)
+
+
+@pytest.mark.parametrize(
+    ("h", "what", "step"),
+    [
+        (
+            of(Slip.REFERENCE),
+            "the moments were taken about the CoM rather than the frame origin",
+            "Shift the moments to the frame origin",
+        ),
+        (
+            of(Slip.SIGNS, names=("Ixy",)),
+            "the sign of Ixy were changed",
+            "Change sign of Ixy",
+        ),
+        (
+            of(Slip.COM_SIGN, names=("the x of the CoM",)),
+            "the sign of the x of the CoM were changed",
+            "Change sign of the x of the CoM",
+        ),
+        (
+            of(Slip.REFERENCE, Slip.SIGNS, names=("Ixy", "Iyz")),
+            "the moments were taken about the CoM rather than the frame origin"
+            " and the signs of Ixy and Iyz were changed",
+            "Shift the moments to the frame origin and change sign of Ixy, Iyz",
+        ),
+    ],
+)
+def test_slips_are_told_in_words(h: Hypothesis, what: str, step: str) -> None:
+    assert clause(h) == what
+    assert title(h) == step
+
+
+def test_swapped_moments_are_named() -> None:
+    assert clause(of(Slip.SWAP, names=("Ix", "Iz"))) == "Ix and Iz were swapped"
+
+
+def ball(com: Vector3, *reasons: str, slip: Slip = Slip.REFERENCE, tilt: float = 0.0) -> Cause:
+    """Return what explains a ball of 1 m and 1000 kg/m³; a fifth of `m r r` in each direction."""
+    mass = 1000.0 * 4.0 / 3.0 * pi
+    matrix = (mass / 5.0, mass / 5.0, mass / 5.0, tilt, 0.0, 0.0)
+    h = of(slip, names=("Ixy",))._replace(body=BODY._replace(mass=mass, com=com))
+    return Cause(h, Shape(matrix, (0.0,) * 6, eigensystem(matrix)), reasons, 0.0, 0.0)
+
+
+REFERENCE = "the moments were taken about the CoM rather than the frame origin"
+ALONG = ", principal axes along the link's"
+
+
+@pytest.mark.parametrize(
+    ("com", "tilt", "along"),
+    [
+        ((0.0, 0.0, 0.0), 0.0, ""),
+        ((0.1, 0.0, 0.0), 0.0, ""),  # about this point too the products are zero
+        ((0.1, 0.2, 0.0), 0.0, ALONG),
+        ((0.1, 0.0, 0.2), 0.0, ALONG),
+        ((0.0, 0.1, 0.2), 0.0, ALONG),
+        ((0.0, 0.1, 0.2), 9.0, ""),
+    ],
+)
+def test_axes_along_the_links_speak_for_a_cause_where_the_com_lies_off_them(
+    com: Vector3, tilt: float, along: str
+) -> None:
+    assert likely_cause("arm", ball(com, "long", tilt=tilt), " at m = 2") == (
+        f"inertia of 'arm' would be consistent if {REFERENCE} at m = 2"
+        f" (density 1000 kg/m³{along}, long)"
+    )
+
+
+def test_of_several_causes_what_speaks_for_all_of_them_is_left_out() -> None:
+    com = (0.0, 0.0, 0.0)
+    one, two = ball(com, "long", "near"), ball(com, "near", "equal", slip=Slip.SIGNS)
+    assert several_causes("arm", [one, two], " at m = 2") == (
+        f"inertia of 'arm' would be consistent at m = 2 if {REFERENCE}"
+        " (density 1000 kg/m³, long); or if the sign of Ixy were changed"
+        " (density 1000 kg/m³, equal)"
+    )
+
+
+@pytest.mark.parametrize(
+    ("h", "what"),
+    [
+        (of(Slip.REFERENCE), REFERENCE),
+        (of(Slip.SIGNS, names=("Ixy",)), "the signs of the products were changed"),
+        (of(Slip.SIGNS, names=("Ixy",), is_partial=True), "the sign of Ixy were changed"),
+        (of(Slip.COM_SIGN, names=("the x",), is_partial=True), "the sign of the x were changed"),
+    ],
+)
+def test_what_all_links_show_is_told_without_their_names(h: Hypothesis, what: str) -> None:
+    cause = ball((0.0, 0.0, 0.0))._replace(hypothesis=h)
+    expected = f"inertias of all 4 moving links would be consistent if {what}"
+    assert shared_cause(4, cause) == expected
 
 
 @pytest.mark.parametrize(

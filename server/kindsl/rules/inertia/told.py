@@ -8,7 +8,7 @@ from kindsl.rules.inertia.slips import Hypothesis, Slip
 from kindsl.rules.inertia.wording import with_unit
 from kindsl.text.words import listed
 
-_POWERS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _GRAMS = -3
 
 
@@ -21,7 +21,7 @@ def likely_cause(name: str, cause: Cause, at: str = "") -> str:
 
 def several_causes(name: str, causes: Sequence[Cause], at: str = "") -> str:
     """Return what several explanations say, the most likely first."""
-    common = set(causes[0].reasons).intersection(*(cause.reasons for cause in causes))
+    common = set.intersection(*(set(cause.reasons) for cause in causes))
     own = [c._replace(reasons=tuple(r for r in c.reasons if r not in common)) for c in causes]
     told = "; or if ".join(f"{clause(c.hypothesis)} ({_why(c)})" for c in own)
     return f"inertia of '{name}' would be consistent{at} if {told}"
@@ -76,8 +76,7 @@ def _times(power: int) -> str:
 
 
 def _ten(h: Hypothesis) -> str:
-    sign = "⁻" if h.power < 0 else ""
-    return f"10{sign}{''.join(_POWERS[int(digit)] for digit in str(abs(h.power)))}"
+    return f"10{str(h.power).translate(_RAISED)}"
 
 
 def _why(cause: Cause) -> str:
