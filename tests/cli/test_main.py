@@ -66,3 +66,31 @@ def test_a_value_for_what_is_no_parameter_is_refused(
     assert (told.status, told.out) == (2, "")
     assert told.err == "a.kindsl: error: there is no parameter 'lenght', did you mean 'length'?\n"
     assert not (folder / "a.urdf").exists()
+
+
+@pytest.mark.parametrize("command", [("diff",), ("review", "-o", "out")])
+def test_a_value_for_a_parameter_of_neither_document_is_refused(
+    kindsl: Runner, folder: Path, command: tuple[str, ...]
+) -> None:
+    (folder / "old.kindsl").write_text(UNBOUND)
+    (folder / "new.kindsl").write_text(UNBOUND.replace("length", "reach"))
+    documents = (*command, "old.kindsl", "new.kindsl")
+    told = kindsl(*documents, "--param", "lenght=1.0")
+    assert (told.status, told.out) == (2, "")
+    message = "there is no parameter 'lenght' in either document, did you mean 'length'?"
+    assert told.err == f"new.kindsl: error: {message}\n"
+    assert not (folder / "out").exists()
+    (folder / "old.kindsl").write_text(UNBOUND.replace("mass =", "mass"))
+    assert kindsl(*documents, "--param", "lenght=1.0").status != 2
+
+
+def test_a_value_for_a_parameter_of_one_of_two_documents_is_taken(
+    kindsl: Runner, folder: Path
+) -> None:
+    (folder / "old.kindsl").write_text(UNBOUND)
+    (folder / "new.kindsl").write_text(UNBOUND.replace("length", "0.5"))
+    told = kindsl("diff", "old.kindsl", "new.kindsl", "--param", "length=0.5")
+    assert (told.status, told.out) == (0, "nothing changed mechanically\n")
+    told = kindsl("diff", "/dev/null", "old.kindsl", "--param", "lenght=0.5")
+    message = "there is no parameter 'lenght', did you mean 'length'?"
+    assert (told.status, told.err) == (2, f"old.kindsl: error: {message}\n")

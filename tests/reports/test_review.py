@@ -136,6 +136,10 @@ def test_two_commits_are_compared(repository: Path, tmp_path: Path) -> None:
         (["quadruped.kindsl"], "needs OLD and NEW, or --git BASE..HEAD FILE"),
         (["quadruped.kindsl", "absent.kindsl"], "absent.kindsl: error: no such file or folder"),
         (["--git", "HEAD~1..HEAD", "no/absent.kindsl"], "no such file or folder"),
+        (
+            ["--git", "HEAD~1..HEAD", "quadruped.kindsl", "--param", "x=1"],
+            "quadruped.kindsl: error: there is no parameter 'x' in either document",
+        ),
     ],
 )
 def test_what_cannot_be_reviewed_is_one_sentence(

@@ -16,6 +16,7 @@ from kindsl.cli.documents.choices import choices_of
 from kindsl.cli.documents.reading import (
     CommandError,
     read_document,
+    require_parameters,
     shown_name,
     skeleton_of_document,
 )
@@ -67,6 +68,7 @@ def _difference(args: argparse.Namespace) -> "tuple[Difference, tuple[str, ...]]
         return _of_one(args.new if args.old == devnull else args.old, args)
     choices = choices_of(args)
     old, new = (read_document(path, choices) for path in (args.old, args.new))
+    require_parameters(args.new, old, new)
     both = ((args.old, old), (args.new, new))
     from kindsl.reports.comparison import compared
 
@@ -87,6 +89,7 @@ def _of_one(path: str, args: argparse.Namespace) -> "tuple[Difference, tuple[str
     if path == devnull:
         raise CommandError([Failure(devnull, "there is no document to compare")])
     analysis = read_document(path, choices_of(args))
+    require_parameters(path, analysis)
     document = analysis.model, analysis.context.values
     from kindsl.mechanism.partial_difference import added, partial_difference, removed
 

@@ -15,6 +15,7 @@ from kindsl.cli.documents.reading import (
     CommandError,
     missing_module,
     read_document,
+    require_parameters,
     shown_name,
 )
 from kindsl.cli.options import add_parameter_arguments
@@ -44,6 +45,7 @@ def run(args: argparse.Namespace) -> int:
     try:
         _check_folder(args)
         old, new, names = _documents(args, choices_of(args))
+        require_parameters(args.files[-1], old, new)
         _write(args.output, _files(args, old, new, names))
     except CommandError as error:
         return error.tell()

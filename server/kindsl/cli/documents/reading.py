@@ -75,18 +75,24 @@ def require_syntax(path: str, analysis: Analysis) -> None:
         raise CommandError(failures, status=1)
 
 
-def require_parameters(path: str, analysis: Analysis) -> None:
+def require_parameters(path: str, *documents: Analysis) -> None:
     """Raise CommandError for a value given on the command line to what is no parameter.
 
     Not where the syntax is broken: the parameter may stand in what cannot be read.
+
+    Args:
+        path: What the error names.
+        documents: One, or two that are compared; a parameter of either may be given.
     """
-    if analysis.model.broken_islands:
+    models = [analysis.model for analysis in documents]
+    if any(model.broken_islands for model in models):
         return
-    known = [str(parameter.name) for parameter in analysis.model.parameters]
-    for name, binding in analysis.settings.bindings.items():
+    known = [str(parameter.name) for model in models for parameter in model.parameters]
+    for name, binding in documents[0].settings.bindings.items():
         if binding.origin == "--param" and name not in known:
+            where = " in either document" if len(documents) > 1 else ""
             meant = hint(nearest_name(name, known), after=",")
-            message = f"there is no parameter '{name}'{meant}"
+            message = f"there is no parameter '{name}'{where}{meant}"
             raise CommandError([Failure(shown_name(path), message)])
 
 
