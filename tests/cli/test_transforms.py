@@ -48,6 +48,7 @@ def test_nothing_is_wrong(kdsl_lint: Runner, beside: Path) -> None:
         ("fr_lower\n", "fr_lowr\n", "4:26", "KD801"),
         ("fr_lower, tip }", "tip }", "4:26", "KD802"),
         ("base=tip, target=fr_upper", "base=fr_base, target=fr_lower", "5:10", "KD803"),
+        ("fr_base, fr_upper", "fr_base, tip, fr_upper", "2:44", "KD803"),
         ("Robot arm", "Robot leg", "1:7", "KD804"),
         ("base=tip, ", "base=tip ", "5:14", "KD800"),
     ],
@@ -60,6 +61,13 @@ def test_what_is_wrong(
     lines = [line for line in told.out.splitlines() if line.startswith("arm.dtdsl:")]
     assert any(line.startswith(f"arm.dtdsl:{place}: ") and f"[{code}]" in line for line in lines)
     assert kdsl_lint("arm.dtdsl", "--ignore", "KD8").out == ""
+
+
+def test_a_frame_listed_again_is_told_once_each_time(kdsl_lint: Runner, beside: Path) -> None:
+    beside.write_text(GOOD.replace("tip }", "tip, tip, tip }"))
+    message = "warning[KD803] frame 'tip' is already listed"
+    lines = [line for line in kdsl_lint("arm.dtdsl").out.splitlines() if "arm.dtdsl:" in line]
+    assert lines == [f"arm.dtdsl:2:{column}: {message}" for column in (44, 49)]
 
 
 def test_a_model_that_is_not_there_is_no_matter(kdsl_lint: Runner, folder: Path) -> None:

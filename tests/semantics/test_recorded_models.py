@@ -21,7 +21,7 @@ from kindsl.semantics.ranges import bounds_of, degrees_of
 from kindsl.semantics.transforms import (
     frame_names,
     other_robot,
-    repeated_transforms,
+    repetitions,
     undeclared_frames,
     unknown_frames,
 )
@@ -181,7 +181,7 @@ def of_transforms() -> Iterator[str]:
     for text in TRANSFORMS:
         document, teller = read_transforms(text), Teller(text)
         yield f"## {text!r}"
-        for check in (unknown_frames, undeclared_frames, repeated_transforms, other_robot):
+        for check in (unknown_frames, undeclared_frames, repetitions, other_robot):
             for message, start, end in check(document, model):
                 yield f"{teller.span(start, end)}: {message}"
 

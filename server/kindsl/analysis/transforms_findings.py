@@ -14,7 +14,7 @@ from kindsl.semantics.model import Model
 from kindsl.semantics.transforms import (
     Wrong,
     other_robot,
-    repeated_transforms,
+    repetitions,
     undeclared_frames,
     unknown_frames,
 )
@@ -22,7 +22,7 @@ from kindsl.syntax.transforms_text import TransformsDocument, read_transforms
 
 _ALONE: tuple[tuple[Rule, Callable[[TransformsDocument, Model | None], Iterator[Wrong]]], ...] = (
     (UNDECLARED, undeclared_frames),
-    (REPEATED, repeated_transforms),
+    (REPEATED, repetitions),
 )
 _WITH_MODEL: tuple[tuple[Rule, Callable[[TransformsDocument, Model], Iterator[Wrong]]], ...] = (
     (UNKNOWN, unknown_frames),

@@ -48,8 +48,13 @@ def undeclared_frames(document: TransformsDocument, _: Model | None) -> Iterator
                 yield Wrong(f"'{word.text}' is not listed under 'Frames'", word.start, word.end)
 
 
-def repeated_transforms(document: TransformsDocument, _: Model | None) -> Iterator[Wrong]:
-    """Yield pairs that were there before."""
+def repetitions(document: TransformsDocument, _: Model | None) -> Iterator[Wrong]:
+    """Yield frames under `Frames`, and pairs, that were there before."""
+    listed: set[str] = set()
+    for word in document.frames:
+        if word.text in listed:
+            yield Wrong(f"frame '{word.text}' is already listed", word.start, word.end)
+        listed.add(word.text)
     for what, pairs in (("transform", document.transforms), ("Jacobian", document.jacobians)):
         seen: set[tuple[str, str]] = set()
         for base, target in pairs:

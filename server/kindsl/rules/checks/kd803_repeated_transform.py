@@ -1,13 +1,14 @@
-"""A transform or Jacobian is listed twice.
+"""A frame, transform or Jacobian is listed twice.
 
 ## What it does
-Reports, in a `.dtdsl` document, a pair of frames that the same section has already.
+Reports, in a `.dtdsl` document, a frame or a pair of frames that the same section has already.
 
 ## Why is this bad?
 The second one does nothing; perhaps another frame was meant.
 
 ## Example
 ```
+Frames { fr_trunk, fr_foot, fr_trunk }
 Transforms {
     base=fr_trunk, target=fr_foot
     base=fr_trunk, target=fr_foot
