@@ -1,6 +1,7 @@
 """The extension in VS Code for the web: no process, the server in a worker, a virtual workspace."""
 
 import json
+import re
 from collections.abc import Iterator
 from urllib.parse import urlsplit
 
@@ -8,13 +9,14 @@ import pytest
 from playwright.sync_api import Browser, Locator, TimeoutError, expect
 from tests.vscode import browser as browser_module
 from tests.vscode import models, vscode_web
-from tests.vscode.code_server import EXTENSION
+from tests.vscode.code_server import EXTENSION, ROOT
 from tests.vscode.workbench import Workbench
 
 # The first test waits for what is built for all of them.
 pytestmark = pytest.mark.timeout(900)
 # The reach is bound by the configuration in the workspace, and nowhere else.
 BROKEN = models.BROKEN.replace("(0.4, 0.0, 0.0)", "(reach, 0.0, 0.0)")
+URDF = (ROOT / "docs" / "guide" / "pan_tilt.urdf").read_text()
 CONFIGURATION = "parameters = { reach = 0.4 }\n"
 
 
@@ -30,7 +32,10 @@ def workbench(
 ) -> Iterator[Workbench]:
     """One window on the workspace."""
     browser_module.require("npm")
-    files = {"arm.kindsl": BROKEN, "kindsl.toml": CONFIGURATION}
+    files = {
+        "arm.kindsl": BROKEN, "kindsl.toml": CONFIGURATION,
+        "pan_tilt.urdf": URDF, "broken.urdf": "<robot>\n<link",
+    }  # fmt: skip
     extension = vscode_web.stage_extension()
     work = tmp_path_factory.mktemp("vscode-web")
     with vscode_web.running(work, extension, files) as server:
@@ -86,6 +91,28 @@ def test_the_robot_is_shown_as_urdf(workbench: Workbench) -> None:
     workbench.eventually(
         lambda: any('<robot name="arm2">' in line for line in workbench.lines()), "the URDF"
     )
+
+
+def test_a_urdf_is_imported_with_remarks(workbench: Workbench) -> None:
+    workbench.run("Kinematics-DSL: Import URDF or SDF")
+    field = workbench.page.locator(".quick-input-widget input[type=text]")
+    expect(field).to_have_value(re.compile("/robots/$"))
+    field.fill("/robots/pan_tilt.urdf")
+    workbench.press("Enter")
+    workbench.eventually(
+        lambda: any(line.startswith("Robot pan_tilt {") for line in workbench.lines()),
+        "the document",
+    )
+    remarks = workbench.notifications().filter(has_text="pan_tilt.urdf: ")
+    expect(remarks).to_contain_text("the link 'camera', fixed to 'tilt_link', became a frame of it")
+    workbench.screenshot("imported")
+
+
+def test_what_cannot_be_imported_is_said(workbench: Workbench) -> None:
+    workbench.page.get_by_role("treeitem", name="broken.urdf").click(button="right")
+    workbench.page.get_by_role("menuitem", name="Import URDF or SDF").click()
+    message = workbench.notifications().filter(has_text="broken.urdf: ")
+    expect(message).to_contain_text("not a readable URDF: not well-formed XML at line 2")
 
 
 def test_no_other_host_is_asked(requests: list[str]) -> None:

@@ -1,7 +1,7 @@
 // The commands that the extension has wherever it runs.
 import * as vscode from "vscode";
 import type { BaseLanguageClient, Location, Position } from "vscode-languageclient";
-import { newFile, showUrdf } from "./documents";
+import { importFile, newFile, showUrdf } from "./documents";
 import type { Previews } from "./preview";
 import { showReferences } from "./references";
 import type { ServerLife } from "./serverLife";
@@ -25,6 +25,7 @@ export function registerCommands(
     "kindsl.restart": () => own.restart(),
     "kindsl.showLog": () => log.show(),
     "kindsl.newFile": () => newFile(own),
+    "kindsl.importFile": (uri?: vscode.Uri) => importFile(uri, own),
     "kindsl.revealSymbol": revealSymbol,
     "kindsl.showRule": (page: string) =>
       vscode.commands.executeCommand("markdown.showPreview", vscode.Uri.parse(page, true)),

@@ -5,6 +5,10 @@ const vscode = require("vscode");
 const { runAll, eventually, extension, settledApi, open, codes, configure } = require("./harness");
 
 const BROKEN = "broken.kindsl";
+const URDF = `<robot name="pan"><link name="base"/><link name="head"/>
+<joint name="turn" type="continuous"><parent link="base"/><child link="head"/><axis xyz="0 0 1"/></joint></robot>`;
+const SDF = `<sdf version="1.9"><model name="tilt"><link name="base"/><link name="head"/>
+<joint name="turn" type="revolute"><parent>base</parent><child>head</child><axis><xyz>0 0 1</xyz></axis></joint></model></sdf>`;
 
 exports.run = () =>
   runAll({
@@ -89,6 +93,29 @@ exports.run = () =>
       await vscode.workspace.applyEdit(edit);
       await eventually(() => codes(document.uri).length > 0, "findings in the untitled document");
       await vscode.commands.executeCommand("workbench.action.revertAndCloseActiveEditor");
+    },
+
+    "a robot of another format becomes a new document": async () => {
+      for (const [name, content] of Object.entries({ "pan.urdf": URDF, "tilt.sdf": SDF })) {
+        const uri = vscode.Uri.joinPath(vscode.workspace.workspaceFolders[0].uri, name);
+        await vscode.workspace.fs.writeFile(uri, new TextEncoder().encode(content));
+        await vscode.commands.executeCommand("kindsl.importFile", uri);
+        const { document } = vscode.window.activeTextEditor;
+        assert.equal(document.uri.scheme, "untitled");
+        assert.equal(document.languageId, "kinematics-dsl");
+        assert.match(document.getText(), /^Robot \w+ \{[^]*link head \{/);
+        await eventually(async () => (await symbols(document.uri)).length > 0, "an outline");
+        await vscode.commands.executeCommand("workbench.action.revertAndCloseActiveEditor");
+      }
+    },
+
+    "the text of an open robot counts, not the file's": async () => {
+      const document = await open("pan.urdf");
+      const edit = new vscode.WorkspaceEdit();
+      edit.replace(document.uri, new vscode.Range(0, 0, document.lineCount, 0), URDF.replaceAll("head", "neck"));
+      await vscode.workspace.applyEdit(edit);
+      await vscode.commands.executeCommand("kindsl.importFile", document.uri);
+      assert.match(vscode.window.activeTextEditor.document.getText(), /link neck \{/);
     },
   });
 
