@@ -1,11 +1,14 @@
 """KD309 says what a link's length, its CoM and its radius of gyration say, in any direction."""
 
 import numpy as np
+import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from tests.support.one_rule import section, told, with_base
 
 from kindsl.analysis.analysis import analyse
 from kindsl.rigid.body import MassDistribution, moments_of, shifted
+from kindsl.rules.examples import joint, link, robot
 
 DOCUMENT = """Robot R {{
 RobotBase base {{ children {{ upper via shoulder }} }}
@@ -62,3 +65,111 @@ def test_the_mass_is_reported_where_the_link_is_not(
         assert len(told) == 1 and told[0].startswith("radius of gyration of 'upper' is ")
     else:
         assert told == []
+
+
+def wrist_at(place: str, com: str, ix: str, iy: str, iz: str, mass: str = "1.0") -> str:
+    arm = link("arm", 1, "hand via wrist", section(mass, com, ix, iy, iz))
+    joints = joint("elbow"), joint("wrist").replace("0.0, 0.0, 0.3", place)
+    return robot(arm, link("hand", 2), *joints, base="arm via elbow")
+
+
+FAR = "CoM of 'arm' lies {} m from a link 0.5 m long"
+WIDE = "radius of gyration of 'arm' is {} m, the link is 0.5 m long"
+
+
+@pytest.mark.parametrize(
+    ("com", "moments", "message"),
+    [
+        ("3.0, 0.0, 0.0", ("0.0", "9.25", "9.25"), None),
+        ("3.25, 0.0, 0.0", ("0.0", "10.8125", "10.8125"), FAR.format("3.25")),
+        ("0.0, 0.0, -3.25", ("10.8125", "10.8125", "0.0"), FAR.format("3.25")),
+        ("0.0, 0.0, 3.25", ("10.8125", "10.8125", "0.0"), None),
+        ("0.0, 0.0, 3.75", ("14.3125", "14.3125", "0.0"), FAR.format("3.25")),
+        ("3.25, 0.0, 0.25", ("0.0625", "10.875", "10.8125"), FAR.format("3.25")),
+        ("1.5, 0.0, 0.0", ("0.0", "2.25", "2.25"), None),
+        ("1.75, 0.0, 0.0", ("0.0", "3.0625", "3.0625"), FAR.format("1.75")),
+        ("1.7, 0.0, 0.0", ("0.0", "2.89", "2.89"), FAR.format("1.7")),
+        ("1.75, 0.0, 0.0", ("0.0", "0.0", "0.0"), None),
+        ("1.75, 0.0, 0.0", ("0.0", "3.0", "3.0"), None),
+        ("10.0, 0.0, 0.0", ("0.0", "100.25", "100.25"), FAR.format("10")),
+        ("-10.0, 0.0, 0.0", ("0.0", "100.25", "100.25"), FAR.format("10")),
+        ("10.25, 0.0, 0.0", ("0.0", "105.3125", "105.3125"), None),
+        ("0.0, 0.0, 0.0", ("0.0", "25.0", "25.0"), None),
+        ("0.0, 0.0, 0.0", ("0.0", "30.25", "30.25"), WIDE.format("5.5")),
+        ("0.0, 0.0, 0.5", ("0.25", "30.5", "30.25"), None),
+    ],
+)
+def test_the_mass_is_where_the_link_is(
+    com: str, moments: tuple[str, ...], message: str | None
+) -> None:
+    """Of rods and points beside a link of half a metre: 3 (0.5 m + their radius) is far."""
+    expected = [] if message is None else [message]
+    assert told("KD309", wrist_at("0.0, 0.0, 0.5", com, *moments)) == expected
+    mass = [f"{-2.0 * float(m):g}" for m in moments]
+    assert told("KD309", wrist_at("0.0, 0.0, 0.5", com, *mass, mass="-2.0")) == []
+
+
+def framed(frames: str, frame: str = "", children: str = "", com: str = "0.0, 0.0, 5.0") -> str:
+    moment = f"{float(com.split()[2]) ** 2 + 0.01:.6f}"
+    given = section("1.0", com, moment, moment, "0.01")
+    given = given.replace("}", f"ref_frame = {frame} }}") if frame else given
+    arm = link("arm", 1, children, given).removesuffix("}\n")
+    return f"{arm} frames {{ {frames} }} }}\n" if frames else f"{arm} }}\n"
+
+
+def eye(name: str, place: str) -> str:
+    return f"{name} {{ translation = ({place}) rotation = (0.0, 0.0, 0.0) }}"
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        (framed(""), 0),
+        (framed(eye("tip", "0.0, 0.0, 0.3")), 1),
+        (framed(eye("tip", "0.0, 0.0, 0.0")), 0),
+        (framed(eye("tip", "0.0, 0.0, 0.0") + eye("toe", "0.0, 0.0, 0.3")), 1),
+        (framed(eye("tip", "0.0, 0.0, x") + eye("toe", "0.0, 0.0, 0.3")), 1),
+        (framed(eye("tip", "0.0, 0.0, 4.8") + eye("toe", "0.0, 0.0, 0.3")), 0),
+        (framed(eye("tip", "0.3, 0.0, 0.0"), "tip"), 1),
+        (framed(eye("tip", "0.3, 0.0, 0.0"), "gone"), 0),
+        (
+            framed(
+                eye("tip", "0.0, 0.0, -0.3") + eye("toe", "0.0, 0.0, 0.3"),
+                "tip",
+                com="0.0, 0.0, 0.3",
+            ),
+            0,
+        ),
+        (framed(eye("tip", "0.0, 0.0, x") + eye("toe", "0.0, 0.0, 0.3"), "tip"), 0),
+        (robot(framed("", children="hand via lost"), link("hand", 2)), 0),
+        (framed("", children="hand via wrist") + joint("wrist").replace("0.3", "x"), 0),
+    ],
+)
+def test_the_link_is_where_its_frames_and_joints_are(text: str, count: int) -> None:
+    assert len(told("KD309", text)) == count
+
+
+@pytest.mark.parametrize(("word", "count"), [("", 0), ("floating", 1)])
+def test_the_mass_of_a_fixed_base_is_anywhere(word: str, count: int) -> None:
+    assert (
+        len(
+            told(
+                "KD309", with_base(word, section("1.0", "0.0, 0.0, 5.0", "25.01", "25.01", "0.01"))
+            )
+        )
+        == count
+    )
+
+
+@pytest.mark.parametrize(
+    ("com", "count"),
+    [("0.0, 0.0, 0.9", 0), ("0.0, 0.0, 1.3", 1)],
+)
+def test_an_inertia_is_in_the_frame_that_it_names(com: str, count: int) -> None:
+    """Of two frames, at the wrist and aside from it."""
+    square = float(com.split()[2]) ** 2
+    moments = f"{square + 0.0001:.6f}", f"{square + 0.0001:.6f}", "0.0001"
+    given = section("1.0", com, *moments).replace("}", "ref_frame = tip }")
+    frames = eye("toe", "0.0, 0.0, -0.3") + eye("tip", "0.0, 0.0, 0.3")
+    arm = link("arm", 1, "", given).removesuffix("}\n") + f" frames {{ {frames} }} }}\n"
+    assert len(told("KD309", arm)) == count

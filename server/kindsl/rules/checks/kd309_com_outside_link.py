@@ -39,6 +39,7 @@ from kindsl.semantics.numbers import mass_distribution, written_pose
 _FAR = 3.0
 _WIDE = 10.0
 _SHORTEST = 0.02
+_NEGLIGIBLE = 1e-9
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
@@ -69,10 +70,11 @@ def _message(body: Link, inertia: Inertia, points: list[Vector3], context: Conte
         return ""
     spread = sum(second_moments_about_com(numbers)[:3])
     com = _in_link_frame(body, inertia, numbers.com, context)
-    if com is None or spread <= 0.0 or max(map(abs, com)) > GREATEST_LENGTH:
+    is_negative = spread < -_NEGLIGIBLE * sum(numbers.moments[:3])
+    if com is None or is_negative or max(map(abs, com)) > GREATEST_LENGTH:
         return ""
-    radius = sqrt(spread / numbers.mass)
-    distance = min(_distance_to_segment(com, point) for point in points)
+    radius = sqrt(max(spread, 0.0) / numbers.mass)
+    distance = min(_distance_to_segment(com, point) for point in points if any(point))
     if distance > _FAR * (length + radius):
         return (
             f"CoM of '{body.name}' lies {with_unit(distance, 'm')} from "
@@ -105,11 +107,10 @@ def _in_link_frame(body: Link, inertia: Inertia, com: Vector3, context: Context)
 
 
 def _distance_to_segment(point: Vector3, end: Vector3) -> float:
-    """Return the distance of a point from the segment between the origin and `end`."""
-    squared = sum(e * e for e in end)
-    along = sum(p * e for p, e in zip(point, end, strict=True))
-    share = min(max(along / squared, 0.0), 1.0) if squared else 0.0
+    """Return the distance of a point from the segment between the origin and `end`, elsewhere."""
     x, y, z = end
+    along = sum(p * e for p, e in zip(point, end, strict=True))
+    share = min(max(along / (x * x + y * y + z * z), 0.0), 1.0)
     return dist(point, (share * x, share * y, share * z))
 
 
