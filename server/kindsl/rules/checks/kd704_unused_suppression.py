@@ -30,7 +30,7 @@ _TITLE = "Remove the suppression"
 def unused_suppressions(
     unused: Iterable[Suppression], enabled_codes: Iterable[str]
 ) -> Iterator[Finding]:
-    """Yield a finding for each suppression of an enabled rule, or of no rule at all."""
+    """Yield a finding for each suppression of an enabled rule."""
     enabled = tuple(enabled_codes)
     by_comment: dict[Place, list[Suppression]] = {}
     for suppression in unused:
@@ -49,7 +49,7 @@ _TAG = Tag.UNNECESSARY
 def without_code(comment: Place, at: Place) -> Fix:
     """Return the removal of a code, or of the comment with its only code."""
     text = comment.island.text
-    inside = text[text.index("[", comment.start) + 1 : text.index("]", comment.start)]
+    inside = text[comment.start :].partition("[")[2].partition("]")[0]
     if len([code for code in inside.split(",") if code.strip()]) < 2:
         return without_comment(comment)
     start, end = at.start, at.end

@@ -19,6 +19,7 @@ codes: unsafe, since it hides findings. What can mean nothing is removed: safe.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import takewhile
 
 from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
 from kindsl.rules.checks.kd704_unused_suppression import without_code, without_comment
@@ -53,10 +54,8 @@ def unknown_suppressions(
 def _of_word(directive: Directive) -> Finding:
     text = directive.comment.island.text
     start = directive.at.end
-    end = start
-    while end < directive.comment.end and (text[end].isalpha() or text[end] in "-_"):
-        end += 1
-    word = text[start:end]
+    word = "".join(takewhile(_is_of_a_word, text[start : directive.comment.end]))
+    end = start + len(word)
     meant = nearest_word(word, _WORDS) if word else None
     message = f"unknown comment 'kindsl: {word}'{hint(meant)}"
     at = Place(directive.comment.island, directive.at.start, end)
@@ -64,6 +63,10 @@ def _of_word(directive: Directive) -> Finding:
         return Finding(at, message, fix=without_comment(directive.comment))
     change = Change(Place(at.island, start, end), meant)
     return Finding(at, message, fix=Fix(f"Replace '{word}' with '{meant}'", (change,)))
+
+
+def _is_of_a_word(character: str) -> bool:
+    return character.isalpha() or character in "-_"
 
 
 def _of_codes(directive: Directive, codes: Sequence[tuple[str, Place]]) -> Iterator[Finding]:
@@ -82,12 +85,12 @@ def _meant(code: str) -> str | None:
     if rule is not None:
         return rule.code
     words = code.replace(";", " ").split()
-    if len(words) > 1 and all(map(is_known, words)):
+    if words and all(map(is_known, words)):
         return ", ".join(words)
     plain = code[:2].upper() + code[2:].translate(_LETTERS_FOR_DIGITS)
     if is_known(plain):
         return plain
-    return f"KD{plain}" if plain.isdigit() and f"KD{plain}" in all_codes() else None
+    return f"KD{plain}" if f"KD{plain}" in all_codes() else None
 
 
 def _with_codes(directive: Directive, codes: Sequence[str]) -> Fix:
