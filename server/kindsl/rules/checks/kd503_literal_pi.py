@@ -35,10 +35,8 @@ def check_island(declared: Declarations, _: Context) -> Iterator[Finding]:
     """Yield a finding for each number that is a fraction of pi."""
     for rotation in rotations(declared):
         for angle in rotation.components:
-            if not angle.literal or angle.node.kind != "number":
-                continue
             digits = significant_digits(angle.text)
-            if digits >= _FEWEST_DIGITS:
+            if angle.literal is not None and digits >= _FEWEST_DIGITS:
                 tolerance = max(2.0 * half_unit(angle.text), 1e-15)
                 fraction = as_fraction_of_pi(angle.literal, tolerance)
                 if fraction is not None:

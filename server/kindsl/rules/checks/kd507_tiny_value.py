@@ -15,21 +15,13 @@ Ixy = 0.000003
 ```
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.context import ROBCOGEN, Context
 from kindsl.rules.examples import STEEL_BALL, link
 from kindsl.rules.tiny_values import is_negligible, is_tiny
-from kindsl.semantics.declarations import (
-    MOMENTS,
-    Declarations,
-    Inertia,
-    Joint,
-    Link,
-    link_values,
-    pose_values,
-)
+from kindsl.semantics.declarations import MOMENTS, Declarations, Link, link_values, pose_values
 from kindsl.semantics.expressions import Expression
 from kindsl.text.words import counted
 
@@ -39,29 +31,29 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
     if context.targets == {ROBCOGEN}:
         return
     for body in declared.bodies():
-        yield from _findings(body, [value for value, _ in link_values(body)])
+        tiny = _tiny(value for value, _ in link_values(body))
+        yield from _findings([v for v, number in tiny if not _is_negligible(v, number, body)])
     for moved in declared.joints:
-        yield from _findings(moved, [value for value, _ in pose_values(moved.pose)])
+        yield from _findings([v for v, _ in _tiny(value for value, _ in pose_values(moved.pose))])
 
 
-def _findings(block: Link | Joint, values: list[Expression]) -> Iterator[Finding]:
-    tiny = [value for value in values if value.literal and is_tiny(value.literal)]
-    if tiny and isinstance(block, Link):
-        tiny = [value for value in tiny if not _is_negligible(value, block.inertia)]
+def _tiny(values: Iterable[Expression]) -> list[tuple[Expression, float]]:
+    """Return the tiny values with their numbers."""
+    return [(v, v.literal) for v in values if v.literal is not None and is_tiny(v.literal)]
+
+
+def _findings(tiny: list[Expression]) -> Iterator[Finding]:
     if tiny:
         others = f" and {counted(len(tiny) - 1, 'more value')} here" if len(tiny) > 1 else ""
         yield Finding(tiny[0], f"robcogen2 treats {tiny[0].text}{others} as zero")
 
 
-def _is_negligible(value: Expression, inertia: Inertia | None) -> bool:
-    """Return whether a product does not matter beside the moments of its link."""
-    if inertia is None or value.literal is None:
-        return False
-    products = (inertia.moments.get(name) for name in MOMENTS[3:])
-    if not any(product is value for product in products):
-        return False
-    moments = [inertia.moments[name].literal for name in MOMENTS[:3] if name in inertia.moments]
-    return is_negligible(value.literal, (m for m in moments if m))
+def _is_negligible(value: Expression, number: float, body: Link) -> bool:
+    """Return whether a value is a product that does not matter beside the moments of its link."""
+    given = body.inertia.moments if body.inertia is not None else {}
+    ix, iy, iz, *products = (given.get(name) for name in MOMENTS)
+    moments = [m.literal for m in (ix, iy, iz) if m is not None and m.literal is not None]
+    return value in products and is_negligible(number, moments)
 
 
 def _ball(product: str) -> str:

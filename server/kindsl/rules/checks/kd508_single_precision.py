@@ -22,7 +22,7 @@ from kindsl.rules.examples import STEEL_BALL, link
 from kindsl.rules.number_writing import significant_digits
 from kindsl.semantics.declarations import Declarations, link_values, pose_values
 from kindsl.semantics.expressions import Expression
-from kindsl.syntax.tree import Token
+from kindsl.text.words import counted
 
 _KEPT = 9
 
@@ -39,16 +39,15 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
 
 def _findings(long: list[Expression]) -> Iterator[Finding]:
     if long:
-        others = f" and {len(long) - 1} more numbers here have" if len(long) > 1 else " has"
+        more = counted(len(long) - 1, "more number")
+        others = f" and {more} here have" if len(long) > 1 else " has"
         yield Finding(long[0], f"{long[0].text}{others} more digits than robcogen keeps")
 
 
 def _is_long(value: Expression) -> bool:
-    if not value.literal:
+    if not value.literal or value.end - value.start <= _KEPT:
         return False
-    number = value.node.children[0]
-    is_short = isinstance(number, Token) and len(number.text) <= _KEPT
-    return not is_short and significant_digits(value.text) > _KEPT
+    return significant_digits(value.text) > _KEPT
 
 
 def _ball(mass: str) -> str:
