@@ -32,14 +32,10 @@ from kindsl.text.nearest import hint, nearest_name
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each inertia that is given in no known frame."""
-    known: set[str] | None = None
+    known = {str(frame.name) for frame in model.frames}
     for body in model.bodies:
-        if body.inertia is None or body.inertia.frame is None or not body.inertia.frame:
-            continue
-        name = body.inertia.frame
-        if known is None:
-            known = {str(frame.name) for frame in model.frames}
-        if name not in known and not _may_be_lost(model, body, name):
+        name = body.inertia.frame if body.inertia is not None else None
+        if name and name not in known and not _may_be_lost(model, body, name):
             meant = nearest_name(name, (str(frame.name) for frame in body.frames))
             fix = Fix(f"Replace '{name}' with '{meant}'", (Change(name, meant),)) if meant else None
             message = f"link '{body.name}' has no frame '{name}'{hint(meant)}"

@@ -25,17 +25,18 @@ from collections.abc import Iterator
 from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import ROBCOGEN2, Context
 from kindsl.rules.examples import STEEL_BALL, link, robot
-from kindsl.semantics.declarations import Frame, Link
+from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each inertia that is given in another link's frame."""
+    named = {str(frame.name): frame for frame in reversed(model.frames)}
     severity = Severity.WARNING if context.targets == {ROBCOGEN2} else Severity.ERROR
     for body in model.bodies:
         if body.inertia is not None and body.inertia.frame:
             name = body.inertia.frame
-            owner = None if _own(body, name) else _frame_named(model, name)
+            owner = None if _own(body, name) else named.get(name)
             if owner is not None:
                 message = f"frame '{name}' belongs to link '{owner.link}', not to '{body.name}'"
                 related = Related(owner.name, f"frame '{name}' of link '{owner.link}'")
@@ -44,15 +45,6 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
 
 def _own(body: Link, name: str) -> bool:
     return any(frame.name == name for frame in body.frames)
-
-
-def _frame_named(model: Model, name: str) -> Frame | None:
-    frames = model.facts.get("frames by name")
-    if not isinstance(frames, dict):
-        frames = {str(frame.name): frame for frame in reversed(model.frames)}
-        model.facts["frames by name"] = frames
-    frame = frames.get(name)
-    return frame if isinstance(frame, Frame) else None
 
 
 _FRAMES = "frames { %s { translation = (0.1, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } }\n}"

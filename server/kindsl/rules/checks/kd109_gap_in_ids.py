@@ -34,30 +34,30 @@ from kindsl.semantics.model import Model
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each run of missing numbers."""
-    links = [link for link in model.links if not _is_doubtful(link)]
-    by_id = {link.id: link for link in reversed(links) if link.id is not None and link.id > 0}
+    certain = [(number, link) for link in model.links if (number := _certain_id(link))]
+    by_id = dict(reversed(certain))
     count = len(by_id)
-    if not by_id or max(by_id) == count:
-        return
     gaps = _gaps(sorted(number for number in by_id if number <= count), count)
-    unknown = len(model.links) - len(links) + len(reference_defects(model).undefined_links)
+    unknown = len(model.links) - len(certain) + len(reference_defects(model).undefined_links)
     missing = sum(high - low + 1 for low, high in gaps)
-    has_explanation = len(links) - count >= missing
+    has_explanation = len(certain) - count >= missing
     strays = [number for number in sorted(by_id) if number > count and number - 1 not in by_id]
     for low, high in gaps:
         number = strays.pop() if strays else high + 1
-        link = by_id.get(number) or by_id[max(by_id)]
+        if number not in by_id:
+            number = max(by_id)
+        link = by_id[number]
         is_lost = model.is_mentioned_in_broken_text(str(low), link.island)
         if is_lost or unknown >= missing or (has_explanation and low > 1):
             continue
-        message = _message(low, high, link.id or number)
+        message = _message(low, high, number)
         yield Finding(link.id_place or link.name, message, fix=renumbering(model, len(gaps)))
 
 
-def _is_doubtful(link: Link) -> bool:
-    if link.id is None or link.id < 1:
-        return True
-    return bool(link.island.problems) and has_problem_within(link.id_place or link.name)
+def _certain_id(link: Link) -> int:
+    """Return a link's number, 0 where it has none or the syntax is broken there."""
+    is_doubtful = has_problem_within(link.id_place or link.name)
+    return 0 if link.id is None or is_doubtful else link.id
 
 
 def _gaps(used: list[int], count: int) -> list[tuple[int, int]]:

@@ -28,34 +28,35 @@ from kindsl.rules.duplicates import repeats
 from kindsl.rules.examples import link, robot
 from kindsl.rules.reference_defects import reference_defects
 from kindsl.rules.renumbering import renumbering
-from kindsl.semantics.kinematic_tree import Edge
+from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each pair of links that is numbered the wrong way round."""
-    on_loops = {id(edge.child) for loop in model.tree.loops for edge in loop}
-    edges = [edge for edge in model.tree.edges if _is_reversed(edge)]
-    edges = [edge for edge in edges if id(edge.child) not in on_loops]
-    if not edges:
-        return
+    pairs = _reversed_pairs(model)
     taken = {again.id for _, again in repeats(model.links, lambda link: link.id)}
     count = len(model.links) + len(reference_defects(model).undefined_links)
     severity = Severity.ERROR if ROBCOGEN2 in context.targets else Severity.WARNING
-    for edge in edges:
-        numbers = {edge.predecessor.id, edge.link.id if edge.link is not None else None}
-        is_in_tree = edge.link is not None and len(model.tree.above[edge.link]) == 1
-        if is_in_tree and not numbers & taken and (edge.predecessor.id or 0) <= count:
-            yield _finding(edge, severity, renumbering(model, len(edges)))
+    for parent, child in pairs:
+        is_in_tree = len(model.tree.above[child]) == 1
+        if is_in_tree and not {parent.id, child.id} & taken and (parent.id or 0) <= count:
+            yield _finding(parent, child, severity, renumbering(model, len(pairs)))
 
 
-def _is_reversed(edge: Edge) -> bool:
-    parent, child = edge.predecessor.id, edge.link.id if edge.link is not None else None
+def _reversed_pairs(model: Model) -> list[tuple[Link, Link]]:
+    """Return each parent with a child of a smaller number, off all loops."""
+    on_loops = {id(edge.child) for loop in model.tree.loops for edge in loop}
+    edges = (edge for edge in model.tree.edges if id(edge.child) not in on_loops)
+    pairs = [(edge.predecessor, edge.link) for edge in edges if edge.link is not None]
+    return [(parent, child) for parent, child in pairs if _is_reversed(parent.id, child.id)]
+
+
+def _is_reversed(parent: int | None, child: int | None) -> bool:
     return parent is not None and child is not None and 1 <= child < parent
 
 
-def _finding(edge: Edge, severity: Severity, fix: Fix | None) -> Finding:
-    parent, child = edge.predecessor, edge.link or edge.predecessor
+def _finding(parent: Link, child: Link, severity: Severity, fix: Fix | None) -> Finding:
     message = f"id {child.id} of '{child.name}' is below id {parent.id} of its parent"
     message += f" '{parent.name}'"
     related = Related(parent.id_place or parent.name, f"id {parent.id} of '{parent.name}'")

@@ -30,6 +30,8 @@ from kindsl.semantics.declarations import Child
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Located, Place
 
+_BREAKS = ("\r", "\n")
+
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each child that its body has already."""
@@ -70,14 +72,10 @@ RULE = Rule(
 
 def removal(at: Located) -> Change:
     """Return the change that removes a piece, with its lines if nothing else is on them."""
-    text, start, end = at.island.text, at.start, at.end
-    while start > 0 and text[start - 1] in " \t":
-        start -= 1
-    while end < len(text) and text[end] in " \t":
-        end += 1
-    is_first = start == 0 or text[start - 1] in "\r\n"
-    is_last = end < len(text) and text[end] in "\r\n"
-    if is_first and is_last:
+    text = at.island.text
+    start = len(text[: at.start].rstrip(" \t"))
+    end = len(text) - len(text[at.end :].lstrip(" \t"))
+    if text[:start].endswith(_BREAKS) and text.startswith(_BREAKS, end):
         end += 2 if text.startswith("\r\n", end) else 1
         return Change(Place(at.island, start, end), "")
     return Change(Place(at.island, at.start, end), "")
