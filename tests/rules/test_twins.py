@@ -1,4 +1,7 @@
+"""What twins are called, and which of their differences and signs are told (KD312)."""
+
 import pytest
+from tests.support.one_rule import MOMENTS, row, section, told
 
 from kindsl.rules.inertia.twins import mirrored_name, part_name
 
@@ -33,3 +36,103 @@ def test_sides_and_numbers_do_not_make_another_part(names: tuple[str, str]) -> N
 
 def test_other_words_make_another_part() -> None:
     assert part_name("LF_hip") != part_name("LF_thigh")
+
+
+PLACES = ("mass", "x of the CoM", "y of the CoM", "z of the CoM", *MOMENTS)
+LEFT = ("2.0", "0.1", "0.2", "0.3", "5.0", "4.0", "3.0", "0.4", "0.6", "1.2")
+MIRRORED = ("2.0", "0.1", "-0.2", "0.3", "5.0", "4.0", "3.0", "-0.4", "0.6", "-1.2")
+GROWN = ("2.4", "0.12", "-0.24", "0.36", "6.0", "4.8", "3.6", "-0.8", "1.2", "-1.8")
+
+
+def pair(left: tuple[str, ...], right: tuple[str, ...]) -> str:
+    sections = [section(n[0], ", ".join(n[1:4]), *n[4:]) for n in (left, right)]
+    return row(*sections, names="left_arm right_arm")
+
+
+def changed(numbers: tuple[str, ...], changes: dict[int, str]) -> tuple[str, ...]:
+    return tuple(changes.get(place, number) for place, number in enumerate(numbers))
+
+
+def grown(*places: int) -> tuple[str, ...]:
+    """Return the mirrored numbers, those at these places greater than they should be."""
+    return changed(MIRRORED, {place: GROWN[place] for place in places})
+
+
+def not_mirrored(*places: int) -> list[str]:
+    told_of = (f"{PLACES[i]} is {float(GROWN[i]):g} against {float(LEFT[i]):g}" for i in places)
+    return [f"'right_arm' is not the mirror image of 'left_arm': {', '.join(told_of)}"]
+
+
+@pytest.mark.parametrize("place", range(10))
+def test_one_number_differs_from_the_twin(place: int) -> None:
+    text = pair(LEFT, grown(place))
+    assert told("KD312", text) == not_mirrored(place)
+
+
+@pytest.mark.parametrize(
+    ("places", "is_told"), [((0, 3), True), ((1, 9), True), ((0, 3, 4), False)]
+)
+def test_two_numbers_differ_from_the_twin(places: tuple[int, ...], is_told: bool) -> None:
+    text = pair(LEFT, grown(*places))
+    assert told("KD312", text) == (not_mirrored(*places) if is_told else [])
+
+
+SIGNS = "signs of 'right_arm' are not those of a mirror image of 'left_arm'"
+
+
+@pytest.mark.parametrize(
+    ("right", "messages"),
+    [
+        (MIRRORED, []),
+        (LEFT, []),
+        (("2.0", "-0.1", "-0.2", "0.3", *LEFT[4:8], "-0.6", "-1.2"), []),
+        (("2.0", "-0.1", "-0.2", "-0.3", *LEFT[4:]), []),
+        (("2.0", "0.1", "0.2", "-0.3", *MIRRORED[4:]), [SIGNS]),
+        (("2.0", "0.1", "-0.2", "0.3", *LEFT[4:]), [SIGNS]),
+        (("2.0", *LEFT[1:4], *MIRRORED[4:]), [SIGNS]),
+        (changed(MIRRORED, {7: "0.4"}), [SIGNS]),
+        (changed(MIRRORED, {8: "-0.6"}), [SIGNS]),
+        (changed(MIRRORED, {9: "1.2"}), [SIGNS]),
+        (changed(MIRRORED, {1: "-0.1"}), [SIGNS]),
+        (changed(MIRRORED, {2: "0.2"}), [SIGNS]),
+        (changed(MIRRORED, {3: "-0.3"}), [SIGNS]),
+    ],
+)
+def test_signs_are_those_of_a_turn_or_reflection(
+    right: tuple[str, ...], messages: list[str]
+) -> None:
+    assert told("KD312", pair(LEFT, right)) == messages
+
+
+@pytest.mark.parametrize("place", range(10))
+def test_what_is_small_beside_its_kind_does_not_differ(place: int) -> None:
+    """A difference below 5 % of the greatest mass, coordinate or moment."""
+    size = (2.0, 0.3, 5.0)[(place > 0) + (place > 3)]
+    for share, is_told in ((0.045, False), (0.055, True)):
+        number = float(MIRRORED[place])
+        other = f"{number + (share * size if number > 0.0 else -share * size):.6f}"
+        if place in (0, 3, 4):
+            other = f"{number - share * size:.6f}"
+        assert bool(told("KD312", pair(LEFT, changed(MIRRORED, {place: other})))) == is_told
+
+
+@pytest.mark.parametrize(
+    "right",
+    [
+        changed(MIRRORED, {0: "m", 3: "0.9"}),
+        changed(MIRRORED, {3: "z", 0: "3.0"}),
+        changed(MIRRORED, {9: "x", 0: "3.0"}),
+        changed(MIRRORED, {0: "3.0", 3: ""}),
+        changed(MIRRORED, {0: "3.0", 3: "3.0"}),
+    ],
+)
+def test_twins_are_compared_where_all_is_known_and_possible(right: tuple[str, ...]) -> None:
+    assert told("KD312", pair(LEFT, right)) == []
+    assert told("KD312", pair(right, LEFT)) == []
+
+
+def test_twins_may_lack_what_the_other_has() -> None:
+    given = section("3.0", "0.0, 0.0, 0.0", 0.1, 0.1, 0.1)
+    names = "left_arm right_arm left_leg"
+    assert told("KD312", row(given, "", given, names=names)) == []
+    assert told("KD312", row("", given, given, names=names)) == []

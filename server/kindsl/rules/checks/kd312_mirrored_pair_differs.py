@@ -28,8 +28,7 @@ from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.inertia.judgements import is_impossible, keyword
 from kindsl.rules.inertia.twins import right_twin_of
-from kindsl.semantics.declarations import MOMENTS, Link
-from kindsl.semantics.expressions import Expression
+from kindsl.semantics.declarations import MOMENTS, Inertia, Link
 from kindsl.semantics.model import Model
 
 _NAMES = ("mass", "x of the CoM", "y of the CoM", "z of the CoM", *MOMENTS)
@@ -42,19 +41,18 @@ _SIGNS = tuple(product((1.0, -1.0), repeat=3))
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each pair of parts that is nearly the same."""
     for left in model.bodies:
-        name = right_twin_of(left)
-        right = model.body_named.get(name) if name is not None else None
-        if right is not None and right is not left and right.inertia is not None:
-            message = _difference(left, right)
-            is_told = is_impossible(left, context) or is_impossible(right, context)
-            if message and not is_told and left.inertia is not None:
-                related = Related(keyword(left.inertia), f"inertia of '{left.name}'")
-                yield Finding(keyword(right.inertia), message, (related,))
+        right = model.body_named.get(right_twin_of(left) or "")
+        if right is None or left.inertia is None or right.inertia is None:
+            continue
+        message = _difference(left, right, _numbers(left.inertia), _numbers(right.inertia))
+        is_told = is_impossible(left, context) or is_impossible(right, context)
+        if message and not is_told:
+            related = Related(keyword(left.inertia), f"inertia of '{left.name}'")
+            yield Finding(keyword(right.inertia), message, (related,))
 
 
-def _difference(left: Link, right: Link) -> str:
-    here, there = _numbers(left), _numbers(right)
-    if here is None or there is None:
+def _difference(left: Link, right: Link, here: list[float], there: list[float]) -> str:
+    if len(here) != 10 or len(there) != 10:
         return ""
     sizes = _sizes(here, there)
     differing = [i for i in range(10) if _differs(abs(here[i]), abs(there[i]), sizes[i])]
@@ -67,15 +65,12 @@ def _difference(left: Link, right: Link) -> str:
     return ""
 
 
-def _numbers(body: Link) -> list[float] | None:
-    """Return mass, CoM and moments, None where one is missing or no plain number."""
-    inertia = body.inertia
-    if inertia is None or inertia.com is None:
-        return None
-    values: list[Expression | None] = [inertia.mass, *inertia.com.components]
-    values += [inertia.moments.get(name) for name in MOMENTS]
-    numbers = [v.literal for v in values if v is not None and v.literal is not None]
-    return numbers if len(numbers) == 10 else None
+def _numbers(inertia: Inertia) -> list[float]:
+    """Return mass, CoM and moments, fewer than ten where one is missing or no plain number."""
+    com = inertia.com.components if inertia.com is not None else ()
+    moments = (inertia.moments.get(name) for name in MOMENTS)
+    values = (inertia.mass, *com, *moments)
+    return [v.literal for v in values if v is not None and v.literal is not None]
 
 
 def _sizes(here: list[float], there: list[float]) -> list[float]:
