@@ -1,7 +1,11 @@
+"""Numbers in order: what the fix writes, and where an order is broken (KD701, KD705)."""
+
 import random
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.support.one_rule import found, told
 
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.settings import Settings
@@ -49,3 +53,68 @@ def test_what_is_no_tree_is_not_renumbered() -> None:
         link("one", 3, "other via b"), link("other", 4, "one via a"), base="", joints="a b"
     )
     assert renumbering(analyse(loop).model) is None
+
+
+def links(*ids: object) -> str:
+    names = "abcdef"[: len(ids)]
+    blocks = [
+        link(name, 0).replace("id = 0", "" if number is None else f"id = {number}")
+        for name, number in zip(names, ids, strict=True)
+    ]
+    base = " ".join(f"{name} via to_{name}" for name in names)
+    return robot(*blocks, base=base, joints=" ".join(f"to_{name}" for name in names))
+
+
+@pytest.mark.parametrize(
+    ("ids", "messages"),
+    [
+        ((1, 2, 3), []),
+        ((1, 1, 2), []),
+        ((2, 1, 3), ["links are not in order of id: 'b' (1) follows 'a' (2)"]),
+        ((1, 3, 2), ["links are not in order of id: 'c' (2) follows 'b' (3)"]),
+        ((3, 2, 1), ["links are not in order of id: 'b' (2) follows 'a' (3)"]),
+        ((2, None, 1), []),
+        ((None, 2, 1), ["links are not in order of id: 'c' (1) follows 'b' (2)"]),
+        ((2, 1, None), ["links are not in order of id: 'b' (1) follows 'a' (2)"]),
+    ],
+)
+def test_links_are_in_the_order_of_their_numbers(
+    ids: tuple[object, ...], messages: list[str]
+) -> None:
+    assert told("KD701", links(*ids)) == messages
+
+
+def before(first: str, first_id: int, second: str, second_id: int) -> list[str]:
+    message = f"joint '{second}' moves link {second_id}, joint '{first}' before it link {first_id}"
+    return [message]
+
+
+@pytest.mark.parametrize(
+    ("base", "joints", "messages"),
+    [
+        ("a via i b via j c via k", "i j k", []),
+        ("a via i b via j c via k", "j i k", before("j", 2, "i", 1)),
+        ("a via i b via j c via k", "i k j", before("k", 3, "j", 2)),
+        ("a via i b via j c via k", "k j i", before("k", 3, "j", 2)),
+        ("a via i c via k", "k j i", before("k", 3, "i", 1)),
+        ("a via i b via j b via k", "j k i", before("k", 2, "i", 1)),
+        ("a via i c via j b via j", "j i k", []),
+        ("a via i lost via j", "j i", []),
+        ("a via i d via j", "j i", []),
+    ],
+)
+def test_joints_are_in_the_order_of_their_links(
+    base: str, joints: str, messages: list[str]
+) -> None:
+    """Link d has no number."""
+    blocks = [link(name, number) for number, name in enumerate("abc", 1)]
+    text = robot(*blocks, link("d", 9).replace("id = 9", ""), base=base, joints=joints)
+    assert told("KD705", text) == messages
+
+
+def test_the_place_before_is_shown() -> None:
+    (finding,) = found("KD701", links(2, 1))
+    assert [related.message for related in finding.related] == ["id 2"]
+    text = robot(link("a", 1), link("b", 2), base="a via i b via j", joints="j i")
+    (finding,) = found("KD705", text)
+    assert [related.message for related in finding.related] == ["moves link 2"]

@@ -19,25 +19,26 @@ from itertools import pairwise
 from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
-from kindsl.semantics.declarations import Joint, Link
+from kindsl.semantics.declarations import Joint
 from kindsl.semantics.model import Model
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding at the first joint that is out of order."""
-    moved = [(joint, link) for joint in model.joints if (link := _moved_by(model, joint))]
-    for (before, link_before), (joint, body) in pairwise(moved):
-        if (body.id or 0) < (link_before.id or 0):
-            message = f"joint '{joint.name}' moves link {body.id}, joint '{before.name}' before it"
-            related = Related(before.name, f"moves link {link_before.id}")
-            yield Finding(joint.name, f"{message} link {link_before.id}", (related,))
+    for (before, id_before), (joint, link_id) in pairwise(_moving(model)):
+        if link_id < id_before:
+            message = f"joint '{joint.name}' moves link {link_id}, joint '{before.name}' before it"
+            related = Related(before.name, f"moves link {id_before}")
+            yield Finding(joint.name, f"{message} link {id_before}", (related,))
             return
 
 
-def _moved_by(model: Model, joint: Joint) -> Link | None:
-    edges = model.tree.joint_uses.get(joint)
-    link = edges[0].link if edges and len(edges) == 1 else None
-    return link if link is not None and link.id is not None else None
+def _moving(model: Model) -> Iterator[tuple[Joint, int]]:
+    """Yield each joint that moves one link, with the link's number."""
+    for joint in model.joints:
+        links = [edge.link for edge in model.tree.joint_uses.get(joint, ())]
+        if len(links) == 1 and links[0] is not None and links[0].id is not None:
+            yield joint, links[0].id
 
 
 def _arm(joints: str) -> str:
