@@ -1,5 +1,7 @@
 """KD309 says what a link's length, its CoM and its radius of gyration say, in any direction."""
 
+from collections.abc import Sequence
+
 import numpy as np
 import pytest
 from hypothesis import assume, given, settings
@@ -67,10 +69,16 @@ def test_the_mass_is_reported_where_the_link_is_not(
         assert told == []
 
 
-def wrist_at(place: str, com: str, ix: str, iy: str, iz: str, mass: str = "1.0") -> str:
-    arm = link("arm", 1, "hand via wrist", section(mass, com, ix, iy, iz))
+def arm_to(place: str, com: str, *moments: str, mass: str = "1.0") -> str:
+    """Return an arm with its wrist at a place."""
+    arm = link("arm", 1, "hand via wrist", section(mass, com, *moments))
     joints = joint("elbow"), joint("wrist").replace("0.0, 0.0, 0.3", place)
     return robot(arm, link("hand", 2), *joints, base="arm via elbow")
+
+
+def turned(numbers: Sequence[str], turns: int) -> Sequence[str]:
+    """Return what is along x, y and z after so many turns of x to y, y to z and z to x."""
+    return [numbers[(axis - turns) % 3] for axis in range(3)]
 
 
 FAR = "CoM of 'arm' lies {} m from a link 0.5 m long"
@@ -97,16 +105,21 @@ WIDE = "radius of gyration of 'arm' is {} m, the link is 0.5 m long"
         ("0.0, 0.0, 0.0", ("0.0", "25.0", "25.0"), None),
         ("0.0, 0.0, 0.0", ("0.0", "30.25", "30.25"), WIDE.format("5.5")),
         ("0.0, 0.0, 0.5", ("0.25", "30.5", "30.25"), None),
+        ("0.0, 0.0, 0.5", ("0.25", "100.25", "100.0"), None),
+        ("0.0, 0.0, 0.5", ("0.25", "121.25", "121.0"), WIDE.format("11")),
     ],
 )
 def test_the_mass_is_where_the_link_is(
     com: str, moments: tuple[str, ...], message: str | None
 ) -> None:
     """Of rods and points beside a link of half a metre: 3 (0.5 m + their radius) is far."""
-    expected = [] if message is None else [message]
-    assert told("KD309", wrist_at("0.0, 0.0, 0.5", com, *moments)) == expected
-    mass = [f"{-2.0 * float(m):g}" for m in moments]
-    assert told("KD309", wrist_at("0.0, 0.0, 0.5", com, *mass, mass="-2.0")) == []
+    for turns in range(3):
+        place = ", ".join(turned(("0.0", "0.0", "0.5"), turns))
+        there = ", ".join(turned(com.split(", "), turns))
+        for mass, expected in (("1.0", message), ("0.25", message), ("-2.0", None)):
+            scaled = [f"{float(mass) * float(moment):.8f}" for moment in turned(moments, turns)]
+            text = arm_to(place, there, *scaled, mass=mass)
+            assert told("KD309", text) == ([] if expected is None else [expected])
 
 
 def framed(frames: str, frame: str = "", children: str = "", com: str = "0.0, 0.0, 5.0") -> str:

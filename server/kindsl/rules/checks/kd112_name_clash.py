@@ -29,7 +29,7 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     first: dict[str, tuple[str, Name]] = {}
     for what, name in _names(model):
         known = first.setdefault(name.casefold(), (what, name))
-        if known[1] is not name and (what != known[0] or name != known[1]):
+        if (what, name) != known:
             yield _finding(what, name, *known, context)
 
 

@@ -70,7 +70,7 @@ def _message(body: Link, inertia: Inertia, points: list[Vector3], context: Conte
         return ""
     spread = sum(second_moments_about_com(numbers)[:3])
     com = _in_link_frame(body, inertia, numbers.com, context)
-    is_negative = spread < -_NEGLIGIBLE * sum(numbers.moments[:3])
+    is_negative = spread < -_NEGLIGIBLE * max(numbers.moments)
     if com is None or is_negative or max(map(abs, com)) > GREATEST_LENGTH:
         return ""
     radius = sqrt(max(spread, 0.0) / numbers.mass)

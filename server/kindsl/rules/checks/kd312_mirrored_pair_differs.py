@@ -34,7 +34,6 @@ from kindsl.semantics.model import Model
 _NAMES = ("mass", "x of the CoM", "y of the CoM", "z of the CoM", *MOMENTS)
 _SIGNIFICANT = 0.05
 _MOST_DIFFERENCES = 2
-_PAIRS = {4: (0, 0), 5: (1, 1), 6: (2, 2), 7: (0, 1), 8: (0, 2), 9: (1, 2)}
 _SIGNS = tuple(product((1.0, -1.0), repeat=3))
 
 
@@ -54,13 +53,14 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
 def _difference(left: Link, right: Link, here: list[float], there: list[float]) -> str:
     if len(here) != 10 or len(there) != 10:
         return ""
-    sizes = _sizes(here, there)
-    differing = [i for i in range(10) if _differs(abs(here[i]), abs(there[i]), sizes[i])]
+    mass, com, moment = _greatest(here, there)
+    sizes = enumerate([mass, *[com] * 3, *[moment] * 6])
+    differing = [i for i, size in sizes if _differs(abs(here[i]), abs(there[i]), size)]
     exact = sum(abs(a) == abs(b) for a, b in zip(here, there, strict=True))
     if 0 < len(differing) <= _MOST_DIFFERENCES and exact + len(differing) == 10:
         told = (f"{_NAMES[i]} is {there[i]:g} against {here[i]:g}" for i in differing)
         return f"'{right.name}' is not the mirror image of '{left.name}': {', '.join(told)}"
-    if exact == 10 and not _is_reflected(here, there, sizes):
+    if exact == 10 and not _is_reflected(here, there, com, moment):
         return f"signs of '{right.name}' are not those of a mirror image of '{left.name}'"
     return ""
 
@@ -73,27 +73,28 @@ def _numbers(inertia: Inertia) -> list[float]:
     return [v.literal for v in values if v is not None and v.literal is not None]
 
 
-def _sizes(here: list[float], there: list[float]) -> list[float]:
+def _greatest(here: list[float], there: list[float]) -> tuple[float, float, float]:
     """Return the greatest number of each kind: mass, centre of mass, moments."""
     com = max(map(abs, here[1:4] + there[1:4]))
-    moments = max(map(abs, here[4:] + there[4:]))
-    return [max(here[0], there[0]), *[com] * 3, *[moments] * 6]
+    moment = max(map(abs, here[4:] + there[4:]))
+    return max(here[0], there[0]), com, moment
 
 
 def _differs(left: float, right: float, size: float) -> bool:
     return abs(left - right) > _SIGNIFICANT * size
 
 
-def _is_reflected(here: list[float], there: list[float], sizes: list[float]) -> bool:
+def _is_reflected(here: list[float], there: list[float], com: float, moment: float) -> bool:
     """Return whether axes turned round by some signs make one inertia the other."""
-    return any(
-        all(not _differs(there[i + 1], signs[i] * here[i + 1], sizes[1]) for i in range(3))
-        and all(
-            not _differs(there[i], signs[a] * signs[b] * here[i], sizes[4])
-            for i, (a, b) in _PAIRS.items()
-        )
-        for signs in _SIGNS
-    )
+    signed = [*there[1:4], *there[7:]]
+    sizes = [com] * 3 + [moment] * 3
+    return any(not any(map(_differs, signed, _reflected(here, *signs), sizes)) for signs in _SIGNS)
+
+
+def _reflected(numbers: list[float], x: float, y: float, z: float) -> list[float]:
+    """Return the centre of mass and the products of inertia with axes turned round by signs."""
+    _, cx, cy, cz, _, _, _, ixy, ixz, iyz = numbers
+    return [x * cx, y * cy, z * cz, x * y * ixy, x * z * ixz, y * z * iyz]
 
 
 _INERTIA = """inertia_params {

@@ -45,7 +45,8 @@ def _findings(long: list[Expression]) -> Iterator[Finding]:
 
 
 def _is_long(value: Expression) -> bool:
-    if not value.literal or value.end - value.start <= _KEPT:
+    # Most numbers are short, and their digits need no counting.
+    if value.literal is None or value.end - value.start <= _KEPT:
         return False
     return significant_digits(value.text) > _KEPT
 
