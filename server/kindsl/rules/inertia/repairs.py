@@ -6,7 +6,12 @@ from kindsl.rigid.body import MassDistribution, eigensystem, second_moments_abou
 from kindsl.rules.base import Change, Finding, Fix, Related, Severity
 from kindsl.rules.context import ROBCOGEN, ROBCOGEN2, Context
 from kindsl.rules.inertia.causes import Cause
-from kindsl.rules.inertia.digits import likely_half_widths, numbers_written, rewritten_number
+from kindsl.rules.inertia.digits import (
+    Written,
+    likely_half_widths,
+    numbers_written,
+    rewritten_number,
+)
 from kindsl.rules.inertia.explanations import Explained, explanations
 from kindsl.rules.inertia.judgements import (
     IMPOSSIBLE,
@@ -75,7 +80,7 @@ def _shared(explained: Sequence[Explained], told: Sequence[_Told], model: Model)
         Related(keyword(e.found.inertia), f"inertia of '{e.found.link.name}'") for e in others
     ]
     message = shared_cause(len(explained), cause)
-    whole = Fix(f"{fixes[0].title} in all links", changes)
+    whole = Fix(f"{title(cause.hypothesis)} in all links", changes)
     finding = Finding(
         keyword(first.inertia), message, tuple(related[:_MOST_RELATED]), whole, Severity.INFORMATION
     )
@@ -97,7 +102,7 @@ def _finding(explained: Explained, at: str, context: Context) -> Finding:
 
 
 def _fix(found: Judgement, cause: Cause, context: Context) -> Fix | None:
-    if cause.probability < _SURE or not _has_rule(cause):
+    if cause.probability < _SURE:
         return None
     changes = _changes(found, cause)
     if not changes or not _holds(found, changes, context):
@@ -107,30 +112,28 @@ def _fix(found: Judgement, cause: Cause, context: Context) -> Fix | None:
 
 def _changes(found: Judgement, cause: Cause) -> list[Change] | None:
     """Return the changes that write the numbers as they were meant."""
-    h, com = cause.hypothesis, found.inertia.com
+    h, (_, *others) = cause.hypothesis, _ten_values(found)
     if Slip.COM_SIGN in h.slips:
-        return rewritten(com.components, h.body.com) if com is not None else None
-    group = [found.inertia.moments[name] for name in MOMENTS]
-    return (rescaled if h.power else rewritten)(group, h.body.moments)
+        return rewritten(others[:3], h.body.com)
+    return (rescaled if h.power else rewritten)(others[3:], h.body.moments)
 
 
 def _holds(found: Judgement, changes: Sequence[Change], context: Context) -> bool:
     """Return whether no rule finds anything in the numbers as they would stand there."""
     texts = {change.at.start: change.text for change in changes}
-    values = [*_ten_values(found)]
+    written = numbers_written(found.inertia, context.values)
     numbers = [
         rewritten_number(texts[value.start]) if value.start in texts else number
-        for value, number in zip(
-            values, numbers_written(found.inertia, context.values), strict=True
-        )
+        for value, number in zip(_ten_values(found), written, strict=True)
     ]
-    if any(n.literal is None for n in numbers):
+    plain = _literals(numbers)
+    if len(plain) < len(numbers):
         return False
-    mass, x, y, z, *moments = (number.literal or 0.0 for number in numbers)
+    mass, x, y, z, *moments = plain
     if context.targets != {ROBCOGEN} and all(map(is_tiny, filter(None, moments[:3]))):
         return False
-    written = [number.literal or 0.0 for number in numbers_written(found.inertia, context.values)]
-    if ROBCOGEN2 in context.targets and _has_tiny(moments) and not _has_tiny(written[4:]):
+    is_lost = _has_tiny(moments) and not _has_tiny(_literals(written)[4:])
+    if ROBCOGEN2 in context.targets and is_lost:
         return False
     body = MassDistribution(mass, (x, y, z), tuple(moments))  # type: ignore[arg-type]
     pairs = eigensystem(second_moments_about_com(body))
@@ -138,6 +141,10 @@ def _holds(found: Judgement, changes: Sequence[Change], context: Context) -> boo
     if verdict_of(body, half, pairs) in IMPOSSIBLE:
         return False
     return can_be_of_matter(body, half, pairs)
+
+
+def _literals(numbers: Sequence[Written]) -> list[float]:
+    return [number.literal for number in numbers if number.literal is not None]
 
 
 def _has_tiny(moments: Sequence[float]) -> bool:
