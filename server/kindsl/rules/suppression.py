@@ -138,12 +138,11 @@ def _line_or_block(island: Island, origin: int, line: int) -> tuple[int, int]:
 
 def _blocks(island: Island) -> Iterator[Node]:
     """Yield nested blocks, outer ones first."""
-    row = [node for node in island.nodes if node.kind != "head"]
+    row: Sequence[Node] = island.nodes
     while row:
         yield from (node for node in row if node.kind in _BLOCKS)
         row = [child for node in row for child in node.children if isinstance(child, Node)]
 
 
 def _line_end(text: str, offset: int) -> int:
-    match = _LINE_END.search(text, offset)
-    return match.end() if match else len(text)
+    return next(_LINE_END.finditer(text, offset)).end()

@@ -48,15 +48,15 @@ def numbers_with_unit(
     name = str(parameter.name)
     if name in values or name not in (*_SI, *_DEGREES):
         return ()
-    found = tuple(_found(use.name) for use in parameter.uses)
-    return tuple(number for number in found if number is not None) if all(found) else ()
+    found = [number for use in parameter.uses if (number := _found(use.name)) is not None]
+    return tuple(found) if len(found) == len(parameter.uses) else ()
 
 
 def _found(unit: Name) -> NumberWithUnit | None:
     tokens = unit.island.tokens
     index = bisect_left(tokens, unit.start, key=lambda token: token.start)
-    number = tokens[index - 1] if index else None
-    if number is None or number.kind != "FLOAT":
+    number = tokens[index - 1]
+    if number.kind != "FLOAT":
         return None
     if unit in _SHORT and number.end < unit.start:
         return None
