@@ -29,9 +29,10 @@ from kindsl.semantics.model import Model
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each frame whose name is taken."""
     for body in model.bodies:
-        for first, again in repeated_names(body.frames):
-            message = f"link '{body.name}' has two frames '{again.name}'"
-            yield _finding(first, again, message, Severity.ERROR)
+        if len(body.frames) > 1:
+            for first, again in repeated_names(body.frames):
+                message = f"link '{body.name}' has two frames '{again.name}'"
+                yield _finding(first, again, message, Severity.ERROR)
     for first, again in repeated_names(model.frames):
         if first.link != again.link:
             message = f"frame '{again.name}' is already defined in link '{first.link}'"

@@ -35,6 +35,8 @@ from kindsl.semantics.model import Model
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each pair of links that is numbered the wrong way round."""
     pairs = _reversed_pairs(model)
+    if not pairs:
+        return
     taken = {again.id for _, again in repeats(model.links, lambda link: link.id)}
     count = len(model.links) + len(reference_defects(model).undefined_links)
     severity = Severity.ERROR if ROBCOGEN2 in context.targets else Severity.WARNING
@@ -47,9 +49,11 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
 def _reversed_pairs(model: Model) -> list[tuple[Link, Link]]:
     """Return each parent with a child of a smaller number, off all loops."""
     on_loops = {id(edge.child) for loop in model.tree.loops for edge in loop}
-    edges = (edge for edge in model.tree.edges if id(edge.child) not in on_loops)
-    pairs = [(edge.predecessor, edge.link) for edge in edges if edge.link is not None]
-    return [(parent, child) for parent, child in pairs if _is_reversed(parent.id, child.id)]
+    return [
+        (parent, child)
+        for parent, pair, child, _ in model.tree.edges
+        if child is not None and _is_reversed(parent.id, child.id) and id(pair) not in on_loops
+    ]
 
 
 def _is_reversed(parent: int | None, child: int | None) -> bool:

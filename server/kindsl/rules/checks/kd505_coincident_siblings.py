@@ -20,20 +20,27 @@ from kindsl.rigid.pose import RigidPose
 from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint, link, robot
-from kindsl.semantics.declarations import Joint, Link
+from kindsl.semantics.declarations import Joint
+from kindsl.semantics.kinematic_tree import Edge
 from kindsl.semantics.model import Model
 from kindsl.semantics.numbers import written_pose
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each joint that coincides with an earlier sibling."""
-    known: dict[tuple[Link, str, RigidPose], Joint] = {}
-    for edge in model.tree.edges:
+    for edges in model.tree.below.values():
+        if len(edges) > 1:
+            yield from _coincident(edges, context)
+
+
+def _coincident(edges: list[Edge], context: Context) -> Iterator[Finding]:
+    known: dict[tuple[str, RigidPose], Joint] = {}
+    for edge in edges:
         moved = edge.joint
         here = written_pose(moved.pose, context.values) if moved is not None else None
         if moved is None or here is None:
             continue
-        first = known.setdefault((edge.predecessor, moved.kind, here), moved)
+        first = known.setdefault((moved.kind, here), moved)
         if first is not moved:
             message = f"joints '{moved.name}' and '{first.name}' have the same frame"
             related = Related(first.name, f"joint '{first.name}'")
