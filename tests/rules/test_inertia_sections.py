@@ -82,6 +82,7 @@ def test_a_body_without_inertia(
     assert told_as == ([] if expected is None else [expected])
 
 
+@pytest.mark.parametrize("height", [0.5, 0.0])
 @pytest.mark.parametrize("size", [1e-4, 1e-2, 1.0, 10.0])
 @pytest.mark.parametrize(
     ("about_com", "shape"),
@@ -93,14 +94,14 @@ def test_a_body_without_inertia(
     ],
 )
 def test_bodies_without_extent_at_any_size(
-    about_com: tuple[float, ...], shape: str, size: float
+    about_com: tuple[float, ...], shape: str, size: float, height: float
 ) -> None:
-    """Each in 1 kg at half a metre times the size, on the z axis."""
+    """Each of 1 kg on the z axis, at the origin or half as far from it as its size."""
     ix, iy, iz = (size**2 * moment for moment in about_com)
-    square = (0.5 * size) ** 2
+    square = (height * size) ** 2
     text = body(
         "1.0",
-        f"0.0, 0.0, {0.5 * size:.12f}",
+        f"0.0, 0.0, {height * size:.12f}",
         *(f"{m:.12f}" for m in (ix + square, iy + square, iz)),
     )
     assert told("KD305", text) == [f"inertia of 'ball' describes {shape}"]

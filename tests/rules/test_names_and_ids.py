@@ -246,6 +246,11 @@ def test_two_of_a_kind_with_one_name_do_not_clash(links: str, joints: str) -> No
     assert len(told("KD102", text) + told("KD103", text)) == (not differ)
 
 
+def test_what_has_no_name_clashes_with_nothing() -> None:
+    nameless = link("", 1) + "r_joint {\n    ref_frame " + POSE + " }\n" + framed("a", 2, "")
+    assert told("KD112", robot(nameless)) == []
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [

@@ -191,6 +191,13 @@ def test_a_constant_may_be_defined_where_the_syntax_is_broken(text: str, count: 
     assert len(told("KD406", text)) == count
 
 
+def test_a_constant_without_value_is_not_what_another_means() -> None:
+    assert told("KD406", at("<reach>, <raech>, 0.0")) == [
+        "constant 'reach' has no value",
+        "constant 'raech' has no value",
+    ]
+
+
 @pytest.mark.parametrize(
     ("text", "messages"),
     [
@@ -232,6 +239,8 @@ def test_a_value_makes_a_greek_pi_a_parameter_as_any_other() -> None:
         (at("0.0, 1.0/zero, 0.0"), ["'1.0/zero' divides by 'zero', which is zero"]),
         (at("0.0, 1.0/one, zero/1.0"), []),
         (at("0.0, 1.0/unbound, 0.0"), []),
+        (at("2.0*zero, 0.0*2.0, one - zero"), []),
+        (at("1.0/, 1.0/zero, 0.0"), []),
         (at("1.0/0.0, 1.0/zero, 0.0"), None),
     ],
 )

@@ -28,18 +28,18 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each name that something else has."""
     first: dict[str, tuple[str, Name]] = {}
     for what, name in _names(model):
+        if not name:
+            continue
         known = first.setdefault(name.casefold(), (what, name))
         if (what, name) != known:
             yield _finding(what, name, *known, context)
 
 
-def _names(model: Model) -> Iterator[tuple[str, Name]]:
-    for declared in model.declared:
-        if declared.robot:
-            yield "robot", declared.robot
-    yield from (("link", body.name) for body in model.bodies if body.name)
-    yield from (("joint", joint.name) for joint in model.joints if joint.name)
-    yield from (("frame", frame.name) for frame in model.frames if frame.name)
+def _names(model: Model) -> Iterator[tuple[str, Name | None]]:
+    yield from (("robot", declared.robot) for declared in model.declared)
+    yield from (("link", body.name) for body in model.bodies)
+    yield from (("joint", joint.name) for joint in model.joints)
+    yield from (("frame", frame.name) for frame in model.frames)
 
 
 def _finding(what: str, name: Name, other: str, known: Name, context: Context) -> Finding:

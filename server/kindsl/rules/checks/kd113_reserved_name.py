@@ -47,8 +47,8 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
             yield Finding(frame.name, message)
 
 
-def _names(model: Model) -> Iterator[Name]:
-    yield from (declared.robot for declared in model.declared if declared.robot)
+def _names(model: Model) -> Iterator[Name | None]:
+    yield from (declared.robot for declared in model.declared)
     yield from (body.name for body in model.bodies)
     yield from (joint.name for joint in model.joints)
     yield from (frame.name for frame in model.frames)

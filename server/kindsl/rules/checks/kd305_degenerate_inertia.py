@@ -40,7 +40,7 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
 
 def _shape(found: Judgement) -> str:
     _, middle, large = (pair.value for pair in found.second_moments)
-    about_origin = sum(map(abs, found.body.moments[:3]))
+    about_origin = max(map(abs, found.body.moments))
     about_origin += found.body.mass * sum(c * c for c in found.body.com)
     if large <= _NEGLIGIBLE * about_origin:
         return "a point mass"
