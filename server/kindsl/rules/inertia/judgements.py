@@ -79,7 +79,7 @@ class Judgement(NamedTuple):
     half: MassDistribution
     second_moments: tuple[Eigenpair, Eigenpair, Eigenpair]
     verdict: Verdict
-    is_proved: bool = False
+    is_proved: bool
 
     @property
     def moments(self) -> tuple[float, float, float]:
@@ -138,8 +138,6 @@ def is_plain(inertia: Inertia) -> bool:
 
 def at_values(inertia: Inertia, values: Mapping[str, float]) -> str:
     """Return at which parameters' values an inertia was looked at: ` at m = 2`, or nothing."""
-    if is_plain(inertia):
-        return ""
     uses = [use for value in inertia_values(inertia) for use in symbols(value)]
     names = dict.fromkeys(str(use.name) for use in uses if isinstance(use, ParameterUse))
     told = [f"{name} = {values[name]:g}" for name in names if name in values]
@@ -175,14 +173,12 @@ def verdict_of(
     noise = _ROUNDING_OF_ARITHMETIC * size
     if pairs[0].value > _SINGULAR * (pairs[0].value + pairs[1].value + pairs[2].value) > 0.0:
         return Verdict.POSSIBLE
-    is_negative = pairs[0].value + pairs[1].value < -noise
-    if is_negative and greatest_moment(body, half, pairs[2].axis) < -noise:
+    if greatest_moment(body, half, pairs[2].axis) < -noise:
         return Verdict.INDEFINITE
-    if pairs[0].value < -noise:
-        if greatest_second_moment(body, half, pairs[0].axis) < -noise:
-            return Verdict.TRIANGLE
-        if pairs[0].value < -_SINGULAR * abs(pairs[2].value):
-            return Verdict.WITHIN_ROUNDING
+    if greatest_second_moment(body, half, pairs[0].axis) < -noise:
+        return Verdict.TRIANGLE
+    if pairs[0].value < -max(noise, _SINGULAR * abs(pairs[2].value)):
+        return Verdict.WITHIN_ROUNDING
     return Verdict.SINGULAR
 
 

@@ -1,0 +1,276 @@
+"""Which mistakes explain an inertia, and how likely each of them is among the others."""
+
+from math import exp, inf, log, pi
+
+import pytest
+from tests.support.bodies import document_of_bodies
+
+from kindsl.analysis.analysis import analyse
+from kindsl.rigid.body import (
+    MassDistribution,
+    eigensystem,
+    second_moments_about_com,
+    shifted,
+)
+from kindsl.rules.inertia.causes import (
+    Cause,
+    candidates,
+    likelihood_as_written,
+    ranked,
+    said_by,
+)
+from kindsl.rules.inertia.judgements import Judgement, Verdict
+from kindsl.rules.inertia.likelihood import Shape, log_likelihood, shape_of
+from kindsl.rules.inertia.slips import Hypothesis, Slip
+from kindsl.rules.inertia.surroundings import Surroundings, Twin, of_points, of_twins
+from kindsl.rules.inertia.suspects import suspects_of
+
+NOWHERE = Surroundings(points=(), twins=(), share=0.0, mirror=None)
+EXACT = MassDistribution(0.0, (0.0, 0.0, 0.0), (0.0,) * 6)  # type: ignore[arg-type]
+BALL = MassDistribution(1.0, (0.0, 0.0, 0.0), (0.02, 0.02, 0.02, 0.0, 0.0, 0.0))
+SHAPE = Shape((0.01, 0.01, 0.01, 0.0, 0.0, 0.0), EXACT.moments, eigensystem((0.01,) * 6))
+NAMES = ("Ixy", "Ixz", "Iyz", "Ix", "Iy", "Iz")
+
+
+def a_cause(number: int, weight: float = 1.0, logarithm: float = 0.0) -> Cause:
+    """Return a cause of a kind of its own."""
+    h = Hypothesis((Slip.SIGNS,), BALL, EXACT, weight, (NAMES[number],), is_partial=True)
+    return Cause(h, SHAPE, (), log_likelihood=logarithm, log_alone=logarithm)
+
+
+def judgement(body: MassDistribution, verdict: Verdict = Verdict.TRIANGLE) -> Judgement:
+    """Return what was judged of a body with exact numbers."""
+    text = "inertia_params { mass = 1.0 CoM = (0.0, 0.0, 0.0) Ix=0.10 Iy=0.10 Iz=0.30 Ixy=0.0"
+    analysis = analyse(document_of_bodies([f"{text} Ixz=0.0 Iyz=0.0 }}"]))
+    (found,) = suspects_of(analysis.model, analysis.context)
+    pairs = eigensystem(second_moments_about_com(body))
+    return found._replace(body=body, half=EXACT, second_moments=pairs, verdict=verdict)
+
+
+@pytest.mark.parametrize(
+    ("causes", "as_written", "probabilities"),
+    [
+        ([], 0.0, []),
+        ([(1.0, 0.0)], -inf, [1.0]),
+        ([(0.3, 0.0), (0.1, 0.0)], -inf, [0.75, 0.25]),
+        ([(0.1, 0.0), (0.3, 0.0)], -inf, [0.75, 0.25]),
+        ([(0.1, 7.0), (0.1, 7.0 + log(3.0))], -inf, [0.75, 0.25]),
+        # Without any mistake numbers are three times as likely as after a common one.
+        ([(1.0, 5.0)], 5.0, [0.25]),
+        ([(1.0, 5.0)], 5.0 + log(3.0), [0.1]),
+        ([(0.5, 5.0), (0.5, 5.0)], 5.0, [0.125, 0.125]),
+        # Four at most, and what has a tenth of the most likely one.
+        ([(1.0, 0.0)] * 6, -inf, [1.0 / 6.0] * 4),
+        ([(1.0, 0.0), (0.101, 0.0)], -inf, [1.0 / 1.101, 0.101 / 1.101]),
+        ([(1.0, 0.0), (0.099, 0.0)], -inf, [1.0 / 1.099]),
+    ],
+)
+def test_causes_are_ranked(
+    causes: list[tuple[float, float]], as_written: float, probabilities: list[float]
+) -> None:
+    given = [a_cause(n, *weight) for n, weight in enumerate(causes)]
+    found = ranked(given, {}, as_written)
+    assert [cause.probability for cause in found] == pytest.approx(probabilities)
+    if as_written == -inf:
+        assert ranked(given, {}) == found
+
+
+def test_numbers_that_are_beyond_comparison_likelier_leave_next_to_nothing() -> None:
+    (found,) = ranked([a_cause(0)], {}, 5000.0)
+    assert found.probability == pytest.approx(exp(-700.0) / 3.0)
+
+
+@pytest.mark.parametrize(
+    ("weights", "others", "probabilities"),
+    [
+        # Two parts in ten by the weights alone, eight by what the others say.
+        ((0.5, 0.5), (0.0, 0.0), (0.5, 0.5)),
+        ((0.5, 0.5), (log(3.0), 0.0), (0.2 * 0.5 + 0.8 * 0.75, 0.2 * 0.5 + 0.8 * 0.25)),
+        ((0.5, 0.5), (9.0 + log(3.0), 9.0), (0.2 * 0.5 + 0.8 * 0.75, 0.2 * 0.5 + 0.8 * 0.25)),
+        ((0.5, 0.5), (500.0 + log(3.0), 500.0), (0.2 * 0.5 + 0.8 * 0.75, 0.2 * 0.5 + 0.8 * 0.25)),
+        ((0.8, 0.2), (0.0, log(4.0)), (0.2 * 0.8 + 0.8 * 0.5, 0.2 * 0.2 + 0.8 * 0.5)),
+        ((0.08, 0.02), (0.0, log(4.0)), (0.2 * 0.8 + 0.8 * 0.5, 0.2 * 0.2 + 0.8 * 0.5)),
+    ],
+)
+def test_one_author_makes_one_mistake(
+    weights: tuple[float, float], others: tuple[float, float], probabilities: tuple[float, float]
+) -> None:
+    causes = [a_cause(n, weight) for n, weight in enumerate(weights)]
+    kinds = [cause.hypothesis.kind for cause in causes]
+    said = {kind: value for kind, value in zip(kinds, others, strict=True) if value}
+    found = ranked(causes, {**said, ("other",): 50.0})
+    by_kind = {cause.hypothesis.kind: cause.probability for cause in found}
+    assert [by_kind[kind] for kind in kinds] == pytest.approx(probabilities)
+
+
+def test_a_link_says_of_each_mistake_how_much_likelier_than_a_rare_one_it_is() -> None:
+    """A rare one weighs a hundredth; what is no likelier than that is not said."""
+    causes = [
+        a_cause(0, logarithm=3.0),
+        a_cause(1, logarithm=3.0 - log(10.0)),
+        a_cause(2, logarithm=3.0 - log(50.0)),
+        a_cause(3, logarithm=3.0 - log(1000.0)),
+    ]
+    first, second, third, _ = (cause.hypothesis.kind for cause in causes)
+    expected = {first: log(100.0), second: log(10.0), third: log(2.0)}
+    assert said_by(causes) == pytest.approx(expected)
+    least = [a_cause(0, logarithm=0.0), a_cause(1, logarithm=log(0.01))]
+    assert list(said_by(least)) == [first]
+    assert said_by([]) == {}
+
+
+def test_without_products_wrong_signs_are_not_excluded() -> None:
+    h = Hypothesis((Slip.REFERENCE,), BALL, EXACT, 1.0, has_products=False)
+    cause = Cause(h, SHAPE, (), log_likelihood=9.0, log_alone=1.0)
+    assert said_by([cause]) == pytest.approx({kind: log(100.0) for kind in h.kinds})
+    assert len(h.kinds) == 2
+
+
+@pytest.mark.parametrize(
+    ("verdict", "is_told"),
+    [
+        (Verdict.IMPLAUSIBLE, True),
+        (Verdict.POSSIBLE, True),
+        (Verdict.TRIANGLE, False),
+        (Verdict.INDEFINITE, False),
+    ],
+)
+def test_numbers_may_be_right_unless_they_are_impossible(verdict: Verdict, is_told: bool) -> None:
+    around = NOWHERE._replace(points=((0.3, 0.0, 0.4),))
+    shape = shape_of(BALL, EXACT)
+    assert shape is not None
+    expected = log_likelihood(1.0, shape, 0.5) if is_told else -inf
+    assert likelihood_as_written(judgement(BALL, verdict), around) == expected
+
+
+def test_what_has_no_shape_is_not_right() -> None:
+    flat = BALL._replace(moments=(0.1, 0.1, 0.3, 0.0, 0.0, 0.0))
+    assert likelihood_as_written(judgement(flat, Verdict.IMPLAUSIBLE), NOWHERE) == -inf
+
+
+def ball(density: float, com: tuple[float, float, float] = (0.1, 0.2, 0.3)) -> MassDistribution:
+    """Return a ball of 2 kg; its radius is `(3 m / (4 pi d))^(1/3)`, and I is `2/5 m r r`."""
+    radius = (6.0 / (4.0 * pi * density)) ** (1.0 / 3.0)
+    moment = 0.4 * 2.0 * radius**2
+    return shifted(MassDistribution(2.0, com, (moment, moment, moment, 0.0, 0.0, 0.0)))
+
+
+def negated(body: MassDistribution) -> MassDistribution:
+    return body._replace(moments=(*body.moments[:3], *(-m for m in body.moments[3:])))
+
+
+def times(power: int, body: MassDistribution) -> MassDistribution:
+    return body._replace(moments=tuple(10.0**power * m for m in body.moments))
+
+
+def found_slips(body: MassDistribution, verdict: Verdict = Verdict.INDEFINITE) -> list[Hypothesis]:
+    return [cause.hypothesis for cause in candidates(judgement(body, verdict), NOWHERE)]
+
+
+def is_found(found: list[Hypothesis], *slips: Slip, names: int = 3, power: int = 0) -> bool:
+    return any(
+        h.slips == slips and h.power == power and (Slip.SIGNS not in slips or len(h.names) == names)
+        for h in found
+    )
+
+
+@pytest.mark.parametrize(
+    ("density", "of_one_slip", "of_two"),
+    [
+        (0.9, False, False),
+        (1.1, True, False),
+        (9.0, True, False),
+        (11.0, True, True),
+        (29_000.0, True, True),
+        (31_000.0, True, False),
+        (99_000.0, True, False),
+        (101_000.0, False, False),
+    ],
+)
+def test_a_single_slip_may_leave_a_body_a_bit_odd(
+    density: float, of_one_slip: bool, of_two: bool
+) -> None:
+    body = ball(density)
+    x, y, z = body.com
+    about_com = shifted(body, -1.0)
+    assert is_found(found_slips(negated(body)), Slip.SIGNS) == of_one_slip
+    assert is_found(found_slips(about_com), Slip.REFERENCE) == of_one_slip
+    moved = found_slips(body._replace(com=(-x, y, z)))
+    right = [h for h in moved if h.body.com == body.com]
+    assert is_found(right, Slip.COM_SIGN) == of_one_slip
+    scaled = found_slips(times(7, body), Verdict.IMPLAUSIBLE)
+    assert is_found(scaled, Slip.SCALE, power=-7) == of_two
+    both = found_slips(times(7, negated(body)))
+    assert is_found(both, Slip.SIGNS, Slip.SCALE, power=-7) == of_two
+
+
+def test_what_is_possible_has_the_right_signs_and_place() -> None:
+    """Only its size or its mass may be wrong."""
+    found = found_slips(ball(5.0, (0.01, 0.02, 0.03)), Verdict.IMPLAUSIBLE)
+    assert found
+    assert all({Slip.SCALE, Slip.MASS} & set(h.slips) for h in found)
+
+
+def test_what_leaves_a_body_impossible_explains_nothing() -> None:
+    """Where three signs are wrong one is not enough, though no moment is negative."""
+    found = found_slips(negated(ball(1000.0)))
+    assert is_found(found, Slip.SIGNS, names=3)
+    assert not is_found(found, Slip.SIGNS, names=1)
+
+
+def test_a_digit_too_few_is_a_last_resort() -> None:
+    """Of what is impossible; what is of no material may be so by a digit as well as by its unit."""
+    small = shifted(ball(1000.0, (0.1, 0.0, 0.0)), -1.0)
+    found = found_slips(small)
+    assert is_found(found, Slip.REFERENCE)
+    assert not is_found(found, Slip.SCALE, power=1)
+    assert is_found(found_slips(small, Verdict.IMPLAUSIBLE), Slip.SCALE, power=1)
+    light = found_slips(times(3, ball(20_000.0, (0.0, 0.0, 0.0))), Verdict.IMPLAUSIBLE)
+    assert is_found(light, Slip.SCALE, power=-3)
+    assert is_found(light, Slip.SCALE, power=-2)
+
+
+def test_two_mistakes_that_mean_the_same_numbers_are_the_common_one() -> None:
+    """Of 0.3 at x and -0.3 at y, z: signs of `Ixy Ixz` changed, or both swapped with `-`."""
+    body = ball(1000.0, (0.1, 0.3, -0.3))
+    ix, iy, iz, ixy, ixz, iyz = body.moments
+    assert ixz == pytest.approx(-ixy)
+    found = found_slips(body._replace(moments=(ix, iy, iz, ixz, ixy, iyz)))
+    same = [h for h in found if h.body.moments == pytest.approx(body.moments)]
+    assert len(same) == 1
+    assert same[0].slips == (Slip.SIGNS,)
+
+
+@pytest.mark.parametrize(("power", "added"), [(-7, -42.0 * log(10.0)), (-4, -24.0 * log(10.0))])
+def test_a_density_over_six_moments_follows_their_unit(power: int, added: float) -> None:
+    around = NOWHERE._replace(points=((0.0, 0.0, 0.5),))
+    body = ball(1000.0)
+    found = candidates(judgement(times(-power, body), Verdict.IMPLAUSIBLE), around)
+    (cause,) = (
+        c for c in found if c.hypothesis.slips == (Slip.SCALE,) and c.hypothesis.power == power
+    )
+    shape = shape_of(cause.hypothesis.body, EXACT)
+    assert shape is not None
+    expected = log_likelihood(2.0, shape, 0.5) + added
+    # A ball points nowhere, so that the joint at half a metre says nothing.
+    assert cause.log_likelihood == cause.log_alone == pytest.approx(expected)
+    assert cause.shape == shape
+    assert cause.reasons == ()
+
+
+def test_what_is_known_of_a_link_is_added() -> None:
+    """A rod along x, its next joint ahead; a twin that expects it to be so."""
+    rod = MassDistribution(2.0, (0.2, 0.0, 0.0), (0.001, 0.101, 0.101, 0.0, 0.0, 0.0))
+    twin = Twin("other", rod, rod)
+    around = Surroundings(points=((0.4, 0.0, 0.0),), twins=(twin,), share=1.0, mirror=None)
+    causes = candidates(judgement(rod._replace(mass=2000.0), Verdict.IMPLAUSIBLE), around)
+    (cause,) = (c for c in causes if c.hypothesis.slips == (Slip.MASS,))
+    shape = shape_of(rod, EXACT)
+    assert shape is not None
+    here, there = of_points(cause.hypothesis, shape, around), of_twins(cause.hypothesis, around)
+    assert here.log_weight > 0.0
+    assert there.log_weight > 0.0
+    assert cause.log_alone == pytest.approx(log_likelihood(2.0, shape, 0.4) + here.log_weight)
+    assert cause.log_likelihood == pytest.approx(cause.log_alone + there.log_weight)
+    assert cause.reasons == here.reasons + there.reasons
+    assert len(cause.reasons) == 2
