@@ -148,7 +148,7 @@ def _collect_reuses(model: Model, found: ReferenceDefects) -> None:
     twins = {again for _, again in repeated_names(model.bodies)}
     ambiguous = {str(again.name) for _, again in repeated_names(model.joints)}
     for edges in model.tree.joint_uses.values():
-        if len(edges) > 1 and edges[0].child.joint not in ambiguous:
+        if edges[0].child.joint not in ambiguous:
             found.reused_joints.extend(
                 (edges[0], edge)
                 for edge in edges[1:]
@@ -158,34 +158,29 @@ def _collect_reuses(model: Model, found: ReferenceDefects) -> None:
 
 def _collect_orphans(model: Model, found: ReferenceDefects) -> None:
     tree = model.tree
-    if len(tree.above) < len(model.links):
-        found.idle_links.extend(
-            link
-            for link in model.links
-            if link.name and link not in tree.above and model.body_named[link.name] is link
-        )
-    if len(tree.joint_uses) < len(model.joints):
-        found.idle_joints.extend(
-            joint
-            for joint in model.joints
-            if joint.name
-            and joint not in tree.joint_uses
-            and model.joint_named[joint.name] is joint
-        )
+    found.idle_links.extend(
+        link
+        for link in model.links
+        if link.name and link not in tree.above and model.body_named[link.name] is link
+    )
+    found.idle_joints.extend(
+        joint
+        for joint in model.joints
+        if joint.name and joint not in tree.joint_uses and model.joint_named[joint.name] is joint
+    )
     if found.undefined_links or not (found.idle_links or found.idle_joints):
         return
-    lost = len([e for e in tree.edges if not e.child.link or not e.child.joint])
     misnamed, pasted = _wrong_pairs(model, found)
     links = [link for link in found.idle_links if not _is_mentioned(model, link)]
     joints = [joint for joint in found.idle_joints if not _is_mentioned(model, joint)]
     wrong_joints = [str(edge.child.joint) for edge in found.undefined_joints]
     wrong_joints += [str(edge.child.link) for edge in found.swapped]
     # A joint that is left over says that a pair is missing, which no wrong name in a pair explains.
-    missing = max(0, len(joints) - len(wrong_joints) - lost - pasted - len(found.reused_joints))
+    missing = max(0, len(joints) - len(wrong_joints) - pasted - len(found.reused_joints))
     wrong_links = [str(edge.child.joint) for edge in found.swapped]
-    excused = lost + pasted + min(misnamed, max(0, len(links) - missing))
+    excused = pasted + min(misnamed, max(0, len(links) - missing))
     found.orphans.extend(_unexcused(links, wrong_links, excused))
-    excused = lost + pasted + len(found.reused_joints) + len(found.orphans)
+    excused = pasted + len(found.reused_joints) + len(found.orphans)
     excused += len(repeated_names(model.bodies))
     found.unused_joints.extend(_unexcused(joints, wrong_joints, excused))
 
@@ -217,7 +212,7 @@ def _unexcused(things: list[_Thing], wrong: list[str], others: int) -> list[_Thi
     left = dict.fromkeys(things)
     by_name = {str(thing.name): thing for thing in things}
     for name in wrong[:_MOST_SUGGESTIONS]:
-        meant = nearest_name(name, by_name)
+        meant = name if name in by_name else nearest_name(name, by_name)
         if meant is not None:
             left.pop(by_name.pop(meant), None)
     excused = max(0, len(wrong) + others - (len(things) - len(left)))
