@@ -7,12 +7,11 @@ from kindsl.syntax.repair import Change
 from kindsl.syntax.repair_words import Word
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
-from kindsl.syntax.words import SPELLINGS, called, first_row, shown, unknown_keyword
+from kindsl.syntax.words import SPELLINGS, called, first_row, opened_block, shown, unknown_keyword
 from kindsl.text.nearest import nearest_words
 
 _WRITTEN = frozenset("{}()=,]>")
 _SEPARATORS = frozenset(";,")
-_TITLED = frozenset({"link", "Robot", "RobotBase", "JOINT_KIND"})
 
 
 def repair_problem(
@@ -81,31 +80,6 @@ def leftover_problem(
         return Problem("KD001", f"unexpected '{what}'", start, end)
     message = f"expected a robot, a link or a joint instead of '{what}'"
     return Problem("KD001", message, start, end)
-
-
-def opened_block(read: Sequence[Token]) -> str:
-    """Return the innermost block that is open, as a message names it."""
-    opened: list[int] = []
-    for index, token in enumerate(read):
-        if token.kind == "{":
-            opened.append(index)
-        elif token.kind == "}" and opened:
-            opened.pop()
-    return _titled(read, opened[-1]) if opened else "the block"
-
-
-def _titled(read: Sequence[Token], brace: int) -> str:
-    before = list(read[max(brace - 3, 0) : brace])
-    if before and before[-1].kind == "FLOATING":
-        before.pop()
-    if not before:
-        return "the block"
-    if len(before) > 1 and before[-2].kind in _TITLED:
-        title = {"JOINT_KIND": "joint", "RobotBase": "base", "Robot": "robot"}
-        return f"{title.get(before[-2].kind, before[-2].kind)} '{before[-1].text}'"
-    if before[-1].text in KEYWORDS:
-        return f"'{before[-1].text}'"
-    return f"frame '{before[-1].text}'" if before[-1].kind == "NAME" else "'frames'"
 
 
 def _first_group(changes: Sequence[Change]) -> list[Change]:

@@ -1,4 +1,4 @@
-"""What the kinds of tokens are called, and the words they stand for."""
+"""What kinds of tokens and blocks are called, and the words they stand for."""
 
 from collections.abc import Sequence
 
@@ -27,6 +27,7 @@ _NAMES = {
     "MOMENT": "'Ix'",
 }
 _TEXTS = {"JOINT_KIND": "r_joint", "INERTIA": "inertia_params", "NAME": "", "FLOAT": "", "INT": ""}
+_TITLED = frozenset({"link", "Robot", "RobotBase", "JOINT_KIND"})
 
 
 def called(kind: str) -> str:
@@ -52,6 +53,17 @@ def shown(text: str) -> str:
     return line if len(line) <= 40 else line[:37] + "..."
 
 
+def opened_block(read: Sequence[Token]) -> str:
+    """Return the innermost block that is open, as a message names it."""
+    opened: list[int] = []
+    for index, token in enumerate(read):
+        if token.kind == "{":
+            opened.append(index)
+        elif token.kind == "}" and opened:
+            opened.pop()
+    return _titled(read, opened[-1]) if opened else "the block"
+
+
 def first_row(text: str, tokens: Sequence[Token]) -> str:
     """Return what stands on the line of the first token, up to the next brace."""
     last = tokens[0]
@@ -71,3 +83,17 @@ def unknown_keyword(written: str, meant: Sequence[str]) -> str:
 def _is_apart(text: str, last: Token, token: Token) -> bool:
     between = text[last.end : token.start]
     return "\n" in between or "\r" in between
+
+
+def _titled(read: Sequence[Token], brace: int) -> str:
+    before = list(read[max(brace - 3, 0) : brace])
+    if before and before[-1].kind == "FLOATING":
+        before.pop()
+    if not before:
+        return "the block"
+    if len(before) > 1 and before[-2].kind in _TITLED:
+        title = {"JOINT_KIND": "joint", "RobotBase": "base", "Robot": "robot"}
+        return f"{title.get(before[-2].kind, before[-2].kind)} '{before[-1].text}'"
+    if before[-1].text in KEYWORDS:
+        return f"'{before[-1].text}'"
+    return f"frame '{before[-1].text}'" if before[-1].kind == "NAME" else "'frames'"
