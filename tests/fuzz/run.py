@@ -18,7 +18,11 @@ from tests.fuzz.inputs import FOLDER, TARGETS, words
 
 FOUND = FOLDER.parents[1] / "artifacts" / "fuzz"
 # Not watched: how the parser looks for a repair says little of an input, and takes most time.
-_SEARCH = ["kindsl.syntax.automaton", "kindsl.syntax.preferences", "kindsl.syntax.repair"]
+_SEARCH = [
+    "kindsl.syntax.automaton",
+    "kindsl.syntax.recovery.preferences",
+    "kindsl.syntax.recovery.repair",
+]
 _LONGEST = 4096
 _SECONDS_AN_INPUT = 20
 

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from kindsl.syntax.characters import OPEN_COMMENT, without_invalid
 from kindsl.syntax.foreign.forms import adapted
 from kindsl.syntax.meaning import meaning_problems
-from kindsl.syntax.recovery import recover
+from kindsl.syntax.recovery.island import recover
 from kindsl.syntax.scanner import BAD
 from kindsl.syntax.tables import PUNCTUATION
 from kindsl.syntax.tree import Island, Node, Problem, Token

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from kindsl.syntax.automaton import ROWS, Stack, step
-from kindsl.syntax.repair import Change
+from kindsl.syntax.recovery.repair import Change
 from kindsl.syntax.tree import Token
 from kindsl.syntax.words import SPELLINGS, spelled
 from kindsl.text.nearest import nearest_words

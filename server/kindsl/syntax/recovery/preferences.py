@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from kindsl.syntax.repair import Preferences
+from kindsl.syntax.recovery.repair import Preferences
 from kindsl.syntax.scanner import word_kind
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Token

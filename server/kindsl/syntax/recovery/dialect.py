@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from kindsl.syntax.automaton import Stack, step
-from kindsl.syntax.block_kinds import unglue
+from kindsl.syntax.recovery.block_kinds import unglue
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Token
 

@@ -9,14 +9,14 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from kindsl.syntax.automaton import Stack, initial, is_complete, step
-from kindsl.syntax.block_kinds import Opening, lost_head, opening
 from kindsl.syntax.builder import build
-from kindsl.syntax.dialect import goes_on, unglued
 from kindsl.syntax.indentation import lost_closing
-from kindsl.syntax.messages import closing_problem, leftover_problem, repair_problem
-from kindsl.syntax.preferences import moments_around, preferences
-from kindsl.syntax.repair import Change, Found, completion, search
-from kindsl.syntax.repair_words import fitting_words, is_alike, repair_words
+from kindsl.syntax.recovery.block_kinds import Opening, lost_head, opening
+from kindsl.syntax.recovery.dialect import goes_on, unglued
+from kindsl.syntax.recovery.messages import closing_problem, leftover_problem, repair_problem
+from kindsl.syntax.recovery.preferences import moments_around, preferences
+from kindsl.syntax.recovery.repair import Change, Found, completion, search
+from kindsl.syntax.recovery.repair_words import fitting_words, is_alike, repair_words
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Node, Problem, Token
 from kindsl.syntax.words import BLOCK_STARTS, SPELLINGS, supplied

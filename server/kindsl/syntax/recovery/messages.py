@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 
 from kindsl.syntax.indentation import indentation
-from kindsl.syntax.repair import Change
-from kindsl.syntax.repair_words import Word
+from kindsl.syntax.recovery.repair import Change
+from kindsl.syntax.recovery.repair_words import Word
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
 from kindsl.syntax.words import SPELLINGS, called, first_row, opened_block, shown, unknown_keyword

@@ -1,0 +1,4 @@
+"""Knows how an island that does not fit the grammar is read on: repairs, and what to say of them.
+
+Must not know what other formats write, the order of sections and what values mean.
+"""
