@@ -70,6 +70,34 @@ def test_slip_gives_one_message(
         assert found[0].code in codes
 
 
+@pytest.mark.parametrize("unit", ["kg", "g", " kg"])
+@pytest.mark.parametrize("section", ["mass", "CoM", "Ix", "Ixy"])
+def test_unit_behind_a_number_of_an_inertia_gives_one_message(section: str, unit: str) -> None:
+    number = re.compile(rf"\b{section} = \(?(-?\d*\.\d+)\b")
+    texts = list(replaced(number, 1, rf"\1{unit}"))
+    assert len(texts) > 6
+    for text in texts:
+        assert [f.code for f in remarks(text)] == ["KD408"]
+    for text in replaced(number, 1, "12kg"):
+        assert [f.code for f in remarks(text)] == ["KD005"]
+
+
+@pytest.mark.parametrize(
+    ("mass", "codes"),
+    [
+        ("2.0", ["KD405"]), ("2", ["KD405", "KD005"]), ("payload", []),
+        ("2.0kg", ["KD408"]), ("(payload)", ["KD006"]),
+    ],
+)  # fmt: skip
+def test_a_slip_in_the_mass_beside_parametric_moments(mass: str, codes: list[str]) -> None:
+    inertia = "Ix = payload/2.0 Iy = payload/2.0 Iz = payload/2.0"
+    text = re.sub(r"mass = \S+", f"mass = {mass}", MODEL, count=1)
+    text = re.sub(r"Ix = \S+\s+Iy = \S+\s+Iz = \S+", inertia, text, count=1)
+    settings = Settings(bindings={**SETTINGS.bindings, "payload": Binding(2.0)})
+    found = [f.code for f in analyse(text, settings).findings if f.severity != "info"]
+    assert [code for code in found if code[:3] in ("KD0", "KD4")] == codes
+
+
 def test_wrong_but_known_name_in_a_pair_gives_one_message() -> None:
     generator = random.Random(7)
     names = [f"segment_{number}" for number in range(1, 13)]

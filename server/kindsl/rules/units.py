@@ -52,6 +52,11 @@ def numbers_with_unit(
     return tuple(found) if len(found) == len(parameter.uses) else ()
 
 
+def is_unit(name: Name, values: Mapping[str, float]) -> bool:
+    """Return whether a parameter without a value stands as the unit of the number before it."""
+    return name not in values and name in (*_SI, *_DEGREES) and _found(name) is not None
+
+
 def _found(unit: Name) -> NumberWithUnit | None:
     tokens = unit.island.tokens
     index = bisect_left(tokens, unit.start, key=lambda token: token.start)

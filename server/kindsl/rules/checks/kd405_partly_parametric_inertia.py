@@ -2,7 +2,8 @@
 
 ## What it does
 Reports an inertia with a parametric mass or centre of mass whose moments are constant, or with
-parametric moments and a constant mass. Moments that are all zero are no constants in this sense.
+parametric moments and a constant mass. Moments that are all zero are no constants in this sense,
+and a unit behind a number (KD408) is no parameter.
 
 ## Why is this bad?
 Moments are proportional to mass, and those about the origin grow with the square of the CoM's
@@ -22,37 +23,51 @@ inertia_params {
 from collections.abc import Iterable, Iterator
 
 from kindsl.rules.base import Finding, Rule, Severity
+from kindsl.rules.broken_text import has_problem_within
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link
 from kindsl.rules.inertia.judgements import is_moving, is_plain, keyword
+from kindsl.rules.units import is_unit
 from kindsl.semantics.declarations import Declarations, Inertia
 from kindsl.semantics.expressions import Expression, ParameterUse, symbols
 
 
-def check_island(declared: Declarations, _: Context) -> Iterator[Finding]:
+def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
     """Yield a finding for each inertia that is parametric in part."""
     for body in declared.bodies():
-        if body.inertia is not None and is_moving(body) and not is_plain(body.inertia):
-            message = _message(body.inertia)
-            if message:
-                yield Finding(keyword(body.inertia), f"inertia of '{body.name}': {message}")
+        inertia = body.inertia
+        if inertia is None or not is_moving(body) or is_plain(inertia):
+            continue
+        message = _message(inertia, context)
+        if message:
+            yield Finding(keyword(inertia), f"inertia of '{body.name}': {message}")
 
 
-def _message(inertia: Inertia) -> str:
+def _message(inertia: Inertia, context: Context) -> str:
+    mass = [inertia.mass] if inertia.mass is not None else []
     com = inertia.com.components if inertia.com is not None else ()
     moments = inertia.moments.values()
-    is_mass_parametric = inertia.mass is not None and _has_parameter([inertia.mass])
-    if _has_parameter(moments):
-        return "" if is_mass_parametric else "the moments have parameters, the mass has none"
+    if any(map(_parameters, moments)):
+        is_told = _is_parametric(moments, context) and not any(map(_parameters, mass))
+        return "the moments have parameters, the mass has none" if is_told else ""
     if all(moment.literal == 0.0 for moment in moments):
         return ""
-    if is_mass_parametric:
+    if _is_parametric(mass, context):
         return "the mass has a parameter, the moments have none"
-    return "the CoM has a parameter, the moments have none" if _has_parameter(com) else ""
+    return "the CoM has a parameter, the moments have none" if _is_parametric(com, context) else ""
 
 
-def _has_parameter(values: Iterable[Expression]) -> bool:
-    return any(isinstance(use, ParameterUse) for value in values for use in symbols(value))
+def _is_parametric(values: Iterable[Expression], context: Context) -> bool:
+    """Return whether there is a parameter that is no slip: no unit (KD408), nor in broken text."""
+    return any(
+        not is_unit(use.name, context.values) and not has_problem_within(value)
+        for value in values
+        for use in _parameters(value)
+    )
+
+
+def _parameters(value: Expression) -> list[ParameterUse]:
+    return [use for use in symbols(value) if isinstance(use, ParameterUse)]
 
 
 _INERTIA = """inertia_params {
