@@ -122,6 +122,22 @@ def test_the_mass_is_where_the_link_is(
             assert told("KD309", text) == ([] if expected is None else [expected])
 
 
+@pytest.mark.parametrize("length", [0.05, 0.5, 5.0])
+@pytest.mark.parametrize("mass", [0.25, 4.0])
+def test_far_and_wide_are_multiples_of_the_length(length: float, mass: float) -> None:
+    """A rod along x, ten times as wide as the link is long; a point three times as far away."""
+    for share, is_told in ((0.99, False), (1.01, True)):
+        moment = f"{mass * (share * 10.0 * length) ** 2:.9f}"
+        wide = arm_to(f"0.0, 0.0, {length}", "0.0, 0.0, 0.0", "0.0", moment, moment, mass=f"{mass}")
+        assert bool(told("KD309", wide)) == is_told
+        away = share * 3.0 * length
+        moment = f"{mass * away**2:.9f}"
+        far = arm_to(
+            f"0.0, 0.0, {length}", f"{away}, 0.0, 0.0", "0.0", moment, moment, mass=f"{mass}"
+        )
+        assert bool(told("KD309", far)) == (is_told and away < 10.0)
+
+
 def framed(frames: str, frame: str = "", children: str = "", com: str = "0.0, 0.0, 5.0") -> str:
     moment = f"{float(com.split()[2]) ** 2 + 0.01:.6f}"
     given = section("1.0", com, moment, moment, "0.01")

@@ -74,7 +74,16 @@ def test_a_number_that_two_links_have_explains_one_that_none_has(
 
 
 @pytest.mark.parametrize(
-    ("ids", "count"), [(("", 1, 3), 0), (("x", 1, 3), 0), ((0, 1, 3), 0), (("", 1, 4), 0)]
+    ("ids", "count"),
+    [
+        (("", 1, 3), 0),
+        (("x", 1, 3), 0),
+        ((0, 1, 3), 0),
+        (("", 1, 4), 0),
+        (("", 3), 0),
+        ((2, ""), 0),
+        (("", 1, 4, 5), 1),
+    ],
 )
 def test_a_link_without_a_number_may_have_the_missing_one(
     ids: tuple[int | str, ...], count: int
