@@ -38,26 +38,28 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     if not pairs:
         return
     taken = {again.id for _, again in repeats(model.links, lambda link: link.id)}
-    count = len(model.links) + len(reference_defects(model).undefined_links)
     severity = Severity.ERROR if ROBCOGEN2 in context.targets else Severity.WARNING
     for parent, child in pairs:
         is_in_tree = len(model.tree.above[child]) == 1
-        if is_in_tree and not {parent.id, child.id} & taken and (parent.id or 0) <= count:
+        if is_in_tree and not {parent.id, child.id} & taken:
             yield _finding(parent, child, severity, renumbering(model, len(pairs)))
 
 
 def _reversed_pairs(model: Model) -> list[tuple[Link, Link]]:
-    """Return each parent with a child of a smaller number, off all loops."""
+    """Return each parent with a child of a smaller number, both as great as may be, off loops."""
+    count = len(model.links) + len(reference_defects(model).undefined_links)
     on_loops = {id(edge.child) for loop in model.tree.loops for edge in loop}
     return [
         (parent, child)
         for parent, pair, child, _ in model.tree.edges
-        if child is not None and _is_reversed(parent.id, child.id) and id(pair) not in on_loops
+        if child is not None
+        and _is_reversed(parent.id, child.id, count)
+        and id(pair) not in on_loops
     ]
 
 
-def _is_reversed(parent: int | None, child: int | None) -> bool:
-    return parent is not None and child is not None and 1 <= child < parent
+def _is_reversed(parent: int | None, child: int | None, count: int) -> bool:
+    return parent is not None and child is not None and 1 <= child < parent <= count
 
 
 def _finding(parent: Link, child: Link, severity: Severity, fix: Fix | None) -> Finding:
