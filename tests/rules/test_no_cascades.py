@@ -189,3 +189,46 @@ def test_a_fix_gives_no_joint_to_two_pairs() -> None:
     assert [f.code for f in remarks(text)] == ["KD106", "KD106"]
     result = mended(analyse(text, SETTINGS), is_mendable).analysis
     assert "KD205" not in {finding.code for finding in result.findings}
+
+
+POSES = random_model(4, 4, Style(has_expressions=False))
+POSES = POSES.replace(
+    "tip_4 {", "side { translation = (0.1, 0.2, 0.3) rotation = (0.0, 0.0, 0.0) } tip_4 {"
+)
+POSES = re.sub(r"(Iyz = \S+)(?=\s+\}\s+children \{\s+\}\s+frames)", r"\1 ref_frame = side", POSES)
+VECTOR = r"\(([^,()]+), ([^,()]+), ([^,()]+)\)"
+
+
+@pytest.mark.parametrize(
+    ("wanted", "new"),
+    [
+        (VECTOR + r"(\s+rotation = )\(([^,()]+), ", r"(\1, \2, \3 (\5, "),
+        (VECTOR + r"(\s+rotation = )\(([^,()]+), ", r"(\1, \2\4(\5, "),
+        (r"rotation = " + VECTOR, r"rotation = (PI/-PI/2.0)"),
+        (r"rotation = " + VECTOR, r"rotation = (PI/2.0 0.0)"),
+        (r"rotation = " + VECTOR, r"rotation = ((\1, \2, \3)"),
+        (r"rotation = " + VECTOR + r"\s+\}\s+\w+ \{(\s+translation)", r"rotation = (\1, \2, \3)\4"),
+        (r"ref_frame = \w+\s+\}\s+children", "ref_frame"),
+    ],
+)
+def test_a_pose_that_is_torn_gives_one_message(wanted: str, new: str) -> None:
+    places = list(re.finditer(wanted, POSES))
+    assert places
+    for match in places:
+        text = POSES[: match.start()] + match.expand(new) + POSES[match.end() :]
+        assert len(remarks(text)) <= 1, [(f.code, f.message) for f in remarks(text)]
+
+
+def test_an_empty_body_before_sections_has_one_brace_too_many() -> None:
+    text = re.sub(r"\}\s+(link segment_2 \{)", r"\1 }", MODEL)
+    assert text != MODEL
+    assert [f.message for f in remarks(text)] == [
+        "expected '}' to close link 'segment_1'",
+        "unexpected '}'",
+    ]
+
+
+def test_a_link_stays_one_where_its_children_stand_in_a_reference_frame() -> None:
+    text = re.sub(r"(Iyz = \S+)\s+\}\s+children (?=\{\s+segment_3)", r"\1 ref_frame ", POSES)
+    assert text != POSES
+    assert len(remarks(text)) <= 2, [(f.code, f.message) for f in remarks(text)]

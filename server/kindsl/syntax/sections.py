@@ -15,6 +15,7 @@ _WORDS = {
     "inertia_frame": "ref_frame",
     "joint_frame": "ref_frame",
 }
+_POSE = ["translation", "rotation"]
 _TITLES = {"base": "base", "link": "link", "joint": "joint", "frame": "frame"}
 _fine: set[tuple[str, ...]] = set()
 
@@ -132,7 +133,10 @@ def _problems(text: str, node: Node) -> list[Problem]:
     missing = _missing(node, seen)
     if len(repeated) == 1 and len(missing) == 1:
         return [*problems, _in_place_of(node, known, repeated[0], missing[0])]
-    problems += [_repeated(text, node, section) for section in repeated]
+    if [section.kind for section in repeated] == _POSE:
+        problems.append(_second_pose(node, *repeated))
+    else:
+        problems += [_repeated(text, node, section) for section in repeated]
     problems += _misplaced(text, node, first_ones)
     if missing:
         problems.append(_lacking(node, missing))
@@ -150,6 +154,12 @@ def _repeated(text: str, node: Node, section: Node) -> Problem:
     repair = Repair(f"Remove the second '{word}'", (_removal(text, section),), False)
     message = f"{title(node)} has a second '{word}'"
     return Problem("KD009", message, section.start, section.end, repair)
+
+
+def _second_pose(node: Node, translation: Node, rotation: Node) -> Problem:
+    """Return the problem of a pose that is another frame's; nothing tells its name."""
+    message = f"{title(node)} has a second 'translation' and 'rotation'"
+    return Problem("KD009", message, translation.start, rotation.end)
 
 
 def _in_place_of(node: Node, known: list[Node], section: Node, missing: str) -> Problem:

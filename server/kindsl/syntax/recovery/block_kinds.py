@@ -34,6 +34,7 @@ _BODY = frozenset({"{", "FLOATING"})
 _LINK_SECTIONS = frozenset({"INERTIA", "children", "frames"})
 _POSE = frozenset({"translation", "rotation"})
 _REACH = 200
+_WRITTEN = 1.5
 _LAST_SECTION = {"base": "children", "link": "children", "joint": "ref_frame"}
 _FAR_BACK = 400
 _SECTIONS_OF_BLOCKS = frozenset({"id", "INERTIA", "children"})
@@ -95,6 +96,9 @@ def lost_head(
     """
     if len(read) < 3 or read[-1].kind in _HEADS or read[-2].kind in _HEADS:
         return None
+    if not start and read[-2].kind == "{":
+        # The brace that ends an empty block is more likely one too many.
+        return None
     kinds = [token.kind for token in tokens[index : index + 4]]
     if kinds[:1] == [_GOES_ON.get(read[-1].kind)]:
         return None
@@ -115,9 +119,9 @@ def _checked(tokens: Sequence[Token], index: int, start: str) -> Opening:
     """Return the opening of a keyword, another one where the block's content says so."""
     if start in ("head", "end"):
         return Opening(start)
-    content = kind_by_content(tokens, index)
-    is_joint = start == "joint"
-    if content not in ("link", "joint") or is_joint == (content == "joint"):
+    written = "joint" if start == "joint" else "link"
+    content = kind_by_content(tokens, index, written)
+    if content in (None, written):
         return Opening(start)
     kind, token = BLOCK_KINDS[content], tokens[index]
     message = f"expected {called(kind)} instead of '{token.text}'"
@@ -237,12 +241,12 @@ def _guess(tokens: Sequence[Token], index: int, previous: str) -> str | None:
     return content
 
 
-def kind_by_content(tokens: Sequence[Token], index: int) -> str | None:
-    """Return `link` or `joint` for the block named at `index`.
+def kind_by_content(tokens: Sequence[Token], index: int, written: str = "") -> str | None:
+    """Return `link` or `joint` for the block named at `index`, None if that cannot be told.
 
-    Whichever the sections up to the next block speak for.
+    Whichever the sections up to the next block speak for, and what is written, if any is.
     """
-    scores = {"link": 0, "joint": 0}
+    scores = {kind: _WRITTEN if kind == written else 0.0 for kind in ("link", "joint")}
     previous = ""
     for token in tokens[index + 1 : index + _REACH]:
         if token.kind in BLOCK_STARTS and token.kind != "}":

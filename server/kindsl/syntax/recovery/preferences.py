@@ -11,6 +11,7 @@ from kindsl.text.nearest import is_near
 
 _SECTIONS = frozenset(SPELLINGS) - frozenset(BLOCK_STARTS) - {"via", "FLOATING", "PI", "LOWER_PI"}
 _OPEN, _CLOSED = frozenset("{("), frozenset("})")
+_WITHIN_VALUES = frozenset("(,-*/")
 _REACH = 400
 
 
@@ -33,6 +34,8 @@ def preferences(
     def insertion(kind: str, place: int) -> float:
         if kind in _SECTIONS and kind in present:
             return 0.5
+        if kind == "(" and _is_within_value(tokens, place):
+            return 1.0
         if kind in ("NAME", "FLOAT", "INT") and _is_at_line_end(text, tokens, place):
             return -0.2
         return 0.0
@@ -83,6 +86,12 @@ def _section_words(read: Sequence[Token], tokens: Sequence[Token], index: int) -
             elif depth == 0 and token.kind in _SECTIONS:
                 words[token.text] = words.get(token.text, 0) + 1
     return words
+
+
+def _is_within_value(tokens: Sequence[Token], place: int) -> bool:
+    """Return whether no vector can begin at a place: a value goes on there, or one has begun."""
+    before = tokens[place - 1].kind if place > 0 else ""
+    return before in _WITHIN_VALUES or (place < len(tokens) and tokens[place].kind == "(")
 
 
 def _is_at_line_end(text: str, tokens: Sequence[Token], place: int) -> bool:

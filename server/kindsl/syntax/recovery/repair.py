@@ -23,6 +23,7 @@ _MOST_EXPANSIONS = 1200
 _MOST_GOALS = 30
 _MOST_COST = 4.2
 _SLACK = 0.65
+_SLACK_TO_READ_ON = 1.4
 _RUN = 14
 _IN_A_RUN = 0.6
 
@@ -98,14 +99,17 @@ def search(
     goals: list[_Candidate] = []
     seen: dict[object, float] = {}
     order = len(queue)
+    slack = _SLACK_TO_READ_ON
     for _ in range(_MOST_EXPANSIONS):
         if not queue or len(goals) > _MOST_GOALS:
             break
         candidate = heapq.heappop(queue)
-        if candidate.cost > _MOST_COST or (goals and candidate.cost > goals[0].cost + _SLACK):
+        if candidate.cost > _MOST_COST or (goals and candidate.cost > goals[0].cost + slack):
             break
         if candidate.changes and _is_goal(candidate, tokens, index, start):
             goals.append(candidate)
+            if _run(candidate, tokens, start) == _RUN:
+                slack = _SLACK
             continue
         key = _key(candidate)
         if seen.get(key, _MOST_COST + 1) <= candidate.cost:
@@ -116,7 +120,9 @@ def search(
             heapq.heappush(queue, following._replace(order=order))
     if not goals:
         return None
-    best = min(goals, key=lambda goal: (-_run(goal, tokens, start), goal.cost))
+    limit = goals[0].cost + _SLACK
+    fair = [goal for goal in goals if goal.cost <= limit or _is_lost_run(goal, tokens, start)]
+    best = min(fair, key=lambda goal: (-_run(goal, tokens, start), goal.cost))
     return Found(best.first, best.changes, best.stack, best.at)
 
 
@@ -236,6 +242,12 @@ def _run(goal: _Candidate, tokens: Sequence[Token], start: str) -> int:
     if goal.at + count >= len(tokens) and not is_complete(stack, start):
         return count
     return _RUN
+
+
+def _is_lost_run(goal: _Candidate, tokens: Sequence[Token], start: str) -> bool:
+    """Return whether a repair puts in what may be lost at one place, and all fits behind it."""
+    is_one = {change[:2] for change in goal.changes} == {("insert", goal.changes[0].at)}
+    return is_one and _run(goal, tokens, start) == _RUN
 
 
 def _key(candidate: _Candidate) -> object:
