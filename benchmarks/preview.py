@@ -31,7 +31,7 @@ URI = "untitled:robot"
 NO_DELAY = {"kindsl": {"diagnostics": {"delay": 0}}}
 DEFAULT_DELAY: dict[str, Any] = {}
 QUIET = 0.05  # seconds without a frame: the change has been sent
-MOST_TIMES = {"none": 1.5, "default": 0.5}
+MOST_TIMES = {"none": 2.0, "default": 0.5}
 MOST_BYTES = 5_000
 MOST_GROWTH = 1.1
 
