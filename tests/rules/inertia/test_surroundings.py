@@ -1,0 +1,260 @@
+"""What the places of joints and frames, and links of the same part, say of a link's inertia."""
+
+from math import log, sqrt
+
+import pytest
+from tests.support.bodies import document_of_bodies
+
+from kindsl.analysis.analysis import analyse
+from kindsl.analysis.settings import Settings
+from kindsl.rigid.body import MassDistribution, Symmetric, eigensystem
+from kindsl.rigid.pose import Vector3
+from kindsl.rules.inertia.likelihood import Shape
+from kindsl.rules.inertia.slips import Hypothesis, Slip
+from kindsl.rules.inertia.surroundings import (
+    Evidence,
+    Surroundings,
+    is_mirror_image,
+    is_same_body,
+    of_points,
+    surroundings,
+)
+from kindsl.rules.inertia.suspects import suspects_of
+from kindsl.semantics.parameters import Binding
+
+EXACT: Symmetric = (0.0,) * 6  # type: ignore[assignment]
+BODY = MassDistribution(1.0, (0.3, 0.2, 0.1), (5.0, 4.0, 3.0, 0.3, 0.2, 0.1))
+SECTION = "inertia_params { mass = %s CoM = (0.0, 0.0, 0.0) Ix=0.10 Iy=0.10 Iz=%s"
+SECTION += " Ixy=0.0 Ixz=0.0 Iyz=0.0 }"
+WRONG, RIGHT = SECTION % ("1.0", "0.30"), SECTION % ("1.0", "0.10")
+
+
+def said(
+    second_moments: Vector3, *points: Vector3, slip: Slip = Slip.SIGNS, com: Vector3 = (0.0,) * 3
+) -> Evidence:
+    """Return what points say of a body with these second moments along its axes."""
+    matrix = (*second_moments, 0.0, 0.0, 0.0)
+    shape = Shape(matrix, EXACT, eigensystem(matrix))
+    h = Hypothesis((slip,), BODY._replace(com=com), BODY, 1.0)
+    return of_points(h, shape, Surroundings(points=points, twins=(), share=0.0, mirror=None))
+
+
+LONG = "long towards its next joint"
+AHEAD = "CoM on the side of its next joint"
+
+
+@pytest.mark.parametrize(
+    ("second_moments", "points", "weight", "reasons"),
+    [
+        ((1.0, 0.1, 0.1), [], 1.0, ()),
+        ((1.0, 0.1, 0.1), [(0.3, 0.0, 0.0)], 2.5, (LONG,)),
+        ((1.0, 0.1, 0.1), [(-0.3, 0.0, 0.0)], 2.5, (LONG,)),
+        ((1.0, 0.1, 0.1), [(0.0, 0.3, 0.0)], 0.6, ()),
+        # The farthest one counts.
+        ((1.0, 0.1, 0.1), [(0.0, 0.3, 0.0), (0.4, 0.0, 0.0)], 2.5, (LONG,)),
+        ((1.0, 0.1, 0.1), [(0.0, 0.3, 0.3), (0.4, 0.0, 0.0)], 0.6, ()),
+        # Towards it is within 32 degrees, whose cosine is 0.85.
+        ((1.0, 0.1, 0.1), [(0.86, 0.0, -sqrt(1.0 - 0.86**2))], 2.5, (LONG,)),
+        ((1.0, 0.1, 0.1), [(0.84, 0.0, -sqrt(1.0 - 0.84**2))], 0.6, ()),
+        ((0.1, 1.0, 0.1), [(0.0, 0.086, sqrt(1.0 - 0.86**2) / 10.0)], 2.5, (LONG,)),
+        # Long is what has two and a half times the next second moment.
+        ((2.6, 1.0, 0.1), [(0.3, 0.0, 0.0)], 2.5, (LONG,)),
+        ((2.4, 1.0, 0.1), [(0.3, 0.0, 0.0)], 1.0, ()),
+        ((1.0, -1.0, -0.1), [(0.3, 0.0, 0.0)], 2.5, (LONG,)),
+        ((0.0, -1.0, -0.1), [(0.3, 0.0, 0.0)], 1.0, ()),
+    ],
+)
+def test_links_are_long_towards_their_joints(
+    second_moments: Vector3, points: list[Vector3], weight: float, reasons: tuple[str, ...]
+) -> None:
+    found = said(second_moments, *points)
+    assert found.log_weight == pytest.approx(log(weight))
+    assert found.reasons == reasons
+
+
+@pytest.mark.parametrize(
+    ("com", "weight", "reasons"),
+    [
+        ((0.1, 0.0, 0.0), 1.2, (AHEAD,)),
+        ((0.1, -0.05, 0.0), 1.2, (AHEAD,)),
+        ((0.1, -0.2, 0.0), 0.3, ()),
+        ((0.1, -0.1, 0.5), 0.3, ()),
+        ((-0.1, 0.0, 0.0), 0.3, ()),
+    ],
+)
+def test_a_com_is_mostly_on_the_side_of_the_next_joint(
+    com: Vector3, weight: float, reasons: tuple[str, ...]
+) -> None:
+    ball = (1.0, 1.0, 1.0)
+    point = (0.3, 0.3, 0.0)
+    found = said(ball, point, slip=Slip.COM_SIGN, com=com)
+    assert found.log_weight == pytest.approx(log(weight))
+    assert found.reasons == reasons
+    assert said(ball, point, slip=Slip.SIGNS, com=com) == Evidence(0.0)
+    rod = said((1.0, 0.1, 0.1), (0.3, 0.1, 0.0), slip=Slip.COM_SIGN, com=(0.1, 0.0, 0.0))
+    assert rod.log_weight == pytest.approx(log(2.5 * 1.2))
+    assert rod.reasons == (LONG, AHEAD)
+
+
+def changed(place: int, change: float) -> MassDistribution:
+    """Return the body with one of its ten numbers changed."""
+    ten = [BODY.mass, *BODY.com, *BODY.moments]
+    ten[place] += change
+    mass, x, y, z, *moments = ten
+    return MassDistribution(mass, (x, y, z), tuple(moments))  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("place", range(10))
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_bodies_are_the_same_within_a_fiftieth_of_the_greatest_number(
+    place: int, sign: float
+) -> None:
+    greatest = 1.0 if place == 0 else 0.3 if place < 4 else 5.0
+    near, far = (changed(place, sign * share * greatest) for share in (0.0195, 0.0205))
+    assert is_same_body(BODY, near) and is_same_body(near, BODY)
+    assert not is_same_body(BODY, far) and not is_same_body(far, BODY)
+
+
+def test_a_fiftieth_is_near() -> None:
+    assert is_same_body(BODY._replace(mass=50.0), BODY._replace(mass=49.0))
+
+
+@pytest.mark.parametrize("x", [1.0, -1.0])
+@pytest.mark.parametrize("y", [1.0, -1.0])
+@pytest.mark.parametrize("z", [1.0, -1.0])
+def test_a_mirror_image_has_some_axes_reversed(x: float, y: float, z: float) -> None:
+    a, b, c = BODY.com
+    *plain, xy, xz, yz = BODY.moments
+    moments = (*plain, x * y * xy, x * z * xz, y * z * yz)
+    image = MassDistribution(BODY.mass, (x * a, y * b, z * c), moments)  # type: ignore[arg-type]
+    assert is_mirror_image(BODY, image)
+    assert is_same_body(BODY, image) == (x == y == z == 1.0)
+    for place in range(1, 10):
+        ten = [image.mass, *image.com, *image.moments]
+        assert not is_mirror_image(BODY, negated(ten, place))
+
+
+def negated(ten: list[float], place: int) -> MassDistribution:
+    mass, x, y, z, *moments = (-v if n == place else v for n, v in enumerate(ten))
+    return MassDistribution(mass, (x, y, z), tuple(moments))  # type: ignore[arg-type]
+
+
+def around(text: str, **values: float) -> Surroundings:
+    """Return what is known of the first link that needs an explanation."""
+    bindings = {name: Binding(value) for name, value in values.items()}
+    analysis = analyse(text, Settings(bindings=bindings))
+    found = suspects_of(analysis.model, analysis.context)[0]
+    return surroundings(analysis.model, analysis.context, found)
+
+
+POSE = "{ translation = (%s) rotation = (0.0, 0.0, 0.0) }"
+ARM = f"""Robot Arm {{
+RobotBase ground {{ children {{ arm via shoulder }} }}
+link arm {{ id = 1 {WRONG} children {{ hand via wrist }} frames {{ tool {POSE} other {POSE} }} }}
+link hand {{ id = 2 children {{}} }}
+r_joint shoulder {{ ref_frame {POSE % "0.5, 0.0, 0.0"} }}
+r_joint wrist {{ ref_frame {POSE} }}
+}}
+"""
+
+
+def test_points_are_those_of_frames_and_of_the_next_joints() -> None:
+    found = around(ARM % ("0.0, 0.0, 0.3", "0.1, 0.0, 0.0", "0.0, 0.2, 0.0"))
+    assert found.points == ((0.0, 0.0, 0.3), (0.1, 0.0, 0.0), (0.0, 0.2, 0.0))
+    assert found.reach((0.0, 0.0, 0.0)) == 0.3
+    assert found.reach((0.3, 0.0, 0.4)) == 0.5
+
+
+def test_a_joint_that_does_not_exist_is_nowhere() -> None:
+    text = ARM % ("0.0, 0.0, 0.3", "0.1, 0.0, 0.0", "0.0, 0.2, 0.0")
+    found = around(text.replace("hand via wrist", "hand via wirst"))
+    assert found.points == ((0.0, 0.0, 0.3), (0.1, 0.0, 0.0))
+
+
+def test_points_near_the_origin_say_nothing() -> None:
+    found = around(ARM % ("0.0, 0.0, 0.021", "0.012, 0.012, 0.0", "0.0, 0.019, 0.0"))
+    assert found.points == ((0.0, 0.0, 0.021),)
+
+
+def test_points_may_depend_on_parameters() -> None:
+    text = ARM % ("0.0, 0.0, reach", "0.1, 0.0, 0.0", "0.0, far, 0.0")
+    assert around(text, reach=0.7).points == ((0.0, 0.0, 0.7), (0.1, 0.0, 0.0))
+
+
+def test_points_are_not_compared_with_an_inertia_in_another_frame() -> None:
+    text = ARM % ("0.0, 0.0, 0.3", "0.1, 0.0, 0.0", "0.0, 0.2, 0.0")
+    assert around(text.replace("Iyz=0.0 }", "Iyz=0.0 ref_frame = tool }")).points == ()
+
+
+def legs(**sections: str) -> str:
+    """Return a star of links with these names and inertias."""
+    text = document_of_bodies(list(sections.values()))
+    for number, name in reversed(list(enumerate(sections, 1))):
+        text = text.replace(f"body{number} ", f"{name} ")
+    return text
+
+
+@pytest.mark.parametrize(
+    ("sections", "twins", "share", "mirror"),
+    [
+        ({"left_leg": WRONG, "right_leg": RIGHT}, ["right_leg"], 1.0, "right_leg"),
+        ({"right_leg": WRONG, "left_leg": RIGHT}, ["left_leg"], 1.0, "left_leg"),
+        ({"left_leg": WRONG, "right_arm": RIGHT}, [], 0.0, None),
+        ({"left_leg": WRONG, "right_leg": WRONG}, [], 0.0, None),
+        # Of the same part are links of the same mass; those that are possible are twins.
+        (
+            {"LF_leg": WRONG, "RF_leg": WRONG, "LH_leg": RIGHT, "RH_leg": RIGHT},
+            ["LH_leg", "RH_leg"],
+            2.0 / 3.0,
+            "RF_leg",
+        ),
+        (
+            {"LF_leg": WRONG, "LH_leg": RIGHT, "RH_leg": SECTION % ("1.03", "0.10")},
+            ["LH_leg"],
+            1.0,
+            None,
+        ),
+        (
+            {"LF_leg": WRONG, "LH_leg": RIGHT, "RH_leg": SECTION % ("0.99", "0.10")},
+            ["LH_leg", "RH_leg"],
+            1.0,
+            None,
+        ),
+        (
+            {"leg1": SECTION % ("50.0", "0.30"), "leg2": SECTION % ("49.0", "0.10")},
+            ["leg2"],
+            1.0,
+            None,
+        ),
+        (
+            {"leg1": SECTION % ("2.0", "0.30"), "leg2": SECTION % ("2.03", "0.10")},
+            ["leg2"],
+            1.0,
+            None,
+        ),
+        ({"left_leg": WRONG, "right_leg": RIGHT.replace("1.0", "unbound")}, [], 0.0, None),
+        # Of very many only the first eight are seen.
+        (
+            {"leg1": WRONG, **{f"leg{n}": RIGHT for n in range(2, 12)}},
+            [f"leg{n}" for n in range(2, 9)],
+            1.0,
+            None,
+        ),
+    ],
+)
+def test_twins_are_possible_links_of_the_same_part(
+    sections: dict[str, str], twins: list[str], share: float, mirror: str | None
+) -> None:
+    found = around(legs(**sections))
+    assert [twin.name for twin in found.twins] == twins
+    assert found.share == pytest.approx(share)
+    assert found.mirror == mirror
+
+
+def test_a_twin_that_nothing_is_known_of_is_none() -> None:
+    text = legs(left_leg=WRONG, right_leg=RIGHT, L_leg="")
+    assert [twin.name for twin in around(text).twins] == ["right_leg"]
+
+
+def test_nameless_links_are_of_no_part() -> None:
+    assert around(legs(left=WRONG, right=RIGHT)).twins == ()
