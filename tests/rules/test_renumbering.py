@@ -10,7 +10,7 @@ from tests.support.one_rule import found, told
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.settings import Settings
 from kindsl.rules.examples import link, robot
-from kindsl.rules.renumbering import renumbering
+from kindsl.rules.renumbering import regular_order, renumbering
 from kindsl.text.edits import apply_edits
 
 NUMBERS = Settings(select=("KD101", "KD109", "KD110"))
@@ -118,3 +118,40 @@ def test_the_place_before_is_shown() -> None:
     text = robot(link("a", 1), link("b", 2), base="a via i b via j", joints="j i")
     (finding,) = found("KD705", text)
     assert [related.message for related in finding.related] == ["moves link 2"]
+
+
+def test_two_parents_are_not_renumbered() -> None:
+    links = link("one", 3, "top via a"), link("two", 4, "top via b"), link("top", 5)
+    text = robot(*links, base="one via c two via d", joints="a b c d")
+    assert renumbering(analyse(text).model) is None
+
+
+@pytest.mark.parametrize(("findings", "is_offered"), [(200_000, True), (200_001, False)])
+def test_a_fix_is_not_copied_without_end(findings: int, is_offered: bool) -> None:
+    """One number changes; two hundred thousand changes are as much as is told in total."""
+    model = analyse(chain(1, 2, 4), NUMBERS).model
+    assert (renumbering(model, findings) is not None) == is_offered
+
+
+@pytest.mark.parametrize(
+    ("ids", "order"), [((2, 1, 3), "b a c"), ((1, 3, 2), "a c b"), ((3, 2, 1), "c b a")]
+)
+def test_links_are_ordered_by_their_numbers_where_they_may_be(
+    ids: tuple[int, ...], order: str
+) -> None:
+    names = "abc"
+    links = [link(name, number) for name, number in zip(names, ids, strict=True)]
+    pairs = " ".join(f"{name} via to_{name}" for name in names)
+    joints = " ".join(f"to_{name}" for name in names)
+    beside = analyse(robot(*links, base=pairs, joints=joints)).model
+    assert [str(body.name) for body in regular_order(beside) or ()] == order.split()
+    hub = link("hub", 9, pairs)
+    below = analyse(robot(*links, hub, base="hub via to_hub", joints=f"{joints} to_hub")).model
+    assert [str(body.name) for body in regular_order(below) or ()] == ["hub", *order.split()]
+
+
+def test_links_without_a_number_come_first() -> None:
+    links = link("a", 1), link("b", 2).replace("id = 2", "")
+    model = analyse(robot(*links, base="a via ja b via jb", joints="ja jb")).model
+    assert [str(body.name) for body in regular_order(model) or ()] == ["b", "a"]
+    assert renumbering(model) is None

@@ -101,6 +101,9 @@ def signs_of(text: str, one: str, other: str, **values: float) -> list[Vector3]:
         (("0.0, 0.1, 0.0", STRAIGHT), ("0.0, -0.103, 0.0", STRAIGHT), (1.0, 1.0, 1.0)),
         # A hind leg that is a copy.
         (("0.4, 0.1, 0.0", STRAIGHT), ("-0.3, 0.1, 0.0", STRAIGHT), (1.0, 1.0, 1.0)),
+        # Height is the same within two per cent of 0.46 m, or it is moved along two axes.
+        (("0.4, 0.1, 0.2", STRAIGHT), ("-0.3, 0.1, 0.209", STRAIGHT), (1.0, 1.0, 1.0)),
+        (("0.4, 0.1, 0.2", STRAIGHT), ("-0.3, 0.1, 0.22", STRAIGHT), None),
         # One that is reflected and moved.
         (("0.4, 0.1, 0.2", STRAIGHT), ("-0.3, -0.1, 0.2", STRAIGHT), (1.0, -1.0, 1.0)),
         # Axes that are neither kept nor reversed, though the joints are at mirrored places.

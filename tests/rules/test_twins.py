@@ -3,7 +3,7 @@
 import pytest
 from tests.support.one_rule import MOMENTS, row, section, told
 
-from kindsl.rules.inertia.twins import mirrored_name, part_name
+from kindsl.rules.inertia.twins import mirrored_name, other_side, part_name
 
 
 @pytest.mark.parametrize(
@@ -136,3 +136,13 @@ def test_twins_may_lack_what_the_other_has() -> None:
     names = "left_arm right_arm left_leg"
     assert told("KD312", row(given, "", given, names=names)) == []
     assert told("KD312", row("", given, given, names=names)) == []
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [("LF_hip", "RF_hip"), ("left_arm", "right_arm"), ("wheelL", "wheelR"), ("Left", "Right")],
+)
+def test_either_side_has_another(one: str, other: str) -> None:
+    assert other_side(one) == other
+    assert other_side(other) == one
+    assert other_side("hip") is None

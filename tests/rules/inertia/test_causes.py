@@ -12,6 +12,7 @@ from kindsl.rigid.body import (
     second_moments_about_com,
     shifted,
 )
+from kindsl.rules.inertia import explanations
 from kindsl.rules.inertia.causes import (
     Cause,
     candidates,
@@ -21,8 +22,14 @@ from kindsl.rules.inertia.causes import (
 )
 from kindsl.rules.inertia.judgements import Judgement, Verdict
 from kindsl.rules.inertia.likelihood import Shape, log_likelihood, shape_of
-from kindsl.rules.inertia.slips import Hypothesis, Slip
-from kindsl.rules.inertia.surroundings import Surroundings, Twin, of_points, of_twins
+from kindsl.rules.inertia.slips import Hypothesis, Slip, hypotheses
+from kindsl.rules.inertia.surroundings import (
+    Surroundings,
+    Twin,
+    of_points,
+    of_twins,
+    surroundings,
+)
 from kindsl.rules.inertia.suspects import suspects_of
 
 NOWHERE = Surroundings(points=(), twins=(), share=0.0, mirror=None)
@@ -274,3 +281,43 @@ def test_what_is_known_of_a_link_is_added() -> None:
     assert cause.log_likelihood == pytest.approx(cause.log_alone + there.log_weight)
     assert cause.reasons == here.reasons + there.reasons
     assert len(cause.reasons) == 2
+
+
+def test_only_what_is_there_can_be_wrong() -> None:
+    def slips(com: tuple[float, float, float], *products: float) -> set[tuple[object, ...]]:
+        body = BALL._replace(com=com, moments=(0.02, 0.03, 0.04, *products))
+        found = [h for h in hypotheses(body, EXACT) if not h.power]
+        assert all(h.has_products == any(products) for h in found)
+        return {(h.slips, h.names) for h in found if Slip.SWAP not in h.slips}
+
+    reference, sign = ((Slip.REFERENCE,), ()), ((Slip.SIGNS,), ("Ixy",))
+    x, z = (((Slip.COM_SIGN,), (f"the {axis} of the CoM",)) for axis in "xz")
+    assert slips((0.0, 0.0, 0.0), 0.0, 0.0, 0.0) == set()
+    assert slips((0.1, 0.0, 0.3), 0.0, 0.0, 0.0) == {reference, x, z}
+    assert slips((0.0, 0.0, 0.0), 0.1, 0.0, 0.0) == {sign}
+
+
+def test_each_link_is_told_what_the_others_say(monkeypatch: pytest.MonkeyPatch) -> None:
+    text = "inertia_params { mass = 2.0 CoM = (0.1, 0.2, %s) Ix=0.02 Iy=0.02 Iz=0.02 Ixy=0.00"
+    sections = [f"{text % z} Ixz=0.00 Iyz=0.00 }}" for z in ("0.30", "0.25", "0.20")]
+    heard: list[dict[object, float]] = []
+
+    def listening(
+        causes: list[Cause], others: dict[object, float], as_written: float
+    ) -> list[Cause]:
+        heard.append(others)
+        return ranked(causes, others, as_written)
+
+    monkeypatch.setattr(explanations, "ranked", listening)
+    for count in (1, 2, 3):
+        heard.clear()
+        analysis = analyse(document_of_bodies(sections[:count]))
+        model, context = analysis.model, analysis.context
+        suspects = suspects_of(model, context)
+        explanations.explanations(suspects, model, context)
+        said = [said_by(candidates(f, surroundings(model, context, f))) for f in suspects]
+        assert len(heard) == count
+        for own, others in enumerate(heard):
+            for kind in {kind for each in said for kind in each}:
+                expected = sum(each.get(kind, 0.0) for n, each in enumerate(said) if n != own)
+                assert others.get(kind, 0.0) == pytest.approx(expected, abs=1e-9)

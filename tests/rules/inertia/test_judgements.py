@@ -23,6 +23,7 @@ from kindsl.rules.inertia.judgements import (
     judgements,
     verdict_of,
 )
+from kindsl.rules.inertia.suspects import suspects_of
 from kindsl.semantics.declarations import Inertia
 from kindsl.semantics.parameters import Binding
 
@@ -207,9 +208,23 @@ def test_what_parameters_say_is_judged_once_for_their_values() -> None:
     assert judgements(declared, analysis_of("", a=0.05).context) is not known
 
 
-def test_a_plate_is_not_impossible() -> None:
-    plate = analysis_of(section("0.020 0.020 0.040"))
-    assert not is_impossible(plate.model.links[0], plate.context)
+@pytest.mark.parametrize(
+    ("moments", "is_suspect"),
+    [
+        ("0.020 0.020 0.020", False),
+        ("0.020 0.020 0.040", False),  # a plate
+        ("0.020 0.020 0.041", False),
+        ("0.020 0.020 0.050", True),
+        ("200.0 200.0 200.0", True),
+    ],
+)
+def test_what_is_impossible_or_of_no_material_needs_an_explanation(
+    moments: str, is_suspect: bool
+) -> None:
+    analysis = analysis_of(section(moments))
+    assert bool(suspects_of(analysis.model, analysis.context)) == is_suspect
+    expected = is_suspect and moments != "200.0 200.0 200.0"
+    assert is_impossible(analysis.model.links[0], analysis.context) == expected
 
 
 @pytest.mark.parametrize(("least", "verdict"), [(3.5, Verdict.POSSIBLE), (2.5, Verdict.SINGULAR)])
