@@ -140,6 +140,17 @@ def test_a_placeholder_in_a_fixed_base_matters_to_nobody(word: str, count: int) 
     assert len(found("KD310", with_base(word, ones))) == count
 
 
+@pytest.mark.parametrize(
+    ("ix", "iy", "smallest"), [("0.030", "0.020", "-0.07"), ("0.030", "0.050", "-0.06")]
+)
+def test_the_smallest_of_three_moments_is_told(ix: str, iy: str, smallest: str) -> None:
+    """Each of 1 kg at 0.3 m on z, which takes 0.09 kg·m² from two of them."""
+    assert told("KD301", body("1.000", "0.000, 0.000, 0.300", ix, iy, "0.040")) == [
+        "inertia of 'ball' is not positive definite: "
+        f"smallest principal moment about the CoM is {smallest} kg·m²"
+    ]
+
+
 def payload(moment: str, mass: str = "m") -> str:
     return body(mass, "0.0, 0.0, 0.3", moment, moment, "0.01")
 
@@ -158,6 +169,11 @@ def payload(moment: str, mass: str = "m") -> str:
         (payload("0.1"), Binding(1.8, 0.5, 2.0), []),
         (payload("0.1", "<m=1.0>"), Binding(1.0, 0.5, 2.0), []),
         (payload("x"), Binding(1.0, 0.5, 2.0), []),
+        (
+            body("1.0", "0.0, 0.0, 0.0", "0.1", "0.1", "0.1", "0.0", "0.0", "0.0*1.0/m"),
+            Binding(0.1, -0.3, 0.2),
+            ["inertia of 'ball' could not be proved possible in all of its ranges"],
+        ),
         (
             body("m", "0.0, 0.0, 0.300", "0.100", "0.100", "<p=0.010>"),
             Binding(1.0, 0.5, 2.0),

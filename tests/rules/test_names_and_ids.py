@@ -38,6 +38,13 @@ def given_in(frame: str) -> str:
         ((1, 3, 4), ["id 2 is missing, and id 3 is out of sequence"]),
         ((1, 4, 5), ["ids 2 and 3 are missing, and id 4 is out of sequence"]),
         ((1, 3, 5), ["id 2 is missing, and id 5 is out of sequence"]),
+        (
+            (1, 3, 5, 6, 7),
+            [
+                "id 2 is missing, and id 3 is out of sequence",
+                "id 4 is missing, and id 5 is out of sequence",
+            ],
+        ),
         ((1, 6, 7, 9), ["ids 2 to 4 are missing, and id 9 is out of sequence"]),
         (
             (2, 4, 7, 8, 9),
@@ -125,6 +132,19 @@ def test_the_order_of_numbers_is_fatal_for_robcogen2_alone() -> None:
     assert told_as("KD110", chain(2, 1), "robcogen") == [("warning", message)]
     assert told_as("KD110", chain(2, 1), "robcogen2") == [("error", message)]
     assert told_as("KD110", chain(2, 1), "robcogen", "robcogen2") == [("error", message)]
+
+
+def test_links_of_one_name_are_not_told_of_their_number_too() -> None:
+    text = robot(link("a", 1), link("a", 1), base="a via j", joints="j")
+    assert told("KD102", text) == ["'a' is already the name of another link"]
+    assert told("KD101", text) == []
+
+
+def test_a_second_base_is_no_link_with_a_name_taken() -> None:
+    text = robot(link("a", 1), base="a via j", joints="j")
+    again = text.replace("link a", "RobotBase ground { children { } }\nlink a", 1)
+    assert told("KD102", again) == []
+    assert len(told("KD009", again)) == 1
 
 
 @pytest.mark.parametrize(

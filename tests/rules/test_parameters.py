@@ -86,6 +86,7 @@ def test_robcogen2_alone_has_defaults(targets: tuple[str, ...], is_fixed: bool) 
             ],
         ),
         ("KD407", "<k=0.5>, <k=0.50>, <k>", []),
+        ("KD407", "<k=0.5>, <k>, <k=0.50>", []),
         ("KD407", "<k>, <k=0.5>, <k=0.4>", ["constant 'k' is 0.4 here and 0.5 elsewhere"]),
         (
             "KD407",
@@ -207,7 +208,12 @@ def test_a_constant_without_value_is_not_what_another_means() -> None:
         (at("elbow, 0.0, 0.0"), ["parameter 'elbow' has the same name as a joint"]),
         (at("on_elbow, 0.0, 0.0"), ["parameter 'on_elbow' has the same name as a link"]),
         (at("ground, 0.0, 0.0"), ["parameter 'ground' has the same name as a link"]),
-        (at("elbow, 0.0, 0.0;"), []),
+        (at("elbow, 0.0, 0.0").replace("ref_frame", "; ref_frame"), []),
+        (at("pitch, 0.0, 0.0").replace("ref_frame", "; ref_frame"), []),
+        (
+            at("2.5m, 0.0, 0.0") + at("0.0, 0.0, 0.0", name="m"),
+            ["'2.5m' is 2.5 times a parameter 'm': numbers have no unit"],
+        ),
         (at("0.0, pi, 0.0"), ["'pi' is a parameter for robcogen and the number for robcogen2"]),
         (at("0.0, Pi, 0.0"), ["'Pi' is a parameter for robcogen and the number for robcogen2"]),
         (at("0.0, pI, 0.0"), ["'pI' is a parameter for robcogen and the number for robcogen2"]),

@@ -77,3 +77,24 @@ def test_a_repeated_child_may_end_a_broken_document() -> None:
     text = "Robot R {\nRobotBase b { children { a via j a via j"
     analysis = analyse(text)
     assert analysis.faults == ()
+
+
+@pytest.mark.parametrize(
+    ("joints", "spare"),
+    [("j", []), ("j k", ["joint 'k' is not used"]), ("j k l", [])],
+)
+def test_the_only_joint_left_may_be_meant_by_a_joint_named_twice(
+    joints: str, spare: list[str]
+) -> None:
+    text = robot(link("a", 1), link("b", 2), base="a via j b via j", joints=joints)
+    (finding,) = found("KD205", text)
+    assert finding.message == "joint 'j' already connects link 'a'"
+    assert [r.message for r in finding.related] == ["'a' moves by 'j'", *spare]
+
+
+def test_the_base_is_shown_where_it_is_a_child() -> None:
+    text = robot(link("a", 1, "ground via k"), base="a via j", joints="j k")
+    (finding,) = found("KD206", text)
+    assert finding.message == "the base 'ground' cannot be a child of 'a'"
+    (related,) = finding.related
+    assert text[related.start : related.end] == "ground" and related.start < finding.start

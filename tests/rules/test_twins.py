@@ -113,7 +113,9 @@ def test_what_is_small_beside_its_kind_does_not_differ(place: int) -> None:
         other = f"{number + (share * size if number > 0.0 else -share * size):.6f}"
         if place in (0, 3, 4):
             other = f"{number - share * size:.6f}"
-        assert bool(told("KD312", pair(LEFT, changed(MIRRORED, {place: other})))) == is_told
+        given = changed(MIRRORED, {place: other})
+        assert bool(told("KD312", pair(LEFT, given))) == is_told
+        assert bool(told("KD312", pair(given, LEFT))) == is_told
 
 
 @pytest.mark.parametrize(

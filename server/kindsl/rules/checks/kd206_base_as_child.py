@@ -26,9 +26,9 @@ from kindsl.semantics.model import Model
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each pair that names the base."""
     for edge in reference_defects(model).bases:
-        if edge.link is not None:
-            message = f"the base '{edge.link.name}' cannot be a child of '{edge.predecessor.name}'"
-            yield Finding(edge.child.link, message, (Related(edge.link.name, "the base"),))
+        base = model.body_named[edge.child.link]
+        message = f"the base '{base.name}' cannot be a child of '{edge.predecessor.name}'"
+        yield Finding(edge.child.link, message, (Related(base.name, "the base"),))
 
 
 def _leg(children: str) -> str:

@@ -60,7 +60,7 @@ def _without_sign(inertia: Inertia, mass: Expression, values: Mapping[str, float
     pairs = eigensystem(second_moments_about_com(body))
     if verdict_of(body, half_widths(inertia, values), pairs) is not Verdict.POSSIBLE:
         return None
-    text = mass.text.removeprefix("-").lstrip()
+    text = mass.text.removeprefix("-")
     return Fix(f"Write {text}", (Change(mass, text),))
 
 

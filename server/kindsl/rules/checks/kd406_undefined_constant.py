@@ -21,6 +21,7 @@ from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint
 from kindsl.semantics.model import Model
+from kindsl.semantics.parameters import Constant
 from kindsl.semantics.places import Name
 from kindsl.text.nearest import hint, nearest_name
 
@@ -32,9 +33,13 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         if name and not constant.definitions and not _may_be_lost(model, name):
             known = (str(other.name) for other in model.constants if other.definitions)
             meant = nearest_name(name, known)
-            changes = tuple(Change(use.name, meant) for use in constant.uses) if meant else ()
-            fix = Fix(f"Replace '{name}' with '{meant}'", changes) if meant else None
+            fix = _replacement(constant, meant) if meant else None
             yield Finding(name, f"constant '{name}' has no value{hint(meant)}", fix=fix)
+
+
+def _replacement(constant: Constant, meant: str) -> Fix:
+    changes = tuple(Change(use.name, meant) for use in constant.uses)
+    return Fix(f"Replace '{constant.name}' with '{meant}'", changes)
 
 
 def _may_be_lost(model: Model, name: Name) -> bool:

@@ -23,7 +23,7 @@ from kindsl.semantics.model import Model
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each value that is not the first one."""
     for constant in model.constants:
-        values = [use.value for use in constant.definitions if use.value is not None]
+        values = [use.value for use in constant.uses if use.value is not None]
         for other in values[1:]:
             if other.value({}) != values[0].value({}):
                 message = f"constant '{constant.name}' is {other.text} here"

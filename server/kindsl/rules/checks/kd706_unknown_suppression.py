@@ -56,7 +56,7 @@ def _of_word(directive: Directive) -> Finding:
     start = directive.at.end
     word = "".join(takewhile(_is_of_a_word, text[start : directive.comment.end]))
     end = start + len(word)
-    meant = nearest_word(word, _WORDS) if word else None
+    meant = nearest_word(word, _WORDS)
     message = f"unknown comment 'kindsl: {word}'{hint(meant)}"
     at = Place(directive.comment.island, directive.at.start, end)
     if meant is None:
