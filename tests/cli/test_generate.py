@@ -261,6 +261,17 @@ def test_generated_code_fits_its_document(
     assert (told.status, told.out, told.err) == (0, "", f"out: fits {document}\n")
 
 
+@pytest.mark.parametrize("language", ["c", "python"])
+def test_code_is_checked_for_the_values_that_it_was_generated_for(
+    language: str, kindsl: Runner, document: Path, folder: Path
+) -> None:
+    document.write_text(UNBOUND)
+    options = ("--quantities", "poses", "--language", language, "--param", "length=2.5")
+    assert kindsl("generate", document, "-o", "out", *options).status == 0
+    for given, status in ((), 0), (("--param", "length=2.5"), 0), (("--param", "length=3.5"), 1):
+        assert kindsl("generate", document, "--check", "out", *given).status == status
+
+
 @needs_compiler
 def test_code_that_no_longer_fits(kindsl: Runner, document: Path, folder: Path) -> None:
     assert kindsl(*_c(document, "--quantities", "gravity_torque")).status == 0

@@ -10,6 +10,7 @@ from pathlib import Path
 from kindsl.codegen.generating import Source, generate
 from kindsl.codegen.library import GenerationError
 from kindsl.codegen.manifest import NAME, Manifest, changed_files, digest, read_manifest
+from kindsl.semantics.parameters import Binding
 
 _PATIENCE = 600  # seconds
 
@@ -17,9 +18,9 @@ _PATIENCE = 600  # seconds
 def misfit(source: Source, folder: Path) -> str | None:
     """Return why code does not fit a document, None if it does.
 
-    The code that would be generated today is compared first. If it is another one, because the
-    document or this program changed, what the present code computes decides, where there is a C
-    compiler.
+    The code that would be generated today is compared first, with the values that parameters had
+    then where they have none now. If it is another one, because the document, a value or this
+    program changed, what the present code computes decides, where there is a C compiler.
 
     Raises:
         GenerationError: There is no generated code, or none can be generated any more.
@@ -30,8 +31,7 @@ def misfit(source: Source, folder: Path) -> str | None:
         raise GenerationError(f"'{folder}' holds no generated code")
     if changed := changed_files(folder, manifest):
         return f"'{folder / changed[0]}' was edited or is missing"
-    source = source._replace(bindings=manifest.bindings, transforms=manifest.transforms)
-    library, files = generate(source, manifest.options, manifest.stamp)
+    library, files = generate(_as_then(source, manifest), manifest.options, manifest.stamp)
     files.pop(NAME)
     if {name: digest(text.encode("utf-8")) for name, text in files.items()} == manifest.files:
         return None
@@ -46,6 +46,16 @@ def misfit(source: Source, folder: Path) -> str | None:
     if _has_other_numbers(folder, manifest, test, compiler):
         return f"{why}, and gives other numbers"
     return None
+
+
+def _as_then(source: Source, manifest: Manifest) -> Source:
+    """Return a source with the transforms and values of a manifest; values of today win."""
+    then = {name: Binding(value) for name, value in manifest.bindings.items()}
+    settings = source.analysis.settings
+    settings = settings._replace(bindings={**then, **settings.bindings})
+    return source._replace(
+        analysis=source.analysis.with_settings(settings), transforms=manifest.transforms
+    )
 
 
 def _has_other_numbers(folder: Path, manifest: Manifest, test: str, compiler: list[str]) -> bool:
