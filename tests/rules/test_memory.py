@@ -2,6 +2,7 @@
 
 from kindsl.analysis.analysis import analyse
 from kindsl.rules.broken_text import has_problem_within
+from kindsl.rules.duplicates import repeats
 from kindsl.rules.examples import link, robot
 from kindsl.rules.memory import remembered
 from kindsl.semantics.places import Place
@@ -11,19 +12,28 @@ def test_what_is_made_is_remembered_while_nothing_has_changed() -> None:
     body = analyse(robot(link("arm", 1))).model.links[0]
     made: list[str] = []
 
-    def make(what: str, *given: object) -> object:
-        return remembered(body, what, given, lambda: (made.append(what), given)[1])
+    def make(what: str, *given: object) -> str:
+        def making() -> str:
+            made.append(what)
+            return f"{what} of {given}"
 
-    assert make("weight", 1, 2) == (1, 2)
-    assert make("weight", 1, 2) == (1, 2)
-    assert make("size", 1, 2) == (1, 2)
+        return remembered(body, what, given, making)
+
+    assert make("weight", 1, 2) == "weight of (1, 2)"
+    assert make("weight", 1, 2) == "weight of (1, 2)"
+    assert make("size", 1, 2) == "size of (1, 2)"
     assert made == ["weight", "size"]
-    assert make("weight", 1, 3) == (1, 3)
-    assert make("weight", 1, 2) == (1, 2)
+    assert make("weight", 1, 3) == "weight of (1, 3)"
+    assert make("weight", 1, 2) == "weight of (1, 2)"
     assert made == ["weight", "size", "weight", "weight"]
-    assert make("nothing") == ()
-    assert make("nothing") == ()
+    assert make("nothing") == make("nothing") == "nothing of ()"
     assert made[4:] == ["nothing"]
+
+
+def test_things_repeat_what_the_first_of_their_kind_has() -> None:
+    words = ["arm", "leg", "", "Arm", "", "ARM", "hand"]
+    assert repeats(words, str.lower) == [("arm", "Arm"), ("arm", "ARM")]
+    assert repeats([1, 2, 3], lambda _: None) == []
 
 
 def test_a_problem_within_a_place_or_right_beside_it_counts() -> None:

@@ -150,8 +150,20 @@ def test_links_are_ordered_by_their_numbers_where_they_may_be(
     assert [str(body.name) for body in regular_order(below) or ()] == ["hub", *order.split()]
 
 
+def test_a_link_may_carry_the_base_in_error() -> None:
+    links = link("lost", 2, "ground via neck"), link("arm", 1)
+    model = analyse(robot(*links, base="arm via elbow", joints="elbow neck")).model
+    assert [str(body.name) for body in regular_order(model) or ()] == ["arm", "lost"]
+
+
 def test_links_without_a_number_come_first() -> None:
     links = link("a", 1), link("b", 2).replace("id = 2", "")
     model = analyse(robot(*links, base="a via ja b via jb", joints="ja jb")).model
     assert [str(body.name) for body in regular_order(model) or ()] == ["b", "a"]
     assert renumbering(model) is None
+    below = robot(link("hub", 9, "a via ja b via jb"), *links, base="hub via jh", joints="ja jb jh")
+    assert [str(body.name) for body in regular_order(analyse(below).model) or ()] == [
+        "hub",
+        "b",
+        "a",
+    ]

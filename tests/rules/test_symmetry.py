@@ -112,6 +112,7 @@ def signs_of(text: str, one: str, other: str, **values: float) -> list[Vector3]:
         (("0.4, 0.1, 0.2", STRAIGHT), ("-0.3, 0.3, 0.2", STRAIGHT), None),
         # At one place nothing is reflected.
         (("0.0, 0.1, 0.0", STRAIGHT), ("0.0, 0.1, 0.0", STRAIGHT), None),
+        (("0.2, 0.1, 0.3", STRAIGHT), ("0.2, 0.1, 0.3", STRAIGHT), None),
         # A place that is not known.
         (("0.0, 0.1, 0.0", STRAIGHT), ("0.0, -hip, 0.0", STRAIGHT), None),
     ],
@@ -139,6 +140,21 @@ def test_a_loop_has_no_twins() -> None:
     text = text.replace("left via left_hip ", "")
     text = text.replace("id = 3 children { }", "id = 3 children { left via left_hip }")
     assert signs_of(text, "left", "right") == []
+
+
+@pytest.mark.parametrize(("height", "is_twin"), [("0.4", True), ("0.407", True), ("0.41", False)])
+def test_twins_lie_alike_in_all_that_carries_them(height: str, is_twin: bool) -> None:
+    text = HIPS % ("0.0, 0.1, 0.0", STRAIGHT, "0.0, -0.1, 0.0", STRAIGHT)
+    text = text.replace("id = 2 children { }", "id = 2 children { toes via heel }")
+    pose = POSE % (f"0.0, 0.0, {height}", STRAIGHT)
+    more = f"link toes {{ id = 4 children {{ }} }}\nr_joint heel {{ {pose} }}\n}}\n"
+    text = f"{text.rstrip().removesuffix('}')}{more}"
+    assert bool(signs_of(text, "foot", "toes")) == is_twin
+
+
+def test_what_no_joint_places_has_no_twin() -> None:
+    text = HIPS % ("0.0, 0.1, 0.0", STRAIGHT, "0.0, -0.1, 0.0", STRAIGHT)
+    assert signs_of(text.replace("via right_hip", "via hip"), "left", "right") == []
 
 
 def fixed_bodies(text: str, victim: str) -> list[MassDistribution]:

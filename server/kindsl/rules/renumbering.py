@@ -44,7 +44,7 @@ def regular_order(model: Model) -> list[Link] | None:
         for edge in tree.successor_edges(link):
             if edge.link is not None and edge.link in index:
                 heappush(ready, (edge.link.id or 0, index[edge.link], edge.link))
-    return order if len(order) == len(model.links) else None
+    return order
 
 
 def _parent(model: Model, link: Link) -> bool:
