@@ -251,6 +251,20 @@ def test_twins_are_possible_links_of_the_same_part(
     assert found.mirror == mirror
 
 
+@pytest.mark.parametrize(
+    ("mine", "others", "is_expected"),
+    [("", "", True), ("ref_frame = f ", "", False), ("", "ref_frame = f ", False)],
+)
+def test_a_twin_expects_nothing_in_another_frame(mine: str, others: str, is_expected: bool) -> None:
+    """The joints are one above the other, so that one leg is a copy of the other."""
+    one, other = (
+        text.replace("Iyz=0.0 }", f"Iyz=0.0 {frame}}}")
+        for text, frame in ((WRONG, mine), (RIGHT, others))
+    )
+    (twin,) = around(legs(leg1=one, leg2=other)).twins
+    assert twin.expected == (twin.body if is_expected else None)
+
+
 def test_a_twin_that_nothing_is_known_of_is_none() -> None:
     text = legs(left_leg=WRONG, right_leg=RIGHT, L_leg="")
     assert [twin.name for twin in around(text).twins] == ["right_leg"]
