@@ -123,6 +123,7 @@ SAME = section("2.0", "0.0, 0.0, 0.1", "0.05", "0.05", "0.01", "0.001")
         ((SAME.replace("0.01 ", "i "),) * 3, "upper lower hand", 0),
         ((SAME.replace("Iyz=0.0", ""),) * 3, "upper lower hand", 0),
         ((SAME.replace("2.0", "0.0"),) * 3, "upper lower hand", 0),
+        ((SAME.replace("mass = 2.0", ""),) * 3, "upper lower hand", 0),
         ((section("2.0", "0.0, 0.0, 0.0", "0.0", "0.0", "0.0"),) * 3, "upper lower hand", 0),
         ((section("2.0", "0.0, 0.0, 0.0", "0.0", "0.0", "0.1"),) * 3, "upper lower hand", 1),
         ((section("2.0", "0.0, 0.0, 0.0", "0.1", "0.0", "0.0"),) * 3, "upper lower hand", 1),

@@ -118,6 +118,16 @@ def test_what_is_small_beside_its_kind_does_not_differ(place: int) -> None:
         assert bool(told("KD312", pair(given, LEFT))) == is_told
 
 
+@pytest.mark.parametrize("place", [1, 2, 3])
+@pytest.mark.parametrize(("other", "is_told"), [("0.3805", False), ("0.3795", True)])
+def test_the_greatest_coordinate_of_both_counts(place: int, other: str, is_told: bool) -> None:
+    """It is 0.4 m: 5 % are 0.02 m."""
+    left = changed(LEFT, {place: "0.4"})
+    right = changed(MIRRORED, {place: f"-{other}" if place == 2 else other})
+    assert bool(told("KD312", pair(left, right))) == is_told
+    assert bool(told("KD312", pair(right, left))) == is_told
+
+
 @pytest.mark.parametrize(
     "right",
     [
