@@ -170,7 +170,7 @@ def _rounding(node: Node, bindings: Mapping[str, float]) -> float:
     parts = [child for child in node.children if isinstance(child, Node)]
     if node.kind in ("add", "subtract", "group", "plus", "negate"):
         return sum(_rounding(part, bindings) for part in parts)
-    if node.kind in ("multiply", "divide") and len(parts) == 2:
+    if node.kind in ("multiply", "divide"):
         return _rounding_of_product(node, parts, bindings)
     return 0.0
 

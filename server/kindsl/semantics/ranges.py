@@ -55,7 +55,7 @@ def _bounds(node: Node, known: Mapping[str, Interval]) -> Interval | None:
         return parts[0] if parts else None
     if kind == "negate":
         return _times((-1.0, -1.0), parts[0] if parts else None)
-    return _combined(kind, *parts) if len(parts) == 2 else None
+    return _combined(kind, *parts)
 
 
 def _combined(kind: str, left: Interval | None, right: Interval | None) -> Interval | None:
