@@ -45,6 +45,22 @@ def test_the_picture_follows_a_keystroke(workbench: Workbench) -> None:
     workbench.save()
 
 
+def test_shortcuts_work_with_the_focus_in_the_picture(workbench: Workbench) -> None:
+    path = workbench.open("arm.kindsl")
+    workbench.go_to("(0.9, 0.0", path, 3)
+    workbench.press("Shift+ArrowRight")
+    workbench.type("4")
+    expect(workbench.page.locator(".tab.dirty")).to_have_count(1)
+    picture = workbench.preview_frame().locator("#pane")
+    picture.click(position={"x": 5, "y": 5})
+    workbench.press("Control+s")
+    expect(workbench.page.locator(".tab.dirty")).to_have_count(0)
+    assert "(0.4, 0.0" in path.read_text()
+    workbench.press("Control+p")
+    expect(workbench.page.locator(".quick-input-widget")).to_be_visible()
+    workbench.press("Escape")
+
+
 def test_the_panel_follows_the_active_editor(workbench: Workbench) -> None:
     workbench.open("second.kindsl", models.ARM.replace("Robot arm", "Robot other"))
     expect_robot(workbench, "other")

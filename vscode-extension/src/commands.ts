@@ -5,6 +5,7 @@ import { importFile, newFile, showUrdf } from "./documents";
 import type { Previews } from "./preview";
 import { showReferences } from "./references";
 import type { ServerLife } from "./serverLife";
+import { saveSource } from "./source";
 import { revealSymbol } from "./tree";
 
 export type Commands = Record<string, (...args: never[]) => unknown>;
@@ -21,6 +22,7 @@ export function registerCommands(
     "kindsl.pinPreview": () => previews.setPinned(true),
     "kindsl.unpinPreview": () => previews.setPinned(false),
     "kindsl.showSource": () => previews.showSourceOfActive(),
+    "kindsl.saveSource": onDocument(previews, saveSource),
     "kindsl.showUrdf": onDocument(previews, (uri) => showUrdf(uri, own)),
     "kindsl.restart": () => own.restart(),
     "kindsl.showLog": () => log.show(),

@@ -22,6 +22,13 @@ button { padding: 4px 11px; border: 0; border-radius: 2px; font-family: var(--vs
 button:hover { background: var(--vscode-button-hoverBackground); }
 `;
 
+/** Shortcuts that are pressed in the frame, which VS Code does not see there. */
+const SHORTCUTS = `
+addEventListener("message", ({ source, data }) => {
+  if (source !== document.querySelector("iframe").contentWindow || data?.type !== "kindsl.key") return;
+  window.dispatchEvent(new KeyboardEvent("keydown", { ...data, bubbles: true, cancelable: true }));
+});`;
+
 /** The whole page. `nonce` must be fresh for each page. */
 export function previewPage(content: PanelContent, state: PanelState, nonce: string): string {
   const policy = [
@@ -54,7 +61,7 @@ ${theme(content)}
 }
 
 function theme(content: PanelContent): string {
-  return content.kind === "frame" ? themeScript(new URL(content.url).origin) : "";
+  return content.kind === "frame" ? themeScript(new URL(content.url).origin) + SHORTCUTS : "";
 }
 
 function body(content: PanelContent): string {

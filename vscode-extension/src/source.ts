@@ -1,4 +1,4 @@
-// Bringing a place of a document before the user's eyes without covering the preview.
+// Bringing a place of a document before the user's eyes without covering the preview, and saving the document.
 import * as vscode from "vscode";
 
 /** Show `uri` with `selection` in the column where it is, else in the first; false if it cannot be opened. */
@@ -12,6 +12,11 @@ export async function showSource(uri: vscode.Uri, selection?: vscode.Range): Pro
   } catch {
     return false;
   }
+}
+
+/** Save a document that may have no editor. */
+export async function saveSource(uri: vscode.Uri): Promise<void> {
+  await vscode.workspace.textDocuments.find((document) => document.uri.toString() === uri.toString())?.save();
 }
 
 function columnOf(uri: vscode.Uri): vscode.ViewColumn | undefined {

@@ -14,6 +14,7 @@ const KindslTheme = (() => {
       this.onChange = onChange;
       this.choice = "auto";
       this.editor = null; // {kind, colors}
+      this.isFramed = false; // in an editor's page
       this.system = matchMedia("(prefers-color-scheme: dark)");
       this.system.addEventListener("change", () => this.apply());
       addEventListener("message", (event) => this.receive(event));
@@ -39,7 +40,9 @@ const KindslTheme = (() => {
       // A panel of an editor has no parent: it takes its colours by itself.
       const { parent } = window;
       const isEditor = parent && parent !== window && source === parent && EDITORS.test(origin);
-      if (isEditor && data && data.type === "kindsl.theme") this.take(data);
+      if (!isEditor || !data || data.type !== "kindsl.theme") return;
+      this.isFramed = true;
+      this.take(data);
     }
 
     take({ kind, colors }) {

@@ -8,6 +8,9 @@ const KindslKeys = (() => {
     ["5", "top", [0, 0, 1]], ["6", "bottom", [0, 0, -1]], ["7", "oblique", [1.0, -1.35, 0.62]],
   ];
 
+  // What a browser does by itself with what is chosen or written.
+  const BROWSERS = "acvxyz";
+
   // [keys, what they do, how; those of the picture only count while it has the focus]
   function bindings({ camera, actions, history, editing }) {
     return [
@@ -37,6 +40,7 @@ const KindslKeys = (() => {
   class Keys {
     constructor(pane, parts) {
       this.pane = pane;
+      this.theme = parts.theme;
       this.all = bindings(parts);
       this.byKey = new Map(this.all.map(([key, , act, where]) => [key, { act, where }]));
       addEventListener("keydown", (event) => this.press(event));
@@ -45,12 +49,20 @@ const KindslKeys = (() => {
 
     press(event) {
       const { target } = event, isText = target.matches && target.matches("input:not([type=range]):not([type=checkbox]), textarea");
-      if (document.querySelector("dialog[open]") || (isText && event.key !== "Escape")) return;
-      const binding = this.byKey.get(nameOf(event));
+      if (document.querySelector("dialog[open]")) return;
+      const binding = isText && event.key !== "Escape" ? undefined : this.byKey.get(nameOf(event));
+      if (!binding) this.passOn(event);
       if (!binding || (binding.where === "pane" && !this.isPane(target))) return;
       event.preventDefault();
       if (isText) target.blur();
       binding.act();
+    }
+
+    // A frame keeps its keys to itself: the editor around it, if there is one, is told its shortcuts.
+    passOn({ key, code, keyCode, ctrlKey, metaKey, shiftKey, altKey }) {
+      const isShortcut = ((ctrlKey || metaKey) && !altKey && !BROWSERS.includes(key.toLowerCase())) || /^F\d/.test(key);
+      if (!this.theme.isFramed || !isShortcut) return;
+      window.parent.postMessage({ type: "kindsl.key", key, code, keyCode, ctrlKey, metaKey, shiftKey, altKey }, "*");
     }
 
     isPane(target) { return target === document.body || target === this.pane || this.pane.contains(target); }
