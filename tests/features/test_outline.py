@@ -94,6 +94,12 @@ def test_blocks_and_comments_fold():
     assert comments[-1] == "// the first line\n// the second line"
 
 
+def test_a_comment_that_begins_a_document_folds():
+    text = "// a robot\n// of ours\n" + ARM.replace("{", "{ // later", 1)
+    comments = [text[f.start : f.end] for f in folds(analyse(text)) if f.kind == "comment"]
+    assert comments[0] == "// a robot\n// of ours"
+
+
 def test_addresses_in_comments_are_links():
     assert [link.target for link in document_links(analyse(COMMENTED))] == [
         "https://example.org/robot"

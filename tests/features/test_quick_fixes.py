@@ -10,6 +10,7 @@ from kindsl.analysis.fixing import disjoint_fixes, is_mendable
 from kindsl.analysis.settings import Settings
 from kindsl.features.actions.code_actions import code_actions, fix_all_action, quick_fixes
 from kindsl.features.actions.fix_all import fix_all, line_edits
+from kindsl.features.actions.layout_edits import newline_of
 from kindsl.semantics.parameters import Binding
 from kindsl.text.edits import TextEdit, apply_edits
 
@@ -83,6 +84,50 @@ def test_a_finding_can_be_ignored_in_a_comment_above_it():
     silenced = apply_edits(text, action.edits)
     assert "KD301" not in codes(silenced)
     assert "KD704" not in codes(silenced)
+
+
+@pytest.mark.parametrize("newline", ["\n", "\r\n", "\r"])
+def test_a_comment_ends_like_the_lines_around_it(newline):
+    text = ARM.replace("(0.25, 0.0, 0.0)", "(9.0, 0.0, 0.0)", 1).replace("\n", newline)
+    found = next(d for d in analyse(text).findings if d.code == "KD301")
+    action = next(
+        a
+        for a in code_actions(analyse(text), found.start, found.start)
+        if a.title == "Ignore KD301 here"
+    )
+    silenced = apply_edits(text, action.edits)
+    line = next(part for part in silenced.split(newline) if "kindsl: ignore" in part)
+    assert line == "    // kindsl: ignore[KD301]"
+    assert silenced.count("\n") == text.count("\n") + newline.count("\n")
+
+
+@pytest.mark.parametrize(
+    ("text", "newline"),
+    [("", "\n"), ("a", "\n"), ("a\n", "\n"), ("a\r", "\r"), ("a\r\n", "\r\n"), ("a\rb\n", "\n")],
+)
+def test_the_line_end_of_a_text(text, newline):
+    assert newline_of(text) == newline
+
+
+@pytest.mark.parametrize("count", [1, 2, 3])
+def test_findings_of_one_rule_are_fixed_at_once_from_two_on(count):
+    text = ARM
+    for number in ("mass = 2.0", "Iy=0.2 ", "Iz=0.2 ")[:count]:
+        whole = number.replace("2.0", "2").replace("0.2", "1")
+        assert number in text
+        text = text.replace(number, whole, 1)
+    (first, *_) = found = [d for d in analyse(text).findings if d.code == "KD005"]
+    assert len(found) == count
+    offered = [a.title for a in quick_fixes(analyse(text), first.start, first.start)]
+    assert (f"Fix all {count} findings of KD005" in offered) == (count > 1)
+
+
+def test_a_line_among_many_that_are_alike_is_replaced_without_the_rest():
+    text = "    }\n" * 400
+    changed = text[:1200] + "  } //\n" + text[1206:]
+    edits = line_edits(text, changed)
+    assert apply_edits(text, edits) == changed
+    assert sum(edit.end - edit.start for edit in edits) == 6
 
 
 def test_errors_of_syntax_cannot_be_ignored():

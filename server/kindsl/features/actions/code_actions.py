@@ -1,6 +1,5 @@
 """What an editor offers at a selection: fixes, fixes of all like it, suppressions, refactorings."""
 
-import re
 from collections.abc import Callable, Iterator
 from weakref import WeakKeyDictionary
 
@@ -12,6 +11,7 @@ from kindsl.features.actions.add_sections import add_missing, add_sections
 from kindsl.features.actions.extract_parameter import extract_parameter
 from kindsl.features.actions.fix_all import fix_all
 from kindsl.features.actions.inline_parameter import inline_parameter
+from kindsl.features.actions.layout_edits import line_indent, newline_of
 from kindsl.features.actions.move_inertia import move_inertia
 from kindsl.features.actions.new_frame import add_referenced_frame
 from kindsl.features.actions.sort_links import renumber_links, sort_links
@@ -22,7 +22,6 @@ from kindsl.text.edits import TextEdit
 FIX_ALL = "source.fixAll.kindsl"
 QUICK_FIX = "quickfix"
 _fixed: "WeakKeyDictionary[Analysis, tuple[TextEdit, ...]]" = WeakKeyDictionary()
-_BLANKS = re.compile(r"[ \t]*")
 
 _REFACTORINGS: tuple[Callable[[Analysis, int, int], Iterator[CodeAction]], ...] = (
     extract_parameter,
@@ -110,10 +109,8 @@ def _touched(analysis: Analysis, start: int, end: int) -> list[Diagnostic]:
 def _ignoring(text: str, finding: Diagnostic) -> TextEdit:
     """Return the comment on a line of its own before the finding's, indented like it."""
     line = max(text.rfind("\n", 0, finding.start), text.rfind("\r", 0, finding.start)) + 1
-    blanks = _BLANKS.match(text, line)
-    indent = blanks[0] if blanks else ""
-    newline = "\r\n" if "\r\n" in text else "\n" if "\n" in text or "\r" not in text else "\r"
-    return TextEdit(line, line, f"{indent}// kindsl: ignore[{finding.code}]{newline}")
+    comment = f"{line_indent(text, finding.start)}// kindsl: ignore[{finding.code}]"
+    return TextEdit(line, line, f"{comment}{newline_of(text)}")
 
 
 def refactorings(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, ...]:

@@ -52,8 +52,8 @@ def _link_of_inertia(path: Sequence[Node], bodies: Iterator[Link]) -> Link | Non
 def _is_movable(inertia: Inertia) -> bool:
     """Return whether every number stands there once, as a plain number."""
     kinds = [child.kind for child in inertia.node.children]
-    is_whole = kinds.count("mass") == kinds.count("com") == 1 and kinds.count("moment") == 6
-    return is_whole and len(inertia.moments) == len(MOMENTS) and is_plain(inertia)
+    counts = [kinds.count(kind) for kind in ("mass", "com", "moment")]
+    return counts == [1, 1, len(MOMENTS)] and is_plain(inertia)
 
 
 def _to_link_frame(
