@@ -57,8 +57,10 @@ def test_shortcuts_work_with_the_focus_in_the_picture(workbench: Workbench) -> N
     expect(workbench.page.locator(".tab.dirty")).to_have_count(0)
     assert "(0.4, 0.0" in path.read_text()
     workbench.press("Control+p")
-    expect(workbench.page.locator(".quick-input-widget")).to_be_visible()
+    names = workbench.page.locator(".quick-input-widget input[type=text]")
+    expect(names).to_be_focused()
     workbench.press("Escape")
+    expect(names).to_be_hidden()
 
 
 def test_the_panel_follows_the_active_editor(workbench: Workbench) -> None:
