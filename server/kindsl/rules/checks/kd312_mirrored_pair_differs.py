@@ -21,12 +21,12 @@ link right_arm { id = 2 inertia_params { mass = 1.42 ... } children {} }
 """
 
 from collections.abc import Iterator
-from itertools import product
 
 from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.inertia.judgements import is_impossible, keyword
+from kindsl.rules.inertia.symmetry import SIGNS
 from kindsl.rules.inertia.twins import right_twin_of
 from kindsl.semantics.declarations import MOMENTS, Inertia, Link
 from kindsl.semantics.model import Model
@@ -34,7 +34,6 @@ from kindsl.semantics.model import Model
 _NAMES = ("mass", "x of the CoM", "y of the CoM", "z of the CoM", *MOMENTS)
 _SIGNIFICANT = 0.05
 _MOST_DIFFERENCES = 2
-_SIGNS = tuple(product((1.0, -1.0), repeat=3))
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
@@ -88,7 +87,7 @@ def _is_reflected(here: list[float], there: list[float], com: float, moment: flo
     """Return whether axes turned round by some signs make one inertia the other."""
     signed = [*there[1:4], *there[7:]]
     sizes = [com] * 3 + [moment] * 3
-    return any(not any(map(_differs, signed, _reflected(here, *signs), sizes)) for signs in _SIGNS)
+    return any(not any(map(_differs, signed, _reflected(here, *signs), sizes)) for signs in SIGNS)
 
 
 def _reflected(numbers: list[float], x: float, y: float, z: float) -> list[float]:
