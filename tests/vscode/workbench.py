@@ -49,8 +49,10 @@ class Workbench:
         path = self.folder / name
         if text is not None:
             path.write_text(text, encoding="utf-8")
-        # Not where the preview is.
+        # Not where the preview is, whose page answers a key a moment later.
         self.press("Control+1")
+        first = self.page.locator(".editor-group-container").first
+        expect(first).to_have_class(re.compile(r"\bactive\b"))
         self.run("File: Open File...")
         self.page.locator(".quick-input-list .monaco-list-row", has_text=name).first.click()
         self.active_tab(name).wait_for()
@@ -81,7 +83,7 @@ class Workbench:
 
     def go_to_place(self, line: int, column: int) -> None:
         """Put the cursor at a place of the document that has the focus, both from 1."""
-        self._ask("Control+g").fill(f":{line}:{column}")
+        self._ask("Control+g", f":{line}:{column}")
         self.press("Enter")
         self.expect_cursor(line, column)
 
@@ -103,19 +105,19 @@ class Workbench:
 
     def run(self, title: str) -> None:
         """Run a command from the palette."""
-        self._ask("F1").fill(f">{title}")
+        self._ask("F1", f">{title}")
         row = self.page.locator(".quick-input-list .monaco-list-row", has_text=title).first
         row.wait_for()
         row.click()
 
-    def _ask(self, key: str) -> Locator:
-        """Press a key that opens an input field, and again if the window did not listen yet."""
+    def _ask(self, key: str, text: str) -> None:
+        """Press a key that opens an input field and fill it; again if it did not stay open."""
         field = self.page.locator(".quick-input-widget input[type=text]")
         for _ in range(10):
             self.press(key)
             try:
-                field.wait_for(timeout=3000)
-                return field
+                field.fill(text, timeout=3000)
+                return
             except TimeoutError:
                 # The focus is elsewhere, in the preview's page for example.
                 self.page.locator(".editor-group-container .tab.active").first.click()
