@@ -34,7 +34,8 @@ def given_in(frame: str) -> str:
         ((1, 2, 3), []),
         ((3, 1, 2), []),
         ((2, 3), ["the links are numbered from 2, not from 1"]),
-        ((7, 8), ["ids 1 and 2 are missing, and id 7 is out of sequence"]),
+        ((7, 8), ["the links are numbered from 7, not from 1"]),
+        ((3, 7, 8), ["ids 1 and 2 are missing, and id 7 is out of sequence"]),
         ((1, 3, 4), ["id 2 is missing, and id 3 is out of sequence"]),
         ((1, 4, 5), ["ids 2 and 3 are missing, and id 4 is out of sequence"]),
         ((1, 3, 5), ["id 2 is missing, and id 5 is out of sequence"]),
@@ -90,9 +91,12 @@ def test_a_number_that_two_links_have_explains_one_that_none_has(
         (("", 3), 0),
         ((2, ""), 0),
         (("", 1, 4, 5), 1),
+        (("", 2, 2, 4, 5), 0),
+        (("", 3, 3, 4, 5), 1),
+        (("", 2, 2, 7, 8, 9), 2),
     ],
 )
-def test_a_link_without_a_number_may_have_the_missing_one(
+def test_a_link_without_a_number_may_have_a_missing_one(
     ids: tuple[int | str, ...], count: int
 ) -> None:
     assert len(told("KD109", chain(*ids))) == count

@@ -40,7 +40,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
     gaps = _gaps(sorted(number for number in by_id if number <= count), count)
     unknown = len(model.links) - len(certain) + len(reference_defects(model).undefined_links)
     missing = sum(high - low + 1 for low, high in gaps)
-    has_explanation = len(certain) - count >= missing
+    repeated = len(certain) - count
     strays = [number for number in sorted(by_id) if number > count and number - 1 not in by_id]
     for low, high in gaps:
         number = strays.pop() if strays else high + 1
@@ -48,9 +48,11 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
             number = max(by_id)
         link = by_id[number]
         is_lost = model.is_mentioned_in_broken_text(str(low), link.island)
-        if is_lost or unknown >= missing or (has_explanation and low > 1):
+        # Nothing but an unknown number explains why they do not begin with 1.
+        is_explained = unknown + repeated >= missing and (low > 1 or unknown >= high)
+        if is_lost or is_explained:
             continue
-        message = _message(low, high, number)
+        message = _message(low, high, number, min(by_id))
         yield Finding(link.id_place or link.name, message, fix=renumbering(model, len(gaps)))
 
 
@@ -66,8 +68,8 @@ def _gaps(used: list[int], count: int) -> list[tuple[int, int]]:
     return [(low + 1, high - 1) for low, high in pairs if high > low + 1]
 
 
-def _message(low: int, high: int, number: int) -> str:
-    if low == 1 and number == high + 1:
+def _message(low: int, high: int, number: int, least: int) -> str:
+    if low == 1 and number == least:
         return f"the links are numbered from {number}, not from 1"
     to = "and" if high == low + 1 else "to"
     which = f"id {low} is" if high == low else f"ids {low} {to} {high} are"
