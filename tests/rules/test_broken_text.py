@@ -1,10 +1,12 @@
 """Where nothing is concluded, because the syntax is broken there or the text ends."""
 
+from collections.abc import Iterator
+
 import pytest
 
 from kindsl.analysis.analysis import analyse
 from kindsl.rules.broken_text import has_problem_within, is_cut_off
-from kindsl.rules.examples import link, robot
+from kindsl.rules.examples import STEEL_BALL, link, robot
 from kindsl.semantics.places import Place
 
 
@@ -24,3 +26,36 @@ def test_a_document_without_its_end_is_cut_off(n_links: int) -> None:
     assert not is_cut_off(analyse(text).model)
     assert is_cut_off(analyse(text.rstrip().removesuffix("}")).model)
     assert not is_cut_off(analyse(text + link("behind", 9)).model)
+
+
+FRAME = "frames { hub { translation = (0.1, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } }"
+IN_HUB = STEEL_BALL[:-1] + "ref_frame = hub }"
+UPPER = link("upper", 1, "lower via elbow").removesuffix("}\n") + FRAME + "}\n"
+PAIR = robot(UPPER, link("lower", 2, inertia=IN_HUB), base="upper via lift", joints="lift elbow")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("link upper {\n    id = 1", "link {\n    id = 2", "reuses id 2 of a link without a name"),
+        ("link lower {\n    id = 2", "link {\n    id = 1", "expected a name"),
+        ("link upper", "link", "expected a name"),
+        ("link lower", "link", "expected a name"),
+        ("link upper {\n    id = 1", "link {\n    id = 7", "expected a name"),
+        ("id = 1\n    inertia_params {", "id\n", "expected 'inertia_params' after 'id'"),
+        ("link lower", "link lower { inertia_params { } children { } }\n", "expected 'link'"),
+        ("inertia_params {\n        mass", "mass", "expected 'inertia_params' after '1'"),
+    ],
+)
+def test_no_message_quotes_nothing(old: str, new: str, message: str) -> None:
+    assert old in PAIR
+    told = list(quoted(PAIR.replace(old, new, 1)))
+    assert any(message in text for text in told), told
+    assert not [text for text in told if "''" in text]
+
+
+def quoted(text: str) -> Iterator[str]:
+    for finding in analyse(text).findings:
+        yield finding.message
+        yield from (each.message for each in finding.related)
+        yield from (fix.title for fix in (finding.fix,) if fix)

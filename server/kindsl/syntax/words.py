@@ -53,6 +53,12 @@ def shown(text: str) -> str:
     return line if len(line) <= 40 else line[:37] + "..."
 
 
+def last_written(tokens: Sequence[Token]) -> str:
+    """Return the text of the last token that was not supplied, as a message quotes it."""
+    written = (token.text for token in reversed(tokens) if token.start < token.end)
+    return shown(next(written, ""))
+
+
 def opened_block(read: Sequence[Token]) -> str:
     """Return the innermost block that is open, as a message names it."""
     opened: list[int] = []

@@ -35,8 +35,9 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
     same_id = repeats(model.links, lambda link: link.id)
     pairs = [(first, again) for first, again in same_id if first.name != again.name]
     for first, again in pairs:
-        message = f"link '{again.name}' reuses id {again.id} of link '{first.name}'"
-        related = Related(first.id_place or first.name, f"id {first.id} of link '{first.name}'")
+        owner = f"link '{first.name}'" if first.name else "a link without a name"
+        message = f"link '{again.name}' reuses id {again.id} of {owner}"
+        related = Related(first.id_place or first.name, f"id {first.id} of {owner}")
         fix = renumbering(model, len(pairs))
         yield Finding(again.id_place or again.name, message, (related,), fix)
 

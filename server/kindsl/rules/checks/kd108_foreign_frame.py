@@ -37,7 +37,7 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
         if body.inertia is not None and body.inertia.frame:
             name = body.inertia.frame
             owner = None if _own(body, name) else named.get(name)
-            if owner is not None:
+            if owner is not None and owner.link and body.name:
                 message = f"frame '{name}' belongs to link '{owner.link}', not to '{body.name}'"
                 related = Related(owner.name, f"frame '{name}' of link '{owner.link}'")
                 yield Finding(name, message, (related,), severity=severity)

@@ -25,7 +25,7 @@ from kindsl.semantics.model import Model
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding at the first link that is out of order."""
-    for before, body in pairwise(model.links):
+    for before, body in pairwise(body for body in model.links if body.name):
         if before.id is not None and body.id is not None and body.id < before.id:
             message = f"links are not in order of id: '{body.name}' ({body.id}) follows"
             related = Related(before.name, f"id {before.id}")

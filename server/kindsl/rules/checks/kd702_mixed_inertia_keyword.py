@@ -33,7 +33,8 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         if body.inertia is not None:
             word = body.inertia.node.children[0]
             text = body.inertia.island.text[word.start : word.end]
-            places.setdefault(text, []).append(keyword(body.inertia))
+            if text:
+                places.setdefault(text, []).append(keyword(body.inertia))
     if len(places) == 2:
         usual, rare = sorted(places, key=lambda text: -len(places[text]))
         changes = tuple(Change(place, usual) for place in places[rare])

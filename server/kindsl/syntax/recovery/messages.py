@@ -7,7 +7,15 @@ from kindsl.syntax.recovery.repair import Change
 from kindsl.syntax.recovery.repair_words import Word
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
-from kindsl.syntax.words import SPELLINGS, called, first_row, opened_block, shown, unknown_keyword
+from kindsl.syntax.words import (
+    SPELLINGS,
+    called,
+    first_row,
+    last_written,
+    opened_block,
+    shown,
+    unknown_keyword,
+)
 from kindsl.text.nearest import nearest_words
 
 _WRITTEN = frozenset("{}()=,]>")
@@ -61,8 +69,7 @@ def closing_problem(text: str, read: Sequence[Token], kinds: Sequence[str], plac
     """Return what to say about a block that ends too early; `place` is the index in `read`."""
     position = read[place - 1].end if place else 0
     if kinds[0] != "}":
-        what, before = called(kinds[0]), read[place - 1]
-        message = f"expected {what} after '{shown(before.text)}'"
+        message = f"expected {called(kinds[0])} after '{last_written(read[:place])}'"
         return Problem("KD001", message, position, position)
     edits = _closing_edit(text, read[:place], position)
     opened = opened_block(read[:place])
@@ -170,8 +177,7 @@ def _lost(
         return "KD002", f"expected '}}' to close {opened_block(read)}"
     what = _called(change.kind, word)
     if change.at > 0:
-        before = tokens[change.at - 1].text
-        return "KD001", f"expected {what} after '{shown(before)}'"
+        return "KD001", f"expected {what} after '{last_written(tokens[: change.at])}'"
     return "KD001", f"expected {what} before '{shown(tokens[0].text)}'"
 
 
