@@ -160,6 +160,7 @@ def test_a_lump_of_lost_tokens_gives_few_messages() -> None:
         (r"\}\s*link segment_1 \{", "expected 'link' before 'id'"),
         (r"\}\s*r_joint joint_2 \{(?=\s*id)", "expected 'r_joint' or 'p_joint' before 'id'"),
         (r"r_joint joint_1 \{(?=\s*id)", "expected 'r_joint' or 'p_joint' before 'id'"),
+        (r"\}\s*r_joint joint_1 \{(?=\s*id)", "expected 'r_joint' or 'p_joint' before 'id'"),
     ],
 )
 def test_a_lost_head_is_one_mistake(lost: str, message: str) -> None:
@@ -232,3 +233,39 @@ def test_a_link_stays_one_where_its_children_stand_in_a_reference_frame() -> Non
     text = re.sub(r"(Iyz = \S+)\s+\}\s+children (?=\{\s+segment_3)", r"\1 ref_frame ", POSES)
     assert text != POSES
     assert len(remarks(text)) <= 2, [(f.code, f.message) for f in remarks(text)]
+
+
+HEAD = r"\s{0} \w+ \{{\s+{1}(?= )"
+
+
+@pytest.mark.parametrize(
+    ("lost", "messages"),
+    [
+        (HEAD.format("link", "id"), ["expected 'link' before '='"]),
+        (HEAD.format("[rp]_joint", "id"), ["expected 'r_joint' or 'p_joint' before '='"]),
+        (HEAD.format("[rp]_joint", "ref_frame"), ["expected 'r_joint' or 'p_joint' before '{'"]),
+    ],
+)
+def test_a_head_lost_with_the_section_behind_it_is_one_mistake(
+    lost: str, messages: list[str]
+) -> None:
+    model = MODEL if "id" in lost else re.sub(r"(joint \w+ \{)\s+id = \d+", r"\1", MODEL)
+    for text in (model, re.sub(r"//.*|\s+", " ", model)):
+        places = list(re.finditer(lost, text))
+        assert len(places) >= 10
+        for match in places:
+            found = remarks(text[: match.start()] + " " + text[match.end() :])
+            assert [f.message for f in found] == messages
+
+
+def test_a_head_lost_behind_a_base_of_many_frames_is_one_mistake() -> None:
+    pose = "{ translation = (0.1, 0.2, 0.3) rotation = (0.0, 0.0, 0.0) }"
+    frames = "".join(f"        mount_{n} {pose}\n" for n in range(60))
+    text, n = re.subn(
+        r"(\n    \})\n\}\s+link segment_1 \{",
+        rf"\1\n    frames {{\n{frames}    }}\n",
+        MODEL,
+        count=1,
+    )
+    assert n == 1
+    assert [f.message for f in remarks(text)] == ["expected 'link' before 'id'"]

@@ -157,6 +157,9 @@ def _own_frame(tokens: Sequence[Token]) -> int | None:
         if depth == 0 and token.kind == "}":
             return None
         has_section |= token.kind in _SECTIONS
+        if depth == 1 and has_section and token.kind == "id":
+            # That of a joint whose head is lost.
+            return None
         kinds = [t.kind for t in tokens[index : index + 3]]
         if depth == 1 and has_section and kinds[:2] == ["ref_frame", "{"] and kinds[2] in _POSE:
             return index

@@ -36,7 +36,7 @@ _POSE = frozenset({"translation", "rotation"})
 _REACH = 200
 _WRITTEN = 1.5
 _LAST_SECTION = {"base": "children", "link": "children", "joint": "ref_frame"}
-_FAR_BACK = 400
+_FAR_BACK = 4000
 _SECTIONS_OF_BLOCKS = frozenset({"id", "INERTIA", "children"})
 _GOES_ON = {"via": "NAME", "INERTIA": "{", "ref_frame": "{"}
 _HEADS = frozenset({"Robot", "RobotBase", "link", "JOINT_KIND", "FLOATING"})
@@ -102,6 +102,10 @@ def lost_head(
     kinds = [token.kind for token in tokens[index : index + 4]]
     if kinds[:1] == [_GOES_ON.get(read[-1].kind)]:
         return None
+    section = "" if start else _begun_section(kinds)
+    if section:
+        kind = "joint" if section == "ref_frame" else kind_by_content(tokens, index)
+        return _headless(kind, tokens, index, 0, section) if kind else None
     n_head = 2 if kinds[:2] == ["NAME", "{"] else int(kinds[:1] == ["{"])
     if not _begins_body(kinds[n_head:], n_head) and not _repeats_block(start, read, kinds):
         return None
@@ -285,7 +289,18 @@ def _repeats_block(start: str, read: Sequence[Token], kinds: Sequence[str]) -> b
     return kinds[3:] != ["}"] and (start == "base" or "id" in seen)
 
 
-def _headless(start: str, tokens: Sequence[Token], index: int, n_head: int) -> Opening:
+def _begun_section(kinds: Sequence[str]) -> str:
+    """Return the keyword that is lost before the rest of a block's first section."""
+    if kinds[:2] == ["=", "INT"] and kinds[2:3] in (["INERTIA"], ["children"], ["ref_frame"]):
+        return "id"
+    is_pose = kinds[:1] == ["{"] and kinds[1:2] in (["translation"], ["rotation"])
+    return "ref_frame" if is_pose and kinds[2:3] == ["="] else ""
+
+
+def _headless(
+    start: str, tokens: Sequence[Token], index: int, n_head: int, section: str = ""
+) -> Opening:
+    """Return the opening of a block whose head lacks but for some tokens, and what it begins with."""
     keyword = BLOCK_KINDS[start]
     place = tokens[index].start
     written = list(tokens[index : index + n_head])
@@ -297,4 +312,6 @@ def _headless(start: str, tokens: Sequence[Token], index: int, n_head: int) -> O
         head.append(supplied("NAME", lead))
     if n_head == 0:
         head.append(supplied("{", lead))
+    if section:
+        head.append(supplied(section, lead))
     return Opening(start, tuple(written), (*head, *written), problem)
