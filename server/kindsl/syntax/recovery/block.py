@@ -9,8 +9,9 @@ from collections.abc import Sequence
 from kindsl.syntax.automaton import Stack, initial, is_complete, step
 from kindsl.syntax.builder import build
 from kindsl.syntax.indentation import lost_closing
-from kindsl.syntax.recovery.block_kinds import Opening, lost_head, opening
+from kindsl.syntax.recovery.block_kinds import Opening, opening
 from kindsl.syntax.recovery.dialect import goes_on, unglued
+from kindsl.syntax.recovery.lost_heads import lost_head
 from kindsl.syntax.recovery.messages import closing_problem, repair_problem
 from kindsl.syntax.recovery.preferences import moments_around, preferences
 from kindsl.syntax.recovery.progress import Progress
