@@ -6,10 +6,9 @@ from typing import NamedTuple
 from kindsl.analysis.analysis import Analysis
 from kindsl.syntax.tree import Island, Node, Token
 
-_BLOCKS = frozenset(
-    ("base", "link", "joint", "inertia", "children", "frame_group", "frame", "joint_frame")
-)
-_HOLDERS = _BLOCKS | {"frames"}
+_BLOCKS = frozenset((
+    "base", "link", "joint", "inertia", "children", "frames", "frame_group", "frame", "joint_frame",
+))  # fmt: skip
 
 
 class Fold(NamedTuple):
@@ -30,7 +29,7 @@ def folds(analysis: Analysis) -> tuple[Fold, ...]:
     """Return the folds that span more than one line, in the order of the text."""
     syntax = analysis.syntax
     found: list[Fold] = []
-    for island, start in zip(syntax.islands, syntax.starts, strict=False):
+    for island, start in zip(syntax.islands, syntax.starts, strict=True):
         found += [Fold(start + f.start, start + f.end, f.kind) for f in _island_folds(island)]
     found += _robot(analysis)
     return tuple(sorted(found))
@@ -40,44 +39,39 @@ def _island_folds(island: Island) -> tuple[Fold, ...]:
     known = island.facts.get("folds")
     if not isinstance(known, tuple):
         blocks = [fold for node in island.nodes for fold in _blocks(node)]
-        found = [f for f in (*blocks, *_comments(island)) if _is_tall(island.text, f.start, f.end)]
+        found = [f for f in (*blocks, *_comments(island)) if _is_tall(island.text[f.start : f.end])]
         known = island.facts["folds"] = tuple(found)
     return known
 
 
 def _blocks(node: Node) -> Iterator[Fold]:
-    if node.kind in _BLOCKS:
-        signs = [t for t in node.children if isinstance(t, Token) and not t.is_missing]
-        opening = next((t for t in signs if t.kind == "{"), None)
-        closing = next((t for t in signs if t.kind == "}"), None)
-        if opening is not None and closing is not None:
-            yield Fold(opening.end, closing.start, "block")
+    signs = {t.kind: t for t in node.children if isinstance(t, Token) and not t.is_missing}
+    if "{" in signs and "}" in signs:
+        yield Fold(signs["{"].end, signs["}"].start, "block")
     for child in node.children:
-        if child.kind in _HOLDERS and isinstance(child, Node):
+        if child.kind in _BLOCKS and isinstance(child, Node):
             yield from _blocks(child)
 
 
 def _comments(island: Island) -> Iterator[Fold]:
     """Yield block comments, and runs of comments with nothing but blanks between them."""
-    start = end = -1
-    for first, last in island.comments:
-        if start >= 0 and not island.text[end:first].strip() and _is_tall(island.text, end, first):
-            end = last
-            continue
-        if start >= 0:
-            yield Fold(start, end, "comment")
-        start, end = first, last
-    if start >= 0:
-        yield Fold(start, end, "comment")
+    runs: list[tuple[int, int]] = []
+    for start, end in island.comments:
+        if runs and _is_blank(island.text[runs[-1][1] : start]):
+            start, _ = runs.pop()
+        runs.append((start, end))
+    return (Fold(start, end, "comment") for start, end in runs)
 
 
 def _robot(analysis: Analysis) -> Iterator[Fold]:
     syntax = analysis.syntax
     first, last = syntax.island(0), syntax.island(len(syntax) - 1)
     opening = next((t for t in _of(first.island, "head") if t.kind == "{"), None)
-    closing = next((t for t in _of(last.island, "end") if t.kind == "}"), None)
+    closing = next(_of(last.island, "end"), None)
     if opening is not None and closing is not None:
-        yield Fold(first.start + opening.end, last.start + closing.start, "block")
+        fold = Fold(first.start + opening.end, last.start + closing.start, "block")
+        if _is_tall(analysis.text[fold.start : fold.end]):
+            yield fold
 
 
 def _of(island: Island, kind: str) -> Iterator[Token]:
@@ -86,5 +80,9 @@ def _of(island: Island, kind: str) -> Iterator[Token]:
             yield from (t for t in node.tokens() if not t.is_missing)
 
 
-def _is_tall(text: str, start: int, end: int) -> bool:
-    return "\n" in text[start:end] or "\r" in text[start:end]
+def _is_blank(text: str) -> bool:
+    return not text.strip() and _is_tall(text)
+
+
+def _is_tall(text: str) -> bool:
+    return "\n" in text or "\r" in text

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.tree_path import index_after
-from kindsl.syntax.tree import Island, Token
+from kindsl.syntax.tree import Island
 
 _WHAT = {
     "translation": "origin of the frame, in metres",
@@ -58,8 +58,6 @@ def signature_help(analysis: Analysis, offset: int) -> Signature | None:
     if found is None:
         return None
     word, active = found
-    if word not in _PARAMETERS:
-        return None
     return _signature(word, min(active, 2))
 
 
@@ -68,26 +66,17 @@ def _vector_before(island: Island, local: int) -> tuple[str, int] | None:
     commas = depth = 0
     end = index_after(island, local)
     before = [t for t in island.tokens[max(end - _FARTHEST, 0) : end] if t.end <= local]
-    tokens = [token for token in before if not token.is_missing]
-    for index in range(len(tokens) - 1, -1, -1):
-        sign = tokens[index].text
+    signs = [token.text for token in before if not token.is_missing and token.text != "="]
+    while signs:
+        sign = signs.pop()
         if sign in _BEGINS:
             return None
-        if sign == "(" and not depth and _is_vector(tokens, index):
-            return _word_before(tokens, index), commas
-        depth += {")": 1, "(": -1}.get(sign, 0)
+        if sign == "(" and not depth and signs and signs[-1] in _PARAMETERS:
+            return signs[-1], commas
+        # A parenthesis that is open at the offset groups a part of a component.
+        depth = max(depth + {")": 1, "(": -1}.get(sign, 0), 0)
         commas += sign == "," and depth == 0
     return None
-
-
-def _is_vector(tokens: list[Token], index: int) -> bool:
-    return index >= 1 and tokens[index - 1].text in ("=", *_PARAMETERS)
-
-
-def _word_before(tokens: list[Token], index: int) -> str:
-    """Return the word before `= (`, the equals sign perhaps forgotten."""
-    index -= 1
-    return tokens[index - 1].text if tokens[index].text == "=" and index else tokens[index].text
 
 
 def _signature(word: str, active: int) -> Signature:
