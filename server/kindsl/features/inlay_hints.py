@@ -55,8 +55,6 @@ def inlay_hints(
 ) -> tuple[InlayHint, ...]:
     """Return the hints in a range, in the order of the text."""
     syntax = analysis.syntax
-    if start > end:
-        return ()
     hints: list[InlayHint] = []
     for index in range(syntax.island_at(start).index, syntax.island_at(end).index + 1):
         place = syntax.island(index)
@@ -106,10 +104,9 @@ def _inertia_hints(analysis: Analysis, body: Link) -> Iterator[InlayHint]:
     if isinstance(inertia, Unknown):
         return
     moments = ", ".join(number(m) for m in principal_moments_about_com(inertia))
-    opening = next((c for c in body.inertia.node.children if c.kind == "{"), None)
-    if opening is not None and opening.start < opening.end:
-        text = f"about the CoM {moments} {INERTIA}"
-        yield InlayHint(opening.end, text, "inertia", "Principal moments about the centre of mass")
+    opening = next(c for c in body.inertia.node.children if c.kind == "{")
+    text = f"about the CoM {moments} {INERTIA}"
+    yield InlayHint(opening.end, text, "inertia", "Principal moments about the centre of mass")
 
 
 def _units(declared: Declarations) -> Iterator[tuple[Located, str]]:

@@ -12,14 +12,14 @@ INERTIA = "kg·m²"
 
 def number(value: float) -> str:
     """Return a number with four significant digits."""
-    text = f"{value + 0.0:.4g}"
-    return "0" if text == "-0" else text
+    # Zero is added to take the sign off -0.0.
+    return f"{value + 0.0:.4g}"
 
 
 def vector(values: Iterable[float]) -> str:
     """Return numbers in parentheses; what is small beside the largest by rounding alone is 0."""
     components = tuple(values)
-    largest = max((abs(value) for value in components), default=0.0)
+    largest = max(map(abs, components))
     return f"({', '.join(number(_without_dust(v, largest)) for v in components)})"
 
 

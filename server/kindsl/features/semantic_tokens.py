@@ -43,8 +43,6 @@ def semantic_tokens(
     syntax = analysis.syntax
     end = syntax.length if end is None else end
     found: list[SemanticToken] = []
-    if start > end:
-        return ()
     for index in range(syntax.island_at(start).index, syntax.island_at(end).index + 1):
         place = syntax.island(index)
         found += [

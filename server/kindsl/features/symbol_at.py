@@ -67,12 +67,11 @@ class NamedPlaces(NamedTuple):
 def symbol_at(analysis: Analysis, offset: int) -> Symbol | None:
     """Return the name at an offset, or ending there, with absolute offsets."""
     place = analysis.syntax.island_at(offset)
-    local = min(max(offset, 0), analysis.syntax.length) - place.start
+    local = offset - place.start
     symbols = named_places(place.island).symbols
     index = bisect_right(symbols, local, key=_start)
-    for symbol in symbols[max(index - 2, 0) : index][::-1]:
-        if symbol.start <= local <= symbol.end:
-            return _moved(symbol, place.start)
+    if index and local <= symbols[index - 1].end:
+        return _moved(symbols[index - 1], place.start)
     return None
 
 
@@ -81,7 +80,7 @@ def occurrences(analysis: Analysis, entity: Entity) -> tuple[Symbol, ...]:
     syntax = analysis.syntax
     return tuple(
         _moved(symbol, start)
-        for island, start in zip(syntax.islands, syntax.starts, strict=False)
+        for island, start in zip(syntax.islands, syntax.starts, strict=True)
         for symbol in named_places(island).of.get(entity, ())
     )
 
@@ -120,21 +119,20 @@ _VALUES = {
 
 
 def _symbols(node: Node, link: str) -> Iterator[Symbol]:
-    """Yield the names below a node; `link` is the name of the link around it."""
+    """Yield the names below a node; `link` is the name of the block around it."""
     kind = node.kind
     names = [t for t in node.children if isinstance(t, Token) and t.kind == NAME]
     if kind in _DECLARED:
-        name = _text(names[0]) if names else ""
-        owner = link if kind == "frame" else ""
-        yield from _named(names, Entity(_DECLARED[kind], name, owner), Role.DECLARATION)
-        link = name if kind in ("base", "link") else link
+        name = _text(names[0])
+        yield from _named(names, Entity(_DECLARED[kind], name, link), Role.DECLARATION)
+        link = name
     elif kind in _VALUES and names:
         what, role = _VALUES[kind]
         yield from _named(names, Entity(what, _text(names[0])), role)
     elif kind == "inertia_frame" and names:
         yield from _named(names, Entity(EntityKind.FRAME, _text(names[0]), link), Role.READ)
     elif kind == "child":
-        for token, what in zip(names, (EntityKind.LINK, EntityKind.JOINT), strict=False):
+        for token, what in zip(names, (EntityKind.LINK, EntityKind.JOINT), strict=True):
             yield from _named([token], Entity(what, _text(token)), Role.READ)
     for child in node.children:
         if isinstance(child, Node) and child.kind not in _NAMELESS:
@@ -148,7 +146,7 @@ def _named(tokens: list[Token], entity: Entity, role: Role) -> Iterator[Symbol]:
 
 
 def _text(token: Token) -> str:
-    return "" if token.is_missing else token.text.removeprefix("^")
+    return token.text.removeprefix("^")
 
 
 def _start(symbol: Symbol) -> int:

@@ -11,7 +11,7 @@ from kindsl.semantics.transforms import frame_names
 from kindsl.syntax.transforms_text import FRAME, ROBOT_NAME, SECTIONS, read_transforms
 
 _WORD_BEFORE = re.compile(r"\w*\Z")
-_WORD_AFTER = re.compile(r"\w*")
+_BEHIND_WORD = re.compile(r"\W")
 _PAIR = "base=${1:frame}, target=${2:frame}"
 
 
@@ -23,11 +23,9 @@ def transforms_completions(text: str, offset: int, model: Model | None) -> Compl
         offset: The cursor, code points.
         model: The robot that it is about, None if that is not known.
     """
-    before = _WORD_BEFORE.search(text, 0, offset)
-    after = _WORD_AFTER.match(text, offset)
-    start = before.start() if before is not None else offset
-    end = after.end() if after is not None else offset
-    word = text[start:offset]
+    word: str = _WORD_BEFORE.findall(text, 0, offset)[0]
+    start = offset - len(word)
+    end = offset + len(_BEHIND_WORD.split(text[offset:])[0])
     items = tuple(_items(text, start, model))
     if word and any(item.label == word for item in items):
         items = ()

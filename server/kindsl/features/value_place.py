@@ -10,6 +10,7 @@ from kindsl.semantics.lowering import NAME
 from kindsl.syntax.tree import Island, Node, Token
 
 _SECTIONS = frozenset(("mass", "com", "moment", "translation", "rotation"))
+_OWNERS = frozenset(("frame", "link", "base", "joint"))
 _AXES = ("x", "y", "z")
 _TURNS = ("about x", "about the new y", "about the newest z")
 VALUE_NODES = frozenset((
@@ -52,31 +53,24 @@ def value_place(path: Sequence[Node], local: int) -> ValuePlace | None:
         local: The offset.
     """
     section = next((node for node in path if node.kind in _SECTIONS), None)
-    if section is None or not _is_behind_equals(section, local):
+    if section is None:
         return None
     vector = next((node for node in path if node.kind == "vector"), None)
     component = None if vector is None else _component(vector, local)
     kind, unit = _meaning(section)
-    return ValuePlace(_word(section), component, kind, unit, owner(path))
+    return ValuePlace(next(section.tokens()).text, component, kind, unit, owner(path))
 
 
 def owner(path: Sequence[Node]) -> str:
     """Return what the innermost link, joint or frame on a path is called, for people."""
-    for node in reversed(path):
-        if node.kind in ("frame", "link", "base", "joint"):
-            return f"{node.kind} `{_name(node)}`"
-    return ""
+    node = next(node for node in reversed(path) if node.kind in _OWNERS)
+    return f"{node.kind} `{_name(node)}`"
 
 
 def expression_at(island: Island, path: Sequence[Node]) -> Expression | None:
     """Return the whole value on a path, not a part of it."""
     node = next((node for node in path if node.kind in VALUE_NODES), None)
     return Expression(node, island) if node is not None else None
-
-
-def _is_behind_equals(section: Node, local: int) -> bool:
-    equals = next((c for c in section.children if c.kind == "="), None)
-    return equals is not None and equals.end <= local
 
 
 def _component(vector: Node, local: int) -> int:
@@ -92,11 +86,6 @@ def _meaning(section: Node) -> tuple[ValueKind, str]:
     return ValueKind.DYNAMICS, units.get(section.kind, INERTIA)
 
 
-def _word(section: Node) -> str:
-    word = section.children[0]
-    return word.text if isinstance(word, Token) else section.kind
-
-
 def _name(node: Node) -> str:
     names = (t for t in node.children if isinstance(t, Token) and t.kind == NAME)
-    return next((t.text.removeprefix("^") for t in names if not t.is_missing), "")
+    return next(names).text.removeprefix("^")

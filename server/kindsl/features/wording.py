@@ -24,5 +24,5 @@ class Hover(NamedTuple):
 
 def paragraph(title: str, lines: Iterable[str]) -> str:
     """Return a title and a list below it."""
-    items = "\n".join(f"- {line}" for line in lines if line)
-    return f"{title}\n\n{items}" if items else title
+    items = "\n".join(f"- {line}" for line in lines)
+    return f"{title}\n\n{items}"

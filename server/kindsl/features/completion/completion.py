@@ -114,8 +114,6 @@ def _items(analysis: Analysis, context: CompletionContext) -> Iterator[Completio
         yield from value_items(analysis, context, context.value)
     elif "INT" in expected:
         yield from id_items(analysis, context)
-    elif context.is_at_name:
-        yield from _names(analysis, context)
     else:
         yield from block_items(analysis, context)
         yield from section_items(analysis, context)
@@ -126,7 +124,7 @@ def _items(analysis: Analysis, context: CompletionContext) -> Iterator[Completio
 def _names(analysis: Analysis, context: CompletionContext) -> Iterable[CompletionItem]:
     if "NAME" not in context.expected:
         return ()
-    previous = context.previous.kind if context.previous is not None else ""
+    previous = context.previous.kind
     if previous == "<":
         return constant_items(analysis, "{}")
     if previous == "link":

@@ -17,15 +17,15 @@ from kindsl.syntax.parser import parse_island
 from kindsl.syntax.tree import Island, Node, Token
 from kindsl.text.span import Span
 
-_WORD_BEFORE = re.compile(r"\^?[^\W\d]\w*\Z")
-_WORD_AFTER = re.compile(r"\w*")
-_NUMBER_BEFORE = re.compile(r"[\d.]\w*\Z")
+_WORD_BEFORE = re.compile(r"[\^.]?\w*\Z")
+_NUMBER = re.compile(r"[\d.]")
+_BEHIND_WORD = re.compile(r"\W")
 _LONGEST_WORD = 200
-_BEFORE_NAMES = frozenset(("Robot", "RobotBase", "link", "JOINT_KIND", "via", "<"))
 _BEFORE_LISTS = frozenset(("link", "JOINT_KIND", "via", "=", "(", ",", "<"))
 _BLOCKS = frozenset((
     "base", "link", "joint", "inertia", "children", "frame_group", "frame", "joint_frame",
 ))  # fmt: skip
+_NOTHING = Token("", "", 0, 0, 0)
 
 
 class CompletionContext(NamedTuple):
@@ -38,7 +38,7 @@ class CompletionContext(NamedTuple):
         expected: The kinds of tokens that the grammar allows instead of the word.
         block: The innermost open block: `document`, `base`, `link`, `joint`, `inertia`,
             `children`, `frame_group`, `frame` or `joint_frame`.
-        previous: The token before the word, None at the start.
+        previous: The token before the word; at the start one without a kind.
         value: The place of the value that is being typed, if one is.
         sections: What stands in the open block before the word.
         place: The island of the cursor.
@@ -50,17 +50,11 @@ class CompletionContext(NamedTuple):
     word: str
     expected: frozenset[str]
     block: str
-    previous: Token | None
+    previous: Token
     value: ValuePlace | None
     sections: tuple[Node, ...]
     place: PlacedIsland
     typed: str
-
-    @property
-    def is_at_name(self) -> bool:
-        """Whether a name must stand here, never a keyword."""
-        previous = self.previous.kind if self.previous is not None else ""
-        return previous in _BEFORE_NAMES or (previous == "=" and "NAME" in self.expected)
 
     @property
     def line_start(self) -> int:
@@ -76,8 +70,6 @@ class CompletionContext(NamedTuple):
     @property
     def is_after_blank(self) -> bool:
         """Whether something must go on behind a blank or bracket just typed on this line."""
-        if self.previous is None:
-            return False
         text = self.place.island.text[self.previous.end : self.start - self.place.start]
         goes_on = self.previous.kind in _BEFORE_LISTS or "via" in self.expected
         return goes_on and not text.strip(" \t") and (bool(text) or self.previous.kind in "(<")
@@ -98,8 +90,8 @@ def _context(place: PlacedIsland, local: int, word: Span) -> CompletionContext:
     before = parse_island(text[: word.start])
     expected = expected_at(before, word.start)
     block = next((c for c in reversed(expected.constructs) if c in _BLOCKS), "document")
-    last = next((token for token in reversed(before.tokens) if not token.is_missing), None)
-    path = path_to(before, last) if last is not None else ()
+    last = next((t for t in reversed(before.tokens) if not t.is_missing), _NOTHING)
+    path = path_to(before, last)
     return CompletionContext(
         place.start + word.start,
         place.start + word.end,
@@ -107,7 +99,7 @@ def _context(place: PlacedIsland, local: int, word: Span) -> CompletionContext:
         expected.kinds,
         block,
         last,
-        value_place(path, last.end) if last is not None else None,
+        value_place(path, last.end),
         _sections(path, block),
         place,
         text[word.start : word.end],
@@ -125,16 +117,15 @@ def _is_in_comment(island: Island, local: int) -> bool:
 def _word_at(text: str, local: int) -> Span | None:
     """Return the word around an offset, empty where none is, None where a number is."""
     before = text[max(local - _LONGEST_WORD, 0) : local]
-    word = _WORD_BEFORE.search(before)
-    if _NUMBER_BEFORE.search(before[: word.start()] if word is not None else before):
+    word: str = _WORD_BEFORE.findall(before)[0]
+    if _NUMBER.match(word):
         return None
-    after = _WORD_AFTER.match(text, local)
-    start = local if word is None else local - len(word[0])
-    return Span(start, local if after is None else after.end())
+    rest = _BEHIND_WORD.split(text[local : local + _LONGEST_WORD])[0]
+    return Span(local - len(word), local + len(rest))
 
 
 def _sections(path: Sequence[Node], block: str) -> tuple[Node, ...]:
     """Return what is written in the innermost construct of a kind."""
     node = next((node for node in reversed(path) if node.kind == block), None)
     children = node.children if node is not None else ()
-    return tuple(c for c in children if isinstance(c, Node) and c.start < c.end)
+    return tuple(c for c in children if isinstance(c, Node))

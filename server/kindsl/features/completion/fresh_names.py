@@ -1,7 +1,7 @@
 """Names and numbers that nothing has yet, in the manner of those that are there."""
 
 from collections.abc import Collection, Sequence
-from itertools import chain
+from itertools import chain, count
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.semantics.declarations import Link
@@ -18,19 +18,19 @@ def fresh_joint(analysis: Analysis, child: str = "") -> str:
     """Return a name for a new joint: `joint4` behind `joint3`, else told by the child it moves."""
     names: list[str] = [joint.name for joint in analysis.model.joints]
     names += [child.joint for body in analysis.model.bodies for child in body.children]
-    is_numbered = any(map(_is_numbered, names))
-    stem = f"{child}_joint" if child and names and not is_numbered else "joint"
-    return _fresh(names if is_numbered else [], stem, _taken(analysis))
+    stem = f"{child}_joint" if child and names else "joint"
+    return _fresh(names, stem, _taken(analysis))
 
 
 def next_id(analysis: Analysis, own: Link | None = None) -> int:
     """Return the smallest id that no link has, a link of one's own left out."""
     taken = {link.id for link in analysis.model.links if link is not own}
-    return next(number for number in range(1, len(taken) + 2) if number not in taken)
+    return next(number for number in count(1) if number not in taken)
 
 
 def _fresh(names: Sequence[str], stem: str, taken: Collection[str]) -> str:
     """Return the next name of the last numbered ones, else the stem, with a number if need be."""
+    first = 1
     last = next(filter(_is_numbered, reversed(names)), "")
     if last:
         stem = last
@@ -40,10 +40,8 @@ def _fresh(names: Sequence[str], stem: str, taken: Collection[str]) -> str:
         first = 1 + max(map(int, filter(str.isdecimal, ends)))
     elif stem not in ("link", "joint") and stem not in taken:
         return stem
-    else:
-        first = 1
-    numbers = range(first, first + len(taken) + 1)
-    return next(f"{stem}{number}" for number in numbers if f"{stem}{number}" not in taken)
+    numbered = (f"{stem}{number}" for number in count(first))
+    return next(name for name in numbered if name not in taken)
 
 
 def _is_numbered(name: str) -> bool:

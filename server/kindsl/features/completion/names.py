@@ -1,6 +1,7 @@
 """Names that fit a place: own frames, and new ones that are used already and not declared."""
 
 from collections.abc import Container, Iterable, Iterator
+from itertools import count
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.completion import snippets
@@ -63,7 +64,7 @@ def joint_id(analysis: Analysis, context: CompletionContext) -> int:
     moved = next((str(child.link) for child in children if name and child.joint == name), "")
     link = analysis.model.body_named.get(moved)
     taken = {other.id for other in analysis.model.joints if other is not joint}
-    free = next(number for number in range(1, len(taken) + 2) if number not in taken)
+    free = next(number for number in count(1) if number not in taken)
     return link.id if link is not None and link.id else free
 
 

@@ -19,7 +19,7 @@ def value_items(
     analysis: Analysis, context: CompletionContext, place: ValuePlace
 ) -> Iterator[CompletionItem]:
     """Yield what may stand in a value, what fits its class first."""
-    before = context.previous.text if context.previous is not None else ""
+    before = context.previous.text
     if before == "/":
         yield from _divisors(context)
         return

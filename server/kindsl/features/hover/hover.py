@@ -75,7 +75,7 @@ def _value_hover(analysis: Analysis, expression: Expression, place: ValuePlace) 
     """Return the value of an expression in SI units, angles in degrees too."""
     values = analysis.context.values
     value = expression.value(values)
-    title = f"{place.label} of {place.owner}" if place.owner else place.label
+    title = f"{place.label} of {place.owner}"
     if value is None:
         return f"{title}: not known, {why_unknown((expression,), values).reason}"
     return f"{title}: **{quantity(value, place.kind, place.unit)}**"

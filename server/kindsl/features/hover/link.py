@@ -15,7 +15,7 @@ from kindsl.semantics.declarations import Link
 from kindsl.semantics.lowering import declarations
 from kindsl.text.words import counted, listed
 
-_CODES = ("KD301", "KD302", "KD303", "KD305", "KD306", "KD307", "KD308")
+_CODES = ("KD301", "KD302", "KD303", "KD305")
 _MARKS = {Severity.ERROR: "✗ ", Severity.WARNING: "⚠ "}
 _CONSISTENT = "✓ physically consistent"
 
@@ -66,7 +66,7 @@ def _mass_lines(analysis: Analysis, body: Link) -> Iterator[str]:
     if body.is_base and not body.is_floating:
         yield "the inertia of a fixed base does not matter"
     else:
-        yield inertia_verdict(analysis, body)
+        yield _verdict(analysis, body)
 
 
 def _subtree_text(mass: float | Unknown, dof: int) -> str:
@@ -88,14 +88,13 @@ def _pose_lines(analysis: Analysis, body: Link) -> Iterator[str]:
         yield f"zero configuration, in the base: {pose_text(pose)}"
 
 
-def inertia_verdict(analysis: Analysis, body: Link) -> str:
+def _verdict(analysis: Analysis, body: Link) -> str:
     """Return what the rules of single bodies say of a link's inertia, the worst first."""
     declared = declarations(body.island)
     for rule in all_rules():
         if rule.code not in _CODES or rule.check_island is None:
             continue
         for finding in rule.check_island(declared, analysis.context):
-            if body.start <= finding.at.start < body.end:
-                severity = finding.severity or rule.severity
-                return f"{_MARKS.get(severity, '')}{finding.message} ({rule.code})"
+            severity = finding.severity or rule.severity
+            return f"{_MARKS.get(severity, '')}{finding.message} ({rule.code})"
     return _CONSISTENT

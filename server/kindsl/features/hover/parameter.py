@@ -9,7 +9,7 @@ from kindsl.features.unknown import Unknown, why_unknown
 from kindsl.features.value_place import ValuePlace, value_place
 from kindsl.features.wording import paragraph
 from kindsl.semantics.declarations import ValueKind
-from kindsl.semantics.parameters import Parameter
+from kindsl.semantics.parameters import Constant, Parameter
 from kindsl.semantics.places import Name
 from kindsl.text.words import counted, listed
 
@@ -38,15 +38,16 @@ def constant_hover(analysis: Analysis, name: str) -> str:
     if constant is None:
         return f"There is no constant `{name}`."
     value = analysis.context.values.get(f"<{name}>")
-    told = f"value {number(value)}" if value is not None else _no_value(analysis, name)
+    told = f"value {number(value)}" if value is not None else _no_value(constant)
     lines = [told, *_uses([use.name for use in constant.uses])]
     return paragraph(f"**constant `{name}`**", lines)
 
 
-def _no_value(analysis: Analysis, name: str) -> str:
-    constant = next(c for c in analysis.model.constants if c.name == name)
+def _no_value(constant: Constant) -> str:
     values = [use.value for use in constant.definitions if use.value is not None]
-    reason = why_unknown(values, {}) if values else Unknown(f"write `<{name}=1.0>` somewhere")
+    reason = (
+        why_unknown(values, {}) if values else Unknown(f"write `<{constant.name}=1.0>` somewhere")
+    )
     return f"no value: {reason.reason}"
 
 
