@@ -80,10 +80,16 @@ def test_the_first_id_and_the_first_inertia_of_a_link_count(
     listed = "".join(f" id = {number}" for number in ids)
     bodies = "".join(f" inertia_params {{ mass = {mass}.0 }}" for mass in masses)
     for text in (listed + bodies, bodies + listed):
+        assert joint(f"r_joint j {{{listed} ref_frame {{}} }}").id == ids[0]
         found = link(f"link a {{{text} children {{}} }}")
         assert found.id == ids[0]
         assert found.inertia is not None and found.inertia.mass is not None
         assert found.inertia.mass.literal == float(masses[0])
+
+
+def test_the_first_frame_of_an_inertia_counts() -> None:
+    found = link("link a { id = 1 inertia_params { ref_frame = p ref_frame = q } children {} }")
+    assert found.inertia is not None and found.inertia.frame == "p"
 
 
 words = st.sampled_from(("alpha", "beta", "gamma"))

@@ -11,6 +11,7 @@ from kindsl.semantics.expressions import half_unit
 from kindsl.semantics.kinematic_tree import KinematicTree
 from kindsl.semantics.model import Model
 from kindsl.semantics.parameters import values_of
+from kindsl.semantics.transforms import frame_names
 from kindsl.syntax.document import parse
 
 POSE = "ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) }"
@@ -47,6 +48,24 @@ def test_tree() -> None:
     edge = tree.supporting_edge(z)
     assert edge is not None and edge.predecessor.name == "x" and edge.joint is not None
     assert edge.joint.name == "j_z" and not tree.loops
+
+
+def test_edges_to_what_is_not_declared_lead_nowhere() -> None:
+    model = model_of("Robot R { RobotBase b { children { x via i  y via j } } link x { id = 1 } }")
+    tree = model.tree
+    assert [(edge.link, edge.joint) for edge in tree.edges] == [
+        (model.links[0], None),
+        (None, None),
+    ]
+    assert [*tree.above] == model.links
+    assert not tree.joint_uses
+    assert tree.reachable == {*model.bases, *model.links}
+
+
+def test_without_a_base_nothing_is_reached() -> None:
+    model = model_of("Robot R { link x { id = 1 children { y via j } } link y { id = 2 } }")
+    assert model.tree.reachable == set()
+    assert frame_names(model) == {"fr_x": "x", "fr_y": "y"}
 
 
 @pytest.mark.parametrize(
@@ -151,6 +170,38 @@ def test_parameters_have_a_class_from_their_places() -> None:
         for use in parameter.uses:
             place = use.name
             assert place.island.text[place.start : place.end] == parameter.name
+
+
+@pytest.mark.parametrize(
+    ("value", "number", "parameters"),
+    [
+        ("PI[0.5]", 0.5, []),
+        ("[0.5]", 0.5, []),
+        ("<=0.5>", 0.5, []),
+        ("<>", None, []),
+        ("PI[y]", None, ["y"]),
+        ("PI[x]/2.0", 1.5, ["x"]),
+    ],
+)
+def test_what_has_no_name_is_no_parameter(
+    value: str, number: float | None, parameters: list[str]
+) -> None:
+    """Else hovers, sliders and `info` list a parameter without a name."""
+    model, found, _ = length_of(value)
+    assert found == number
+    assert [str(parameter.name) for parameter in model.parameters] == parameters
+    assert [str(constant.name) for constant in model.constants] == ["k"]
+
+
+def test_the_first_default_that_is_a_number_counts() -> None:
+    model = length_of("x[1.0/0.0] + x + x[2.0] + x[3.0]")[0]
+    (parameter,) = model.parameters
+    assert parameter.value == 2.0
+
+
+def test_what_an_island_uses_is_collected_once() -> None:
+    islands = parse("Robot R {\nr_joint j { ref_frame { translation = (x, 0.0, 0.0) } }").islands
+    assert all(a is b for a, b in zip(Model(islands).symbols, Model(islands).symbols, strict=True))
 
 
 def test_a_broken_document_keeps_what_is_there() -> None:

@@ -35,8 +35,9 @@ def _is_kept(thing: Joint | Inertia) -> bool:
 
 def test_numbers_alone_are_computed_once() -> None:
     joint, inertia = _joint("1.0", "PI/2.0"), _inertia("2.0", "0.1", "0.3")
-    assert written_pose(joint.pose, {}) == pose_from((1.0, 2.0, 3.0), (0.0, pi / 2.0, 0.0))
-    assert written_pose(joint.pose, {}) is written_pose(joint.pose, {})
+    pose = written_pose(joint.pose, {})
+    assert pose == pose_from((1.0, 2.0, 3.0), (0.0, pi / 2.0, 0.0))
+    assert written_pose(joint.pose, {}) is pose
     body = mass_distribution(inertia, {})
     assert body == (2.0, (0.0, 0.1, 0.3), (0.1, 0.2, 0.3, 0.0, 0.0, 0.0))
     assert mass_distribution(inertia, {}) is body
@@ -70,8 +71,18 @@ def test_what_is_no_finite_number_is_not_there(value: str) -> None:
         assert mass_distribution(_inertia(*numbers), {}) is None
 
 
-def test_a_body_without_a_moment_is_not_known() -> None:
-    text = BODY.format("1.0", "0.0", "1.0").replace("Ixz = 0.0", "")
+def test_the_largest_numbers_are_numbers_too() -> None:
+    """Though their sum is not finite."""
+    text = BODY.format("1.5e308", "0.0", "1.5e308").replace("Iy = 0.2", "Iy = 1.5e308")
+    (link,) = (k for i in parse(text).islands for k in declarations(i).links)
+    assert link.inertia is not None
+    body = mass_distribution(link.inertia, {})
+    assert body is not None and body.mass == body.moments[1] == body.moments[2] == 1.5e308
+
+
+@pytest.mark.parametrize("lost", ["Ixz = 0.0", "mass = 1.0"])
+def test_a_body_without_a_mass_or_a_moment_is_not_known(lost: str) -> None:
+    text = BODY.format("1.0", "0.0", "1.0").replace(lost, "")
     links = (k for i in parse(text).islands for k in declarations(i).links)
     inertia = next(links).inertia
     assert inertia is not None and mass_distribution(inertia, {}) is None

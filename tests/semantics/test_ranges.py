@@ -119,6 +119,18 @@ def test_nothing_bounds_what_is_not_known(text: str) -> None:
     assert bounds_of(expression(text), {"y": (0.0, 1.0)}) is None
 
 
+def test_nothing_is_known_of_what_is_too_long_to_be_read() -> None:
+    """Else a range in `kindsl.toml` makes such a document an internal error."""
+    long = expression("2.0*" * 3000 + "x")
+    assert bounds_of(long, {"x": (0.0, 1.0)}) is None
+    assert degrees_of(long, frozenset("x")) is None
+
+
+def test_what_has_no_name_is_what_stands_in_it() -> None:
+    assert bounds("PI[x]*2.0", (0.5, 1.0), (0.0, 0.0)) == (1.0, 2.0)
+    assert degrees_of(expression("PI[x]*x"), frozenset("x")) == {"x": 2}
+
+
 @pytest.mark.parametrize("divisor", [(-1.0, 1.0), (0.0, 1.0), (-1.0, 0.0)])
 def test_nothing_bounds_a_quotient_by_what_may_be_zero(divisor: Interval) -> None:
     assert bounds("1.0/x", divisor, (0.0, 0.0)) is None

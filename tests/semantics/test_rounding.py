@@ -79,4 +79,5 @@ def test_a_quotient_by_zero_has_no_rounding() -> None:
 
 @pytest.mark.parametrize(("n_decimals", "power"), [(1, -1), (299, -299), (300, -300), (305, -300)])
 def test_no_number_is_exact_beyond_three_hundred_decimals(n_decimals: int, power: int) -> None:
-    assert half_unit(f"0.{'1' * n_decimals}") == pytest.approx(0.5 * 10.0**power, rel=1e-12)
+    found = half_unit(f"0.{'1' * n_decimals}")
+    assert found == pytest.approx(0.5 * 10.0**power, rel=1e-12, abs=0.0)

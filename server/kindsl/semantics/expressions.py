@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from math import pi
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 from kindsl.semantics.places import Construct, Name
 from kindsl.syntax.tree import Island, Node, Token
@@ -62,9 +62,15 @@ class ConstantUse(NamedTuple):
 def number_of(token: Node | Token) -> float | None:
     """Return the value of a number token, or None if it is none (`0x10`, missing)."""
     try:
-        return float(token.text) if isinstance(token, Token) else None
+        return float(cast(Token, token).text)
     except ValueError:
         return None
+
+
+def name_of(node: Node) -> str:
+    """Return the name directly in a node, empty where there is none."""
+    token = _name_token(node)
+    return token.text.lstrip("^") if token is not None else ""
 
 
 def half_unit(text: str) -> float:
@@ -76,34 +82,33 @@ def half_unit(text: str) -> float:
 
 def symbols(expression: Expression) -> Iterator[ParameterUse | ConstantUse]:
     """Yield the parameters and constants of a value, in the order of the text."""
-    if expression.literal is None:
-        yield from _symbols(expression.node, expression.island)
+    yield from _symbols(expression.node, expression.island)
+
+
+_USES: dict[str, type[ParameterUse | ConstantUse]] = {
+    "parameter": ParameterUse,
+    "defaulted": ParameterUse,
+    "juxtaposed_parameter": ParameterUse,
+    "constant": ConstantUse,
+    "constant_use": ConstantUse,
+}
 
 
 def _symbols(node: Node, island: Island) -> Iterator[ParameterUse | ConstantUse]:
-    kind = node.kind
-    if kind in ("parameter", "defaulted", "juxtaposed_parameter"):
-        default = next((c for c in node.children if isinstance(c, Node)), None)
-        given = Expression(default, island) if default is not None else None
-        yield ParameterUse(_name_in(node, island), given)
-    elif kind in ("constant", "constant_use"):
-        value = next((c for c in node.children if isinstance(c, Node)), None)
-        given = Expression(value, island) if value is not None else None
-        yield ConstantUse(_name_in(node, island), given)
+    parts = [child for child in node.children if isinstance(child, Node)]
+    token = _name_token(node) if node.kind in _USES else None
+    if token is not None and token.text:
+        name = Name.at(token.text.lstrip("^"), island, token.start, token.end)
+        yield _USES[node.kind](name, Expression(parts[0], island) if parts else None)
     else:
-        for child in node.children:
-            if isinstance(child, Node):
-                yield from _symbols(child, island)
+        # What has no name, as `PI[0.5]` and unfinished text, is only what stands in it.
+        for part in parts:
+            yield from _symbols(part, island)
 
 
-_NAME = "NAME"
-
-
-def _name_in(node: Node, island: Island) -> Name:
-    for token in node.children:
-        if isinstance(token, Token) and token.kind == _NAME:
-            return Name.at(token.text.lstrip("^"), island, token.start, token.end)
-    return Name.at("", island, node.start, node.end)
+def _name_token(node: Node) -> Token | None:
+    tokens = (child for child in node.children if isinstance(child, Token))
+    return next((token for token in tokens if token.kind == "NAME"), None)
 
 
 def _value(node: Node, bindings: Mapping[str, float]) -> float | None:
@@ -113,17 +118,16 @@ def _value(node: Node, bindings: Mapping[str, float]) -> float | None:
     if kind == "pi":
         return pi
     if kind == "parameter":
-        return bindings.get(_name_text(node))
+        return bindings.get(name_of(node))
     if kind == "defaulted":
-        bound = bindings.get(_name_text(node))
+        bound = bindings.get(name_of(node))
         return bound if bound is not None else _operand(node, bindings)
     if kind == "juxtaposed_pi":
-        factor = number_of(node.children[0])
-        return None if factor is None else factor * pi
+        return _product(number_of(node.children[0]), pi)
     if kind == "juxtaposed_parameter":
-        return _product(number_of(node.children[0]), bindings.get(_name_text(node)))
+        return _product(number_of(node.children[0]), bindings.get(name_of(node)))
     if kind == "constant_use":
-        return bindings.get(f"<{_name_text(node)}>")
+        return bindings.get(f"<{name_of(node)}>")
     if kind in ("group", "plus", "constant"):
         return _operand(node, bindings)
     if kind == "negate":
@@ -144,23 +148,15 @@ def _binary(node: Node, bindings: Mapping[str, float]) -> float | None:
         return left / right if right else None
     if node.kind == "add":
         return left + right
-    return left - right if node.kind == "subtract" else None
+    return left - right
 
 
 def _operand(node: Node, bindings: Mapping[str, float]) -> float | None:
-    inner = next((child for child in node.children if isinstance(child, Node)), None)
-    return _value(inner, bindings) if inner is not None else None
+    return _value(next(child for child in node.children if isinstance(child, Node)), bindings)
 
 
 def _product(left: float | None, right: float | None) -> float | None:
     return None if left is None or right is None else left * right
-
-
-def _name_text(node: Node) -> str:
-    for token in node.children:
-        if isinstance(token, Token) and token.kind == _NAME:
-            return token.text.lstrip("^")
-    return ""
 
 
 def _rounding(node: Node, bindings: Mapping[str, float]) -> float:

@@ -1,5 +1,6 @@
 """From the syntax of one island to what it declares. Takes what is there, needs nothing else."""
 
+from collections.abc import Iterator
 from typing import cast
 
 from kindsl.semantics.declarations import (
@@ -56,63 +57,52 @@ def _base(node: Node, island: Island) -> Link:
 
 def _link(node: Node, island: Island) -> Link:
     link = Link(node, island, _name(node, island))
-    children: list[Child] = []
-    frames: list[Frame] = []
-    for section in node.children:
-        kind = section.kind
-        if not isinstance(section, Node):
-            continue
-        if kind == "inertia":
-            if link.inertia is None:
-                link.inertia = _inertia(section, island)
-        elif kind == "children":
-            children += [_child(child, island) for child in section.nodes("child")]
-        elif kind == "frames":
-            for group in section.nodes("frame_group"):
-                frames += [_frame(frame, island, link.name) for frame in group.nodes("frame")]
-        elif kind == "id" and link.id_place is None:
-            link.id, link.id_place = _number(section, island)
-    link.children = tuple(children)
-    link.frames = tuple(frames)
+    number, inertia = _first(node, "id"), _first(node, "inertia")
+    if number is not None:
+        link.id, link.id_place = _number(number, island)
+    if inertia is not None:
+        link.inertia = _inertia(inertia, island)
+    link.children = tuple(
+        _child(child, island)
+        for section in node.nodes("children")
+        for child in section.nodes("child")
+    )
+    link.frames = tuple(
+        _frame(frame, island, link.name)
+        for section in node.nodes("frames")
+        for group in section.nodes("frame_group")
+        for frame in group.nodes("frame")
+    )
     return link
 
 
 def _joint(node: Node, island: Island) -> Joint:
-    word = node.children[0]
-    kind = "prismatic" if isinstance(word, Token) and word.text == "p_joint" else "revolute"
+    word = cast(Token, node.children[0])
+    kind = "prismatic" if word.text == "p_joint" else "revolute"
     joint = Joint(node, island, _name(node, island), kind)
-    for section in node.children:
-        if not isinstance(section, Node):
-            continue
-        if section.kind == "joint_frame":
-            if joint.pose.translation is None and joint.pose.rotation is None:
-                joint.pose = _pose(section, island)
-        elif section.kind == "id" and joint.id_place is None:
-            joint.id, joint.id_place = _number(section, island)
+    number = _first(node, "id")
+    if number is not None:
+        joint.id, joint.id_place = _number(number, island)
+    for section in node.nodes("joint_frame"):
+        if joint.pose == (None, None):
+            joint.pose = _pose(section, island)
     return joint
 
 
 def _inertia(node: Node, island: Island) -> Inertia:
-    mass: Expression | None = None
-    com: Vector | None = None
+    mass, com, frame = (_first(node, kind) for kind in ("mass", "com", "inertia_frame"))
     moments: dict[str, Expression] = {}
-    frame: Name | None = None
-    for section in node.children:
-        if not isinstance(section, Node):
-            continue
-        kind = section.kind
-        if kind == "moment":
-            word = section.children[0]
-            value = _expression(section, island)
-            if isinstance(word, Token) and value is not None:
-                moments.setdefault(word.text, value)
-        elif kind == "mass" and mass is None:
-            mass = _expression(section, island)
-        elif kind == "com" and com is None:
-            com = _vector(section, island)
-        elif kind == "inertia_frame" and frame is None:
-            frame = _name(section, island)
-    return Inertia(node, island, mass, com, moments, frame)
+    for section in node.nodes("moment"):
+        word = cast(Token, section.children[0])
+        moments.setdefault(word.text, _expression(section, island))
+    return Inertia(
+        node,
+        island,
+        _expression(mass, island) if mass is not None else None,
+        _vector(com, island) if com is not None else None,
+        moments,
+        _name(frame, island) if frame is not None else None,
+    )
 
 
 def _frame(node: Node, island: Island, link: str) -> Frame:
@@ -120,16 +110,11 @@ def _frame(node: Node, island: Island, link: str) -> Frame:
 
 
 def _pose(node: Node, island: Island) -> Pose:
-    translation: Vector | None = None
-    rotation: Vector | None = None
-    for section in node.children:
-        if not isinstance(section, Node):
-            continue
-        if section.kind == "translation" and translation is None:
-            translation = _vector(section, island)
-        elif section.kind == "rotation" and rotation is None:
-            rotation = _vector(section, island)
-    return Pose(translation, rotation)
+    translation, rotation = _first(node, "translation"), _first(node, "rotation")
+    return Pose(
+        _vector(translation, island) if translation is not None else None,
+        _vector(rotation, island) if rotation is not None else None,
+    )
 
 
 def _vector(section: Node, island: Island) -> Vector:
@@ -138,15 +123,14 @@ def _vector(section: Node, island: Island) -> Vector:
     return Vector(node, island, (x, y, z))
 
 
-def _expression(section: Node, island: Island) -> Expression | None:
-    node = section.children[-1]
-    return Expression(node, island) if isinstance(node, Node) else None
+def _expression(section: Node, island: Island) -> Expression:
+    return Expression(cast(Node, section.children[-1]), island)
 
 
 def _number(section: Node, island: Island) -> tuple[int | None, Place]:
-    token = section.children[-1]
+    token = cast(Token, section.children[-1])
     place = Place(island, token.start, token.end)
-    if not isinstance(token, Token) or token.is_missing:
+    if token.is_missing:
         return None, place
     try:
         return int(token.text), place
@@ -154,20 +138,21 @@ def _number(section: Node, island: Island) -> tuple[int | None, Place]:
         return None, place
 
 
+def _first(node: Node, kind: str) -> Node | None:
+    return next(node.nodes(kind), None)
+
+
 def _child(node: Node, island: Island) -> Child:
-    names = [_as_name(t, island) for t in node.children if t.kind == NAME]
-    missing = Name.at("", island, node.end, node.end)
-    return Child(*(*names, missing, missing)[:2])
+    return Child(*_names(node, island))
 
 
 def _name(node: Node, island: Island) -> Name:
+    return next(_names(node, island))
+
+
+def _names(node: Node, island: Island) -> Iterator[Name]:
+    """Yield the names directly in a node, empty where they are missing."""
     for token in node.children:
         if token.kind == NAME:
-            return _as_name(token, island)
-    return Name.at("", island, node.start, node.start)
-
-
-def _as_name(token: Node | Token, island: Island) -> Name:
-    if not isinstance(token, Token) or token.is_missing:
-        return Name.at("", island, token.start, token.end)
-    return Name.at(token.text.removeprefix("^"), island, token.start, token.end)
+            text = cast(Token, token).text
+            yield Name.at(text.removeprefix("^"), island, token.start, token.end)

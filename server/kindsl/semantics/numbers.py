@@ -43,7 +43,7 @@ def mass_distribution(inertia: Inertia, values: Mapping[str, float]) -> MassDist
     moments = tuple([given[name].value(values) for name in MOMENTS if name in given])
     if mass is None or com is None or None in moments or len(moments) != len(MOMENTS):
         return None
-    if not isfinite(0.0 * mass + 0.0 * sum(moments)):  # type: ignore[arg-type]
+    if not all(map(isfinite, (mass, *moments))):  # type: ignore[arg-type]
         return None
     written = MassDistribution(mass, com, moments)  # type: ignore[arg-type]
     if _is_literal(island):
@@ -57,7 +57,7 @@ def triple(vector: Vector | None, values: Mapping[str, float]) -> Vector3 | None
         return None
     first, second, third = vector.components
     x, y, z = first.value(values), second.value(values), third.value(values)
-    if x is None or y is None or z is None or not isfinite(0.0 * x + 0.0 * y + 0.0 * z):
+    if x is None or y is None or z is None or not all(map(isfinite, (x, y, z))):
         return None
     return x, y, z
 

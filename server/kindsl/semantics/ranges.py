@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from math import pi
 from typing import TypeAlias
 
-from kindsl.semantics.expressions import Expression, number_of
-from kindsl.syntax.tree import Node, Token
+from kindsl.semantics.expressions import Expression, name_of, number_of
+from kindsl.syntax.tree import Node
 
 Interval: TypeAlias = tuple[float, float]
 Degrees: TypeAlias = Mapping[str, int]
@@ -45,17 +45,17 @@ def _bounds(node: Node, known: Mapping[str, Interval]) -> Interval | None:
     if kind == "juxtaposed_pi":
         return _times(_exact(number_of(node.children[0])), (pi, pi))
     if kind == "constant_use":
-        return known.get(f"<{_name(node)}>")
+        return known.get(f"<{name_of(node)}>")
     if kind == "juxtaposed_parameter":
-        return _times(_exact(number_of(node.children[0])), known.get(_name(node)))
+        return _times(_exact(number_of(node.children[0])), known.get(name_of(node)))
     parts = [_bounds(child, known) for child in node.children if isinstance(child, Node)]
     if kind in ("parameter", "defaulted"):
-        return known.get(_name(node)) or (parts[0] if parts else None)
+        return known.get(name_of(node)) or (parts[0] if parts else None)
     if kind in _PASSING:
-        return parts[0] if parts else None
+        return parts[0]
     if kind == "negate":
-        return _times((-1.0, -1.0), parts[0] if parts else None)
-    return _combined(kind, *parts)
+        return _times((-1.0, -1.0), parts[0])
+    return None if kind == "unsupported" else _combined(kind, *parts)
 
 
 def _combined(kind: str, left: Interval | None, right: Interval | None) -> Interval | None:
@@ -68,7 +68,7 @@ def _combined(kind: str, left: Interval | None, right: Interval | None) -> Inter
     if kind == "divide":
         has_zero = right[0] <= 0.0 <= right[1]
         return None if has_zero else _times(left, (1.0 / right[1], 1.0 / right[0]))
-    return _times(left, right) if kind == "multiply" else None
+    return _times(left, right)
 
 
 def _times(left: Interval | None, right: Interval | None) -> Interval | None:
@@ -79,23 +79,24 @@ def _times(left: Interval | None, right: Interval | None) -> Interval | None:
 
 
 def _degrees(node: Node, names: frozenset[str]) -> Degrees | None:
-    parts = [_degrees(child, names) for child in node.children if isinstance(child, Node)]
-    if node.kind in _USES:
-        return {_name(node): 1} if _name(node) in names else {}
-    if any(part is None for part in parts):
+    name = name_of(node) if node.kind in _USES else ""
+    if name:
+        return {name: 1} if name in names else {}
+    if node.kind == "unsupported":
         return None
-    known = [part for part in parts if part is not None]
-    if node.kind == "multiply" and len(known) == 2:
-        return product_degrees(*known)
-    if node.kind == "divide" and len(known) == 2:
-        return None if any(known[1].values()) else known[0]
-    return {n: max(p.get(n, 0) for p in known) for p in known for n in p}
+    parts: list[Degrees] = []
+    for child in node.children:
+        if isinstance(child, Node):
+            degrees = _degrees(child, names)
+            if degrees is None:
+                return None
+            parts.append(degrees)
+    if node.kind == "multiply":
+        return product_degrees(*parts)
+    if node.kind == "divide":
+        return None if any(parts[1].values()) else parts[0]
+    return {name: max(p[name] for p in parts if name in p) for part in parts for name in part}
 
 
 def _exact(value: float | None) -> Interval | None:
     return None if value is None else (value, value)
-
-
-def _name(node: Node) -> str:
-    tokens = (token for token in node.children if isinstance(token, Token))
-    return next((token.text.lstrip("^") for token in tokens if token.kind == "NAME"), "")
