@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from kindsl.features.actions.action import CodeAction
 from kindsl.semantics.model import Model
-from kindsl.semantics.transforms import LINK_PREFIX, frame_names, undeclared_frames, unknown_frames
+from kindsl.semantics.transforms import frame_names, undeclared_frames, unknown_frames
 from kindsl.syntax.transforms_text import TransformsDocument, read_transforms
 from kindsl.text.edits import TextEdit
 from kindsl.text.nearest import nearest_name
@@ -24,7 +24,7 @@ def transforms_actions(text: str, model: Model | None, start: int, end: int) -> 
     """
     document = read_transforms(text)
     if not text.strip():
-        return [_whole(text, model)] if model is not None and model.name else []
+        return [_whole(text, model)] if model is not None and model.name and model.bodies else []
     found = [*_listings(text, document, start, end)]
     if model is not None:
         found += [*_replacements(text, document, model, start, end)]
@@ -33,9 +33,12 @@ def transforms_actions(text: str, model: Model | None, start: int, end: int) -> 
 
 
 def transforms_document(model: Model) -> str:
-    """Return the document that wants the pose of each link and frame in the base."""
+    """Return the document that wants the pose of each link and frame in the base.
+
+    Without a base it is the first link that they are wanted in.
+    """
     frames = list(frame_names(model))
-    base = f"{LINK_PREFIX}{model.base.name}" if model.base is not None else frames[0]
+    base = frames[0]
     pairs = "".join(f"    base={base}, target={name}\n" for name in frames if name != base)
     listed = f"Frames {{\n    {', '.join(frames)}\n}}"
     return f"Robot {model.name}\n{listed}\nTransforms {{\n{pairs}}}\nJacobians {{\n}}\n"

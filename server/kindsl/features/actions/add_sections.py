@@ -10,14 +10,14 @@ from kindsl.features.completion import snippets
 from kindsl.features.completion.fresh_names import next_id
 from kindsl.features.completion.item import without_placeholders
 from kindsl.features.tree_path import path_at
+from kindsl.syntax.document import PlacedIsland
 from kindsl.syntax.sections import ORDER
-from kindsl.syntax.tree import Node, Token
+from kindsl.syntax.tree import Node
 from kindsl.text.edits import TextEdit
 from kindsl.text.words import listed
 
 _KIND = "refactor.rewrite"
 _BLOCKS = ("base", "link", "joint", "inertia", "frame", "joint_frame")
-_OFFERED = ("inertia", "frames")
 _ZEROS = "(0.0, 0.0, 0.0)"
 _TITLES = {"inertia": "Add an inertia section", "frames": "Add a frames section"}
 
@@ -29,41 +29,39 @@ class _Section(NamedTuple):
 
 def add_sections(analysis: Analysis, start: int, _end: int) -> Iterator[CodeAction]:
     """Offer what the innermost block at a range must have; at its head also what it may have."""
-    place = analysis.syntax.island_at(start)
-    path = path_at(place.island, start - place.start)
-    block = next((node for node in reversed(path) if node.kind in _BLOCKS), None)
-    if block is None:
-        return
     yield from add_missing(analysis, start)
-    text = place.island.text
-    missing = [*_missing(analysis, block)]
-    is_head = any(c.start <= start - place.start <= c.end for c in block.children[:2])
-    for section in missing:
-        if is_head and section.kind in _OFFERED:
-            yield from _action(_TITLES[section.kind], text, block, [section], place.start)
+    place = analysis.syntax.island_at(start)
+    block = _innermost_block(place, start)
+    if block is None or not block.start <= start - place.start <= block.children[1].end:
+        return
+    for section in _missing(analysis, block):
+        if section.kind in _TITLES:
+            yield from _action(_TITLES[section.kind], place, block, [section])
 
 
 def add_missing(analysis: Analysis, start: int) -> Iterator[CodeAction]:
     """Offer what the innermost block at an offset must have and lacks."""
     place = analysis.syntax.island_at(start)
-    path = path_at(place.island, start - place.start)
-    block = next((node for node in reversed(path) if node.kind in _BLOCKS), None)
+    block = _innermost_block(place, start)
     if block is None:
         return
     needed = [s for s in _missing(analysis, block) if ORDER[block.kind][s.kind].is_needed]
     if needed:
         words = listed(dict.fromkeys(_called(s.lines) for s in needed))
-        yield from _action(
-            f"Add the missing {words}", place.island.text, block, needed, place.start
-        )
+        yield from _action(f"Add the missing {words}", place, block, needed)
+
+
+def _innermost_block(place: PlacedIsland, offset: int) -> Node | None:
+    path = path_at(place.island, offset - place.start)
+    return next((node for node in reversed(path) if node.kind in _BLOCKS), None)
 
 
 def _missing(analysis: Analysis, block: Node) -> Iterator[_Section]:
     """Yield the sections that are not there, in the order of the grammar."""
-    there = {child.kind for child in block.children if isinstance(child, Node)}
+    there = {child.kind for child in block.children}
     for kind in ORDER[block.kind]:
         if kind == "moment":
-            present = {_word(node) for node in block.nodes("moment")}
+            present = {next(node.tokens()).text for node in block.nodes("moment")}
             for name, default in snippets.MOMENT_DEFAULTS.items():
                 if name not in present:
                     yield _Section(kind, (f"{name} = {default}",))
@@ -86,15 +84,16 @@ _LINES = {
 
 
 def _action(
-    title: str, text: str, block: Node, sections: Sequence[_Section], origin: int
+    title: str, place: PlacedIsland, block: Node, sections: Sequence[_Section]
 ) -> Iterator[CodeAction]:
     """Yield the action that inserts sections; those for one place become one edit."""
     edits: dict[int, TextEdit] = {}
     for section in sections:
-        edit = inserted_section(text, block, _section_before(block, section.kind), section.lines)
+        behind = _section_before(block, section.kind)
+        edit = inserted_section(place.island.text, block, behind, section.lines)
         if edit is None:
             return
-        at = origin + edit.start
+        at = place.start + edit.start
         known = edits.get(at)
         new = edit.text if known is None else known.text.rstrip(" ") + edit.text
         edits[at] = TextEdit(at, at, new)
@@ -105,15 +104,11 @@ def _section_before(block: Node, kind: str) -> Node | None:
     """Return the last section that the grammar wants before another."""
     order = ORDER[block.kind]
     rank = order[kind].rank
-    sections = [child for child in block.children if isinstance(child, Node)]
-    before = [s for s in sections if s.kind in order and order[s.kind].rank <= rank]
-    return before[-1] if before else None
+    for child in reversed(block.children):
+        if isinstance(child, Node) and child.kind in order and order[child.kind].rank <= rank:
+            return child
+    return None
 
 
 def _called(lines: Sequence[str]) -> str:
     return f"'{lines[0].split(' ')[0]}'"
-
-
-def _word(node: Node) -> str:
-    word = node.children[0]
-    return word.text if isinstance(word, Token) else ""

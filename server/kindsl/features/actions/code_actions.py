@@ -11,13 +11,15 @@ from kindsl.features.actions.add_sections import add_missing, add_sections
 from kindsl.features.actions.extract_parameter import extract_parameter
 from kindsl.features.actions.fix_all import fix_all
 from kindsl.features.actions.inline_parameter import inline_parameter
-from kindsl.features.actions.layout_edits import line_indent, newline_of
+from kindsl.features.actions.layout_edits import newline_of
 from kindsl.features.actions.move_inertia import move_inertia
 from kindsl.features.actions.new_frame import add_referenced_frame
 from kindsl.features.actions.sort_links import renumber_links, sort_links
 from kindsl.features.symbol_at import EntityKind, symbol_at
 from kindsl.semantics.declarations import ValueKind
+from kindsl.syntax.indentation import indentation
 from kindsl.text.edits import TextEdit
+from kindsl.text.lines import LineIndex
 
 FIX_ALL = "source.fixAll.kindsl"
 QUICK_FIX = "quickfix"
@@ -108,8 +110,9 @@ def _touched(analysis: Analysis, start: int, end: int) -> list[Diagnostic]:
 
 def _ignoring(text: str, finding: Diagnostic) -> TextEdit:
     """Return the comment on a line of its own before the finding's, indented like it."""
-    line = max(text.rfind("\n", 0, finding.start), text.rfind("\r", 0, finding.start)) + 1
-    comment = f"{line_indent(text, finding.start)}// kindsl: ignore[{finding.code}]"
+    _, column = LineIndex(text).position(finding.start)
+    line = finding.start - column
+    comment = f"{indentation(text, finding.start)}// kindsl: ignore[{finding.code}]"
     return TextEdit(line, line, f"{comment}{newline_of(text)}")
 
 

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator
+from itertools import chain, count
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.actions.action import CodeAction
@@ -22,7 +23,7 @@ def extract_parameter(analysis: Analysis, start: int, end: int) -> Iterator[Code
     to `kindsl.toml`.
     """
     found = token_at(analysis.syntax, start)
-    if found is None or found.token.kind not in _NUMBERS or not found.start <= end <= found.end:
+    if found is None or found.token.kind not in _NUMBERS or end > found.end:
         return
     expression = expression_at(found.island, found.path)
     place = value_place(found.path, found.token.start)
@@ -47,15 +48,14 @@ def _action(
 
 def _new_name(analysis: Analysis, place: ValuePlace) -> str:
     """Return a name that tells the place, unlike all names in the document."""
-    component = "" if place.component is None else "xyz"[min(place.component, 2)]
-    section = {"translation": "", "rotation": "r"}.get(place.section, place.section)
-    parts = (place.owner.split("`")[1], f"{section}{component}" if section == "r" else section)
-    words = [*parts] if section == "r" else [*parts, component]
-    wanted = _NO_NAME.sub("_", "_".join(word for word in words if word)).lower() or "parameter"
-    if wanted[0].isdigit() or wanted.startswith("pi"):
+    axis = "" if place.component is None else "xyz"[place.component]
+    short = {"translation": axis, "rotation": f"r{axis}"}
+    words = f"{place.owner.split('`')[1]}_{short.get(place.section, f'{place.section}_{axis}')}"
+    wanted = _NO_NAME.sub("_", words.lower()).strip("_")
+    if wanted.startswith("pi"):
         wanted = f"p_{wanted}"
     model = analysis.model
     taken = {*map(str, (p.name for p in model.parameters)), *analysis.settings.bindings}
     taken |= {*model.body_named, *model.joint_named}
-    names = (wanted, *(f"{wanted}_{number}" for number in range(2, len(taken) + 3)))
+    names = chain((wanted,), (f"{wanted}_{number}" for number in count(2)))
     return next(name for name in names if name not in taken)

@@ -9,7 +9,6 @@ from kindsl.features.tree_path import path_at
 from kindsl.features.value_place import expression_at
 from kindsl.semantics.expressions import symbols
 from kindsl.semantics.parameters import Use
-from kindsl.semantics.places import Place
 from kindsl.text.decimals import exact_decimal
 from kindsl.text.edits import TextEdit
 
@@ -27,8 +26,7 @@ def inline_parameter(analysis: Analysis, start: int, end: int) -> Iterator[CodeA
         return
     name = symbol.entity.name
     parameter = next((p for p in analysis.model.parameters if p.name == name), None)
-    value = analysis.context.values.get(name)
-    if parameter is None or value is None:
+    if parameter is None:
         return
     edits = [_edit(analysis, use) for use in parameter.uses]
     known = tuple(dict.fromkeys(edit for edit in edits if edit is not None))
@@ -40,10 +38,8 @@ def _edit(analysis: Analysis, use: Use) -> TextEdit | None:
     """Return the replacement of the value that a use stands in, None if it has other names."""
     island = use.name.island
     expression = expression_at(island, path_at(island, use.name.start))
-    value = expression.value(analysis.context.values) if expression is not None else None
-    if expression is None or value is None:
+    assert expression is not None
+    value = expression.value(analysis.context.values)
+    if value is None or any(symbol.name != use.name for symbol in symbols(expression)):
         return None
-    if any(str(symbol.name) != str(use.name) for symbol in symbols(expression)):
-        return None
-    place = Place(island, expression.start, expression.end)
-    return TextEdit(*analysis.resolver.span(place), exact_decimal(value))
+    return TextEdit(*analysis.resolver.span(expression), exact_decimal(value))

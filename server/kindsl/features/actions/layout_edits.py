@@ -3,19 +3,12 @@
 import re
 from collections.abc import Sequence
 
+from kindsl.syntax.indentation import indentation, is_first_on_line
 from kindsl.syntax.tree import Node
 from kindsl.text.edits import TextEdit
 
-_BLANKS = re.compile(r"[ \t]*")
 _REST_OF_LINE = re.compile(r"[ \t]*(?://[^\r\n]*)?(?=[\r\n])")
 _STEP = "    "
-
-
-def line_indent(text: str, offset: int) -> str:
-    """Return the blanks that the line of an offset begins with."""
-    start = max(text.rfind("\n", 0, offset), text.rfind("\r", 0, offset)) + 1
-    blanks = _BLANKS.match(text, start, offset)
-    return blanks[0] if blanks is not None else ""
 
 
 def newline_of(text: str) -> str:
@@ -50,11 +43,14 @@ def inserted_section(
     return TextEdit(position, position, new + " " if is_close else new)
 
 
+def last_section(block: Node) -> Node | None:
+    """Return the last section of a block, entry of a section, or None."""
+    return next((child for child in reversed(block.children) if isinstance(child, Node)), None)
+
+
 def section_indent(text: str, block: Node) -> str:
     """Return the blanks before the sections of a block."""
     for child in block.children:
-        indent = line_indent(text, child.start)
-        is_first = text[child.start - len(indent) - 1 : child.start - len(indent)] in ("\n", "\r")
-        if isinstance(child, Node) and is_first:
-            return indent
-    return line_indent(text, block.start) + _STEP
+        if isinstance(child, Node) and is_first_on_line(text, child.start):
+            return indentation(text, child.start)
+    return indentation(text, block.end) + _STEP

@@ -4,11 +4,13 @@ Offered only where all numbers are written out: with parameters in it the result
 their present values alone.
 """
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain, count
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.actions.action import CodeAction
-from kindsl.features.actions.layout_edits import inserted_section, line_indent
+from kindsl.features.actions.layout_edits import inserted_section
 from kindsl.features.actions.new_frame import new_frame
 from kindsl.features.link_inertia import link_inertia
 from kindsl.features.tree_path import path_at
@@ -26,6 +28,7 @@ from kindsl.text.decimals import rounded_decimal
 from kindsl.text.edits import TextEdit
 
 _KIND = "refactor.rewrite"
+_BLANKS_BEFORE = re.compile(r"(?:\r\n?|\n)?[ \t]*\Z")
 
 
 def move_inertia(analysis: Analysis, start: int, _end: int) -> Iterator[CodeAction]:
@@ -120,24 +123,17 @@ def _with_frame(inertia: Inertia, name: str) -> TextEdit | None:
 
 
 def _without_frame(inertia: Inertia) -> TextEdit:
-    """Return the edit that removes `ref_frame = name`, with its line if nothing else is on it."""
+    """Return the edit that removes `ref_frame = name`, with the line that it begins."""
     node = next(inertia.node.nodes("inertia_frame"))
-    text = inertia.island.text
-    start = node.start - len(line_indent(text, node.start))
-    if text[start : node.start].strip() or text[start - 1 : start] not in ("\n", "\r"):
-        start = node.start
-        while text[start - 1 : start] in (" ", "\t"):
-            start -= 1
-        return TextEdit(start, node.end, "")
-    start -= 2 if text[start - 2 : start] == "\r\n" else 1
-    return TextEdit(start, node.end, "")
+    before = _BLANKS_BEFORE.sub("", inertia.island.text[: node.start])
+    return TextEdit(len(before), node.end, "")
 
 
 def _new_frame_name(analysis: Analysis, link: Link) -> str:
     taken = {str(frame.name) for frame in analysis.model.frames}
     taken |= {*analysis.model.body_named, *analysis.model.joint_named}
     wanted = f"{link.name}_com"
-    names = (wanted, *(f"{wanted}_{number}" for number in range(2, len(taken) + 3)))
+    names = chain((wanted,), (f"{wanted}_{number}" for number in count(2)))
     return next(name for name in names if name not in taken)
 
 

@@ -1,15 +1,13 @@
 """Add a frame to a link: one that an inertia refers to and that is nowhere, or any other."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.features.actions.action import CodeAction
-from kindsl.features.actions.layout_edits import inserted_section
+from kindsl.features.actions.layout_edits import inserted_section, last_section
 from kindsl.rigid.pose import Vector3
 from kindsl.semantics.declarations import Link
-from kindsl.semantics.lowering import declarations
-from kindsl.syntax.tree import Node
 from kindsl.text.decimals import rounded_decimal
 from kindsl.text.edits import TextEdit
 
@@ -25,14 +23,14 @@ def add_referenced_frame(analysis: Analysis, finding: Diagnostic) -> Iterator[Co
         return
     model = analysis.model
     taken = {name.lower() for name in (*model.body_named, *model.joint_named)}
-    place = analysis.syntax.island_at(finding.start)
-    for link in declarations(place.island).bodies():
+    for link in model.bodies:
         name = link.inertia.frame if link.inertia is not None else None
-        if name is None or name.lower() in taken or place.start + name.start != finding.start:
+        if name is None or analysis.resolver.span(name)[0] != finding.start:
             continue
         edit = new_frame(link, str(name), _ORIGIN)
-        if edit is not None:
-            moved = TextEdit(place.start + edit.start, place.start + edit.end, edit.text)
+        if edit is not None and name.lower() not in taken:
+            origin = finding.start - name.start
+            moved = TextEdit(origin + edit.start, origin + edit.end, edit.text)
             title = f"Add a frame '{name}' to '{link.name}'"
             yield CodeAction(title, "quickfix", (moved,), (finding,))
 
@@ -53,12 +51,15 @@ def new_frame(link: Link, name: str, translation: Vector3) -> TextEdit | None:
         "    rotation = (0.0, 0.0, 0.0)",
         "}",
     ]
+    return added_frame(link, lines)
+
+
+def added_frame(link: Link, lines: Sequence[str]) -> TextEdit | None:
+    """Return the edit of a link's island that adds the lines of a frame, None without braces."""
     text = link.island.text
-    sections = [child for child in link.node.children if isinstance(child, Node)]
-    frames = next((section for section in sections if section.kind == "frames"), None)
-    if frames is None:
+    section = next(link.node.nodes("frames"), None)
+    if section is None:
         indented = ["frames {", *(f"    {line}" for line in lines), "}"]
-        return inserted_section(text, link.node, sections[-1], indented)
-    group = list(frames.nodes("frame_group"))[-1]
-    last = list(group.nodes("frame"))[-1:]
-    return inserted_section(text, group, last[0] if last else None, lines)
+        return inserted_section(text, link.node, last_section(link.node), indented)
+    *_, group = section.nodes("frame_group")
+    return inserted_section(text, group, last_section(group), lines)

@@ -58,8 +58,9 @@ def _pieces(analysis: Analysis, links: Sequence[Link]) -> list[tuple[int, int]]:
 
 
 def _end_of_line(text: str, offset: int) -> int:
-    match = _REST_OF_LINE.match(text, offset)
-    return match.end() if match is not None else offset
+    rest = _REST_OF_LINE.match(text, offset)
+    assert rest is not None
+    return rest.end()
 
 
 def _apart(piece: str, newline: str) -> str:

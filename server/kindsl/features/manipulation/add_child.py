@@ -35,9 +35,10 @@ def add_child(
     newline = newline_of(analysis.text)
     block = without_placeholders(snippets.link(link, next_ids(model))).replace("\n", newline)
     listed = with_child(analysis, body, link, joint)
-    linked = behind_last(analysis, model.links or model.bases, [block])
-    jointed = behind_last(analysis, model.joints or model.links, [newline.join(lines)])
-    if listed is None or linked is None or jointed is None:
+    bodies = model.links or model.bases
+    linked = behind_last(analysis, bodies, [block])
+    jointed = behind_last(analysis, model.joints or bodies, [newline.join(lines)])
+    if listed is None:
         return Refusal(f"'{parent}' has no section of children to add to")
     title = f"Add link '{link}' to '{parent}' by joint '{joint}'"
-    return Gesture(title, (listed, linked, jointed), (link, joint))
+    return Gesture(title, tuple(sorted((listed, linked, jointed))), (link, joint))

@@ -1,13 +1,11 @@
 """The one name that carries a value, and by what it is multiplied there."""
 
-from math import pi
 from typing import NamedTuple
 
 from kindsl.semantics.expressions import ConstantUse, Expression, ParameterUse, number_of, symbols
 from kindsl.syntax.tree import Node
 
-_NAMED = frozenset(("parameter", "defaulted", "juxtaposed_parameter", "constant", "constant_use"))
-_SAME = frozenset(("plus", "group"))
+_NAMED = frozenset(("parameter", "defaulted", "constant", "constant_use"))
 
 
 class Carrier(NamedTuple):
@@ -30,9 +28,9 @@ class Carrier(NamedTuple):
 
 def carrier_of(expression: Expression) -> Carrier | None:
     """Return what carries a value, None where no name does, or it cannot be solved for."""
-    uses = list(symbols(expression))
+    use = next(symbols(expression), None)
     factor = _factor(expression.node)
-    return Carrier(uses[0], factor) if len(uses) == 1 and factor else None
+    return Carrier(use, factor) if use is not None and factor else None
 
 
 def has_names(expression: Expression) -> bool:
@@ -45,39 +43,26 @@ def unsolvable(expression: Expression) -> str:
     return f"'{expression.text}' cannot be solved for one name"
 
 
-def _factor(node: Node) -> float | None:
-    """Return what the name in a value is multiplied by, None where there is no one name."""
+def _factor(node: Node) -> float:
+    """Return what the name in a value is multiplied by, zero where there is no one name.
+
+    Only the shapes that a generator takes are looked into: no sums, no brackets.
+    """
+    if node.kind == "juxtaposed_parameter":
+        return _number(node)
     if node.kind in _NAMED:
-        return number_of(node.children[0]) if node.kind == "juxtaposed_parameter" else 1.0
-    parts = [child for child in node.children if isinstance(child, Node)]
-    if len(parts) == 1:
-        inner = _factor(parts[0])
-        if inner is None:
-            return None
-        return -inner if node.kind == "negate" else inner if node.kind in _SAME else None
-    if len(parts) != 2 or node.kind not in ("multiply", "divide"):
-        return None
-    left, right = parts
+        return 1.0
+    operands = [child for child in node.children if isinstance(child, Node)]
+    if node.kind == "negate":
+        return -_factor(operands[0])
+    if node.kind == "multiply":
+        return _number(operands[0]) * _factor(operands[1])
     if node.kind == "divide":
-        return _quotient(_factor(left), _plain(right))
-    return _product(_factor(left), _plain(right)) or _product(_plain(left), _factor(right))
+        divisor = _number(operands[1])
+        return _factor(operands[0]) / divisor if divisor else 0.0
+    return 0.0
 
 
-def _plain(node: Node) -> float | None:
-    """Return the value of a number, with a sign or not."""
-    if node.kind == "number":
-        return number_of(node.children[0])
-    if node.kind == "pi":
-        return pi
-    inner = [_plain(child) for child in node.children if isinstance(child, Node)]
-    if len(inner) != 1 or inner[0] is None:
-        return None
-    return -inner[0] if node.kind == "negate" else inner[0] if node.kind in _SAME else None
-
-
-def _product(left: float | None, right: float | None) -> float | None:
-    return None if left is None or right is None else left * right
-
-
-def _quotient(left: float | None, right: float | None) -> float | None:
-    return None if left is None or not right else left / right
+def _number(node: Node) -> float:
+    """Return the number that a construct begins with, zero where it is a sign or a name."""
+    return number_of(node.children[0]) or 0.0

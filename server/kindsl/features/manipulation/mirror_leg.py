@@ -12,14 +12,14 @@ from kindsl.analysis.analysis import Analysis
 from kindsl.features.manipulation.gesture import Gesture, Refusal
 from kindsl.features.manipulation.new_blocks import behind_last, next_ids, with_child
 from kindsl.rules.inertia.twins import other_side
-from kindsl.semantics.declarations import Joint, Link, Pose, Vector
+from kindsl.semantics.declarations import Child, Joint, Link, Pose, Vector
 from kindsl.semantics.expressions import Expression
-from kindsl.semantics.kinematic_tree import Edge
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Construct, Name
 from kindsl.text.edits import TextEdit, apply_edits
 
 _MIRRORED_PRODUCTS = ("Ixy", "Iyz")
+_SUMS = frozenset(("add", "subtract"))
 _SIGN = re.compile(r"([+-])\s*")
 
 
@@ -28,37 +28,36 @@ def mirror_leg(analysis: Analysis, link: str) -> Gesture | Refusal:
     model = analysis.model
     root = model.body_named.get(link)
     edge = model.tree.supporting_edge(root) if root is not None else None
-    if root is None or edge is None or edge.joint is None:
+    if root is None or edge is None:
         return Refusal(f"there is no link '{link}' with a supporting joint")
-    edges = [edge, *_edges_below(model, root)]
-    names = _mirrored_names(model, edges)
+    links = [root, *model.tree.in_topological_order(root)]
+    children = [edge.child, *(child for body in links for child in body.children)]
+    names = _mirrored_names(model, links, children)
     if isinstance(names, Refusal):
         return names
-    links = [each.link for each in edges if each.link is not None]
-    joints = [each.joint for each in edges if each.joint is not None]
-    ids = {body: number for number, body in enumerate(links, next_ids(model))}
-    listed = with_child(analysis, edge.predecessor, names[link], names[str(edge.joint.name)])
-    new_links = [_mirrored_link(body, names, ids[body]) for body in links]
+    joints = [model.joint_named[child.joint] for child in children]
+    listed = with_child(analysis, edge.predecessor, names[link], names[edge.child.joint])
+    ids = enumerate(links, next_ids(model))
+    new_links = [_mirrored_link(body, names, number) for number, body in ids]
     new_joints = [_mirrored_joint(joint, names) for joint in joints]
     linked = behind_last(analysis, model.links, new_links)
     jointed = behind_last(analysis, model.joints, new_joints)
-    if listed is None or linked is None or jointed is None:
+    if listed is None:
         return Refusal(f"link '{link}' is not whole")
     title = f"Mirror '{link}' as '{names[link]}'"
     return Gesture(title, tuple(sorted((listed, linked, jointed))), tuple(names.values()))
 
 
-def _edges_below(model: Model, root: Link) -> Iterator[Edge]:
-    for link in model.tree.in_topological_order(root):
-        edge = model.tree.supporting_edge(link)
-        if edge is not None and edge.joint is not None:
-            yield edge
-
-
-def _mirrored_names(model: Model, edges: Sequence[Edge]) -> dict[str, str] | Refusal:
+def _mirrored_names(
+    model: Model, links: Sequence[Link], children: Sequence[Child]
+) -> dict[str, str] | Refusal:
     """Return the new name of each link, joint and frame of a leg, all of which must be free."""
-    own = [str(edge.child.link) for edge in edges] + [str(edge.child.joint) for edge in edges]
-    own += [str(frame.name) for edge in edges if edge.link for frame in edge.link.frames]
+    lost = [child.link for child in children if child.link not in model.body_named]
+    lost += [child.joint for child in children if child.joint not in model.joint_named]
+    if lost:
+        return Refusal(f"'{lost[0]}' is not defined")
+    own = [str(child.link) for child in children] + [str(child.joint) for child in children]
+    own += [str(frame.name) for link in links for frame in link.frames]
     names: dict[str, str] = {}
     for name in own:
         other = other_side(name)
@@ -104,8 +103,10 @@ def _negated(vector: Vector | None, axes: Sequence[int]) -> Iterator[TextEdit]:
 def _opposite(value: Expression) -> TextEdit:
     """Return the edit that gives a value the other sign, in its own form."""
     sign = _SIGN.match(value.text)
-    if value.literal == 0.0:
+    if not value.text or value.literal == 0.0:
         text = value.text
+    elif value.node.kind in _SUMS:
+        text = f"-({value.text})"
     elif sign is None:
         text = f"-{value.text}"
     else:

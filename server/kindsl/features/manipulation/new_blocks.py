@@ -3,10 +3,12 @@
 from collections.abc import Iterable, Sequence
 
 from kindsl.analysis.analysis import Analysis
-from kindsl.features.actions.layout_edits import inserted_section, line_indent, newline_of
+from kindsl.features.actions.layout_edits import inserted_section, last_section, newline_of
+from kindsl.features.actions.new_frame import added_frame
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Construct
+from kindsl.syntax.indentation import indentation, is_first_on_line
 from kindsl.syntax.tree import Node
 from kindsl.text.edits import TextEdit
 
@@ -16,36 +18,16 @@ def with_child(analysis: Analysis, body: Link, link: str, joint: str) -> TextEdi
     section = next(body.node.nodes("children"), None)
     if section is None:
         return None
-    entry = f"{link} via {joint}"
-    if not body.children:
-        return _absolute(analysis, body, _first_child(body.island.text, section, entry))
-    last = body.children[-1]
-    indent = line_indent(body.island.text, last.start)
-    begins_line = body.island.text[: last.start].endswith(("\n" + indent, "\r" + indent))
-    apart = f"{newline_of(body.island.text)}{indent}" if begins_line else " "
-    return _absolute(analysis, body, TextEdit(last.end, last.end, f"{apart}{entry}"))
+    return _absolute(analysis, body, _child(body.island.text, section, f"{link} via {joint}"))
 
 
 def with_frame(analysis: Analysis, body: Link, lines: Sequence[str]) -> TextEdit | None:
     """Return the edit that gives a body one more frame, None where its braces are missing."""
-    section = next(body.node.nodes("frames"), None)
-    group = next(section.nodes("frame_group"), None) if section is not None else None
-    if group is None:
-        behind = [child for child in body.node.children if isinstance(child, Node)]
-        whole = ["frames {", *(f"    {line}" for line in lines), "}"]
-        edit = inserted_section(body.island.text, body.node, behind[-1] if behind else None, whole)
-    else:
-        frames = list(group.nodes("frame"))
-        edit = inserted_section(body.island.text, group, frames[-1] if frames else None, lines)
-    return _absolute(analysis, body, edit)
+    return _absolute(analysis, body, added_frame(body, lines))
 
 
-def behind_last(
-    analysis: Analysis, blocks: Sequence[Construct], texts: Iterable[str]
-) -> TextEdit | None:
-    """Return the edit that puts new blocks behind the last of their kind, None without one."""
-    if not blocks:
-        return None
+def behind_last(analysis: Analysis, blocks: Sequence[Construct], texts: Iterable[str]) -> TextEdit:
+    """Return the edit that puts new blocks behind the last of some, of which there is one."""
     newline = newline_of(analysis.text)
     last = max(blocks, key=lambda block: analysis.resolver.span(block)[0])
     end = analysis.resolver.span(last)[1]
@@ -66,14 +48,13 @@ def next_ids(model: Model) -> int:
     return 1 + max((link.id or 0 for link in model.links), default=0)
 
 
-def _first_child(text: str, section: Node, entry: str) -> TextEdit | None:
-    """Return the edit that lists the first child: on a line of its own where sections are."""
+def _child(text: str, section: Node, entry: str) -> TextEdit | None:
+    """Return the edit that lists a child; the first on a line of its own where sections are."""
     opening, closing = section.children[1].end, section.children[-1].start
-    indent = line_indent(text, section.start)
-    begins_line = text[: section.start].endswith(("\n" + indent, "\r" + indent))
-    if not begins_line or text[opening:closing].strip(" \t"):
-        return inserted_section(text, section, None, [entry])
-    newline = newline_of(text)
+    is_bare = text[section.children[1].start : closing].strip() == "{"
+    if not is_bare or not is_first_on_line(text, section.start):
+        return inserted_section(text, section, last_section(section), [entry])
+    indent, newline = indentation(text, section.start), newline_of(text)
     return TextEdit(opening, closing, f"{newline}{indent}    {entry}{newline}{indent}")
 
 

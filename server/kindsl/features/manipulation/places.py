@@ -13,11 +13,11 @@ def places_moved_by(
     """Return the values that a symbol stands in but one: `joint 'knee' translation x`."""
     model = analysis.model
     if isinstance(use, ParameterUse):
-        parameter = next((p for p in model.parameters if p.name == use.name), None)
-        names = [each.name for each in parameter.uses] if parameter is not None else []
+        parameter = next(p for p in model.parameters if p.name == use.name)
+        names = [each.name for each in parameter.uses]
     else:
-        constant = next((c for c in model.constants if c.name == use.name), None)
-        names = [each.name for each in constant.uses] if constant is not None else []
+        constant = next(c for c in model.constants if c.name == use.name)
+        names = [each.name for each in constant.uses]
     elsewhere = [name for name in names if not _is_within(name, but)]
     return tuple(dict.fromkeys(_place_of(name) for name in elsewhere))
 

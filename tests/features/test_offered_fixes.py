@@ -1,0 +1,123 @@
+"""Which findings a change that is offered is about, and how little of the text it touches."""
+
+import pytest
+from tests.features.samples import ARM
+from tests.support.cursor import at_cursor
+
+from kindsl.analysis.analysis import analyse
+from kindsl.features.actions.code_actions import (
+    bind_parameter,
+    code_actions,
+    fix_all_action,
+    quick_fixes,
+    suppressions,
+)
+from kindsl.features.actions.fix_all import fix_all
+from kindsl.text.edits import TextEdit, apply_edits
+
+JOINT = "r_joint j { ref_frame { translation = (x, y, 0.0) rotation = (0.0, 0.0, 0.0) } }"
+
+
+def test_fixes_of_one_round_touch_nothing_else() -> None:
+    """Of a line that is replaced as a whole, an editor loses the cursor and the marks."""
+    text = ARM.replace("mass = 2.0", "mass = 2")
+    behind = text.index("mass = 2") + len("mass = 2")
+    assert fix_all(analyse(text)) == (TextEdit(behind, behind, ".0"),)
+
+
+def test_fixes_that_need_two_rounds_are_made_in_one_step() -> None:
+    text = ARM.replace(
+        "CoM = (0.25, 0.0, 0.0)\n        Ix=0.01 Iy=0.2", "Ix=0.01 Iy=0.2\n        CoM = (1, 2, 3)"
+    )
+    assert text != ARM
+    new = apply_edits(text, fix_all(analyse(text)))
+    assert new == ARM.replace("(0.25, 0.0, 0.0)", "(1.0, 2.0, 3.0)", 1)
+
+
+def test_the_fix_of_all_is_worked_out_once_for_a_text() -> None:
+    """An editor asks at each movement of the cursor, and it takes the time of a few checks."""
+    analysis = analyse(ARM.replace("mass = 2.0", "mass = 2"))
+    first, second = fix_all_action(analysis), fix_all_action(analysis)
+    assert first is not None and second is not None
+    assert first.edits is second.edits
+    other = fix_all_action(analyse(ARM.replace("mass = 1.0", "mass = 1")))
+    assert other is not None and other.edits != first.edits
+
+
+def test_fixes_of_a_rule_are_offered_where_one_of_them_is() -> None:
+    text = (
+        ARM.replace("mass = 2.0", "mass = 2")
+        .replace("mass = 1.0", "mass = 1")
+        .replace("reach", "1e")
+    )
+    analysis = analyse(text)
+    for place, is_offered in (("mass = 2", True), ("mass = 1", True), ("(1e", False)):
+        start = text.index(place) + len(place)
+        titles = [action.title for action in quick_fixes(analysis, start, start)]
+        assert ("Fix all 2 findings of KD005" in titles) == is_offered
+
+
+def test_a_binding_mends_the_finding_of_its_own_parameter() -> None:
+    for name in ("x", "y"):
+        analysis, offset = at_cursor(JOINT.replace(name, f"$0{name}", 1))
+        (action,) = bind_parameter(analysis, offset, offset + 1)
+        (finding,) = action.diagnostics
+        assert (finding.code, finding.start) == ("KD401", offset)
+        assert not [*bind_parameter(analysis, offset, offset + 2)]
+
+
+@pytest.mark.parametrize(
+    ("marked", "value"),
+    [(JOINT.replace("(x", "($0x"), 0.0), ("link l { inertia_params { mass = $0m } }", 1.0)],
+)
+def test_a_mass_that_is_bound_is_not_zero(marked: str, value: float) -> None:
+    analysis, offset = at_cursor(marked)
+    (action,) = bind_parameter(analysis, offset, offset)
+    assert [bound for _, bound in action.bindings] == [value]
+
+
+@pytest.mark.parametrize(
+    "marked",
+    ["link $0l { id = 1 }", "link l { inertia_params { mass = $0m[2.0] } }",
+     "link l { inertia_params { mass = <$0m> } }", "$0",
+     "link a { inertia_params { mass = 1.0 } inertia_params { mass = $0m } }"],
+)  # fmt: skip
+def test_nothing_else_is_bound(marked: str) -> None:
+    analysis, offset = at_cursor(marked)
+    assert not [*bind_parameter(analysis, offset, offset)]
+
+
+@pytest.mark.parametrize(
+    ("before", "comment"),
+    [("", "// kindsl: ignore[KD401]\n"), ("\n", "\n// kindsl: ignore[KD401]\n"),
+     ("\n\t", "\n\t// kindsl: ignore[KD401]\n\t"), ("\n ", "\n // kindsl: ignore[KD401]\n ")],
+)  # fmt: skip
+def test_a_finding_is_ignored_on_the_line_above_it(before: str, comment: str) -> None:
+    analysis = analyse(before + JOINT)
+    start = analysis.text.index("x,")
+    (action,) = suppressions(analysis, start, start)
+    assert action.title == "Ignore KD401 here"
+    assert [finding.start for finding in action.diagnostics] == [start]
+    assert apply_edits(analysis.text, action.edits) == comment + JOINT
+
+
+def test_what_touches_a_selection_is_offered_and_nothing_beside_it() -> None:
+    analysis = analyse(JOINT)
+    x, y = analysis.text.index("x,"), analysis.text.index("y,")
+    end = len(JOINT)
+    selections = [(x, x, x), (x + 1, x + 1, x), (x + 2, x + 2, None), (x + 2, y, y), (x + 1, y, x)]
+    for start, stop, first in (*selections, (0, end, x), (y + 2, end, None)):
+        found = [d.start for a in suppressions(analysis, start, stop) for d in a.diagnostics]
+        assert found == ([] if first is None else [first])
+
+
+def test_one_comment_is_offered_for_two_findings_of_a_rule() -> None:
+    titles = [a.title for a in code_actions(analyse(JOINT), 0, len(JOINT)) if "Ignore" in a.title]
+    assert titles == ["Ignore KD401 here"]
+
+
+def test_a_refactoring_that_is_a_fix_already_is_not_offered_twice() -> None:
+    analysis = analyse(ARM.replace("    id = 2\n", ""))
+    (finding,) = (f for f in analysis.findings if f.code == "KD008")
+    offered = code_actions(analysis, finding.start, finding.start)
+    assert [a.kind for a in offered if a.title == "Add the missing 'id'"] == ["quickfix"]
