@@ -119,6 +119,8 @@ def test_a_card_has_six_numbers_and_that_of_a_centre_of_mass_three() -> None:
         ("<k=1.0>", FRAME.format("f", "<k>") + FRAME.format("g", "<l=1.0>"),
          ("frame 'f' translation x",)),
         ("x", FRAME.format("f", "y"), ()),
+        ("<k=1.0>", FRAME.format("f", "<l=1.0>") + FRAME.format("g", "<k>"),
+         ("frame 'g' translation x",)),
     ],
 )  # fmt: skip
 def test_a_card_tells_each_other_place_of_the_name(
@@ -138,6 +140,7 @@ def test_what_moves_along_may_stand_in_the_same_vector() -> None:
         (Thing("joint", "k"), "x", "there is no joint 'k'"),
         (Thing("frame", "k"), "x", "there is no frame 'k'"),
         (Thing("com", "k"), "x", "there is no com 'k'"),
+        (Thing("wheel", "b"), "x", "there is no wheel 'b'"),
         (Thing("joint", "twice"), "x", "2 joints are named 'twice'"),
         (Thing("com", "a"), "x", "link 'a' has no inertia section"),
         (Thing("com", "b"), "rx", "com 'b' has no component 'rx'"),

@@ -9,7 +9,7 @@ from kindsl.analysis.settings import Settings
 from kindsl.features.manipulation.gesture import Refusal
 from kindsl.features.manipulation.set_component import Change, set_component
 from kindsl.features.manipulation.things import Thing
-from kindsl.features.manipulation.written_value import written_number
+from kindsl.features.manipulation.written_value import fraction_of_pi, written_number
 from kindsl.semantics.parameters import Binding
 
 ROBOT = """\
@@ -93,6 +93,24 @@ def test_an_angle_is_a_fraction_of_pi_where_it_was_one(old: str, degrees: int, n
     assert change.text == new
 
 
+def test_a_length_is_no_fraction_of_pi() -> None:
+    change = set_component(robot(), J, "x", pi / 2.0)
+    assert isinstance(change, Change)
+    assert change.text == "1.5707963268"
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [(pi / 1.234, "PI/1.234"), (pi / 1.2345, None), (pi / 359.0, "PI/359.0"), (1e-12, None),
+     (9e-13, "0.0"),
+     (pi / 2.0 + 1e-13, "PI/2.0"), (pi / 2.0 + 1e-11, None), (-pi, "-PI"), (pi / 0.4, "PI/0.4")],
+)  # fmt: skip
+def test_a_fraction_of_pi_is_exact_and_short(value: float, text: str | None) -> None:
+    found = fraction_of_pi(value)
+    assert (found and found.text) == text
+    assert found is None or abs(found.value - value) < 1e-12
+
+
 def bound(x: str, minimum: float | None, maximum: float | None) -> Analysis:
     settings = Settings(bindings={"x": Binding(1.0, minimum, maximum)})
     return analyse(ROBOT.format(x=x, rx="0.0", frames=""), settings)
@@ -137,7 +155,7 @@ def test_only_defaults_of_the_value_in_force_are_rewritten() -> None:
 
 
 def test_a_constant_is_written_where_it_is_defined() -> None:
-    analysis = robot("2.0*<k>", frames=FRAME.format("f", "<k=1.0>"))
+    analysis = robot("2.0*<k>", frames=FRAME.format("e", "<l=1.0>") + FRAME.format("f", "<k=1.0>"))
     change = set_component(analysis, J, "x", 3.0)
     assert (change.text, change.value) == ("1.5", 3.0)
     assert "(<k=1.5>," in analysis.edited(change.edits).text

@@ -11,7 +11,7 @@ Robot R {
 RobotBase b { children { LF_a via LF_j other via o } }
 link LF_a { id = 7 inertia_params { mass = 1.0 CoM = (0.1, %s, 0.3)
     Ix=1.0 Iy=1.0 Iz=1.0 Ixy=0.01 Ixz=0.02 Iyz=-0.03 } children { LF_b via LF_k LF_c via LF_l } }
-link LF_b { id = 3 children {} }
+link LF_b { id = 3 inertia_params { Ix=1.0 } children {} }
 link LF_c { children {} }
 link other { id = 1 children {} }
 r_joint LF_j { ref_frame { translation = (0.1, 0.2, 0.3) rotation = (0.1, 0.2, 0.3) } }
@@ -70,6 +70,21 @@ def test_new_links_are_numbered_behind_all_others() -> None:
     below = [(str(c.link), str(c.joint)) for c in moved.model.body_named["RF_a"].children]
     assert below == [("RF_b", "RF_k"), ("RF_c", "RF_l")]
     assert [*gesture.names] == ["RF_a", "RF_b", "RF_c", "RF_j", "RF_k", "RF_l"]
+
+
+def test_a_leg_may_be_all_that_a_document_holds() -> None:
+    leg = "// of a robot\nlink LF_a { children { LF_b via LF_k } }\n"
+    text = f"{leg}link x {{ children {{ LF_a via LF_j }} }}\nlink LF_b {{}}\n"
+    text += "r_joint LF_j {}\nr_joint LF_k {}\n"
+    new = changed(text, mirror_leg(analyse(text), "LF_a")).text
+    assert "\n\nlink RF_a { children { RF_b via RF_k } }\n\nlink RF_b {}" in new
+    assert new.endswith("\n\nr_joint RF_j {}\n\nr_joint RF_k {}\n")
+
+
+def test_a_link_that_is_named_only_has_no_image() -> None:
+    text = LEG % ("0.1", "0.1")
+    refused = mirror_leg(analyse(text.replace("other via", "LF_d via")), "LF_d")
+    assert refused == Refusal("there is no link 'LF_d' with a supporting joint")
 
 
 @pytest.mark.parametrize(

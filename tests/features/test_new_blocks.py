@@ -102,6 +102,15 @@ def test_a_base_alone_takes_its_first_child() -> None:
     assert moved.model.links[0].id == 1
 
 
+def test_a_document_may_begin_with_the_link_that_something_is_added_to() -> None:
+    text = "\n// of a robot\nlink k { children {} }"
+    new = changed(text, add_frame(analyse(text), "k", POINT)).text
+    assert new.startswith("\n// of a robot\nlink k { children {} frames { frame1 { ")
+    moved = changed(text, add_child(analyse(text), "k", POINT))
+    assert moved.text.startswith(f"\n// of a robot\nlink k {{ children {{ {CHILD} }} }}\n\nlink")
+    assert moved.model.links[1].id == 1
+
+
 def test_edits_are_in_the_order_of_the_text_wherever_the_parent_stands() -> None:
     base, rest = ROBOT.index("RobotBase"), ROBOT.index("link k")
     behind = ROBOT[:base] + ROBOT[rest:].replace("}\n\n}\n", "}\n\n" + ROBOT[base:rest] + "}\n")

@@ -94,6 +94,11 @@ def test_frames_are_listed_where_there_is_a_place_for_them(text: str, new: str |
     assert offered(text).get(ALL) == new
 
 
+def test_a_frame_is_not_listed_in_a_text_that_is_not_read_to_its_end() -> None:
+    text = "Robot arm Transforms { base=tip, target=fr_a } ;"
+    assert offered(text, 0, len(text)) == {}
+
+
 def test_a_name_that_is_like_no_other_is_not_replaced() -> None:
     text = LISTED.replace("tip", "elsewhere")
     assert [*offered(text, 0, len(text))] == [ALL]

@@ -26,11 +26,10 @@ _SIGN = re.compile(r"([+-])\s*")
 def mirror_leg(analysis: Analysis, link: str) -> Gesture | Refusal:
     """Return the edits that add the mirror image of a link with all that it carries."""
     model = analysis.model
-    root = model.body_named.get(link)
-    edge = model.tree.supporting_edge(root) if root is not None else None
-    if root is None or edge is None:
+    edge = next((each for each in model.tree.edges if each.child.link == link), None)
+    if edge is None or edge.link is None:
         return Refusal(f"there is no link '{link}' with a supporting joint")
-    links = [root, *model.tree.in_topological_order(root)]
+    links = [edge.link, *model.tree.in_topological_order(edge.link)]
     children = [edge.child, *(child for body in links for child in body.children)]
     names = _mirrored_names(model, links, children)
     if isinstance(names, Refusal):
@@ -52,10 +51,6 @@ def _mirrored_names(
     model: Model, links: Sequence[Link], children: Sequence[Child]
 ) -> dict[str, str] | Refusal:
     """Return the new name of each link, joint and frame of a leg, all of which must be free."""
-    lost = [child.link for child in children if child.link not in model.body_named]
-    lost += [child.joint for child in children if child.joint not in model.joint_named]
-    if lost:
-        return Refusal(f"'{lost[0]}' is not defined")
     own = [str(child.link) for child in children] + [str(child.joint) for child in children]
     own += [str(frame.name) for link in links for frame in link.frames]
     names: dict[str, str] = {}
@@ -64,6 +59,10 @@ def _mirrored_names(
         if other is None:
             return Refusal(f"the name '{name}' tells no side, such as 'LF' or 'left'")
         names[name] = other
+    lost = [child.link for child in children if child.link not in model.body_named]
+    lost += [child.joint for child in children if child.joint not in model.joint_named]
+    if lost:
+        return Refusal(f"'{lost[0]}' is not defined")
     taken = {*model.body_named, *model.joint_named, *(str(frame.name) for frame in model.frames)}
     clash = next((name for name in names.values() if name in taken), None)
     return Refusal(f"'{clash}' is already defined") if clash is not None else names

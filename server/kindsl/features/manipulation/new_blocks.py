@@ -1,6 +1,7 @@
 """Where new children, frames and blocks go, laid out like what is around them."""
 
 from collections.abc import Iterable, Sequence
+from itertools import count
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.actions.layout_edits import inserted_section, last_section, newline_of
@@ -29,8 +30,7 @@ def with_frame(analysis: Analysis, body: Link, lines: Sequence[str]) -> TextEdit
 def behind_last(analysis: Analysis, blocks: Sequence[Construct], texts: Iterable[str]) -> TextEdit:
     """Return the edit that puts new blocks behind the last of some, of which there is one."""
     newline = newline_of(analysis.text)
-    last = max(blocks, key=lambda block: analysis.resolver.span(block)[0])
-    end = analysis.resolver.span(last)[1]
+    _, end = max(map(analysis.resolver.span, blocks))
     added = "".join(f"{newline}{newline}{text}" for text in texts)
     return TextEdit(end, end, added)
 
@@ -39,8 +39,7 @@ def fresh_name(model: Model, stem: str) -> str:
     """Return a name that nothing in a document has: the stem with the next number."""
     taken = {*model.body_named, *model.joint_named, *(str(frame.name) for frame in model.frames)}
     taken |= {str(parameter.name) for parameter in model.parameters}
-    numbers = range(1, len(taken) + 2)
-    return next(f"{stem}{number}" for number in numbers if f"{stem}{number}" not in taken)
+    return next(f"{stem}{number}" for number in count(1) if f"{stem}{number}" not in taken)
 
 
 def next_ids(model: Model) -> int:

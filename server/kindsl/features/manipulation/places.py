@@ -2,7 +2,7 @@
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.tree_path import path_at
-from kindsl.features.value_place import owner, value_place
+from kindsl.features.value_place import value_place
 from kindsl.semantics.expressions import ConstantUse, Expression, ParameterUse
 from kindsl.semantics.places import Name
 
@@ -29,5 +29,5 @@ def _is_within(name: Name, value: Expression) -> bool:
 def _place_of(name: Name) -> str:
     path = path_at(name.island, name.start)
     place = value_place(path, name.start)
-    whose = owner(path).replace("`", "'")
-    return f"{whose} {place.label}" if place is not None else whose
+    assert place is not None
+    return f"{place.owner} {place.label}".replace("`", "'")

@@ -5,6 +5,7 @@ so its position is added to that angle. A prismatic joint's is added along the z
 """
 
 from collections.abc import Iterator, Mapping
+from math import isclose
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.manipulation.carrier import has_names
@@ -57,5 +58,5 @@ def _texts(
         return
     moved = pose.point((0.0, 0.0, position))
     for name, old, new in zip(_AXES, pose.translation, moved, strict=True):
-        if abs(new - old) > 1e-16 * abs(position):
+        if not isclose(new, old, rel_tol=0.0, abs_tol=1e-16 * abs(position)):
             yield component(analysis, thing, name), rounded_decimal(new, abs(position))

@@ -1,7 +1,7 @@
 """What one drag writes: one number of one thing, or the parameter that carries it."""
 
 from collections.abc import Mapping
-from math import inf, isfinite
+from math import inf, isclose, isfinite
 from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
@@ -60,7 +60,7 @@ def set_component(
         return Refusal(expression.reason)
     value = value if step is None else round(value / step) * step
     now = expression.value({**analysis.context.values, **typed})
-    if now is not None and abs(now - value) <= _UNCHANGED * max(1.0, abs(value)):
+    if now is not None and isclose(now, value, rel_tol=_UNCHANGED, abs_tol=_UNCHANGED):
         return Change(expression.text, now)
     carrier = carrier_of(expression)
     if carrier is not None:

@@ -1,13 +1,14 @@
 """How a new value is written: in the author's form, with his digits, for both generators."""
 
-from math import pi
+from math import isclose, pi
 from typing import NamedTuple
 
 from kindsl.semantics.expressions import Expression
 from kindsl.syntax.tree import Node
-from kindsl.text.decimals import rounded_decimal
+from kindsl.text.decimals import significant_decimal
 
 MOST_DECIMALS = 10
+_DIGITS = 15
 _PI_KINDS = frozenset(("pi", "juxtaposed_pi"))
 _EXACT = 1e-12
 _MOST_DIVISOR = 360.0
@@ -30,7 +31,7 @@ def written_angle(value: float, old: Expression) -> Written:
 def exact_angle(value: float) -> str:
     """Return an angle in radians to the last digit: a fraction of PI where it is one."""
     written = fraction_of_pi(value)
-    return written.text if written is not None else rounded_decimal(value, 1.0)
+    return written.text if written is not None else significant_decimal(value, _DIGITS)
 
 
 def fraction_of_pi(value: float) -> Written | None:
@@ -38,11 +39,10 @@ def fraction_of_pi(value: float) -> Written | None:
     if abs(value) < _EXACT:
         return Written("0.0", 0.0)
     divisor = round(pi / abs(value), 3)
-    if not 0.0 < divisor <= _MOST_DIVISOR or abs(pi / divisor - abs(value)) > _EXACT:
+    if not 0.0 < divisor <= _MOST_DIVISOR or not isclose(pi / divisor, abs(value), rel_tol=_EXACT):
         return None
-    exact = pi / divisor if value > 0.0 else -pi / divisor
-    sign = "-" if value < 0.0 else ""
-    return Written(f"{sign}PI" if divisor == 1.0 else f"{sign}PI/{divisor!r}", exact)
+    text = "PI" if divisor == 1.0 else f"PI/{divisor!r}"
+    return Written(text, pi / divisor) if value > 0.0 else Written(f"-{text}", -pi / divisor)
 
 
 def written_number(value: float, old: str) -> Written:
