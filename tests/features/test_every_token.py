@@ -6,6 +6,7 @@ import pytest
 from tests.features.samples import ARM, BROKEN, PARAMETRIC
 
 from kindsl.analysis.analysis import Analysis, analyse
+from kindsl.features.actions.code_actions import code_actions
 from kindsl.features.hover.hover import hover
 from kindsl.features.hover.keyword import keyword_hover
 from kindsl.features.symbol_at import named_places, symbol_at
@@ -32,6 +33,20 @@ def test_each_keyword_is_explained_where_it_stands(name: str) -> None:
             assert found.start <= start < found.end
             told += 1
     assert told > 10
+
+
+@pytest.mark.parametrize("name", ["arm", "parametric"])
+def test_a_missing_name_is_told_in_words(name: str) -> None:
+    text = SAMPLES[name]
+    for lost, token in tokens(analyse(text)):
+        if token.kind != "NAME":
+            continue
+        analysis = analyse(text[:lost] + text[lost + len(token.text) :])
+        for start, _ in tokens(analysis):
+            found = hover(analysis, start)
+            assert found is None or "``" not in found.markdown
+            titles = [action.title for action in code_actions(analysis, start, start)]
+            assert not [title for title in titles if "''" in title]
 
 
 @pytest.mark.parametrize("name", ["arm", "parametric"])

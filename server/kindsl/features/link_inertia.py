@@ -30,7 +30,8 @@ def link_inertia(link: Link, values: Mapping[str, float]) -> MassDistribution | 
         return written
     frame = next((f for f in link.frames if f.name == link.inertia.frame), None)
     if frame is None:
-        return Unknown(f"it has no frame `{link.inertia.frame}`")
+        name = link.inertia.frame
+        return Unknown(f"it has no frame `{name}`" if name else "its frame has no name")
     pose = written_pose(frame.pose, values)
     if pose is None:
         return why_unknown(pose_expressions(frame.pose), values)

@@ -5,6 +5,7 @@ from weakref import WeakKeyDictionary
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.unknown import Unknown, why_unknown
+from kindsl.features.wording import code
 from kindsl.semantics.declarations import Link
 
 
@@ -38,7 +39,7 @@ def subtree_of(analysis: Analysis, body: Link) -> Subtree:
 def own_mass(analysis: Analysis, body: Link) -> float | Unknown:
     """Return a body's mass in kilograms, or why it is not known."""
     if body.inertia is None or body.inertia.mass is None:
-        return Unknown(f"`{body.name}` has no mass")
+        return Unknown(f"{code(body.name)} has no mass")
     mass = body.inertia.mass.value(analysis.context.values)
     return why_unknown((body.inertia.mass,), analysis.context.values) if mass is None else mass
 

@@ -23,12 +23,15 @@ def why_unknown(values: Iterable[Expression], bindings: Mapping[str, float]) -> 
                 continue
             return Unknown(f"`{expression.text}` is not finite")
         for symbol in symbols(expression):
+            if not symbol.name:
+                return Unknown("a name is missing")
             if isinstance(symbol, ConstantUse):
                 if f"<{symbol.name}>" not in bindings:
                     return Unknown(f"the constant `{symbol.name}` has no value")
             elif str(symbol.name) not in bindings and symbol.default is None:
                 return Unknown(f"the parameter `{symbol.name}` has no value")
-        return Unknown(f"`{expression.text}` is no number")
+        if expression.text:
+            return Unknown(f"`{expression.text}` is no number")
     return Unknown("a number is missing")
 
 

@@ -44,6 +44,12 @@ class ValuePlace(NamedTuple):
         names = _TURNS if self.kind is ValueKind.ANGLE else _AXES
         return f"{self.section} {names[self.component]}"
 
+    @property
+    def title(self) -> str:
+        """What the value is, and of what."""
+        owner = self.owner.replace("``", "without a name")
+        return f"{self.label} of {owner}"
+
 
 def value_place(path: Sequence[Node], local: int) -> ValuePlace | None:
     """Return the place of the value at an offset of an island, None where no value stands.

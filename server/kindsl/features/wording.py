@@ -22,6 +22,11 @@ class Hover(NamedTuple):
     markdown: str
 
 
+def code(name: str) -> str:
+    """Return a name as Markdown shows it, in words where it is missing."""
+    return f"`{name}`" if name else "(no name)"
+
+
 def paragraph(title: str, lines: Iterable[str]) -> str:
     """Return a title and a list below it."""
     items = "\n".join(f"- {line}" for line in lines)

@@ -7,6 +7,7 @@ from weakref import WeakKeyDictionary
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.unknown import Unknown, pose_expressions, why_unknown
+from kindsl.features.wording import code
 from kindsl.rigid.pose import IDENTITY, RigidPose
 from kindsl.semantics.declarations import Frame, Joint, Link
 from kindsl.semantics.numbers import written_pose
@@ -34,7 +35,7 @@ def joint_pose(analysis: Analysis, joint: Joint) -> RigidPose | Unknown:
     """Return the pose of a joint frame in the base frame, or why it is not known."""
     edges = analysis.model.tree.joint_uses.get(joint)
     if not edges:
-        return Unknown(f"no link is connected via `{joint.name}`")
+        return Unknown(f"no link is connected via {code(joint.name)}")
     predecessor = body_pose(analysis, edges[0].predecessor)
     return _composed(predecessor, own_pose(analysis, joint))
 
@@ -60,10 +61,10 @@ def _from_predecessor(
         return IDENTITY
     edge = analysis.model.tree.supporting_edge(body)
     if edge is None:
-        return Unknown(f"`{body.name}` has no parent")
+        return Unknown(f"{code(body.name)} has no parent")
     if edge.joint is None:
-        return Unknown(f"there is no joint `{edge.child.joint}`")
-    carrier = known.get(edge.predecessor, Unknown(f"`{body.name}` is part of a kinematic loop"))
+        return Unknown(f"there is no joint {code(edge.child.joint)}")
+    carrier = known.get(edge.predecessor, Unknown(f"{code(body.name)} is part of a kinematic loop"))
     return _composed(carrier, own_pose(analysis, edge.joint))
 
 

@@ -38,6 +38,8 @@ def move_inertia(analysis: Analysis, start: int, _end: int) -> Iterator[CodeActi
     link = _link_of_inertia(path, declarations(place.island).bodies())
     if link is None or link.inertia is None or not _is_movable(link.inertia):
         return
+    if not link.name:
+        return
     body = link_inertia(link, {})
     if isinstance(body, Unknown):
         return

@@ -75,10 +75,9 @@ def _value_hover(analysis: Analysis, expression: Expression, place: ValuePlace) 
     """Return the value of an expression in SI units, angles in degrees too."""
     values = analysis.context.values
     value = expression.value(values)
-    title = f"{place.label} of {place.owner}"
     if value is None:
-        return f"{title}: not known, {why_unknown((expression,), values).reason}"
-    return f"{title}: **{quantity(value, place.kind, place.unit)}**"
+        return f"{place.title}: not known, {why_unknown((expression,), values).reason}"
+    return f"{place.title}: **{quantity(value, place.kind, place.unit)}**"
 
 
 def _declared_thing(analysis: Analysis, symbol: Symbol) -> Link | Joint | Frame | None:

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.quantity_text import vector
 from kindsl.features.unknown import Unknown
-from kindsl.features.wording import paragraph, pose_text
+from kindsl.features.wording import code, paragraph, pose_text
 from kindsl.features.zero_configuration import frame_pose, joint_pose, own_pose
 from kindsl.semantics.declarations import Frame, Joint
 
@@ -20,7 +20,7 @@ def joint_hover(analysis: Analysis, joint: Joint) -> str:
 def _tree_lines(analysis: Analysis, joint: Joint) -> Iterator[str]:
     edges = analysis.model.tree.joint_uses.get(joint, ())
     for edge in edges:
-        yield f"predecessor `{edge.predecessor.name}`, successor `{edge.child.link}`"
+        yield f"predecessor {code(edge.predecessor.name)}, successor {code(edge.child.link)}"
     if not edges:
         yield "it connects nothing: no link has a child via it"
 
@@ -46,7 +46,7 @@ def _axis_lines(analysis: Analysis, joint: Joint) -> Iterator[str]:
 
 def frame_hover(analysis: Analysis, frame: Frame) -> str:
     """Return what there is to tell of a frame."""
-    return paragraph(f"**frame `{frame.name}`** of `{frame.link}`", _lines(analysis, frame))
+    return paragraph(f"**frame `{frame.name}`** of {code(frame.link)}", _lines(analysis, frame))
 
 
 def _lines(analysis: Analysis, frame: Frame) -> Iterator[str]:

@@ -7,7 +7,7 @@ from kindsl.features.link_inertia import link_inertia, principal_moments_about_c
 from kindsl.features.quantity_text import INERTIA, KILOGRAMS, number, vector
 from kindsl.features.subtree import own_mass, subtree_of
 from kindsl.features.unknown import Unknown
-from kindsl.features.wording import paragraph, pose_text
+from kindsl.features.wording import code, paragraph, pose_text
 from kindsl.features.zero_configuration import body_pose
 from kindsl.rules.base import Severity
 from kindsl.rules.registry import all_rules
@@ -40,14 +40,15 @@ def _tree_lines(analysis: Analysis, body: Link) -> Iterator[str]:
     tree = analysis.model.tree
     for edge in tree.above.get(body, ()):
         kind = f" ({edge.joint.kind})" if edge.joint is not None else ""
-        yield f"supporting joint `{edge.child.joint}`{kind}, parent `{edge.predecessor.name}`"
+        parent = code(edge.predecessor.name)
+        yield f"supporting joint {code(edge.child.joint)}{kind}, parent {parent}"
     if not body.is_base and body not in tree.above:
         yield "no supporting joint: no link has it among its children"
-    below = [f"`{e.child.link}` via `{e.child.joint}`" for e in tree.successor_edges(body)]
+    below = [f"{code(e.child.link)} via {code(e.child.joint)}" for e in tree.successor_edges(body)]
     if below:
         yield f"{'child' if len(below) == 1 else 'children'} {listed(below)}"
     if body.frames:
-        yield f"frames {listed(f'`{frame.name}`' for frame in body.frames)}"
+        yield f"frames {listed(code(frame.name) for frame in body.frames)}"
 
 
 def _mass_lines(analysis: Analysis, body: Link) -> Iterator[str]:

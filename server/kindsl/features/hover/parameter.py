@@ -76,7 +76,7 @@ def _uses(names: Sequence[Name]) -> Iterator[str]:
 
 def _place_text(name: Name) -> str:
     place = _place(name)
-    return f"{place.label} of {place.owner}" if place is not None else "somewhere"
+    return place.title if place is not None else "somewhere"
 
 
 def _place(name: Name) -> ValuePlace | None:
