@@ -180,6 +180,20 @@ def test_the_repair_mends_it(old: str, new: str) -> None:
     assert messages(parse(repaired(parse(changed(old, new))))) == []
 
 
+@pytest.mark.parametrize("mass", ["2.0", "m", "m[2.0]"])
+@pytest.mark.parametrize("swapped", ["= CoM (0.0,", "= (CoM 0.0,"])
+def test_what_is_swapped_is_moved_back(mass: str, swapped: str) -> None:
+    text, n = re.subn(r"2.0(\s+)CoM = \(0.0,", rf"{mass}\1{swapped}", MODEL, count=1)
+    assert n == 1
+    document = parse(text)
+    assert len(messages(document)) == 1
+    (island,) = (island for island in document.islands if island.problems)
+    (problem,) = island.problems
+    assert problem.repair is not None
+    assert problem.repair.title.startswith("Move '")
+    assert messages(parse(repaired(document))) == []
+
+
 def test_blocks_out_of_order_are_moved() -> None:
     start, end = MODEL.index("link upper"), MODEL.index("r_joint")
     text = MODEL[:start] + MODEL[end:-2] + MODEL[start:end] + "}\n"

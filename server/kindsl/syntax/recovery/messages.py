@@ -225,9 +225,11 @@ def _is_removed_on(text: str, last: Edit, edit: Edit) -> bool:
 
 
 def _title(text: str, edits: Sequence[Edit]) -> str:
-    """Return what is written: what is put in place of what, put in, or taken out."""
+    """Return what is written: what is moved, put in place of what, put in, or taken out."""
     old = _told([text[e.start : e.end] for e in edits if e.start < e.end])
     new = _told([e.text.strip() for e in edits if e.text.strip()])
+    if old and old == new:
+        return f"Move '{shown(old)}'"
     if old and new:
         return f"Replace '{shown(old)}' with '{shown(new)}'"
     return f"Insert '{shown(new)}'" if new else f"Remove '{shown(old)}'"

@@ -175,7 +175,7 @@ def _replacement_cost(old: str, new: str) -> float:
 
 
 def _is_goal(candidate: _Candidate, tokens: Sequence[Token], failed: int, start: str) -> bool:
-    if candidate.shifts >= _SHIFTS_TO_SUCCEED:
+    if candidate.shifts >= _SHIFTS_TO_SUCCEED and candidate.at > failed:
         return True
     index = candidate.at
     if index < len(tokens):
