@@ -1,6 +1,7 @@
 """Compiled mechanics answer what the others do, whatever they are given."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -216,9 +217,37 @@ def test_without_a_compiler(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> 
         CompiledMechanics(bodies_of_seed(4, 2))
 
 
-def test_what_nothing_resists(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    from dataclasses import replace
+def test_a_rotor_without_mass_moves(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """Moments alone resist; only the centre of mass is not defined."""
+    monkeypatch.setenv("KINDSL_CACHE", str(tmp_path))
+    bodies = bodies_of_seed(4, 2)
+    turning = ("revolute",) * bodies.n_links
+    rotors = replace(
+        bodies, masses=0 * bodies.masses, inertias=np.eye(3) + 0 * bodies.inertias,
+        joint_kinds=turning,
+    )  # fmt: skip
+    compiled, mechanics = CompiledMechanics(rotors), Mechanics(rotors)
+    q = np.full(bodies.n_links, 0.4)
+    _assert_close(compiled.forward_dynamics(q, q, q), mechanics.forward_dynamics(q, q, q))
+    for method in (compiled.center_of_mass, compiled.center_of_mass_jacobian):
+        with pytest.raises(ValueError, match="the total mass is zero"):
+            method(q)
 
+
+def test_large_numbers_are_no_lack_of_inertia(
+    pair: tuple[CompiledMechanics, Mechanics],
+) -> None:
+    compiled, _ = pair
+    q = np.zeros(compiled.n_joints)
+    for shape in ((), (3,)):
+        zero = np.zeros((*shape, compiled.n_joints))
+        with pytest.raises(ValueError, match="'q', 'qd', 'tau': the values are too large"):
+            compiled.forward_dynamics(zero, zero + 1e200, zero)
+    with pytest.raises(ValueError, match="'q', 'qd', 'tau': the values are too large"):
+        compiled.forward_dynamics_derivatives(q, q + 1e200, q)
+
+
+def test_what_nothing_resists(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv("KINDSL_CACHE", str(tmp_path))
     bodies = bodies_of_seed(4, 2)
     weightless = replace(bodies, masses=0 * bodies.masses, inertias=0 * bodies.inertias)

@@ -1,5 +1,7 @@
 """All forms are equal: single, batched, in chunks, at rest or moving."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from tests.dynamics.random_bodies import random_bodies
@@ -76,6 +78,8 @@ def test_the_path_form_is_equal_too(quantity: Quantity, is_floating: bool) -> No
     for seed, n_links in enumerate((1, 9, 35)):
         generator = np.random.default_rng(seed)
         bodies = random_bodies(generator, n_links, is_floating)
+        if n_links == 9:
+            bodies = replace(bodies, frames=())
         for shape in ((), (3, 2), (0,)):
             n_vectors = len(JOINT_VECTORS[quantity])
             vectors = generator.uniform(-3.0, 3.0, (n_vectors, *shape, n_links))

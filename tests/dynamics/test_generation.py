@@ -88,6 +88,7 @@ def test_constants_are_folded() -> None:
     ):
         assert isinstance(same, Expression)
         assert same.index == x.index
+    assert (x / 4.0).index == (x * 0.25).index
     assert (x + y).index == (y + x).index
     assert (-(x - y)).index == (y - x).index
     assert cosine_and_sine(0.0) == (1.0, 0.0)

@@ -100,7 +100,19 @@ def test_poses_join_the_frames() -> None:
         assert poses[frame.name][:3, 3] == pytest.approx(
             carrier[:3, :3] @ frame.body_r_frame + carrier[:3, 3]
         )
-    assert FIXED.joint_poses(q)["joint1"][:3, 3] == pytest.approx(FIXED.bodies.p_r_j[0])
+
+
+@pytest.mark.parametrize("mechanics", [FIXED, FLOATING])
+def test_a_joint_is_where_its_link_is_at_zero(mechanics: Mechanics) -> None:
+    """Whatever the positions of the other joints."""
+    bodies, q = mechanics.bodies, np.linspace(0.1, 0.7, 4)
+    joints = mechanics.joint_poses(q)
+    assert [*joints] == [*mechanics.joint_names] == [*bodies.joint_names]
+    assert mechanics.link_names == bodies.link_names
+    for index, (joint, link) in enumerate(zip(bodies.joint_names, bodies.link_names, strict=True)):
+        at_zero = q * (np.arange(4) != index)
+        pose = mechanics.forward_kinematics(at_zero)[link]
+        np.testing.assert_allclose(joints[joint], pose, atol=1e-14)
 
 
 def test_masses_add_up() -> None:

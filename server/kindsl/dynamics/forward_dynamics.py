@@ -40,18 +40,18 @@ def forward_dynamics(
     """
     X, S, I_A = link_transforms(bodies, q), motion_subspaces(bodies), body_inertias(bodies)
     # Outward: velocities, and the forces at zero acceleration.
-    v, c = [base_velocity], [np.zeros(6)]
+    v = [base_velocity]
+    c: dict[int, Array] = {}
     p_A = [rigid_body_force(I_A[0], v[0], np.zeros(6))]
     for i, parent in bodies.links():
         v_joint = S[i] * qd[..., i - 1, None]
         v.append(apply(X[i], v[parent]) + v_joint)
-        c.append(motion_cross_product(v[i], v_joint))
+        c[i] = motion_cross_product(v[i], v_joint)
         p_A.append(rigid_body_force(I_A[i], v[i], np.zeros(6)))
     # Inward: what each joint lets through of the inertia and the force behind it.
-    U, D, u = [np.zeros(6)], [np.ones(())], [np.zeros(())]
-    U *= bodies.n_links + 1
-    D *= bodies.n_links + 1
-    u *= bodies.n_links + 1
+    U: dict[int, Array] = {}
+    D: dict[int, Array] = {}
+    u: dict[int, Array] = {}
     for i, parent in bodies.links_leaves_first():
         U[i] = I_A[i] @ S[i]
         D[i] = U[i] @ S[i]

@@ -39,8 +39,6 @@ def forward_dynamics_derivatives(
     Source: the equations of motion hold at the solution, so `M d qdd = -d tau` at held `qdd`.
     """
     qdd, base_acceleration = forward_dynamics(bodies, q, qd, tau, base_velocity, gravity)
-    if not bodies.is_floating:
-        base_acceleration = np.zeros((*q.shape[:-1], 6))
     dq, dqd, M = inverse_dynamics_derivatives(
         bodies, q, qd, qdd, base_velocity, base_acceleration, gravity
     )

@@ -7,16 +7,22 @@ import numpy as np
 from kindsl.dynamics.evaluation.request import Request
 from kindsl.spatial.arrays import Array
 
+# The working set is some dozens of 6x6 matrices per body and configuration.
+BODIES_AT_A_TIME = 20_000
 
-def evaluate_in_chunks(evaluate: Callable[[Request], Array], chunk: int, request: Request) -> Array:
+
+def evaluate_in_chunks(
+    evaluate: Callable[[Request], Array], n_links: int, request: Request
+) -> Array:
     """Return a quantity's entries in one row per configuration, shape (*batch_shape, entries).
 
     Args:
         evaluate: Computes it for vectors that all have the shape (configurations, components).
-        chunk: How many configurations it is given at most.
+        n_links: Of the mechanism; the more, the fewer configurations are done at a time.
         request: What to compute.
     """
     batch_shape = request.batch_shape
+    chunk = max(1, BODIES_AT_A_TIME // n_links)
     rows = [
         np.broadcast_to(vector, (*batch_shape, vector.shape[-1])).reshape((-1, vector.shape[-1]))
         for vector in (*request.joint_vectors, request.base_velocity, request.gravity)

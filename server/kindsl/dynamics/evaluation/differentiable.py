@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.evaluation.arguments import common_batch_shape, vectors
-from kindsl.dynamics.evaluation.singular import singular_inertia
+from kindsl.dynamics.evaluation.singular import not_finite, singular_inertia
 from kindsl.dynamics.forward_dynamics_derivatives import (
     ForwardDynamicsDerivatives,
     forward_dynamics_derivatives,
@@ -91,7 +91,7 @@ class Differentiable:
         except np.linalg.LinAlgError:
             raise singular_inertia(self.bodies, arrays[0]) from None
         if not all(np.isfinite(entries).all() for entries in derivatives):
-            raise singular_inertia(self.bodies, arrays[0])
+            raise not_finite(self.bodies, dict(zip(joints, arrays, strict=False)))
         return derivatives
 
     def regressor(

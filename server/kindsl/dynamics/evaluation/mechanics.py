@@ -19,7 +19,7 @@ from kindsl.dynamics.evaluation.differentiable import AT_REST, Differentiable
 from kindsl.dynamics.evaluation.forms import Forms
 from kindsl.dynamics.evaluation.request import Request
 from kindsl.dynamics.evaluation.results import FreeMotion, FreeMotionTorque, Poses
-from kindsl.dynamics.evaluation.singular import singular_inertia
+from kindsl.dynamics.evaluation.singular import not_finite, too_large
 from kindsl.dynamics.forward_kinematics import joint_poses
 from kindsl.dynamics.jacobian import jacobian
 from kindsl.dynamics.quantities import (
@@ -257,7 +257,7 @@ class Mechanics(Differentiable):
         conditions = base_conditions(self.bodies, base_velocity, gravity)
         entries = self._computed(quantity, arrays, conditions)
         if quantity in ACCELERATING and not np.isfinite(entries).all():
-            raise singular_inertia(self.bodies, arrays["q"])
+            raise not_finite(self.bodies, arrays)
         return entries
 
     def _computed(
@@ -274,10 +274,9 @@ class Mechanics(Differentiable):
             with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
                 return self._forms.evaluate(request)
         except (SingularInertiaError, ZeroDivisionError, np.linalg.LinAlgError):
-            raise singular_inertia(self.bodies, arrays["q"]) from None
+            raise not_finite(self.bodies, arrays) from None
         except OverflowError:
-            named = ", ".join(f"'{name}'" for name in arrays)
-            raise ValueError(f"{named}: the values are too large") from None
+            raise too_large(arrays) from None
 
     def _body_poses(self, q: npt.ArrayLike) -> list[Array]:
         poses = self._pose_by_pose(self._evaluate("poses", (q,)))

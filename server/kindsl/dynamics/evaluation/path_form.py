@@ -27,9 +27,6 @@ from kindsl.spatial.cross_products import cross
 from kindsl.spatial.inertia import move_inertia, spatial_inertia
 from kindsl.spatial.transforms import homogeneous, rotation_about_z
 
-# The working set is some dozens of 6x6 matrices per body and configuration.
-BODIES_AT_A_TIME = 20_000
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class State:
@@ -70,8 +67,7 @@ class PathForm:
         Raises:
             numpy.linalg.LinAlgError: If an inertia is singular.
         """
-        chunk = max(1, BODIES_AT_A_TIME // self.bodies.n_links)
-        return evaluate_in_chunks(self._entries, chunk, request)
+        return evaluate_in_chunks(self._entries, self.bodies.n_links, request)
 
     def _entries(self, request: Request) -> Array:
         quantity, _, joint_vectors, base_velocity, gravity = request

@@ -14,9 +14,6 @@ from kindsl.dynamics.inverse_dynamics import floating_base_inverse_dynamics, inv
 from kindsl.dynamics.joint_space_inertia import joint_space_inertia
 from kindsl.spatial.arrays import Array
 
-# The working set is some dozens of 6x6 matrices per body and configuration.
-BODIES_AT_A_TIME = 20_000
-
 
 def evaluate(bodies: Bodies, request: Request) -> Array:
     """Return a quantity's entries in one row per configuration, shape (..., entries).
@@ -24,8 +21,7 @@ def evaluate(bodies: Bodies, request: Request) -> Array:
     Raises:
         numpy.linalg.LinAlgError: If a floating base's inertia is singular.
     """
-    chunk = max(1, BODIES_AT_A_TIME // bodies.n_links)
-    return evaluate_in_chunks(partial(_entries, bodies), chunk, request)
+    return evaluate_in_chunks(partial(_entries, bodies), bodies.n_links, request)
 
 
 def _entries(bodies: Bodies, request: Request) -> Array:

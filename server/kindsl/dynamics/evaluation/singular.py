@@ -1,5 +1,7 @@
 """Which motion nothing resists, where an inertia matrix is singular."""
 
+from collections.abc import Iterable, Mapping
+
 import numpy as np
 
 from kindsl.dynamics.bodies import Bodies
@@ -27,6 +29,26 @@ def singular_inertia(bodies: Bodies, q: Array) -> SingularInertiaError:
     row = _unresisted_row(matrices)
     name = f"joint '{bodies.joint_names[row - n_base]}'" if row >= n_base else "the base"
     return SingularInertiaError(name)
+
+
+def not_finite(bodies: Bodies, arrays: Mapping[str, Array]) -> ValueError:
+    """Return the error for accelerations that are not finite.
+
+    Args:
+        bodies: The mechanism.
+        arrays: The joint vectors that were given, by name, `q` among them.
+    """
+    with np.errstate(all="ignore"):
+        matrices = joint_space_inertia(bodies, arrays["q"])
+    finite = matrices[np.isfinite(matrices).all(axis=(-2, -1))]
+    if (np.linalg.matrix_rank(finite, hermitian=True) < bodies.n_velocities).any():
+        return singular_inertia(bodies, arrays["q"])
+    return too_large(arrays)
+
+
+def too_large(names: Iterable[str]) -> ValueError:
+    """Return the error for finite arguments that give nothing finite."""
+    return ValueError(f"{', '.join(map(repr, names))}: the values are too large")
 
 
 def _unresisted_row(matrices: Array) -> int:

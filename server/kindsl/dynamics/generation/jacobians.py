@@ -106,7 +106,7 @@ def jacobian_relative_to_base(robot: Robot, poses: BodyPoses, frame: PlacedFrame
 
 def feet(robot: Robot) -> tuple[PlacedFrame, ...]:
     """Return the frames on links that carry no other link; such a link itself if it has none."""
-    parents = set(robot.tree.parents[1:])
+    parents = set(robot.tree.parents)
     found = []
     for link in robot.targets[: len(robot.link_names)]:
         if link.body not in parents:

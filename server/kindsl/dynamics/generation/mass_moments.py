@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from kindsl.dynamics.generation.expressions import Scalar
 from kindsl.dynamics.generation.vectors import (
+    ZERO,
     Matrix,
     Vector,
     add,
@@ -116,10 +117,9 @@ def carried_by_predecessor(kind: str, body: MassDistribution) -> MassDistributio
 
     Source: Gautier and Khalil 1990, the base inertial parameters.
     """
-    none: Matrix = [[0.0] * 3 for _ in range(3)]
     if kind == "prismatic":
-        return MassDistribution(body.second, [0.0, 0.0, 0.0], 0.0)
-    second = [none[0], none[1], [0.0, 0.0, body.second[2][2]]]
+        return MassDistribution(body.second, ZERO, 0.0)
+    second = [ZERO, ZERO, [0.0, 0.0, body.second[2][2]]]
     return MassDistribution(second, [0.0, 0.0, body.first[2]], body.mass)
 
 

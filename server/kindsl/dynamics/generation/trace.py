@@ -5,7 +5,13 @@ from typing import Literal, TypeAlias
 
 from kindsl.dynamics.bodies import Frame
 from kindsl.dynamics.generation.composite_bodies import joint_space_inertia
-from kindsl.dynamics.generation.expressions import Expression, Graph, Scalar
+from kindsl.dynamics.generation.expressions import (
+    Expression,
+    Graph,
+    Scalar,
+    needed,
+    operand_nodes,
+)
 from kindsl.dynamics.generation.forward_dynamics import forward_dynamics
 from kindsl.dynamics.generation.forward_kinematics import poses
 from kindsl.dynamics.generation.inverse_dynamics import (
@@ -37,23 +43,11 @@ class Trace:
 
     def needed(self) -> list[int]:
         """Return the nodes that the outputs depend on, operands first."""
-        nodes = self.graph.nodes
-        is_needed = [False] * len(nodes)
-        for output in self.outputs:
-            if isinstance(output, Expression):
-                is_needed[output.index] = True
-        for index in reversed(range(len(nodes))):
-            if is_needed[index]:
-                for operand in self.operands(index):
-                    is_needed[operand] = True
-        return [index for index, needed in enumerate(is_needed) if needed]
+        return needed(self.graph, self.outputs)
 
     def operands(self, index: int) -> list[int]:
         """Return the nodes that a node depends on directly."""
-        operation, *operands = self.graph.nodes[index]
-        if operation == "input":
-            return []
-        return [operand for operand in operands if isinstance(operand, int)]
+        return operand_nodes(self.graph, index)
 
 
 def trace(

@@ -11,7 +11,7 @@ from kindsl.dynamics.generation.mass_moments import (
     carried_by_predecessor,
     without,
 )
-from kindsl.dynamics.generation.vectors import Matrix, Vector, add, scale, transform
+from kindsl.dynamics.generation.vectors import EYE, ZERO, Matrix, Vector, add, scale, transform
 from kindsl.spatial.arrays import Array
 from kindsl.spatial.inertia import second_moment
 
@@ -50,23 +50,12 @@ class Tree:
 
 def tree_of(bodies: Bodies) -> Tree:
     """Prepare a mechanism for tracing."""
-    rotations = np.concatenate((np.eye(3)[None], bodies.p_R_j))
-    rotations = _snapped(rotations)
-    positions = np.concatenate((np.zeros((1, 3)), bodies.p_r_j))
-    return Tree(
-        parents=[0, *bodies.parents],
-        kinds=["revolute", *bodies.joint_kinds],
-        rotations=rotations.tolist(),
-        positions=positions.tolist(),
-        masses=masses_near_base(
-            ["revolute", *bodies.joint_kinds],
-            [0, *bodies.parents],
-            rotations.tolist(),
-            positions.tolist(),
-            mass_distributions(bodies),
-        ),
-        is_floating=bodies.is_floating,
-    )
+    parents: list[int] = [0, *bodies.parents]
+    kinds: list[JointKind] = ["revolute", *bodies.joint_kinds]
+    rotations: list[Matrix] = [EYE, *_snapped(bodies.p_R_j).tolist()]
+    positions: list[Vector] = [ZERO, *bodies.p_r_j.tolist()]
+    masses = masses_near_base(kinds, parents, rotations, positions, mass_distributions(bodies))
+    return Tree(parents, kinds, rotations, positions, masses, bodies.is_floating)
 
 
 class JointMotion:

@@ -71,7 +71,7 @@ def batch_source(trace: Trace) -> tuple[str, "Rows"]:
         operation, *operands = trace.graph.nodes[index]
         if operation not in UFUNCS:
             continue
-        words = ",".join(rows.word(operand) for operand in operands if not isinstance(operand, str))
+        words = ",".join(rows.word(operand) for operand in operands)
         # What is used for the last time may make place for the result.
         rows.release(index)
         lines.append(f"{UFUNCS[operation][0]}({words},{rows.claim(index)})")

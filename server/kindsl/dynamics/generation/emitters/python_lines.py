@@ -42,7 +42,7 @@ def _operation(graph: Graph, node: int, texts: Mapping[int, str]) -> str:
         return f"{words[0]} {operation} {words[1]}"
     if operation in ("sin", "cos"):
         return f"{operation}({words[0]})"
-    return f"-{words[0]}" if operation == "neg" else words[0]
+    return f"-{words[0]}"
 
 
 def _text(entry: Scalar, texts: Mapping[int, str]) -> str:

@@ -105,7 +105,7 @@ def _uses(trace: Trace) -> Counter[int]:
 
 def _operation(trace: Trace, index: int, texts: dict[int, str]) -> str:
     operation, *operands = trace.graph.nodes[index]
-    words = [_operand(operand, texts) for operand in operands if not isinstance(operand, str)]
+    words = [_operand(operand, texts) for operand in operands]
     if operation in ("sin", "cos"):
         return f"{operation}({words[0]})"
     if operation == "neg":

@@ -1,0 +1,145 @@
+"""Which form answers, and what is written once and used again."""
+
+from collections import Counter
+
+import numpy as np
+import pytest
+from tests.dynamics.random_bodies import random_bodies
+
+from kindsl.dynamics.evaluation import forms, generated_form
+from kindsl.dynamics.evaluation import readable_form as readable
+from kindsl.dynamics.evaluation.forms import (
+    LINEAR,
+    MOST_LINKS_TO_GENERATE_FOR,
+    WORTH_GENERATING,
+    WORTH_READABLE,
+    Forms,
+)
+from kindsl.dynamics.evaluation.generated_form import SMALLEST_BATCH, GeneratedForm
+from kindsl.dynamics.evaluation.mechanics import Mechanics
+from kindsl.dynamics.evaluation.path_form import PathForm
+from kindsl.dynamics.evaluation.request import Request
+from kindsl.dynamics.quantities import JOINT_VECTORS, STANDARD_GRAVITY, Quantity
+from kindsl.spatial.arrays import Array
+
+QUANTITIES: list[Quantity] = list(JOINT_VECTORS)
+SHORT, LONG = MOST_LINKS_TO_GENERATE_FOR, MOST_LINKS_TO_GENERATE_FOR + 1
+SIZES = (1, WORTH_READABLE - 1, WORTH_READABLE, WORTH_GENERATING - 1, WORTH_GENERATING)
+REST, DOWN = np.zeros(6), np.array(STANDARD_GRAVITY)
+MOVING, ASIDE = np.array([0.3, -0.2, 0.5, 1.0, -2.0, 0.4]), np.array([1.0, 2.0, -3.0])
+
+
+def _request(
+    quantity: Quantity, shape: tuple[int, ...], n_links: int, v: Array = REST, g: Array = DOWN
+) -> Request:
+    vectors = np.random.default_rng(2).uniform(-1.0, 1.0, (3, *shape, n_links))
+    return Request(quantity, shape, tuple(vectors[: len(JOINT_VECTORS[quantity])]), v, g)
+
+
+@pytest.fixture
+def asked(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
+    """How often each form was asked, and made, instead of an answer."""
+    counts: Counter[str] = Counter()
+
+    def telling(name: str) -> object:
+        return lambda *_: counts.update([name])
+
+    monkeypatch.setattr(GeneratedForm, "evaluate", telling("code"))
+    monkeypatch.setattr(PathForm, "evaluate", telling("path"))
+    monkeypatch.setattr(readable, "evaluate", telling("readable"))
+    make = forms.PathForm
+    monkeypatch.setattr(forms, "PathForm", lambda b: counts.update(["path made"]) or make(b))
+    return counts
+
+
+@pytest.mark.parametrize("quantity", QUANTITIES)
+def test_short_chains_are_answered_by_code(quantity: Quantity, asked: Counter[str]) -> None:
+    chosen = Forms(random_bodies(np.random.default_rng(0), SHORT, is_floating=False))
+    for size in SIZES:
+        chosen.evaluate(_request(quantity, (size,), SHORT))
+    assert asked == {"code": len(SIZES)}
+
+
+@pytest.mark.parametrize("quantity", QUANTITIES)
+def test_long_chains_are_answered_by_what_pays(quantity: Quantity, asked: Counter[str]) -> None:
+    """Code for the largest batches if it stays short; M needs most of what is quick by paths."""
+    chosen = Forms(random_bodies(np.random.default_rng(0), LONG, is_floating=False))
+    largest = "code" if quantity in LINEAR else "readable"
+    expected = ["path", "path", "readable", "readable", largest]
+    if quantity == "joint_space_inertia":
+        expected = ["path"] * len(SIZES)
+    for size, form in zip(SIZES, expected, strict=True):
+        before = asked[form]
+        chosen.evaluate(_request(quantity, (1, size), LONG))
+        assert asked[form] == before + 1, size
+    assert asked["path made"] == 1
+
+
+@pytest.mark.parametrize("is_floating", [False, True])
+def test_code_is_written_once(is_floating: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each quantity's, for one configuration and for many, at rest and in motion."""
+    traced: Counter[tuple[object, ...]] = Counter()
+    trees: list[int] = []
+    trace, tree_of = generated_form.trace, generated_form.tree_of
+    monkeypatch.setattr(generated_form, "trace", lambda *a: traced.update([a[2:]]) or trace(*a))
+    monkeypatch.setattr(generated_form, "tree_of", lambda b: trees.append(1) or tree_of(b))
+    bodies = random_bodies(np.random.default_rng(5), 3, is_floating)
+    form = GeneratedForm(bodies)
+    for _ in range(2):
+        for quantity in QUANTITIES:
+            for shape in ((), (SMALLEST_BATCH - 1,), (SMALLEST_BATCH,), (2, SMALLEST_BATCH), (0,)):
+                form.evaluate(_request(quantity, shape, 3))
+                form.evaluate(_request(quantity, shape, 3, REST, ASIDE))
+    for quantity in QUANTITIES:
+        for conditions in ("at_rest", "any"):
+            assert traced[quantity, conditions] == 2
+    assert trees == [1]
+
+
+@pytest.mark.parametrize("shape", [(), (SMALLEST_BATCH,)])
+@pytest.mark.parametrize(("v", "g"), [(REST, DOWN), (REST, ASIDE), (MOVING, DOWN), (MOVING, ASIDE)])
+def test_rest_is_no_velocity_and_standard_gravity(
+    shape: tuple[int, ...], v: Array, g: Array
+) -> None:
+    """Code for rest must not answer for a base that moves, or under another gravity."""
+    bodies = random_bodies(np.random.default_rng(2), 3, is_floating=True)
+    form = GeneratedForm(bodies)
+    for quantity in QUANTITIES:
+        request = _request(quantity, shape, 3, v, g)
+        expected = readable.evaluate(bodies, request)
+        np.testing.assert_allclose(form.evaluate(request), expected, rtol=1e-9, atol=1e-9)
+    is_ready = shape == () and v is REST and g is DOWN
+    assert {*form.at_rest} == ({*QUANTITIES} if is_ready else set())
+
+
+def test_only_few_configurations_make_single_answers_ready() -> None:
+    bodies = random_bodies(np.random.default_rng(2), 3, is_floating=True)
+    for size, is_ready in ((0, False), (1, True), (SMALLEST_BATCH - 1, True),
+                           (SMALLEST_BATCH, False)):  # fmt: skip
+        form = GeneratedForm(bodies)
+        form.evaluate(_request("gravity_torque", (size,), 3))
+        assert ("gravity_torque" in form.at_rest) == is_ready
+
+
+def test_pose_entries_are_those_of_poses() -> None:
+    bodies = random_bodies(np.random.default_rng(2), 3, is_floating=True)
+    form = GeneratedForm(bodies)
+    for quantity in QUANTITIES[::-1]:
+        assert form.pose_entries is None
+        form.evaluate(_request(quantity, (), 3))
+    q = np.array([0.1, 0.2, 0.3])
+    assert form.pose_entries is not None
+    entries = form.pose_entries(q)
+    assert isinstance(entries, tuple)
+    np.testing.assert_array_equal(entries, form.at_rest["poses"](q))
+
+
+def test_ready_answers_are_for_rest_only() -> None:
+    """A second call finds code that is ready for rest; a moving base is another matter."""
+    bodies = random_bodies(np.random.default_rng(2), 3, is_floating=True)
+    mechanics, q = Mechanics(bodies), np.array([0.1, 0.2, 0.3])
+    for arguments in ((), (MOVING,), (None, ASIDE), (MOVING, ASIDE)):
+        fresh = Mechanics(bodies).bias_torque(q, q, *arguments)
+        for _ in range(2):
+            mechanics.bias_torque(q, q)
+            np.testing.assert_allclose(mechanics.bias_torque(q, q, *arguments), fresh, atol=1e-12)

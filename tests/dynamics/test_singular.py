@@ -1,0 +1,110 @@
+"""Where nothing resists a motion, the joint is named; where numbers are too large, they are."""
+
+from collections.abc import Sequence
+
+import numpy as np
+import pytest
+from tests.dynamics.random_bodies import random_bodies
+
+from kindsl.dynamics.bodies import Bodies, JointKind
+from kindsl.dynamics.evaluation.mechanics import Mechanics
+from kindsl.dynamics.evaluation.singular import singular_inertia
+from kindsl.dynamics.quantities import SingularInertiaError
+from kindsl.spatial.arrays import Array
+
+METHODS = ("inverse_dynamics", "forward_dynamics", "forward_dynamics_derivatives")
+
+
+def chain(
+    kinds: Sequence[JointKind],
+    coms: Sequence[float],
+    masses: Sequence[float],
+    offsets: Sequence[float] = (0.0, 1.0),
+    is_floating: bool = False,
+) -> Bodies:
+    """Return point masses along the links' x axes; joints are parallel to z, base first."""
+    at = np.zeros((3, 3))
+    at[:, 0] = coms
+    return Bodies(
+        base_name="base",
+        link_names=("l1", "l2"),
+        joint_names=("j1", "j2"),
+        joint_kinds=tuple(kinds),
+        parents=(0, 1),
+        p_R_j=np.array([np.eye(3)] * 2),
+        p_r_j=np.array([[x, 0.0, 0.0] for x in offsets]),
+        masses=np.array(masses),
+        coms=at,
+        inertias=np.array(
+            [m * (c @ c * np.eye(3) - np.outer(c, c)) for m, c in zip(masses, at, strict=True)]
+        ),
+        is_floating=is_floating,
+    )
+
+
+TURNS: tuple[JointKind, ...] = ("revolute", "revolute")
+SLIDES: tuple[JointKind, ...] = ("prismatic", "prismatic")
+
+
+@pytest.mark.parametrize(
+    ("bodies", "moving"),
+    [
+        (chain(TURNS, (0.0, 1.0, 0.0), (0.0, 1.0, 0.0)), "joint 'j2'"),
+        (chain(TURNS, (0.0, 0.0, 0.0), (0.0, 1.0, 1e-13), (0.0, 0.0)), "joint 'j2'"),
+        # The links' inertia is there; none of it is the outer joint's, on whose axis all lies.
+        (chain(TURNS, (0.0, 0.5, 0.0), (0.0, 1.0, 1.0)), "joint 'j2'"),
+        # Of several the outermost: it is what its links lack.
+        (chain(TURNS, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)), "joint 'j2'"),
+        (chain(TURNS, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), is_floating=True), "joint 'j2'"),
+        (chain(SLIDES, (0.0, 0.0, 0.0), (0.0, 1.0, 1.0), (0.0, 0.0), True), "the base"),
+        # Stretched or folded, one point mass has two turns that move it alike.
+        (chain(TURNS, (0.0, 0.0, 0.5), (0.0, 0.0, 1.0)), "joint 'j2'"),
+        (chain(TURNS, (0.0, 0.0, -2.0), (0.0, 0.0, 1.0)), "joint 'j1'"),
+        (chain(SLIDES, (0.0, 0.0, 0.5), (0.0, 0.0, 1.0)), "joint 'j[12]'"),
+    ],
+)
+def test_what_moves_without_inertia_is_named(bodies: Bodies, moving: str) -> None:
+    for q in (np.zeros(2), np.zeros((3, 2))):
+        error = singular_inertia(bodies, q)
+        with pytest.raises(SingularInertiaError, match=f"nothing resists motion of {moving}: "):
+            raise error
+
+
+def test_the_configuration_that_is_singular_tells_the_joint() -> None:
+    bent, folded = (0.3, 1.2), (0.7, 0.0)
+    bodies = chain(TURNS, (0.0, 0.0, -2.0), (0.0, 0.0, 1.0))
+    for q in ([bent, folded], [folded, bent], [[bent, bent], [bent, folded]]):
+        assert singular_inertia(bodies, np.array(q)).moving == "joint 'j1'"
+
+
+@pytest.mark.parametrize("q", [np.zeros((0, 2)), np.full((2, 2), np.inf)])
+def test_without_a_matrix_none_is_named(q: Array) -> None:
+    error = singular_inertia(chain(TURNS, (0.0, 1.0, 0.0), (0.0, 1.0, 0.0)), q)
+    assert error.moving == ""
+    assert str(error) == "the acceleration is not defined: the inertia matrix is singular"
+
+
+@pytest.mark.parametrize("is_floating", [False, True])
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("shape", [(), (3,), (2, 30)])
+def test_large_numbers_are_no_lack_of_inertia(
+    method: str, is_floating: bool, shape: tuple[int, ...]
+) -> None:
+    """A joint that nothing resists would be looked for in vain."""
+    bodies = random_bodies(np.random.default_rng(1), 4, is_floating)
+    assert "prismatic" in bodies.joint_kinds
+    zero, large = np.zeros((*shape, 4)), np.full((*shape, 4), 1e200)
+    last = "qdd" if method == "inverse_dynamics" else "tau"
+    for q, qd in ((zero, large), (large, large)):
+        with pytest.raises(ValueError, match=f"^'q', 'qd', '{last}': the values are too large$"):
+            getattr(Mechanics(bodies), method)(q, qd, zero)
+
+
+@pytest.mark.parametrize("is_floating", [False, True])
+@pytest.mark.parametrize("shape", [(), (3,), (60,)])
+def test_one_singular_row_of_a_batch_is_an_error(is_floating: bool, shape: tuple[int, ...]) -> None:
+    bodies = chain(TURNS, (0.1, 0.5, 0.0), (1.0, 1.0, 0.0), is_floating=is_floating)
+    q = np.zeros((*shape, 2))
+    for method in METHODS[1:]:
+        with pytest.raises(SingularInertiaError, match="motion of joint 'j2'"):
+            getattr(Mechanics(bodies), method)(q, q, q)
