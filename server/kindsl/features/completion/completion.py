@@ -91,9 +91,8 @@ def documentation(analysis: Analysis, item_kind: str, label: str) -> str | None:
 
 
 def _best(fitting: Iterable[CompletionItem], context: CompletionContext) -> Completions:
-    best = sorted(dict.fromkeys(islice(fitting, _MOST)), key=lambda item: item.rank)
     start = context.line_start if context.block == "document" else context.start
-    return Completions(tuple(best), start, context.end)
+    return Completions(tuple(dict.fromkeys(islice(fitting, _MOST))), start, context.end)
 
 
 def _typed(context: CompletionContext) -> str:

@@ -15,7 +15,6 @@ class CompletionItem(NamedTuple):
         kind: `keyword`, `snippet`, `link`, `joint`, `frame`, `parameter`, `constant` or `value`.
         text: What is inserted; with placeholders `${1:name}` and `$0` if it is a snippet.
         detail: A few words beside the label.
-        rank: The smaller, the higher in the list.
         is_snippet: Whether the text has placeholders.
         is_asked_for: Whether it is shown only to whom asks for the list, not by itself.
     """
@@ -24,7 +23,6 @@ class CompletionItem(NamedTuple):
     kind: str
     text: str
     detail: str = ""
-    rank: int = 5
     is_snippet: bool = False
     is_asked_for: bool = False
 

@@ -44,17 +44,17 @@ def block_items(analysis: Analysis, context: CompletionContext) -> Iterator[Comp
     if "end" in before:
         return
     if "head" not in before and not model.name:
-        yield _snippet("Robot", snippets.robot(), "a whole document", 1)
+        yield _snippet("Robot", snippets.robot(), "a whole document")
     elif model.base is None and not (before & {"link", "joint"}):
-        yield _snippet("RobotBase", snippets.base(""), "fixed base", 1)
-        yield _snippet("RobotBase floating", snippets.base("floating"), "floating base", 2)
+        yield _snippet("RobotBase", snippets.base(""), "fixed base")
+        yield _snippet("RobotBase floating", snippets.base("floating"), "floating base")
     if "base" in before and "joint" not in before:
         name = next(undeclared_links(analysis), None) or fresh_link(analysis)
-        yield _snippet("link", snippets.link(name, next_id(analysis)), "link with inertia", 1)
+        yield _snippet("link", snippets.link(name, next_id(analysis)), "link with inertia")
     if "link" in before and not _has_link_behind(analysis, context):
         name = next(undeclared_joints(analysis), None) or fresh_joint(analysis)
-        yield _snippet("r_joint", snippets.joint("r_joint", name), "revolute joint", 2)
-        yield _snippet("p_joint", snippets.joint("p_joint", name), "prismatic joint", 3)
+        yield _snippet("r_joint", snippets.joint("r_joint", name), "revolute joint")
+        yield _snippet("p_joint", snippets.joint("p_joint", name), "prismatic joint")
 
 
 def section_items(analysis: Analysis, context: CompletionContext) -> Iterator[CompletionItem]:
@@ -64,7 +64,11 @@ def section_items(analysis: Analysis, context: CompletionContext) -> Iterator[Co
     ranks = [order[kind].rank for kind in before if kind in order]
     first = max(ranks, default=-1)
     last = min((order[kind].rank for kind in behind if kind in order), default=len(order))
-    for kind, place in order.items():
+    sections = list(order.items())
+    if context.block == "joint":
+        # The number of a joint is optional and ignored.
+        sections.reverse()
+    for kind, place in sections:
         if kind == "moment" and first <= place.rank <= last:
             yield from _moments(context)
         elif first < place.rank < last:
@@ -74,9 +78,9 @@ def section_items(analysis: Analysis, context: CompletionContext) -> Iterator[Co
 def keyword_items(context: CompletionContext) -> Iterator[CompletionItem]:
     """Yield the words that the grammar allows and that are no section: `floating`, `via`."""
     if "FLOATING" in context.expected:
-        yield CompletionItem("floating", "keyword", "floating", "the base is free to move", 1)
+        yield CompletionItem("floating", "keyword", "floating", "the base is free to move")
     if "via" in context.expected and context.block == "children":
-        yield CompletionItem("via", "keyword", "via", "joint between the two links", 1)
+        yield CompletionItem("via", "keyword", "via", "joint between the two links")
 
 
 def _section(analysis: Analysis, context: CompletionContext, kind: str) -> Iterator[CompletionItem]:
@@ -85,12 +89,11 @@ def _section(analysis: Analysis, context: CompletionContext, kind: str) -> Itera
         return
     if context.block == "joint" and kind == "id":
         text = f"id = ${{1:{joint_id(analysis, context)}}}"
-        yield _snippet(word, text, "optional number of the joint", len(ORDER["joint"]) + 1)
+        yield _snippet(word, text, "optional number of the joint")
         return
-    rank = 1 + list(ORDER[context.block]).index(kind)
-    yield _snippet(word, _section_text(analysis, context, kind), _DETAILS[kind], rank)
+    yield _snippet(word, _section_text(analysis, context, kind), _DETAILS[kind])
     if kind == "children":
-        yield CompletionItem("children {}", "snippet", "children {}", "no children", rank)
+        yield CompletionItem("children {}", "snippet", "children {}", "no children")
 
 
 def _section_text(analysis: Analysis, context: CompletionContext, kind: str) -> str:
@@ -138,10 +141,10 @@ def _moments(context: CompletionContext) -> Iterator[CompletionItem]:
             for number, name in enumerate(missing, 1)
         )
         label = f"{missing[0]} … {missing[-1]}"
-        yield _snippet(label, text, "all that are missing, kg·m²", 3)
+        yield _snippet(label, text, "all that are missing, kg·m²")
     for name in missing:
         default = snippets.MOMENT_DEFAULTS[name]
-        yield _snippet(name, f"{name} = ${{1:{default}}}", "kg·m², about the origin", 4)
+        yield _snippet(name, f"{name} = ${{1:{default}}}", "kg·m², about the origin")
 
 
 def _sections_around(context: CompletionContext) -> tuple[list[str], list[str]]:
@@ -183,5 +186,5 @@ def _word(node: Node) -> str:
     return word.text if isinstance(word, Token) else ""
 
 
-def _snippet(label: str, text: str, detail: str, rank: int) -> CompletionItem:
-    return CompletionItem(label, "snippet", text, detail, rank, is_snippet=True)
+def _snippet(label: str, text: str, detail: str) -> CompletionItem:
+    return CompletionItem(label, "snippet", text, detail, is_snippet=True)

@@ -18,19 +18,19 @@ def own_frame_items(context: CompletionContext) -> Iterator[CompletionItem]:
     body = body_at(context)
     for frame in body.frames if body is not None else ():
         if frame.name:
-            yield CompletionItem(str(frame.name), "frame", str(frame.name), "frame of this link", 1)
+            yield CompletionItem(str(frame.name), "frame", str(frame.name), "frame of this link")
 
 
 def new_link_items(analysis: Analysis) -> Iterator[CompletionItem]:
     """Yield names for a new link: children that are named somewhere and declared nowhere."""
     for name in undeclared_links(analysis):
-        yield CompletionItem(name, "link", name, "named as a child, not declared", 1)
+        yield CompletionItem(name, "link", name, "named as a child, not declared")
 
 
 def new_joint_items(analysis: Analysis) -> Iterator[CompletionItem]:
     """Yield names for a new joint: those behind a `via` that are declared nowhere."""
     for name in undeclared_joints(analysis):
-        yield CompletionItem(name, "joint", name, "used, not declared", 1)
+        yield CompletionItem(name, "joint", name, "used, not declared")
 
 
 def new_frame_items(context: CompletionContext) -> Iterator[CompletionItem]:
@@ -40,10 +40,10 @@ def new_frame_items(context: CompletionContext) -> Iterator[CompletionItem]:
     declared = {str(frame.name) for frame in body.frames} if body is not None else set()
     if frame and str(frame) not in declared:
         text = snippets.frame(str(frame))
-        yield CompletionItem(str(frame), "frame", text, "used, not declared", 1, is_snippet=True)
+        yield CompletionItem(str(frame), "frame", text, "used, not declared", is_snippet=True)
     text = snippets.frame()
     yield CompletionItem(
-        "frame", "snippet", text, "a frame of this link", 2, is_snippet=True, is_asked_for=True
+        "frame", "snippet", text, "a frame of this link", is_snippet=True, is_asked_for=True
     )
 
 
@@ -53,7 +53,7 @@ def id_items(analysis: Analysis, context: CompletionContext) -> Iterator[Complet
         number, detail = joint_id(analysis, context), "id of the link that it moves"
     else:
         number, detail = next_id(analysis, body_at(context)), "next free id"
-    yield CompletionItem(str(number), "value", str(number), detail, 1)
+    yield CompletionItem(str(number), "value", str(number), detail)
 
 
 def joint_id(analysis: Analysis, context: CompletionContext) -> int:

@@ -27,17 +27,18 @@ def child_items(analysis: Analysis, context: CompletionContext) -> Iterator[Comp
     uses = _uses(analysis, context)
     free = _free_joint(analysis, uses)
     fitting = list(_fitting(analysis, context, uses))
-    for name in fitting:
-        if name not in uses.parents:
-            joint = free or fresh_joint(analysis, name)
-            text, label = f"{name} via ${{1:{joint}}}", f"{name} via …"
-            yield CompletionItem(label, "snippet", text, "not yet attached", 1, is_snippet=True)
-            yield CompletionItem(name, "link", name, "not yet attached", 2)
+    loose = [name for name in fitting if name not in uses.parents]
+    for name in loose:
+        joint = free or fresh_joint(analysis, name)
+        text, label = f"{name} via ${{1:{joint}}}", f"{name} via …"
+        yield CompletionItem(label, "snippet", text, "not yet attached", is_snippet=True)
+    for name in loose:
+        yield CompletionItem(name, "link", name, "not yet attached")
     yield _new_child(analysis, free)
     for name in fitting:
         if name in uses.parents:
             detail = f"child of {uses.parents[name]} already"
-            yield CompletionItem(name, "link", name, detail, 7, is_asked_for=True)
+            yield CompletionItem(name, "link", name, detail, is_asked_for=True)
 
 
 def joint_items(analysis: Analysis, context: CompletionContext) -> Iterator[CompletionItem]:
@@ -46,14 +47,14 @@ def joint_items(analysis: Analysis, context: CompletionContext) -> Iterator[Comp
     joints = {str(joint.name): joint.kind for joint in analysis.model.joints if joint.name}
     for name, kind in joints.items():
         if name not in moved:
-            yield CompletionItem(name, "joint", name, f"{kind}, free", 1)
+            yield CompletionItem(name, "joint", name, f"{kind}, free")
     if moved.keys() >= joints.keys():
         name = fresh_joint(analysis, _child_before(context))
-        yield CompletionItem(name, "joint", name, "new joint", 2, is_asked_for=True)
+        yield CompletionItem(name, "joint", name, "new joint", is_asked_for=True)
     for name, kind in joints.items():
         if name in moved:
             detail = f"{kind}, moves {moved[name]} already"
-            yield CompletionItem(name, "joint", name, detail, 7, is_asked_for=True)
+            yield CompletionItem(name, "joint", name, detail, is_asked_for=True)
 
 
 def first_child(analysis: Analysis, context: CompletionContext) -> tuple[str, str]:
@@ -71,9 +72,7 @@ def first_child(analysis: Analysis, context: CompletionContext) -> tuple[str, st
 def _new_child(analysis: Analysis, free_joint: str) -> CompletionItem:
     link, joint = fresh_link(analysis), free_joint or fresh_joint(analysis)
     text, label = f"${{1:{link}}} via ${{2:{joint}}}", f"{link} via {joint}"
-    return CompletionItem(
-        label, "snippet", text, "new child", 3, is_snippet=True, is_asked_for=True
-    )
+    return CompletionItem(label, "snippet", text, "new child", is_snippet=True, is_asked_for=True)
 
 
 def _uses(analysis: Analysis, context: CompletionContext) -> _Uses:

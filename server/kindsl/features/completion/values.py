@@ -27,7 +27,7 @@ def value_items(
     if before in ("(", ",", "="):
         yield from _plain(place)
     elif place.kind is ValueKind.ANGLE:
-        yield CompletionItem("PI", "value", "PI", "180°", 3)
+        yield CompletionItem("PI", "value", "PI", "180°")
     if ROBCOGEN not in analysis.settings.targets:
         yield from constant_items(analysis, "<{}>")
 
@@ -38,15 +38,15 @@ def constant_items(analysis: Analysis, form: str) -> Iterator[CompletionItem]:
         value = analysis.context.values.get(f"<{constant.name}>")
         detail = "constant" if value is None else f"constant, {number(value)}"
         text = form.format(constant.name)
-        yield CompletionItem(text, "constant", text, detail, 4)
+        yield CompletionItem(text, "constant", text, detail)
 
 
 def _plain(place: ValuePlace) -> Iterator[CompletionItem]:
     if place.kind is ValueKind.ANGLE:
         for text, detail in _PI_FORMS:
-            yield CompletionItem(text, "value", text, detail, 3)
+            yield CompletionItem(text, "value", text, detail)
     if place.section not in _NEVER_ZERO:
-        yield CompletionItem("0.0", "value", "0.0", place.unit, 4, is_asked_for=True)
+        yield CompletionItem("0.0", "value", "0.0", place.unit, is_asked_for=True)
 
 
 def _divisors(context: CompletionContext) -> Iterator[CompletionItem]:
@@ -54,8 +54,8 @@ def _divisors(context: CompletionContext) -> Iterator[CompletionItem]:
     local = context.start - context.place.start
     tokens = [t.kind for t in context.place.island.tokens if t.end <= local and not t.is_missing]
     is_pi = tokens[-2:-1] == ["PI"]
-    for rank, (text, angle) in enumerate(_DIVISORS.items(), 1):
-        yield CompletionItem(text, "value", text, angle if is_pi else "", rank)
+    for text, angle in _DIVISORS.items():
+        yield CompletionItem(text, "value", text, angle if is_pi else "")
 
 
 def _parameters(
@@ -69,4 +69,4 @@ def _parameters(
             continue
         value = analysis.context.values.get(name)
         told = "unbound" if value is None else number(value)
-        yield CompletionItem(name, "parameter", name, f"{parameter.kind} parameter, {told}", 1)
+        yield CompletionItem(name, "parameter", name, f"{parameter.kind} parameter, {told}")
