@@ -16,7 +16,7 @@ from kindsl.features.completion.names import (
 from kindsl.features.completion.tree_names import first_child
 from kindsl.features.tree_path import path_at
 from kindsl.syntax.sections import ORDER
-from kindsl.syntax.tree import Node, Token
+from kindsl.syntax.tree import Node
 
 _WORD = {
     "id": "id",
@@ -60,19 +60,16 @@ def block_items(analysis: Analysis, context: CompletionContext) -> Iterator[Comp
 def section_items(analysis: Analysis, context: CompletionContext) -> Iterator[CompletionItem]:
     """Yield the sections that the open block lacks and that may stand here."""
     order = ORDER[context.block] if context.block in _BLOCKS else {}
-    before, behind = _sections_around(context)
-    ranks = [order[kind].rank for kind in before if kind in order]
-    first = max(ranks, default=-1)
-    last = min((order[kind].rank for kind in behind if kind in order), default=len(order))
+    before = {order[node.kind].rank for node in context.sections if node.kind in order}
+    behind = {order[node.kind].rank for node in _sections_behind(context) if node.kind in order}
     sections = list(order.items())
     if context.block == "joint":
         # The number of a joint is optional and ignored.
         sections.reverse()
-    for kind, place in sections:
-        if kind == "moment" and first <= place.rank <= last:
-            yield from _moments(context)
-        elif first < place.rank < last:
-            yield from _section(analysis, context, kind)
+    for kind, (rank, _) in sections:
+        alike = {rank} if kind == "moment" else set()
+        if max(before - alike, default=-1) < rank < min(behind - alike, default=len(order)):
+            yield from _moments(context) if alike else _section(analysis, context, kind)
 
 
 def keyword_items(context: CompletionContext) -> Iterator[CompletionItem]:
@@ -133,7 +130,7 @@ def _moments(context: CompletionContext) -> Iterator[CompletionItem]:
     if "MOMENT" not in context.expected:
         return
     nodes = (*context.sections, *_sections_behind(context))
-    there = {_word(node) for node in nodes if node.kind == "moment"}
+    there = {next(node.tokens()).text for node in nodes if node.kind == "moment"}
     missing = [name for name in snippets.MOMENT_DEFAULTS if name not in there]
     if len(missing) > 1:
         text = "\n".join(
@@ -145,12 +142,6 @@ def _moments(context: CompletionContext) -> Iterator[CompletionItem]:
     for name in missing:
         default = snippets.MOMENT_DEFAULTS[name]
         yield _snippet(name, f"{name} = ${{1:{default}}}", "kg·m², about the origin")
-
-
-def _sections_around(context: CompletionContext) -> tuple[list[str], list[str]]:
-    """Return the kinds of the sections of the open block before and behind the cursor."""
-    behind = [node.kind for node in _sections_behind(context)]
-    return [node.kind for node in context.sections], behind
 
 
 def _sections_behind(context: CompletionContext) -> list[Node]:
@@ -179,11 +170,6 @@ def _has_link_behind(analysis: Analysis, context: CompletionContext) -> bool:
         for index in islands
         for node in analysis.syntax.island(index).island.nodes
     )
-
-
-def _word(node: Node) -> str:
-    word = node.children[0]
-    return word.text if isinstance(word, Token) else ""
 
 
 def _snippet(label: str, text: str, detail: str) -> CompletionItem:

@@ -2,15 +2,17 @@
 
 from collections.abc import Container, Iterable, Iterator
 from itertools import count
+from typing import TypeVar
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.completion import snippets
 from kindsl.features.completion.context import CompletionContext
 from kindsl.features.completion.fresh_names import next_id
 from kindsl.features.completion.item import CompletionItem
-from kindsl.features.tree_path import path_at
 from kindsl.semantics.declarations import Joint, Link
 from kindsl.semantics.lowering import declarations
+
+_Block = TypeVar("_Block", Link, Joint)
 
 
 def own_frame_items(context: CompletionContext) -> Iterator[CompletionItem]:
@@ -81,19 +83,17 @@ def undeclared_joints(analysis: Analysis) -> Iterator[str]:
 
 
 def body_at(context: CompletionContext) -> Link | None:
-    """Return the link or base around the cursor."""
-    bodies = declarations(context.place.island).bodies()
-    return next((body for body in bodies if body.node is _outermost_node(context)), None)
+    """Return the link or base around the cursor, which may not be closed yet."""
+    return _last_before(context, declarations(context.place.island).bodies())
 
 
 def _joint_at(context: CompletionContext) -> Joint | None:
-    joints = declarations(context.place.island).joints
-    return next((joint for joint in joints if joint.node is _outermost_node(context)), None)
+    return _last_before(context, declarations(context.place.island).joints)
 
 
-def _outermost_node(context: CompletionContext) -> object:
-    path = path_at(context.place.island, context.start - context.place.start)
-    return path[0] if path else None
+def _last_before(context: CompletionContext, blocks: Iterable[_Block]) -> _Block | None:
+    local = context.start - context.place.start
+    return max((b for b in blocks if b.start < local), key=lambda b: b.start, default=None)
 
 
 def _missing(names: Iterable[str], declared: Container[str]) -> Iterator[str]:

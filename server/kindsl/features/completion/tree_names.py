@@ -78,7 +78,7 @@ def _new_child(analysis: Analysis, free_joint: str) -> CompletionItem:
 def _uses(analysis: Analysis, context: CompletionContext) -> _Uses:
     body, local = body_at(context), context.start - context.place.start
     own = body.children if body is not None else ()
-    typed = next((c for c in own if any(name and name.start == local for name in c[:2])), None)
+    typed = next((c for c in own if any(name.start == local for name in c)), None)
     uses = _Uses({}, {})
     for body in analysis.model.bodies:
         for child in body.children:
@@ -109,4 +109,4 @@ def _child_before(context: CompletionContext) -> str:
     """Return the name of the link that a joint is typed for."""
     local = context.start - context.place.start
     tokens = [t for t in context.place.island.tokens if t.end <= local and not t.is_missing]
-    return tokens[-2].text if len(tokens) > 1 else ""
+    return tokens[-2].text
