@@ -26,35 +26,31 @@ def hierarchy_items(analysis: Analysis, offset: int) -> tuple[DocumentSymbol, ..
     symbol = symbol_at(analysis, offset)
     if symbol is None:
         return ()
-    model = analysis.model
+    name, edges = symbol.entity.name, analysis.model.tree.edges
     body: Link | None = None
     if symbol.entity.kind is EntityKind.LINK:
-        body = model.body_named.get(symbol.entity.name)
+        body = analysis.model.body_named.get(name)
     elif symbol.entity.kind is EntityKind.JOINT:
-        joint = model.joint_named.get(symbol.entity.name)
-        edges = model.tree.joint_uses.get(joint, []) if joint is not None else []
-        body = edges[0].link if edges else None
+        body = next((e.link for e in edges if e.joint is not None and e.joint.name == name), None)
     return () if body is None else (_item(analysis, body),)
 
 
 def predecessors(analysis: Analysis, name: str) -> tuple[HierarchyCall, ...]:
     """Return the bodies that carry a body, more than one only in a broken tree."""
-    body = analysis.model.body_named.get(name)
-    edges = analysis.model.tree.above.get(body, []) if body is not None else []
     return tuple(
         HierarchyCall(_item(analysis, edge.predecessor), (_place(analysis, edge),))
-        for edge in edges
+        for edge in analysis.model.tree.edges
+        if edge.link is not None and edge.link.name == name
     )
 
 
 def successors(analysis: Analysis, name: str) -> tuple[HierarchyCall, ...]:
     """Return the links that a body carries."""
     body = analysis.model.body_named.get(name)
-    edges = analysis.model.tree.successor_edges(body) if body is not None else []
     return tuple(
         HierarchyCall(_item(analysis, edge.link), (_place(analysis, edge),))
-        for edge in edges
-        if edge.link is not None
+        for edge in analysis.model.tree.edges
+        if edge.predecessor is body and edge.link is not None
     )
 
 

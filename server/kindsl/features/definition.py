@@ -59,8 +59,6 @@ def bound_parameter(analysis: Analysis, offset: int) -> str | None:
 
 def _definition(analysis: Analysis, place: Symbol) -> Definition:
     found = token_at(analysis.syntax, place.start)
-    node = found.path[-1] if found is not None and found.path else None
-    if found is None or node is None:
-        return Definition(place.start, place.end, place.start, place.end)
-    origin = found.origin
+    assert found is not None
+    node, origin = found.path[-1], found.origin
     return Definition(origin + node.start, origin + node.end, place.start, place.end)

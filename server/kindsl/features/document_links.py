@@ -23,7 +23,7 @@ def document_links(analysis: Analysis) -> tuple[DocumentLink, ...]:
     syntax = analysis.syntax
     return tuple(
         DocumentLink(origin + link.start, origin + link.end, link.target)
-        for island, origin in zip(syntax.islands, syntax.starts, strict=False)
+        for island, origin in zip(syntax.islands, syntax.starts, strict=True)
         for start, end in island.comments
         for link in _addresses(island.text, start, end)
     )

@@ -72,8 +72,6 @@ def _renamed_places(analysis: Analysis, symbol: Symbol) -> tuple[Symbol, ...]:
     """
     places = occurrences(analysis, symbol.entity)
     declared = [place for place in places if place.role is Role.DECLARATION]
-    if len(declared) < 2:
-        return places
     if symbol in declared[1:]:
         return (symbol,)
     return tuple(place for place in places if place not in declared[1:])

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.tree_path import path_at, tokens_touching
-from kindsl.syntax.tree import Node, Token
+from kindsl.syntax.tree import Node
 from kindsl.text.span import Span
 
 _OPENING = frozenset("{([<")
@@ -16,7 +16,7 @@ def selection_ranges(analysis: Analysis, offset: int) -> tuple[Span, ...]:
     place = analysis.syntax.island_at(offset)
     local = offset - place.start
     found = [Span(t.start, t.end) for t in tokens_touching(place.island, local)[-1:]]
-    found += [Span(*c) for c in place.island.comments if c[0] <= local <= c[1]]
+    found += [Span(*comment) for comment in place.island.comments]
     for node in reversed(path_at(place.island, local)):
         found += _inside(node)
         found.append(Span(node.start, node.end))
@@ -26,12 +26,11 @@ def selection_ranges(analysis: Analysis, offset: int) -> tuple[Span, ...]:
 
 def _inside(node: Node) -> Iterator[Span]:
     """Yield what lies between a construct's brackets."""
-    signs = [t for t in node.children if isinstance(t, Token) and not t.is_missing]
-    opening = next((t for t in signs if t.kind in _OPENING), None)
-    if opening is not None and signs[-1] is not opening:
-        inner = [c for c in node.children if opening.end <= c.start and c.end <= signs[-1].start]
-        if inner:
-            yield Span(inner[0].start, inner[-1].end)
+    opening = next((child for child in node.children if child.kind in _OPENING), None)
+    if opening is not None:
+        _, *inner = (child for child in node.children if child.start >= opening.start)
+        if inner[:-1]:
+            yield Span(inner[0].start, inner[-2].end)
 
 
 def _nested(spans: tuple[Span, ...], offset: int) -> tuple[Span, ...]:

@@ -1,6 +1,7 @@
 """Which token lies at an offset, and which constructs hold it."""
 
 from bisect import bisect_right
+from itertools import takewhile
 from typing import NamedTuple
 
 from kindsl.syntax.document import SyntaxDocument
@@ -46,9 +47,9 @@ def token_at(syntax: SyntaxDocument, offset: int) -> TokenAt | None:
 
 def tokens_touching(island: Island, local: int) -> list[Token]:
     """Return the tokens, missing ones left out, that an offset of the island lies in or beside."""
-    index = index_after(island, local)
-    near = island.tokens[max(index - 2, 0) : index]
-    return [t for t in near if not t.is_missing and t.start <= local <= t.end]
+    before = reversed(island.tokens[: index_after(island, local)])
+    touching = takewhile(lambda token: token.end >= local, before)
+    return [token for token in touching if not token.is_missing][::-1]
 
 
 def index_after(island: Island, local: int) -> int:

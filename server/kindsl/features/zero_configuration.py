@@ -42,9 +42,8 @@ def joint_pose(analysis: Analysis, joint: Joint) -> RigidPose | Unknown:
 
 def frame_pose(analysis: Analysis, frame: Frame) -> RigidPose | Unknown:
     """Return the pose of an optional frame in the base frame, or why it is not known."""
-    body = next((b for b in analysis.model.bodies if frame in b.frames), None)
-    carrier = body_pose(analysis, body) if body is not None else Unknown("no link carries it")
-    return _composed(carrier, own_pose(analysis, frame))
+    body = next(body for body in analysis.model.bodies if frame in body.frames)
+    return _composed(body_pose(analysis, body), own_pose(analysis, frame))
 
 
 def own_pose(analysis: Analysis, thing: Joint | Frame) -> RigidPose | Unknown:
