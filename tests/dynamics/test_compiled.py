@@ -1,6 +1,5 @@
 """Compiled mechanics answer what the others do, whatever they are given."""
 
-from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -20,15 +19,20 @@ pytestmark = needs_compiler
 EXTREMES = (0.0, 1e-308, 1e4, 1e6, 1e12, 1e300, np.inf, np.nan)
 
 
-@pytest.fixture(scope="module", params=[4, 7], ids=["fixed", "floating"])
+@pytest.fixture(scope="module")
+def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder in which each test finds what those before it compiled."""
+    return tmp_path_factory.mktemp("cache")
+
+
+@pytest.fixture(params=[4, 7], ids=["fixed", "floating"])
 def pair(
-    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
-) -> Iterator[tuple[CompiledMechanics, Mechanics]]:
+    request: pytest.FixtureRequest, cache: Path, monkeypatch: pytest.MonkeyPatch
+) -> tuple[CompiledMechanics, Mechanics]:
     """A mechanism, compiled and not."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("KINDSL_CACHE", str(tmp_path_factory.mktemp("cache")))
-        mechanics = Mechanics(bodies_of_seed(request.param, 3))
-        yield CompiledMechanics(mechanics.bodies), mechanics
+    monkeypatch.setenv("KINDSL_CACHE", str(cache))
+    mechanics = Mechanics(bodies_of_seed(request.param, 3))
+    return CompiledMechanics(mechanics.bodies), mechanics
 
 
 def _calls(n: int, is_floating: bool, shape: tuple[int, ...] = (), reach: float = 3.0):
@@ -112,6 +116,28 @@ def test_results_go_where_they_are_wanted(pair: tuple[CompiledMechanics, Mechani
         _assert_close(out, mechanics.joint_space_inertia(q))
     with pytest.raises(ValueError, match="'out' has shape"):
         compiled.joint_space_inertia(q, out=np.empty(3))
+
+
+def test_several_results_go_where_they_are_wanted(
+    pair: tuple[CompiledMechanics, Mechanics],
+) -> None:
+    """Also where Python answers: for lists, and for batches of several dimensions."""
+    compiled, mechanics = pair
+    n, nv = compiled.n_joints, compiled.bodies.n_velocities
+    if compiled.bodies.is_floating:
+        for q in ([0.3] * n, np.full((2, 2, n), 0.3)):
+            expected = mechanics.inverse_dynamics(q, q, q)
+            out = tuple(np.empty_like(part) for part in expected)
+            assert compiled.inverse_dynamics(q, q, q, out=out) is out
+            for mine, other in zip(out, expected, strict=True):
+                _assert_close(mine, other)
+            with pytest.raises(ValueError, match=r"'out' has shape \(3,\), expected "):
+                compiled.inverse_dynamics(q, q, q, out=(out[0], np.empty(3)))
+    q = [0.3] * n
+    triple = tuple(np.empty((nv, nv)) for _ in range(3))
+    assert compiled.inverse_dynamics_derivatives(q, q, q, out=triple) is triple
+    for mine, other in zip(triple, mechanics.inverse_dynamics_derivatives(q, q, q), strict=True):
+        _assert_close(mine, other)
 
 
 def test_results_that_no_cache_holds(pair: tuple[CompiledMechanics, Mechanics]) -> None:

@@ -13,7 +13,6 @@ import numpy as np
 import numpy.typing as npt
 
 from kindsl.dynamics.bodies import Bodies
-from kindsl.dynamics.evaluation.arguments import unknown_name
 from kindsl.dynamics.evaluation.compiling import compiled_module
 from kindsl.dynamics.evaluation.differentiable import Differentiable
 from kindsl.dynamics.evaluation.kernels import DERIVATIVE_KERNELS, RESULT_CLASSES, kernels_of
@@ -96,8 +95,6 @@ class CompiledMechanics(Mechanics):
         answer: Array | None = compiled(q) if compiled is not None else None
         if answer is not None:
             return answer
-        if compiled is None and name != self.bodies.base_name:
-            raise unknown_name("link or frame", name, [self.bodies.base_name, *self._jacobians])
         return super().jacobian(q, name)
 
 

@@ -82,9 +82,7 @@ def c_definition(graph: Graph, body: CBody, dialect: Dialect, linkage: str = "")
         linkage: What stands before it: `"static "` or nothing.
     """
     writer = _Writer(graph, body, dialect)
-    order = computed(
-        graph, [e for a in body.gives for e in a.entries if e is not None], writer.given
-    )
+    order = computed(graph, [e for a in body.gives for e in a.entries], writer.given)
     parts = cut(graph, order, OPERATIONS_PER_PART)
     written = [writer.written(part) for part in parts.parts]
     written[-1] = writer.with_the_rest(written[-1])
@@ -105,8 +103,8 @@ def c_definition(graph: Graph, body: CBody, dialect: Dialect, linkage: str = "")
         calls.append(f"{name}({', '.join(n for n, _ in used)});")
     uses = frozenset[str]().union(*(part.uses for part in written))
     unused = [f"(void){name};" for name, _ in arrays if name not in uses]
-    workspace = f"{dialect.type} {WORKSPACE}[{max(1, parts.n_kept)}];"
-    return "\n".join([*sources, head + _block([workspace, *unused, *calls])])
+    workspace = [f"{dialect.type} {WORKSPACE}[{parts.n_kept}];"] if parts.n_kept else []
+    return "\n".join([*sources, head + _block([*workspace, *unused, *calls])])
 
 
 def literal(value: float, dialect: Dialect) -> str:

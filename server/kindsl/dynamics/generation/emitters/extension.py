@@ -50,8 +50,8 @@ class Kernel(NamedTuple):
     name: str
     arguments: Sequence[KernelArgument]
     results: Sequence[KernelResult]
-    accelerates: bool = False
-    is_wide: bool = True
+    accelerates: bool
+    is_wide: bool
 
 
 def extension_source(graph: Graph, kernels: Sequence[Kernel], gravity: Sequence[float]) -> str:

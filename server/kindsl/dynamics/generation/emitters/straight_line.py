@@ -34,7 +34,7 @@ class Parts(NamedTuple):
     n_kept: int
 
 
-def computed(graph: Graph, values: Iterable[Scalar], known: Iterable[int]) -> list[int]:
+def computed(graph: Graph, values: Iterable[Scalar | None], known: Iterable[int]) -> list[int]:
     """Return the nodes to compute for values, operands first, when some nodes are known."""
     found: set[int] = set(known)
     given = frozenset(found)
