@@ -211,6 +211,20 @@ def test_a_link_without_its_brace_takes_no_frame() -> None:
     assert frames_offered(ARM[:start] + referring.replace("upper {", "upper", 1)) == []
 
 
+def test_a_link_whose_keyword_is_misspelt_takes_a_frame_too() -> None:
+    """It stands in the piece of text that the block before it begins."""
+    texts = (REFERRING, REFERRING.replace("link lower", "ink lower"))
+    good, broken = (with_frame(text) for text in texts)
+    assert "mid {" in good and broken == good.replace("link lower", "ink lower")
+
+
+def with_frame(text: str) -> str:
+    analysis = analyse(text)
+    (finding,) = (f for f in analysis.findings if f.code == "KD107")
+    (action,) = quick_fixes(analysis, finding.start, finding.start)
+    return analysis.edited(action.edits).text
+
+
 def test_links_without_inertia_do_not_matter() -> None:
     start, end = (
         ARM.index("    inertia_params {\n        mass = 2.0"),

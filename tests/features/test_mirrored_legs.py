@@ -81,6 +81,15 @@ def test_a_leg_may_be_all_that_a_document_holds() -> None:
     assert new.endswith("\n\nr_joint RF_j {}\n\nr_joint RF_k {}\n")
 
 
+def test_of_a_link_whose_keyword_is_misspelt_the_image_is_as_right_as_the_rest() -> None:
+    """It stands in the piece of text that the block before it begins."""
+    text = LEG % ("0.1", "0.1")
+    new = changed(text, mirror_leg(analyse(text), "LF_a")).text
+    broken = text.replace("link LF_b", "ink LF_b")
+    found = changed(broken, mirror_leg(analyse(broken), "LF_a")).text
+    assert found == new.replace("link LF_b", "ink LF_b").replace("link RF_b", "ink RF_b")
+
+
 def test_a_link_that_is_named_only_has_no_image() -> None:
     text = LEG % ("0.1", "0.1")
     refused = mirror_leg(analyse(text.replace("other via", "LF_d via")), "LF_d")

@@ -111,6 +111,16 @@ def test_a_document_may_begin_with_the_link_that_something_is_added_to() -> None
     assert moved.model.links[1].id == 1
 
 
+def test_a_link_whose_keyword_is_misspelt_takes_things_too() -> None:
+    """It stands in the piece of text that the block before it begins."""
+    text = ROBOT.replace("link k", "ink k")
+    for made in (add_frame, add_child):
+        new = changed(text, made(analyse(text), "k", POINT)).text
+        assert new == changed(ROBOT, made(analyse(ROBOT), "k", POINT)).text.replace(
+            "link k", "ink k"
+        )
+
+
 def test_edits_are_in_the_order_of_the_text_wherever_the_parent_stands() -> None:
     base, rest = ROBOT.index("RobotBase"), ROBOT.index("link k")
     behind = ROBOT[:base] + ROBOT[rest:].replace("}\n\n}\n", "}\n\n" + ROBOT[base:rest] + "}\n")

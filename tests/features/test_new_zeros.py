@@ -22,6 +22,8 @@ from kindsl.features.manipulation.pose_as_zero import pose_as_zero
         ("r_joint j {{ ref_frame {{ translation = (x, y, z) rotation = ({}) }} }}",
          0.1, ("a, b, 0.2", "a, b, 0.3")),
         ("r_joint j {{ ref_frame {{ translation = (x, y, z) rotation = ({}) }} }}",
+         0.1, ("a, b, 0.7", "a, b, 0.8")),
+        ("r_joint j {{ ref_frame {{ translation = (x, y, z) rotation = ({}) }} }}",
          0.0, ("a, b, c", "a, b, c")),
         ("p_joint j {{ ref_frame {{ translation = ({}) }} }}", 0.0, ("x, y, z", "x, y, z")),
     ],

@@ -5,6 +5,7 @@ from tests.features.samples import ARM
 from tests.support.cursor import at_cursor
 
 from kindsl.analysis.analysis import analyse
+from kindsl.analysis.settings import Settings
 from kindsl.features.actions.code_actions import (
     bind_parameter,
     code_actions,
@@ -114,6 +115,36 @@ def test_what_touches_a_selection_is_offered_and_nothing_beside_it() -> None:
 def test_one_comment_is_offered_for_two_findings_of_a_rule() -> None:
     titles = [a.title for a in code_actions(analyse(JOINT), 0, len(JOINT)) if "Ignore" in a.title]
     assert titles == ["Ignore KD401 here"]
+
+
+def test_what_is_missing_is_added_where_that_is_told() -> None:
+    """Elsewhere in the block it is a refactoring, not a fix of what is told there."""
+    text = "link l { inertia_params { mass = 2 CoM = (0.0, 0.0, 0.0) } }"
+    analysis = analyse(text)
+    start = text.index("2")
+    assert [f.code for f in analysis.findings if f.start <= start <= f.end] == ["KD005"]
+    fixes = quick_fixes(analysis, start, start)
+    assert [(a.title, a.kind) for a in fixes] == [("Write 2.0", "quickfix")]
+
+
+def test_a_frames_section_without_frames_is_removed_and_gets_none() -> None:
+    text = ARM.replace(
+        "    children {}\n    frames {", "    children {}\n    frames {}\n    frames {"
+    )
+    text = ARM.replace("{\n        lower via elbow\n    }", "{ lower via elbow }\n    frames {}")
+    analysis = analyse(text)
+    (finding,) = (f for f in analysis.findings if f.code == "KD008")
+    titles = [action.title for action in quick_fixes(analysis, finding.start, finding.start)]
+    assert titles == ["Remove it"]
+
+
+def test_a_frame_is_offered_once_where_more_is_told_of_its_name() -> None:
+    text = ARM.replace("Iyz=0.0\n    }\n    ch", "Iyz=0.0 ref_frame = ^gone\n    }\n    ch", 1)
+    analysis = analyse(text, Settings(frozenset({"robcogen2"})))
+    start = text.index("^gone")
+    assert [f.code for f in analysis.findings if f.start == start] == ["KD107", "KD602"]
+    titles = [action.title for action in quick_fixes(analysis, start, start)]
+    assert titles.count("Add a frame 'gone' to 'base'") == 1
 
 
 def test_a_refactoring_that_is_a_fix_already_is_not_offered_twice() -> None:

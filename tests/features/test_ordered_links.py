@@ -61,8 +61,22 @@ def test_lines_end_as_before(newline: str) -> None:
     assert text == sorted_text(marked).replace("\n", newline)
 
 
+def test_links_on_one_line_are_not_commented_out() -> None:
+    text = sorted_text(document("lmk", " ", " // beside k\n"))
+    assert text is not None
+    links = [line.strip() for line in text.splitlines() if line.strip().startswith("link")]
+    assert links == [f"{LINKS['k']} // beside k", LINKS["m"], LINKS["l"]]
+
+
+def test_links_without_blanks_between_them_are_sorted() -> None:
+    assert sorted_text(document("lkm", "")) == sorted_text(document("lkm"))
+
+
 def test_what_followed_the_last_link_stays_on_a_line_of_its_own() -> None:
     text = sorted_text(document("lk", "\n", " "))
+    assert text is not None
+    assert f"{LINKS['l']}\n r_joint jk" in text
+    text = sorted_text(document("lkm", "\n", " "))
     assert text is not None
     assert f"{LINKS['l']}\n r_joint jk" in text
     assert sorted_text(document("lk")) == sorted_text(document("lk", "\n", ""))
@@ -77,6 +91,8 @@ def test_what_followed_the_last_link_stays_on_a_line_of_its_own() -> None:
         # A link that is not whole may not end where it seems to.
         ("{ id = 3 ", "{ id = = 3 "),
         ("id = 3 children {} }", "id = 3 children {} } }"),
+        ("{ id = 1 ", "{ id = = 1 "),
+        ("children { l via jl } }", "children { l via jl } } }"),
     ],
 )
 def test_links_that_do_not_stand_in_one_piece_are_not_sorted(old: str, new: str) -> None:

@@ -28,9 +28,9 @@ def _inside(node: Node) -> Iterator[Span]:
     """Yield what lies between a construct's brackets."""
     opening = next((child for child in node.children if child.kind in _OPENING), None)
     if opening is not None:
-        _, *inner = (child for child in node.children if child.start >= opening.start)
-        if inner[:-1]:
-            yield Span(inner[0].start, inner[-2].end)
+        inner = [child for child in node.children if child.start >= opening.start][1:-1]
+        if inner:
+            yield Span(inner[0].start, inner[-1].end)
 
 
 def _nested(spans: tuple[Span, ...], offset: int) -> tuple[Span, ...]:

@@ -27,13 +27,9 @@ _subtrees: "WeakKeyDictionary[Analysis, dict[Link, Subtree]]" = WeakKeyDictionar
 
 def subtree_of(analysis: Analysis, body: Link) -> Subtree:
     """Return what a body carries, itself included; every body is weighed once an analysis."""
-    known = _subtrees.setdefault(analysis, {})
-    if body not in known:
-        order = [body, *analysis.model.tree.in_topological_order(body)]
-        for link in reversed(order):
-            if link not in known:
-                known[link] = _sum(analysis, link, known)
-    return known[body]
+    if analysis not in _subtrees:
+        _subtrees[analysis] = _all(analysis)
+    return _subtrees[analysis].get(body, _NO_TREE)
 
 
 def own_mass(analysis: Analysis, body: Link) -> float | Unknown:
@@ -42,6 +38,16 @@ def own_mass(analysis: Analysis, body: Link) -> float | Unknown:
         return Unknown(f"{code(body.name)} has no mass")
     mass = body.inertia.mass.value(analysis.context.values)
     return why_unknown((body.inertia.mass,), analysis.context.values) if mass is None else mass
+
+
+def _all(analysis: Analysis) -> dict[Link, Subtree]:
+    """Return what each body carries, those left out that only loops lead to."""
+    tree = analysis.model.tree
+    found: dict[Link, Subtree] = {}
+    for root in (body for body in analysis.model.bodies if body not in tree.above):
+        for link in reversed([root, *tree.in_topological_order(root)]):
+            found[link] = _sum(analysis, link, found)
+    return found
 
 
 def _sum(analysis: Analysis, body: Link, known: dict[Link, Subtree]) -> Subtree:

@@ -8,6 +8,7 @@ from kindsl.features.actions.action import CodeAction
 from kindsl.features.actions.layout_edits import inserted_section, last_section
 from kindsl.rigid.pose import Vector3
 from kindsl.semantics.declarations import Link
+from kindsl.semantics.places import Place
 from kindsl.text.decimals import rounded_decimal
 from kindsl.text.edits import TextEdit
 
@@ -29,8 +30,8 @@ def add_referenced_frame(analysis: Analysis, finding: Diagnostic) -> Iterator[Co
             continue
         edit = new_frame(link, str(name), _ORIGIN)
         if edit is not None and name.lower() not in taken:
-            origin = finding.start - name.start
-            moved = TextEdit(origin + edit.start, origin + edit.end, edit.text)
+            at = Place(link.island, edit.start, edit.end)
+            moved = TextEdit(*analysis.resolver.span(at), edit.text)
             title = f"Add a frame '{name}' to '{link.name}'"
             yield CodeAction(title, "quickfix", (moved,), (finding,))
 

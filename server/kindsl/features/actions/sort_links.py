@@ -26,15 +26,15 @@ def sort_links(analysis: Analysis, start: int, _end: int) -> Iterator[CodeAction
     if order is None or order == links or not _are_neighbours(analysis, links):
         return
     pieces = _pieces(analysis, links)
-    texts = {link: analysis.text[s:e] for link, (s, e) in zip(links, pieces, strict=True)}
-    newline = newline_of(analysis.text)
+    text, newline = analysis.text, newline_of(analysis.text)
+    texts = {link: _apart(text[s:e], newline) for link, (s, e) in zip(links, pieces, strict=True)}
     edits = [
-        TextEdit(s, e, _apart(texts[link], newline))
-        for (s, e), old, link in zip(pieces, links, order, strict=True)
-        if old is not link
+        TextEdit(s, e, texts[link])
+        for (s, e), link in zip(pieces, order, strict=True)
+        if texts[link] != text[s:e]
     ]
     end = pieces[-1][1]
-    if analysis.text[end : end + 1] not in ("\r", "\n"):
+    if text[end : end + 1] not in ("\r", "\n"):
         edits.append(TextEdit(end, end, newline))
     yield CodeAction("Sort the links, parents first", _KIND, tuple(edits))
 

@@ -8,7 +8,7 @@ from kindsl.features.actions.layout_edits import inserted_section, last_section,
 from kindsl.features.actions.new_frame import added_frame
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
-from kindsl.semantics.places import Construct
+from kindsl.semantics.places import Construct, Place
 from kindsl.syntax.indentation import indentation, is_first_on_line
 from kindsl.syntax.tree import Node
 from kindsl.text.edits import TextEdit
@@ -60,5 +60,4 @@ def _child(text: str, section: Node, entry: str) -> TextEdit | None:
 def _absolute(analysis: Analysis, body: Link, edit: TextEdit | None) -> TextEdit | None:
     if edit is None:
         return None
-    origin = analysis.resolver.span(body)[0] - body.start
-    return TextEdit(origin + edit.start, origin + edit.end, edit.text)
+    return TextEdit(*analysis.resolver.span(Place(body.island, edit.start, edit.end)), edit.text)
