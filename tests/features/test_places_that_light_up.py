@@ -92,6 +92,29 @@ def test_hints_are_those_of_the_range():
     assert hints(text, at[1] + 1, at[1], angles=True) == []
 
 
+@pytest.mark.parametrize(
+    ("value", "told"),
+    [
+        ("2.0", []),
+        ("-2.0", []),
+        ("1.0 - 3.0", ["= -2"]),
+        ("-(2.0)", ["= -2"]),
+        ("m[2.0]", ["= 2"]),
+        ("-m[2.0]", ["= -2"]),
+        ("m", []),
+    ],
+)
+def test_what_is_no_plain_number_is_hinted(value, told):
+    text = f"link l {{ inertia_params {{ mass = {value} }} }}"
+    assert [hint for _, hint in hints(text, 0, len(text), values=True)] == told
+
+
+def test_units_are_the_only_hints_that_must_be_asked_for():
+    text = ARM.replace("reach", "0.5*2.0")
+    found = {hint.kind for hint in inlay_hints(analyse(text), 0, len(text))}
+    assert found == {"angle", "inertia", "value"}
+
+
 def test_units_of_what_is_there():
     text = "link l { inertia_params { CoM = (1.0, 2.0, 3.0) Ix = 1.0 } }"
     assert hints(text, 0, len(text), units=True) == [(47, "m")]

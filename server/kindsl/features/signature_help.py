@@ -53,7 +53,7 @@ def signature_help(analysis: Analysis, offset: int) -> Signature | None:
 
     It is read from the signs before the offset, so that it works while the vector is being typed.
     """
-    place = analysis.syntax.island_at(min(max(offset, 0), analysis.syntax.length))
+    place = analysis.syntax.island_at(offset)
     found = _vector_before(place.island, offset - place.start)
     if found is None:
         return None
@@ -64,9 +64,9 @@ def signature_help(analysis: Analysis, offset: int) -> Signature | None:
 def _vector_before(island: Island, local: int) -> tuple[str, int] | None:
     """Return the word that an open parenthesis belongs to, and the commas behind it."""
     commas = depth = 0
-    end = index_after(island, local)
-    before = [t for t in island.tokens[max(end - _FARTHEST, 0) : end] if t.end <= local]
-    signs = [token.text for token in before if not token.is_missing and token.text != "="]
+    tokens = island.tokens[: index_after(island, local)][-_FARTHEST:]
+    before = [token for token in tokens if token.end <= local and not token.is_missing]
+    signs = [token.text for token in before if token.text != "="]
     while signs:
         sign = signs.pop()
         if sign in _BEGINS:

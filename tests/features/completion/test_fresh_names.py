@@ -15,7 +15,7 @@ ROBOT = "Robot R {\nRobotBase b { children { %s via z } }\n%slink last { childre
         ("a via hinge1 b via hinge3 last", "", "link1 via hinge4"),
         ("a via hinge9 b via hinge10 last", "", "link1 via hinge11"),
         ("a via hinge12 last", "", "link1 via hinge13"),
-        ("a via axis8 b via hinge1 last", "", "link1 via hinge2"),
+        ("a via rotor8 b via hinge1 last", "", "link1 via hinge2"),
         ("a via hinge2 b via hinge_x last", "", "link1 via hinge3"),
         ("hinge3 via hinge2 last", "", "link1 via hinge4"),
         ("link1 via x last", "", "link2 via joint1"),

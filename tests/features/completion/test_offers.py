@@ -1,9 +1,12 @@
 """What is offered for sections, children, joints and values, with what is told beside it."""
 
+import re
+
 import pytest
 from tests.support.cursor import at_cursor
 
 from kindsl.analysis.settings import Settings
+from kindsl.features.completion import snippets
 from kindsl.features.completion.completion import completions
 from kindsl.semantics.parameters import Binding
 
@@ -139,6 +142,10 @@ def test_what_is_written_knows_what_is_there(marked, label, text):
             BASE + "link a { children { y via $0 } } p_joint j { }",
             [("y_joint", "new joint"), ("j", "prismatic, moves l already")],
         ),
+        (
+            BASE + "link a { children { y via $0z } } p_joint j { } r_joint { }",
+            [("y_joint", "new joint"), ("j", "prismatic, moves l already")],
+        ),
         (BASE + "link a { children { y $0", [("via", "joint between the two links")]),
         (
             BASE + "link l { inertia_params { ref_frame = eye } frames { $0",
@@ -155,6 +162,12 @@ def test_what_is_written_knows_what_is_there(marked, label, text):
         (BASE + "link l { children { k via j } } r_joint $0", [("j", "used, not declared")]),
         (BASE + "link l { id = $0 }", [("1", "next free id")]),
         (BASE + "r_joint j { id = $0 }", [("1", "id of the link that it moves")]),
+        (BASE + "r_joint j { id = $01 }", [("1", "id of the link that it moves")]),
+        (BASE + "link l { id = $01 } link k { id = 2 }", [("1", "next free id")]),
+        (
+            BASE + "link l { inertia_params { ref_frame = $0 } frames { eye { } { } } }",
+            [("eye", "frame of this link")],
+        ),
     ],
 )
 def test_names_tell_what_they_are(marked, expected):
@@ -193,6 +206,27 @@ def test_a_bound_parameter_tells_its_value():
     settings = Settings(bindings={"m": Binding(0.5)})
     found = offered(INERTIA + "mass = m Ix = $0", settings)
     assert found == [("m", "dynamics parameter, 0.5")]
+
+
+@pytest.mark.parametrize(
+    "block",
+    [
+        snippets.robot(),
+        snippets.base(""),
+        snippets.base("floating"),
+        snippets.link("l", 1),
+        snippets.joint("r_joint", "j"),
+        snippets.inertia(),
+        snippets.frames(),
+        snippets.joint_frame(),
+        snippets.children(),
+    ],
+)
+def test_each_placeholder_of_a_block_is_visited_once_in_its_order(block):
+    numbers = [int(number) for number in re.findall(r"\$\{(\d+):", block)]
+    names = 2 if block == snippets.robot() else 0
+    assert len(set(numbers)) == len(numbers) - names
+    assert list(dict.fromkeys(numbers)) == list(range(1, len(numbers) - names + 1))
 
 
 def test_placeholders_are_counted_from_one():

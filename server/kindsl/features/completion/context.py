@@ -14,6 +14,7 @@ from kindsl.features.value_place import ValuePlace, value_place
 from kindsl.syntax.document import PlacedIsland
 from kindsl.syntax.expected import expected_at
 from kindsl.syntax.parser import parse_island
+from kindsl.syntax.sections import ORDER
 from kindsl.syntax.tree import Island, Node, Token
 from kindsl.text.span import Span
 
@@ -100,7 +101,7 @@ def _context(place: PlacedIsland, local: int, word: Span) -> CompletionContext:
         block,
         last,
         value_place(path, last.end),
-        _sections(path, block),
+        sections_of(path, block),
         place,
         text[word.start : word.end],
     )
@@ -124,8 +125,9 @@ def _word_at(text: str, local: int) -> Span | None:
     return Span(local - len(word), local + len(rest))
 
 
-def _sections(path: Sequence[Node], block: str) -> tuple[Node, ...]:
-    """Return what is written in the innermost construct of a kind."""
+def sections_of(path: Sequence[Node], block: str) -> tuple[Node, ...]:
+    """Return what is written of the sections of the innermost block of a kind."""
     node = next((node for node in reversed(path) if node.kind == block), None)
-    children = node.children if node is not None else ()
-    return tuple(c for c in children if isinstance(c, Node))
+    if node is None:
+        return ()
+    return tuple(section for kind in ORDER.get(block, ()) for section in node.nodes(kind))

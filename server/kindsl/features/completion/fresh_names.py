@@ -22,9 +22,9 @@ def fresh_joint(analysis: Analysis, child: str = "") -> str:
     return _fresh(names, stem, _taken(analysis))
 
 
-def next_id(analysis: Analysis, own: Link | None = None) -> int:
-    """Return the smallest id that no link has, a link of one's own left out."""
-    taken = {link.id for link in analysis.model.links if link is not own}
+def next_id(analysis: Analysis, own: Collection[Link] = ()) -> int:
+    """Return the smallest id that no link has, those of one's own left out."""
+    taken = {link.id for link in analysis.model.links if link not in own}
     return next(number for number in count(1) if number not in taken)
 
 

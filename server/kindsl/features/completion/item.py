@@ -32,8 +32,7 @@ class CompletionItem(NamedTuple):
 
         Some of these editors take a text of several lines for one and write NUL for each line end.
         """
-        text = without_placeholders(self.text) if self.is_snippet else self.text
-        return _BLANKS.sub(" ", text)
+        return _BLANKS.sub(" ", without_placeholders(self.text))
 
 
 def without_placeholders(text: str) -> str:

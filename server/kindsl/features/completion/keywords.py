@@ -4,11 +4,11 @@ from collections.abc import Iterator
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.completion import snippets
-from kindsl.features.completion.context import CompletionContext
+from kindsl.features.completion.context import CompletionContext, sections_of
 from kindsl.features.completion.fresh_names import fresh_joint, fresh_link, next_id
 from kindsl.features.completion.item import CompletionItem
 from kindsl.features.completion.names import (
-    body_at,
+    bodies_at,
     joint_id,
     undeclared_joints,
     undeclared_links,
@@ -60,15 +60,16 @@ def block_items(analysis: Analysis, context: CompletionContext) -> Iterator[Comp
 def section_items(analysis: Analysis, context: CompletionContext) -> Iterator[CompletionItem]:
     """Yield the sections that the open block lacks and that may stand here."""
     order = ORDER[context.block] if context.block in _BLOCKS else {}
-    before = {order[node.kind].rank for node in context.sections if node.kind in order}
-    behind = {order[node.kind].rank for node in _sections_behind(context) if node.kind in order}
+    before = {order[node.kind].rank for node in context.sections}
+    behind = {order[node.kind].rank for node in _sections_behind(context)}
     sections = list(order.items())
     if context.block == "joint":
         # The number of a joint is optional and ignored.
         sections.reverse()
     for kind, (rank, _) in sections:
         alike = {rank} if kind == "moment" else set()
-        if max(before - alike, default=-1) < rank < min(behind - alike, default=len(order)):
+        is_behind = all(other < rank for other in before - alike)
+        if is_behind and all(rank < other for other in behind - alike):
             yield from _moments(context) if alike else _section(analysis, context, kind)
 
 
@@ -95,7 +96,7 @@ def _section(analysis: Analysis, context: CompletionContext, kind: str) -> Itera
 
 def _section_text(analysis: Analysis, context: CompletionContext, kind: str) -> str:
     if kind == "id":
-        return f"id = ${{1:{next_id(analysis, body_at(context))}}}"
+        return f"id = ${{1:{next_id(analysis, bodies_at(context))}}}"
     if kind == "children":
         return snippets.children(*first_child(analysis, context))
     return _TEXTS[kind]
@@ -130,7 +131,7 @@ def _moments(context: CompletionContext) -> Iterator[CompletionItem]:
     if "MOMENT" not in context.expected:
         return
     nodes = (*context.sections, *_sections_behind(context))
-    there = {next(node.tokens()).text for node in nodes if node.kind == "moment"}
+    there = {next(node.tokens()).text for node in nodes}
     missing = [name for name in snippets.MOMENT_DEFAULTS if name not in there]
     if len(missing) > 1:
         text = "\n".join(
@@ -148,10 +149,8 @@ def _sections_behind(context: CompletionContext) -> list[Node]:
     """Return the sections of the open block behind the cursor, as the whole document has them."""
     local = context.start - context.place.start
     path = path_at(context.place.island, local)
-    block = next((node for node in reversed(path) if node.kind == context.block), None)
-    nodes = [c for c in block.children if isinstance(c, Node)] if block is not None else []
     end = context.end - context.place.start
-    return [node for node in nodes if end <= node.start < node.end]
+    return [node for node in sections_of(path, context.block) if end <= node.start < node.end]
 
 
 def _blocks_before(analysis: Analysis, context: CompletionContext) -> Iterator[tuple[Node, ...]]:

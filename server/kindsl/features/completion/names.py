@@ -2,25 +2,20 @@
 
 from collections.abc import Container, Iterable, Iterator
 from itertools import count
-from typing import TypeVar
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.completion import snippets
 from kindsl.features.completion.context import CompletionContext
 from kindsl.features.completion.fresh_names import next_id
 from kindsl.features.completion.item import CompletionItem
-from kindsl.semantics.declarations import Joint, Link
+from kindsl.semantics.declarations import Link
 from kindsl.semantics.lowering import declarations
-
-_Block = TypeVar("_Block", Link, Joint)
 
 
 def own_frame_items(context: CompletionContext) -> Iterator[CompletionItem]:
     """Yield the frames of the link around the cursor."""
-    body = body_at(context)
-    for frame in body.frames if body is not None else ():
-        if frame.name:
-            yield CompletionItem(str(frame.name), "frame", str(frame.name), "frame of this link")
+    for name in _frame_names(context):
+        yield CompletionItem(name, "frame", name, "frame of this link")
 
 
 def new_link_items(analysis: Analysis) -> Iterator[CompletionItem]:
@@ -37,12 +32,11 @@ def new_joint_items(analysis: Analysis) -> Iterator[CompletionItem]:
 
 def new_frame_items(context: CompletionContext) -> Iterator[CompletionItem]:
     """Yield a new frame, and the name of one that the inertia is given in and nobody declares."""
-    body = body_at(context)
-    frame = body.inertia.frame if body is not None and body.inertia is not None else None
-    declared = {str(frame.name) for frame in body.frames} if body is not None else set()
-    if frame and str(frame) not in declared:
-        text = snippets.frame(str(frame))
-        yield CompletionItem(str(frame), "frame", text, "used, not declared", is_snippet=True)
+    inertias = [body.inertia for body in bodies_at(context) if body.inertia is not None]
+    frames = (str(inertia.frame) for inertia in inertias if inertia.frame is not None)
+    for name in _missing(frames, _frame_names(context)):
+        text = snippets.frame(name)
+        yield CompletionItem(name, "frame", text, "used, not declared", is_snippet=True)
     text = snippets.frame()
     yield CompletionItem(
         "frame", "snippet", text, "a frame of this link", is_snippet=True, is_asked_for=True
@@ -54,18 +48,18 @@ def id_items(analysis: Analysis, context: CompletionContext) -> Iterator[Complet
     if context.block == "joint":
         number, detail = joint_id(analysis, context), "id of the link that it moves"
     else:
-        number, detail = next_id(analysis, body_at(context)), "next free id"
+        number, detail = next_id(analysis, bodies_at(context)), "next free id"
     yield CompletionItem(str(number), "value", str(number), detail)
 
 
 def joint_id(analysis: Analysis, context: CompletionContext) -> int:
     """Return the number for the joint around the cursor: that of the link it moves, if known."""
-    joint = _joint_at(context)
+    own = declarations(context.place.island).joints
+    names = {str(joint.name) for joint in own}
     children = (child for body in analysis.model.bodies for child in body.children)
-    name = str(joint.name) if joint is not None else ""
-    moved = next((str(child.link) for child in children if name and child.joint == name), "")
+    moved = next((str(child.link) for child in children if child.joint in names), "")
     link = analysis.model.body_named.get(moved)
-    taken = {other.id for other in analysis.model.joints if other is not joint}
+    taken = {joint.id for joint in analysis.model.joints if joint not in own}
     free = next(number for number in count(1) if number not in taken)
     return link.id if link is not None and link.id else free
 
@@ -82,18 +76,14 @@ def undeclared_joints(analysis: Analysis) -> Iterator[str]:
     yield from _missing(names, analysis.model.joint_named)
 
 
-def body_at(context: CompletionContext) -> Link | None:
-    """Return the link or base around the cursor, which may not be closed yet."""
-    return _last_before(context, declarations(context.place.island).bodies())
+def bodies_at(context: CompletionContext) -> tuple[Link, ...]:
+    """Return the link or base around the cursor, closed or not; in broken text several."""
+    return tuple(declarations(context.place.island).bodies())
 
 
-def _joint_at(context: CompletionContext) -> Joint | None:
-    return _last_before(context, declarations(context.place.island).joints)
-
-
-def _last_before(context: CompletionContext, blocks: Iterable[_Block]) -> _Block | None:
-    local = context.start - context.place.start
-    return max((b for b in blocks if b.start < local), key=lambda b: b.start, default=None)
+def _frame_names(context: CompletionContext) -> list[str]:
+    names = (str(frame.name) for body in bodies_at(context) for frame in body.frames)
+    return [name for name in names if name]
 
 
 def _missing(names: Iterable[str], declared: Container[str]) -> Iterator[str]:

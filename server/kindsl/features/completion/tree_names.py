@@ -7,7 +7,7 @@ from kindsl.analysis.analysis import Analysis
 from kindsl.features.completion.context import CompletionContext
 from kindsl.features.completion.fresh_names import fresh_joint, fresh_link
 from kindsl.features.completion.item import CompletionItem
-from kindsl.features.completion.names import body_at
+from kindsl.features.completion.names import bodies_at
 
 
 class _Uses(NamedTuple):
@@ -76,8 +76,8 @@ def _new_child(analysis: Analysis, free_joint: str) -> CompletionItem:
 
 
 def _uses(analysis: Analysis, context: CompletionContext) -> _Uses:
-    body, local = body_at(context), context.start - context.place.start
-    own = body.children if body is not None else ()
+    local = context.start - context.place.start
+    own = (child for body in bodies_at(context) for child in body.children)
     typed = next((c for c in own if any(name.start == local for name in c)), None)
     uses = _Uses({}, {})
     for body in analysis.model.bodies:
@@ -90,8 +90,7 @@ def _uses(analysis: Analysis, context: CompletionContext) -> _Uses:
 
 def _fitting(analysis: Analysis, context: CompletionContext, uses: _Uses) -> Iterator[str]:
     """Yield the links that the one at the cursor may carry: neither itself nor one above it."""
-    body = body_at(context)
-    name = str(body.name) if body is not None else ""
+    name = next((str(body.name) for body in bodies_at(context)), "")
     above: set[str] = set()
     while name and name not in above:
         above.add(name)
