@@ -225,6 +225,11 @@ def with_frame(text: str) -> str:
     return analysis.edited(action.edits).text
 
 
+def test_the_inertia_of_a_link_without_a_name_stays() -> None:
+    text = upper(TEN, FRAME.format(name="a", x=0.1))
+    assert offered(text.replace("link upper {", "link {")) == {}
+
+
 def test_links_without_inertia_do_not_matter() -> None:
     start, end = (
         ARM.index("    inertia_params {\n        mass = 2.0"),

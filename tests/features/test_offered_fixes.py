@@ -125,6 +125,12 @@ def test_what_is_missing_is_added_where_that_is_told() -> None:
     assert [f.code for f in analysis.findings if f.start <= start <= f.end] == ["KD005"]
     fixes = quick_fixes(analysis, start, start)
     assert [(a.title, a.kind) for a in fixes] == [("Write 2.0", "quickfix")]
+    analysis = analyse("Robot R { RobotBase b { children {} } link k { children {} } }")
+    start = analysis.text.index("k {")
+    told = [f for f in analysis.findings if f.start <= start <= f.end]
+    assert {f.code for f in told} == {"KD008", "KD203"}
+    added = [a for a in quick_fixes(analysis, start, start) if a.title == "Add the missing 'id'"]
+    assert [[f.code for f in a.diagnostics] for a in added] == [["KD008"]]
 
 
 def test_a_frames_section_without_frames_is_removed_and_gets_none() -> None:

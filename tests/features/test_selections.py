@@ -80,6 +80,7 @@ def test_selections_of_blocks_and_comments(marked: str, found: list[str]) -> Non
     ("marked", "token"),
     [
         ("$0link l { }", "link"), ("link$0 l { }", "link"), ("link l$0{ }", "l"),
+        ("link l {$0", "{"),
         ("link l {$0}", "}"),
         ("link l { $0 }", None), ("link a$0{", "a"), ("r_joint ^j$0{", "^j"),
         ("{ x =$0-1.0", "-1.0"),

@@ -180,6 +180,9 @@ def test_an_inertia_in_a_frame_of_another_name_is_not_known() -> None:
     assert link_inertia(analyse(text).model.body_named["q"], {}) == Unknown(
         "the parameter `z` has no value"
     )
+    unnamed = analyse(TREE.replace("ref_frame = lost", "ref_frame = "))
+    loose = unnamed.model.body_named["loose"]
+    assert link_inertia(loose, {}) == Unknown("its frame has no name")
     two = TREE.replace("frames { f {", "frames { h {} f {")
     assert link_inertia(analyse(two).model.body_named["a"], {}).com == pytest.approx(
         (0.5, 0.1, 0.0)
