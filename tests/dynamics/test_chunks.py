@@ -5,6 +5,7 @@ import pytest
 
 from kindsl.dynamics.evaluation.chunks import BODIES_AT_A_TIME, evaluate_in_chunks
 from kindsl.dynamics.evaluation.request import Request
+from kindsl.dynamics.generation.emitters.numpy_rows import BatchFunction, run_in_chunks
 from kindsl.spatial.arrays import Array
 
 
@@ -52,3 +53,26 @@ def test_the_longest_chains_are_done_one_by_one() -> None:
 
     evaluate_in_chunks(evaluate, BODIES_AT_A_TIME + 1, _request((3,)))
     assert sizes == [1, 1, 1]
+
+
+@pytest.mark.parametrize("chunk", [1, 3, 10])
+@pytest.mark.parametrize("size", [0, 1, 2, 3, 9, 10, 11, 21])
+def test_code_gets_parts_of_nearly_one_size(size: int, chunk: int) -> None:
+    """As few as the greatest size allows, each with scratch rows as long as the part."""
+    widths: list[int] = []
+
+    def evaluate(
+        q: Array, fixed: list[float], cosines: Array, sines: Array, out: Array, scratch: Array
+    ) -> None:
+        widths.append(q.shape[1])
+        assert out.shape == (4, widths[-1]) and scratch.shape == (2, widths[-1])
+        out[0], out[1], out[3] = q[1] * fixed[0], cosines[0], sines[1]
+
+    q = np.random.default_rng(1).uniform(-3.0, 3.0, (size, 2))
+    function = BatchFunction(evaluate, 2, 4, np.array([2]), np.array([[5.0]]))
+    found = run_in_chunks(function, [q, [3.0]], size, chunk)
+    assert len(widths) == -(-size // chunk)
+    assert max(widths, default=0) <= chunk and sum(widths) == size
+    assert widths[:-1] == widths[:1] * (len(widths) - 1) and widths[-1:] <= widths[:1]
+    expected = [q[:, 1] * 3.0, np.cos(q[:, 0]), np.full(size, 5.0), np.sin(q[:, 1])]
+    np.testing.assert_allclose(found, expected, atol=1e-15)

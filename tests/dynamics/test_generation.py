@@ -11,6 +11,7 @@ from tests.dynamics.random_bodies import random_bodies, random_inertia, random_r
 
 from kindsl.dynamics.generation.emitters.numpy_rows import batch_function, run_in_chunks
 from kindsl.dynamics.generation.emitters.scalar_python import scalar_function, scalar_source
+from kindsl.dynamics.generation.emitters.straight_line import computed
 from kindsl.dynamics.generation.expressions import Expression, Graph, cosine_and_sine
 from kindsl.dynamics.generation.factorization import solve_symmetric
 from kindsl.dynamics.generation.mass_moments import MassDistribution
@@ -100,6 +101,17 @@ def test_what_no_output_needs_is_left_out() -> None:
     x, y = argument
     x * y + 3.0
     assert "*" not in scalar_source(Trace(graph, [argument], [x + y]))
+
+
+def test_inputs_and_what_is_known_are_not_computed() -> None:
+    graph = Graph()
+    x, y = graph.vector(2)
+    product = x * y
+    total = product + 3.0
+    assert isinstance(product, Expression) and isinstance(total, Expression)
+    assert computed(graph, [total, 2.0], []) == [product.index, total.index]
+    assert computed(graph, [total], [product.index]) == [total.index]
+    assert computed(graph, [total], [total.index]) == []
 
 
 def test_fixed_base_costs_less_than_floating() -> None:

@@ -50,11 +50,10 @@ def computed(graph: Graph, values: Iterable[Scalar | None], known: Iterable[int]
 def cut(graph: Graph, order: Sequence[int], size: int) -> Parts:
     """Cut operations into parts of a size; a place is used again when its value is not needed."""
     pieces = [list(order[start : start + size]) for start in range(0, len(order), size)]
-    home = {node: number for number, piece in enumerate(pieces) for node in piece}
     last_use: dict[int, int] = {}
     for number, piece in enumerate(pieces):
         for node in piece:
-            last_use.update((o, number) for o in operand_nodes(graph, node) if o in home)
+            last_use.update((o, number) for o in operand_nodes(graph, node))
     parts, free, n_kept = [], list[int](), 0
     leaving: dict[int, list[int]] = {}
     for number, piece in enumerate(pieces):
