@@ -160,7 +160,7 @@ def test_the_wrong_argument_is_named() -> None:
 
 
 def test_batches_that_do_not_go_together_are_named() -> None:
-    message = r"cannot be broadcast: 'q' \(2, 4\), 'qd' \(3, 4\)"
+    message = r"cannot be broadcast: 'q' \(2, 4\), 'qd' \(3, 4\)$"
     with pytest.raises(ValueError, match=message):
         FIXED.bias_torque(np.zeros((2, 4)), np.zeros((3, 4)))
     with pytest.raises(ValueError, match=message):

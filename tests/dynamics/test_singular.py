@@ -23,15 +23,16 @@ def chain(
     is_floating: bool = False,
 ) -> Bodies:
     """Return point masses along the links' x axes; joints are parallel to z, base first."""
-    at = np.zeros((3, 3))
+    n = len(kinds)
+    at = np.zeros((n + 1, 3))
     at[:, 0] = coms
     return Bodies(
         base_name="base",
-        link_names=("l1", "l2"),
-        joint_names=("j1", "j2"),
+        link_names=tuple(f"l{i}" for i in range(1, n + 1)),
+        joint_names=tuple(f"j{i}" for i in range(1, n + 1)),
         joint_kinds=tuple(kinds),
-        parents=(0, 1),
-        p_R_j=np.array([np.eye(3)] * 2),
+        parents=tuple(range(n)),
+        p_R_j=np.array([np.eye(3)] * n),
         p_r_j=np.array([[x, 0.0, 0.0] for x in offsets]),
         masses=np.array(masses),
         coms=at,
@@ -68,6 +69,13 @@ def test_what_moves_without_inertia_is_named(bodies: Bodies, moving: str) -> Non
         error = singular_inertia(bodies, q)
         with pytest.raises(SingularInertiaError, match=f"nothing resists motion of {moving}: "):
             raise error
+
+
+def test_a_light_link_is_no_link_without_inertia() -> None:
+    """Two joints on one axis move the last links alike; the last joint moves but a gram."""
+    turns: tuple[JointKind, ...] = ("revolute",) * 3
+    bodies = chain(turns, (0.0, 0.0, 1.0, 0.1), (0.0, 0.0, 1.0, 1e-3), (0.0, 0.0, 1.0))
+    assert singular_inertia(bodies, np.full(3, 0.3)).moving in ("joint 'j1'", "joint 'j2'")
 
 
 def test_the_configuration_that_is_singular_tells_the_joint() -> None:

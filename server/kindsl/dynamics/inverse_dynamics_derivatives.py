@@ -73,20 +73,25 @@ def inverse_dynamics_derivatives(
     composite = _composites(bodies, motion.i_X_base, motion.v, motion.a)
     S = velocity_columns(bodies, motion.S)
     rates = [_columns(bodies, vectors) for vectors in (rate, rate_of_rate, both)]
-    if first:
-        rates[2][..., :6] = motion_cross(motion.v[0])
     nv = bodies.n_velocities
     dq, dqd, M = (np.zeros((*q.shape[:-1], nv, nv)) for _ in range(3))
-    for i in range(0 if first else 1, bodies.n_links + 1):
-        inertia, coriolis, force = composite[i]
+
+    def fill(i: int, rows: slice) -> None:
+        inertia, coriolis, _ = composite[i]
         mask = support_mask(bodies, i)
-        rows = slice(0, 6) if i == 0 else slice(first + i - 1, first + i)
         S_T = np.swapaxes(S[..., rows], -1, -2)
         dq[..., rows, :] = (S_T @ (coriolis @ rates[0] + inertia @ rates[1])) * mask
         dqd[..., rows, :] = (S_T @ (coriolis @ S + inertia @ rates[2])) * mask
         M[..., rows, :] = (S_T @ inertia @ S) * mask
-        if i == 0:
-            continue
+
+    if first:
+        rates[2][..., :6] = motion_cross(motion.v[0])
+        fill(0, slice(0, 6))
+    for i, _ in bodies.links():
+        rows = slice(first + i - 1, first + i)
+        fill(i, rows)
+        inertia, coriolis, force = composite[i]
+        mask = support_mask(bodies, i)
         # The same for what carries joint i; the force turns with the axis.
         supports = mask.astype(bool)
         supports[rows] = False

@@ -55,11 +55,9 @@ def common_batch_shape(arrays: dict[str, Array]) -> tuple[int, ...]:
     Raises:
         ValueError: If they do not.
     """
-    shapes = [array.shape[:-1] for array in arrays.values()]
-    if all(shape == shapes[0] for shape in shapes):
-        return shapes[0]
+    shape, *others = {array.shape[:-1] for array in arrays.values()}
     try:
-        return np.broadcast_shapes(*shapes)
+        return np.broadcast_shapes(shape, *others) if others else shape
     except ValueError:
         listed = ", ".join(f"'{name}' {array.shape}" for name, array in arrays.items())
         raise ValueError(f"the batch dimensions cannot be broadcast: {listed}") from None

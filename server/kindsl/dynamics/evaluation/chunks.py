@@ -32,5 +32,5 @@ def evaluate_in_chunks(
         *vectors, v_base, g = (row[start : start + chunk] for row in rows)
         part = Request(request.quantity, (len(v_base),), tuple(vectors), v_base, g)
         entries.append(evaluate(part))
-    joined = entries[0] if len(entries) == 1 else np.concatenate(entries)
+    joined = np.concatenate(entries)
     return joined.reshape((*batch_shape, joined.shape[-1]))

@@ -41,7 +41,7 @@ def not_finite(bodies: Bodies, arrays: Mapping[str, Array]) -> ValueError:
     with np.errstate(all="ignore"):
         matrices = joint_space_inertia(bodies, arrays["q"])
     finite = matrices[np.isfinite(matrices).all(axis=(-2, -1))]
-    if (np.linalg.matrix_rank(finite, hermitian=True) < bodies.n_velocities).any():
+    if (np.linalg.matrix_rank(finite) < bodies.n_velocities).any():
         return singular_inertia(bodies, arrays["q"])
     return too_large(arrays)
 

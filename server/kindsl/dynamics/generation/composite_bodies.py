@@ -1,7 +1,7 @@
 """Composite bodies and the joint-space inertia, for tracing."""
 
 from kindsl.dynamics.generation.mass_moments import MassDistribution
-from kindsl.dynamics.generation.tree import Tree, joint_motions
+from kindsl.dynamics.generation.tree import JointMotion, Tree, joint_motions
 from kindsl.dynamics.generation.vectors import Matrix, Vector, add, cross
 
 
@@ -33,21 +33,26 @@ def joint_space_inertia(tree: Tree, q: Vector) -> Matrix:
         moment, force = joint_reaction(joints[i].kind, composite[i])
         M[row][row] = moment[2] if joints[i].kind == "revolute" else force[2]
         j = i
-        while j != 0 and (tree.parents[j] != 0 or tree.is_floating):
-            force = joints[j].to_parent(force)
-            moment = add(joints[j].to_parent(moment), cross(joints[j].offset, force))
+        while tree.parents[j] != 0:
+            moment, force = _in_parent(joints[j], moment, force)
             j = tree.parents[j]
-            if j != 0:
-                column = first + j - 1
-                M[row][column] = moment[2] if joints[j].kind == "revolute" else force[2]
-                M[column][row] = M[row][column]
+            column = first + j - 1
+            M[row][column] = moment[2] if joints[j].kind == "revolute" else force[2]
+            M[column][row] = M[row][column]
         if tree.is_floating:
+            moment, force = _in_parent(joints[j], moment, force)
             for column, entry in enumerate([*moment, *force]):
                 M[row][column] = M[column][row] = entry
     if tree.is_floating:
         for row, entries in enumerate(rigid_body_inertia(composite[0])):
             M[row][:6] = entries
     return M
+
+
+def _in_parent(joint: JointMotion, moment: Vector, force: Vector) -> tuple[Vector, Vector]:
+    """Return a moment and a force about the parent's origin, in its coordinates."""
+    force = joint.to_parent(force)
+    return add(joint.to_parent(moment), cross(joint.offset, force)), force
 
 
 def rigid_body_inertia(body: MassDistribution) -> Matrix:

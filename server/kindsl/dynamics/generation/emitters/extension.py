@@ -215,10 +215,9 @@ PyMODINIT_FUNC PyInit_{MODULE}(void)
 
 def _row(number: int, kernel: Kernel) -> str:
     arguments, results = kernel.arguments, kernel.results
-    n_required = sum(argument.default is None for argument in arguments)
     shapes = ", ".join(f"{{{', '.join(map(str, r.shape)) or '0'}}}" for r in results)
     return f"""\
-    {{"{kernel.name}", {len(arguments)}, {n_required}, {int(kernel.accelerates)}, {len(results)},
+    {{"{kernel.name}", {len(arguments)}, {int(kernel.accelerates)}, {len(results)},
      {{{", ".join(f'"{a.name}"' for a in arguments)}}},
      {{{", ".join(str(a.length) for a in arguments)}}},
      {{{", ".join(a.default or "NULL" for a in arguments)}}},

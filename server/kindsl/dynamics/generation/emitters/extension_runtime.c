@@ -18,7 +18,6 @@
 typedef struct kernel {
     const char *name;
     int n_arguments;
-    int n_required;
     int accelerates; /* results that are not finite mean that nothing resists a motion */
     int n_results;
     const char *argument_names[MOST_ARGUMENTS];
@@ -229,8 +228,8 @@ static PyObject *answer(const kernel *k, PyObject *self, PyObject *const *args, 
         goto python;
     }
     for (a = 0; a < k->n_arguments; a++) {
-        if (found[a] == NULL || (found[a] == Py_None && a >= k->n_required)) {
-            if (a < k->n_required || k->defaults[a] == NULL) {
+        if (found[a] == NULL || found[a] == Py_None) {
+            if (k->defaults[a] == NULL) {
                 goto python;
             }
             in[a] = k->defaults[a];

@@ -116,4 +116,5 @@ def _operation(trace: Trace, index: int, texts: dict[int, str]) -> str:
 def _operand(operand: Operand, texts: dict[int, str]) -> str:
     if isinstance(operand, int):
         return texts[operand]
-    return repr(operand) if operand >= 0.0 else f"({operand!r})"
+    text = repr(operand)
+    return f"({text})" if text.startswith("-") else text
