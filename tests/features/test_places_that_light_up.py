@@ -68,6 +68,11 @@ def test_a_comment_is_coloured_line_by_line():
     assert found == [(0, "/* a"), (8, " "), (10, " b */"), (16, "// c")]
 
 
+def test_what_is_missing_has_no_colour():
+    text = "Robot { link { id 1 children { b } inertia_params { mass 1.0 CoM 1.0, ) } } r_joint { }"
+    assert all(token.start < token.end for token in semantic_tokens(analyse(text)))
+
+
 def test_colours_of_a_range():
     text = "Robot R { RobotBase b { } }"
     found = [text[t.start : t.end] for t in semantic_tokens(analyse(text), 7, 10)]

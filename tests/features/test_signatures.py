@@ -26,6 +26,8 @@ FRAME = "link l { frames { f { "
         ("translation = ", None),
         ("translation = (1.0, 2.0, 3.0)", None),
         ("translation = (1.0, 2.0, 3.0) rotation", None),
+        ("translation = ((1.0), 2.0, 3.0)", None),
+        ("translation = (1.0, 2.0, ((3.0) + 1.0))", None),
         ("translation = (1.0, } tip ", None),
         ("translation = (1.0, } tip { rotation = ", None),
         ("translation = (1.0, rotation = ", None),

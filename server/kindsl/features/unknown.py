@@ -23,8 +23,6 @@ def why_unknown(values: Iterable[Expression], bindings: Mapping[str, float]) -> 
                 continue
             return Unknown(f"`{expression.text}` is not finite")
         for symbol in symbols(expression):
-            if not symbol.name:
-                return Unknown("a name is missing")
             if isinstance(symbol, ConstantUse):
                 if f"<{symbol.name}>" not in bindings:
                     return Unknown(f"the constant `{symbol.name}` has no value")

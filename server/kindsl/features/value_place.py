@@ -39,7 +39,7 @@ class ValuePlace(NamedTuple):
     @property
     def label(self) -> str:
         """What the value is: `mass`, `CoM y`, `rotation about the new y`."""
-        if self.component is None or self.component > 2:
+        if self.component is None:
             return self.section
         names = _TURNS if self.kind is ValueKind.ANGLE else _AXES
         return f"{self.section} {names[self.component]}"

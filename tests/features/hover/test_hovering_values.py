@@ -28,12 +28,19 @@ def of_mass(value, **bindings):
         ("<c>*x*2.0$0", "mass of link `l`: not known, the parameter `x` has no value"),
         ("<d>*2.0$0", "mass of link `l`: not known, the constant `d` has no value"),
         ("x[3.0]*y*2.0$0", "mass of link `l`: not known, the parameter `y` has no value"),
+        ("<>*2.0$0", "mass of link `l`: not known, `<>*2.0` is no number"),
         ("2.0$0/0.0", "mass of link `l`: not known, `2.0/0.0` is no number"),
         ("2.0$0 - ", "mass of link `l`: not known, `2.0 -` is no number"),
     ],
 )
 def test_a_value_tells_what_it_comes_to_or_why_not(value, told):
     assert of_mass(value) == told
+
+
+def test_of_two_parameters_the_one_without_a_value_is_named():
+    assert of_mass("x*y*2.0$0", x=1.0) == (
+        "mass of link `l`: not known, the parameter `y` has no value"
+    )
 
 
 @pytest.mark.parametrize(
