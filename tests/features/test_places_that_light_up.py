@@ -8,7 +8,8 @@ from kindsl.analysis.analysis import analyse
 from kindsl.features.highlight import highlights
 from kindsl.features.inlay_hints import InlayHintOptions, inlay_hints
 from kindsl.features.linked_editing import linked_ranges
-from kindsl.features.semantic_tokens import semantic_tokens
+from kindsl.features.semantic_tokens import island_tokens, semantic_tokens
+from kindsl.features.symbol_at import named_places
 
 BASE = "Robot R { RobotBase b { children { l via j } } "
 
@@ -135,3 +136,9 @@ def test_moments_stand_behind_the_brace_of_a_moving_body():
     told = "about the CoM 1, 2, 2.5 kg·m²"
     assert hints(text, 0, len(text), inertia=True) == [(text.index("mass") - 1, told)]
     assert hints(text.replace("params {", "params"), 0, 40, inertia=True) == [(37, told)]
+
+
+def test_an_island_is_coloured_and_searched_for_names_once():
+    for island in analyse(ARM).syntax.islands:
+        assert island_tokens(island) is island_tokens(island)
+        assert named_places(island) is named_places(island)

@@ -51,3 +51,10 @@ def test_what_stands_behind_the_cursor_does_not_count():
         ("rz", "radians, about the newest z"),
     ]
     assert signature_help(*at_cursor(FRAME + "rotation = $0(1.0, 2.0, 3.0) } } }")) is None
+
+
+@pytest.mark.parametrize(("signs", "is_found"), [(397, True), (398, False)])
+def test_a_vector_is_looked_for_within_four_hundred_signs(signs, is_found):
+    typed = "translation = (" + " ".join((["1.0", "+"] * 200)[:signs])
+    found = signature_help(*at_cursor(f"{FRAME}{typed}$0 , 2.0, 3.0) }} }} }}"))
+    assert (found is not None) == is_found
