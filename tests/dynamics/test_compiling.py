@@ -1,0 +1,158 @@
+"""Compiled code is kept, found again, and never taken for what it was not compiled for."""
+
+import platform
+import shutil
+import stat
+import sys
+import sysconfig
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from tests.codegen.compiling import needs_compiler
+
+from kindsl.dynamics.evaluation import compiling
+from kindsl.dynamics.evaluation.compiling import CompileError, cache_folder, compiled_module
+
+SOURCE = """
+#include <Python.h>
+static struct PyModuleDef DEFINITION = {PyModuleDef_HEAD_INIT, "tiny", "A tiny module.", -1};
+PyMODINIT_FUNC PyInit_tiny(void) { return PyModule_Create(&DEFINITION); }
+"""
+HOME = Path("/home/anna")
+
+
+@pytest.mark.parametrize(
+    ("system", "environment", "expected"),
+    [
+        ("linux", {}, HOME / ".cache/kindsl/compiled"),
+        ("linux", {"XDG_CACHE_HOME": "/var/x"}, Path("/var/x/kindsl/compiled")),
+        ("darwin", {}, HOME / "Library/Caches/kindsl/compiled"),
+        ("darwin", {"XDG_CACHE_HOME": "/var/x"}, HOME / "Library/Caches/kindsl/compiled"),
+        ("win32", {}, HOME / "AppData/Local/kindsl/compiled"),
+        ("win32", {"LOCALAPPDATA": "/local"}, Path("/local/kindsl/compiled")),
+        ("win32", {"KINDSL_CACHE": "/mine"}, Path("/mine")),
+        ("linux", {"KINDSL_CACHE": "/mine", "XDG_CACHE_HOME": "/var/x"}, Path("/mine")),
+    ],
+)
+def test_code_is_kept_where_the_system_keeps_such(
+    system: str, environment: dict[str, str], expected: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("KINDSL_CACHE", "XDG_CACHE_HOME", "LOCALAPPDATA"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in environment.items():
+        monkeypatch.setenv(name, value)
+    monkeypatch.setattr(sys, "platform", system)
+    monkeypatch.setattr(Path, "home", lambda: HOME)
+    assert cache_folder() == expected
+
+
+@pytest.fixture(scope="module")
+def tiny(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A file with the compiled source."""
+    folder = tmp_path_factory.mktemp("tiny") / "not" / "there yet"
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("KINDSL_CACHE", str(folder))
+        assert compiled_module("tiny", SOURCE).__doc__ == "A tiny module."
+    assert stat.S_IMODE(folder.stat().st_mode) == 0o700
+    (file,) = folder.iterdir()
+    return file
+
+
+@pytest.fixture
+def made(
+    tiny: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> Callable[[str], list[Path]]:
+    """Ask for a source; tell the files that were made so far."""
+    files: list[Path] = []
+
+    def compile_(_: str, __: str, path: Path) -> None:
+        files.append(Path(shutil.copy(tiny, path)))
+
+    def ask(source: str = SOURCE) -> list[Path]:
+        assert compiled_module("tiny", source).__doc__ == "A tiny module."
+        return files
+
+    monkeypatch.setenv("KINDSL_CACHE", str(tmp_path))
+    monkeypatch.setattr(compiling, "_compile", compile_)
+    return ask
+
+
+@needs_compiler
+def test_what_is_there_is_taken(made: Callable[..., list[Path]]) -> None:
+    assert len(made()) == len(made()) == 1
+    assert len(made(SOURCE + "\n")) == 2
+
+
+@needs_compiler
+def test_another_computer_s_code_is_not_taken(
+    made: Callable[..., list[Path]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A folder may be shared; another processor's instructions end the process."""
+    told = {"text": "processor : 0\nflags : sse2 avx2\n"}
+    monkeypatch.setattr(Path, "read_text", lambda *_, **__: told["text"])
+    assert len(made()) == 1
+    told["text"] = "processor : 0\nflags : sse2\n"
+    assert len(made()) == 2
+    told["text"] = "processor : 1\nflags : sse2\n"
+    assert len(made()) == 2
+    told["text"] = "processor : 1\nFeatures : asimd\n"
+    assert len(made()) == 3
+    told["text"] = "nothing of the kind"
+    assert len(made()) == 4
+    monkeypatch.setattr(platform, "machine", lambda: "another")
+    assert len({*made()}) == 5
+
+
+@needs_compiler
+def test_without_a_list_of_features_the_processor_tells(
+    made: Callable[..., list[Path]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(*_: object, **__: object) -> str:
+        raise FileNotFoundError
+
+    monkeypatch.setattr(Path, "read_text", refuse)
+    for count, name in enumerate(("one", "another"), start=1):
+        monkeypatch.setattr(platform, "processor", lambda name=name: name)
+        assert len(made()) == len(made()) == count
+
+
+@needs_compiler
+@pytest.mark.parametrize(("told", "used"), [(".abi.so", ".abi.so"), (None, ".so")])
+def test_files_end_as_extensions_do(
+    made: Callable[..., list[Path]],
+    told: str | None,
+    used: str,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(sysconfig, "get_config_var", lambda _: told)
+    (file,) = made()
+    assert file.name.endswith(used) and file.name.count(".") == used.count(".")
+
+
+@pytest.mark.parametrize(
+    ("error", "message"),
+    [
+        (OSError(28, "No space left on device"), "cannot be used: No space left on device"),
+        (OSError("odd"), "cannot be used: odd"),
+        (ImportError("wrong"), "^the compiled code cannot be loaded: wrong$"),
+    ],
+)
+def test_what_goes_wrong_is_told(
+    error: Exception, message: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(*_: Any) -> None:
+        raise error
+
+    monkeypatch.setenv("KINDSL_CACHE", str(tmp_path))
+    monkeypatch.setattr(compiling, "_compile", fail)
+    with pytest.raises(CompileError, match=message):
+        compiled_module("tiny", SOURCE)
+
+
+def test_what_is_no_code_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("KINDSL_CACHE", str(tmp_path))
+    monkeypatch.setattr(compiling, "_compile", lambda *given: given[-1].write_bytes(b"text"))
+    with pytest.raises(CompileError, match="the compiled code cannot be loaded: "):
+        compiled_module("tiny", SOURCE)
