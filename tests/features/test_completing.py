@@ -95,7 +95,9 @@ def test_parameters_of_the_right_class_come_first():
 
 
 def test_values_go_on_behind_a_sign():
-    assert labels(PARAMETRIC.replace("-tilt", "-$0")) == ["tilt", "PI", "<offset>"]
+    assert labels(PARAMETRIC.replace("-tilt", "-$0")) == ["tilt", "PI/2.0", "PI", "<offset>"]
+    assert labels(PARAMETRIC.replace("-tilt", "2.0*$0")) == ["tilt", "PI", "<offset>"]
+    assert labels(PARAMETRIC.replace("width/2.0", "-$0")) == ["width", "<offset>"]
 
 
 def test_constants_are_named_behind_their_bracket():

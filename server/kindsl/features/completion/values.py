@@ -27,6 +27,8 @@ def value_items(
     if before in ("(", ",", "="):
         yield from _plain(place)
     elif place.kind is ValueKind.ANGLE:
+        if before == "-":
+            yield CompletionItem("PI/2.0", "value", "PI/2.0", "90°")
         yield CompletionItem("PI", "value", "PI", "180°")
     if ROBCOGEN not in analysis.settings.targets:
         yield from constant_items(analysis, "<{}>")
