@@ -26,7 +26,6 @@ _BEFORE_LISTS = frozenset(("link", "JOINT_KIND", "via", "=", "(", ",", "<"))
 _BLOCKS = frozenset((
     "base", "link", "joint", "inertia", "children", "frame_group", "frame", "joint_frame",
 ))  # fmt: skip
-_NOTHING = Token("", "", 0, 0, 0)
 
 
 class CompletionContext(NamedTuple):
@@ -91,7 +90,8 @@ def _context(place: PlacedIsland, local: int, word: Span) -> CompletionContext:
     before = parse_island(text[: word.start])
     expected = expected_at(before, word.start)
     block = next((c for c in reversed(expected.constructs) if c in _BLOCKS), "document")
-    last = next((t for t in reversed(before.tokens) if not t.is_missing), _NOTHING)
+    nothing = Token("", "", word.start, word.start, word.start)
+    last = next((t for t in reversed(before.tokens) if not t.is_missing), nothing)
     path = path_to(before, last)
     return CompletionContext(
         place.start + word.start,
