@@ -114,8 +114,11 @@ def test_results_go_where_they_are_wanted(pair: tuple[CompiledMechanics, Mechani
         out = np.empty((*shape, *(compiled.bodies.n_velocities,) * 2))
         assert compiled.joint_space_inertia(q, out=out) is out
         _assert_close(out, mechanics.joint_space_inertia(q))
-    with pytest.raises(ValueError, match="'out' has shape"):
+    with pytest.raises(ValueError, match=r"'out' has shape \(3,\), expected \(2, 2, "):
         compiled.joint_space_inertia(q, out=np.empty(3))
+    q, torque = [0.3] * compiled.n_joints, np.empty(compiled.bodies.n_velocities)
+    assert compiled.gravity_torque(q, out=torque) is torque
+    _assert_close(torque, mechanics.gravity_torque(q))
 
 
 def test_several_results_go_where_they_are_wanted(
