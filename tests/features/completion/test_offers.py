@@ -88,6 +88,7 @@ def test_sections_and_blocks_that_fit_between_their_neighbours(marked, expected)
 def test_what_is_written_knows_what_is_there(marked, label, text):
     found = completions(*at_cursor(marked)).items
     assert [i.plain_text[: len(text)] for i in found if i.label == label] == [text]
+    assert all(item.is_snippet for item in found if "$" in item.text)
 
 
 @pytest.mark.parametrize(

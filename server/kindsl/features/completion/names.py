@@ -82,8 +82,7 @@ def bodies_at(context: CompletionContext) -> tuple[Link, ...]:
 
 
 def _frame_names(context: CompletionContext) -> list[str]:
-    names = (str(frame.name) for body in bodies_at(context) for frame in body.frames)
-    return [name for name in names if name]
+    return [str(frame.name) for body in bodies_at(context) for frame in body.frames]
 
 
 def _missing(names: Iterable[str], declared: Container[str]) -> Iterator[str]:
