@@ -20,7 +20,7 @@ from kindsl.syntax.forms import accepted_by
 from kindsl.syntax.scanner import scan
 from kindsl.text.edits import TextEdit, apply_edits
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 N_DRAGS = usually(500, thoroughly=2000)
 FILES = [
     *sorted((ROOT / "examples").glob("*.kindsl")),

@@ -10,7 +10,7 @@ from tests.typist.typist import lines_to_type
 from kindsl.analysis.analysis import analyse
 from kindsl.features.completion.completion import completions, narrowed, suggestions
 
-EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.kindsl"))
+EXAMPLES = sorted((Path(__file__).parents[3] / "examples").glob("*.kindsl"))
 ROBOT = "Robot R {\n"
 BASE = ROBOT + "RobotBase base {\n    children {\n        b via j\n    }\n}\n"
 LINK = BASE + "link b {\n    id = 1\n"

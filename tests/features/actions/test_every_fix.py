@@ -13,7 +13,7 @@ from kindsl.rules.base import Severity
 from kindsl.rules.registry import all_rules
 from kindsl.text.edits import apply_edits
 
-FIXTURES = sorted((Path(__file__).parents[1] / "fixtures" / "rules").glob("*.kindsl"))
+FIXTURES = sorted((Path(__file__).parents[2] / "fixtures" / "rules").glob("*.kindsl"))
 EXAMPLES = [
     example if isinstance(example, str) else example.text
     for rule in all_rules()

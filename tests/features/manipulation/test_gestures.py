@@ -17,7 +17,7 @@ from kindsl.features.manipulation.pose_as_zero import pose_as_zero
 from kindsl.formatting.format import format_document
 from kindsl.mechanism.drawable import drawable_skeleton
 
-EXAMPLES = Path(__file__).parents[2] / "examples"
+EXAMPLES = Path(__file__).parents[3] / "examples"
 QUADRUPED = (EXAMPLES / "quadruped.kindsl").read_text()
 ONE_LINE = random_model(6, 2, Style(layout="one_line", has_expressions=False))
 MIRROR = np.diag([1.0, -1.0, 1.0])
