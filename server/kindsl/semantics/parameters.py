@@ -150,8 +150,6 @@ def _collect(declared: Declarations) -> Symbols:
         if expression.literal is not None:
             continue
         for symbol in symbols(expression):
-            if not symbol.name:
-                continue
             if isinstance(symbol, ParameterUse):
                 parameters.append(Use(symbol.name, kind, symbol.default))
             else:
