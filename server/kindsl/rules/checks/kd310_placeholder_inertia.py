@@ -19,12 +19,14 @@ inertia_params {
 """
 
 from collections.abc import Iterator
+from functools import partial
 
 from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.inertia.judgements import is_moving, keyword
 from kindsl.rules.inertia.twins import part_of
+from kindsl.rules.memory import remembered
 from kindsl.semantics.declarations import MOMENTS, Inertia, Link
 from kindsl.semantics.model import Model
 
@@ -38,7 +40,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
     groups: dict[Numbers, list[tuple[Link, Inertia]]] = {}
     for body in model.bodies:
         if body.inertia is not None and is_moving(body):
-            numbers = _numbers(body.inertia)
+            numbers = remembered(body, "numbers", (), partial(_numbers, body.inertia))
             if numbers[:4] == (1.0, 1.0, 1.0, 1.0):
                 message = f"inertia of '{body.name}' is a placeholder: mass and moments are 1.0"
                 yield Finding(keyword(body.inertia), message)
