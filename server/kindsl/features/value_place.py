@@ -4,10 +4,10 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from kindsl.features.quantity_text import INERTIA, KILOGRAMS, METRES
+from kindsl.features.wording import code
 from kindsl.semantics.declarations import ValueKind
-from kindsl.semantics.expressions import Expression
-from kindsl.semantics.lowering import NAME
-from kindsl.syntax.tree import Island, Node, Token
+from kindsl.semantics.expressions import Expression, name_of
+from kindsl.syntax.tree import Island, Node
 
 _SECTIONS = frozenset(("mass", "com", "moment", "translation", "rotation"))
 _OWNERS = frozenset(("frame", "link", "base", "joint"))
@@ -27,7 +27,8 @@ class ValuePlace(NamedTuple):
         component: 0 to 2 in a vector, None outside of one.
         kind: The class of the parameters that may stand there.
         unit: The unit of the number.
-        owner: What the value belongs to, for people: ``link `upper` ``.
+        owner: What the value belongs to: `frame`, `link`, `base` or `joint`.
+        owner_name: Its name, empty where it is missing.
     """
 
     section: str
@@ -35,6 +36,7 @@ class ValuePlace(NamedTuple):
     kind: ValueKind
     unit: str
     owner: str
+    owner_name: str
 
     @property
     def label(self) -> str:
@@ -47,8 +49,7 @@ class ValuePlace(NamedTuple):
     @property
     def title(self) -> str:
         """What the value is, and of what."""
-        owner = self.owner.replace("``", "without a name")
-        return f"{self.label} of {owner}"
+        return f"{self.label} of {self.owner} {code(self.owner_name)}"
 
 
 def value_place(path: Sequence[Node], local: int) -> ValuePlace | None:
@@ -64,13 +65,13 @@ def value_place(path: Sequence[Node], local: int) -> ValuePlace | None:
     vector = next((node for node in path if node.kind == "vector"), None)
     component = None if vector is None else _component(vector, local)
     kind, unit = _meaning(section)
-    return ValuePlace(next(section.tokens()).text, component, kind, unit, owner(path))
+    return ValuePlace(next(section.tokens()).text, component, kind, unit, *_owner(path))
 
 
-def owner(path: Sequence[Node]) -> str:
-    """Return what the innermost link, joint or frame on a path is called, for people."""
+def _owner(path: Sequence[Node]) -> tuple[str, str]:
+    """Return the kind and the name of the innermost link, joint or frame on a path."""
     node = next(node for node in reversed(path) if node.kind in _OWNERS)
-    return f"{node.kind} `{_name(node)}`"
+    return node.kind, name_of(node)
 
 
 def expression_at(island: Island, path: Sequence[Node]) -> Expression | None:
@@ -90,8 +91,3 @@ def _meaning(section: Node) -> tuple[ValueKind, str]:
         return ValueKind.LENGTH, METRES
     units = {"mass": KILOGRAMS, "com": METRES}
     return ValueKind.DYNAMICS, units.get(section.kind, INERTIA)
-
-
-def _name(node: Node) -> str:
-    names = (t for t in node.children if isinstance(t, Token) and t.kind == NAME)
-    return next(names).text.removeprefix("^")

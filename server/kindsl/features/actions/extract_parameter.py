@@ -2,10 +2,10 @@
 
 import re
 from collections.abc import Iterator
-from itertools import chain, count
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.actions.action import CodeAction
+from kindsl.features.actions.free_name import free_name
 from kindsl.features.tree_path import TokenAt, token_at
 from kindsl.features.value_place import ValuePlace, expression_at, value_place
 from kindsl.rules.context import ROBCOGEN
@@ -50,12 +50,11 @@ def _new_name(analysis: Analysis, place: ValuePlace) -> str:
     """Return a name that tells the place, unlike all names in the document."""
     axis = "" if place.component is None else "xyz"[place.component]
     short = {"translation": axis, "rotation": f"r{axis}"}
-    words = f"{place.owner.split('`')[1]}_{short.get(place.section, f'{place.section}_{axis}')}"
+    words = f"{place.owner_name}_{short.get(place.section, f'{place.section}_{axis}')}"
     wanted = _NO_NAME.sub("_", words.lower()).strip("_")
     if wanted.startswith("pi"):
         wanted = f"p_{wanted}"
     model = analysis.model
     taken = {*map(str, (p.name for p in model.parameters)), *analysis.settings.bindings}
     taken |= {*model.body_named, *model.joint_named}
-    names = chain((wanted,), (f"{wanted}_{number}" for number in count(2)))
-    return next(name for name in names if name not in taken)
+    return free_name(wanted, taken)

@@ -6,10 +6,10 @@ their present values alone.
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import chain, count
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.actions.action import CodeAction
+from kindsl.features.actions.free_name import free_name
 from kindsl.features.actions.layout_edits import inserted_section
 from kindsl.features.actions.new_frame import new_frame
 from kindsl.features.link_inertia import link_inertia
@@ -134,9 +134,7 @@ def _without_frame(inertia: Inertia) -> TextEdit:
 def _new_frame_name(analysis: Analysis, link: Link) -> str:
     taken = {str(frame.name) for frame in analysis.model.frames}
     taken |= {*analysis.model.body_named, *analysis.model.joint_named}
-    wanted = f"{link.name}_com"
-    names = chain((wanted,), (f"{wanted}_{number}" for number in count(2)))
-    return next(name for name in names if name not in taken)
+    return free_name(f"{link.name}_com", taken)
 
 
 def _action(title: str, edits: Sequence[TextEdit], origin: int) -> CodeAction:

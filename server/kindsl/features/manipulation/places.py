@@ -30,4 +30,4 @@ def _place_of(name: Name) -> str:
     path = path_at(name.island, name.start)
     place = value_place(path, name.start)
     assert place is not None
-    return f"{place.owner} {place.label}".replace("`", "'")
+    return f"{place.owner} '{place.owner_name}' {place.label}"
