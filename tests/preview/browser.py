@@ -8,6 +8,9 @@ from weakref import WeakKeyDictionary
 from playwright.async_api import Browser, Error, Page, async_playwright
 from tests.preview.robots import require
 
+from kindsl.preview.scene.messages import as_json
+from kindsl.preview.server import PreviewServer
+
 ARGUMENTS = (
     "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic",
     "--no-first-run", "--disable-background-networking", "--disable-component-update",
@@ -78,6 +81,19 @@ IS_SHOWN = """(name) => {
 }"""
 
 
+# Whether a page has the links, joints and frames of a state, no others, and its revision.
+HAS = """(messages) => {
+  const { robot } = kindsl.scene.trees, groups = ["link", "joint", "frame"];
+  const state = messages.map((message) => JSON.parse(message));
+  if (state.find(({ type }) => type === "editing")?.revision !== kindsl.editing.revision) return false;
+  const told = state.filter(({ type, path }) =>
+    groups.includes(type) && path.startsWith("/kindsl/robot/"));
+  const known = groups.flatMap((group) => [...robot[`${group}s`].values()]);
+  const sorted = (list) => list.map((one) => JSON.stringify(one)).sort().join();
+  return kindsl.scene.isWhole && sorted(known) === sorted(told);
+}"""
+
+
 @asynccontextmanager
 async def chromium() -> AsyncIterator[Browser]:
     path = require("chromium", "chromium-browser", "google-chrome")
@@ -135,6 +151,12 @@ async def until(page: Page, condition: str, argument: object = None) -> None:
 async def until_shown(page: Page, robot: str) -> None:
     """Wait until the whole state has come and a robot is drawn, all of it in the picture."""
     await until(page, IS_SHOWN, robot)
+
+
+async def until_current(page: Page, server: PreviewServer, key: str = "robot") -> None:
+    """Wait until a page has heard of the robot that its server shows."""
+    state = server._documents[key].channel.state
+    await until(page, HAS, [as_json(message) for message in state])
 
 
 async def eventually(condition: Callable[[], object], patience: float = 60.0) -> None:

@@ -1,7 +1,7 @@
 """Handles in a real browser: a drag writes the one number that its handle stands for."""
 
 import pytest
-from tests.preview.browser import PLACE, eventually, opened, until_shown
+from tests.preview.browser import PLACE, eventually, opened, until_current, until_shown
 from tests.preview.handles import (
     BARE,
     COMPONENTS,
@@ -35,6 +35,7 @@ async def arm(opened_once):
     """Yield the owner and the page as at first."""
     owner, page = opened_once
     await owner.show(ARM)
+    await until_current(page, owner.server)
     await page.evaluate(AS_AT_FIRST)
     return owner, page
 

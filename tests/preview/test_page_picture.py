@@ -139,6 +139,11 @@ async def test_presets_show_what_they_are_called_and_keep_own_choices(browser, s
         assert "axis" not in await page.evaluate(VISIBLE)
 
 
+# From now on a picture is drawn after each message, as slow lines and slow machines bring it about.
+DRAW_BETWEEN = """() => {
+  const { socket } = kindsl.connection, take = socket.onmessage;
+  socket.onmessage = (event) => { take(event); kindsl.viewer.render(); };
+}"""
 BALL = ARM.replace("Ix = 0.02", "Ix = 90.0").replace("Iy = 0.02", "Iy = 90.0")
 
 
@@ -156,6 +161,7 @@ async def test_an_ellipsoid_larger_than_the_robot_is_left_out_until_asked_for(br
         await until_shown(page, "Arm")
         await until(page, "kindsl.camera.framedSize > 0")
         distance = await page.evaluate("kindsl.camera.offset().length()")
+        await page.evaluate(DRAW_BETWEEN)
         await server.show("robot", analyse(BALL.replace("Iz = 0.005", "Iz = 90.0")), ())
         await page.get_by_text("Show 1 ellipsoid larger than the robot").wait_for()
         await page.locator("#frame").click()
@@ -163,6 +169,26 @@ async def test_an_ellipsoid_larger_than_the_robot_is_left_out_until_asked_for(br
         assert min(await page.evaluate(drawn)) == 0.0
         await page.get_by_text("Show 1 ellipsoid larger than the robot").click()
         assert max(await page.evaluate(drawn)) > 2.0
+
+
+async def test_an_ellipsoid_that_alone_became_larger_is_told(browser, server):
+    async with opened(browser, await url_of(server, BALL.replace("Iz = 0.005", "Iz = 90.0"))) as page:
+        await page.get_by_text("Show 1 ellipsoid larger than the robot").wait_for()
+        await server.show("robot", analyse(ARM), ())
+        await page.get_by_text("larger than the robot").wait_for(state="detached")
+
+
+async def test_a_robot_of_another_size_is_framed_whole(browser, server):
+    longer = ARM.replace("(0.4, 0.0, 0.0)", "(4.0, 0.0, 0.0)")
+    async with opened(browser, await url_of(server, ARM)) as page:
+        await until_shown(page, "Arm")
+        await page.evaluate(DRAW_BETWEEN)
+        await server.show("robot", analyse(longer), ())
+        await until(page, "kindsl.scene.trees.robot.joints.get('lift').placement[12] === 4")
+        await until(page, "kindsl.camera.framedSize > 3")
+        distance = await page.evaluate("kindsl.camera.offset().length()")
+        await page.locator("#frame").click()
+        assert await page.evaluate("kindsl.camera.offset().length()") == pytest.approx(distance)
 
 
 async def test_sliders_fill_from_zero_and_torques_from_one_side(browser, server):

@@ -7,6 +7,11 @@ from kindsl.preview.scene.changes import changes
 from kindsl.preview.scene.messages import Key, Message, Messages, key_of
 
 
+# Between these, what is sent belongs together.
+CHANGES: Message = {"type": "changes"}
+END: Message = {"type": "end"}
+
+
 class Tab:
     """One open page. What it has not taken yet waits here, the last value of each property.
 
@@ -60,7 +65,7 @@ class Channel:
 
     def join(self, tab: Tab) -> None:
         """Send a tab the whole state, and from now on its changes."""
-        for message in ({"type": "begin"}, *self.state, {"type": "end"}):
+        for message in ({"type": "begin"}, *self.state, END):
             tab.send(message)
         self._tabs.add(tab)
 

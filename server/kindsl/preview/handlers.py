@@ -11,7 +11,7 @@ from tornado.websocket import WebSocketClosedError, WebSocketHandler
 from kindsl.preview.access import Access
 from kindsl.preview.assets import assets, live_page
 from kindsl.preview.budget import Budget
-from kindsl.preview.channel import Tab
+from kindsl.preview.channel import CHANGES, END, Tab
 from kindsl.preview.document_preview import DocumentPreview
 from kindsl.preview.requests import MOST_BYTES, Request, parse_request
 from kindsl.preview.scene.messages import Message, encode
@@ -173,9 +173,13 @@ class LiveHandler(CheckedHandler, WebSocketHandler):
             self.server.disconnected(self)
 
     async def _write(self, messages: list[Message]) -> None:
-        """Write messages; a line that is closing loses them, and `on_close` follows."""
+        """Write messages; a line that is closing loses them, and `on_close` follows.
+
+        Each is a frame of its own, and the page may draw between any two: it is told from where to
+        where they belong together.
+        """
         written = []
         with suppress(WebSocketClosedError):
-            for message in messages:
+            for message in [CHANGES, *messages, END] if len(messages) > 1 else messages:
                 written.append(self.write_message(encode(message), binary=True))
         await asyncio.gather(*written, return_exceptions=True)

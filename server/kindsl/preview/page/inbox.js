@@ -2,7 +2,8 @@
 "use strict";
 
 const KindslInbox = (() => {
-  const ROW_NEWS = ["model", "link", "joint", "frame", "limits", "delete", "end"]; // other rows
+  const ROW_NEWS = ["model", "link", "joint", "frame", "limits", "delete"]; // other rows
+  const MARK_NEWS = ["set_object", "set_transform"]; // other marks in the picture
   const VALUE_NEWS = ["value", "motion", "view"]; // other values in them
 
   class Inbox {
@@ -16,6 +17,7 @@ const KindslInbox = (() => {
       scene.onRemove = (path) => this.forget(path);
       scene.onChange((what) => {
         if (ROW_NEWS.includes(what)) this.stale.add("rows");
+        if (MARK_NEWS.includes(what)) this.stale.add("marks");
         if (VALUE_NEWS.includes(what)) this.stale.add("values");
         if (what === "model") this.stale.add("camera");
       });

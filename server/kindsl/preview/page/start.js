@@ -82,7 +82,8 @@ const kindsl = (() => {
     const isDrawn = scene.isWhole && scene.trees.robot.links.size > 0;
     if (isDrawn && page.inbox.isStale("camera")) follow();
     if (isDrawn && !isBegun) begin();
-    if (page.inbox.isStale("rows")) showRows();
+    if (scene.isWhole && page.inbox.isStale("rows")) showRows();
+    if (scene.isWhole && page.inbox.isStale("marks")) page.legend.showMore();
     if (page.inbox.isStale("values")) page.joints.update();
     if (page.inbox.isStale("parameters")) page.parameters.update([...page.inbox.parameters.values()]);
     if (page.inbox.isStale("findings")) {

@@ -73,18 +73,21 @@ const KindslLegend = (() => {
 
     // Own choices can be taken back, and what was left out for its size be asked for.
     showMore() {
-      const large = KindslPlaces.oversized(this.scene).length, parts = [];
-      const add = (text, act) => {
-        const button = make("button", "", text);
-        button.type = "button";
-        button.addEventListener("click", act);
-        parts.push(button, " ");
-      };
-      if (large) add(`Show ${large} ellipsoid${large === 1 ? "" : "s"} larger than the robot`, () => this.actions.showOversized(true));
-      else if (this.scene.showsOversized) add("Leave out ellipsoids larger than the robot", () => this.actions.showOversized(false));
-      if (this.presets.own.size) add(`Back to ${this.presets.name} as it was`, () => this.actions.resetPreset());
-      this.more.replaceChildren(...parts);
+      const large = KindslPlaces.oversized(this.scene).length, offers = new Map();
+      if (large) offers.set(`Show ${large} ellipsoid${large === 1 ? "" : "s"} larger than the robot`, () => this.actions.showOversized(true));
+      else if (this.scene.showsOversized) offers.set("Leave out ellipsoids larger than the robot", () => this.actions.showOversized(false));
+      if (this.presets.own.size) offers.set(`Back to ${this.presets.name} as it was`, () => this.actions.resetPreset());
+      const shown = [...this.more.children].map((button) => button.textContent);
+      if (shown.join() === [...offers.keys()].join()) return; // a button stays under the mouse that presses it
+      this.more.replaceChildren(...[...offers].flatMap(([text, act]) => [offer(text, act), " "]));
     }
+  }
+
+  function offer(text, act) {
+    const button = make("button", "", text);
+    button.type = "button";
+    button.addEventListener("click", act);
+    return button;
   }
 
   return { Legend };

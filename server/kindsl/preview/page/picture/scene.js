@@ -34,6 +34,7 @@ const KindslScene = (() => {
       this.showsOversized = false;
       this.paths = new Set();
       this.unconfirmed = null;
+      this.isWhole = true; // no state and no change is on its way of which more is to come
       this.highlighted = null;
       this.listeners = [];
       viewer.scene_tree.folder = new NoFolder();
@@ -51,13 +52,11 @@ const KindslScene = (() => {
       for (const listener of this.listeners) listener(what);
     }
 
-    // Whether no state is on its way of which more is to come.
-    get isWhole() { return this.unconfirmed === null; }
-
     // Apply one message. Only what is named here ever reaches the viewer: it would evaluate code in others.
     apply(message) {
       if (message.path) this.confirm(message.path);
-      if (message.type === "begin") this.unconfirmed = new Set(this.paths);
+      if (message.type === "begin") this.begin();
+      else if (message.type === "changes") this.isWhole = false;
       else if (message.type === "end") this.sweep();
       else if (message.type === "delete") this.remove(message.path);
       else if (DRAWING.has(message.type)) this.draw(message);
@@ -80,10 +79,16 @@ const KindslScene = (() => {
       if (this.unconfirmed) this.unconfirmed.delete(path);
     }
 
+    begin() {
+      this.unconfirmed = new Set(this.paths);
+      this.isWhole = false;
+    }
+
     // After a reconnection: what the new state did not mention is gone.
     sweep() {
       for (const path of this.unconfirmed || []) this.remove(path);
       this.unconfirmed = null;
+      this.isWhole = true;
     }
 
     draw(message) {
