@@ -85,7 +85,8 @@ IS_SHOWN = """(name) => {
 HAS = """(messages) => {
   const { robot } = kindsl.scene.trees, groups = ["link", "joint", "frame"];
   const state = messages.map((message) => JSON.parse(message));
-  if (state.find(({ type }) => type === "editing")?.revision !== kindsl.editing.revision) return false;
+  const editing = state.find(({ type }) => type === "editing");
+  if (editing?.revision !== kindsl.editing.revision) return false;
   const told = state.filter(({ type, path }) =>
     groups.includes(type) && path.startsWith("/kindsl/robot/"));
   const known = groups.flatMap((group) => [...robot[`${group}s`].values()]);

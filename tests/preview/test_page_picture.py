@@ -172,7 +172,8 @@ async def test_an_ellipsoid_larger_than_the_robot_is_left_out_until_asked_for(br
 
 
 async def test_an_ellipsoid_that_alone_became_larger_is_told(browser, server):
-    async with opened(browser, await url_of(server, BALL.replace("Iz = 0.005", "Iz = 90.0"))) as page:
+    large = BALL.replace("Iz = 0.005", "Iz = 90.0")
+    async with opened(browser, await url_of(server, large)) as page:
         await page.get_by_text("Show 1 ellipsoid larger than the robot").wait_for()
         await server.show("robot", analyse(ARM), ())
         await page.get_by_text("larger than the robot").wait_for(state="detached")

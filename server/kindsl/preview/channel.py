@@ -6,7 +6,6 @@ from collections.abc import Awaitable, Callable
 from kindsl.preview.scene.changes import changes
 from kindsl.preview.scene.messages import Key, Message, Messages, key_of
 
-
 # Between these, what is sent belongs together.
 CHANGES: Message = {"type": "changes"}
 END: Message = {"type": "end"}
