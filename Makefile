@@ -6,8 +6,10 @@ STAMP := $(VENV)/.installed-for-tests
 TOOLS := $(VENV)/.installed
 PYTHON ?= python3
 EXAMPLE ?= examples/quadruped.kindsl
-# On two workers; which of them runs what: tests/support/lanes.py.
-RUN_TESTS = $(BIN)/python -m pytest -n 2 --dist loadfile --no-loadscope-reorder
+# Browsers that draw without a graphics card need all cores: their tests run alone, whatever became of the others.
+BROWSERS := tests/preview tests/typist tests/vscode tests/web
+RUN_TESTS = $(BIN)/python -m pytest -n 2 --dist loadfile $(BROWSERS:%=--ignore=%); others=$$?; \
+	$(BIN)/python -m pytest $(BROWSERS) && exit $$others
 
 .PHONY: demo demo-web playground test thorough fix lint types layers docs tables bench vsix screenshots clean
 
@@ -39,7 +41,7 @@ test: $(STAMP) lint types layers docs-check vsix
 
 # The tests with every random case; `make test` tries a part of them.
 thorough: $(STAMP)
-	KINDSL_THOROUGH=1 $(RUN_TESTS)
+	export KINDSL_THOROUGH=1; $(RUN_TESTS)
 
 lint: $(STAMP)
 	$(BIN)/ruff check .

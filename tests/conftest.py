@@ -6,11 +6,9 @@ interrupts from all that it starts so.
 """
 
 import signal
-from typing import Any
 
 import pytest
 from hypothesis import settings
-from tests.support.lanes import Lanes, drives_a_browser
 from tests.support.published import ABSENT, CORPUS
 
 settings.register_profile("kindsl", deadline=None, derandomize=True)
@@ -25,14 +23,3 @@ def pytest_runtest_setup(item: pytest.Item) -> None:
     """Skip what needs published models where they are absent: one line in the summary."""
     if not CORPUS.is_dir() and item.get_closest_marker("published"):
         pytest.skip(ABSENT)
-
-
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Begin with what drives browsers."""
-    items.sort(key=lambda item: not drives_a_browser(item.nodeid))
-
-
-@pytest.hookimpl(optionalhook=True)
-def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Lanes:
-    """Let one worker alone drive browsers."""
-    return Lanes(config, log)

@@ -9,7 +9,6 @@ from pathlib import Path
 
 import grimp
 import pytest
-from tests.support.lanes import Lanes, drives_a_browser
 
 import kindsl
 
@@ -100,17 +99,13 @@ def test_what_the_page_names_is_there() -> None:
         assert any(path == name or path.endswith(f"/{name}") for path in there), name
 
 
-def test_who_drives_a_browser_is_in_the_lane_for_it() -> None:
+def test_who_drives_a_browser_runs_alone() -> None:
     tests = ROOT / "tests"
+    makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
+    (folders,) = re.findall(r"^BROWSERS := (.*)$", makefile, re.MULTILINE)
     driving = [
-        file.relative_to(ROOT).as_posix()
+        file.relative_to(ROOT).parent.as_posix()
         for file in tests.rglob("*.py")
         if re.search(r"^from playwright", file.read_text(encoding="utf-8"), re.MULTILINE)
     ]
-    assert driving and all(map(drives_a_browser, driving))
-
-
-def test_a_file_stays_with_one_worker() -> None:
-    lane = object.__new__(Lanes)._split_scope
-    assert lane("tests/rules/test_a.py::Test::test_b[c::d]") == "tests/rules/test_a.py"
-    assert lane("tests/web/test_a.py::test_b") == lane("tests/preview/test_c.py::test_d")
+    assert set(driving) == set(folders.split())
