@@ -83,9 +83,14 @@ async def test_escape_writes_nothing_and_puts_all_back(arm):
     await page.wait_for_function(
         "() => document.querySelector('#editing output').textContent.includes('→')"
     )
+    field = page.get_by_role("textbox", name="joint lift along x")
+    await page.wait_for_function("() => !kindsl.editing.isWaiting")
+    told = await page.locator("#editing output").text_content()
+    assert told == f"x: 0.4 → {await field.input_value()}"
     await page.keyboard.press("Escape")
     await page.mouse.up()
     await page.wait_for_function("() => !kindsl.editing.isWaiting")
+    assert await field.input_value() == "0.4"
     assert owner.text == ARM
     assert await page.evaluate(PLACE, ["joints", "lift"]) == pytest.approx(before, abs=0.5)
 

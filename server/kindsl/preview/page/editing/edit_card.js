@@ -41,6 +41,12 @@ const KindslEditCard = (() => {
       this.showGestures(chosen);
     }
 
+    // What a number has become on its way.
+    follow(component, text) {
+      const { field } = this.fields.get(component) || {};
+      if (field && document.activeElement !== field) field.value = text;
+    }
+
     build(key, shown) {
       this.key = key;
       this.fields.clear();

@@ -161,6 +161,7 @@ const KindslEditing = (() => {
       if (written) this.page.history.wrote();
       Object.assign(this, { asked: next && next.phase, next: null });
       if (next) this.page.send(next);
+      if (!reason) this.card.follow(component, phase === "cancel" ? this.start.text : text);
       this.card.tell(reason || (phase === "cancel" ? "" : `${component}: ${this.start.text} → ${text}`), Boolean(reason));
       if (!this.drag.isOn) this.settle(component, reason ? null : value);
       this.goOn();
