@@ -56,12 +56,15 @@ def expect_findings(tab: Tab, path: Path) -> None:
 def test_hover_completion_and_outline_answer(tab: Tab) -> None:
     tab.show("arm.kindsl", models.ARM)
     tab.page.locator("#outline button", has_text="lower").first.click()
-    tab.page.evaluate("() => playground.editor.trigger('test', 'editor.action.showHover', {})")
     hover = tab.page.locator(".monaco-hover-content").first
-    tab.eventually(lambda: "lower" in (hover.text_content() or ""), "the hover of a link")
+
+    def is_hovered() -> bool:
+        return hover.is_visible() and "lower" in (hover.text_content() or "")
+
+    tab.ask_until_seen(lambda: tab.trigger("showHover"), is_hovered, "the hover of a link")
     tab.page.evaluate(PLACE_CURSOR, [3, 20])
-    tab.page.evaluate("() => playground.editor.trigger('test', 'editor.action.triggerSuggest', {})")
-    tab.page.locator(".suggest-widget .monaco-list-row").first.wait_for()
+    suggested = tab.page.locator(".suggest-widget .monaco-list-row").first
+    tab.ask_until_seen(lambda: tab.trigger("triggerSuggest"), suggested.is_visible, "a suggestion")
     tab.page.keyboard.press("Escape")
 
 
@@ -83,6 +86,23 @@ def test_a_click_in_the_preview_shows_the_source(tab: Tab) -> None:
         lambda: tab.page.evaluate("() => playground.editor.getPosition().lineNumber") == line,
         "the cursor at the link",
     )
+
+
+COUNT_COPIES = """() => new Promise((resolve) => {
+    let copies = 0;
+    addEventListener("message", ({ data }) => {
+        if (data === "last") resolve(copies);
+        if (data !== "first") return;
+        if (++copies === 1) window.postMessage("last");
+    });
+    window.postMessage("first");
+})"""
+
+
+def test_a_message_to_the_picture_comes_once(tab: Tab) -> None:
+    tab.show("arm.kindsl", models.ARM)
+    tab.expect_robot("arm")
+    assert tab.preview().evaluate(COUNT_COPIES) == 1
 
 
 def test_a_dragged_arrow_changes_one_number_and_undo_restores_it(tab: Tab) -> None:

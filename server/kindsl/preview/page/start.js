@@ -42,6 +42,8 @@ const kindsl = (() => {
   let connectionState = "connecting", isBegun = false;
 
   function openViewer() {
+    // An encoder in the viewer takes the window for its worker and posts back every message, its own again and again.
+    window.onmessage = null;
     try {
       return new MeshCat.Viewer(pane);
     } catch (error) {
