@@ -4,10 +4,11 @@ import base64
 import json
 import time
 import zlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from typing import Any
 
-from playwright.sync_api import Frame, Page
+from playwright.sync_api import Frame, Page, TimeoutError
 from tests.preview.handles import ARE_FREE, IS_GRASPED, LINES
 
 TIMEOUT = 90.0
@@ -16,6 +17,33 @@ FOUND = """() => {
     return monaco.editor.getModelMarkers({ resource: files.model().uri }).map((one) =>
         [one.code, one.startLineNumber, one.startColumn, one.endLineNumber, one.endColumn]);
 }"""
+# Holds back what the server says by some methods; an answer counts as its question or command.
+HOLD_BACK = """{
+    const Real = Worker, methods = new Set(), waiting = [];
+    window.Worker = class extends Real {
+        #asked = new Map();
+        postMessage(message, ...more) {
+            if (message?.method) this.#asked.set(message.id, message.params?.command ?? message.method);
+            super.postMessage(message, ...more);
+        }
+        addEventListener(type, listener, ...more) {
+            super.addEventListener(type, (event) => {
+                const { method, id } = event.data ?? {};
+                const take = () => listener.call(this, event);
+                if (methods.has(method ?? this.#asked.get(id))) waiting.push(take);
+                else take();
+            }, ...more);
+        }
+    };
+    window.late = {
+        hold: (method) => methods.add(method),
+        count: () => waiting.length,
+        pass: () => {
+            methods.clear();
+            for (const take of waiting.splice(0)) take();
+        },
+    };
+}"""  # noqa: E501
 PLACE_CURSOR = "([line, column]) => playground.editor.setPosition({ lineNumber: line, column })"
 
 
@@ -33,6 +61,7 @@ class Tab:
         self.requests: list[str] = []
         self.complaints: list[str] = []
         page.set_default_timeout(1000 * TIMEOUT)
+        page.add_init_script(HOLD_BACK)
         page.on("request", lambda request: self.requests.append(request.url))
         page.on("pageerror", lambda error: self.complaints.append(str(error)))
         page.on("console", self._listen)
@@ -41,6 +70,7 @@ class Tab:
         """Go to an address and wait for the server in the page."""
         self.page.goto(address)
         self.page.locator("body[data-state=ready]").wait_for()
+        self.page.wait_for_function("() => window.playground?.files.model() !== undefined")
 
     def eventually(self, see: Callable[[], Any], what: str) -> Any:
         """Return what is seen once it is true."""
@@ -52,6 +82,30 @@ class Tab:
             self.page.wait_for_timeout(50)
         raise AssertionError(f"not seen: {what}")
 
+    def ask_until_seen(self, ask: Callable[[], Any], see: Callable[[], Any], what: str) -> Any:
+        """Return what is seen once it is true, asking again with more and more patience.
+
+        What opens over a text closes when that scrolls, or is told something new.
+        """
+        end = time.monotonic() + TIMEOUT
+        patience = 1.0
+        while time.monotonic() < end:
+            ask()
+            again = time.monotonic() + patience
+            while time.monotonic() < again:
+                seen = see()
+                if seen:
+                    return seen
+                self.page.wait_for_timeout(50)
+            patience *= 2
+        raise AssertionError(f"not seen: {what}")
+
+    def trigger(self, action: str) -> None:
+        """Do what a key of the editor would do."""
+        self.page.evaluate(
+            "(id) => playground.editor.trigger('test', id, {})", f"editor.action.{action}"
+        )
+
     def show(self, name: str, text: str) -> None:
         """Open a text in a tab of the editor."""
         self.open_beside(name, text)
@@ -60,6 +114,17 @@ class Tab:
     def open_beside(self, name: str, text: str) -> None:
         """Open a text in a tab of the editor that is not shown."""
         self.page.evaluate("(file) => playground.files.open(...file)", [name, text])
+
+    @contextmanager
+    def held(self, method: str) -> Iterator[None]:
+        """Hold back what the server says by a method, or answers to it, until the end."""
+        self.page.evaluate("(method) => late.hold(method)", method)
+        yield
+        self.page.evaluate("() => late.pass()")
+
+    def wait_for_held(self) -> None:
+        """Wait until something is held back."""
+        self.eventually(lambda: self.page.evaluate("() => late.count()"), "what is held back")
 
     def found(self) -> list[list[Any]]:
         """Return code, start and end of each problem of the shown text, lines from 1."""
@@ -72,18 +137,20 @@ class Tab:
     def fix_first(self) -> str:
         """Take the first fix of the first problem; return its title."""
         before = self.text()
-        action = self.page.locator(".action-widget .monaco-list-row.action").first
+        fix = self.page.locator("#problems .fix").first
+        actions = self.page.locator(".action-widget .monaco-list-row.action")
 
-        def is_listed() -> bool:
-            """Ask again: a list that comes while the text is still checked closes at once."""
-            if not action.is_visible():
-                self.page.locator("#problems .fix").first.click()
-                self.page.wait_for_timeout(1000)
-            return action.is_visible()
+        def title_of_taken() -> str:
+            """Click: if the list closes meanwhile, no key goes into the text."""
+            titles = actions.all_inner_texts()
+            try:
+                if titles:
+                    actions.first.click(timeout=5000)
+            except TimeoutError:
+                return ""
+            return titles[0] if titles else ""
 
-        self.eventually(is_listed, "a list of fixes")
-        title = action.inner_text()
-        self.page.keyboard.press("Enter")
+        title = str(self.ask_until_seen(fix.click, title_of_taken, "a list of fixes"))
         self.eventually(lambda: self.text() != before, f"the text changed by '{title}'")
         return title
 

@@ -63,6 +63,7 @@ export class Comparison {
       first.dispose();
       this.#view?.revealFirstDiff();
     });
+    byId("changes").replaceChildren();
     void this.#tellChanges();
   }
 

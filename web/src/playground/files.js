@@ -29,9 +29,9 @@ export class Files {
     this.onClose = () => {};
   }
 
-  /** Open a text in a tab, replacing the one of that name. */
+  /** Open a text in a tab, or put it into the one of that name. */
   open(name, text) {
-    this.close(name);
+    if (this.#files.has(name)) return this.#replace(name, text);
     const language = name === CONFIGURATION ? "toml" : LANGUAGE;
     const model = monaco.editor.createModel(text, language, monaco.Uri.parse(uriOf(name)));
     model.onDidChangeContent(() => this.onChange(name));
@@ -39,11 +39,21 @@ export class Files {
     this.onChange(name);
   }
 
+  /** A version of its own, so that what is still said of the former text is not taken for news of this one. */
+  #replace(name, text) {
+    const file = this.#files.get(name);
+    forgetProblems(file.model);
+    file.model.setValue(text);
+    Object.assign(file, { original: text, view: null });
+    if (name === this.active) this.editor.setScrollTop(0);
+  }
+
   close(name) {
     const file = this.#files.get(name);
     if (file === undefined) return;
     this.onClose(name);
     file.tab.remove();
+    forgetProblems(file.model);
     file.model.dispose();
     this.#files.delete(name);
   }
@@ -96,4 +106,9 @@ export class Files {
     this.bar.append(tab);
     return tab;
   }
+}
+
+/** Monaco's client forgets a text with its problems listed, for whoever has that address next. */
+function forgetProblems(model) {
+  monaco.editor.setModelMarkers(model, "lsp", []);
 }

@@ -7,6 +7,7 @@ import { CONFIGURATION, Files, nameOf, properName, uriOf } from "./files.js";
 import { registerLanguage } from "./language.js";
 import { Notice } from "./notice.js";
 import { Outline } from "./outline.js";
+import { rangeOf } from "./places.js";
 import { Preview } from "./preview.js";
 import { Problems } from "./problems.js";
 import { ServerPort } from "./server_port.js";
@@ -34,19 +35,17 @@ const query = new URLSearchParams(location.search);
 const port = new ServerPort(new Worker("server/worker.js"), new URL("server/", location.href).href, { useImage: query.get("image") !== "off" });
 const files = new Files(editor, byId("tabs"));
 const preview = new Preview(byId("preview"), port);
-const outline = new Outline(byId("outline"), editor, port);
 const comparison = new Comparison(byId("comparison"), byId("editor"), files, port);
 const notice = new Notice(byId("notice"));
+new Outline(byId("outline"), editor, port);
 new Problems(byId("problems"), byId("problem-count"), editor);
 
 files.onActive = (name) => {
   comparison.hide();
-  outline.refresh();
   if (name.endsWith(".kindsl")) void preview.show(name).catch((error) => say(error.message));
 };
 files.onChange = (name) => {
   if (name === CONFIGURATION) writeConfiguration();
-  if (name === files.active) outline.refresh();
   comparison.refresh();
 };
 
@@ -76,8 +75,7 @@ function showPlace(uri, selection) {
   const name = nameOf(uri);
   if (files.model(name) === undefined) return { success: false };
   if (files.active !== name) files.show(name);
-  const { start, end } = selection;
-  const range = new monaco.Range(start.line + 1, start.character + 1, end.line + 1, end.character + 1);
+  const range = rangeOf(selection);
   editor.setSelection(range);
   editor.revealRangeInCenterIfOutsideViewport(range);
   showPart("text");
@@ -92,9 +90,7 @@ function applyEdit({ changes = {}, documentChanges = [] }) {
   }));
   if (all.some(({ model, isCurrent }) => model === undefined || !isCurrent)) return false;
   for (const { model, edits } of all) {
-    const operations = edits.map(({ range: { start, end }, newText }) => ({
-      range: new monaco.Range(start.line + 1, start.character + 1, end.line + 1, end.character + 1), text: newText,
-    }));
+    const operations = edits.map(({ range, newText }) => ({ range: rangeOf(range), text: newText }));
     model.pushStackElement();
     model.pushEditOperations(null, operations, () => null);
     model.pushStackElement();
@@ -147,7 +143,11 @@ async function share() {
 async function addExample(name) {
   if (!(name in examples)) return say(`There is no example '${name}'`);
   const file = `${name}.kindsl`;
-  if (files.model(file) === undefined) files.open(file, await (await fetch(`examples/${file}`)).text());
+  if (files.model(file) === undefined) {
+    const text = await (await fetch(`examples/${file}`)).text();
+    // Chosen twice, it may have come and been changed meanwhile.
+    if (files.model(file) === undefined) files.open(file, text);
+  }
   files.show(file);
 }
 

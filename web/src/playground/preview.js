@@ -18,9 +18,10 @@ export class Preview {
   async show(name) {
     const asked = ++this.#asked;
     await this.port.whenOpen(uriOf(name));
-    const { url } = await this.port.command("kindsl.preview", uriOf(name));
+    const answer = this.port.command("kindsl.preview", uriOf(name));
+    await answer.catch(() => undefined);
     if (asked !== this.#asked) return;
-    this.#document = url;
+    this.#document = (await answer).url;
     this.#send({ type: "hello", joints: {}, parameters: {} });
   }
 

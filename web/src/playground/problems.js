@@ -1,13 +1,18 @@
 // What is wrong, as a list: a click goes there, a button offers the fixes.
 import * as monaco from "monaco-editor/editor/editor.api.js";
 import { element } from "./elements.js";
+import { Places } from "./places.js";
 
 const WORDS = { 8: "error", 4: "warning", 2: "info", 1: "hint" };
 
 export class Problems {
   constructor(list, count, editor) {
-    Object.assign(this, { list, count, editor });
-    monaco.editor.onDidChangeMarkers(() => this.update());
+    Object.assign(this, { list, count, editor, places: new Places(editor) });
+    monaco.editor.onDidChangeMarkers((uris) => {
+      // Those of a text that has been edited since would be kept at places of the former one.
+      const shown = editor.getModel()?.uri.toString();
+      if (uris.some((uri) => uri.toString() === shown)) this.update();
+    });
     editor.onDidChangeModel(() => this.update());
   }
 
@@ -16,10 +21,11 @@ export class Problems {
     const markers = model ? monaco.editor.getModelMarkers({ resource: model.uri }) : [];
     markers.sort((a, b) => b.severity - a.severity || a.startLineNumber - b.startLineNumber);
     this.count.textContent = String(markers.length);
-    this.list.replaceChildren(...(markers.length > 0 ? markers.map((marker) => this.#row(marker)) : [nothing()]));
+    this.list.replaceChildren(...(markers.length > 0 ? markers.map((marker, index) => this.#row(marker, index)) : [nothing()]));
+    this.places.keep(markers);
   }
 
-  #row(marker) {
+  #row(marker, index) {
     const word = WORDS[marker.severity] ?? "info";
     const place = element("button", { className: "place" }, [
       element("span", { className: `dot ${word}`, title: word }),
@@ -28,19 +34,11 @@ export class Problems {
       element("span", { className: "line", textContent: `line ${marker.startLineNumber}` }),
     ]);
     const fix = element("button", { className: "fix", textContent: "Fix…", title: "Show what would fix this" });
-    place.addEventListener("click", () => this.#go(marker));
+    place.addEventListener("click", () => this.places.go(index));
     fix.addEventListener("click", () => {
-      this.#go(marker);
-      this.editor.trigger("problems", "editor.action.quickFix", {});
+      if (this.places.go(index)) this.editor.trigger("problems", "editor.action.quickFix", {});
     });
     return element("li", {}, [place, fix]);
-  }
-
-  #go({ startLineNumber, startColumn }) {
-    const place = { lineNumber: startLineNumber, column: startColumn };
-    this.editor.setPosition(place);
-    this.editor.revealPositionInCenterIfOutsideViewport(place);
-    this.editor.focus();
   }
 }
 

@@ -1,5 +1,6 @@
 // The line to the language server in its worker. Looks like the worker itself to Monaco's client, and lets us ask, too.
 const OWN = "playground-";
+const FINDINGS = "textDocument/publishDiagnostics";
 const HAS_VERSION = new Set(["textDocument/didOpen", "textDocument/didChange"]);
 
 export class ServerPort {
@@ -86,7 +87,13 @@ export class ServerPort {
     if (id !== undefined) this.#worker.postMessage({ jsonrpc: "2.0", id, result });
   }
 
+  /** Whether findings are those of a text that has been changed since: others are on their way. */
+  #isOutdated({ method, params }) {
+    return method === FINDINGS && params.version !== undefined && params.version !== this.#versions.get(params.uri);
+  }
+
   #pass(data) {
+    if (this.#isOutdated(data)) return;
     // Findings are pushed 0.1 s after a keystroke; Monaco's client would ask for them after 0.5 s only.
     if (data.result?.capabilities) delete data.result.capabilities.diagnosticProvider;
     for (const listener of this.#listeners) listener({ data, source: this.#worker });
