@@ -7,6 +7,7 @@ from tests.cli.samples import GOOD, INTEGER, UNBOUND
 
 from kindsl.cli.documents.choices import Choices
 from kindsl.cli.linter import watching
+from kindsl.cli.linter.one_document import Mending
 from kindsl.cli.linter.run import Plan
 from kindsl.cli.outcome import Outcome
 from kindsl.config.discovery import Configurations
@@ -42,3 +43,53 @@ def test_lints_again_when_something_changes(
     assert watching.watch(plan, report) == 5
     assert found == [[], ["KD005"], ["KD005", "KD401"], ["KD005"], []]
     assert capsys.readouterr().err.count("watching") == 5
+
+
+def test_what_is_saved_during_a_run_is_linted_next(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    document = folder / "a.kindsl"
+    document.write_text(GOOD)
+    looks = iter(range(2))
+
+    def pause(_: float) -> None:
+        if next(looks, None) is None:
+            raise KeyboardInterrupt
+
+    found: list[list[str]] = []
+
+    def report(outcome: Outcome) -> int:
+        if not found:
+            document.write_text(INTEGER)
+        found.append([finding.code for file in outcome.files for finding in file.findings])
+        return len(found)
+
+    monkeypatch.setattr(watching.time, "sleep", pause)
+    plan = Plan(["."], Choices(configurations=Configurations()), is_quiet=True)
+    assert watching.watch(plan, report) == 2
+    assert found == [[], ["KD005"]]
+
+
+def test_a_file_that_the_run_itself_mends_is_linted_once(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    document = folder / "a.kindsl"
+    document.write_text(INTEGER)
+    looks = iter(range(2))
+
+    def pause(_: float) -> None:
+        if next(looks, None) is None:
+            raise KeyboardInterrupt
+
+    mended: list[int] = []
+
+    def report(outcome: Outcome) -> int:
+        mended.append(sum(file.n_fixed for file in outcome.files))
+        return len(mended)
+
+    monkeypatch.setattr(watching.time, "sleep", pause)
+    choices = Choices(configurations=Configurations())
+    plan = Plan(["."], choices, is_quiet=True, mending=Mending.WRITTEN)
+    assert watching.watch(plan, report) == 1
+    assert mended == [1]
+    assert document.read_text() != INTEGER

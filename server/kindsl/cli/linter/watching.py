@@ -29,9 +29,12 @@ def watch(plan: Plan, report: Callable[[Outcome], int]) -> int:
                 is_first = False
                 if sys.stdout.isatty():
                     print(_CLEAR, end="", flush=True)
-                status = report(lint(_afresh(plan)))
+                outcome = lint(_afresh(plan))
+                status = report(outcome)
                 print("watching for changes, Ctrl-C to stop", file=sys.stderr, flush=True)
-                seen = stamps(plan)
+                # As before the run: what was saved during it may not have been read.
+                mended = {file.path for file in outcome.files if file.n_fixed}
+                seen = now | {path: stamp(path) for path in now.keys() & mended}
             time.sleep(_PAUSE)
     except KeyboardInterrupt:
         return status
