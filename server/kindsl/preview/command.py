@@ -104,7 +104,9 @@ class _Follower:
         if self._command.old is None:
             server.saved(file)
         findings = await asyncio.to_thread(lambda: analysis.findings)
-        await server.show(file, analysis, findings)
+        # What was dragged meanwhile is shown already.
+        if self._shown is analysis:
+            await server.show(file, analysis, findings)
 
     async def _reload(self) -> None:
         analysis, shown = self._command.read(), self._shown
