@@ -19,6 +19,10 @@ SIZE = {"width": 640, "height": 480}
 OLD_PYTHON = """#!/bin/sh
 echo '{"executable": "python3", "version": [3, 8, 10], "missing": []}'
 """
+HELD_PYTHON = """#!/bin/sh
+until [ -e "{go}" ]; do sleep 0.05; done
+exec "{python}" "$@"
+"""
 OLD_PYGLS = """__version__ = "0.13.1"
 """
 
@@ -90,12 +94,16 @@ def write_interpreters(folder: Path, work: Path) -> None:
     wrapped = work / "wrapped-python"
     wrapped.write_text(f'#!/bin/sh\nexec "{sys.executable}" "$@"\n')
     wrapped.chmod(0o755)
+    held = work / "held-python"
+    held.write_text(HELD_PYTHON.format(go=folder / "may-run", python=sys.executable))
+    held.chmod(0o755)
     places = {
         "good": Path(sys.executable),
         "wrapped": wrapped,
         "bare": bare,
         "spoilt": spoilt,
         "old": old,
+        "held": held,
         "stub": Path(__file__).parent / "stub_server.py",
     }
     text = json.dumps({name: str(path) for name, path in places.items()})

@@ -23,6 +23,8 @@ export async function newFile(server: ServerAccess): Promise<void> {
     document.uri,
     new vscode.Position(0, 0),
   );
+  // What the user began to write or to look at meanwhile stays as it is.
+  if (document.getText() !== "" || vscode.window.activeTextEditor !== editor) return;
   const robot = offered.items[0]?.insertText;
   if (robot instanceof vscode.SnippetString) await editor.insertSnippet(robot);
 }

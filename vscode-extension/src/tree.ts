@@ -44,7 +44,12 @@ export class KinematicTree implements vscode.TreeDataProvider<Node>, vscode.Disp
     const client = await this.server.client();
     if (client === undefined) return [];
     const textDocument = { uri: client.code2ProtocolConverter.asUri(uri) };
-    const found = await client.sendRequest<DocumentSymbol[] | null>(KINEMATIC_TREE, { textDocument });
+    const asked = client.sendRequest<DocumentSymbol[] | null>(KINEMATIC_TREE, { textDocument });
+    const found = await asked.catch((error: unknown) => {
+      // A server that ended: the next one is asked again. VS Code would show the error.
+      if (client.isRunning()) throw error;
+      return null;
+    });
     const symbols = await client.protocol2CodeConverter.asDocumentSymbols(found ?? []);
     return symbols.map((symbol) => ({ symbol, parent: undefined, uri }));
   }

@@ -2,7 +2,7 @@
 "use strict";
 const assert = require("node:assert/strict");
 const vscode = require("vscode");
-const { runAll, eventually, settledApi, open, readJson, messages, codes, configure } = require("./harness");
+const { runAll, eventually, settledApi, fileUri, open, readJson, messages, codes, set, configure } = require("./harness");
 
 exports.run = async () => {
   const places = await readJson("interpreters.json");
@@ -64,6 +64,22 @@ exports.run = async () => {
       await configure("importStrategy", "fromEnvironment");
       assert.equal(await api.settled(), "running");
       await configure("importStrategy", undefined);
+    },
+
+    "what is typed into a new robot before the server runs stays as it is": async () => {
+      await set("interpreter", [places.held]);
+      const made = vscode.commands.executeCommand("kindsl.newFile");
+      const isNew = (editor) => editor?.document.isUntitled;
+      await eventually(() => isNew(vscode.window.activeTextEditor), "a new document");
+      const { document } = vscode.window.activeTextEditor;
+      const edit = new vscode.WorkspaceEdit();
+      edit.insert(document.uri, new vscode.Position(0, 0), "Robot mine {");
+      await vscode.workspace.applyEdit(edit);
+      await vscode.workspace.fs.writeFile(fileUri("may-run"), new Uint8Array());
+      await made;
+      assert.equal(document.getText(), "Robot mine {");
+      await vscode.commands.executeCommand("workbench.action.revertAndCloseActiveEditor");
+      await configure("interpreter", [places.good]);
     },
 
     "a server of one's own": async () => {

@@ -1,8 +1,9 @@
 // The least of a test runner: named tests in order, and waiting for what comes about.
 "use strict";
+const { isDeepStrictEqual } = require("node:util");
 const vscode = require("vscode");
 
-const TIMEOUT = 30_000;
+const TIMEOUT = 90_000;
 
 /** Run the tests in order; reject with the names of those that fail. */
 async function runAll(tests) {
@@ -69,12 +70,17 @@ function codes(uri) {
     .filter(Boolean);
 }
 
+/** Change a setting of the user's and wait until the extension was told. */
+async function set(key, value) {
+  const inspected = () => vscode.workspace.getConfiguration("kindsl").inspect(key).globalValue;
+  await vscode.workspace.getConfiguration("kindsl").update(key, value, vscode.ConfigurationTarget.Global);
+  await eventually(() => isDeepStrictEqual(inspected(), value), `the setting ${key}`);
+}
+
 /** Change a setting of the user's and wait until the server has settled again. */
 async function configure(key, value) {
-  const configuration = vscode.workspace.getConfiguration("kindsl");
-  await configuration.update(key, value, vscode.ConfigurationTarget.Global);
-  await new Promise((resolve) => setTimeout(resolve, 200));
+  await set(key, value);
   return settledApi();
 }
 
-module.exports = { runAll, eventually, extension, settledApi, fileUri, open, readJson, messages, codes, configure };
+module.exports = { runAll, eventually, extension, settledApi, fileUri, open, readJson, messages, codes, set, configure };
