@@ -5,7 +5,10 @@
 (require 'flymake)
 (load (getenv "KINDSL_MODE"))
 (defvar shown-address nil)
-(setq eglot-sync-connect 20
+;; A busy machine answers late; what is awaited for as long as this is not coming.
+(with-no-warnings (setq jsonrpc-default-request-timeout 60))
+(setq eglot-sync-connect 60
+      eglot-connect-timeout 60
       flymake-no-changes-timeout 0.1
       eglot-confirm-server-initiated-edits nil
       make-backup-files nil
@@ -88,6 +91,6 @@
   (eglot--signal-textDocument/didChange)
   (step "cleared" (wait-for (lambda () (null (errors)))))
   (set-buffer-modified-p nil)
-  (eglot-shutdown (eglot-current-server))
+  (eglot-shutdown (eglot-current-server) nil 60)
   (step "stopped" (null (eglot-current-server))))
 (kill-emacs (if all-is-well 0 1))

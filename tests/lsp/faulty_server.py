@@ -2,14 +2,27 @@
 
 import asyncio
 import sys
-import time
+import threading
 
 from kindsl.lsp.run import serve_stdio
 from kindsl.lsp.server import KindslLanguageServer
+from kindsl.lsp.session import progress as progress_module
 from kindsl.lsp.session.progress import Progress
+
+
+class Clock:
+    """What it takes for scans: the time that they say."""
+
+    now = 0.0
+
+    def monotonic(self) -> float:
+        return self.now
+
 
 server = KindslLanguageServer()
 ran: list[int] = []
+may_go_on = threading.Semaphore(0)
+progress_module.time = clock = Clock()  # type: ignore[assignment]
 
 
 @server.feature("test/print")
@@ -40,8 +53,13 @@ async def wait(*_: object) -> None:
 
 
 @server.feature("test/busy")
-async def keep_the_worker_busy(seconds: float) -> None:
-    await server.session.worker.run(lambda: time.sleep(seconds))
+async def keep_the_worker_busy(*_: object) -> None:
+    await server.session.worker.run(may_go_on.acquire)
+
+
+@server.feature("test/goOn")
+async def let_the_worker_go_on(jobs: int) -> None:
+    may_go_on.release(jobs)
 
 
 @server.feature("test/scan")
@@ -49,7 +67,7 @@ async def scan(seconds: float) -> None:
     async with Progress(server.session, "Scanning", None) as progress:
         for done in range(4):
             await progress.report(done, 4)
-            await asyncio.sleep(seconds / 4)
+            clock.now += seconds / 4
 
 
 @server.feature("test/mark")

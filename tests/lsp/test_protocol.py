@@ -246,19 +246,21 @@ class TestCancellation:
     def test_work_that_waits_for_the_worker_is_left_out_when_cancelled(
         self, faulty: RawClient
     ) -> None:
-        busy = faulty.start("test/busy", 0.4)
+        busy = faulty.start("test/busy")
         queued = faulty.start("test/markInWorker", 9)
         assert faulty.refusal("kindsl/unknown")["code"] == -32601
         faulty.notify("$/cancelRequest", {"id": queued})
         assert faulty.answer(queued)["error"]["code"] == -32800
+        faulty.request("test/goOn", 1)
         assert faulty.answer(busy)["result"] is None
         assert faulty.request("test/markInWorker", 10) is None
         assert [m for m in faulty.request("test/marks") if m in (9, 10)] == [10]
 
     def test_busy_handlers_do_not_keep_messages_from_being_read(self, faulty: RawClient) -> None:
-        busy = [faulty.start("test/busy", 0.3) for _ in range(6)]
+        busy = [faulty.start("test/busy") for _ in range(6)]
         assert faulty.refusal("kindsl/unknown")["code"] == -32601
         assert not any(message.get("id") in busy for message in faulty.messages)
+        faulty.request("test/goOn", 6)
         assert [faulty.answer(each)["result"] for each in busy] == [None] * 6
 
     def test_shutdown_cancels_what_runs(self) -> None:
