@@ -38,5 +38,28 @@ ARM = """Robot arm {
 }
 """
 
+OTHER = """Robot other {
+    RobotBase stand {
+        children { pole via slide }
+    }
+    link pole {
+        id = 1
+        inertia_params {
+            mass = 2.0
+            CoM = (0.2, 0.0, 0.0)
+            Ix = 0.01 Iy = 0.11 Iz = 0.11 Ixy = 0.0 Ixz = 0.0 Iyz = 0.0
+        }
+        children { }
+    }
+    p_joint slide {
+        ref_frame {
+            translation = (0.0, 0.0, 0.3)
+            rotation = (0.0, 0.0, 0.0)
+        }
+    }
+}
+"""
+"""Another robot, of one degree of freedom."""
+
 BROKEN = ARM.replace("lower via elbow", "lower via elbov").replace("mass = 2.0", "mass = 2")
 """The arm with an integer for a mass, and a joint's name misspelt."""

@@ -36,10 +36,10 @@ def _take_problems(workbench: Workbench) -> None:
     workbench.problems().nth(3).wait_for()
     workbench.page.locator(".editor-group-container .view-line").first.click()
     workbench.go_to("upper_arm via lift", path, 1)
-    workbench.hover().wait_for()
+    workbench.hover("upper_arm")
     _keep(workbench.page, "vscode-problems")
     workbench.press("Escape")
-    workbench.run("View: Toggle Panel Visibility")
+    workbench.hide_panel()
 
 
 def _take_preview(workbench: Workbench) -> None:

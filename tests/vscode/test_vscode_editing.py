@@ -20,7 +20,7 @@ def test_findings_are_underlined_and_listed(workbench: Workbench) -> None:
     expect(row).to_contain_text("elbov")
     expect(row).to_contain_text("Ln 12")
     workbench.screenshot("problems")
-    workbench.run("View: Toggle Panel Visibility")
+    workbench.hide_panel()
 
 
 def test_a_binding_that_nothing_uses_is_underlined(workbench: Workbench) -> None:
@@ -28,15 +28,16 @@ def test_a_binding_that_nothing_uses_is_underlined(workbench: Workbench) -> None
     path = workbench.open("kindsl.toml", "[parameters]\nfree = 2.0\n")
     expect(workbench.squiggles("warning")).to_have_count(1)
     expect(workbench.problems().filter(has_text="KD404")).to_contain_text("Ln 2")
-    workbench.run("View: Toggle Panel Visibility")
+    workbench.hide_panel()
     workbench.run("View: Close Editor")
+    expect(workbench.page.locator(".tab", has_text=path.name)).to_have_count(0)
     path.unlink()
 
 
 def test_hover_tells_about_a_link(workbench: Workbench) -> None:
     path = workbench.open("hover.kindsl", models.ARM)
     workbench.go_to("lower via", path)
-    expect(workbench.hover()).to_contain_text("lower")
+    workbench.hover("lower")
     workbench.screenshot("hover")
     workbench.press("Escape")
 
@@ -46,8 +47,7 @@ def test_completion_offers_what_fits_the_place(workbench: Workbench) -> None:
     path = workbench.open("completion.kindsl", text)
     workbench.go_to("children {\n        }", path, len("children {"))
     workbench.press("Enter")
-    workbench.press("Control+Space")
-    expect(workbench.suggestions().first).to_be_visible()
+    workbench.press_until("Control+Space", workbench.suggestions())
     workbench.screenshot("completion")
     workbench.press("Escape")
     workbench.save()
@@ -57,7 +57,10 @@ def test_a_snippet_writes_a_section(workbench: Workbench) -> None:
     path = workbench.open("snippet.kindsl", models.ARM)
     workbench.go_to("    r_joint shoulder", path)
     workbench.type("p_joi")
-    workbench.suggestions().filter(has_text="p_joint").first.click()
+    offered = workbench.suggestions().filter(has_text="p_joint")
+    offered.first.wait_for()
+    written = workbench.page.locator(".editor-group-container.active .view-line")
+    workbench.click_until(offered.first, written.filter(has_text=re.compile(r"p_joint\s+\w+\s+\{")))
     workbench.press("Escape")
     assert re.search(r"p_joint \w+ \{\s+ref_frame \{", workbench.text_of(path))
 
@@ -65,11 +68,11 @@ def test_a_snippet_writes_a_section(workbench: Workbench) -> None:
 def test_rename_reaches_every_place(workbench: Workbench) -> None:
     path = workbench.open("rename.kindsl", models.ARM)
     workbench.go_to("elbow {", path)
-    workbench.press("F2")
     field = workbench.page.locator(".rename-box input")
+    workbench.press_until("F2", field)
     expect(field).to_have_value("elbow")
     field.fill("knee")
-    workbench.press("Enter")
+    field.press("Enter")
     expect(workbench.page.locator(".tab.active.dirty")).to_have_count(1)
     assert workbench.text_of(path) == models.ARM.replace("elbow", "knee")
 
@@ -77,8 +80,7 @@ def test_rename_reaches_every_place(workbench: Workbench) -> None:
 def test_format_lays_the_document_out(workbench: Workbench) -> None:
     crooked = models.ARM.replace("            mass = 2.0", "  mass=2.0").replace("{ }", "{}")
     path = workbench.open("format.kindsl", crooked)
-    workbench.run("Format Document")
-    expect(workbench.page.locator(".tab.active.dirty")).to_have_count(1)
+    workbench.run_until("Format Document", workbench.page.locator(".tab.active.dirty"))
     command = [sys.executable, "-m", "kindsl", "format", "-"]
     result = subprocess.run(command, input=crooked, capture_output=True, text=True, check=True)
     assert workbench.text_of(path) == result.stdout
@@ -91,7 +93,7 @@ def test_format_leaves_alone_what_does_not_parse(workbench: Workbench) -> None:
     workbench.run("Format Document")
     # A later question is answered, so the formatter has answered too.
     workbench.go_to("lower via", path)
-    expect(workbench.hover()).to_contain_text("lower")
+    workbench.hover("lower")
     workbench.press("Escape")
     assert workbench.text_of(path) == broken
 
@@ -122,9 +124,9 @@ def offers_a_fix(workbench: Workbench, text: str) -> bool:
 def test_colours_come_from_the_meaning(workbench: Workbench) -> None:
     path = workbench.open("colours.kindsl", models.ARM)
     workbench.go_to("upper via", path)
-    workbench.run("Developer: Inspect Editor Tokens and Scopes")
     inspection = workbench.page.locator(".token-inspect-widget")
-    expect(inspection).to_contain_text("semantic token type")
+    told = inspection.filter(has_text="semantic token type")
+    workbench.run_until("Developer: Inspect Editor Tokens and Scopes", told)
     expect(inspection).to_contain_text("class")
     expect(inspection).to_contain_text("entity.name.type.link.kindsl")
     workbench.press("Escape")
@@ -146,8 +148,8 @@ def test_the_lens_above_a_link_lists_its_references(workbench: Workbench) -> Non
     path = workbench.open("lens.kindsl", models.ARM)
     workbench.go_to("r_joint elbow", path)
     lens = workbench.page.locator(".codelens-decoration a", has_text="1 reference").last
-    lens.click()
     peek = workbench.page.locator(".peekview-widget .ref-tree")
+    workbench.click_until(lens, peek)
     expect(peek).to_contain_text("lower via elbow")
     workbench.press("Escape")
 
@@ -171,10 +173,11 @@ def test_the_outline_is_the_text(workbench: Workbench) -> None:
 def test_the_tree_view_leads_to_the_source(workbench: Workbench) -> None:
     path = workbench.open("tree.kindsl", models.ARM)
     workbench.run("Explorer: Focus on Kinematic Tree View")
-    rows = workbench.pane("Kinematic Tree").get_by_role("treeitem")
-    rows.filter(has_text=re.compile(r"^\s*lower")).click()
+    tree = workbench.pane("Kinematic Tree")
+    expect(tree.locator(".pane-header")).to_contain_text(path.name)
+    row = tree.get_by_role("treeitem").filter(has_text=re.compile(r"^\s*lower"))
     line = path.read_text().partition("link lower")[0].count("\n") + 1
-    workbench.expect_cursor(line)
+    workbench.click_until(row, workbench.cursor_in(line))
     workbench.screenshot("kinematic-tree")
 
 
@@ -194,14 +197,17 @@ def test_findings_come_back_after_a_restart(workbench: Workbench) -> None:
 def test_an_untitled_document_is_checked(workbench: Workbench) -> None:
     workbench.run("Kinematics-DSL: New Robot")
     workbench.page.locator(".tab.active", has_text="Untitled").wait_for()
+    # Its names are there to be typed over.
+    workbench.eventually(lambda: any("RobotBase" in line for line in workbench.lines()), "a robot")
     workbench.type("Robot r {\nnonsense\n")
     expect(workbench.squiggles("error").first).to_be_visible()
     workbench.screenshot("untitled")
 
 
 def test_the_extensions_page_shows_its_pictures(workbench: Workbench) -> None:
-    workbench.run("View: Show Extensions")
-    workbench.page.locator(".extension-list-item", has_text="Kinematics-DSL").first.click()
+    row = workbench.page.locator(".extension-list-item", has_text="Kinematics-DSL").first
+    workbench.run_until("View: Show Extensions", row)
+    workbench.click_until(row, workbench.page.locator(".extension-editor"))
 
     def drawn() -> bool:
         shown = [widths(frame) for frame in workbench.page.frames if "webview" in frame.url]

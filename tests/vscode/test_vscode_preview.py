@@ -1,19 +1,25 @@
 """The preview beside the text, in a real VS Code."""
 
-from playwright.sync_api import Error, Frame, Page, expect
+from playwright.sync_api import Error, Frame, Locator, TimeoutError, expect
 from tests.vscode import models
 from tests.vscode.picture import colours
-from tests.vscode.workbench import Workbench
+from tests.vscode.workbench import PATIENCE, Workbench
+
+NEXT_PICTURE = "() => new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(r)))"
 
 
 def test_the_title_bar_opens_the_robot_beside_the_text(workbench: Workbench) -> None:
     workbench.open("arm.kindsl", models.ARM)
-    workbench.page.locator(".editor-actions [aria-label*='Open Preview to the Side']").click()
+    action = workbench.page.locator(".editor-actions [aria-label*='Open Preview to the Side']")
+    workbench.click_until(action, workbench.page.locator(".tab", has_text="Preview arm.kindsl"))
     frame = workbench.preview_frame()
     expect(frame.locator("#robot")).to_have_text("arm")
-    count, share = colours(workbench.page, settled_picture(frame))
-    assert count > 50
-    assert share < 0.95
+
+    def has_a_robot() -> bool:
+        count, share = colours(workbench.page, settled_picture(frame))
+        return count > 50 and share < 0.95
+
+    workbench.eventually(has_a_robot, "a picture with a robot")
     workbench.screenshot("preview")
 
 
@@ -27,9 +33,8 @@ def test_a_slider_moves_the_robot(workbench: Workbench) -> None:
 
 def test_a_click_in_the_picture_moves_the_cursor(workbench: Workbench) -> None:
     frame = workbench.preview_frame()
-    click_on(workbench.page, frame, "link lower")
     line = models.ARM.partition("link lower")[0].count("\n") + 1
-    workbench.expect_cursor(line)
+    click_on(workbench, frame, "link lower", workbench.cursor_in(line))
     expect(workbench.active_tab("arm.kindsl")).to_be_visible()
     assert workbench.preview_frame() is not None
 
@@ -56,27 +61,30 @@ def test_shortcuts_work_with_the_focus_in_the_picture(workbench: Workbench) -> N
     workbench.press("Control+s")
     expect(workbench.page.locator(".tab.dirty")).to_have_count(0)
     assert "(0.4, 0.0" in path.read_text()
-    workbench.press("Control+p")
-    names = workbench.page.locator(".quick-input-widget input[type=text]")
-    expect(names).to_be_focused()
+    names = workbench.page.locator(".quick-input-widget input[type=text]:focus")
+    workbench.press_until("Control+p", names)
     workbench.press("Escape")
     expect(names).to_be_hidden()
 
 
 def test_the_panel_follows_the_active_editor(workbench: Workbench) -> None:
-    workbench.open("second.kindsl", models.ARM.replace("Robot arm", "Robot other"))
+    workbench.open("second.kindsl", models.OTHER)
     expect_robot(workbench, "other")
     workbench.open("arm.kindsl")
     expect_robot(workbench, "arm")
 
 
 def test_a_pinned_panel_stays(workbench: Workbench) -> None:
-    click_in_title_bar(workbench, "Pin Preview to This Document")
-    workbench.page.locator(".tab", has_text="Pinned: Preview arm.kindsl").wait_for()
+    tab = workbench.page.locator(".tab", has_text="Preview arm.kindsl")
+    pinned = tab.filter(has_text="Pinned: ")
+    click_in_title_bar(workbench, "Pin Preview to This Document", pinned)
     workbench.open("second.kindsl")
-    workbench.page.wait_for_timeout(1500)
+    # The extension changes the panel before it tells the degrees of freedom.
+    expect(workbench.status("1 dof")).to_be_visible()
+    expect(pinned).to_have_count(1)
     expect_robot(workbench, "arm")
-    click_in_title_bar(workbench, "Let Preview Follow the Active Editor")
+    following = tab.filter(has_not_text="Pinned: ")
+    click_in_title_bar(workbench, "Let Preview Follow the Active Editor", following)
     workbench.open("arm.kindsl")
 
 
@@ -109,7 +117,8 @@ def test_the_lens_above_the_robot_opens_it(workbench: Workbench) -> None:
     tab.locator(".codicon-close").click()
     expect(tab).to_have_count(0)
     workbench.open("second.kindsl")
-    workbench.page.locator(".codelens-decoration a", has_text="Preview").click()
+    lens = workbench.page.locator(".codelens-decoration a", has_text="Preview")
+    workbench.click_until(lens, workbench.page.locator(".tab", has_text="Preview second.kindsl"))
     expect_robot(workbench, "other")
 
 
@@ -126,10 +135,16 @@ def expect_robot(workbench: Workbench, name: str) -> None:
     workbench.eventually(shown, f"the robot {name}")
 
 
-def click_in_title_bar(workbench: Workbench, title: str) -> None:
-    """Give the preview's tab the focus and click one of its buttons."""
-    workbench.page.locator(".tab", has_text="Preview arm.kindsl").click()
-    workbench.page.locator(f".editor-actions [aria-label*='{title}']").click()
+def click_in_title_bar(workbench: Workbench, title: str, seen: Locator) -> None:
+    """Give the preview's tab the focus and click one of its buttons, until that is seen."""
+
+    def click() -> None:
+        workbench.page.locator(".tab", has_text="Preview arm.kindsl").click(timeout=PATIENCE)
+        button = workbench.page.locator(f".editor-actions [aria-label*='{title}']")
+        button.click(timeout=PATIENCE)
+        seen.wait_for(timeout=PATIENCE)
+
+    workbench.insist(click, f"what {title} does")
 
 
 def settled_picture(frame: Frame) -> bytes:
@@ -151,16 +166,23 @@ def set_slider(frame: Frame, name: str, value: float) -> None:
     slider.fill(str(value))
 
 
-def click_on(page: Page, frame: Frame, name: str) -> None:
-    """Click where the preview says that this is under the mouse."""
-    box = frame.locator("canvas").bounding_box()
-    assert box is not None
-    tip = frame.locator(".tip")
-    for row in range(1, 20):
-        for column in range(1, 20):
-            place = (box["x"] + column * box["width"] / 20, box["y"] + row * box["height"] / 20)
-            page.mouse.move(*place)
-            if tip.is_visible() and tip.text_content() == name:
-                page.mouse.click(*place)
-                return
-    raise AssertionError(f"{name} is nowhere in the picture")
+def click_on(workbench: Workbench, frame: Frame, name: str, seen: Locator) -> None:
+    """Click where the preview says that this is under the mouse, until that is seen."""
+    tip = frame.locator(".tip:visible", has_text=name)
+
+    def click() -> None:
+        box = frame.locator("canvas").bounding_box()
+        assert box is not None
+        for row in range(1, 20):
+            for column in range(1, 20):
+                place = (box["x"] + column * box["width"] / 20, box["y"] + row * box["height"] / 20)
+                workbench.page.mouse.move(*place)
+                # The page is told of the mouse with its next picture.
+                frame.evaluate(NEXT_PICTURE)
+                if tip.count():
+                    workbench.page.mouse.click(*place)
+                    seen.wait_for(timeout=PATIENCE)
+                    return
+        raise TimeoutError(f"{name} is nowhere in the picture")
+
+    workbench.insist(click, f"what a click on {name} shows")

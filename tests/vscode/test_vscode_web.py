@@ -1,7 +1,6 @@
 """The extension in VS Code for the web: no process, the server in a worker, a virtual workspace."""
 
 import json
-import re
 from collections.abc import Iterator
 from urllib.parse import urlsplit
 
@@ -10,7 +9,7 @@ from playwright.sync_api import Browser, Locator, TimeoutError, expect
 from tests.vscode import browser as browser_module
 from tests.vscode import models, vscode_web
 from tests.vscode.code_server import EXTENSION, ROOT
-from tests.vscode.workbench import Workbench
+from tests.vscode.workbench import PATIENCE, Workbench
 
 # The first test waits for what is built for all of them.
 pytestmark = pytest.mark.timeout(900)
@@ -42,8 +41,8 @@ def workbench(
         page = browser.new_page(viewport={"width": 1440, "height": 900})
         page.context.on("request", lambda request: requests.append(request.url))
         window = Workbench(page, server, work)
-        page.get_by_role("treeitem", name="arm.kindsl").click()
-        window.active_tab("arm.kindsl").wait_for()
+        file = page.get_by_role("treeitem", name="arm.kindsl")
+        window.click_until(file, window.active_tab("arm.kindsl"))
         # The server starts, then finds.
         expect(window.squiggles("error")).to_have_count(2, timeout=90_000)
         yield window
@@ -53,7 +52,7 @@ def workbench(
 def test_findings_explain_and_fix_themselves(workbench: Workbench) -> None:
     place = BROKEN.partition("elbov")[0]
     workbench.go_to_place(place.count("\n") + 1, len(place) - place.rfind("\n"))
-    expect(workbench.hover()).to_contain_text("elbov")
+    workbench.hover("elbov")
     workbench.press("Escape")
     take_first_fix(workbench)
     expect(workbench.squiggles("error")).to_have_count(1)
@@ -69,7 +68,8 @@ def test_the_configuration_of_a_virtual_workspace_holds(workbench: Workbench) ->
 
 
 def test_a_slider_moves_the_robot_in_the_panel(workbench: Workbench) -> None:
-    workbench.page.locator(".editor-actions [aria-label*='Open Preview to the Side']").click()
+    action = workbench.page.locator(".editor-actions [aria-label*='Open Preview to the Side']")
+    workbench.click_until(action, workbench.page.locator(".tab", has_text="Preview arm.kindsl"))
     page = preview_page(workbench)
     expect(page.locator("#robot")).to_have_text("arm")
     page.get_by_role("slider", name="shoulder", exact=True).fill("1.2")
@@ -94,25 +94,39 @@ def test_the_robot_is_shown_as_urdf(workbench: Workbench) -> None:
 
 
 def test_a_urdf_is_imported_with_remarks(workbench: Workbench) -> None:
-    workbench.run("Kinematics-DSL: Import URDF or SDF")
-    field = workbench.page.locator(".quick-input-widget input[type=text]")
-    expect(field).to_have_value(re.compile("/robots/$"))
-    field.fill("/robots/pan_tilt.urdf")
-    workbench.press("Enter")
+    field = workbench.field()
+
+    def choose() -> None:
+        workbench.run("Kinematics-DSL: Import URDF or SDF")
+        workbench.wait_until(lambda: field.is_visible() and field.input_value() == "/robots/")
+        field.fill("/robots/pan_tilt.urdf")
+        field.press("Enter", timeout=PATIENCE)
+        field.wait_for(state="hidden", timeout=PATIENCE)
+
+    workbench.insist(choose, "an imported file")
     workbench.eventually(
         lambda: any(line.startswith("Robot pan_tilt {") for line in workbench.lines()),
         "the document",
     )
     remarks = workbench.notifications().filter(has_text="pan_tilt.urdf: ")
-    expect(remarks).to_contain_text("the link 'camera', fixed to 'tilt_link', became a frame of it")
+    expect(remarks.first).to_contain_text(
+        "the link 'camera', fixed to 'tilt_link', became a frame of it"
+    )
     workbench.screenshot("imported")
 
 
 def test_what_cannot_be_imported_is_said(workbench: Workbench) -> None:
-    workbench.page.get_by_role("treeitem", name="broken.urdf").click(button="right")
-    workbench.page.get_by_role("menuitem", name="Import URDF or SDF").click()
     message = workbench.notifications().filter(has_text="broken.urdf: ")
-    expect(message).to_contain_text("not a readable URDF: not well-formed XML at line 2")
+
+    def choose() -> None:
+        file = workbench.page.get_by_role("treeitem", name="broken.urdf")
+        file.click(button="right", timeout=PATIENCE)
+        item = workbench.page.get_by_role("menuitem", name="Import URDF or SDF")
+        item.click(timeout=PATIENCE)
+        message.first.wait_for(timeout=PATIENCE)
+
+    workbench.insist(choose, "a message")
+    expect(message.first).to_contain_text("not a readable URDF: not well-formed XML at line 2")
 
 
 def test_no_other_host_is_asked(requests: list[str]) -> None:

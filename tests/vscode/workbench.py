@@ -11,6 +11,10 @@ from tests.vscode.code_server import ROOT
 SHOTS = ROOT / "artifacts" / "vscode"
 TIMEOUT = 60_000
 START_TIMEOUT = 90_000
+# A gesture that brought nothing for so long was swallowed, and is made again.
+PATIENCE = 10_000
+GESTURES = 10
+ACTIVE_GROUP = ".editor-group-container.active"
 
 
 class Server(Protocol):
@@ -49,25 +53,41 @@ class Workbench:
         path = self.folder / name
         if text is not None:
             path.write_text(text, encoding="utf-8")
-        # Not where the preview is, whose page answers a key a moment later.
-        self.press("Control+1")
-        first = self.page.locator(".editor-group-container").first
-        expect(first).to_have_class(re.compile(r"\bactive\b"))
-        self.run("File: Open File...")
-        self.page.locator(".quick-input-list .monaco-list-row", has_text=name).first.click()
-        self.active_tab(name).wait_for()
-        expect(self.page.locator(".quick-input-widget")).to_be_hidden()
-        self.page.wait_for_selector(".editor-group-container.active .monaco-editor.focused")
+        shown = f'{ACTIVE_GROUP} .monaco-editor.focused[data-uri$="/{name}"]'
+
+        def choose() -> None:
+            self._focus_first_group()
+            self.run("File: Open File...")
+            self._rows(name).first.click(timeout=PATIENCE)
+            self.field().wait_for(state="hidden", timeout=PATIENCE)
+            self.page.wait_for_selector(shown, timeout=PATIENCE)
+
+        self.insist(choose, f"{name} in an editor")
         return path
 
+    def _focus_first_group(self) -> None:
+        first = self.page.locator(".editor-group-container").first
+
+        def focus() -> None:
+            self.press("Control+1")
+            # Not at once where the preview has the focus, whose page answers a key a moment later.
+            self.wait_until(lambda: "active" in (first.get_attribute("class") or "").split())
+
+        self.insist(focus, "the first group of editors")
+
     def active_tab(self, name: str) -> Locator:
-        """The tab of that name, where it is its group's visible one."""
-        return self.page.locator(".tab.active", has_text=name).first
+        """The tab of a file, where it is its group's visible one."""
+        return self.page.locator(f'.tab.active[data-resource-name="{name}"]')
 
     def save(self) -> None:
         """Save the active document."""
-        self.press("Control+s")
-        expect(self.page.locator(".tab.active.dirty")).to_have_count(0)
+
+        def save() -> None:
+            self.press("Control+s")
+            unsaved = self.page.locator(f"{ACTIVE_GROUP} .tab.active.dirty")
+            unsaved.wait_for(state="detached", timeout=PATIENCE)
+
+        self.insist(save, "a saved document")
 
     def text_of(self, path: Path) -> str:
         """Save, and return what is in the file."""
@@ -83,15 +103,18 @@ class Workbench:
 
     def go_to_place(self, line: int, column: int) -> None:
         """Put the cursor at a place of the document that has the focus, both from 1."""
-        self._ask("Control+g", f":{line}:{column}")
-        self.press("Enter")
-        self.expect_cursor(line, column)
 
-    def expect_cursor(self, line: int, column: int | None = None) -> None:
-        """Wait until the status bar tells that place."""
+        def go() -> None:
+            self._ask("Control+g", f":{line}:{column}")
+            self.field().press("Enter", timeout=PATIENCE)
+            self.cursor_in(line, column).wait_for(timeout=PATIENCE)
+
+        self.insist(go, f"the cursor at {line}:{column}")
+
+    def cursor_in(self, line: int, column: int | None = None) -> Locator:
+        """The status bar where it tells a place in that line, or that very place."""
         pattern = rf"Ln {line}, Col {column}\b" if column else rf"Ln {line}, Col"
-        place = self.page.locator("#status\\.editor\\.selection")
-        expect(place).to_contain_text(re.compile(pattern), timeout=TIMEOUT)
+        return self.page.locator("#status\\.editor\\.selection", has_text=re.compile(pattern))
 
     # ------------------------------------------------------------ keys and commands
 
@@ -105,23 +128,90 @@ class Workbench:
 
     def run(self, title: str) -> None:
         """Run a command from the palette."""
-        self._ask("F1", f">{title}")
-        row = self.page.locator(".quick-input-list .monaco-list-row", has_text=title).first
-        row.wait_for()
-        row.click()
+
+        def choose() -> None:
+            self._ask("F1", f">{title}")
+            try:
+                self._rows(title).first.click(timeout=PATIENCE)
+            except TimeoutError:
+                # While it is open it does not learn of a command that comes.
+                self.press("Escape")
+                raise
+
+        self.insist(choose, f"the command {title}")
+
+    def run_until(self, title: str, seen: Locator) -> None:
+        """Run a command, again while VS Code answers it with nothing, until that is seen."""
+
+        def ask() -> None:
+            self.run(title)
+            seen.first.wait_for(timeout=PATIENCE)
+
+        self.insist(ask, f"what {title} shows")
+
+    def press_until(self, key: str, seen: Locator) -> None:
+        """Press a key, again while VS Code answers it with nothing, until that is seen."""
+
+        def press() -> None:
+            self.press(key)
+            seen.first.wait_for(timeout=PATIENCE)
+
+        self.insist(press, f"what {key} shows")
+
+    def click_until(self, button: Locator, seen: Locator) -> None:
+        """Click what VS Code may be drawing anew, until that is seen."""
+
+        def click() -> None:
+            button.click(timeout=PATIENCE)
+            seen.first.wait_for(timeout=PATIENCE)
+
+        self.insist(click, "what a click shows")
+
+    def _rows(self, text: str) -> Locator:
+        return self.page.locator(".quick-input-list .monaco-list-row", has_text=text)
+
+    def field(self) -> Locator:
+        """The input field of the palette and of dialogs."""
+        return self.page.locator(".quick-input-widget input[type=text]")
 
     def _ask(self, key: str, text: str) -> None:
-        """Press a key that opens an input field and fill it; again if it did not stay open."""
-        field = self.page.locator(".quick-input-widget input[type=text]")
-        for _ in range(10):
+        """Press a key that opens an input field and fill it."""
+
+        def ask() -> None:
             self.press(key)
             try:
-                field.fill(text, timeout=3000)
-                return
+                self.field().fill(text, timeout=PATIENCE)
             except TimeoutError:
                 # The focus is elsewhere, in the preview's page for example.
-                self.page.locator(".editor-group-container .tab.active").first.click()
-        raise AssertionError(f"no input field after {key}")
+                tab = self.page.locator(".editor-group-container .tab.active").first
+                if tab.is_visible():
+                    tab.click(timeout=PATIENCE)
+                raise
+
+        self.insist(ask, f"an input field after {key}")
+
+    def insist(self, gesture: Callable[[], None], what: str) -> None:
+        """Make a gesture that waits for what it brings, again while VS Code swallows it."""
+        for _ in range(GESTURES):
+            try:
+                gesture()
+            except TimeoutError:
+                continue
+            return
+        self.screenshot("missing")
+        raise AssertionError(f"not seen: {what}")
+
+    def wait_until(self, see: Callable[[], bool]) -> None:
+        """Wait for what a gesture brings.
+
+        Raises:
+            TimeoutError: It did not come for a while.
+        """
+        for _ in range(PATIENCE // 100):
+            if see():
+                return
+            self.page.wait_for_timeout(100)
+        raise TimeoutError("not seen")
 
     def eventually(self, see: Callable[[], Any], what: str) -> Any:
         """Return what is seen once it is true."""
@@ -138,19 +228,34 @@ class Workbench:
     def problems(self) -> Locator:
         """The rows of the Problems panel."""
         panel = self.page.locator(".markers-panel")
-        if not panel.is_visible():
-            self.press("Control+Shift+m")
-            panel.wait_for()
+
+        def show() -> None:
+            if not panel.is_visible():
+                self.press("Control+Shift+m")
+            panel.wait_for(timeout=PATIENCE)
+
+        self.insist(show, "the Problems panel")
         return panel.locator(".monaco-list-row")
+
+    def hide_panel(self) -> None:
+        """Hide the panel below the editors."""
+        panel = self.page.locator(".markers-panel")
+
+        def hide() -> None:
+            if panel.is_visible():
+                self.run("View: Toggle Panel Visibility")
+            panel.wait_for(state="hidden", timeout=PATIENCE)
+
+        self.insist(hide, "no panel")
 
     def squiggles(self, severity: str) -> Locator:
         """The underlined places of a severity: error, warning, info."""
         return self.page.locator(f".editor-instance .squiggly-{severity}")
 
-    def hover(self) -> Locator:
-        """Show the hover at the cursor."""
-        self.run("Show or Focus Hover")
-        return self.page.locator(".monaco-hover:visible .monaco-hover-content").first
+    def hover(self, text: str) -> None:
+        """Show the hover at the cursor, which tells that text."""
+        content = self.page.locator(".monaco-hover:visible .monaco-hover-content", has_text=text)
+        self.run_until("Show or Focus Hover", content)
 
     def pane(self, title: str) -> Locator:
         """A part of the side bar, by its title."""
@@ -159,7 +264,6 @@ class Workbench:
 
     def suggestions(self) -> Locator:
         """The rows of the completion list."""
-        self.page.wait_for_selector(".suggest-widget.visible")
         return self.page.locator(".suggest-widget.visible .monaco-list-row")
 
     def status(self, text: str) -> Locator:
