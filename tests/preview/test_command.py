@@ -11,6 +11,7 @@ import pytest
 import umsgpack
 from tests.preview.robots import ARM, BROKEN_ARM, PARAMETRIC_ARM, require
 from tests.preview.websocket import connected
+from tests.support.ports import free_port
 
 DRIVER = (
     "import argparse, sys; from kindsl.cli import preview; parser = argparse.ArgumentParser();"
@@ -125,7 +126,8 @@ async def test_a_save_that_replaces_the_file_is_noticed(tmp_path, file):
 
 
 async def test_a_killed_server_is_found_again_at_the_same_address(tmp_path, file):
-    process = await start(tmp_path, file, "--no-open")
+    # Nobody else takes it before the next server does.
+    process = await start(tmp_path, file, "--no-open", "--port", free_port())
     first = await line_of(process.stdout)
     process.kill()
     await process.communicate()

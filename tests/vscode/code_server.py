@@ -8,22 +8,23 @@ import fcntl
 import json
 import os
 import shutil
-import socket
 import subprocess
 import sys
 import time
 import urllib.request
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+
+from tests.support.ports import free_port
 
 ROOT = Path(__file__).parents[2]
 BUILD = ROOT / "build" / "code-server"
 EXTENSION = ROOT / "vscode-extension"
 FRONT = Path(__file__).parent / "front.mjs"
 VERSION = "4.100.3"
-START_SECONDS = 60
+START_SECONDS = 120
 SOURCES = (
     "server",
     "grammar",
@@ -124,7 +125,7 @@ def running(
     command = [_node(), str(vscode / "out" / "server-main.js"), *options]
     for package in packages:
         _check(subprocess.run([*command, "--install-extension", str(package)], **_CAPTURED))
-    behind, port = _free_port(), _free_port()
+    behind, port = free_port(), free_port()
     listen = ["--host", "127.0.0.1", "--port", str(behind), "--without-connection-token"]
     server = [*command, *listen, "--enable-smoke-test-driver"]
     front = [_node(), str(FRONT), str(port), str(behind)]
@@ -142,7 +143,7 @@ def _process(command: Sequence[str], log: Path) -> "Iterator[subprocess.Popen[by
             yield process
         finally:
             process.terminate()
-            process.wait(20)
+            process.wait(60)
 
 
 def write_settings(data: Path, settings: Mapping[str, object]) -> None:
@@ -153,8 +154,6 @@ def write_settings(data: Path, settings: Mapping[str, object]) -> None:
         (data / "user" / folder / "settings.json").write_text(text)
 
 
-_WORKER = int(os.environ.get("PYTEST_XDIST_WORKER", "gw0").removeprefix("gw"))
-_PORTS = iter(range(20_000 + 1_000 * _WORKER, 21_000 + 1_000 * _WORKER))
 _CAPTURED = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True}
 
 
@@ -211,15 +210,6 @@ def _node() -> str:
 def _check(result: "subprocess.CompletedProcess[str]") -> None:
     if result.returncode != 0:
         raise RuntimeError(f"{result.args} failed:\n{result.stdout}")
-
-
-def _free_port() -> int:
-    """Return a port of this test process's own, out of those that the system hands to clients."""
-    for port in _PORTS:
-        with socket.socket() as listener, suppress(OSError):
-            listener.bind(("127.0.0.1", port))
-            return port
-    raise RuntimeError("no port is free")
 
 
 def _wait_until_up(port: int, process: "subprocess.Popen[bytes]", log: Path) -> None:

@@ -63,7 +63,7 @@ def run_suite(
         ("extensionTestsPath", server.remote(suite)),
         ("skipWelcome", "true"),
     ]
-    page.goto(server.url(folder, payload))
+    page.goto(server.url(folder, payload), wait_until="domcontentloaded", timeout=60_000)
     waited = 0
     while outcome.code is None and waited < TIMEOUT:
         page.wait_for_timeout(100)
