@@ -126,7 +126,18 @@ def test_the_configuration_beside_the_text_holds(tab: Tab) -> None:
     tab.eventually(lambda: [code for code, *_ in tab.found()] == ["KD401"], "KD401")
     tab.open_beside("kindsl.toml", "parameters = { reach = 0.4 }")
     tab.eventually(lambda: not tab.found(), "no finding any more")
-    tab.open_beside("kindsl.toml", "")
+    tab.page.get_by_title("Close kindsl.toml").click()
+    tab.eventually(lambda: [code for code, *_ in tab.found()] == ["KD401"], "KD401 again")
+
+
+def test_a_new_robot_replaces_no_other(tab: Tab) -> None:
+    tab.open_beside("spare.kindsl", models.ARM)
+    tab.page.locator("#do-new").click()
+    tab.page.evaluate("() => playground.files.model().setValue('mine')")
+    tab.page.get_by_title("Close spare.kindsl").click()
+    tab.page.locator("#do-new").click()
+    assert tab.text() != "mine"
+    assert "mine" in tab.page.evaluate("() => Object.values(playground.files.texts())")
 
 
 URDF = site.ROOT / "docs" / "guide" / "pan_tilt.urdf"

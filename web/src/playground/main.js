@@ -15,6 +15,7 @@ import { fromFragment, toFragment } from "./share.js";
 import { Comparison } from "./comparison.js";
 
 const FIRST = "quadruped";
+const CHANGED = 2, DELETED = 3; // of the protocol
 const OF_OTHERS = /\.(urdf|sdf|xacro|mjcf|xml)$/i;
 const NEW_ROBOT = `Robot my_robot {
 
@@ -49,14 +50,16 @@ files.onChange = (name) => {
   comparison.refresh();
 };
 
-// What is compared may be gone, and what is offered is.
-files.onClose = () => comparison.hide();
+files.onClose = (name) => {
+  // What is compared may be gone, and what is offered is.
+  comparison.hide();
+  if (name === CONFIGURATION) writeConfiguration();
+};
 
 const writeConfiguration = debounced(() => {
   const text = files.model(CONFIGURATION)?.getValue() ?? null;
   port.notify("kindsl/writeFile", { path: `/robots/${CONFIGURATION}`, text });
-  const uri = files.model(CONFIGURATION)?.uri.toString(true);
-  if (uri) port.notify("workspace/didChangeWatchedFiles", { changes: [{ uri, type: 2 }] });
+  port.notify("workspace/didChangeWatchedFiles", { changes: [{ uri: uriOf(CONFIGURATION), type: text === null ? DELETED : CHANGED }] });
 }, 300);
 
 port.handlers.set("kindsl/ready", ({ isImage, total }) => {
@@ -176,7 +179,7 @@ async function openConverted(file) {
 
 const actions = {
   new() {
-    const name = properName(`robot${files.names().length + 1}`);
+    const name = files.freeName("robot.kindsl");
     files.open(name, NEW_ROBOT);
     files.show(name);
   },
