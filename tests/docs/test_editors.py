@@ -13,24 +13,24 @@ from tests.docs.guide import GUIDE
 BIN = Path(sys.executable).parent
 SETTINGS = (GUIDE.parent / "editors.md").read_text(encoding="utf-8")
 USAGE = (GUIDE / "editors.md").read_text(encoding="utf-8")
-PATIENCE = 120  # seconds
+PATIENCE = 240  # seconds
 
 NEOVIM = """
 vim.opt.swapfile = false
 vim.cmd("edit shin.kindsl")
 local function found() return #vim.diagnostic.get(0) > 0 end
-vim.wait(20000, found, 20)
+vim.wait(60000, found, 20)
 for _, each in ipairs(vim.diagnostic.get(0)) do io.stdout:write(each.message .. "\\n") end
 vim.cmd("KindslPreview")
-vim.wait(20000, function() return vim.g.kindsl_preview ~= nil end, 20)
+vim.wait(60000, function() return vim.g.kindsl_preview ~= nil end, 20)
 io.stdout:write(tostring(vim.g.kindsl_preview) .. "\\n")
 vim.cmd("qa!")
 """
 
 EMACS = """
-(setq eglot-sync-connect 20 flymake-no-changes-timeout 0.1 make-backup-files nil)
+(setq eglot-sync-connect 60 flymake-no-changes-timeout 0.1 make-backup-files nil)
 (defun wait-for (condition)
-  (let ((end (+ (float-time) 20)))
+  (let ((end (+ (float-time) 60)))
     (while (and (not (funcall condition)) (< (float-time) end))
       (accept-process-output nil 0.05)
       (sit-for 0.02))))
@@ -49,7 +49,7 @@ VIM = """
 edit shin.kindsl
 ALELint
 let s:start = reltime()
-while reltimefloat(reltime(s:start)) < 20 && empty(ale#engine#GetLoclist(bufnr('')))
+while reltimefloat(reltime(s:start)) < 60 && empty(ale#engine#GetLoclist(bufnr('')))
   sleep 50m
 endwhile
 call writefile(map(copy(ale#engine#GetLoclist(bufnr(''))), {_, each -> each.text}), 'found.txt')

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 from playwright.sync_api import Browser, Page, Route
 from tests.support.lsp import RawClient, running_server
-from tests.vscode.browser import missing
+from tests.vscode.browser import TIMEOUT, missing
 
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
@@ -84,6 +84,7 @@ def editor(browser: Browser, text: str = "", **options: Any) -> Iterator[Page]:
     with running_server() as server:
         announced = server.initialize(CAPABILITIES)["capabilities"]
         page = browser.new_page(viewport={"width": 700, "height": 400})
+        page.set_default_timeout(TIMEOUT)
         page.route(f"{_ADDRESS}/**", lambda route: _serve(route, folder))
         page.expose_function("askServer", lambda method, params: _ask(server, method, params))
         page.expose_function("tellServer", lambda method, params: _tell(server, method, params))

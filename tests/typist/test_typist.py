@@ -15,6 +15,8 @@ from kindsl.features.completion.item import without_placeholders
 from kindsl.formatting.format import format_document
 from kindsl.text.edits import apply_edits
 
+# The first test waits for what is installed for all of them.
+pytestmark = pytest.mark.timeout(900)
 EXAMPLES = Path(__file__).parents[2] / "examples"
 QUICK = Hand(0.0, 0.0, hurries_repetitions=True)
 ROBOT = "Robot R {\n    $0\n}"

@@ -19,6 +19,7 @@ ARGUMENTS = (
     "--disable-component-update",
     "--disable-sync",
 )
+TIMEOUT = 120_000  # milliseconds
 # For windows in which nothing is drawn but the workbench: a third less work.
 UNDRAWN = ("--disable-gpu",)
 
@@ -43,6 +44,8 @@ def chromium(*more: str) -> Iterator[Browser]:
     """Run a browser, with more arguments than the usual."""
     path = require("chromium")
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=path, args=[*ARGUMENTS, *more])
+        browser = playwright.chromium.launch(
+            executable_path=path, args=[*ARGUMENTS, *more], timeout=TIMEOUT
+        )
         yield browser
         browser.close()

@@ -41,7 +41,7 @@ def served(folder: Path) -> Iterator[str]:
             yield process.stdout.readline().strip()
         finally:
             process.terminate()
-            process.wait(10)
+            process.wait(60)
 
 
 def _youngest_source() -> float:
