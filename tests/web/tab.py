@@ -5,7 +5,7 @@ import json
 import time
 import zlib
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import Any
 
 from playwright.sync_api import Frame, Page, TimeoutError
@@ -140,6 +140,12 @@ class Tab:
         fix = self.page.locator("#problems .fix").first
         actions = self.page.locator(".action-widget .monaco-list-row.action")
 
+        def ask() -> None:
+            """Click, unless a list is there or comes meanwhile and lies over everything."""
+            if not actions.first.is_visible():
+                with suppress(TimeoutError):
+                    fix.click(timeout=5000)
+
         def title_of_taken() -> str:
             """Click: if the list closes meanwhile, no key goes into the text."""
             titles = actions.all_inner_texts()
@@ -150,7 +156,7 @@ class Tab:
                 return ""
             return titles[0] if titles else ""
 
-        title = str(self.ask_until_seen(fix.click, title_of_taken, "a list of fixes"))
+        title = str(self.ask_until_seen(ask, title_of_taken, "a list of fixes"))
         self.eventually(lambda: self.text() != before, f"the text changed by '{title}'")
         return title
 

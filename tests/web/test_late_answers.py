@@ -99,6 +99,18 @@ def test_findings_of_a_text_that_was_replaced_are_not_shown(tab: Tab) -> None:
     assert at_once(tab, *steps)["problems"] == 0
 
 
+def test_an_answer_about_a_closed_text_is_no_complaint(tab: Tab) -> None:
+    complaints = len(tab.complaints)
+    with tab.held("textDocument/inlayHint"):
+        tab.show("other.kindsl", models.ARM)
+        tab.wait_for_held()
+        tab.page.get_by_title("Close other.kindsl").click()
+        at_once(tab, "pass", "settle")
+    tab.show("arm.kindsl", models.ARM)
+    tab.expect_robot("arm")
+    assert tab.complaints[complaints:] == []
+
+
 def test_a_comparison_shows_no_changes_of_others(tab: Tab) -> None:
     tab.open_beside("heavier.kindsl", HEAVY)
     tab.show("arm.kindsl", models.ARM)

@@ -10,6 +10,7 @@ export class ServerPort {
   #count = 0;
   #open = new Map(); // by address: { promise, resolve }
   #versions = new Map(); // by address: what the server was told last
+  #asked = new Map(); // by id: the address that Monaco's client asks about, and when that was opened
   /** Handlers of notifications and requests of the server that are ours, by method. */
   handlers = new Map();
 
@@ -33,6 +34,7 @@ export class ServerPort {
     if (HAS_VERSION.has(message.method)) this.#versions.set(message.params.textDocument.uri, message.params.textDocument.version);
     if (message.method === "textDocument/didOpen") this.#opening(message.params.textDocument.uri).resolve();
     if (message.method === "textDocument/didClose") this.#open.delete(message.params.textDocument.uri);
+    if (message.method && message.id !== undefined) this.#note(message);
     this.#worker.postMessage(message);
   }
 
@@ -69,6 +71,11 @@ export class ServerPort {
     return this.#open.get(uri);
   }
 
+  #note({ id, params }) {
+    const uri = params?.textDocument?.uri;
+    if (uri !== undefined) this.#asked.set(id, { uri, opening: this.#open.get(uri) });
+  }
+
   #receive(data) {
     if (data.method === undefined && this.#waiting.has(data.id)) this.#settle(data);
     else if (this.handlers.has(data.method)) this.#handle(data);
@@ -92,8 +99,16 @@ export class ServerPort {
     return method === FINDINGS && params.version !== undefined && params.version !== this.#versions.get(params.uri);
   }
 
+  /** Whether an answer is about a text that has been closed since: Monaco's client would look for it in vain. */
+  #isOfClosed(id) {
+    const asked = this.#asked.get(id);
+    this.#asked.delete(id);
+    return asked !== undefined && asked.opening !== this.#open.get(asked.uri);
+  }
+
   #pass(data) {
     if (this.#isOutdated(data)) return;
+    if (data.method === undefined && this.#isOfClosed(data.id)) data = { jsonrpc: "2.0", id: data.id, result: null };
     // Findings are pushed 0.1 s after a keystroke; Monaco's client would ask for them after 0.5 s only.
     if (data.result?.capabilities) delete data.result.capabilities.diagnosticProvider;
     for (const listener of this.#listeners) listener({ data, source: this.#worker });
