@@ -45,17 +45,22 @@ def test_lints_again_when_something_changes(
     assert capsys.readouterr().err.count("watching") == 5
 
 
-def test_what_is_saved_during_a_run_is_linted_next(
-    folder: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    document = folder / "a.kindsl"
-    document.write_text(GOOD)
+def look_three_times(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Stop when it has looked for changes three times."""
     looks = iter(range(2))
 
     def pause(_: float) -> None:
         if next(looks, None) is None:
             raise KeyboardInterrupt
 
+    monkeypatch.setattr(watching.time, "sleep", pause)
+
+
+def test_what_is_saved_during_a_run_is_linted_next(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    document = folder / "a.kindsl"
+    document.write_text(GOOD)
     found: list[list[str]] = []
 
     def report(outcome: Outcome) -> int:
@@ -64,7 +69,7 @@ def test_what_is_saved_during_a_run_is_linted_next(
         found.append([finding.code for file in outcome.files for finding in file.findings])
         return len(found)
 
-    monkeypatch.setattr(watching.time, "sleep", pause)
+    look_three_times(monkeypatch)
     plan = Plan(["."], Choices(configurations=Configurations()), is_quiet=True)
     assert watching.watch(plan, report) == 2
     assert found == [[], ["KD005"]]
@@ -75,19 +80,13 @@ def test_a_file_that_the_run_itself_mends_is_linted_once(
 ) -> None:
     document = folder / "a.kindsl"
     document.write_text(INTEGER)
-    looks = iter(range(2))
-
-    def pause(_: float) -> None:
-        if next(looks, None) is None:
-            raise KeyboardInterrupt
-
     mended: list[int] = []
 
     def report(outcome: Outcome) -> int:
         mended.append(sum(file.n_fixed for file in outcome.files))
         return len(mended)
 
-    monkeypatch.setattr(watching.time, "sleep", pause)
+    look_three_times(monkeypatch)
     choices = Choices(configurations=Configurations())
     plan = Plan(["."], choices, is_quiet=True, mending=Mending.WRITTEN)
     assert watching.watch(plan, report) == 1

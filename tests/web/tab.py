@@ -74,13 +74,15 @@ class Tab:
 
     def eventually(self, see: Callable[[], Any], what: str) -> Any:
         """Return what is seen once it is true."""
-        end = time.monotonic() + TIMEOUT
-        while time.monotonic() < end:
-            seen = see()
-            if seen:
-                return seen
+        seen = self._seen_within(TIMEOUT, see)
+        assert seen, f"not seen: {what}"
+        return seen
+
+    def _seen_within(self, seconds: float, see: Callable[[], Any]) -> Any:
+        end = time.monotonic() + seconds
+        while not (seen := see()) and time.monotonic() < end:
             self.page.wait_for_timeout(50)
-        raise AssertionError(f"not seen: {what}")
+        return seen
 
     def ask_until_seen(self, ask: Callable[[], Any], see: Callable[[], Any], what: str) -> Any:
         """Return what is seen once it is true, asking again with more and more patience.
@@ -91,12 +93,8 @@ class Tab:
         patience = 1.0
         while time.monotonic() < end:
             ask()
-            again = time.monotonic() + patience
-            while time.monotonic() < again:
-                seen = see()
-                if seen:
-                    return seen
-                self.page.wait_for_timeout(50)
+            if seen := self._seen_within(patience, see):
+                return seen
             patience *= 2
         raise AssertionError(f"not seen: {what}")
 
