@@ -5,19 +5,20 @@ from lark import Lark, Tree
 from tests.support.models import Style, random_model
 
 from kindsl.syntax.document import parse
-from kindsl.syntax.generate import STARTS, TABLES, grammar_path, main, tables
+from kindsl.syntax.generate import STARTS, TABLES, main, tables
+from kindsl.syntax.grammars import grammar_text
 from kindsl.syntax.tree import Node
 
 
 def test_tables_fit_the_grammar() -> None:
-    assert TABLES.read_text(encoding="utf-8") == tables(grammar_path().read_text(encoding="utf-8"))
+    assert TABLES.read_text(encoding="utf-8") == tables(grammar_text("kindsl.lark"))
     assert main(["--check"]) == 0
 
 
 def test_a_changed_grammar_is_noticed(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: object
 ) -> None:
-    grammar = grammar_path().read_text(encoding="utf-8").replace('"via"', '"by"')
+    grammar = grammar_text("kindsl.lark").replace('"via"', '"by"')
     monkeypatch.setattr("kindsl.syntax.generate.tables", lambda _: tables(grammar))
     assert main(["--check"]) == 1
     assert "does not fit the grammar" in capsys.readouterr().err
@@ -26,7 +27,7 @@ def test_a_changed_grammar_is_noticed(
 @pytest.mark.parametrize("tree", ["chain", "tree", "star"])
 def test_trees_are_those_of_lark(tree: str) -> None:
     lark = Lark(
-        grammar_path().read_text(encoding="utf-8"),
+        grammar_text("kindsl.lark"),
         parser="lalr",
         start=list(STARTS),
         maybe_placeholders=False,

@@ -86,6 +86,8 @@ def test_the_package_has_everything_inside(vsix: Path) -> None:
     libraries = ("kindsl", "pygls", "lsprotocol", "attrs", "cattrs", "pathspec", "tomlkit")
     wanted = {f"bundled/libs/{library}/__init__.py" for library in libraries} | {
         "bundled/libs/kindsl/grammar/kindsl.lark",
+        "bundled/libs/kindsl/grammar/dtdsl.lark",
+        "bundled/libs/lark/lark.py",
         "bundled/libs/kindsl/docs/rules/kd301.md",
         "bundled/libs/typing_extensions.py",
         "out/extension.js",

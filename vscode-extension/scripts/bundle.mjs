@@ -47,6 +47,6 @@ async function copyServer() {
   if (version !== own) throw new Error(`the server has version ${version}, package.json ${own}`);
   const isSource = (place) => !/(^|[\\/])__pycache__$/.test(place);
   await cp("../server/kindsl", path.join(libs, "kindsl"), { recursive: true, filter: isSource });
-  await cp("../grammar/kindsl.lark", path.join(libs, "kindsl/grammar/kindsl.lark"));
+  for (const name of ["kindsl.lark", "dtdsl.lark"]) await cp(`../grammar/${name}`, path.join(libs, "kindsl/grammar", name));
   await cp("../docs/rules", path.join(libs, "kindsl/docs/rules"), { recursive: true });
 }

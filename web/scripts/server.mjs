@@ -10,7 +10,7 @@ import { notices, nodePart, pythonParts } from "../../vscode-extension/scripts/n
 import { BUILD, EXAMPLES, PYODIDE, ROOT, SERVER, WEB } from "./places.mjs";
 
 const SITE = path.join(BUILD, "site");
-const LIBRARIES = ["pygls", "lsprotocol", "attrs", "cattrs", "typing_extensions", "pathspec"];
+const LIBRARIES = ["pygls", "lsprotocol", "attrs", "cattrs", "typing_extensions", "pathspec", "lark"];
 const PYODIDE_FILES = ["pyodide.js", "pyodide.asm.js", "pyodide.asm.wasm", "python_stdlib.zip"];
 // Commands of a terminal, servers and the page, which is no Python.
 const NOT_IN_A_BROWSER = /kindsl[\\/](cli|codegen|preview[\\/]page)$|__pycache__$/;
@@ -39,6 +39,7 @@ async function gatherSite() {
     recursive: true,
     filter: (place) => !NOT_IN_A_BROWSER.test(place),
   });
+  await cp(path.join(ROOT, "grammar/dtdsl.lark"), path.join(SITE, "kindsl/grammar/dtdsl.lark"));
 }
 
 async function pyodideParts() {
@@ -62,7 +63,7 @@ async function compile() {
   for (const entry of await readdir(SITE, { recursive: true, withFileTypes: true })) {
     const from = path.join(entry.parentPath, entry.name);
     const to = path.posix.join("/build/site", path.relative(SITE, from).split(path.sep).join("/"));
-    if (entry.isDirectory() || /\.(lark|pyi|typed)$|dist-info/.test(from)) continue;
+    if (entry.isDirectory() || /lark[\\/](tools|__pyinstaller)|\.(pyi|typed)$|dist-info/.test(from)) continue;
     py.FS.mkdirTree(path.posix.dirname(to));
     py.FS.writeFile(to, await readFile(from));
   }

@@ -12,19 +12,18 @@ from kindsl.rules.checks.kd803_repeated_transform import RULE as REPEATED
 from kindsl.rules.checks.kd804_other_robot import RULE as OTHER
 from kindsl.semantics.model import Model
 from kindsl.semantics.transforms import (
-    Wrong,
     other_robot,
     repetitions,
     undeclared_frames,
     unknown_frames,
 )
-from kindsl.syntax.transforms_text import TransformsDocument, read_transforms
+from kindsl.syntax.transforms_text import Defect, TransformsDocument, read_transforms
 
-_ALONE: tuple[tuple[Rule, Callable[[TransformsDocument, Model | None], Iterator[Wrong]]], ...] = (
+_ALONE: tuple[tuple[Rule, Callable[[TransformsDocument, Model | None], Iterator[Defect]]], ...] = (
     (UNDECLARED, undeclared_frames),
     (REPEATED, repetitions),
 )
-_WITH_MODEL: tuple[tuple[Rule, Callable[[TransformsDocument, Model], Iterator[Wrong]]], ...] = (
+_WITH_MODEL: tuple[tuple[Rule, Callable[[TransformsDocument, Model], Iterator[Defect]]], ...] = (
     (UNKNOWN, unknown_frames),
     (OTHER, other_robot),
 )
@@ -41,9 +40,7 @@ def transforms_findings(
         settings: What the user decided.
     """
     document = read_transforms(text)
-    found: list[tuple[Rule, Wrong]] = []
-    if document.defect is not None:
-        found.append((SYNTAX, Wrong(*document.defect[:3])))
+    found = [(SYNTAX, defect) for defect in document.defects]
     for rule, check in _ALONE:
         found += [(rule, wrong) for wrong in check(document, model)]
     if model is not None:

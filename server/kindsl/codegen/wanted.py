@@ -16,10 +16,9 @@ def wanted_pairs(text: str, model: Model, robot: Robot) -> Wanted:
         GenerationError: The document is broken, or names a frame that the robot has not.
     """
     document = read_transforms(text)
-    wrong = [document.defect] if document.defect else list(unknown_frames(document, model))
-    if wrong:
-        line, column = LineIndex(text).position(wrong[0].start)
-        raise GenerationError(f"--transforms, {line + 1}:{column + 1}: {wrong[0].message}")
+    for wrong in (*document.defects, *unknown_frames(document, model)):
+        line, column = LineIndex(text).position(wrong.start)
+        raise GenerationError(f"--transforms, {line + 1}:{column + 1}: {wrong.message}")
     names = frame_names(model)
     placed = {target.name: target for target in robot.targets}
     placed[robot.base_name] = PlacedFrame(robot.base_name, 0, EYE, [0.0, 0.0, 0.0])

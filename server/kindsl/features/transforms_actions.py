@@ -86,7 +86,7 @@ def _listed(document: TransformsDocument, names: list[str]) -> TextEdit | None:
     if document.frames:
         last = document.frames[-1].end
         return TextEdit(last, last, "".join(f", {name}" for name in names))
-    if document.robot is None or document.defect is not None:
+    if document.robot is None or document.defects:
         return None
     return TextEdit(
         document.robot.end, document.robot.end, f"\nFrames {{\n    {', '.join(names)}\n}}"

@@ -8,7 +8,7 @@ from kindsl.features.completion.item import CompletionItem
 from kindsl.features.workspace_symbols import is_match
 from kindsl.semantics.model import Model
 from kindsl.semantics.transforms import frame_names
-from kindsl.syntax.transforms_text import FRAME, ROBOT_NAME, SECTIONS, read_transforms
+from kindsl.syntax.transforms_text import SECTIONS, read_transforms
 
 _WORD_BEFORE = re.compile(r"\w*\Z")
 _BEHIND_WORD = re.compile(r"\W")
@@ -33,22 +33,23 @@ def transforms_completions(text: str, offset: int, model: Model | None) -> Compl
 
 
 def _items(text: str, start: int, model: Model | None) -> Iterator[CompletionItem]:
-    """Yield what can stand at a place, by what a reader that comes there wants."""
-    defect = read_transforms(text[:start]).defect
-    if defect is None:
+    """Yield what can stand at a place: what a reader that comes there expects."""
+    before = read_transforms(text[:start])
+    if not before.expected:
         sections = [name for name in SECTIONS if not re.search(rf"\b{name}\b", text)]
         yield from (_block(name) for name in sections)
-    elif defect.end < start:
-        return
-    elif defect.expected == FRAME:
-        yield from _frames(text, start, model)
-    elif defect.expected == ROBOT_NAME:
-        yield from (CompletionItem(n, "link", n, "the robot") for n in _robot(model))
-    elif defect.expected == "'base'":
-        yield CompletionItem("base, target", "snippet", _PAIR, "a pair of frames", is_snippet=True)
-    elif defect.expected in ("'target'", "'Robot'"):
-        name = defect.expected.strip("'")
-        yield CompletionItem(name, "keyword", f"{name}=" if name == "target" else f"{name} ")
+    for expected in before.expected:
+        if expected == "a frame":
+            yield from _frames(text, start, model)
+        elif expected == "a robot name":
+            yield from (CompletionItem(n, "link", n, "the robot") for n in _robot(model))
+        elif expected == "'base'":
+            yield CompletionItem(
+                "base, target", "snippet", _PAIR, "a pair of frames", is_snippet=True
+            )
+        elif expected in ("'target'", "'Robot'"):
+            name = expected.strip("'")
+            yield CompletionItem(name, "keyword", f"{name}=" if name == "target" else f"{name} ")
 
 
 def _frames(text: str, start: int, model: Model | None) -> Iterator[CompletionItem]:

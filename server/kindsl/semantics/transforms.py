@@ -1,21 +1,12 @@
 """What the names in a transforms document stand for, and what is wrong with it."""
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from kindsl.semantics.model import Model
-from kindsl.syntax.transforms_text import Pair, TransformsDocument, Word
+from kindsl.syntax.transforms_text import Defect, Pair, TransformsDocument, Word
 from kindsl.text.nearest import hint, nearest_name
 
 LINK_PREFIX = "fr_"
-
-
-class Wrong(NamedTuple):
-    """Something wrong; offsets in code points of the transforms document."""
-
-    message: str
-    start: int
-    end: int
 
 
 def frame_names(model: Model) -> dict[str, str]:
@@ -28,32 +19,32 @@ def frame_names(model: Model) -> dict[str, str]:
     return {**own, **{str(f.name): str(f.name) for body in bodies for f in body.frames}}
 
 
-def unknown_frames(document: TransformsDocument, model: Model) -> Iterator[Wrong]:
-    """Yield names of frames that the robot has not."""
+def unknown_frames(document: TransformsDocument, model: Model) -> Iterator[Defect]:
+    """Yield frames that the robot does not have."""
     known = frame_names(model)
     seen = set()
     for word in _all_words(document):
         if word.text not in known and word.text not in seen:
             seen.add(word.text)
             close = hint(nearest_name(word.text, known))
-            yield Wrong(f"the robot has no frame '{word.text}'{close}", word.start, word.end)
+            yield Defect(f"the robot has no frame '{word.text}'{close}", word.start, word.end)
 
 
-def undeclared_frames(document: TransformsDocument, _: Model | None) -> Iterator[Wrong]:
+def undeclared_frames(document: TransformsDocument, _: Model | None) -> Iterator[Defect]:
     """Yield frames of pairs that `Frames` does not list."""
     declared = {word.text for word in document.frames}
     for pair in (*document.transforms, *document.jacobians):
         for word in pair:
             if word.text not in declared:
-                yield Wrong(f"'{word.text}' is not listed under 'Frames'", word.start, word.end)
+                yield Defect(f"'{word.text}' is not listed under 'Frames'", word.start, word.end)
 
 
-def repetitions(document: TransformsDocument, _: Model | None) -> Iterator[Wrong]:
+def repetitions(document: TransformsDocument, _: Model | None) -> Iterator[Defect]:
     """Yield frames under `Frames`, and pairs, that were there before."""
     listed: set[str] = set()
     for word in document.frames:
         if word.text in listed:
-            yield Wrong(f"frame '{word.text}' is already listed", word.start, word.end)
+            yield Defect(f"frame '{word.text}' is already listed", word.start, word.end)
         listed.add(word.text)
     for what, pairs in (("transform", document.transforms), ("Jacobian", document.jacobians)):
         seen: set[tuple[str, str]] = set()
@@ -61,15 +52,15 @@ def repetitions(document: TransformsDocument, _: Model | None) -> Iterator[Wrong
             key = (base.text, target.text)
             if key in seen:
                 message = f"the {what} of '{target.text}' in '{base.text}' is already listed"
-                yield Wrong(message, base.start, target.end)
+                yield Defect(message, base.start, target.end)
             seen.add(key)
 
 
-def other_robot(document: TransformsDocument, model: Model) -> Iterator[Wrong]:
+def other_robot(document: TransformsDocument, model: Model) -> Iterator[Defect]:
     """Yield the robot's name if it is not the model's."""
     word = document.robot
     if word is not None and model.name and word.text != model.name:
-        yield Wrong(f"the robot is '{model.name}', not '{word.text}'", word.start, word.end)
+        yield Defect(f"the robot is '{model.name}', not '{word.text}'", word.start, word.end)
 
 
 def _all_words(document: TransformsDocument) -> Iterator[Word]:

@@ -9,6 +9,8 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from kindsl.syntax.grammars import grammar_text
+
 TABLES = Path(__file__).with_name("tables.py")
 STARTS = ("head", "base", "link", "joint", "end", "value")
 
@@ -36,7 +38,7 @@ _REMARK = re.compile(r"(?:-> (\w+)|^(\w+):.*?)[ \t]*//: (only|neither) (\w+)[ \t
 
 def main(arguments: list[str]) -> int:
     """Write the tables, or compare them with `--check`; return the exit status."""
-    text = tables(grammar_path().read_text(encoding="utf-8"))
+    text = tables(grammar_text("kindsl.lark"))
     if "--check" not in arguments:
         TABLES.write_text(text, encoding="utf-8")
         return 0
@@ -44,20 +46,6 @@ def main(arguments: list[str]) -> int:
         return 0
     sys.stderr.write(f"{TABLES} does not fit the grammar: run python -m kindsl.syntax.generate\n")
     return 1
-
-
-def grammar_path() -> Path:
-    """Return where the grammar is: beside the package when installed, else in the repository.
-
-    Raises:
-        FileNotFoundError: It is in neither place.
-    """
-    package = Path(__file__).parents[1]
-    for folder in (package, *package.parents[:2]):
-        path = folder / "grammar" / "kindsl.lark"
-        if path.is_file():
-            return path
-    raise FileNotFoundError("grammar/kindsl.lark")
 
 
 def tables(grammar: str) -> str:

@@ -29,7 +29,7 @@ LISTED = "Robot arm\nFrames { fr_base, tip }\n"
         (f"{LISTED}Transforms {{ base=tip, |", ["target"]),
         (f"{LISTED}Transforms {{ base=tip, target=|\n}}", ["fr_base", "tip"]),
         (f"{LISTED}Jacobians {{ }} |", ["Transforms"]),
-        ("Robot arm ; Frames { |", []),
+        ("Robot arm ; Frames { |", ["fr_base", "fr_upper", "fr_lower", "tip"]),
     ],
 )
 def test_what_may_be_typed(text: str, offered: list[str]) -> None:

@@ -18,9 +18,8 @@ ARM = arm()
         ("Robot arm\nFrames { low|_er }", "low_er", ["fr_lower"]),
         ("Robot arm\nFrames { |tip }", "tip", ["fr_base", "fr_upper", "fr_lower", "tip"]),
         ("Robot arm\nFrames { a } Transforms { base=|", "", ["a"]),
-        # Behind what cannot be read nobody knows what comes next.
-        ("Robot ?? ar|", "ar", []),
-        ("Robot arm\nFrames { ?? ti|", "ti", []),
+        ("Robot ?? ar|", "ar", ["arm"]),
+        ("Robot arm\nFrames { ?? ti|", "ti", ["tip"]),
     ],
 )
 def test_the_whole_word_is_replaced(text, word, offered):
