@@ -60,3 +60,27 @@ def test_strange_bytes_are_left_alone(kindsl: Runner, folder: Path) -> None:
     told = kindsl("format")
     assert told.status == 2
     assert (folder / "a.kindsl").read_bytes() == content
+
+
+def test_only_what_was_written_is_called_formatted(
+    kindsl: Runner, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from kindsl.text import writing
+
+    def full_for_b(target: str, *rest: object) -> str:
+        if target.endswith("b.kindsl"):
+            raise OSError(28, "No space left on device")
+        return neighbour(target, *rest)  # type: ignore[arg-type]
+
+    neighbour = writing._neighbour
+    monkeypatch.setattr(writing, "_neighbour", full_for_b)
+    for name in ("a.kindsl", "b.kindsl"):
+        (folder / name).write_text(f"  {GOOD}")
+    told = kindsl("format", "a.kindsl", "b.kindsl")
+    assert told.status == 2
+    assert told.err == (
+        "b.kindsl: error: cannot be written: No space left on device\n"
+        "a.kindsl: formatted\n1 document formatted, 0 as it should be\n"
+    )
+    assert (folder / "a.kindsl").read_text().startswith("Robot")
+    assert (folder / "b.kindsl").read_text() == f"  {GOOD}"

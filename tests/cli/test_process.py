@@ -119,3 +119,45 @@ def _with_path(code: str) -> str:
     import kindsl
 
     return f"import sys; sys.path.insert(0, {str(Path(kindsl.__file__).parents[1])!r})\n{code}"
+
+
+FULL = Path("/dev/full")
+needs_full = pytest.mark.skipif(not FULL.exists(), reason="Linux has /dev/full")
+
+
+@needs_full
+@pytest.mark.parametrize(
+    "command",
+    [
+        (*LINT, "a.kindsl"),
+        (*LINT, "--version"),
+        (*LINT, "--list-rules"),
+        (*KINDSL, "format", "-"),
+        (*KINDSL, "info", "a.kindsl"),
+        (*KINDSL, "info", "--help"),
+        (*KINDSL, "compute", "a.kindsl", "--q", "0", "--output-format", "npz"),
+        (*KINDSL, "card", "a.kindsl", "-o", "/dev/full"),
+    ],
+)
+def test_output_that_cannot_be_written_is_a_failure(folder: Path, command: tuple[str, ...]) -> None:
+    (folder / "a.kindsl").write_text(INTEGER if command[0:3] == LINT else GOOD)
+    with FULL.open("w") as full, (folder / "a.kindsl").open() as source:
+        told = subprocess.run(
+            command, stdin=source, stdout=full, stderr=subprocess.PIPE, text=True, check=False
+        )
+    assert told.returncode == 2
+    assert told.stderr.endswith("error: cannot be written: No space left on device\n")
+    assert "Traceback" not in told.stderr and "internal" not in told.stderr
+
+
+@pytest.mark.skipif(os.name != "posix", reason="closes streams in a shell")
+def test_closed_streams_are_no_defect(folder: Path) -> None:
+    (folder / "a.kindsl").write_text(GOOD)
+    info = f"{sys.executable} -m kindsl info a.kindsl"
+    told = run("sh", "-c", f"{info} >&-")
+    assert (told.returncode, told.stderr) == (
+        2,
+        "stdout: error: cannot be written: Bad file descriptor\n",
+    )
+    told = run("sh", "-c", f"{info} 2>&-")
+    assert told.returncode == 0 and told.stdout.startswith("arm")

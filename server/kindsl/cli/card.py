@@ -5,9 +5,7 @@ form, and the document's health. Broken documents are shown as far as they go.
 """
 
 import argparse
-import sys
 
-from kindsl.cli.console import write
 from kindsl.cli.documents.choices import choices_of
 from kindsl.cli.documents.reading import (
     CommandError,
@@ -16,8 +14,9 @@ from kindsl.cli.documents.reading import (
     require_parameters,
 )
 from kindsl.cli.documents.sources import STDIN
+from kindsl.cli.documents.writing import write_output
 from kindsl.cli.options import add_parameter_arguments
-from kindsl.cli.outcome import Failure, as_failures
+from kindsl.cli.outcome import as_failures
 from kindsl.config.errors import ConfigurationError
 
 FORMATS = ("markdown", "html", "latex")
@@ -43,22 +42,10 @@ def run(args: argparse.Namespace) -> int:
         from kindsl.reports.card import card_page
         from kindsl.reports.page.rendering import rendered
 
-        _write(args.output or STDIN, rendered(card_page(analysis), args.output_format))
+        write_output(args.output or STDIN, rendered(card_page(analysis), args.output_format))
     except CommandError as error:
         return error.tell()
     except ConfigurationError as error:
         return CommandError(as_failures(error)).tell()
     note_errors(args.file, analysis)
     return 0
-
-
-def _write(path: str, text: str) -> None:
-    if path == STDIN:
-        write(sys.stdout, text)
-        return
-    try:
-        with open(path, "w", encoding="utf-8", newline="\n") as file:
-            file.write(text)
-    except OSError as error:
-        message = f"cannot be written: {error.strerror or error}"
-        raise CommandError([Failure(path, message)]) from None

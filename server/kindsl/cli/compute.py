@@ -9,7 +9,7 @@ import math
 import sys
 from typing import TYPE_CHECKING
 
-from kindsl.cli.console import write
+from kindsl.cli.console import is_terminal, write
 from kindsl.cli.documents.choices import choices_of
 from kindsl.cli.documents.reading import (
     CommandError,
@@ -21,6 +21,8 @@ from kindsl.cli.documents.reading import (
     shown_name,
     unbound,
 )
+from kindsl.cli.documents.sources import STDIN
+from kindsl.cli.documents.writing import write_output
 from kindsl.cli.motion_options import motions_of
 from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import Failure, as_failures
@@ -102,10 +104,10 @@ def _show(
         results = compute(analysis, mechanism, request)
     except ValueError as error:
         raise CommandError([Failure(shown_name(args.file), str(error))], status=1) from None
-    is_read_at_once = args.output is None and sys.stdout.isatty()
+    is_read_at_once = args.output is None and is_terminal(sys.stdout)
     output_format = args.output_format or ("text" if is_read_at_once else "json")
     if output_format == "npz":
-        return _write_bytes(args, results.as_npz())
+        return _write(args, results.as_npz())
     if output_format == "json":
         import json
 
@@ -114,25 +116,14 @@ def _show(
         from kindsl.reports.computed_text import computed_text
 
         text = computed_text(results)
-    if args.output is None:
-        write(sys.stdout, text)
-        return 0
-    return _write_bytes(args, text.encode("utf-8"))
+    return _write(args, text)
 
 
-def _write_bytes(args: argparse.Namespace, content: bytes) -> int:
-    if args.output is None:
-        if sys.stdout.isatty():
-            write(sys.stderr, "kindsl compute: error: npz is for a file: --output FILE\n")
-            return UNUSABLE
-        sys.stdout.buffer.write(content)
-        sys.stdout.buffer.flush()
-        return 0
-    try:
-        with open(args.output, "wb") as file:
-            file.write(content)
-    except OSError as error:
-        raise CommandError([Failure(args.output, f"cannot be written: {error.strerror}")]) from None
+def _write(args: argparse.Namespace, content: str | bytes) -> int:
+    if args.output is None and isinstance(content, bytes) and is_terminal(sys.stdout):
+        write(sys.stderr, "kindsl compute: error: npz is for a file: --output FILE\n")
+        return UNUSABLE
+    write_output(args.output or STDIN, content)
     return 0
 
 

@@ -1,22 +1,30 @@
 """What a terminal can show."""
 
+import errno
 import os
+import sys
 from io import TextIOWrapper
 from typing import TextIO
 
+UNWRITABLE = 2
 _COLOURS = {
     "error": "1;31", "warning": "1;33", "info": "1;34", "hint": "1;36", "note": "1;36",
     "path": "1", "frame": "34", "fix": "32",
 }  # fmt: skip
 
 
-def wants_colour(stream: TextIO) -> bool:
+def wants_colour(stream: TextIO | None) -> bool:
     """Return whether to colour what goes to a stream: NO_COLOR, FORCE_COLOR, else a terminal."""
     if os.environ.get("NO_COLOR"):
         return False
     if os.environ.get("FORCE_COLOR", "0") != "0":
         return True
-    return stream.isatty() and os.environ.get("TERM") != "dumb"
+    return is_terminal(stream) and os.environ.get("TERM") != "dumb"
+
+
+def is_terminal(stream: TextIO | None) -> bool:
+    """Return whether somebody reads a stream as it comes; Python has None for a closed one."""
+    return stream is not None and stream.isatty()
 
 
 def coloured(text: str, kind: str) -> str:
@@ -29,12 +37,38 @@ def plain(text: str, _kind: str) -> str:
     return text
 
 
-def write(stream: TextIO, text: str) -> None:
-    """Write a text, come what may: signs that the stream cannot encode, a reader that has gone."""
+def write(stream: TextIO | None, content: str | bytes) -> None:
+    """Write to stdout or stderr: signs that it cannot encode too; nothing if its reader has gone.
+
+    Raises:
+        SystemExit: What is asked for cannot be written to stdout.
+    """
     try:
-        if isinstance(stream, TextIOWrapper):
-            stream.reconfigure(errors="backslashreplace")
-        stream.write(text)
-        stream.flush()
+        if isinstance(content, bytes):
+            _open(stream).buffer.write(content)
+        else:
+            if isinstance(stream, TextIOWrapper):
+                stream.reconfigure(errors="backslashreplace")
+            _open(stream).write(content)
+        _open(stream).flush()
     except BrokenPipeError:
+        _send_nowhere(stream)
+    except OSError as error:
+        if stream is sys.stderr:
+            return
+        _send_nowhere(stream)
+        write(sys.stderr, f"stdout: error: cannot be written: {error.strerror or error}\n")
+        raise SystemExit(UNWRITABLE) from None
+
+
+def _open(stream: TextIO | None) -> TextIO:
+    """Return a stream that is not closed."""
+    if stream is None:
+        raise OSError(errno.EBADF, os.strerror(errno.EBADF))
+    return stream
+
+
+def _send_nowhere(stream: TextIO | None) -> None:
+    """Let go what is left to write of a stream."""
+    if stream is not None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())

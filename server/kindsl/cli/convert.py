@@ -20,6 +20,7 @@ from kindsl.cli.documents.reading import (
     skeleton_of_document,
 )
 from kindsl.cli.documents.sources import STDIN, reason
+from kindsl.cli.documents.writing import write_output
 from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import Failure, as_failures
 from kindsl.config.configuration import ConfigurationError
@@ -59,7 +60,7 @@ def run(args: argparse.Namespace) -> int:
     """
     try:
         text, remarks = _converted(args)
-        _write(args.output, text)
+        write_output(args.output, text)
     except CommandError as error:
         return error.tell()
     except ConfigurationError as error:
@@ -163,14 +164,3 @@ def _written(
         raise missing_module(args.input, error, target.extra) from None
     except FormatError as error:
         raise CommandError([Failure(shown_name(args.input), str(error))], status=1) from None
-
-
-def _write(path: str, text: str) -> None:
-    if path == STDIN:
-        write(sys.stdout, text)
-        return
-    try:
-        Path(path).write_text(text, encoding="utf-8", newline="\n")
-    except OSError as error:
-        message = f"cannot be written: {error.strerror or error}"
-        raise CommandError([Failure(path, message)]) from None

@@ -62,7 +62,11 @@ def run(args: argparse.Namespace) -> int:
     if args.diff:
         write(sys.stdout, "".join(unified_diff(one.shown, one.old, one.new) for one in changed))
     elif not args.check:
-        failures += _write_all(whole)
+        unwritten = _write_all(whole)
+        failures += unwritten
+        names = {failure.path for failure in unwritten}
+        whole = [one for one in whole if one.shown not in names]
+        changed = [one for one in changed if one.shown not in names]
     write(sys.stderr, "".join(f"{printable(str(failure))}\n" for failure in failures))
     if not args.quiet:
         write(sys.stderr, _summary(whole, changed, args))

@@ -26,6 +26,7 @@ from kindsl.cli.documents.reading import (
     unbound,
 )
 from kindsl.cli.documents.sources import STDIN, read_text, reason
+from kindsl.cli.documents.writing import unwritable
 from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import Failure, as_failures
 from kindsl.config.errors import ConfigurationError
@@ -159,8 +160,7 @@ def _generate(args: argparse.Namespace, source: "Source") -> int:
     except GenerationError as error:
         raise CommandError([Failure(shown_name(args.file), str(error))]) from None
     except OSError as error:
-        why = reason(args.output, error).replace("read", "written")
-        raise CommandError([Failure(args.output, why)]) from None
+        raise CommandError([Failure(args.output, unwritable(args.output, error))]) from None
     if not args.quiet:
         write(sys.stderr, _remarks(library, args, len(files)))
     return 0

@@ -2,10 +2,12 @@
 
 import argparse
 import math
+import sys
 from collections.abc import Sequence
 from typing import Any
 
 from kindsl import __version__
+from kindsl.cli.console import write
 from kindsl.cli.output import FORMATS
 from kindsl.rules.context import TARGETS
 
@@ -21,7 +23,7 @@ class VersionAction(argparse.Action):
         option_string: str | None = None,  # noqa: ARG002
     ) -> None:
         """Print the version and leave."""
-        print(f"{parser.prog.partition(' ')[0]} {__version__}")
+        write(sys.stdout, f"{parser.prog.partition(' ')[0]} {__version__}\n")
         parser.exit(0)
 
 

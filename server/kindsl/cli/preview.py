@@ -12,6 +12,7 @@ from kindsl.cli.documents.sources import STDIN, read_source
 from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import Failure
 from kindsl.config.configuration import ConfigurationError
+from kindsl.text.writing import encoded, write_file
 
 if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis
@@ -28,7 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--port", metavar="N", type=_port, default=0, help="listen here (default: a free port)")
     add("--no-open", action="store_true", help="do not open a browser")
     add("--compare", metavar="OLD.kindsl", help="show another document translucent behind it")
-    add("--export", metavar="FILE.html", type=Path, help="write one self-contained page and stop")
+    add("--export", metavar="FILE.html", help="write one self-contained page and stop")
     add("--screenshot", metavar="FILE.png", type=Path, help="write a picture and stop")
     add("--edit", action="store_true", help="let what is dragged in the page be written into FILE")
     add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
@@ -94,7 +95,7 @@ def _write(args: argparse.Namespace, old: "Analysis | None") -> None:
     formulas = formula_messages(analysis.model, analysis.context.values)
     page = exported_page([*state, *formulas])
     if args.export:
-        args.export.write_text(page, encoding="utf-8")
+        write_file(args.export, encoded(page))
     if args.screenshot:
         from kindsl.preview.screenshot import take_screenshot
 

@@ -1,10 +1,13 @@
 """What makes a command start and end quickly, and never with a traceback."""
 
+import contextlib
 import gc
 import os
 import sys
 from collections.abc import Callable
 from typing import TYPE_CHECKING, NoReturn
+
+from kindsl.cli.console import write
 
 if TYPE_CHECKING:
     import argparse
@@ -28,18 +31,21 @@ def run_and_exit(command: Callable[[], int]) -> NoReturn:
         if os.environ.get("KINDSL_TRACEBACK"):
             raise
         what = f"{type(error).__name__}: {error}"
-        sys.stderr.write(f"kindsl: error: internal error: {what}\n")
+        write(sys.stderr, f"kindsl: error: internal error: {what}\n")
         status = DEFECT
-    _flush()
-    os._exit(status)
+    os._exit(_flushed(status))
 
 
-def _flush() -> None:
-    for stream in (sys.stdout, sys.stderr):
-        try:
-            stream.flush()
-        except (OSError, ValueError):
-            continue
+def _flushed(status: object) -> int:
+    """Write what is left, of `--help` for one; return the status, or that of a failed write."""
+    try:
+        if sys.stdout is not None:
+            write(sys.stdout, "")
+    except SystemExit as error:
+        status = error.code
+    with contextlib.suppress(OSError, ValueError, AttributeError):
+        sys.stderr.flush()
+    return status if isinstance(status, int) else DEFECT
 
 
 def help_formatter(prog: str) -> "argparse.HelpFormatter":

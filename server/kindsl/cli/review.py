@@ -6,7 +6,6 @@ pictures) and the pictures before and after. Broken documents are shown as far a
 
 import argparse
 import os
-import shutil
 from typing import TYPE_CHECKING
 
 from kindsl.cli.documents.choices import Choices, choices_of
@@ -18,9 +17,11 @@ from kindsl.cli.documents.reading import (
     require_parameters,
     shown_name,
 )
+from kindsl.cli.documents.writing import unwritable
 from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import Failure, as_failures
 from kindsl.config.errors import ConfigurationError
+from kindsl.text.writing import write_folder
 
 if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis
@@ -92,15 +93,8 @@ def _files(
 
 
 def _write(folder: str, files: dict[str, str]) -> None:
-    """Write all files, or none into a folder that was not there."""
-    is_new = not os.path.isdir(folder)
+    """Write all files, or none."""
     try:
-        os.makedirs(folder, exist_ok=True)
-        for name, text in files.items():
-            with open(os.path.join(folder, name), "w", encoding="utf-8", newline="\n") as file:
-                file.write(text)
+        write_folder(folder, files)
     except OSError as error:
-        if is_new:
-            shutil.rmtree(folder, ignore_errors=True)
-        message = f"cannot be written: {error.strerror or error}"
-        raise CommandError([Failure(folder, message)]) from None
+        raise CommandError([Failure(folder, unwritable(folder, error))]) from None

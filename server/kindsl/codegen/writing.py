@@ -1,34 +1,21 @@
 """Writes generated files, all of them or none, and none in the place of anybody else's."""
 
-import shutil
-import tempfile
 from collections.abc import Mapping
 from pathlib import Path
 
 from kindsl.codegen.library import GenerationError
 from kindsl.codegen.manifest import NAME, changed_files, digest, read_manifest
+from kindsl.text.writing import write_folder
 
 
 def write_files(folder: Path, files: Mapping[str, str]) -> None:
     """Write files, the manifest among them; remove those that are not generated any more.
 
-    They are written to a neighbouring folder first, then moved.
-
     Raises:
-        OSError: The folder cannot be written.
+        OSError: The folder cannot be written; it is as it was.
     """
     former = read_former(folder)
-    folder.parent.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(prefix=f".{folder.name}.", dir=folder.parent) as temporary:
-        staged = Path(temporary) / "files"
-        staged.mkdir()
-        for name, text in files.items():
-            (staged / name).write_text(text, encoding="utf-8", newline="\n")
-        if not folder.exists():
-            shutil.move(staged, folder)
-            return
-        for name in files:
-            (staged / name).replace(folder / name)
+    write_folder(str(folder), files)
     for name, content in former.items():
         path = folder / name
         if name not in files and path.is_file() and digest(path.read_bytes()) == content:

@@ -7,6 +7,7 @@ import tempfile
 from pathlib import Path
 
 from kindsl.preview.scene.geometry import PreviewUnavailableError
+from kindsl.text.writing import write_file
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
 SIZE = (1200, 800)
@@ -39,7 +40,7 @@ def take_screenshot(page: str, target: Path, size: tuple[int, int] = SIZE) -> No
         _run(_command(browser, source, picture, size))
         if not picture.is_file():
             raise PreviewUnavailableError(f"'{browser}' has drawn nothing")
-        shutil.copyfile(picture, target)
+        write_file(str(target), picture.read_bytes())
 
 
 def find_browser() -> str:

@@ -1,16 +1,17 @@
-"""Writes a text in place of another, wholly or not at all."""
+"""Writes what a command makes: to a file, wholly or not at all, or to stdout."""
 
-import contextlib
 import os
-import stat
-import tempfile
+import sys
 
-from kindsl.cli.documents.sources import reason
+from kindsl.cli.console import write
+from kindsl.cli.documents.reading import CommandError
+from kindsl.cli.documents.sources import STDIN, reason
 from kindsl.cli.outcome import Failure
+from kindsl.text.writing import encoded, write_file
 
 
 def write_text(path: str, shown: str, old: str, new: str) -> Failure | None:
-    """Replace a file's text, keeping its mode, and the link that leads to it.
+    """Replace a file's text, keeping its mode, and the links that lead to it.
 
     Args:
         path: The file.
@@ -21,34 +22,34 @@ def write_text(path: str, shown: str, old: str, new: str) -> Failure | None:
     Returns:
         None, or why it could not be written.
     """
-    target = os.path.realpath(path)
     try:
-        if not os.access(target, os.W_OK):
-            return Failure(shown, "cannot be written: permission denied")
-        with open(target, "rb") as file:
-            if file.read() != old.encode("utf-8"):
+        with open(path, "rb") as file:
+            if file.read() != encoded(old):
                 return Failure(shown, "has changed meanwhile, not written")
-        _replace(target, new.encode("utf-8"))
+        write_file(path, encoded(new))
     except OSError as error:
-        return Failure(shown, reason(target, error).replace("read", "written"))
+        return Failure(shown, unwritable(path, error))
     return None
 
 
-def _replace(target: str, content: bytes) -> None:
-    """Write a neighbour of the target, then put it in the target's place."""
-    status = os.stat(target)
-    folder, name = os.path.split(target)
-    descriptor, temporary = tempfile.mkstemp(prefix=f".{name}.", dir=folder)
+def write_output(path: str, content: str | bytes) -> None:
+    """Write what was made to a file, or to stdout for `-`.
+
+    Raises:
+        CommandError: It cannot be written; a file that was there is as it was.
+    """
+    if path == STDIN:
+        write(sys.stdout, content)
+        return
     try:
-        with open(descriptor, "wb") as file:
-            file.write(content)
-            file.flush()
-            os.fsync(file.fileno())
-        os.chmod(temporary, stat.S_IMODE(status.st_mode))
-        with contextlib.suppress(OSError, AttributeError):
-            os.chown(temporary, status.st_uid, status.st_gid)
-        os.replace(temporary, target)
-    except BaseException:
-        with contextlib.suppress(OSError):
-            os.unlink(temporary)
-        raise
+        write_file(path, content if isinstance(content, bytes) else encoded(content))
+    except OSError as error:
+        raise CommandError([Failure(path, unwritable(path, error))]) from None
+
+
+def unwritable(path: str, error: OSError) -> str:
+    """Return in words why a file could not be written."""
+    folder = os.path.dirname(os.path.realpath(path))
+    if isinstance(error, FileNotFoundError) and not os.path.isdir(folder):
+        return f"cannot be written: there is no folder '{folder}'"
+    return reason(path, error).replace("read", "written")
