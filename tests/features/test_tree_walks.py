@@ -10,11 +10,11 @@ from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.features.call_hierarchy import hierarchy_items, predecessors, successors
 from kindsl.features.code_lenses import code_lenses
 from kindsl.features.kinematic_outline import kinematic_outline
-from kindsl.features.link_inertia import link_inertia, principal_moments_about_com
 from kindsl.features.subtree import own_mass, subtree_of
-from kindsl.features.unknown import Unknown
 from kindsl.features.zero_configuration import body_pose, frame_pose, joint_pose, own_pose
 from kindsl.mechanism.drawable import drawable_skeleton
+from kindsl.mechanism.link_inertia import link_inertia, principal_moments_about_com
+from kindsl.semantics.unknown import Unknown
 
 QUADRUPED = (ROOT / "examples" / "quadruped.kindsl").read_text()
 MOMENTS = "Ix=1.0 Iy=2.0 Iz=3.0 Ixy=0.0 Ixz=0.0 Iyz=0.0"

@@ -6,9 +6,9 @@ from typing import NamedTuple
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.quantity_text import KILOGRAMS, number
 from kindsl.features.subtree import Subtree, subtree_of
-from kindsl.features.unknown import Unknown
 from kindsl.semantics.declarations import Joint, Link
 from kindsl.semantics.places import Name
+from kindsl.semantics.unknown import Unknown
 from kindsl.text.span import Span
 from kindsl.text.words import counted
 

@@ -4,9 +4,8 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
-from kindsl.features.link_inertia import link_inertia, principal_moments_about_com
 from kindsl.features.quantity_text import INERTIA, angle, number
-from kindsl.features.unknown import Unknown
+from kindsl.mechanism.link_inertia import link_inertia, principal_moments_about_com
 from kindsl.semantics.declarations import (
     Declarations,
     Inertia,
@@ -19,6 +18,7 @@ from kindsl.semantics.declarations import (
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.lowering import declarations
 from kindsl.semantics.places import Located
+from kindsl.semantics.unknown import Unknown
 
 
 class InlayHint(NamedTuple):

@@ -4,9 +4,9 @@ from typing import NamedTuple
 from weakref import WeakKeyDictionary
 
 from kindsl.analysis.analysis import Analysis
-from kindsl.features.unknown import Unknown, why_unknown
 from kindsl.features.wording import code
 from kindsl.semantics.declarations import Link
+from kindsl.semantics.unknown import Unknown, why_unknown
 
 
 class Subtree(NamedTuple):

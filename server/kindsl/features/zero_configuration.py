@@ -6,11 +6,11 @@ Only the joints between a body and the base are evaluated, and each once an anal
 from weakref import WeakKeyDictionary
 
 from kindsl.analysis.analysis import Analysis
-from kindsl.features.unknown import Unknown, pose_expressions, why_unknown
 from kindsl.features.wording import code
 from kindsl.rigid.pose import IDENTITY, RigidPose
 from kindsl.semantics.declarations import Frame, Joint, Link
 from kindsl.semantics.numbers import written_pose
+from kindsl.semantics.unknown import Unknown, pose_expressions, why_unknown
 
 _poses: "WeakKeyDictionary[Analysis, dict[Link, RigidPose | Unknown]]" = WeakKeyDictionary()
 

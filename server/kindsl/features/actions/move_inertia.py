@@ -12,9 +12,8 @@ from kindsl.features.actions.action import CodeAction
 from kindsl.features.actions.free_name import free_name
 from kindsl.features.actions.layout_edits import inserted_section
 from kindsl.features.actions.new_frame import new_frame
-from kindsl.features.link_inertia import link_inertia
 from kindsl.features.tree_path import path_at
-from kindsl.features.unknown import Unknown, pose_expressions
+from kindsl.mechanism.link_inertia import link_inertia
 from kindsl.rigid.body import MassDistribution, seen_from
 from kindsl.rigid.pose import IDENTITY, RigidPose
 from kindsl.rules.context import ROBCOGEN2
@@ -23,6 +22,7 @@ from kindsl.semantics.declarations import MOMENTS, Frame, Inertia, Link
 from kindsl.semantics.expressions import symbols
 from kindsl.semantics.lowering import declarations
 from kindsl.semantics.numbers import written_pose
+from kindsl.semantics.unknown import Unknown, pose_expressions
 from kindsl.syntax.tree import Node
 from kindsl.text.decimals import rounded_decimal
 from kindsl.text.edits import TextEdit

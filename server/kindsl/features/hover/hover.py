@@ -11,12 +11,12 @@ from kindsl.features.hover.robot import robot_hover
 from kindsl.features.quantity_text import quantity
 from kindsl.features.symbol_at import EntityKind, Role, Symbol, symbol_at
 from kindsl.features.tree_path import TokenAt, token_at
-from kindsl.features.unknown import why_unknown
 from kindsl.features.value_place import ValuePlace, expression_at, value_place
 from kindsl.features.wording import Hover
 from kindsl.semantics.declarations import Declarations, Frame, Joint, Link
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.lowering import declarations
+from kindsl.semantics.unknown import why_unknown
 
 
 def hover(analysis: Analysis, offset: int) -> Hover | None:

@@ -4,10 +4,10 @@ from collections.abc import Iterator
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.quantity_text import vector
-from kindsl.features.unknown import Unknown
 from kindsl.features.wording import code, paragraph, pose_text
 from kindsl.features.zero_configuration import frame_pose, joint_pose, own_pose
 from kindsl.semantics.declarations import Frame, Joint
+from kindsl.semantics.unknown import Unknown
 
 
 def joint_hover(analysis: Analysis, joint: Joint) -> str:

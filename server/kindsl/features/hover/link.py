@@ -3,16 +3,16 @@
 from collections.abc import Iterator
 
 from kindsl.analysis.analysis import Analysis
-from kindsl.features.link_inertia import link_inertia, principal_moments_about_com
 from kindsl.features.quantity_text import INERTIA, KILOGRAMS, number, vector
 from kindsl.features.subtree import own_mass, subtree_of
-from kindsl.features.unknown import Unknown
 from kindsl.features.wording import code, paragraph, pose_text
 from kindsl.features.zero_configuration import body_pose
+from kindsl.mechanism.link_inertia import link_inertia, principal_moments_about_com
 from kindsl.rules.base import Severity
 from kindsl.rules.registry import all_rules
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.lowering import declarations
+from kindsl.semantics.unknown import Unknown
 from kindsl.text.words import counted, listed
 
 _CODES = ("KD301", "KD302", "KD303", "KD305")

@@ -5,12 +5,12 @@ from collections.abc import Iterator, Sequence
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.quantity_text import number, quantity
 from kindsl.features.tree_path import path_at
-from kindsl.features.unknown import Unknown, why_unknown
 from kindsl.features.value_place import ValuePlace, value_place
 from kindsl.features.wording import paragraph
 from kindsl.semantics.declarations import ValueKind
 from kindsl.semantics.parameters import Constant, Parameter
 from kindsl.semantics.places import Name
+from kindsl.semantics.unknown import Unknown, why_unknown
 from kindsl.text.words import counted, listed
 
 _CLASS = {

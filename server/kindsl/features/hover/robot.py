@@ -5,8 +5,8 @@ from collections.abc import Iterator
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.quantity_text import KILOGRAMS, number
 from kindsl.features.subtree import subtree_of
-from kindsl.features.unknown import Unknown
 from kindsl.features.wording import paragraph
+from kindsl.semantics.unknown import Unknown
 from kindsl.text.words import counted, listed
 
 

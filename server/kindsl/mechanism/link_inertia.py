@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping
 
-from kindsl.features.unknown import Unknown, pose_expressions, why_unknown
 from kindsl.rigid.body import (
     MassDistribution,
     eigensystem,
@@ -13,6 +12,7 @@ from kindsl.rigid.body import (
 from kindsl.rigid.pose import Vector3
 from kindsl.semantics.declarations import Inertia, Link, inertia_values
 from kindsl.semantics.numbers import mass_distribution, written_pose
+from kindsl.semantics.unknown import Unknown, pose_expressions, why_unknown
 
 
 def written_inertia(inertia: Inertia, values: Mapping[str, float]) -> MassDistribution | Unknown:
