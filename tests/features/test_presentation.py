@@ -90,7 +90,7 @@ def test_lenses_tell_what_is_carried_and_where_it_is_named():
     lenses = [(ARM[s.start : s.end], s.kind, s.title) for s in code_lenses(analyse(ARM))]
     assert lenses == [
         ("Arm", "preview", "▶ Preview"),
-        ("base", "subtree", "carries 2 joints, 3 kg with itself"),
+        ("base", "subtree", "carries 2 joints, 3 kg"),
         ("upper", "references", "1 reference"),
         ("upper", "subtree", "carries 1 joint, 3 kg with itself"),
         ("lower", "references", "1 reference"),

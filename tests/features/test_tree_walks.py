@@ -10,10 +10,11 @@ from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.features.call_hierarchy import hierarchy_items, predecessors, successors
 from kindsl.features.code_lenses import code_lenses
 from kindsl.features.kinematic_outline import kinematic_outline
-from kindsl.features.subtree import own_mass, subtree_of
+from kindsl.features.subtree import subtree_of
 from kindsl.features.zero_configuration import body_pose, frame_pose, joint_pose, own_pose
 from kindsl.mechanism.drawable import drawable_skeleton
 from kindsl.mechanism.link_inertia import link_inertia, principal_moments_about_com
+from kindsl.mechanism.total_mass import Weight, own_mass
 from kindsl.semantics.unknown import Unknown
 
 QUADRUPED = (ROOT / "examples" / "quadruped.kindsl").read_text()
@@ -45,25 +46,25 @@ ANALYSIS = analyse(TREE)
 
 
 @pytest.mark.parametrize(
-    ("name", "mass", "dof"),
+    ("name", "weight", "dof"),
     [
-        ("base", "the parameter `m` has no value", 4),
-        ("a", 6.0, 1),
-        ("b", 4.0, 0),
-        ("c", "the parameter `m` has no value", 1),
-        ("d", "`d` has no mass", 0),
+        ("base", Weight(6.0, 3, Unknown("there is no link `nobody`")), 4),
+        ("a", Weight(6.0), 1),
+        ("b", Weight(4.0), 0),
+        ("c", Weight(0.0, 2, Unknown("the parameter `m` has no value")), 1),
+        ("d", Weight(0.0, 1, Unknown("link `d` has no mass")), 0),
     ],
 )
-def test_a_link_weighs_what_it_carries(name: str, mass: float | str, dof: int) -> None:
+def test_a_link_weighs_what_it_carries(name: str, weight: Weight, dof: int) -> None:
+    """What is named there and is not known is missing; a fixed base adds nothing."""
     for analysis in (ANALYSIS, analyse(TREE)):
         found = subtree_of(analysis, analysis.model.body_named[name])
-        assert found.dof == dof
-        assert found.mass == (Unknown(mass) if isinstance(mass, str) else mass)
+        assert found == (weight, dof)
 
 
 def test_links_that_carry_each_other_weigh_nothing_known() -> None:
     for name in ("loose", "e", "e2"):
-        assert isinstance(subtree_of(ANALYSIS, ANALYSIS.model.body_named[name]).mass, Unknown)
+        assert not subtree_of(ANALYSIS, ANALYSIS.model.body_named[name]).weight.is_whole
 
 
 def test_each_link_is_weighed_once() -> None:
@@ -80,13 +81,14 @@ def test_each_link_is_weighed_once() -> None:
     [
         ("base", 1.0),
         ("c", Unknown("the parameter `m` has no value")),
-        ("d", Unknown("`d` has no mass")),
+        ("d", Unknown("link `d` has no mass")),
     ],
 )
 def test_a_link_s_own_mass_is_what_is_written(name: str, mass: float | Unknown) -> None:
-    assert own_mass(ANALYSIS, ANALYSIS.model.body_named[name]) == mass
+    values = ANALYSIS.context.values
+    assert own_mass(ANALYSIS.model.body_named[name], values) == mass
     text = "link q { inertia_params { CoM = (0.0, 0.0, 0.0) } }"
-    assert own_mass(analyse(text), analyse(text).model.links[0]) == Unknown("`q` has no mass")
+    assert own_mass(analyse(text).model.links[0], {}) == Unknown("link `q` has no mass")
 
 
 @pytest.mark.parametrize(
@@ -278,8 +280,10 @@ def test_lenses_count_places_and_what_is_carried() -> None:
     found = lenses(ANALYSIS)
     assert [each[2] for each in found if each[0] == "R"] == ["▶ Preview"]
     assert [each[2] for each in found if each[1] == "subtree"][:3] == [
-        "carries 4 joints", "carries 1 joint, 6 kg with itself", "carries 1 joint",
-    ]  # fmt: skip
+        "carries 4 joints, at least 6 kg",
+        "carries 1 joint, 6 kg with itself",
+        "carries 1 joint, mass unknown",
+    ]
     counts = {each[0]: (each[2], each[3]) for each in found if each[1] == "references"}
     assert counts["a"] == ("1 reference", ["a"])
     assert counts["e"] == ("2 references", ["e", "e"])

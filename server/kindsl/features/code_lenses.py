@@ -6,9 +6,9 @@ from typing import NamedTuple
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.quantity_text import KILOGRAMS, number
 from kindsl.features.subtree import Subtree, subtree_of
+from kindsl.mechanism.total_mass import UNKNOWN
 from kindsl.semantics.declarations import Joint, Link
 from kindsl.semantics.places import Name
-from kindsl.semantics.unknown import Unknown
 from kindsl.text.span import Span
 from kindsl.text.words import counted
 
@@ -42,7 +42,7 @@ def _lenses(analysis: Analysis) -> Iterator[CodeLens]:
         if declared.robot:
             yield CodeLens(*analysis.resolver.span(declared.robot), "▶ Preview", "preview")
     for body in model.bodies:
-        title = _subtree_title(subtree_of(analysis, body))
+        title = _subtree_title(subtree_of(analysis, body), body)
         if title:
             yield CodeLens(*analysis.resolver.span(body.name), title, "subtree")
         if not body.is_base:
@@ -51,13 +51,15 @@ def _lenses(analysis: Analysis) -> Iterator[CodeLens]:
         yield _references(analysis, joint.name, _places_of_joint(analysis, joint))
 
 
-def _subtree_title(subtree: Subtree) -> str:
+def _subtree_title(subtree: Subtree, body: Link) -> str:
     if not subtree.dof:
         return ""
-    joints = counted(subtree.dof, "joint")
-    if isinstance(subtree.mass, Unknown):
-        return f"carries {joints}"
-    return f"carries {joints}, {number(subtree.mass)} {KILOGRAMS} with itself"
+    joints, weight = counted(subtree.dof, "joint"), subtree.weight
+    mass = weight.told(f"{number(weight.known)} {KILOGRAMS}")
+    if mass == UNKNOWN:
+        return f"carries {joints}, mass unknown"
+    counts = body.is_floating or not body.is_base
+    return f"carries {joints}, {mass}" + (" with itself" if counts else "")
 
 
 def _places_of_link(analysis: Analysis, body: Link) -> tuple[Span, ...]:

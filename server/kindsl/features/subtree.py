@@ -4,24 +4,24 @@ from typing import NamedTuple
 from weakref import WeakKeyDictionary
 
 from kindsl.analysis.analysis import Analysis
-from kindsl.features.wording import code
+from kindsl.mechanism.total_mass import Weight, added, body_mass, edge_mass
 from kindsl.semantics.declarations import Link
-from kindsl.semantics.unknown import Unknown, why_unknown
+from kindsl.semantics.unknown import Unknown
 
 
 class Subtree(NamedTuple):
     """A link with all that it carries.
 
     Attributes:
-        mass: Of all of it, kilograms, or why it is not known.
+        weight: Of all of it; a fixed base itself weighs nothing.
         dof: Joints in it, the supporting joint of the link left out.
     """
 
-    mass: float | Unknown
+    weight: Weight
     dof: int
 
 
-_NO_TREE = Subtree(Unknown("the links below it are no tree"), 0)
+_NO_TREE = Subtree(Weight(0.0, 1, Unknown("the links below it are no tree")), 0)
 _subtrees: "WeakKeyDictionary[Analysis, dict[Link, Subtree]]" = WeakKeyDictionary()
 
 
@@ -30,14 +30,6 @@ def subtree_of(analysis: Analysis, body: Link) -> Subtree:
     if analysis not in _subtrees:
         _subtrees[analysis] = _all(analysis)
     return _subtrees[analysis].get(body, _NO_TREE)
-
-
-def own_mass(analysis: Analysis, body: Link) -> float | Unknown:
-    """Return a body's mass in kilograms, or why it is not known."""
-    if body.inertia is None or body.inertia.mass is None:
-        return Unknown(f"{code(body.name)} has no mass")
-    mass = body.inertia.mass.value(analysis.context.values)
-    return why_unknown((body.inertia.mass,), analysis.context.values) if mass is None else mass
 
 
 def _all(analysis: Analysis) -> dict[Link, Subtree]:
@@ -51,18 +43,13 @@ def _all(analysis: Analysis) -> dict[Link, Subtree]:
 
 
 def _sum(analysis: Analysis, body: Link, known: dict[Link, Subtree]) -> Subtree:
-    mass = own_mass(analysis, body)
+    weight = body_mass(body, analysis.context.values)
     dof = 0
     for edge in analysis.model.tree.successor_edges(body):
+        weight = added(weight, edge_mass(edge))
         if edge.link is None:
             continue
         below = known.get(edge.link, _NO_TREE)
-        mass = _added(mass, below.mass)
+        weight = added(weight, below.weight)
         dof += 1 + below.dof
-    return Subtree(mass, dof)
-
-
-def _added(a: float | Unknown, b: float | Unknown) -> float | Unknown:
-    if isinstance(a, Unknown):
-        return a
-    return b if isinstance(b, Unknown) else a + b
+    return Subtree(weight, dof)

@@ -9,9 +9,14 @@ from kindsl.semantics.expressions import ConstantUse, Expression, symbols
 
 
 class Unknown(NamedTuple):
-    """Why a number is not known: a clause for people."""
+    """Why a number is not known: a clause for people, names in it as Markdown marks code."""
 
     reason: str
+
+    @property
+    def plain(self) -> str:
+        """The clause with its names in quotes."""
+        return self.reason.replace("`", "'")
 
 
 def why_unknown(values: Iterable[Expression], bindings: Mapping[str, float]) -> Unknown:

@@ -133,7 +133,7 @@ def test_blanks_tell_nothing():
 def test_what_is_below_a_loop_is_not_weighed():
     text = ARM.replace("children {}", "children { upper via elbow }")
     text = shown(text.replace("link upper", "link up$0per"))
-    assert "mass of the subtree with 2 joints is not known: the links below it are no tree" in text
+    assert "subtree at least 3 kg with 2 joints (the links below it are no tree)" in text
 
 
 def test_the_number_of_a_link_tells_what_it_is_for():

@@ -146,14 +146,17 @@ def test_of_frames_with_one_name_each_tells_of_itself():
     [
         (
             "Robot $0R { link a { } }",
-            ["**robot `R`**", "fixed base, 1 link"],
+            [
+                "**robot `R`**",
+                "fixed base, 1 link",
+                "total mass unknown (there is no base; 1 more missing)",
+            ],
         ),
         (
             "Robot $0R { RobotBase b { } }",
             [
                 "**robot `R`**",
                 "fixed base, 0 links",
-                "the total mass is not known: `b` has no mass",
             ],
         ),
     ],

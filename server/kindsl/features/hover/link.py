@@ -4,10 +4,11 @@ from collections.abc import Iterator
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.quantity_text import INERTIA, KILOGRAMS, number, vector
-from kindsl.features.subtree import own_mass, subtree_of
+from kindsl.features.subtree import subtree_of
 from kindsl.features.wording import code, paragraph, pose_text
 from kindsl.features.zero_configuration import body_pose
 from kindsl.mechanism.link_inertia import link_inertia, principal_moments_about_com
+from kindsl.mechanism.total_mass import UNKNOWN, Weight, own_mass
 from kindsl.rules.base import Severity
 from kindsl.rules.registry import all_rules
 from kindsl.semantics.declarations import Link
@@ -54,10 +55,11 @@ def _tree_lines(analysis: Analysis, body: Link) -> Iterator[str]:
 def _mass_lines(analysis: Analysis, body: Link) -> Iterator[str]:
     inertia = link_inertia(body, analysis.context.values)
     subtree = subtree_of(analysis, body)
-    below = _subtree_text(subtree.mass, subtree.dof)
-    mass = own_mass(analysis, body)
-    if not isinstance(mass, Unknown):
-        yield "; ".join(part for part in (f"mass {number(mass)} {KILOGRAMS}", below) if part)
+    below = _subtree_text(subtree.weight, subtree.dof)
+    mass = own_mass(body, analysis.context.values)
+    own = "" if isinstance(mass, Unknown) else f"mass {number(mass)} {KILOGRAMS}"
+    if own or below:
+        yield "; ".join(part for part in (own, below) if part)
     if isinstance(inertia, Unknown):
         yield f"mass properties are not known: {inertia.reason}"
         return
@@ -70,13 +72,13 @@ def _mass_lines(analysis: Analysis, body: Link) -> Iterator[str]:
         yield _verdict(analysis, body)
 
 
-def _subtree_text(mass: float | Unknown, dof: int) -> str:
+def _subtree_text(weight: Weight, dof: int) -> str:
     if not dof:
         return ""
-    joints = counted(dof, "joint")
-    if isinstance(mass, Unknown):
-        return f"mass of the subtree with {joints} is not known: {mass.reason}"
-    return f"subtree {number(mass)} {KILOGRAMS} with {joints}"
+    mass = weight.told(f"{number(weight.known)} {KILOGRAMS}")
+    lack = "" if weight.is_whole else f" ({weight.reason_text})"
+    subtree = f"subtree {mass}" if mass != UNKNOWN else "subtree of unknown mass"
+    return f"{subtree} with {counted(dof, 'joint')}{lack}"
 
 
 def _pose_lines(analysis: Analysis, body: Link) -> Iterator[str]:

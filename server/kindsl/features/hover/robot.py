@@ -4,9 +4,8 @@ from collections.abc import Iterator
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.quantity_text import KILOGRAMS, number
-from kindsl.features.subtree import subtree_of
 from kindsl.features.wording import paragraph
-from kindsl.semantics.unknown import Unknown
+from kindsl.mechanism.total_mass import Weight, total_mass
 from kindsl.text.words import counted, listed
 
 
@@ -25,14 +24,13 @@ def _lines(analysis: Analysis) -> Iterator[str]:
     ]
     base = "floating base" if model.floating else "fixed base"
     yield f"{base}, {counted(len(model.links), 'link')}" + (f", {listed(parts)}" if parts else "")
-    if model.base is not None:
-        yield _mass(subtree_of(analysis, model.base).mass, model.floating)
+    if model.links or model.floating:
+        yield _mass(total_mass(model, analysis.context.values))
     names = [f"`{parameter.name}`" for parameter in model.parameters]
     if names:
         yield f"parameters {listed(names)}"
 
 
-def _mass(mass: float | Unknown, is_floating: bool) -> str:
-    if isinstance(mass, Unknown):
-        return f"the total mass is not known: {mass.reason}"
-    return f"total mass {number(mass)} {KILOGRAMS}" + ("" if is_floating else " with the base")
+def _mass(weight: Weight) -> str:
+    mass = weight.told(f"{number(weight.known)} {KILOGRAMS}")
+    return f"total mass {mass}" + ("" if weight.is_whole else f" ({weight.reason_text})")
