@@ -25,6 +25,16 @@ def document(folder: Path) -> Path:
     return path
 
 
+def test_a_link_without_inertia_leaves_the_totals_open(kindsl: Runner, folder: Path) -> None:
+    start = GOOD.rindex("inertia_params")
+    (folder / "a.kindsl").write_text(GOOD[:start] + GOOD[GOOD.index("}", start) + 1 :])
+    result = json.loads(kindsl("compute", "a.kindsl").out)
+    reason = "link 'lower' has no mass"
+    assert result["missing_masses"] == [{"name": "lower", "reason": reason}]
+    text = kindsl("compute", "a.kindsl", "--output-format", "text").out
+    assert f"mass at least 2 kg ({reason}), centre of mass of what is known (" in text
+
+
 def test_json_at_zero(kindsl: Runner, document: Path) -> None:
     told = kindsl("compute", document)
     assert (told.status, told.err) == (0, "")

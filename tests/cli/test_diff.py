@@ -3,6 +3,7 @@
 import json
 from pathlib import Path
 
+import pytest
 from tests.cli.conftest import Runner
 
 ARM = """Robot Arm {
@@ -30,6 +31,28 @@ def differ(kindsl: Runner, folder: Path, old: str, new: str) -> tuple[int, dict[
     (folder / "new.kindsl").write_text(new)
     run = kindsl("diff", "old.kindsl", "new.kindsl", "--output-format", "json")
     return run.status, json.loads(run.out) if run.out else {}, run.err
+
+
+@pytest.mark.parametrize("mass", ["", "2.0 +", "1.0/0.0"])
+def test_a_mass_that_cannot_be_read_is_not_compared(
+    kindsl: Runner, folder: Path, mass: str
+) -> None:
+    old, new = ARM % ("2.0", "0.5", "0.3"), ARM % (mass, "0.5", "0.4")
+    for pair in ((old, new), (new, old)):
+        status, found, err = differ(kindsl, folder, *pair)
+        assert status == 1
+        assert (found["masses"], found["total_mass"]) == ([], [0.0, 0.0])
+        assert [move["name"] for move in found["joint_frames"]] == ["wrist"]
+        assert "the total mass and the inertia of 'upper' left out: " in err
+
+
+def test_a_lost_inertia_is_not_a_mass_of_zero(kindsl: Runner, folder: Path) -> None:
+    old = ARM % ("2.0", "0.5", "0.3")
+    start = old.rindex("inertia_params")
+    new = old[:start] + old[old.index("}", start) + 1 :]
+    _, found, err = differ(kindsl, folder, old, new)
+    assert (found["masses"], found["total_mass"]) == ([], [0.0, 0.0])
+    assert "the total mass and the inertia of 'hand' left out: link 'hand' has no mass" in err
 
 
 def test_unbound_parameter_leaves_out_what_depends_on_it(kindsl: Runner, folder: Path) -> None:

@@ -3,6 +3,7 @@
 import json
 from pathlib import Path
 
+import pytest
 from tests.cli.conftest import Runner
 from tests.cli.samples import GOOD, INTEGER, UNBOUND, arm
 
@@ -35,6 +36,49 @@ def test_json(kindsl: Runner, folder: Path) -> None:
     assert (length["kind"], length["value"], length["origin"]) == ("length", None, None)
     assert (mass["kind"], mass["value"], mass["origin"]) == ("dynamics", 2.0, "--param")
     assert [use["line"] for use in length["uses"]] == [21]
+
+
+def without_inertia(text: str) -> str:
+    """Return a document whose last link has no inertia."""
+    start = text.rindex("inertia_params")
+    return text[:start] + text[text.index("}", start) + 1 :]
+
+
+@pytest.mark.parametrize(
+    ("text", "known", "reason"),
+    [
+        (arm(mass="m"), 1.0, "the parameter 'm' has no value"),
+        (arm(mass=""), 1.0, "link 'upper' has no mass"),
+        (arm(mass="1.0/0.0"), 1.0, "mass of 'upper' is not a number"),
+        (arm(mass="2.0 -"), 1.0, "mass of 'upper' is not a number"),
+        (without_inertia(GOOD), 2.0, "link 'lower' has no mass"),
+        (GOOD.replace("link lower {", "link other {"), 3.0, "there is no link 'lower'"),
+    ],
+)
+def test_a_part_of_the_mass_is_not_told_as_the_whole(
+    kindsl: Runner, folder: Path, text: str, known: float, reason: str
+) -> None:
+    (folder / "a.kindsl").write_text(text)
+    facts = json.loads(kindsl("info", "a.kindsl", "--output-format", "json").out)
+    assert (facts["mass"], facts["known_mass"]) == (None, known)
+    assert [one["reason"] for one in facts["missing_masses"]] == [reason]
+    head = kindsl("info", "a.kindsl").out.splitlines()[0]
+    assert head.endswith(f"freedom, at least {known:g} kg ({reason})")
+    card = kindsl("card", "a.kindsl").out
+    assert f"mass at least {known:g} kg ({reason})" in card.replace("\\", "")
+
+
+def test_a_whole_mass_lacks_nothing(kindsl: Runner, folder: Path) -> None:
+    (folder / "a.kindsl").write_text(GOOD)
+    facts = json.loads(kindsl("info", "a.kindsl", "--output-format", "json").out)
+    assert (facts["mass"], facts["known_mass"], facts["missing_masses"]) == (3.0, 3.0, [])
+
+
+def test_nothing_known_is_no_mass_at_all(kindsl: Runner, folder: Path) -> None:
+    text = without_inertia(without_inertia(GOOD))
+    (folder / "a.kindsl").write_text(text)
+    head = kindsl("info", "a.kindsl").out.splitlines()[0]
+    assert head.endswith("freedom, mass unknown (link 'upper' has no mass; 1 more missing)")
 
 
 def test_unbound_parameters_are_told(kindsl: Runner, folder: Path) -> None:

@@ -37,6 +37,13 @@ def document(text: str = TEXT) -> kindsl.Document:
     return kindsl.parse(text, Settings())
 
 
+def test_a_mechanism_names_the_links_without_mass() -> None:
+    start = TEXT.rindex("inertia_params")
+    shown = document(TEXT[:start] + TEXT[TEXT.index("}", start) + 1 :]).mechanism()._repr_html_()
+    assert "8.188 kg (RH_shank without mass)" in shown
+    assert "without mass" not in document().mechanism()._repr_html_()
+
+
 def test_preview_is_inlined_and_may_reach_nothing() -> None:
     shown = document()._repr_html_()
     page = html.unescape(re.search(r'srcdoc="([^"]*)"', shown)[1])

@@ -40,6 +40,15 @@ def test_planted_edit_is_named(edit) -> None:
     assert sorted(numbers) == sorted(there.numbers)
 
 
+@pytest.mark.parametrize("mass", ["", "0.634 *", "x"])
+def test_a_mass_that_cannot_be_read_changes_no_total(mass: str) -> None:
+    blocks = page(TEXT, TEXT.replace("mass = 0.634", f"mass = {mass}", 1))
+    assert not [row for row in rows(blocks, "What changed") if row[0] in ("total", "inertia")]
+    said = [block.text for block in blocks if isinstance(block, Paragraph)]
+    assert [text for text in said if "left out" in text]
+    assert Heading("Balance at zero") not in blocks
+
+
 def test_nothing_changed_is_said() -> None:
     blocks = page(TEXT, TEXT.replace("mass = 3.3\n", "mass = 3.30 // the same\n"))
     assert Paragraph("Nothing changed mechanically.") in blocks

@@ -4,13 +4,14 @@ A parameter without a value gets the same stand-in on both sides, and then anoth
 that the second changes depends on it, and is left out.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
 from kindsl.mechanism.difference import Difference, difference
 from kindsl.mechanism.fragments import skeleton_as_far_as_known
 from kindsl.mechanism.skeleton import Skeleton
+from kindsl.mechanism.total_mass import total_mass, unknown_bodies
 from kindsl.semantics.declarations import Frame, Joint, Link
 from kindsl.semantics.model import Model
 from kindsl.text.words import listed
@@ -41,17 +42,18 @@ def partial_difference(old: Document, new: Document) -> PartialDifference | int:
         if sides[0] is None or sides[1] is None:
             return 0 if sides[0] is None else 1
         versions.append((sides[0], sides[1]))
+    bound = [(model, {**values, **_stand_ins(unbound, values)}) for model, values in (old, new)]
     if not unbound:
-        return PartialDifference(difference(*versions[0]), ())
+        return _without_unknown(difference(*versions[0]), bound)
     first, second = versions
     depends = [difference(a, b) for a, b in zip(first, second, strict=True)]
     found = _without(difference(*first), depends)
     names = listed(f"'{name}'" for name in sorted(unbound))
     what = "parameter" if len(unbound) == 1 else "parameters"
     verb = "has" if len(unbound) == 1 else "have"
-    return PartialDifference(
-        found, (f"{what} {names} {verb} no value: what depends on it is left out",)
-    )
+    note = f"{what} {names} {verb} no value: what depends on it is left out"
+    known = _without_unknown(found, bound)
+    return known._replace(notes=(note, *known.notes))
 
 
 def added(same: Difference, model: Model) -> Difference:
@@ -76,6 +78,28 @@ def removed(same: Difference, model: Model) -> Difference:
         total_mass=(same.total_mass[0], 0.0),
         reach=(same.reach[0], 0.0),
     )
+
+
+def _stand_ins(unbound: Iterable[str], values: Mapping[str, float]) -> dict[str, float]:
+    return {name: _STAND_INS[0] for name in unbound if name not in values}
+
+
+def _without_unknown(found: Difference, documents: Sequence[Document]) -> PartialDifference:
+    """Leave out the inertia and totals that cannot be read on either side, and say so."""
+    old_name = {pair.new: pair.old for pair in found.renamed_links}
+    before, after = (unknown_bodies(*document) for document in documents)
+    links = [change.link for change in found.masses]
+    unknown = {n for n in links if n in after or old_name.get(n, n) in before}
+    weights = [total_mass(*document) for document in documents]
+    left_out = [f"the inertia of '{name}'" for name in sorted(unknown)]
+    reasons = [reason.plain for reason in (*before.values(), *after.values())]
+    if not all(weight.is_whole for weight in weights):
+        left_out = ["the total mass", *left_out]
+        reasons = [weight.plain_reason for weight in weights if not weight.is_whole]
+        found = replace(found, total_mass=(0.0, 0.0))
+    found = replace(found, masses=tuple(m for m in found.masses if m.link not in unknown))
+    notes = (f"{listed(left_out)} left out: {reasons[0]}",) if left_out else ()
+    return PartialDifference(found, notes)
 
 
 def _names(things: Iterable[Link | Joint | Frame]) -> tuple[str, ...]:

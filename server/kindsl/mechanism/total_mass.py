@@ -50,6 +50,11 @@ class Weight(NamedTuple):
             return known
         return f"at least {known}" if self.known > 0.0 else UNKNOWN
 
+    def explained(self, known: str) -> str:
+        """Return the same with what is missing behind it, in plain text."""
+        told = self.told(known)
+        return told if self.is_whole else f"{told} ({self.plain_reason})"
+
 
 class MissingMass(NamedTuple):
     """A body without a mass that can be read, by name, and why."""

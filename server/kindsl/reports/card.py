@@ -6,13 +6,14 @@ from typing import Any
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.mechanism.skeleton import Skeleton
+from kindsl.mechanism.total_mass import unknown_bodies
 from kindsl.preview.scene.picture import Picture as Shown
 from kindsl.preview.scene.picture import picture
 from kindsl.reports.columns import number
 from kindsl.reports.drawing.robot import robot_drawing
 from kindsl.reports.joint_transforms import joint_transform
 from kindsl.reports.page.blocks import Block, Heading, Matrix, Page, Paragraph, Picture, Table
-from kindsl.reports.robot_facts import robot_facts
+from kindsl.reports.robot_facts import mass_text, robot_facts
 from kindsl.rigid.body import eigensystem, principal_moments, second_moments_about_com
 from kindsl.rigid.pose import PLAIN, RigidPose, angles
 from kindsl.text.words import counted
@@ -26,7 +27,8 @@ def card_page(analysis: Analysis) -> Page:
     shown = picture(analysis.model, dict(analysis.context.values), None)
     blocks = [*_heading(facts, shown), *_tree(facts)]
     if shown.skeleton is not None:
-        blocks += [*_joints(shown.skeleton), *_masses(shown.skeleton), *_frames(shown.skeleton)]
+        blocks += [*_joints(shown.skeleton), *_masses(shown.skeleton, facts, analysis)]
+        blocks += _frames(shown.skeleton)
     return (*blocks, *_parameters(facts), *_transforms(analysis), *_health(facts))
 
 
@@ -39,7 +41,7 @@ def _heading(facts: dict[str, Any], shown: Shown) -> Iterator[Block]:
     yield Heading(facts["robot"] or "(unnamed)", 1)
     base = "floating" if facts["floating"] else "fixed"
     dof = counted(facts["dof"], "degree")
-    yield Paragraph(f"{base} base, {dof} of freedom, mass {number(facts['mass'], 'kg')}")
+    yield Paragraph(f"{base} base, {dof} of freedom, mass {mass_text(facts)}")
     if shown.message:
         yield Paragraph(shown.message)
     if shown.skeleton is not None:
@@ -98,14 +100,18 @@ def _joints(skeleton: Skeleton) -> Iterator[Block]:
     yield Table(header, rows)
 
 
-def _masses(skeleton: Skeleton) -> Iterator[Block]:
+def _masses(skeleton: Skeleton, facts: dict[str, Any], analysis: Analysis) -> Iterator[Block]:
     yield Heading("Masses")
     header = ("link", "mass / kg", "CoM / m", "principal moments / kg m²")
     first = 0 if skeleton.is_floating else 1
     bodies = list(zip(skeleton.body_names, skeleton.masses, strict=True))[first:]
+    unknown = unknown_bodies(analysis.model, analysis.context.values)
+    written = {body["name"]: body["mass"] for _, body in branches(facts)}
     moments = [principal_moments(eigensystem(second_moments_about_com(b))) for _, b in bodies]
     rows = tuple(
-        (name, number(body.mass), triple(body.com), triple(own))
+        (name, number(written.get(name)), "-", "-")
+        if name in unknown
+        else (name, number(body.mass), triple(body.com), triple(own))
         for (name, body), own in zip(bodies, moments, strict=True)
     )
     yield Table(header, rows, frozenset((1,)))

@@ -7,6 +7,7 @@ from kindsl.mechanism.difference import Difference, difference
 from kindsl.mechanism.errors import ModelError, UnboundParameterError
 from kindsl.mechanism.partial_difference import partial_difference
 from kindsl.mechanism.skeleton import Skeleton
+from kindsl.mechanism.total_mass import total_mass
 
 _SYNTAX = "KD0"
 
@@ -40,6 +41,8 @@ def compared(old: Analysis, new: Analysis) -> Comparison:
 
 def _skeleton(analysis: Analysis) -> Skeleton | None:
     if any(finding.code.startswith(_SYNTAX) for finding in analysis.findings):
+        return None
+    if not total_mass(analysis.model, analysis.context.values).is_whole:
         return None
     try:
         return analysis.skeleton()

@@ -9,6 +9,7 @@ import numpy as np
 from kindsl.analysis.analysis import Analysis
 from kindsl.mechanism.build import Mechanism
 from kindsl.reports.motions import Motion
+from kindsl.reports.robot_facts import missing_facts
 from kindsl.spatial.arrays import Array
 
 
@@ -54,9 +55,11 @@ class Results(NamedTuple):
         """Return what is the same for all configurations."""
         bodies, values = self.mechanism.bodies, self.analysis.context.values
         names = (bodies.base_name, *bodies.link_names)
+        missing = missing_facts(self.analysis.model, values)
         return {
             "robot": self.analysis.model.name,
             "floating": bodies.is_floating,
+            **({"missing_masses": missing} if missing else {}),
             "parameters": {str(p.name): values.get(p.name) for p in self.analysis.model.parameters},
             "links": [
                 {

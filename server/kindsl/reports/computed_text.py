@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
+from kindsl.mechanism.total_mass import total_mass
 from kindsl.reports.columns import aligned
 from kindsl.reports.computation import Results
 from kindsl.reports.robot_text import printable_lines
@@ -66,7 +67,10 @@ def _poses(results: Results, k: int) -> str:
 def _masses(results: Results, k: int) -> str:
     found = results.quantities
     com = ", ".join(_text(value) for value in found["com"][k])
-    text = f"mass {_text(found['mass'][k])} kg, centre of mass ({com}) m\n"
+    weight = total_mass(results.analysis.model, results.analysis.context.values)
+    of = "" if weight.is_whole else " of what is known"
+    mass = weight.explained(f"{_text(found['mass'][k])} kg")
+    text = f"mass {mass}, centre of mass{of} ({com}) m\n"
     if "base_acceleration" in found:
         acceleration = ", ".join(_text(value) for value in found["base_acceleration"][k])
         text += f"base acceleration ({acceleration}) rad/s^2, m/s^2\n"

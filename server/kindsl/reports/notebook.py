@@ -13,7 +13,7 @@ from kindsl.reports.drawing.robot import robot_drawing
 from kindsl.reports.drawing.svg import svg_text
 from kindsl.reports.page.blocks import Picture
 from kindsl.text.lines import LineIndex
-from kindsl.text.words import counted
+from kindsl.text.words import counted, listed
 
 _HEIGHT = 480  # pixels
 _MOST = 50  # findings
@@ -66,6 +66,13 @@ def _mechanics(mechanics: Mechanics) -> str:
     base = "floating" if bodies.is_floating else "fixed"
     head = f"{base} base {bodies.base_name}, {counted(bodies.n_links, 'joint')}, "
     head += f"{mechanics.total_mass():.6g} kg"
+    first = 0 if bodies.is_floating else 1
+    massless = [
+        name
+        for name, mass in zip((bodies.base_name, *bodies.link_names), bodies.masses, strict=True)
+        if not mass
+    ][first:]
+    head += f" ({listed(massless)} without mass)" if massless else ""
     rows = "".join(
         f"<tr><td>{i}</td><td>{escape(joint)}</td><td>{kind}</td><td>{escape(link)}</td></tr>"
         for i, (joint, kind, link) in enumerate(

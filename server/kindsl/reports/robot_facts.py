@@ -4,30 +4,37 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from kindsl.analysis.analysis import Analysis
+from kindsl.mechanism.total_mass import Weight, missing_masses, own_mass, total_mass
+from kindsl.reports.columns import number
 from kindsl.reports.robot_health import health_facts
 from kindsl.rules.base import Severity
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
 from kindsl.semantics.parameters import Parameter
 from kindsl.semantics.places import Located
+from kindsl.semantics.unknown import Unknown
 from kindsl.text.lines import LineIndex
 
 
 def robot_facts(analysis: Analysis) -> dict[str, Any]:
     """Return tree, masses and parameters, of a broken document what is there.
 
-    Masses are in kilograms, None where a parameter without value stands in them; the robot's is
-    that of what moves.
+    Masses are in kilograms, None where they cannot be read; the robot's is that of what moves, None
+    unless all of it is known: then `known_mass` is the sum of the others, and `missing_masses` says
+    what it lacks.
     """
     model, values = analysis.model, analysis.context.values
     places = _Places(analysis)
     bodies = [_body(model, body, values, places) for body in _in_order(model)]
+    weight = total_mass(model, values)
     n_joints = sum(body["joint"] is not None for body in bodies)
     return {
         "robot": model.name,
         "floating": model.floating,
         "dof": n_joints + (6 if model.floating else 0),
-        "mass": _total(bodies, model.floating),
+        "mass": weight.known if weight.is_whole else None,
+        "known_mass": weight.known,
+        "missing_masses": missing_facts(model, values),
         "base": bodies[0] if bodies and bodies[0]["id"] == 0 else None,
         "links": [body for body in bodies if body["id"] != 0],
         "parameters": [_parameter(p, analysis, places) for p in model.parameters],
@@ -69,23 +76,30 @@ def _in_order(model: Model) -> Iterator[Link]:
 
 def _body(model: Model, body: Link, values: Mapping[str, float], places: _Places) -> dict[str, Any]:
     edge = None if body.is_base else model.tree.supporting_edge(body)
-    mass = body.inertia.mass if body.inertia else None
+    mass = own_mass(body, values)
     return {
         "name": str(body.name),
         "id": body.id,
         "parent": str(edge.predecessor.name) if edge else None,
         "joint": str(edge.child.joint) if edge else None,
         "joint_type": edge.joint.kind if edge and edge.joint else None,
-        "mass": mass.value(values) if mass is not None else None,
+        "mass": None if isinstance(mass, Unknown) else mass,
         "frames": [str(frame.name) for frame in body.frames],
         **places.of(body.name),
     }
 
 
-def _total(bodies: list[dict[str, Any]], is_floating: bool) -> float | None:
-    """Return the mass of what moves: of a fixed base, none."""
-    masses = [body["mass"] for body in bodies if is_floating or body["id"] != 0]
-    return None if None in masses else sum(masses)
+def mass_text(facts: Mapping[str, Any]) -> str:
+    """Return the mass of a robot for people, never a part of it as if it were the whole."""
+    missing = [Unknown(one["reason"]) for one in facts["missing_masses"]]
+    weight = Weight(facts["known_mass"], len(missing), missing[0] if missing else Unknown(""))
+    return weight.explained(number(weight.known, "kg"))
+
+
+def missing_facts(model: Model, values: Mapping[str, float]) -> list[dict[str, str]]:
+    """Return what the mass of a robot lacks, and why."""
+    missing = missing_masses(model, values)
+    return [{"name": one.owner, "reason": one.reason.plain} for one in missing]
 
 
 def _parameter(parameter: Parameter, analysis: Analysis, places: _Places) -> dict[str, Any]:

@@ -3,7 +3,9 @@
 from collections.abc import Iterator
 from typing import Any
 
+from kindsl.mechanism.total_mass import UNKNOWN
 from kindsl.reports.columns import aligned, number
+from kindsl.reports.robot_facts import mass_text
 from kindsl.reports.robot_health import health_text
 from kindsl.text.printable import printable
 
@@ -31,8 +33,8 @@ def printable_lines(text: str) -> str:
 def _heading(facts: dict[str, Any]) -> str:
     base = "floating base" if facts["floating"] else "fixed base"
     dof = "1 degree" if facts["dof"] == 1 else f"{facts['dof']} degrees"
-    unknown = "mass unknown"
-    mass = unknown if facts["mass"] is None else number(facts["mass"], "kg")
+    mass = mass_text(facts)
+    mass = f"mass {mass}" if mass.startswith(UNKNOWN) else mass
     return f"{facts['robot'] or '(unnamed)'}: {base}, {dof} of freedom, {mass}\n"
 
 
