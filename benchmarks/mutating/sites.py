@@ -63,7 +63,7 @@ def sample(kindsl: Path, package: str, count: int, seed: int) -> list[Site]:
 
     Args:
         kindsl: The folder of the package `kindsl`.
-        package: Name of a folder in it.
+        package: A folder in it, such as `rules` or `lsp/session`.
         count: How many.
         seed: Equal seeds give equal samples of equal code.
     """
@@ -109,7 +109,7 @@ def instrumented(source: str, numbers_by_index: dict[int, list[int]]) -> tuple[s
             at_import += numbers
         else:
             block, statement = place
-            text = f"__import__('kindsl._reached')._reached.numbers.update({numbers})"
+            text = f"__import__('kindsl._reached')._reached.note({numbers})"
             at = next(k for k, other in enumerate(block) if other is statement)
             block[at:at] = ast.parse(text).body
     return ast.unparse(ast.fix_missing_locations(tree)), at_import
