@@ -1,7 +1,7 @@
 """A review of a change: what a reviewer looks at, before and after."""
 
 from collections.abc import Iterator, Mapping
-from math import dist
+from math import dist, isclose
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.dynamics.evaluation.mechanics import Mechanics
@@ -228,14 +228,14 @@ def _gravity_torques(mechanics: Mechanics) -> dict[str, float]:
 
 def _plain(value: float) -> float:
     """Return a force without the dust of rounding."""
-    return 0.0 if abs(value) < 1e-12 else value
+    return round(value, 12)
 
 
 def _shift(old: Mapping[str, float], new: Mapping[str, float], name: str) -> str:
     if name not in old or name not in new:
         return ""
-    shift = new[name] - old[name]
-    return f"{shift:+.4g}" if abs(shift) > 1e-9 * max(abs(old[name]), 1.0) else ""
+    is_same = isclose(old[name], new[name], rel_tol=1e-9, abs_tol=1e-9)
+    return "" if is_same else f"{new[name] - old[name]:+.4g}"
 
 
 def _findings(old: Analysis, new: Analysis) -> Iterator[Block]:

@@ -1,0 +1,236 @@
+"""Drawings of robots: where things are on the sheet, in which order, and each shape's words."""
+
+from dataclasses import replace
+from math import cos, hypot, radians, sin
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from tests.preview.robots import ARM, skeleton_of
+
+from kindsl.reports.drawing.camera import HEIGHT, WIDTH, Camera, camera_for, depth
+from kindsl.reports.drawing.robot import BODY, COM, FRAME, JOINT, NAME, points_of, robot_drawing
+from kindsl.reports.drawing.shapes import Disc, Drawing, Label, Line, Spot
+from kindsl.reports.drawing.svg import svg_text
+from kindsl.reports.drawing.tikz import tikz_text
+
+numbers = st.floats(-5.0, 5.0).map(lambda x: round(x, 3))
+points = st.lists(st.tuples(numbers, numbers, numbers), min_size=2, max_size=8, unique=True)
+DRAWING = Drawing(
+    640.0,
+    480.0,
+    (
+        Line((100.0, 50.0), (200.0, 150.0), 7.0, "7d93ab"),
+        Disc((300.0, 60.0), 5.0, "2b4562"),
+        Label((10.0, 20.0), "a_<b>", 12.0, "33404d"),
+    ),
+)
+
+
+def discs(drawing: Drawing, color: str) -> list[Disc]:
+    return [s for s in drawing.shapes if isinstance(s, Disc) and s.color == color]
+
+
+def rounded(spot: Spot) -> Spot:
+    return round(spot[0], 6), round(spot[1], 6)
+
+
+def labels(drawing: Drawing) -> dict[str, Label]:
+    return {s.text: s for s in drawing.shapes if isinstance(s, Label)}
+
+
+@given(points)
+def test_points_fill_the_sheet_but_for_its_margin_and_stay_in_the_middle(places) -> None:
+    camera = camera_for(places)
+    xs, ys = zip(*map(camera.spot, places), strict=True)
+    width, height = max(xs) - min(xs), max(ys) - min(ys)
+    assert width <= WIDTH - 112.0 + 1e-6 and height <= HEIGHT - 112.0 + 1e-6
+    if hypot(width, height) > 1e-3:
+        assert width == pytest.approx(WIDTH - 112.0) or height == pytest.approx(HEIGHT - 112.0)
+    assert (min(xs) + max(xs)) / 2 == pytest.approx(WIDTH / 2)
+    assert (min(ys) + max(ys)) / 2 == pytest.approx(HEIGHT / 2)
+
+
+def test_up_is_up_and_the_camera_stands_to_the_front_right_above() -> None:
+    camera = Camera(100.0, (0.0, 0.0))
+    turn, rise = radians(50.0), radians(22.0)
+    assert camera.spot((0.0, 0.0, 0.0)) == (320.0, 240.0)
+    assert camera.spot((0.0, 0.0, 1.0)) == pytest.approx((320.0, 240.0 - 100.0 * cos(rise)))
+    across, down = 100.0 * sin(turn), 100.0 * sin(rise) * cos(turn)
+    assert camera.spot((1.0, 0.0, 0.0)) == pytest.approx((320.0 + across, 240.0 + down))
+    across, up = 100.0 * cos(turn), 100.0 * sin(rise) * sin(turn)
+    assert camera.spot((0.0, 1.0, 0.0)) == pytest.approx((320.0 + across, 240.0 - up))
+    assert depth((0.0, 0.0, 1.0)) == pytest.approx(sin(rise))
+    assert depth((1.0, 0.0, 0.0)) == pytest.approx(cos(rise) * cos(turn))
+    assert depth((0.0, 1.0, 0.0)) == pytest.approx(-cos(rise) * sin(turn))
+
+
+def test_one_point_is_seen_as_if_it_were_a_metre_wide() -> None:
+    for places in ([], [(0.0, 0.0, 0.0)]):
+        assert camera_for(places) == Camera(WIDTH - 112.0, (0.0, 0.0))
+
+
+def test_a_camera_looks_where_it_is_told() -> None:
+    camera = Camera(10.0, (1.0, 2.0))
+    assert camera.spot((0.0, 0.0, 0.0)) == (310.0, 260.0)
+
+
+def test_what_is_nearer_is_drawn_over_what_is_farther() -> None:
+    front, back = "translation = (2.0, 0.0, 0.5)", "translation = (-2.0, 0.0, 0.5)"
+    shoulder = "translation = (0.0, 0.0, 0.5)"
+    for place, is_above in ((front, True), (back, False)):
+        text = ARM.replace(shoulder, place, 1)
+        shapes = robot_drawing(skeleton_of(text), colors={"base": "000001"}).shapes
+        lines = [s.color for s in shapes if isinstance(s, Line) and s.width == 7.0]
+        assert lines == (["000001", BODY, BODY] if is_above else [BODY, BODY, "000001"])
+
+
+def test_each_thing_has_its_mark_where_it_is() -> None:
+    skeleton = skeleton_of(ARM)
+    camera = Camera(100.0, (0.0, 0.5))
+    drawing = robot_drawing(skeleton, camera)
+    shoulder, lift = camera.spot((0.0, 0.0, 0.5)), camera.spot((0.4, 0.0, 0.5))
+    assert {d.center for d in discs(drawing, JOINT)} == {shoulder, lift}
+    (white,) = discs(drawing, "ffffff")
+    assert white.center == lift and white.radius < discs(drawing, JOINT)[0].radius
+    # The joints turn by a quarter about x and back: the last link's axes are the base's.
+    (tool,) = discs(drawing, FRAME)
+    assert tool.center == pytest.approx(camera.spot((0.4, 0.0, 0.8)))
+    coms = {camera.spot((0.2, 0.0, 0.5)), camera.spot((0.4, 0.0, 0.6))}
+    assert {rounded(d.center) for d in discs(drawing, COM)} == set(map(rounded, coms))
+    axes = [s for s in drawing.shapes if isinstance(s, Line) and s.width == 2.0]
+    size = hypot(0.4, 0.8)  # of the box around all bodies
+    y, z = (0.0, -0.05 * size, 0.5), (0.4, 0.0, 0.5 + 0.05 * size)
+    assert {(rounded(axis.start), rounded(axis.end)) for axis in axes} == {
+        (rounded(shoulder), rounded(camera.spot(y))),
+        (rounded(lift), rounded(camera.spot(z))),
+    }
+
+
+def test_marks_lie_over_bodies_a_little_nearer_and_names_over_all() -> None:
+    """A mark is drawn as if it were nearer by a twentieth of the robot's size."""
+    text = ARM.replace("CoM = (0.2, 0.0, 0.0)", "CoM = (0.19, 0.0, 0.0)", 1)
+    shapes = robot_drawing(skeleton_of(text), colors={"upper": "000001", "tool": "000002"}).shapes
+    colors = [s.color for s in shapes]
+    rod = next(i for i, s in enumerate(shapes) if isinstance(s, Line) and s.width == 7.0)
+    assert shapes[rod].color == BODY  # the base's, behind
+    upper = colors.index("000001", rod)
+    assert upper < colors.index(COM)
+    slider = max(i for i, s in enumerate(shapes) if isinstance(s, Line) and s.width == 7.0)
+    assert slider < colors.index("000002")
+    discs_of_joints = [i for i, s in enumerate(shapes) if isinstance(s, Disc) and s.radius == 5.0]
+    assert min(discs_of_joints) > rod
+    assert shapes[discs_of_joints[1] + 1] == Disc(shapes[discs_of_joints[1]].center, 2.0, "ffffff")
+    kinds = [type(s) for s in shapes]
+    assert kinds.index(Label) > max(i for i, kind in enumerate(kinds) if kind is not Label)
+
+
+def test_a_fixed_base_and_what_weighs_nothing_have_no_centre_of_mass() -> None:
+    heavy = ARM.replace("RobotBase base {", "RobotBase base {\n" + _INERTIA, 1)
+    assert heavy != ARM
+    assert len(discs(robot_drawing(skeleton_of(heavy)), COM)) == 2
+    floating = heavy.replace("RobotBase base", "RobotBase base floating", 1)
+    assert len(discs(robot_drawing(skeleton_of(floating)), COM)) == 3
+    skeleton = skeleton_of(ARM)
+    none = replace(skeleton, masses=tuple(b._replace(mass=0.0) for b in skeleton.masses))
+    assert discs(robot_drawing(none), COM) == []
+
+
+_INERTIA = """inertia_params { mass = 1.0 CoM = (0.0, 0.0, 0.0)
+    Ix = 0.1 Iy = 0.1 Iz = 0.1 Ixy = 0.0 Ixz = 0.0 Iyz = 0.0 }"""
+
+
+def test_names_stand_beside_their_things_and_none_over_another() -> None:
+    camera = Camera(100.0, (0.0, 0.5))
+    found = labels(robot_drawing(skeleton_of(ARM), camera))
+    x, y = camera.spot((0.0, 0.0, 0.0))
+    assert found["base"] == Label((x + 9.0, y - 6.0), "base", 12.0, NAME)
+    assert found["upper"].place == pytest.approx(
+        (camera.spot((0.0, 0.0, 0.5))[0] + 9.0, camera.spot((0.0, 0.0, 0.5))[1] - 6.0)
+    )
+    crowded = labels(robot_drawing(skeleton_of(ARM), Camera(1.0, (0.0, 0.0))))
+    assert list(crowded) == ["base"]
+    chosen = robot_drawing(skeleton_of(ARM), Camera(1.0, (0.0, 0.0)), {"tool": "123456"})
+    assert [(n, shape.color) for n, shape in labels(chosen).items()] == [("tool", "123456")]
+
+
+def test_names_do_not_leave_the_sheet() -> None:
+    skeleton = skeleton_of(ARM)
+    middle = (-2.95, 0.0)  # the base is 25 pixels from the right edge, the link above it too
+    found = labels(robot_drawing(skeleton, Camera(100.0, middle)))
+    x, _ = Camera(100.0, middle).spot((0.0, 0.0, 0.0))
+    assert x == pytest.approx(615.0)
+    assert found["base"].place[0] == pytest.approx(x - 9.0 - 0.6 * 12.0 * len("base"))
+
+
+@pytest.mark.parametrize(
+    ("dx", "dy", "n"),
+    [
+        pytest.param(0.0, 13.9, 1, id="just above"),
+        pytest.param(0.0, 14.1, 2, id="above"),
+        pytest.param(0.0, -13.9, 1, id="just below"),
+        pytest.param(0.0, -14.1, 2, id="below"),
+        pytest.param(7.1, 0.0, 1, id="just beside"),
+        pytest.param(7.3, 0.0, 2, id="beside"),
+        pytest.param(-7.1, 0.0, 1, id="just beside on the left"),
+        pytest.param(-7.3, 0.0, 2, id="beside on the left"),
+    ],
+)
+def test_of_names_that_touch_one_is_left_out(dx: float, dy: float, n: int) -> None:
+    """A letter is 7.2 pixels wide, a name 14 high."""
+    turn, rise = radians(50.0), radians(22.0)
+    across = (sin(turn), cos(turn), 0.0)
+    up = (-sin(rise) * cos(turn), sin(rise) * sin(turn), cos(rise))
+    x, y, z = (dx * a + dy * b for a, b in zip(across, up, strict=True))
+    text = f"""Robot r {{
+    RobotBase a {{ children {{ b via j }} }}
+    link b {{ id = 1 children {{}} }}
+    r_joint j {{ ref_frame {{ translation = ({x:.9f}, {y:.9f}, {z:.9f})
+        rotation = (0.0, 0.0, 0.0) }} }} }}"""
+    found = labels(robot_drawing(skeleton_of(text), Camera(1.0, (0.0, 0.0))))
+    assert len(found) == n
+
+
+def test_links_frames_and_joints_take_the_colours_that_are_given() -> None:
+    drawing = robot_drawing(skeleton_of(ARM), colors={"slider": "111111", "tool": "222222"})
+    widths = {s.width for s in drawing.shapes if isinstance(s, Line) and s.color == "111111"}
+    assert widths == {7.0, 2.0}
+    assert [d.radius for d in discs(drawing, "111111")] == [5.0]
+    assert len(discs(drawing, "222222")) == 1 and not discs(drawing, FRAME)
+    assert {n: shape.color for n, shape in labels(drawing).items()}["slider"] == "111111"
+
+
+def test_all_points_of_a_robot_are_in_its_picture() -> None:
+    found = points_of(skeleton_of(ARM))
+    wanted = [(0.0, 0.0, 0.0), (0.0, 0.0, 0.5), (0.4, 0.0, 0.5), (0.4, 0.0, 0.8)]
+    for place in wanted:
+        assert any(point == pytest.approx(place, abs=1e-12) for point in found), place
+    assert all(any(p == pytest.approx(w, abs=1e-12) for w in wanted) for p in found)
+
+
+def test_svg_says_each_shape() -> None:
+    lines = svg_text(DRAWING).splitlines()
+    assert lines[0].endswith('width="640" height="480" viewBox="0 0 640 480">')
+    assert lines[1:] == [
+        '<rect width="100%" height="100%" fill="#ffffff"/>',
+        '<line x1="100.0" y1="50.0" x2="200.0" y2="150.0" stroke="#7d93ab" stroke-width="7"'
+        ' stroke-linecap="round"/>',
+        '<circle cx="300.0" cy="60.0" r="5.0" fill="#2b4562"/>',
+        '<text x="10.0" y="20.0" font-family="sans-serif" font-size="12" fill="#33404d"'
+        ' stroke="#ffffff" stroke-width="3" paint-order="stroke">a_&lt;b&gt;</text>',
+        "</svg>",
+    ]
+
+
+def test_tikz_says_each_shape_in_centimetres_and_up() -> None:
+    assert tikz_text(DRAWING).splitlines() == [
+        r"\begin{tikzpicture}[line cap=round]",
+        r"\definecolor{k2b4562}{HTML}{2B4562}",
+        r"\definecolor{k33404d}{HTML}{33404D}",
+        r"\definecolor{k7d93ab}{HTML}{7D93AB}",
+        r"\draw[k7d93ab, line width=0.140cm] (2.000,-1.000) -- (4.000,-3.000);",
+        r"\fill[k2b4562] (6.000,-1.200) circle (0.100);",
+        r"\node[k33404d, anchor=base west, inner sep=0, font=\scriptsize] at (0.200,-0.400)"
+        r" {a\_<b>};",
+        r"\end{tikzpicture}",
+    ]
