@@ -62,4 +62,48 @@ def test_quarter_turns_leave_no_function_of_a_constant() -> None:
 
 
 def test_a_pose_that_is_not_whole_has_none() -> None:
-    assert formulas("r_joint", "(0.0, 0.0)", "(0.0, 0.0, 0.0)")[1] is None
+    for translation, rotation in (
+        ("(0.0, 0.0)", "(0.0, 0.0, 0.0)"),
+        ("(0.0, 0.0, 0.0)", "(0.0, 0.0)"),
+        ("(0.0, 0.0, 1.0/0.0)", "(0.0, 0.0, 0.0)"),
+    ):
+        assert formulas("r_joint", translation, rotation)[1] is None
+
+
+@pytest.mark.parametrize(
+    ("angle", "cosine", "sine"),
+    [
+        ("0.0", "cos(q)", "sin(q)"),
+        ("PI/2.0", "-sin(q)", "cos(q)"),
+        ("PI", "-cos(q)", "-sin(q)"),
+        ("-PI/2.0", "sin(q)", "-cos(q)"),
+        ("1.570796327", "-sin(q)", "cos(q)"),
+        ("1.5708", "cos(q + 1.5708)", "sin(q + 1.5708)"),
+        ("a", "cos(a + q)", "sin(a + q)"),
+        ("-2.0*a", "cos(-2*a + q)", "sin(-2*a + q)"),
+        ("a/4.0", "cos(0.25*a + q)", "sin(0.25*a + q)"),
+    ],
+)
+def test_an_angle_is_what_is_left_without_quarter_turns(angle: str, cosine: str, sine: str) -> None:
+    _, rows = formulas("r_joint", "(0.0, 0.0, 0.0)", f"(0.0, 0.0, {angle})")
+    assert [row[0].plain for row in rows] == [cosine, sine, "0", "0"]
+
+
+def test_what_latex_sets() -> None:
+    _, rows = formulas("r_joint", "(2.0*l_1, -a, 0.25)", "(0.3, 0.0, b)")
+    latex = [[entry.latex for entry in row] for row in rows]
+    assert latex[0][3] == r"2\,\mathrm{l\_1}" and latex[1][3] == "-a" and latex[2][3] == "0.25"
+    assert latex[0][0] == r"\cos\left(b + q\right)"
+    assert latex[1][0] == r"\cos\left(0.3\right)\,\sin\left(b + q\right)"
+    assert latex[3] == ["0", "0", "0", "1"]
+    _, rows = formulas("r_joint", "(0.0, 0.0, 0.0)", "(0.0, 0.0, 0.0)")
+    assert rows[0][0].latex == r"\cos q" and rows[2][2] == ("1", "1")
+
+
+def test_a_slide_goes_along_the_turned_z() -> None:
+    _, rows = formulas("p_joint", "(0.5, 0.0, 0.25)", "(-PI/2.0, 0.0, 0.0)")
+    assert [row[3].plain for row in rows] == ["0.5", "q", "0.25", "1"]
+    _, rows = formulas("p_joint", "(0.5, 0.0, 0.25)", "(0.0, -PI/2.0, 0.0)")
+    assert [row[3].plain for row in rows] == ["0.5 - q", "0", "0.25", "1"]
+    _, rows = formulas("p_joint", "(0.5, 0.0, 0.25)", "(a, 0.0, 0.0)")
+    assert [row[3].plain for row in rows] == ["0.5", "-sin(a)*q", "0.25 + cos(a)*q", "1"]

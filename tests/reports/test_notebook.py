@@ -8,10 +8,13 @@ import sys
 import nbformat
 import pytest
 from nbclient import NotebookClient
+from tests.cli.samples import GOOD, INTEGER, arm
 from tests.reports.planted_edits import TEXT
 
 import kindsl
+from kindsl.analysis.diagnostics import Findings
 from kindsl.analysis.settings import Settings
+from kindsl.reports.notebook import notebook_html
 
 CELLS = (
     "import kindsl\nfrom kindsl.analysis.settings import Settings",
@@ -84,3 +87,72 @@ def test_findings_stay_a_tuple() -> None:
     findings = document(TEXT.replace("mass = 3.3\n", "mass = -3.3\n")).findings
     again = pickle.loads(pickle.dumps(findings))
     assert again == findings == tuple(findings) and again.text == findings.text
+
+
+def findings(text: str, *found: tuple[int, int]) -> Findings:
+    """Return findings at some places of a text, told apart by their number."""
+    (one,) = document(INTEGER).findings
+    return Findings(
+        [
+            one._replace(message=f"<number {n}>", start=start, end=end)
+            for n, (start, end) in enumerate(found)
+        ],
+        text,
+    )
+
+
+def test_a_finding_is_shown_in_its_line_with_its_place_from_one() -> None:
+    shown = notebook_html(findings("first\nmass < 1 m\nlast", (11, 13)))
+    assert shown == (
+        '<div><p><code style="opacity: 0.6">2:6</code> '
+        '<b style="color: #c0392b">error KD005</b> &lt;number 0&gt;<br>'
+        "<code><pre>mass <mark>&lt; </mark>1 m</pre></code></p></div>"
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "place", "line"),
+    [
+        ("ab\ncd\nef", (3, 8), "<mark>cd</mark>"),
+        ("ab\ncd\nef", (7, 99), "e<mark>f</mark>"),
+        ("ab\ncd\nef", (4, 4), "c<mark></mark>d"),
+        ("ab\ncd\nef", (2, 3), "ab<mark></mark>"),
+        ("ab", (2, 2), "ab<mark></mark>"),
+        ("", (0, 0), "<mark></mark>"),
+    ],
+)
+def test_a_mark_stays_in_its_line(text: str, place: tuple[int, int], line: str) -> None:
+    assert f"<pre>{line}</pre>" in notebook_html(findings(text, place))
+
+
+def test_fifty_findings_are_shown_and_the_rest_counted() -> None:
+    for n in (50, 51, 60):
+        shown = notebook_html(findings("x", *[(0, 1)] * n))
+        assert shown.count("<mark>") == 50
+        assert shown.endswith(f"<p>and {n - 50} more</p>" if n > 50 else "</div>")
+    assert notebook_html(Findings([], "")) == "<p>no findings</p>"
+
+
+def test_a_mechanism_is_a_line_a_picture_and_a_table() -> None:
+    shown = notebook_html(document(GOOD).mechanism())
+    assert shown.startswith("<p>fixed base base, 2 joints, 3 kg</p><svg ")
+    assert shown.endswith(
+        "<details><summary>Order of q</summary><table><tr><th></th><th>joint</th><th>kind</th>"
+        "<th>link</th></tr><tr><td>0</td><td>shoulder</td><td>revolute</td><td>upper</td></tr>"
+        "<tr><td>1</td><td>elbow</td><td>prismatic</td><td>lower</td></tr></table></details>"
+    )
+    floating = notebook_html(document(arm(floating=True)).mechanism())
+    assert floating.startswith("<p>floating base base, 2 joints, 4 kg</p><svg ")
+
+
+def test_a_document_is_its_preview_and_what_is_wrong_with_it() -> None:
+    good, bad = (notebook_html(document(text)) for text in (GOOD, INTEGER))
+    assert good.count("<iframe ") == bad.count("<iframe ") == 1
+    assert 'title="arm"' in good and good.endswith("</iframe>")
+    assert bad.endswith("</pre></code></p></div>") and bad.count("<mark>1</mark>") == 1
+    assert 'title="unnamed"' in notebook_html(document(""))
+
+
+def test_anything_else_is_nothing() -> None:
+    assert notebook_html("text") is None
+    assert notebook_html(tuple(document(INTEGER).findings)) is None
