@@ -1,5 +1,6 @@
 """How far MuJoCo's numbers for a robot are from ours; joints, bodies and sites have our names."""
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import mujoco
@@ -30,7 +31,19 @@ class State(NamedTuple):
 
 
 def gap(ours: Mechanics, model: Any, chance: np.random.Generator) -> Gap:
-    """Return the differences in a random state."""
+    """Return the differences in a random state, of all poses."""
+    return _gap(ours, model, chance, tuple(ours.forward_kinematics([0.0] * ours.n_joints)))
+
+
+def gap_of_imported(ours: Mechanics, model: Any, chance: np.random.Generator) -> Gap:
+    """Return the differences where our links have other frames than their bodies.
+
+    In ours they are at their joints, and turned to their axes.
+    """
+    return _gap(ours, model, chance, [frame.name for frame in ours.bodies.frames])
+
+
+def _gap(ours: Mechanics, model: Any, chance: np.random.Generator, names: Sequence[str]) -> Gap:
     n = ours.n_joints
     q, qd = chance.uniform(-1, 1, (2, n))
     quaternion = chance.normal(size=4)
@@ -45,7 +58,7 @@ def gap(ours: Mechanics, model: Any, chance: np.random.Generator) -> Gap:
     B = _their_velocity_to_ours(model, ours, state)
     M_ours = ours.joint_space_inertia(q)
     return Gap(
-        _pose_gap(ours, model, data, q),
+        _pose_gap(ours, model, data, q, names),
         _relative(B.T @ M_ours @ B, M),
         _relative(B.T @ _bias(ours, M_ours, state), data.qfrc_bias),
     )
@@ -83,12 +96,13 @@ def _bias(ours: Mechanics, M: Array, state: State) -> Array:
     return np.asarray(bias - M[:, 3:6] @ np.cross(state.v_base[:3], state.v_base[3:]))
 
 
-def _pose_gap(ours: Mechanics, model: Any, data: Any, q: Array) -> float:
+def _pose_gap(ours: Mechanics, model: Any, data: Any, q: Array, names: Sequence[str]) -> float:
     poses = ours.forward_kinematics(q)
     base = _pose(data.body(ours.bodies.base_name)) if ours.bodies.is_floating else None
     worst = 0.0
-    for name, pose in poses.items():
-        theirs = _pose(data.body(name) if name in ours.link_names else data.site(name))
+    bodies = {model.body(body).name for body in range(model.nbody)}
+    for name in names:
+        pose, theirs = poses[name], _pose(data.body(name) if name in bodies else data.site(name))
         if base is not None:
             theirs = np.linalg.inv(base) @ theirs
         worst = max(worst, _relative(pose, theirs))

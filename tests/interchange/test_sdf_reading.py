@@ -9,7 +9,7 @@ import pytest
 from tests.interchange.round_trips import mechanism_of, read
 from tests.support.urdf_mutants import mutant
 
-from kindsl.interchange.format import FormatError, ReadRobot, limits_dropped
+from kindsl.interchange.format import FormatError, ReadRobot
 from kindsl.interchange.kindsl_writing import kindsl_text
 from kindsl.interchange.registry import format_named
 
@@ -120,7 +120,7 @@ def test_each_loss_is_one_sentence(tmp_path: Path) -> None:
     text = ARM.replace('<frame name="mark"', '<plugin/><frame name="mark"')
     text = text.replace("<xyz>0 0 -1</xyz>", "<xyz>0 0 -1</xyz><limit/><dynamics/>")
     assert robot(text, tmp_path).remarks == (
-        limits_dropped(1),
+        "limits of 1 joint dropped: kindsl.toml takes them, as min and max of [joints.NAME]",
         "damping, friction and springs of 1 joint dropped: not supported",
         "1 plugin dropped: not supported",
     )

@@ -1,11 +1,12 @@
 """A format of other tools: what it is called, who reads and who writes it."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
+from kindsl.dynamics.quantities import STANDARD_GRAVITY
 from kindsl.text.words import counted
 
 if TYPE_CHECKING:
@@ -52,6 +53,14 @@ def limits_dropped(n_joints: int) -> str:
     """Return the remark on limits of joints, which the language has no place for."""
     where = "kindsl.toml takes them, as min and max of [joints.NAME]"
     return f"limits of {counted(n_joints, 'joint')} dropped: {where}"
+
+
+def gravity_dropped(gravity: Sequence[float]) -> str:
+    """Return the remark on another gravity than the usual one, m/s^2 in the world's frame."""
+    numbers = ",".join(f"{component:.15g}" for component in gravity)
+    usual = ", ".join(f"{component:g}" for component in STANDARD_GRAVITY)
+    told = f"gravity ({numbers.replace(',', ', ')}) m/s² dropped"
+    return f"{told}: kindsl computes with ({usual}) unless given --gravity={numbers}"
 
 
 Reader = Callable[[Path, bool], ReadRobot]

@@ -1,10 +1,11 @@
 """A robot description as a document of the Kinematics-DSL."""
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from math import pi
 
 from kindsl.interchange.format import ReadRobot, WrittenRobot
-from kindsl.interchange.names import valid_name, valid_names
+from kindsl.interchange.names import valid_names
 from kindsl.interchange.robot_description import (
     DescribedFrame,
     DescribedLink,
@@ -19,7 +20,15 @@ _ANGLE_TOLERANCE = 1e-14
 _QUARTER_TURNS = {0: "0.0", 1: "PI/2.0", -1: "-PI/2.0", 2: "PI", -2: "-PI"}
 _MOMENTS = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")
 
-_Names = dict[tuple[str, str], str]
+
+@dataclass(frozen=True, slots=True)
+class _Names:
+    """The names in the document: of the robot, of links and their joints by index, of frames."""
+
+    robot: str
+    links: list[str]
+    joints: list[str]
+    frames: list[list[str]]
 
 
 def written_kindsl(read: ReadRobot) -> WrittenRobot:
@@ -29,57 +38,62 @@ def written_kindsl(read: ReadRobot) -> WrittenRobot:
 
 def kindsl_text(robot: RobotDescription) -> str:
     """Return the document of a robot; its names made valid and unique."""
-    names = valid_names(_things(robot.links))
-    children: dict[int | None, list[DescribedLink]] = {}
-    for link in robot.links:
-        children.setdefault(link.parent, []).append(link)
-    blocks = [
-        _link(robot, index, children.get(index, []), names) for index in range(len(robot.links))
-    ]
-    blocks += [_joint(link, names) for link in robot.links if link.parent is not None]
-    head = f"Robot {valid_name(robot.name)} {{"
+    names = _names(robot)
+    children: dict[int | None, list[int]] = {}
+    for index, link in enumerate(robot.links):
+        children.setdefault(link.parent, []).append(index)
+    indices = range(len(robot.links))
+    blocks = [_link(robot, index, children.get(index, []), names) for index in indices]
+    blocks += [_joint(robot.links[index], names.joints[index]) for index in indices[1:]]
+    head = f"Robot {names.robot} {{"
     return "\n\n".join((head, *blocks)) + "\n}\n"
 
 
 def _renamed(robot: RobotDescription) -> tuple[str, ...]:
     """Return what is to be said of names that the document cannot keep."""
-    names = valid_names(_things(robot.links))
+    things = _things(robot)
     return tuple(
         f"the {kind} '{original}' is now '{name}'"
-        for (kind, original), name in names.items()
+        for (kind, original), name in zip(things, valid_names(things), strict=True)
         if name != original
     )
 
 
-def _things(links: Sequence[DescribedLink]) -> Iterable[tuple[str, str]]:
-    """Yield kind and name of all that is named; a URDF may use one name for two kinds."""
-    yield from (("link", link.name) for link in links)
-    yield from (("joint", link.joint) for link in links if link.parent is not None)
-    for link in links:
-        yield from (("frame", frame.name) for frame in link.frames)
+def _things(robot: RobotDescription) -> list[tuple[str, str]]:
+    """Return kind and name of all that is named, the robot last: other tools ask for links."""
+    things = [("link", link.name) for link in robot.links]
+    things += [("joint", link.joint) for link in robot.links[1:]]
+    things += [("frame", frame.name) for link in robot.links for frame in link.frames]
+    return [*things, ("robot", robot.name)]
 
 
-def _link(
-    robot: RobotDescription, index: int, children: Sequence[DescribedLink], names: _Names
-) -> str:
+def _names(robot: RobotDescription) -> _Names:
+    names = iter(valid_names(_things(robot)))
+    links = [next(names) for _ in robot.links]
+    joints = ["", *(next(names) for _ in robot.links[1:])]
+    frames = [[next(names) for _ in link.frames] for link in robot.links]
+    return _Names(next(names), links, joints, frames)
+
+
+def _link(robot: RobotDescription, index: int, children: Sequence[int], names: _Names) -> str:
     link = robot.links[index]
     if link.parent is None:
         floating = " floating" if robot.is_floating else ""
-        lines = [f"RobotBase {names['link', link.name]}{floating} {{"]
+        lines = [f"RobotBase {names.links[index]}{floating} {{"]
     else:
-        lines = [f"link {names['link', link.name]} {{", f"    id = {index}"]
+        lines = [f"link {names.links[index]} {{", f"    id = {index}"]
     if link.body is not None:
         lines += _inertia(link.body)
     lines += _children(children, names)
     if link.frames:
-        lines += ["    frames {", *_frames(link.frames, names), "    }"]
+        lines += ["    frames {", *_frames(link.frames, names.frames[index]), "    }"]
     return "\n".join((*lines, "}"))
 
 
-def _children(children: Sequence[DescribedLink], names: _Names) -> list[str]:
+def _children(children: Sequence[int], names: _Names) -> list[str]:
     if not children:
         return ["    children {}"]
-    edges = [f"        {names['link', c.name]} via {names['joint', c.joint]}" for c in children]
+    edges = [f"        {names.links[c]} via {names.joints[c]}" for c in children]
     return ["    children {", *edges, "    }"]
 
 
@@ -94,16 +108,16 @@ def _inertia(body: MassDistribution) -> list[str]:
     ]
 
 
-def _frames(frames: Iterable[DescribedFrame], names: _Names) -> Iterable[str]:
-    for frame in frames:
-        yield f"        {names['frame', frame.name]} {{"
+def _frames(frames: Iterable[DescribedFrame], names: Iterable[str]) -> Iterable[str]:
+    for frame, name in zip(frames, names, strict=True):
+        yield f"        {name} {{"
         yield from _pose(frame.link_T_frame, " " * 12)
         yield "        }"
 
 
-def _joint(link: DescribedLink, names: _Names) -> str:
+def _joint(link: DescribedLink, name: str) -> str:
     word = "r_joint" if link.joint_kind == "revolute" else "p_joint"
-    lines = [f"{word} {names['joint', link.joint]} {{", "    ref_frame {"]
+    lines = [f"{word} {name} {{", "    ref_frame {"]
     return "\n".join((*lines, *_pose(link.parent_T_joint, " " * 8), "    }", "}"))
 
 

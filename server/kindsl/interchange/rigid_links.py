@@ -34,7 +34,7 @@ class RigidLink:
         joint: Name of the joint, empty for the root.
         joint_kind: Empty for the root.
         axis: Of a moving joint, in the joint's frame, not zero.
-        parent_T_joint: The joint's frame in the parent's.
+        parent_T_joint: The joint's frame in the parent's; the root's frame in the world's.
         joint_T_link: The link's frame in the joint's while it is at zero.
         body: In the link's frame, None where nothing is known.
         frames: Fixed to the link.
@@ -65,6 +65,9 @@ class _Body:
 def described(name: str, base: BaseKind, links: Sequence[RigidLink]) -> RobotDescription:
     """Return the robot whose links these are, each subtree together.
 
+    A fixed base has the world's frame, in which gravity is along -z, wherever the root's frame is;
+    a floating one has the root's.
+
     Args:
         name: The robot's name.
         base: Whether the root is free to move.
@@ -84,10 +87,10 @@ def described(name: str, base: BaseKind, links: Sequence[RigidLink]) -> RobotDes
             body_T_link = body_T_parent.then(link.parent_T_joint).then(link.joint_T_link)
             bodies[body].frames.append(DescribedFrame(link.name, body_T_link))
         else:
-            body, body_T_link = len(bodies), _add_body(link, bodies, placed)
+            body, body_T_link = len(bodies), _add_body(link, base, bodies, placed)
         placed[index] = body, body_T_link
         _attach(link, bodies[body], body_T_link)
-    return RobotDescription(name, base == "floating", _with_own_names(bodies))
+    return RobotDescription(name, base == "floating", tuple(map(_described, bodies)))
 
 
 def fixed_remarks(links: Sequence[RigidLink], noun: str) -> Iterator[str]:
@@ -103,6 +106,15 @@ def fixed_remarks(links: Sequence[RigidLink], noun: str) -> Iterator[str]:
     for index, link in enumerate(links):
         if link.joint_kind in ("revolute", "prismatic") and index not in heavy:
             yield f"the {noun} '{link.name}' has no inertia"
+
+
+def root_remarks(root: RigidLink, base: BaseKind) -> Iterator[str]:
+    """Yield what became of the root's pose in the world."""
+    pose = root.parent_T_joint
+    if base == "fixed" and pose != IDENTITY:
+        yield f"the frame of the fixed base '{root.name}' is now the world's"
+    elif base == "floating" and pose.rotation != IDENTITY.rotation:
+        yield f"the initial orientation of the floating base '{root.name}' dropped"
 
 
 def _check_finite(link: RigidLink) -> None:
@@ -131,12 +143,12 @@ def _depth_first(links: Sequence[RigidLink]) -> Iterator[int]:
 
 
 def _add_body(
-    link: RigidLink, bodies: list[_Body], placed: dict[int, tuple[int, RigidPose]]
+    link: RigidLink, base: BaseKind, bodies: list[_Body], placed: dict[int, tuple[int, RigidPose]]
 ) -> RigidPose:
     """Add the body of a link that moves, or of the root; return the link's frame in its own."""
     if link.parent is None:
         bodies.append(_Body(link, None, IDENTITY))
-        return IDENTITY
+        return link.parent_T_joint if base == "fixed" else IDENTITY
     parent, body_T_parent = placed[link.parent]
     joint_T_body = RigidPose(z_to(link.axis), _AT_ORIGIN)
     bodies.append(_Body(link, parent, body_T_parent.then(link.parent_T_joint).then(joint_T_body)))
@@ -181,25 +193,11 @@ def _attach(link: RigidLink, body: _Body, body_T_link: RigidPose) -> None:
         body.frames.append(DescribedFrame(frame.name, body_T_link.then(frame.link_T_frame)))
 
 
-def _with_own_names(bodies: Sequence[_Body]) -> tuple[DescribedLink, ...]:
-    """Return the links; a frame whose name another frame has gets a number."""
-    taken: set[str] = set()
-    return tuple(_described(body, [_own(frame, taken) for frame in body.frames]) for body in bodies)
-
-
-def _own(frame: DescribedFrame, taken: set[str]) -> DescribedFrame:
-    name, number = frame.name, 2
-    while name in taken:
-        name, number = f"{frame.name}_{number}", number + 1
-    taken.add(name)
-    return DescribedFrame(name, frame.link_T_frame)
-
-
-def _described(body: _Body, frames: list[DescribedFrame]) -> DescribedLink:
+def _described(body: _Body) -> DescribedLink:
     return DescribedLink(
         body.link.name,
         _lumped(body.masses),
-        tuple(frames),
+        tuple(body.frames),
         body.parent,
         body.link.joint,
         body.link.joint_kind,

@@ -68,6 +68,19 @@ def pose_from(translation: Vector3, angles: Vector3) -> RigidPose:
     return RigidPose(rotation, translation)
 
 
+def rotation_from_quaternion(x: float, y: float, z: float, w: float) -> Rotation | None:
+    """Return the rotation of a quaternion of any length, w being its scalar; None without one."""
+    length = hypot(x, y, z, w)
+    if not length > 0.0:
+        return None
+    x, y, z, w = x / length, y / length, z / length, w / length
+    return (
+        (1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - z * w), 2.0 * (x * z + y * w)),
+        (2.0 * (x * y + z * w), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - x * w)),
+        (2.0 * (x * z - y * w), 2.0 * (y * z + x * w), 1.0 - 2.0 * (x * x + y * y)),
+    )
+
+
 def pose_from_fixed_axes(translation: Vector3, angles: Vector3) -> RigidPose:
     """Return the pose after turns about the fixed x, y, z (roll, pitch, yaw), then a translation.
 

@@ -3,7 +3,10 @@
 from collections.abc import Iterator
 from typing import Any
 
-from kindsl.interchange.format import FormatError, limits_dropped
+import numpy as np
+
+from kindsl.dynamics.quantities import STANDARD_GRAVITY
+from kindsl.interchange.format import FormatError, gravity_dropped, limits_dropped
 from kindsl.text.words import counted
 
 # What is counted and taken away before the model is compiled, in an order that leaves no reference.
@@ -18,6 +21,12 @@ _DROPPED = (
     ("cameras", "camera"),
     ("lights", "light"),
     ("tuples", "tuple"),
+)
+_JOINT_FORCES = (
+    ("springs", ("jnt_stiffness", "jnt_stiffnesspoly")),
+    ("damping", ("dof_damping", "dof_dampingpoly")),
+    ("dry friction", ("dof_frictionloss",)),
+    ("armature, which adds to the joint-space inertia,", ("dof_armature",)),
 )
 _BALL = 1
 _LOOPS = ("connect", "weld")
@@ -39,8 +48,7 @@ def losses(spec: Any) -> Iterator[str]:
             yield f"{counted(n, noun)} dropped: not supported"
     n_drawn = sum(len(body.geoms) > 0 for body in spec.bodies)
     if n_drawn:
-        bodies = "1 body" if n_drawn == 1 else f"{n_drawn} bodies"
-        yield f"geometry and meshes of {bodies} dropped"
+        yield f"geometry and meshes of {_bodies(n_drawn)} dropped"
     for equality in spec.equalities:
         yield f"{_told(equality)} dropped: the joints are now independent"
 
@@ -54,9 +62,11 @@ def strip(spec: Any) -> None:
             spec.delete(element)
     for equality in list(spec.equalities):
         spec.delete(equality)
-    from_geoms = spec.compiler.inertiafromgeom == mujoco.mjtInertiaFromGeom.mjINERTIAFROMGEOM_TRUE
+    always = mujoco.mjtInertiaFromGeom.mjINERTIAFROMGEOM_TRUE
     for body in spec.bodies:
-        if body == spec.worldbody or (body.explicitinertial and not from_geoms):
+        if body == spec.worldbody or (
+            body.explicitinertial and body.compiler.inertiafromgeom != always
+        ):
             for geom in list(body.geoms):
                 spec.delete(geom)
     _strip_assets(spec)
@@ -67,14 +77,29 @@ def joint_losses(model: Any) -> Iterator[str]:
     """Yield what is dropped of joints, one sentence each."""
     if n_limited := int(model.jnt_limited.sum()):
         yield limits_dropped(n_limited)
-    for what, values in (
-        ("springs", model.jnt_stiffness),
-        ("damping", model.dof_damping),
-        ("dry friction", model.dof_frictionloss),
-        ("armature, which adds to the joint-space inertia,", model.dof_armature),
-    ):
-        if n := sum(bool(value.any()) for value in values):
+    for what, names in _JOINT_FORCES:
+        if n := len({joint for name in names for joint in _joints_with(model, name)}):
             yield f"{what} of {counted(n, 'joint')} dropped: not supported"
+
+
+def _joints_with(model: Any, name: str) -> set[int]:
+    """Return the joints with a number other than zero; MuJoCo's versions have not all of them."""
+    rows = [int(row) for row, value in enumerate(getattr(model, name, ())) if np.any(value)]
+    return {int(model.dof_jntid[row]) for row in rows} if name.startswith("dof") else set(rows)
+
+
+def physics_losses(model: Any) -> Iterator[str]:
+    """Yield what is dropped of the forces on all bodies, one sentence each."""
+    import mujoco
+
+    is_off = bool(model.opt.disableflags & mujoco.mjtDisableBit.mjDSBL_GRAVITY)
+    gravity = (0.0, 0.0, 0.0) if is_off else tuple(map(float, model.opt.gravity))
+    if gravity != STANDARD_GRAVITY:
+        yield gravity_dropped(gravity)
+    if n := sum(value != 0.0 for value in model.body_gravcomp):
+        yield f"gravity compensation of {_bodies(n)} dropped: not supported"
+    if model.opt.density or model.opt.viscosity:
+        yield "forces of the fluid around the bodies dropped: not supported"
 
 
 def check_joints(model: Any) -> None:
@@ -117,3 +142,7 @@ def _told(equality: Any) -> str:
 
 def _kind(equality: Any) -> str:
     return str(equality.type).rpartition("mjEQ_")[2].lower()
+
+
+def _bodies(number: int) -> str:
+    return "1 body" if number == 1 else f"{number} bodies"

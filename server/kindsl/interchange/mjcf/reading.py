@@ -9,13 +9,14 @@ import numpy as np
 
 from kindsl.interchange.format import FormatError, ReadRobot
 from kindsl.interchange.mjcf.compiling import compiled, spec_of_file
-from kindsl.interchange.mjcf.losses import check_joints, joint_losses, losses, strip
+from kindsl.interchange.mjcf.losses import check_joints, joint_losses, losses, physics_losses, strip
 from kindsl.interchange.rigid_links import (
     BaseKind,
     RigidLink,
     about_origin,
     described,
     fixed_remarks,
+    root_remarks,
 )
 from kindsl.interchange.robot_description import DescribedFrame
 from kindsl.rigid.body import MassDistribution
@@ -46,11 +47,18 @@ def read_mjcf(path: Path, *, floating: bool = False) -> ReadRobot:
     model = compiled(spec)
     check_joints(model)
     roots, outside = _roots(model)
-    links = _links(model, roots)
+    base: BaseKind = "floating" if floating or _is_free(model, roots[0]) else "fixed"
+    links = _links(model, roots, base)
     if not any(link.joint_kind in ("revolute", "prismatic") for link in links):
         raise FormatError("the MJCF has no joint that moves, and a document needs one")
-    base: BaseKind = "floating" if floating or _is_free(model, roots[0]) else "fixed"
-    told = (*joint_losses(model), *outside, *_joint_remarks(model), *fixed_remarks(links, "body"))
+    told = (
+        *physics_losses(model),
+        *joint_losses(model),
+        *outside,
+        *root_remarks(links[0], base),
+        *_joint_remarks(model),
+        *fixed_remarks(links, "body"),
+    )
     return ReadRobot(described(spec.modelname or path.stem, base, links), (*lost, *told))
 
 
@@ -94,19 +102,21 @@ def _joints(model: Any, body: int) -> range:
     return range(first, first + model.body_jntnum[body])
 
 
-def _links(model: Any, roots: list[int]) -> list[RigidLink]:
+def _links(model: Any, roots: list[int], base: BaseKind) -> list[RigidLink]:
     """Return the links, parents first; a body with several joints is several links."""
     root = roots[0]
-    links = [RigidLink(_name(model, root), body=_body(model, root))]
-    links[0] = replace(links[0], frames=_sites(model, root))
+    world_T_root = _transform(model.body_pos[root], model.body_quat[root])
+    frames = _sites(model, root)
+    if root != _WORLD and base == "fixed":
+        frames += tuple(_world_sites(model, world_T_root.inverse()))
+    first = RigidLink(_name(model, root), parent_T_joint=world_T_root)
+    links = [replace(first, body=_body(model, root), frames=frames)]
     place = {root: 0}
     for body in range(root + 1, model.nbody):
         parent = int(model.body_parentid[body])
         if parent in place:
             links += _links_of_body(model, body, place[parent], len(links))
             place[body] = len(links) - 1
-    if root != _WORLD and not _is_free(model, root):
-        links[0] = replace(links[0], frames=(*links[0].frames, *_world_sites(model, root)))
     return links
 
 
@@ -163,8 +173,7 @@ def _sites(model: Any, body: int) -> tuple[DescribedFrame, ...]:
     return tuple(map(DescribedFrame, names, poses))
 
 
-def _world_sites(model: Any, root: int) -> Iterator[DescribedFrame]:
-    root_T_world = _transform(model.body_pos[root], model.body_quat[root]).inverse()
+def _world_sites(model: Any, root_T_world: RigidPose) -> Iterator[DescribedFrame]:
     for site in _sites(model, _WORLD):
         yield DescribedFrame(site.name, root_T_world.then(site.link_T_frame))
 

@@ -1,12 +1,12 @@
 """The elements of an SDF file and the values in them, each error with its line."""
 
 import re
-from math import hypot, isfinite, radians
+from math import isfinite, radians
 from typing import Any
 
 from kindsl.interchange.format import FormatError
 from kindsl.interchange.xml_reading import XmlError, parsed_xml
-from kindsl.rigid.pose import IDENTITY, RigidPose, Rotation, pose_from_fixed_axes
+from kindsl.rigid.pose import IDENTITY, RigidPose, pose_from_fixed_axes, rotation_from_quaternion
 
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 _GREATEST = 1e50
@@ -77,7 +77,10 @@ def pose_of(element: Any) -> RigidPose:
         return IDENTITY
     if pose.get("rotation_format", "euler_rpy") == "quat_xyzw":
         x, y, z, *quaternion = numbers_in(pose, 7)
-        return RigidPose(_rotation_of_quaternion(pose, quaternion), (x, y, z))
+        rotation = rotation_from_quaternion(*quaternion)
+        if rotation is None:
+            raise defect(pose, "has a quaternion of no length")
+        return RigidPose(rotation, (x, y, z))
     x, y, z, *angles = numbers_in(pose, 6)
     if (pose.get("degrees") or "").lower() in ("1", "true"):
         angles = [radians(angle) for angle in angles]
@@ -90,15 +93,3 @@ def _number(element: Any, word: str) -> float:
     if not isfinite(value) or abs(value) > _GREATEST:
         raise defect(element, f"has '{word}', which is not a finite number")
     return value
-
-
-def _rotation_of_quaternion(element: Any, quaternion: list[float]) -> Rotation:
-    length = hypot(*quaternion)
-    if not length > 0.0:
-        raise defect(element, "has a quaternion of no length")
-    x, y, z, w = (component / length for component in quaternion)
-    return (
-        (1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - z * w), 2.0 * (x * z + y * w)),
-        (2.0 * (x * y + z * w), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - x * w)),
-        (2.0 * (x * z - y * w), 2.0 * (y * z + x * w), 1.0 - 2.0 * (x * x + y * y)),
-    )

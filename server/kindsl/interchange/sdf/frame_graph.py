@@ -17,6 +17,7 @@ class FrameGraph:
 
     Attributes:
         has_axes_in_model: Whether the version has axes of joints in the model's frame.
+        world_T_model: The model's frame in the world.
 
     Raises:
         FormatError: On construction, if a name stands for two things; when asked, if a frame is
@@ -37,6 +38,12 @@ class FrameGraph:
         self._canonical = model.get("canonical_link") or (
             name_of(first) if first is not None else ""
         )
+        self.world_T_model = IDENTITY
+        self.world_T_model = self._placed(model)
+
+    def world_T(self, name: str, asking: Any) -> RigidPose:
+        """Return the pose of a frame in the world's."""
+        return self.world_T_model.then(self.model_T(name, asking))
 
     def model_T(self, name: str, asking: Any) -> RigidPose:
         """Return the pose of a frame in the model's."""
@@ -49,7 +56,7 @@ class FrameGraph:
             element = self._element(name, asking)
             T = pose_of(element).then(T)
             name = _reference(element)
-        return T
+        return T if name == MODEL else self.world_T_model.inverse().then(T)
 
     def link_of(self, name: str, asking: Any) -> str:
         """Return the link, or the world, that a frame is attached to."""
@@ -66,6 +73,15 @@ class FrameGraph:
             is_joint = element.tag == "joint"
             name = text_of(element, "child") if is_joint else element.get("attached_to") or MODEL
         return WORLD
+
+    def _placed(self, model: Any) -> RigidPose:
+        """Return where a model is, which its pose says of one of its frames, itself or another."""
+        pose = model.find("pose")
+        reference = "" if pose is None else pose.get("relative_to") or ""
+        if reference not in ("", WORLD):
+            raise defect(pose, f"is relative to '{reference}' of the world, which is not supported")
+        named = model.get("placement_frame") or MODEL
+        return pose_of(model).then(self.model_T(named, model).inverse())
 
     def _element(self, name: str, asking: Any) -> Any:
         if name not in self._elements:

@@ -3,8 +3,9 @@
 from collections.abc import Iterator
 from typing import Any
 
-from kindsl.interchange.format import limits_dropped
-from kindsl.interchange.sdf.elements import name_of
+from kindsl.dynamics.quantities import STANDARD_GRAVITY
+from kindsl.interchange.format import gravity_dropped, limits_dropped
+from kindsl.interchange.sdf.elements import is_true, name_of, numbers_in
 from kindsl.text.words import counted
 
 _ELSEWHERE = (
@@ -14,6 +15,15 @@ _ELSEWHERE = (
     ("gripper", "gripper"),
     ("particle_emitter", "particle emitter"),
 )
+
+
+def gravity_losses(root: Any) -> Iterator[str]:
+    """Yield what is dropped of the gravity of a world."""
+    gravity = root.find("world/gravity")
+    if gravity is not None:
+        numbers = tuple(numbers_in(gravity, 3))
+        if numbers != STANDARD_GRAVITY:
+            yield gravity_dropped(numbers)
 
 
 def losses(model: Any) -> Iterator[str]:
@@ -29,6 +39,14 @@ def losses(model: Any) -> Iterator[str]:
     if n_damped := sum(joint.find("axis/dynamics") is not None for joint in joints):
         damped = counted(n_damped, "joint")
         yield f"damping, friction and springs of {damped} dropped: not supported"
+    if is_true(model, "static") and any(joint.get("type") != "fixed" for joint in joints):
+        yield "the model is static: its joints can move here"
+    if n := sum(
+        (link.findtext("gravity") or "").strip().lower() in ("0", "false") for link in links
+    ):
+        yield f"gravity, which {counted(n, 'link')} did without, acts on all links"
+    if n := sum(link.find("inertial/fluid_added_mass") is not None for link in links):
+        yield f"added mass of the fluid around {counted(n, 'link')} dropped: not supported"
     for joint in joints:
         mimic = joint.find("axis/mimic")
         if mimic is not None:

@@ -12,6 +12,7 @@ from kindsl.interchange.rigid_links import (
     about_origin,
     described,
     fixed_remarks,
+    root_remarks,
 )
 from kindsl.interchange.robot_description import DescribedFrame
 from kindsl.interchange.sdf.elements import (
@@ -25,7 +26,7 @@ from kindsl.interchange.sdf.elements import (
     text_of,
 )
 from kindsl.interchange.sdf.frame_graph import MODEL, WORLD, FrameGraph
-from kindsl.interchange.sdf.losses import losses
+from kindsl.interchange.sdf.losses import gravity_losses, losses
 from kindsl.rigid.body import MassDistribution, Symmetric
 from kindsl.rigid.pose import IDENTITY, Vector3
 from kindsl.text.words import listed
@@ -55,12 +56,18 @@ def robot_of_sdf(text: bytes | str, name: str, *, floating: bool = False) -> Rea
     model = _only_model(root)
     graph = FrameGraph(model, root.get("version") or "")
     joints = _joints_by_child(model, graph)
-    start, is_fixed = _root(model, joints)
-    links = _links(model, graph, joints, start)
+    start, is_fixed = _root(model, graph, joints)
+    base: BaseKind = "fixed" if is_fixed and not floating else "floating"
+    links = _links(model, graph, joints, start, base)
     if not any(link.joint_kind in ("revolute", "prismatic") for link in links):
         raise FormatError("the SDF has no joint that moves, and a document needs one")
-    base: BaseKind = "fixed" if is_fixed and not floating else "floating"
-    told = (*losses(model), *_default_masses(model, start, base), *fixed_remarks(links, "link"))
+    told = (
+        *gravity_losses(root),
+        *losses(model),
+        *_default_masses(model, start, base),
+        *root_remarks(links[0], base),
+        *fixed_remarks(links, "link"),
+    )
     return ReadRobot(described(name_of(model), base, links), told)
 
 
@@ -96,10 +103,9 @@ def _joints_by_child(model: Any, graph: FrameGraph) -> dict[str, Any]:
     return joints
 
 
-def _root(model: Any, joints: Mapping[str, Any]) -> tuple[str, bool]:
+def _root(model: Any, graph: FrameGraph, joints: Mapping[str, Any]) -> tuple[str, bool]:
     """Return the root, and whether it is fixed: the world, or a link that hangs on nothing else."""
-    parents = {child: text_of(joint, "parent") for child, joint in joints.items()}
-    on_world = [child for child, parent in parents.items() if parent == WORLD]
+    on_world = [child for child, joint in joints.items() if _parent(joint, graph) == WORLD]
     names = [name_of(link) for link in model.iterfind("link")]
     free = [name for name in names if name not in joints]
     if len(free) + bool(on_world) != 1:
@@ -116,14 +122,21 @@ def _root(model: Any, joints: Mapping[str, Any]) -> tuple[str, bool]:
     return (on_world[0] if welded else WORLD), True
 
 
-def _links(model: Any, graph: FrameGraph, joints: Mapping[str, Any], start: str) -> list[RigidLink]:
+def _parent(joint: Any, graph: FrameGraph) -> str:
+    return graph.link_of(text_of(joint, "parent"), joint)
+
+
+def _links(
+    model: Any, graph: FrameGraph, joints: Mapping[str, Any], start: str, base: BaseKind
+) -> list[RigidLink]:
     """Return the links, parents first."""
     elements = {name_of(link): link for link in model.iterfind("link")}
-    frames = _frames(model, graph)
+    frames = _frames(model, graph, start if base == "fixed" else WORLD)
     below: dict[str, list[str]] = {}
     for child, joint in joints.items():
-        below.setdefault(graph.link_of(text_of(joint, "parent"), joint), []).append(child)
-    first = RigidLink(start, frames=tuple(frames.get(start, ())))
+        below.setdefault(_parent(joint, graph), []).append(child)
+    world_T_start = IDENTITY if start == WORLD else graph.world_T(start, model)
+    first = RigidLink(start, parent_T_joint=world_T_start, frames=tuple(frames.get(start, ())))
     if start != WORLD:
         first = _with_mass(first, elements[start])
     links = [first]
@@ -164,12 +177,13 @@ def _axis_in_model(joint: Any, graph: FrameGraph) -> Vector3:
     return graph.model_T(frame, joint).turn((x, y, z))
 
 
-def _frames(model: Any, graph: FrameGraph) -> dict[str, list[DescribedFrame]]:
-    """Return the frames by the link that they are attached to."""
+def _frames(model: Any, graph: FrameGraph, on_world: str) -> dict[str, list[DescribedFrame]]:
+    """Return the frames by the link that they are attached to, the world's by another name."""
     found: dict[str, list[DescribedFrame]] = {}
     for frame in model.iterfind("frame"):
         name = name_of(frame)
         link = graph.link_of(name, frame)
+        link = on_world if link == WORLD else link
         link_T_frame = graph.model_T(link, frame).inverse().then(graph.model_T(name, frame))
         found.setdefault(link, []).append(DescribedFrame(name, link_T_frame))
     return found
@@ -190,6 +204,9 @@ def _body(link: Any) -> MassDistribution:
         return about_origin(1.0, _UNIT, IDENTITY)
     if (inertial.get("auto") or "").lower() in ("1", "true"):
         raise defect(link, "takes its inertia from its shape (auto), which is not supported")
+    pose = inertial.find("pose")
+    if pose is not None and pose.get("relative_to"):
+        raise defect(pose, "of an inertia is relative to another frame, which SDFormat refuses")
     inertia = inertial.find("inertia")
     tensor = _UNIT if inertia is None else _tensor(inertia)
     return about_origin(number_of(inertial, "mass", 1.0), tensor, pose_of(inertial))

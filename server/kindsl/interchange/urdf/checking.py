@@ -10,10 +10,12 @@ from typing import Any, NamedTuple
 
 from kindsl.interchange.format import FormatError
 from kindsl.interchange.xml_reading import XmlElement, XmlError, parsed_xml
+from kindsl.rigid.pose import Rotation, rotation_from_quaternion
 from kindsl.text.nearest import hint, nearest_name, nearest_word
 
 _TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
 _INERTIA = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
+_ELSEWHERE = (("transmission", "transmission"), ("gazebo", "Gazebo extension"))
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 _GREATEST = 1e50
 
@@ -30,12 +32,14 @@ class Remarkable(NamedTuple):
         damped: Joints with damping or friction.
         mimics: Pairs of a joint and the joint that it follows.
         n_drawn: How many links have visuals or collisions.
+        elsewhere: Nouns, and how many elements are meant for some programs only.
     """
 
     limited: tuple[str, ...]
     damped: tuple[str, ...]
     mimics: tuple[tuple[str, str], ...]
     n_drawn: int
+    elsewhere: tuple[tuple[str, int], ...]
 
 
 def checked(content: bytes | str) -> tuple[XmlElement, Remarkable]:
@@ -58,7 +62,7 @@ def checked(content: bytes | str) -> tuple[XmlElement, Remarkable]:
     for joint in joints:
         _check_joint(joint)
     _check_tree(links, joints)
-    return robot, _remarkable(links, joints)
+    return robot, _remarkable(robot, links, joints)
 
 
 def _parsed(content: bytes | str) -> Any:
@@ -114,6 +118,8 @@ def _check_origin(parent: Any) -> None:
         for name in ("xyz", "rpy"):
             if origin.get(name) is not None:
                 numbers_of(origin, name, 3)
+        if origin.get("quat_xyzw") is not None:
+            rotation_of(origin)
 
 
 def _check_tree(links: list[Any], joints: list[Any]) -> None:
@@ -157,13 +163,15 @@ def _loop_above(link: str, parent: dict[str, Any], done: set[str]) -> list[str]:
     return [*reversed(loop), loop[-1]] if loop[0] == link else []
 
 
-def _remarkable(links: list[Any], joints: list[Any]) -> Remarkable:
+def _remarkable(robot: Any, links: list[Any], joints: list[Any]) -> Remarkable:
     drawn = sum(_has(link, "visual") or _has(link, "collision") for link in links)
     mimicking = ((j.get("name"), j.find("mimic")) for j in joints)
     mimics = [(name, m.get("joint") or "?") for name, m in mimicking if m is not None]
     limited = (j.get("name") for j in joints if _has(j, "limit") and j.get("type") != "fixed")
     damped = (j.get("name") for j in joints if _has(j, "dynamics"))
-    return Remarkable(tuple(limited), tuple(damped), tuple(mimics), drawn)
+    counts = ((noun, len(robot.findall(tag))) for tag, noun in _ELSEWHERE)
+    elsewhere = tuple((noun, number) for noun, number in counts if number)
+    return Remarkable(tuple(limited), tuple(damped), tuple(mimics), drawn, elsewhere)
 
 
 def _has(element: Any, tag: str) -> bool:
@@ -183,6 +191,16 @@ def numbers_of(element: Any, name: str, count: int) -> list[float]:
     if len(words) != count:
         raise _error(element, f"has {len(words)} numbers in '{name}', not {count}")
     return [_number(element, name, word) for word in words]
+
+
+def rotation_of(origin: Any) -> Rotation:
+    """Return the rotation of an origin that is given as a quaternion."""
+    if origin.get("rpy") is not None:
+        raise _error(origin, "has both 'rpy' and 'quat_xyzw'")
+    rotation = rotation_from_quaternion(*numbers_of(origin, "quat_xyzw", 4))
+    if rotation is None:
+        raise _error(origin, "has a quaternion of no length")
+    return rotation
 
 
 def _number(element: Any, name: str, word: str) -> float:

@@ -12,8 +12,9 @@ from kindsl.interchange.rigid_links import (
     about_origin,
     described,
     fixed_remarks,
+    root_remarks,
 )
-from kindsl.interchange.urdf.checking import Remarkable, UrdfError, checked, numbers_of
+from kindsl.interchange.urdf.checking import Remarkable, UrdfError, checked, numbers_of, rotation_of
 from kindsl.rigid.body import MassDistribution, Symmetric
 from kindsl.rigid.pose import IDENTITY, RigidPose, Vector3, pose_from_fixed_axes
 from kindsl.text.words import counted
@@ -58,26 +59,36 @@ def robot_of_urdf(text: bytes | str, name: str, *, floating: bool = False) -> Re
     bodies = {str(link.get("name")): _body(link) for link in robot.findall("link")}
     carried = {_end(joint, "child") for joint in joints}
     root = next(link for link in bodies if link not in carried)
-    floats = [j for j in children.get(root, []) if j.get("type") == "floating"]
-    if len(floats) == 1 and len(children[root]) == 1:
-        root, floating = _end(floats[0], "child"), True
-    links = _links(root, children, bodies)
+    first = RigidLink(root, body=bodies[root])
+    lost: tuple[str, ...] = ()
+    below = children.get(root, [])
+    if len(below) == 1 and below[0].get("type") == "floating":
+        first, floating = _floating(below[0], bodies), True
+        lost = (f"the link '{root}', which does not move, dropped",)
+    links = _links(first, children, bodies)
     if not any(link.joint_kind in ("revolute", "prismatic") for link in links):
         raise UrdfError("the URDF has no joint that moves, and a document needs one")
     base: BaseKind = "floating" if floating else "fixed"
     read = described(robot.get("name") or name, base, links)
-    return ReadRobot(read, (*_remarks(remarkable), *fixed_remarks(links, "link")))
+    roots = (*lost, *root_remarks(links[0], base))
+    return ReadRobot(read, (*_remarks(remarkable), *roots, *fixed_remarks(links, "link")))
 
 
 def _end(joint: Any, which: str) -> str:
     return str(joint.find(which).get("link"))
 
 
+def _floating(joint: Any, bodies: dict[str, MassDistribution | None]) -> RigidLink:
+    """Return the link that a joint lets float."""
+    name = _end(joint, "child")
+    return RigidLink(name, parent_T_joint=_pose(joint.find("origin")), body=bodies[name])
+
+
 def _links(
-    root: str, children: dict[str, list[Any]], bodies: dict[str, MassDistribution | None]
+    first: RigidLink, children: dict[str, list[Any]], bodies: dict[str, MassDistribution | None]
 ) -> list[RigidLink]:
     """Return the links, parents first."""
-    links = [RigidLink(root, body=bodies[root])]
+    links = [first]
     for index, link in enumerate(links):
         links += [_carried(joint, index, bodies) for joint in children.get(link.name, [])]
     return links
@@ -113,6 +124,8 @@ def _pose(origin: Any) -> RigidPose:
     if origin is None:
         return IDENTITY
     zero = (0.0, 0.0, 0.0)
+    if origin.get("quat_xyzw") is not None:
+        return RigidPose(rotation_of(origin), _triple(origin, "xyz", zero))
     return pose_from_fixed_axes(_triple(origin, "xyz", zero), _triple(origin, "rpy", zero))
 
 
@@ -130,5 +143,7 @@ def _remarks(found: Remarkable) -> Iterator[str]:
         yield f"visuals and collisions of {counted(found.n_drawn, 'link')} dropped"
     if found.damped:
         yield f"damping and friction of {counted(len(found.damped), 'joint')} dropped"
+    for noun, number in found.elsewhere:
+        yield f"{counted(number, noun)} dropped: not supported"
     for joint, other in found.mimics:
         yield f"the joint '{joint}' mimics '{other}': it is now independent"
