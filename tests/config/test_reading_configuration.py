@@ -114,6 +114,18 @@ def test_patterns(pattern: str, path: str, is_meant: bool) -> None:
         ("[[document]]\nignore = []\n", ":1:3: error: 'document[0]' has no 'path'"),
         ("[[document]]\npath = 1\n", ":2:1: error: 'document[0].path' must be a string"),
         (
+            '[[document]]\npath = "[z-a]"\n',
+            ":2:1: error: 'document[0].path' is a pattern that no document matches",
+        ),
+        (
+            '[[document]]\npath = "a\\\\"\n',
+            ":2:1: error: 'document[0].path' is a pattern that no document matches",
+        ),
+        (
+            '[[document]]\npath = "!arm.kindsl"\n',
+            ":2:1: error: 'document[0].path' is a pattern that no document matches",
+        ),
+        (
             '[[document]]\npath = "a"\n[[document]]\npath = "b"\nparam = {}\n',
             ":5:1: error: unknown key 'param' in 'document[1]', did you mean 'parameters'?",
         ),

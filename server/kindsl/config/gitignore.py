@@ -67,13 +67,13 @@ def _up_to_repository(folder: str) -> list[str]:
 
 
 def _spec(lines: list[str]) -> "GitIgnoreSpec":
-    from pathspec import GitIgnoreSpec
+    from kindsl.config.patterns import spec_of
 
     usable = []
     for line in lines:
         try:
-            GitIgnoreSpec.from_lines([line])
+            spec_of([line])
         except ValueError:
             continue
         usable.append(line)
-    return GitIgnoreSpec.from_lines(usable)
+    return spec_of(usable)

@@ -90,7 +90,14 @@ class Checker:
             return ""
         if not value.strip():
             self.wrong((*keys, "path"), f"'{dotted((*keys, 'path'))}' is empty")
-        return value.strip().removeprefix("./")
+            return ""
+        from kindsl.config.patterns import can_match
+
+        pattern = value.strip().removeprefix("./")
+        if not can_match(pattern):
+            where = dotted((*keys, "path"))
+            self.wrong((*keys, "path"), f"'{where}' is a pattern that no document matches")
+        return pattern
 
     def raise_if_wrong(self) -> None:
         """Raise ConfigurationError if anything was noted."""

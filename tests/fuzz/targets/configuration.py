@@ -4,11 +4,14 @@ Input: the file's bytes.
 """
 
 import math
+import re
+from collections.abc import Iterator
 
 from kindsl.config.configuration import Configuration
 from kindsl.config.errors import ConfigurationError
 from kindsl.config.reading import configuration_of
 
+_LONGEST = 1000
 _NAMES = ("kindsl.toml", "pyproject.toml")
 
 
@@ -28,8 +31,17 @@ def one_input(data: bytes) -> None:
 
 
 def _check(configuration: Configuration) -> None:
-    for document in ("arm.kindsl", "arms/arm.kindsl"):
+    for document in ("arm.kindsl", "arms/arm.kindsl", *_named(configuration)):
         for binding in configuration.settings_for(document).bindings.values():
             low, high = binding.minimum, binding.maximum
             assert math.isfinite(binding.value)
             assert low is None or high is None or low <= high
+
+
+def _named(configuration: Configuration) -> Iterator[str]:
+    """Yield documents that patterns match, or nearly: what makes a matcher look everywhere."""
+    for table in configuration.documents:
+        for filling in ("", "a", "arm/arm", table.pattern[-1:] * 40):
+            name = re.sub(r"[*?]+|\[[^]]*\]", lambda _, text=filling: text, table.pattern)
+            for end in ("", "x"):
+                yield name.replace("\0", "")[:_LONGEST] + end
