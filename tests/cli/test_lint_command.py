@@ -107,6 +107,12 @@ def test_target_is_checked(kdsl_lint: Runner, folder: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
+        *(
+            ([option, ""], f"argument {option}: is empty")
+            for option in ("--select", "--ignore", "--target", "--config", "--params")
+        ),
+        (["--select", "KD1,"], "argument --select: 'KD1,' has an empty element"),
+        (["--target", " ,robcogen"], "argument --target: ' ,robcogen' has an empty element"),
         (["--select", "KD9"], "no rule has a code that begins with 'KD9'"),
         (["--target", "robcogn"], "unknown target 'robcogn', did you mean 'robcogen'?"),
         (["--param", "x"], "'x' is not NAME=VALUE"),

@@ -94,3 +94,8 @@ def test_a_value_for_a_parameter_of_one_of_two_documents_is_taken(
     told = kindsl("diff", "/dev/null", "old.kindsl", "--param", "lenght=0.5")
     message = "there is no parameter 'lenght', did you mean 'length'?"
     assert (told.status, told.err) == (2, f"old.kindsl: error: {message}\n")
+
+
+def test_what_follows_two_hyphens_stays_apart() -> None:
+    assert with_joined_negatives(["--", "-1.kindsl"]) == ["--", "-1.kindsl"]
+    assert with_joined_negatives(["--q", "-1", "--", "-1"]) == ["--q=-1", "--", "-1"]

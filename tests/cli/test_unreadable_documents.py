@@ -6,6 +6,8 @@ What cannot be read exits with 2; what can, and is no document, is a finding.
 import os
 import pwd
 import random
+import subprocess
+import sys
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -130,11 +132,12 @@ def test_broken_link(kdsl_lint: Runner, folder: Path) -> None:
 def test_folder_with_the_name_of_a_document(kdsl_lint: Runner, folder: Path) -> None:
     (folder / "x.kindsl").mkdir()
     (folder / "other.kindsl").write_text(INTEGER)
-    for paths in ([], ["x.kindsl", "other.kindsl"]):
-        told = kdsl_lint(*paths)
-        assert "x.kindsl: error: is a folder, not a file" in told.err
-        assert told.out.startswith("other.kindsl:21:32:")
-        assert told.status == 2
+    told = kdsl_lint()
+    assert (told.status, told.out.count("other.kindsl:21:32:")) == (1, 1)
+    told = kdsl_lint("x.kindsl", "other.kindsl")
+    assert "x.kindsl: error: is a folder, not a file" in told.err
+    assert told.out.startswith("other.kindsl:21:32:")
+    assert told.status == 2
 
 
 def test_folder_with_such_a_name_and_documents_is_a_folder(kdsl_lint: Runner, folder: Path) -> None:
@@ -151,11 +154,51 @@ def test_missing_file(kdsl_lint: Runner, folder: Path) -> None:
     assert told.status == 2
 
 
-def test_pipe_in_a_folder_does_not_block(kdsl_lint: Runner, folder: Path) -> None:
+def test_pipe_in_a_folder_is_passed_over(kdsl_lint: Runner, folder: Path) -> None:
     os.mkfifo(folder / "pipe.kindsl")
+    (folder / "good.kindsl").write_text(GOOD)
     told = kdsl_lint()
-    assert told.err.startswith("pipe.kindsl: error: is not a regular file\n")
+    assert (told.status, told.err) == (0, "no findings in 1 document\n")
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        ("lint", "pipe.kindsl"),
+        ("lint", "good.kindsl", "--config", "pipe.kindsl"),
+        ("lint", "good.kindsl", "--params", "pipe.kindsl"),
+        ("format", "pipe.kindsl"),
+        ("info", "pipe.kindsl"),
+        ("compute", "good.kindsl", "--q-file", "pipe.kindsl"),
+        ("convert", "pipe.kindsl", "-"),
+        ("convert", "pipe.urdf", "-"),
+        ("diff", "good.kindsl", "pipe.kindsl"),
+        ("preview", "pipe.kindsl", "--export", "x.html"),
+        ("info", "/dev/zero"),
+    ],
+)
+def test_a_pipe_that_is_named_is_refused(
+    kindsl: Runner, folder: Path, command: tuple[str, ...]
+) -> None:
+    for name in ("pipe.kindsl", "pipe.urdf"):
+        os.mkfifo(folder / name)
+    (folder / "good.kindsl").write_text(GOOD)
+    told = kindsl(*command)
     assert told.status == 2
+    assert "is not a regular file\n" in told.err
+
+
+def test_a_pipe_of_the_shell_is_read(folder: Path) -> None:
+    (folder / "good.kindsl").write_text(GOOD)
+    command = f"{sys.executable} -m kindsl diff <(cat good.kindsl) good.kindsl"
+    told = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=False)
+    assert (told.returncode, told.stdout) == (0, "nothing changed mechanically\n")
+
+
+@pytest.mark.parametrize("content", [b"\0" * 3, b"\0" * 400, b"\xff\0\0\0"])
+def test_a_few_nul_bytes_are_no_text(kdsl_lint: Runner, folder: Path, content: bytes) -> None:
+    (folder / "x.kindsl").write_bytes(content)
+    assert "the document is not a text: byte 0x" in kdsl_lint("x.kindsl").out
 
 
 def test_no_permission(kdsl_lint: Runner) -> None:

@@ -4,7 +4,6 @@ Reports on stderr what the other format cannot express. A .xacro file is expande
 """
 
 import argparse
-import os
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -27,6 +26,7 @@ from kindsl.config.configuration import ConfigurationError
 from kindsl.interchange.format import Format, FormatError, ReadRobot, WritingChoices, WrittenRobot
 from kindsl.interchange.registry import all_formats, format_named, format_of_suffix
 from kindsl.text.printable import printable
+from kindsl.text.regular import require_regular
 from kindsl.text.words import alternatives
 
 if TYPE_CHECKING:
@@ -142,7 +142,7 @@ def _document(args: argparse.Namespace, source: Format) -> WrittenRobot:
 def _read(args: argparse.Namespace, source: Format) -> ReadRobot:
     assert source.read is not None
     try:
-        os.stat(args.input)
+        require_regular(args.input)
         return source.read(Path(args.input), args.floating_base)
     except ModuleNotFoundError as error:
         raise missing_module(args.input, error, source.extra) from None

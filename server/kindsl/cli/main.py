@@ -77,7 +77,9 @@ def _dispatched(given: list[str]) -> int:
 def with_joined_negatives(arguments: list[str]) -> list[str]:
     """Return arguments with `--q -1,2` as `--q=-1,2`, which argparse would take for an option."""
     joined: list[str] = []
-    for argument in arguments:
+    for number, argument in enumerate(arguments):
+        if argument == "--":
+            return [*joined, *arguments[number:]]
         is_number = argument[:1] == "-" and argument[1:2] in _DIGITS
         if is_number and joined and joined[-1].startswith("--") and "=" not in joined[-1]:
             joined[-1] = f"{joined[-1]}={argument}"

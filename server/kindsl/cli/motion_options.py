@@ -5,6 +5,7 @@ import json
 import sys
 
 from kindsl.reports.motions import KEYS, Motion, MotionError, Robot, motion, motions_from
+from kindsl.text.regular import require_regular
 
 STDIN = "-"
 
@@ -33,6 +34,7 @@ def _content_of(path: str) -> object:
     try:
         if path == STDIN:
             return json.load(sys.stdin)
+        require_regular(path)
         with open(path, encoding="utf-8-sig") as file:
             return json.load(file)
     except OSError as error:

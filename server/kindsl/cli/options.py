@@ -66,9 +66,11 @@ def add_parameter_arguments(group: Any) -> None:
         type=_binding,
         help="give a parameter a value; repeatable",
     )
-    group.add_argument("--params", metavar="FILE", help="a TOML file with values of parameters")
+    group.add_argument(
+        "--params", metavar="FILE", type=_file, help="a TOML file with values of parameters"
+    )
     source = group.add_mutually_exclusive_group()
-    source.add_argument("--config", metavar="FILE", help="use this configuration file")
+    source.add_argument("--config", metavar="FILE", type=_file, help="use this configuration file")
     source.add_argument("--isolated", action="store_true", help="use no configuration file")
 
 
@@ -114,7 +116,7 @@ def _add_pages(group: Any) -> None:
 def _codes(text: str) -> list[str]:
     from kindsl.config.tables import is_code
 
-    codes = [code.strip() for code in text.split(",") if code.strip()]
+    codes = _elements(text)
     for code in codes:
         if not is_code(code):
             raise argparse.ArgumentTypeError(f"no rule has a code that begins with '{code}'")
@@ -122,7 +124,7 @@ def _codes(text: str) -> list[str]:
 
 
 def _targets(text: str) -> list[str]:
-    targets = [target.strip() for target in text.split(",") if target.strip()]
+    targets = _elements(text)
     for target in targets:
         if target not in TARGETS:
             from kindsl.config.tables import did_you_mean
@@ -130,6 +132,20 @@ def _targets(text: str) -> list[str]:
             hint = did_you_mean(target, TARGETS)
             raise argparse.ArgumentTypeError(f"unknown target '{target}'{hint}")
     return targets
+
+
+def _elements(text: str) -> list[str]:
+    """Return what commas separate; a script that fills in nothing would decide what it says not."""
+    elements = [element.strip() for element in text.split(",")]
+    if not all(elements):
+        raise argparse.ArgumentTypeError(f"'{text}' has an empty element" if text else "is empty")
+    return elements
+
+
+def _file(text: str) -> str:
+    if not text:
+        raise argparse.ArgumentTypeError("is empty")
+    return text
 
 
 def _binding(text: str) -> tuple[str, float]:

@@ -3,6 +3,8 @@
 import os
 from typing import TYPE_CHECKING, NamedTuple
 
+from kindsl.text.regular import require_regular
+
 if TYPE_CHECKING:
     from pathspec import GitIgnoreSpec
 
@@ -48,6 +50,7 @@ class Ignored(NamedTuple):
 
     def _with(self, folder: str, file: str) -> "Ignored":
         try:
+            require_regular(file)
             with open(file, encoding="utf-8", errors="surrogateescape") as stream:
                 lines = stream.read().splitlines()
         except OSError:

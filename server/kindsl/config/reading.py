@@ -12,6 +12,7 @@ from kindsl.config.tables import DOCUMENT_KEYS, KEYS, Checker, bindings, decisio
 from kindsl.config.toml_places import toml_places
 from kindsl.semantics.parameters import Binding
 from kindsl.text.lines import LineIndex
+from kindsl.text.regular import require_regular
 
 _TOML_PLACE = re.compile(
     r"^(?P<what>.*) \(at (?:line (?P<line>\d+), column (?P<column>\d+)|end.*)\)$"
@@ -35,6 +36,7 @@ def text_of(path: str) -> str:
         ConfigurationError: It cannot be read, or is not UTF-8.
     """
     try:
+        require_regular(path)
         with open(path, "rb") as file:
             return file.read().decode("utf-8-sig")
     except OSError as error:

@@ -35,11 +35,11 @@ class Obstacle(NamedTuple):
 
     Attributes:
         path: The file or folder.
-        reason: What the system says, or what it is instead: a clause for people.
+        reason: What the system says.
     """
 
     path: str
-    reason: OSError | str
+    reason: OSError
 
 
 def walked(
@@ -49,8 +49,8 @@ def walked(
 ) -> Iterator[str | Obstacle]:
     """Yield the robots in a folder and in the folders below, in the order of their names.
 
-    What git ignores is left out, unless that is the folder itself; so are links to folders and the
-    folders of version control.
+    What git ignores is left out, unless that is the folder itself; so are links to folders, pipes,
+    devices, and the folders of version control.
 
     Args:
         folder: Where to begin, whatever it is called.
@@ -92,29 +92,14 @@ def _walk(folder: str, wanted: _Wanted, ignored: "Ignored") -> Iterator[str | Ob
         if ignored.covers(entry.path, is_folder):
             continue
         if is_folder:
-            yield from _below(entry, wanted, ignored)
+            yield from _walk(entry.path, wanted, ignored)
         else:
-            yield _robot(entry)
+            yield from _robot(entry)
 
 
-def _below(
-    entry: "os.DirEntry[str]", wanted: _Wanted, ignored: "Ignored"
-) -> Iterator[str | Obstacle]:
-    is_empty = True
-    for found in _walk(entry.path, wanted, ignored):
-        is_empty = False
-        yield found
-    if is_empty and wanted.is_wanted(entry.name):
-        yield Obstacle(entry.path, "is a folder, not a file")
-
-
-def _robot(entry: "os.DirEntry[str]") -> str | Obstacle:
+def _robot(entry: "os.DirEntry[str]") -> Iterator[str | Obstacle]:
     try:
-        mode = entry.stat().st_mode
+        if stat.S_ISREG(entry.stat().st_mode):
+            yield entry.path
     except OSError as error:
-        return Obstacle(entry.path, error)
-    if stat.S_ISREG(mode):
-        return entry.path
-    if stat.S_ISDIR(mode):
-        return Obstacle(entry.path, "is a link to a folder, not a file")
-    return Obstacle(entry.path, "is not a regular file")
+        yield Obstacle(entry.path, error)

@@ -1,12 +1,12 @@
 """Reads a document's text, or tells why it cannot be read."""
 
 import os
-import stat
 import sys
 from typing import NamedTuple
 
 from kindsl.cli.outcome import Failure
 from kindsl.text.lines import LineIndex
+from kindsl.text.regular import NotRegularError, require_regular
 
 STDIN = "-"
 UNNAMED = "<stdin>"
@@ -61,6 +61,8 @@ def reason(path: str, error: OSError) -> str:
     """Return in words why a file could not be read."""
     if os.path.islink(path) and not os.path.exists(path):
         return f"broken symbolic link to '{os.readlink(path)}'"
+    if isinstance(error, NotRegularError):
+        return str(error.strerror)
     if isinstance(error, FileNotFoundError):
         return "no such file or folder"
     if isinstance(error, IsADirectoryError):
@@ -82,9 +84,8 @@ def is_decodable(text: str) -> bool:
 def _content_of(path: str) -> bytes:
     if path == STDIN:
         return sys.stdin.buffer.read()
+    require_regular(path)
     with open(path, "rb") as file:
-        if stat.S_ISCHR(os.fstat(file.fileno()).st_mode) and not file.isatty():
-            raise OSError(0, "is a device")
         return file.read()
 
 
@@ -106,8 +107,8 @@ def _encoded(content: bytes, encoding: str) -> NotText:
 def _strange(content: bytes, text: str) -> NotText:
     """Return what content is that is no text: UTF-16 without a mark, or noise."""
     for parity, encoding in ((0, "UTF-16-BE"), (1, "UTF-16-LE")):
-        sample = content[parity:400:2]
-        if sample.count(0) * 2 > len(sample):
+        high, low = content[parity:400:2], content[1 - parity : 400 : 2]
+        if high.count(0) * 2 > len(high) and low.count(0) * 2 < len(low):
             return _encoded(content, encoding)
     offset = next(i for i, c in enumerate(text) if c == "\0" or "\udc80" <= c <= "\udcff")
     code = ord(text[offset]) & 0xFF

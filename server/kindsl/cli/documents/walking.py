@@ -73,8 +73,6 @@ def _documents_of(
 
 def _failure(obstacle: Obstacle) -> Failure:
     path, why = obstacle
-    if isinstance(why, str):
-        return Failure(_shown(path), why)
     # Of a folder it is the list of names that cannot be read.
     verb = "listed" if os.path.isdir(path) else "read"
     return Failure(_shown(path), reason(path, why).replace("read", verb))
