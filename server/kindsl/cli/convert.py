@@ -1,6 +1,7 @@
 """Converts between URDF, MJCF, SDF and the Kinematics-DSL, told apart by their suffixes.
 
-Reports on stderr what the other format cannot express. A .xacro file is expanded first.
+Reports on stderr what the other format cannot express. A .xacro file is expanded first, which
+evaluates Python expressions in it: convert only files that you trust.
 """
 
 import argparse

@@ -1,5 +1,7 @@
 """Knows xacro through its own package: macros that expand to a URDF. Read only.
 
+It evaluates Python expressions of the file, so it runs in a process of its own, bounded in time.
+
 Must not know what is in a URDF.
 """
 
@@ -7,12 +9,15 @@ from pathlib import Path
 
 from kindsl.interchange.format import Format, ReadRobot
 
+_EVALUATED = "its Python expressions were evaluated: convert only xacro files that you trust"
+
 
 def _read(path: Path, floating: bool) -> ReadRobot:
     from kindsl.interchange.urdf.reading import robot_of_urdf
     from kindsl.interchange.xacro.expansion import expanded
 
-    return robot_of_urdf(expanded(path), path.stem, floating=floating)
+    robot, remarks = robot_of_urdf(expanded(path), path.stem, floating=floating)
+    return ReadRobot(robot, (_EVALUATED, *remarks))
 
 
 FORMAT = Format("xacro", "xacro", (".xacro",), "xacro", _read)

@@ -1,0 +1,146 @@
+"""xacro files: arguments, macros and includes become the robot they mean; what never ends does."""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from tests.interchange.round_trips import gaps, mechanism_of
+
+from kindsl.cli.main import main
+from kindsl.interchange.format import FormatError
+from kindsl.interchange.kindsl_writing import kindsl_text
+from kindsl.interchange.registry import format_named
+from kindsl.interchange.urdf.reading import robot_of_urdf
+from kindsl.interchange.xacro.expansion import expanded
+
+HEAD = '<?xml version="1.0"?>\n<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="leg">'
+MACROS = f"""{HEAD}
+<xacro:property name="length" value="0.4"/>
+<xacro:macro name="rod" params="name mass:=2.0 *placement">
+  <link name="${{name}}"><inertial><xacro:insert_block name="placement"/><mass value="${{mass}}"/>
+  <inertia ixx="${{mass * length**2 / 12}}" iyy="${{mass * length**2 / 12}}"
+  izz="${{mass * radians(1) / 2}}" ixy="0" ixz="0" iyz="0"/></inertial></link>
+</xacro:macro></robot>"""
+LEG = f"""{HEAD}
+<xacro:arg name="side" default="left"/>
+<xacro:arg name="with_foot" default="true"/>
+<xacro:include filename="parts/rods.xacro"/>
+<link name="base"/>
+<xacro:macro name="segment" params="name parent z">
+  <xacro:rod name="$(arg side)_${{name}}" mass="${{1 + 0.5 * 2}}">
+    <origin xyz="0 0 ${{-length / 2}}"/></xacro:rod>
+  <joint name="$(arg side)_${{name}}_joint" type="continuous"><parent link="${{parent}}"/>
+    <child link="$(arg side)_${{name}}"/><origin xyz="0 0 ${{z}}" rpy="0 ${{pi / 4}} 0"/>
+    <axis xyz="0 1 0"/></joint>
+</xacro:macro>
+<xacro:segment name="thigh" parent="base" z="0"/>
+<xacro:segment name="shank" parent="$(arg side)_thigh" z="${{-length}}"/>
+<xacro:if value="$(arg with_foot)"><link name="foot"/>
+  <joint name="foot_joint" type="fixed"><parent link="$(arg side)_shank"/><child link="foot"/>
+  <origin xyz="0 0 ${{-length}}"/></joint></xacro:if>
+<xacro:unless value="$(arg with_foot)"><link name="wheel"/></xacro:unless>
+</robot>"""
+MOMENT = 2.0 * 0.4**2 / 12
+LINK = """<link name="{0}"><inertial><origin xyz="0 0 -0.2"/><mass value="2.0"/><inertia ixx="{1!r}"
+iyy="{1!r}" izz="{2!r}" ixy="0" ixz="0" iyz="0"/></inertial></link>"""
+JOINT = """<joint name="{0}_joint" type="continuous"><parent link="{1}"/><child link="{0}"/>
+<origin xyz="0 0 {2}" rpy="0 0.7853981633974483 0"/><axis xyz="0 1 0"/></joint>"""
+MEANT = f"""<robot name="leg"><link name="base"/>
+{LINK.format("left_thigh", MOMENT, np.radians(1.0).item())}
+{LINK.format("left_shank", MOMENT, np.radians(1.0).item())}
+{JOINT.format("left_thigh", "base", 0.0)}{JOINT.format("left_shank", "left_thigh", -0.4)}
+<link name="foot"/><joint name="foot_joint" type="fixed"><parent link="left_shank"/>
+<child link="foot"/><origin xyz="0 0 -0.4"/></joint></robot>"""
+
+
+@pytest.fixture
+def leg(tmp_path: Path) -> Path:
+    (tmp_path / "parts").mkdir()
+    (tmp_path / "parts" / "rods.xacro").write_text(MACROS)
+    path = tmp_path / "leg.urdf.xacro"
+    path.write_text(LEG)
+    return path
+
+
+def test_arguments_macros_and_includes_are_the_robot_they_mean(leg: Path) -> None:
+    found, meant = format_named("xacro").read(leg, False), robot_of_urdf(MEANT, "leg")
+    ours, theirs = (mechanism_of(kindsl_text(read.robot)) for read in (found, meant))
+    assert ours.joint_names == ("left_thigh_joint", "left_shank_joint")
+    assert max(gaps(ours, theirs, np.random.default_rng(1))) < 1e-12
+    trust = "its Python expressions were evaluated: convert only xacro files that you trust"
+    assert found.remarks == (trust, *meant.remarks)
+
+
+def test_floating_base_is_what_is_asked_for(leg: Path) -> None:
+    assert format_named("xacro").read(leg, True).robot.is_floating
+
+
+def test_command_converts_it_and_says_that_it_runs_expressions(leg: Path, capsys) -> None:
+    target = leg.with_name("leg.kindsl")
+    assert main(["convert", str(leg), str(target)]) == 0
+    told = capsys.readouterr()
+    assert "left_thigh via left_thigh_joint" in target.read_text()
+    assert "note: its Python expressions were evaluated: convert only" in told.err
+    assert "warning" not in told.err and told.out == ""
+    with pytest.raises(SystemExit):
+        main(["convert", "--help"])
+    assert "convert only files that you trust" in " ".join(capsys.readouterr().out.split())
+
+
+FOREVER = f'{HEAD}<link name="${{max(range(10**15))}}"/></robot>'
+ENDLESS = f"""{HEAD}<xacro:macro name="again" params=""><xacro:again/></xacro:macro>
+<xacro:again/></robot>"""
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (ENDLESS, "xacro cannot expand it: .*recursion.*"),
+        (f'{HEAD}<link name="${{length}}"/></robot>', "xacro cannot expand it: .*'length'.*"),
+        (f'{HEAD}<link name="$(arg side)"/></robot>', "xacro cannot expand it: .*side.*"),
+        (f'{HEAD}<xacro:leg/></robot>', "xacro cannot expand it: .*xacro:leg.*"),
+        (f"{HEAD}</robt>", "xacro cannot expand it: .*"),
+        (f'{HEAD}<xacro:include filename="non.xacro"/></robot>', "xacro cannot expand it: .*non.*"),
+        (f'{HEAD}<link name="${{[0] * 10**12}}"/></robot>', ".*: it takes more than 4 GB.*"),
+        ("<robot/>", "line 1: <robot> has no attribute 'name'"),
+    ],
+    ids=["recursion", "name", "argument", "macro", "xml", "include", "memory", "urdf"],
+)  # fmt: skip
+def test_what_cannot_be_expanded_is_one_sentence(text: str, message: str, tmp_path: Path) -> None:
+    path = tmp_path / "robot.xacro"
+    path.write_text(text)
+    with pytest.raises(FormatError, match=f"^{message}$") as caught:
+        format_named("xacro").read(path, False)
+    assert "\n" not in str(caught.value)
+
+
+def test_what_never_ends_is_given_up(tmp_path: Path) -> None:
+    path = tmp_path / "robot.xacro"
+    path.write_text(FOREVER)
+    with pytest.raises(FormatError, match=r"^xacro does not expand it within 0\.5 s$"):
+        expanded(path, seconds=0.5)
+
+
+def test_expressions_reach_nothing_of_the_process_that_asks(leg: Path, monkeypatch) -> None:
+    """It is another process: no module of xacro is loaded here, none of the folder there."""
+    (leg.parent / "xacro.py").write_text("raise SystemExit(7)")
+    monkeypatch.chdir(leg.parent)
+    monkeypatch.delitem(sys.modules, "xacro", raising=False)
+    assert b"left_thigh" in expanded(Path(leg.name))
+    assert "xacro" not in sys.modules
+
+
+def test_without_xacro_its_extra_is_named(leg: Path, monkeypatch) -> None:
+    monkeypatch.setitem(sys.modules, "xacro", None)
+    with pytest.raises(FormatError) as caught:
+        expanded(leg)
+    assert str(caught.value) == (
+        "xacro is not installed: pip install 'kindsl[xacro]', or run xacro first: "
+        "xacro leg.urdf.xacro > leg.urdf"
+    )
+
+
+def test_file_that_is_not_there_is_said_so(tmp_path: Path, capsys) -> None:
+    assert main(["convert", str(tmp_path / "none.xacro"), "-"]) == 2
+    assert "none.xacro: error: no such file or folder" in capsys.readouterr().err
