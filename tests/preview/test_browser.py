@@ -173,6 +173,8 @@ async def test_a_broken_edit_dims_the_last_good_model_under_the_findings(browser
         assert "the last complete version is shown" in await notice.inner_text()
         assert await page.evaluate(WORLD_POSES) == before
         assert await page.locator("#pane.stale").count() == 1
+        assert await page.locator("#state").inner_text() == "stale"
+        assert await page.locator("#dof").inner_text() == "2 joints, 3 kg (stale)"
         assert await page.locator("#pane").screenshot() != bright
         assert not await page.get_by_text("a name is missing").is_visible()
         await notice.click()
@@ -182,7 +184,33 @@ async def test_a_broken_edit_dims_the_last_good_model_under_the_findings(browser
         await show(server, LONGER_ARM)
         await page.locator("#notice").wait_for(state="hidden")
         assert await page.locator("#pane.stale").count() == 0
+        assert await page.locator("#state").inner_text() == "live"
+        assert await page.locator("#dof").inner_text() == "2 joints, 3 kg"
         await until(page, "kindsl.scene.trees.robot.joints.get('lift').placement[12] === 0.6")
+
+
+async def test_a_part_of_the_mass_never_reads_like_the_whole(browser, server):
+    dof, paints = "kindsl.viewer.render(), document.getElementById('dof').textContent", PAINTED
+    async with opened(browser, await show(server, ARM)) as page:
+        await until_shown(page, "Arm")
+        assert (await page.evaluate(paints))["robot-com"]
+        for mass in ("x", "1.0 *", ""):
+            await show(server, ARM.replace("mass = 1.0", f"mass = {mass}"))
+            await until(page, f"({dof}) === '2 joints, at least 2 kg'")
+            painted = await page.evaluate(paints)
+            assert painted["robot-com"] == painted["nothing"]
+            await page.evaluate("kindsl.selection.choose({ kind: 'joint', name: 'lift' })")
+            await until(page, "document.getElementById('selection').innerText.includes('unknown')")
+            await show(server, ARM)
+            await until(page, f"({dof}) === '2 joints, 3 kg'")
+        assert await page.locator("#state").inner_text() == "live"
+
+
+async def test_the_rest_of_a_robot_is_not_called_live(browser, server):
+    text = ARM.replace("link slider", "link other")
+    async with opened(browser, await show(server, text)) as page:
+        await until(page, "document.getElementById('state').textContent === 'incomplete'")
+        await until(page, "document.getElementById('dof').textContent.includes('at least 3 kg')")
 
 
 @pytest.mark.parametrize(

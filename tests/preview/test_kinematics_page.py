@@ -15,7 +15,7 @@ from tests.preview.robots import (
     skeleton_of,
 )
 
-from kindsl.preview.scene.robot import robot_messages
+from kindsl.preview.scene.robot import NOTHING_UNKNOWN, robot_messages
 
 SCRIPT = ROOT / "server" / "kindsl" / "preview" / "page" / "picture" / "kinematics.js"
 DRIVER = """
@@ -28,7 +28,7 @@ console.log(JSON.stringify(cases.map(({ links, joints, frames, q, isFloating }) 
   return {
     links: Object.fromEntries(poses.links), joints: Object.fromEntries(poses.joints),
     frames: Object.fromEntries(poses.frames),
-    com: kinematics.centerOfMass(robot, poses, isFloating).com,
+    com: kinematics.centerOfMass(robot, poses, isFloating),
     torques: Object.fromEntries(kinematics.gravityTorques(robot, poses)),
     angles: Object.fromEntries(
       [...poses.links].map(([name, T]) => [name, kinematics.intrinsicXyz(T)])),
@@ -54,8 +54,12 @@ def cases():
 
 @pytest.fixture(scope="module")
 def answers(cases):
+    return answers_to([page_input(skeleton, q) for skeleton, q in cases])
+
+
+def answers_to(inputs):
     node = require("node", "nodejs")
-    given = json.dumps([page_input(skeleton, q) for skeleton, q in cases])
+    given = json.dumps(inputs)
     command = [node, "-e", DRIVER, str(SCRIPT)]
     run = subprocess.run(
         command, input=given, capture_output=True, text=True, timeout=60, check=True
@@ -63,8 +67,8 @@ def answers(cases):
     return json.loads(run.stdout)
 
 
-def page_input(skeleton, q):
-    messages = robot_messages("robot", skeleton).values()
+def page_input(skeleton, q, unknown=NOTHING_UNKNOWN):
+    messages = robot_messages("robot", skeleton, unknown=unknown).values()
     groups = {
         kind + "s": [m for m in messages if m["type"] == kind]
         for kind in ("link", "joint", "frame")
@@ -100,6 +104,20 @@ def test_gravity_torques_are_ours(cases, answers):
         ours = np.asarray(mechanics_of(skeleton).gravity_torque(q))[-len(skeleton.link_names) :]
         theirs = [answer["torques"][name] for name in skeleton.joint_names]
         np.testing.assert_allclose(theirs, ours, atol=1e-7, rtol=1e-9)
+
+
+@pytest.mark.parametrize("number", [0, 3, 7])
+def test_what_hangs_on_an_unknown_body_is_not_computed(number):
+    """Neither the centre of mass nor the torque of any joint that carries it; the others stay."""
+    skeleton = skeleton_in(plain_robot(7, 7))
+    q, name = np.zeros(7), skeleton.body_names[number]
+    whole, part = answers_to([page_input(skeleton, q), page_input(skeleton, q, {name: "why"})])
+    carriers = set()
+    while number:
+        carriers.add(skeleton.joint_names[number - 1])
+        number = skeleton.parents[number - 1]
+    assert part["com"] is None
+    assert part["torques"] == {n: t for n, t in whole["torques"].items() if n not in carriers}
 
 
 def test_angles_are_the_languages(cases, answers):

@@ -1,15 +1,16 @@
 """Which bodies stand there while someone types."""
 
 import pytest
-from tests.preview.robots import ARM, BROKEN_ARM, PARAMETRIC_ARM, skeleton_of
+from tests.preview.robots import ARM, BROKEN_ARM, PARAMETRIC_ARM
 
 from kindsl.analysis.analysis import analyse
+from kindsl.mechanism.total_mass import Weight
 from kindsl.preview.scene.picture import State, picture
 
 
-def picture_of(text, given=None, last_good=None):
+def picture_of(text, given=None, last=None):
     analysis = analyse(text)
-    return picture(analysis.model, {**analysis.context.values, **(given or {})}, last_good)
+    return picture(analysis.model, {**analysis.context.values, **(given or {})}, last)
 
 
 def test_a_good_document_is_drawn():
@@ -30,15 +31,17 @@ def test_a_good_document_is_drawn():
     ],
 )
 def test_the_last_complete_version_stays(broken):
-    last = skeleton_of(ARM)
-    drawn = picture_of(broken, last_good=last)
-    assert drawn.skeleton is last
+    last = picture_of(ARM)
+    drawn = picture_of(broken, last=last)
+    assert drawn.skeleton is last.skeleton
     assert drawn.state is State.BROKEN
+    assert drawn.is_former
+    assert drawn.weight == last.weight == Weight(3.0)
     assert drawn.message.endswith("the last complete version is shown")
 
 
 def test_a_pair_that_lacks_a_name_is_told_by_the_other():
-    drawn = picture_of(BROKEN_ARM, last_good=skeleton_of(ARM))
+    drawn = picture_of(BROKEN_ARM, last=picture_of(ARM))
     assert drawn.message == "Link 'slider' has no joint: the last complete version is shown"
 
 
@@ -53,6 +56,23 @@ def test_fragments_without_values_count_as_zero():
     drawn = picture_of(text)
     assert _places(drawn) == [(0.0, 0.0, 0.5), (0.4, 0.0, 0.0)]
     assert [body.mass for body in drawn.skeleton.masses] == [0.0, 2.0, 0.0]
+
+
+@pytest.mark.parametrize("mass", ["", "x", "1.0 -", "1,5"])
+def test_a_mass_that_cannot_be_read_leaves_the_total_open(mass):
+    drawn = picture_of(ARM.replace("mass = 1.0", f"mass = {mass}"), last=picture_of(ARM))
+    assert not drawn.is_former
+    assert (drawn.weight.known, drawn.weight.is_whole) == (2.0, False)
+    assert set(drawn.unknown) == {"slider"}
+
+
+def test_a_former_version_has_the_mass_that_it_had():
+    last = picture_of(ARM.replace("mass = 1.0", "mass = x"))
+    drawn = picture_of(BROKEN_ARM, last=last)
+    assert drawn.is_former
+    assert (drawn.weight, drawn.unknown) == (last.weight, last.unknown)
+    assert not drawn.weight.is_whole
+    assert not picture_of(BROKEN_ARM).is_former
 
 
 def test_nothing_can_be_shown_of_nothing():
@@ -76,7 +96,7 @@ def test_nothing_can_be_shown_of_nothing():
     ],
 )
 def test_a_defect_of_form_does_not_stop_the_picture(edited):
-    drawn = picture_of(edited, last_good=skeleton_of(ARM))
+    drawn = picture_of(edited, last=picture_of(ARM))
     assert drawn.state is State.LIVE
     assert drawn.skeleton.masses[2].mass == 9.0
 
@@ -84,7 +104,7 @@ def test_a_defect_of_form_does_not_stop_the_picture(edited):
 @pytest.mark.parametrize("vector", ["(0.4, 0.0)", "(, 0.0, 0.0)", "(0.4, 0.0, 1.0/0.0)"])
 def test_a_pose_that_is_not_whole_stays_where_it_was(vector):
     text = ARM.replace("(0.4, 0.0, 0.0)", vector).replace("(0.0, 0.0, 0.5)", "(0.0, 0.0, 0.7)")
-    drawn = picture_of(text, last_good=skeleton_of(ARM))
+    drawn = picture_of(text, last=picture_of(ARM))
     assert drawn.state is State.LIVE
     assert _places(drawn) == [(0.0, 0.0, 0.7), (0.4, 0.0, 0.0)]
     assert drawn.message == "The pose of joint 'lift' is incomplete: drawn as far as known"

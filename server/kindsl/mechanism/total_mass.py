@@ -56,6 +56,9 @@ class Weight(NamedTuple):
         return told if self.is_whole else f"{told} ({self.plain_reason})"
 
 
+NO_MASS = Weight(0.0)
+
+
 class MissingMass(NamedTuple):
     """A body without a mass that can be read, by name, and why."""
 
@@ -70,7 +73,7 @@ def total_mass(model: Model, values: Mapping[str, float]) -> Weight:
         model: A document's model, whole or broken.
         values: Of parameters by name, and of constants by `<name>`.
     """
-    total = Weight(0.0)
+    total = NO_MASS
     for _, weight in _parts(model, values):
         total = added(total, weight)
     return total
@@ -105,7 +108,7 @@ def _parts(model: Model, values: Mapping[str, float]) -> Iterator[tuple[str, Wei
 def body_mass(body: Link, values: Mapping[str, float]) -> Weight:
     """Return what a body adds to a total; a fixed base adds nothing."""
     if body.is_base and not body.is_floating:
-        return Weight(0.0)
+        return NO_MASS
     mass = own_mass(body, values)
     return Weight(0.0, 1, mass) if isinstance(mass, Unknown) else Weight(mass)
 
@@ -113,7 +116,7 @@ def body_mass(body: Link, values: Mapping[str, float]) -> Weight:
 def edge_mass(edge: Edge) -> Weight:
     """Return what is missing where a child is named that no block declares, else nothing."""
     if edge.link is not None:
-        return Weight(0.0)
+        return NO_MASS
     link, joint = edge.child
     reason = f"there is no link `{link}`" if link else f"joint `{joint}` has no link"
     return Weight(0.0, 1, Unknown(reason))

@@ -59,7 +59,7 @@ class DocumentPreview:
         self._joints: dict[str, float] = {}
         self._parameters: dict[str, float] = {}
         self._picture: Picture | None = None
-        self._last_good: Skeleton | None = None
+        self._last_good: Picture | None = None
         self._ghost: Skeleton | None = None
         self._planned: Skeleton | None = None
 
@@ -74,7 +74,11 @@ class DocumentPreview:
         drawn = picture(analysis.model, given, self._last_good)
         skeleton = drawn.skeleton
         name, limits = str(analysis.model.name), analysis.settings.joints
-        robot = robot_messages(name, skeleton, drawn.guesses, limits) if skeleton else None
+        robot = (
+            robot_messages(name, skeleton, drawn.guesses, limits, drawn.unknown)
+            if skeleton
+            else None
+        )
         return Drawing(given, drawn, robot)
 
     def put(self, analysis: Analysis, drawing: Drawing) -> None:
@@ -116,15 +120,15 @@ class DocumentPreview:
 
     def keep_as_ghost(self) -> None:
         """Make the document as it is the one that stands behind later ones and typed values."""
-        self._ghost = self._last_good
+        self._ghost = self._last_skeleton
         if self._parameters and self.analysis is not None:
             own = picture(self.analysis.model, {**self.analysis.context.values}, self._last_good)
-            self._ghost = self._last_good if own.state is State.BROKEN else own.skeleton
+            self._ghost = self._last_skeleton if own.state is State.BROKEN else own.skeleton
         self._draw_ghost()
 
     def lose(self, message: str) -> None:
         """Say that the document cannot be read; what was drawn stays until it can."""
-        status = {**lost_message(message), "total": len(self.findings), "label": self._label}
+        status = lost_message(message, self._picture, len(self.findings), self._label)
         self.analysis = None
         self.channel.replace("status", keyed([status]))
 
@@ -167,13 +171,17 @@ class DocumentPreview:
         message = {"type": "highlight", "path": path_of("highlight"), "kind": kind, "name": name}
         self.channel.replace("highlight", keyed([message]))
 
+    @property
+    def _last_skeleton(self) -> Skeleton | None:
+        return self._last_good.skeleton if self._last_good is not None else None
+
     def _draw(self) -> None:
         if self.analysis is not None:
             self._put(self.analysis, self.drawing(self.analysis))
 
     def _put(self, analysis: Analysis, drawing: Drawing) -> None:
         if drawing.picture.state is not State.BROKEN:
-            self._last_good = drawing.picture.skeleton
+            self._last_good = drawing.picture
         if drawing.robot is not None:
             self.channel.replace("robot", drawing.robot)
         guessed = drawing.picture.guesses.values
@@ -195,7 +203,7 @@ class DocumentPreview:
             self.channel.replace("status", keyed([status]))
 
     def _draw_ghost(self) -> None:
-        ghost, present = self._planned or self._ghost, self._last_good
+        ghost, present = self._planned or self._ghost, self._last_skeleton
         is_apart = ghost is not None and (present is None or not _stand_alike(ghost, present))
         self.channel.replace("ghost", ghost_messages(ghost) if ghost and is_apart else {})
 

@@ -2,7 +2,9 @@
 "use strict";
 
 const kindsl = (() => {
-  const STATES = { live: "live", reconnecting: "reconnecting…", exported: "exported" };
+  const STATES = {
+    connecting: "connecting…", live: "live", reconnecting: "reconnecting…", exported: "exported", stale: "stale", incomplete: "incomplete",
+  };
   const byId = (id) => document.getElementById(id);
   const pane = byId("pane"), embedded = byId("embedded-state");
   const viewer = openViewer();
@@ -90,7 +92,7 @@ const kindsl = (() => {
     if (page.inbox.isStale("parameters")) page.parameters.update([...page.inbox.parameters.values()]);
     if (page.inbox.isStale("findings")) {
       page.findings.show();
-      showTitle();
+      showHead();
     }
     if (page.selection.chosen) KindslCard.show(scene, page.selection.chosen, byId("selection"));
     page.lineArt.update();
@@ -105,11 +107,22 @@ const kindsl = (() => {
     const { name } = scene.model;
     byId("robot").textContent = name;
     byId("pane-title").textContent = name;
-    byId("dof").textContent = name ? KindslCard.summary(scene) : "";
-    showTitle();
+    showHead();
   }
 
-  function showTitle() {
+  // Nothing is called live that stands greyed in the picture.
+  function showState() {
+    const { state, is_former: isFormer } = page.inbox.status, isGrey = KindslFindings.GREY.has(state);
+    const shown = connectionState === "live" && isGrey ? (isFormer ? "stale" : "incomplete") : connectionState;
+    document.body.dataset.state = shown;
+    byId("state").textContent = STATES[shown];
+  }
+
+  function showHead() {
+    showState();
+    const { status: told } = page.inbox;
+    byId("dof").textContent = scene.model.name ? KindslCard.summary(scene, told) : "";
+    byId("dof").title = told.lacks || "";
     const { findings: { counts }, inbox: { status } } = page, words = page.findings.words();
     KindslTitle.show({ name: scene.model.name, words, counts, state: status.state, connection: connectionState });
   }
@@ -138,9 +151,8 @@ const kindsl = (() => {
 
   function onState(state) {
     connectionState = state;
-    document.body.dataset.state = state;
-    byId("state").textContent = STATES[state];
-    if (scene.model.name) showTitle();
+    showState();
+    if (scene.model.name) showHead();
     if (state === "live") page.editing.rejoin();
   }
 

@@ -38,13 +38,17 @@ def status_message(drawn: Picture, findings: Sequence[Diagnostic], label: str) -
         "total": len(findings),
         "counts": dict(counts),
         "label": label,
+        "mass": drawn.weight.known,
+        "lacks": drawn.weight.plain_reason,
+        "is_former": drawn.is_former,
     }
 
 
-def lost_message(message: str) -> Message:
-    """Return the message that the document itself is not there."""
-    path = path_of("status")
-    return {"type": "status", "path": path, "state": "gone", "message": message, "counts": {}}
+def lost_message(message: str, drawn: Picture | None, total: int, label: str) -> Message:
+    """Return the message that the document itself is not there: what is shown is a former one."""
+    lost = {"state": "gone", "message": message, "total": total, "counts": {}, "is_former": True}
+    shown = {} if drawn is None else status_message(drawn, (), label)
+    return {"type": "status", "path": path_of("status"), "label": label, **shown, **lost}
 
 
 def _finding(index: int, finding: Diagnostic, lines: LineIndex) -> Message:

@@ -4,13 +4,14 @@ As long as there is a tree the document itself is drawn, whatever is wrong with 
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
 from kindsl.mechanism.drawable import drawable_skeleton
 from kindsl.mechanism.errors import ModelError
 from kindsl.mechanism.fragments import LenientReader, skeleton_as_far_as_known
 from kindsl.mechanism.skeleton import Skeleton
+from kindsl.mechanism.total_mass import NO_MASS, Weight, total_mass, unknown_bodies
 from kindsl.preview.scene.guesses import NO_GUESSES, Guesses, guesses
 from kindsl.semantics.model import Model
 from kindsl.semantics.parameters import values_of
@@ -37,36 +38,46 @@ class Picture:
         state: See there.
         message: What is the matter, for people; empty if nothing.
         guesses: What was drawn with.
+        weight: The mass of what is shown, as far as it is known.
+        unknown: Why the mass distributions of some bodies are not known, by the bodies' names.
+        is_former: Whether it is an earlier version.
     """
 
     skeleton: Skeleton | None
     state: State
     message: str = ""
     guesses: Guesses = NO_GUESSES
+    weight: Weight = NO_MASS
+    unknown: Mapping[str, str] = field(default_factory=dict)
+    is_former: bool = False
 
 
-def picture(model: Model, given: dict[str, float], last_good: Skeleton | None) -> Picture:
+def picture(model: Model, given: dict[str, float], last: Picture | None) -> Picture:
     """Choose what to draw of a document.
 
     Args:
         model: Its model, whole or broken.
         given: Values of parameters.
-        last_good: The bodies of the last version that had a complete tree.
+        last: That of the last version that had a complete tree.
     """
     values = values_of(model.parameters, model.constants, given)
     guessed = guesses(model, values)
     values.update(guessed.values)
-    earlier = (
-        dict(zip(last_good.joint_names, last_good.placements, strict=True)) if last_good else {}
-    )
+    former = last.skeleton if last is not None else None
+    earlier = dict(zip(former.joint_names, former.placements, strict=True)) if former else {}
     skeleton = skeleton_as_far_as_known(model, values, earlier)
     defect = _defect(model) or (_refusal(model, values) if skeleton is None else "")
+    if defect and last is not None and former is not None:
+        sentence = _sentence(defect, "the last complete version is shown")
+        return replace(last, state=State.BROKEN, message=sentence, guesses=guessed, is_former=True)
+    weight = total_mass(model, values)
+    unknown = {name: why.plain for name, why in unknown_bodies(model, values).items()}
     if defect:
-        shown = last_good or skeleton
-        return Picture(shown, State.BROKEN, _sentence(defect, last_good, shown), guessed)
+        sentence = _sentence(defect, "showing the rest" if skeleton else "nothing can be shown yet")
+        return Picture(skeleton, State.BROKEN, sentence, guessed, weight, unknown)
     message = _message(guessed) or _incomplete(model, values)
     state = State.GUESSED if guessed.values or guessed.left_out else State.LIVE
-    return Picture(skeleton, state, message, guessed)
+    return Picture(skeleton, state, message, guessed, weight, unknown)
 
 
 def _defect(model: Model) -> str:
@@ -94,11 +105,7 @@ def _refusal(model: Model, values: Mapping[str, float]) -> str:
     return "there are no links"
 
 
-def _sentence(problem: str, last_good: Skeleton | None, shown: Skeleton | None) -> str:
-    if last_good is not None:
-        consequence = "the last complete version is shown"
-    else:
-        consequence = "showing the rest" if shown else "nothing can be shown yet"
+def _sentence(problem: str, consequence: str) -> str:
     return f"{problem[:1].upper()}{problem[1:]}: {consequence}"
 
 

@@ -25,6 +25,7 @@ from kindsl.preview.scene.size import Extent, Segment, extent
 from kindsl.semantics.parameters import JointLimits
 
 NO_LIMITS: Mapping[str, JointLimits] = {}
+NOTHING_UNKNOWN: Mapping[str, str] = {}
 
 
 def robot_messages(
@@ -32,6 +33,7 @@ def robot_messages(
     skeleton: Skeleton,
     guessed: Guesses = NO_GUESSES,
     limits: Mapping[str, JointLimits] = NO_LIMITS,
+    unknown: Mapping[str, str] = NOTHING_UNKNOWN,
 ) -> Messages:
     """Return everything that is drawn of a mechanism, and the numbers the page places it by.
 
@@ -40,11 +42,12 @@ def robot_messages(
         skeleton: Its bodies.
         guessed: Which places are guesses.
         limits: How far joints go, by name.
+        unknown: Why the mass distributions of some bodies are not known, by the bodies' names.
     """
     size = extent(skeleton)
     ellipsoids = [inertia_ellipsoid(body) for body in skeleton.masses]
     messages = [_model(name, skeleton, size)]
-    messages.extend(_numbers("robot", skeleton, size, ellipsoids, guessed))
+    messages.extend(_numbers("robot", skeleton, size, ellipsoids, guessed, unknown))
     messages.extend(_limits(skeleton, limits))
     messages.extend(_robot_marks(skeleton, size, ellipsoids))
     return keyed(messages)
@@ -54,7 +57,8 @@ def ghost_messages(skeleton: Skeleton) -> Messages:
     """Return the bodies of a former version, to stand behind the present one."""
     size = extent(skeleton)
     ellipsoids = [inertia_ellipsoid(body) for body in skeleton.masses]
-    messages = list(_numbers("ghost", skeleton, size, ellipsoids, NO_GUESSES))
+    nothing = NO_GUESSES, NOTHING_UNKNOWN
+    messages = list(_numbers("ghost", skeleton, size, ellipsoids, *nothing))
     for link, segments in zip(skeleton.body_names, size.segments, strict=True):
         messages.extend(body_marks("ghost", link, segments, "body"))
     return keyed(messages)
@@ -97,6 +101,7 @@ def _numbers(
     size: Extent,
     ellipsoids: Sequence[InertiaEllipsoid],
     guessed: Guesses,
+    unknown: Mapping[str, str],
 ) -> Iterator[Message]:
     """Yield what the page needs for kinematics, gravity torques and its panel."""
     joints = ("", *skeleton.joint_names)
@@ -112,6 +117,7 @@ def _numbers(
             "com": list(skeleton.masses[body].com),
             "inertia": list(ellipsoids[body].about_com),
             "is_consistent": is_at_rest or ellipsoids[body].is_consistent,
+            "lacks": unknown.get(name, ""),
             **_shape(size.segments[body]),
         }
     yield from _joints(tree, skeleton, guessed)

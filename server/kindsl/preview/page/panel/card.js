@@ -25,6 +25,7 @@ const KindslCard = (() => {
     const list = [];
     const joint = tree.joints.get(link.joint);
     if (joint) list.push(["Moved by", `${joint.name} (${joint.kind})`], ["Axis", axis(poses.joints.get(joint.name))]);
+    if (link.lacks) return [...list, ["Inertia", "unknown"], ["", link.lacks]];
     list.push(["Mass", `${format(link.mass, 5)} kg`], ["Centre of mass", `${vector(link.com)} m`]);
     // The tensor's other entries are the products of inertia with their signs changed.
     const [xx, , , xy, yy, , xz, yz, zz] = link.inertia;
@@ -45,14 +46,15 @@ const KindslCard = (() => {
       ["Value", `${format(scene.q.get(joint.name) || 0)} ${unit}`],
       ...(told ? [["Limits", `${limits.map((limit) => (limit === null ? "none" : format(limit))).join(" to ")} ${unit}`]] : []),
       ...(joint.is_guess ? [["", "a parameter without a value: its place is a guess"]] : []),
-      ["Gravity", `${format(scene.torques.get(joint.name) || 0, 3)} ${force}`],
+      ["Gravity", scene.torques.has(joint.name) ? `${format(scene.torques.get(joint.name), 3)} ${force}` : "unknown"],
     ];
   }
 
-  // One line about the whole robot.
-  function summary(scene) {
-    const count = scene.trees.robot.joints.size;
-    return `${count} joint${count === 1 ? "" : "s"}, ${format(scene.total.mass, 3)} kg`;
+  // One line about the whole robot; a part of its mass never reads like the whole.
+  function summary(scene, { mass = 0, lacks, is_former: isFormer }) {
+    const count = scene.trees.robot.joints.size, known = `${format(mass, 3)} kg`;
+    const told = !lacks ? known : mass > 0 ? `at least ${known}` : "mass unknown";
+    return `${count} joint${count === 1 ? "" : "s"}, ${told}${isFormer ? " (stale)" : ""}`;
   }
 
   function show(scene, chosen, section) {

@@ -5,6 +5,8 @@ const KindslFindings = (() => {
   const { make } = KindslElements;
   const WORDS = [["error", "error"], ["warning", "warning"], ["info", "note"], ["hint", "hint"]];
 
+  const GREY = new Set(["broken", "gone"]); // what is drawn is not the document
+
   class Findings {
     constructor(pane, inbox, actions) {
       Object.assign(this, { pane, inbox, actions, isOpen: false });
@@ -28,7 +30,7 @@ const KindslFindings = (() => {
     show() {
       const { state, message, total } = this.inbox.status;
       const list = [...this.inbox.findings.values()].sort((a, b) => a.index - b.index);
-      const isStale = ["broken", "gone"].includes(state);
+      const isStale = GREY.has(state);
       this.pane.classList.toggle("stale", isStale);
       this.notice.hidden = !message;
       this.notice.classList.toggle("broken", isStale);
@@ -67,5 +69,5 @@ const KindslFindings = (() => {
     }
   }
 
-  return { Findings };
+  return { Findings, GREY };
 })();

@@ -1,7 +1,7 @@
 // Forward kinematics, centres of mass and gravity torques of a tree of bodies, as the page needs them.
 //
 // A robot is {links, joints, frames}: maps by name of what the server sends. A link is
-// {name, index, joint, mass, com}, a joint {name, kind, predecessor, successor, placement}, a frame
+// {name, index, joint, mass, com, lacks}, `lacks` being why mass or com are not known, a joint {name, kind, predecessor, successor, placement}, a frame
 // {name, link, placement}. Matrices are homogeneous, 16 numbers, column by column (three.js' order);
 // `base_T_x` maps x's coordinates to the base's. Metres, radians, kilograms.
 "use strict";
@@ -76,18 +76,20 @@ const KindslKinematics = (() => {
     return { links, joints, frames };
   }
 
-  // Return a map from link names to {mass, moment}: of the link and all that it carries, about the base's origin.
+  // Return a map from link names to {mass, moment, isWhole}: of the link and all that it carries, about the base's origin.
   function subtreeMoments(robot, poses) {
     const sums = new Map();
     for (const link of inOrder(robot).reverse()) {
       const com = transformPoint(poses.links.get(link.name), link.com);
-      const own = sums.get(link.name) || { mass: 0, moment: [0, 0, 0] };
+      const own = sums.get(link.name) || { mass: 0, moment: [0, 0, 0], isWhole: true };
+      own.isWhole = own.isWhole && !link.lacks;
       own.mass += link.mass;
       own.moment = own.moment.map((sum, i) => sum + link.mass * com[i]);
       sums.set(link.name, own);
       const joint = robot.joints.get(link.joint);
       if (!joint) continue;
-      const carrier = sums.get(joint.predecessor) || { mass: 0, moment: [0, 0, 0] };
+      const carrier = sums.get(joint.predecessor) || { mass: 0, moment: [0, 0, 0], isWhole: true };
+      carrier.isWhole = carrier.isWhole && own.isWhole;
       carrier.mass += own.mass;
       carrier.moment = carrier.moment.map((sum, i) => sum + own.moment[i]);
       sums.set(joint.predecessor, carrier);
@@ -95,24 +97,27 @@ const KindslKinematics = (() => {
     return sums;
   }
 
-  // Return {mass, com} of all that moves: the whole robot, without a base that is fixed. com is null without mass.
+  // Return where the centre of mass of all that moves is, without a base that is fixed; null without mass or where a part is
+  // not known.
   function centerOfMass(robot, poses, isFloating) {
     let mass = 0, moment = [0, 0, 0];
     for (const link of inOrder(robot).slice(isFloating ? 0 : 1)) {
+      if (link.lacks) return null;
       const com = transformPoint(poses.links.get(link.name), link.com);
       mass += link.mass;
       moment = moment.map((sum, i) => sum + link.mass * com[i]);
     }
-    return { mass, com: mass > 0 ? moment.map((value) => value / mass) : null };
+    return mass > 0 ? moment.map((value) => value / mass) : null;
   }
 
-  // Return a map from joint names to the force (N) or torque (N m) that holds the joint against gravity.
+  // Return a map from joint names to the force (N) or torque (N m) that holds the joint against gravity; those that carry what
+  // is not known are left out.
   function gravityTorques(robot, poses, gravity = GRAVITY) {
     const sums = subtreeMoments(robot, poses);
     const torques = new Map();
     for (const joint of robot.joints.values()) {
       const pose = poses.joints.get(joint.name), carried = sums.get(joint.successor);
-      if (!pose || !carried) continue;
+      if (!pose || !carried?.isWhole) continue;
       const arm = minus(carried.moment, origin(pose).map((value) => value * carried.mass));
       const load = joint.kind === "prismatic" ? gravity.map((value) => value * carried.mass) : cross(arm, gravity);
       torques.set(joint.name, 0 - dot(zAxis(pose), load));

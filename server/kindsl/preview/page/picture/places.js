@@ -14,8 +14,8 @@ const KindslPlaces = (() => {
   function place(scene, mark, matrix) {
     const { tree, group, name } = mark;
     if (group === "total") {
-      matrix.makeTranslation(...(scene.total.com || [0, 0, 0]));
-      if (!scene.total.com) return matrix.makeScale(0, 0, 0);
+      matrix.makeTranslation(...(scene.com || [0, 0, 0]));
+      if (!scene.com) return matrix.makeScale(0, 0, 0);
     } else {
       const pose = scene.poses[tree][group].get(name);
       if (!pose) return matrix.makeScale(0, 0, 0);

@@ -28,7 +28,7 @@ const KindslScene = (() => {
       this.q = new Map();
       this.limits = new Map(); // of joints by name: {minimum, maximum}, null where there is none
       this.torques = new Map();
-      this.total = { mass: 0, com: null };
+      this.com = null; // of the whole robot
       this.view = new Map(KindslCategories.CATEGORIES.map((c) => [c.key, { visible: true, opacity: 1 }]));
       this.hidden = new KindslHidden.Hidden();
       this.showsOversized = false;
@@ -122,7 +122,7 @@ const KindslScene = (() => {
         this.poses[name] = KindslKinematics.forwardKinematics(this.trees[name], this.q);
       }
       const { trees: { robot }, poses, model } = this;
-      this.total = KindslKinematics.centerOfMass(robot, poses.robot, model.is_floating);
+      this.com = KindslKinematics.centerOfMass(robot, poses.robot, model.is_floating);
       this.torques = KindslKinematics.gravityTorques(robot, poses.robot);
       this.largestTorque = Math.max(1e-9, ...[...this.torques.values()].map(Math.abs));
       this.batches.update();
