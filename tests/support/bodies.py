@@ -81,6 +81,28 @@ def significant(digits: int) -> Writer:
     return write
 
 
+def mixed(generator: random.Random, kind: str, shorten: str) -> Writer:
+    """Return the writer of as many digits as comes, `decimals` or `significant` ones.
+
+    Args:
+        generator: Source of randomness.
+        kind: `decimals` or `significant`.
+        shorten: How the other digits are dropped, as `decimal` calls it.
+    """
+
+    def write(value: float) -> str:
+        exact, digits = Decimal(value), generator.choice((2, 3, 4, 5, 6, 6, 12))
+        last = exact.adjusted() - digits + 1 if kind == "significant" and value else -digits
+        return _with_point(f"{exact.quantize(Decimal(1).scaleb(last), rounding=shorten):f}")
+
+    return write
+
+
+def plainly(value: float) -> str:
+    """Return a number with all of its digits and no exponent."""
+    return _with_point(repr(value))
+
+
 def inertia_text(body: MassDistribution, write: Writer) -> str:
     """Return an inertia section with the body's numbers."""
     names = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")

@@ -1,11 +1,11 @@
 """Values over ranges of parameters: their bounds, and whether they are affine in each parameter."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from math import pi
-from typing import TypeAlias
+from typing import TypeAlias, cast
 
 from kindsl.semantics.expressions import Expression, name_of, number_of
-from kindsl.syntax.tree import Node
+from kindsl.syntax.tree import Node, Token
 
 Interval: TypeAlias = tuple[float, float]
 Degrees: TypeAlias = Mapping[str, int]
@@ -14,16 +14,26 @@ _PASSING = ("group", "plus", "constant")
 _USES = ("parameter", "defaulted", "juxtaposed_parameter")
 
 
-def bounds_of(expression: Expression, known: Mapping[str, Interval]) -> Interval | None:
+def exactly(text: str) -> Interval:
+    """Return a number as written, taken to be exact."""
+    return float(text), float(text)
+
+
+def bounds_of(
+    expression: Expression,
+    known: Mapping[str, Interval],
+    written: Callable[[str], Interval] = exactly,
+) -> Interval | None:
     """Return bounds of a value, None where a name is unbound or a divisor may be zero.
 
     Args:
         expression: The value.
         known: Bounds of parameters by name, and of constants by `<name>`.
+        written: Gives the bounds of a number by its text.
 
     Source: natural interval extension, Moore 1966.
     """
-    return _bounds(expression.node, known)
+    return _bounds(expression.node, known, written)
 
 
 def degrees_of(expression: Expression, names: frozenset[str]) -> Degrees | None:
@@ -36,19 +46,21 @@ def product_degrees(left: Degrees, right: Degrees) -> Degrees:
     return {name: left.get(name, 0) + right.get(name, 0) for name in {**left, **right}}
 
 
-def _bounds(node: Node, known: Mapping[str, Interval]) -> Interval | None:
+def _bounds(
+    node: Node, known: Mapping[str, Interval], written: Callable[[str], Interval]
+) -> Interval | None:
     kind = node.kind
     if kind == "number":
-        return _exact(number_of(node.children[0]))
+        return _number(node, written)
     if kind == "pi":
         return pi, pi
     if kind == "juxtaposed_pi":
-        return _times(_exact(number_of(node.children[0])), (pi, pi))
+        return _times(_number(node, written), (pi, pi))
     if kind == "constant_use":
         return known.get(f"<{name_of(node)}>")
     if kind == "juxtaposed_parameter":
-        return _times(_exact(number_of(node.children[0])), known.get(name_of(node)))
-    parts = [_bounds(child, known) for child in node.children if isinstance(child, Node)]
+        return _times(_number(node, written), known.get(name_of(node)))
+    parts = [_bounds(child, known, written) for child in node.children if isinstance(child, Node)]
     if kind in ("parameter", "defaulted"):
         return known.get(name_of(node)) or (parts[0] if parts else None)
     if kind in _PASSING:
@@ -98,5 +110,6 @@ def _degrees(node: Node, names: frozenset[str]) -> Degrees | None:
     return {name: max(p[name] for p in parts if name in p) for part in parts for name in part}
 
 
-def _exact(value: float | None) -> Interval | None:
-    return None if value is None else (value, value)
+def _number(node: Node, written: Callable[[str], Interval]) -> Interval | None:
+    token = node.children[0]
+    return None if number_of(token) is None else written(cast(Token, token).text)

@@ -1,16 +1,20 @@
 """Possible bodies, rounded as people round, are never called impossible."""
 
 import random
+from decimal import ROUND_DOWN, ROUND_HALF_EVEN
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.support.amount import usually
 from tests.support.bodies import (
     SHAPES,
     Writer,
     decimals,
     document_of_bodies,
     inertia_text,
+    mixed,
+    plainly,
     random_body,
     short_decimals,
     significant,
@@ -23,8 +27,11 @@ from kindsl.rigid.body import (
     eigensystem,
     principal_moments,
     second_moments_about_com,
+    seen_from,
 )
+from kindsl.rigid.pose import pose_from
 from kindsl.rules.inertia.judgements import Verdict, verdict_of
+from kindsl.semantics.parameters import Binding
 
 WRITERS = [
     pytest.param(kind(digits), id=f"{kind.__name__}-{digits}")
@@ -33,6 +40,7 @@ WRITERS = [
 ]
 ONLY_INERTIA = Settings(select=("KD301", "KD302", "KD303"))
 BODIES = 670
+MIXED = usually(150, 3000)
 
 
 @pytest.mark.parametrize("write", WRITERS)
@@ -43,6 +51,63 @@ def test_rounded_possible_body_is_no_error(write: Writer) -> None:
     found = analyse(text, ONLY_INERTIA).findings
     wrong = [f for f in found if f.severity == "error" and "mass" not in f.message]
     assert [text[f.start : f.start + 200] for f in wrong] == []
+
+
+@pytest.mark.parametrize("far", [0.0, 5.0], ids=["near", "far"])
+@pytest.mark.parametrize("shorten", [ROUND_HALF_EVEN, ROUND_DOWN], ids=["rounded", "cut"])
+@pytest.mark.parametrize("kind", ["decimals", "significant"])
+def test_body_of_numbers_of_mixed_length_is_no_error(kind: str, shorten: str, far: float) -> None:
+    generator = random.Random(f"mixed {kind} {shorten} {far}")
+    write = mixed(generator, kind, shorten)
+    texts = []
+    for n in range(MIXED):
+        body = random_body(generator, SHAPES[n % len(SHAPES)])
+        place = pose_from(tuple(generator.uniform(-far, far) for _ in range(3)), (0.0,) * 3)
+        texts.append(inertia_text(seen_from(body, place), write))
+    text = document_of_bodies(texts)
+    found = analyse(text, ONLY_INERTIA).findings
+    wrong = [f for f in found if f.severity == "error" and "mass" not in f.message]
+    assert [text[f.start : f.start + 200] for f in wrong] == []
+
+
+def test_body_of_four_short_and_two_long_moments_is_no_error() -> None:
+    """A thin plate, as a script and a person write it together."""
+    generator = random.Random("four and two")
+    texts = []
+    for _ in range(MIXED):
+        body = random_body(generator, "plate")
+        digits = [6, 6, 6, 6, 12, 12]
+        generator.shuffle(digits)
+        moments = tuple(float(f"{m:.{d}f}") for m, d in zip(body.moments, digits, strict=True))
+        texts.append(inertia_text(body._replace(moments=moments), plainly))
+    text = document_of_bodies(texts)
+    assert [f for f in analyse(text, ONLY_INERTIA).findings if f.severity == "error"] == []
+
+
+@pytest.mark.parametrize("values", ["parameters", "constants", "defaults", "factors"])
+def test_body_of_rounded_expressions_is_no_error(values: str) -> None:
+    """A thin plate's numbers are rounded, wherever they stand."""
+    generator = random.Random(f"expressions {values}")
+    write = mixed(generator, "decimals", ROUND_HALF_EVEN)
+    bindings: dict[str, Binding] = {}
+
+    def expression(value: float) -> str:
+        name = f"p{len(bindings)}"
+        if values == "factors":
+            factor = generator.choice(("2.0", "0.500", "4.00"))
+            return f"{factor}*{write(value / float(factor))}"
+        bindings[name] = Binding(float(write(value)))
+        if values == "parameters":
+            return name
+        text = write(value)
+        return f"<{name}={text}>" if values == "constants" else f"d{name}[{text}]"
+
+    bodies = [random_body(generator, "plate") for _ in range(100)]
+    text = document_of_bodies([inertia_text(body, expression) for body in bodies])
+    used = ONLY_INERTIA._replace(bindings=bindings)
+    found = analyse(text, used).findings
+    assert any(f.severity in ("hint", "warning") for f in found)
+    assert [f for f in found if f.severity == "error" and "mass" not in f.message] == []
 
 
 @settings(deadline=None)

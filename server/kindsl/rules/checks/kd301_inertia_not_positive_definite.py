@@ -2,9 +2,9 @@
 
 ## What it does
 Reports a moving link whose inertia tensor about its centre of mass has a negative eigenvalue, for
-every choice of the numbers within the digits written: an error, and a warning where only zeros
-dropped at the end could explain it (`0.1` beside `0.012` is mostly 0.100). Parameters are taken at
-their bound values.
+every choice of the numbers within their own last digits, rounded or cut off: an error. A warning is
+given where only zeros dropped at the end could explain it (`0.1` beside `0.012` is mostly 0.100).
+Parameters are taken at their bound values, within their digits.
 
 ## Why is this bad?
 No mass, however spread, has a negative moment of inertia. The joint-space inertia matrix may then

@@ -2,9 +2,9 @@
 
 ## What it does
 Reports a moving link with principal moments `a + b < c` about its centre of mass: an error if that
-holds for every choice of the numbers within the digits written, a warning if only zeros dropped at
-the end could explain it, else a hint, as for honest rods and plates. A link of KD301 is not
-reported again.
+holds for every choice of the numbers within their own last digits, rounded or cut off, a warning if
+only zeros dropped at the end could explain it, else a hint, as for honest rods and plates. A link
+of KD301 is not reported again.
 
 ## Why is this bad?
 `c = a + b` is a plate without thickness; nothing is flatter than that. Simulators such as MuJoCo
@@ -23,9 +23,10 @@ inertia_params {
 ## How it is decided
 With `S = tr(I)/2 1 - I` about the CoM, the body is possible if the smallest eigenvalue of `S` is
 not negative; it is `(a + b - c) / 2`. Let `v` be its axis. `v' S v` is linear in the moments and
-falls with `m (c.v)^2`, so its greatest value over all numbers that round to those written is known
-in closed form. Where that is negative, `v` proves that no body has these numbers. A body that was
-possible before its numbers were rounded is therefore never an error.
+falls with `m (c.v)^2`, so its greatest value over all numbers that are written so, rounded or cut
+off, is known in closed form. Where that is negative, `v` proves that no body has these numbers. A
+body that was possible before its numbers were shortened, each to however many digits, is therefore
+never an error.
 """
 
 from collections.abc import Iterator

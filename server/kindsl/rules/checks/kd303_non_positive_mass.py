@@ -25,7 +25,7 @@ from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
 from kindsl.rules.broken_text import has_problem_within
 from kindsl.rules.context import Context
 from kindsl.rules.examples import STEEL_BALL, link
-from kindsl.rules.inertia.digits import half_widths
+from kindsl.rules.inertia.digits import likely_half_widths, numbers_written
 from kindsl.rules.inertia.judgements import Verdict, is_moving, verdict_of
 from kindsl.rules.inertia.wording import with_unit
 from kindsl.semantics.declarations import Declarations, Inertia
@@ -58,7 +58,8 @@ def _without_sign(inertia: Inertia, mass: Expression, values: Mapping[str, float
         return None
     body = written._replace(mass=-written.mass)
     pairs = eigensystem(second_moments_about_com(body))
-    if verdict_of(body, half_widths(inertia, values), pairs) is not Verdict.POSSIBLE:
+    half = likely_half_widths(numbers_written(inertia, values))
+    if verdict_of(body, half, pairs) is not Verdict.POSSIBLE:
         return None
     text = mass.text.removeprefix("-")
     return Fix(f"Write {text}", (Change(mass, text),))

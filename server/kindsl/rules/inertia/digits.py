@@ -1,13 +1,15 @@
 """How far the numbers of an inertia may be from what is written.
 
-A number stands for all that round to it. Two kinds of writers must be believed: the one who keeps
-as many decimals everywhere, and the one who keeps as many significant digits; both may drop zeros
-at the end. So of a group of numbers written together, the finest last digit and the greatest
-count of significant digits are taken, and each number is as exact as the coarser of the two allows.
+What is to be *proved* believes nothing of a writer but his digits: each number, by itself, stands
+for all that are rounded to it or cut off to it. That holds for the numbers in an expression and for
+the values of parameters, too.
 
-The groups are the vector and the six moments, for what is to be *proved* of the numbers; and the
-whole section, for what is *likely* of them: `CoM = (0.0, 0.0, 0.1)` beside `Ix=0.012` is mostly 100
-mm, and not anything between 50 and 150.
+What is *likely* looks at the whole section. Two kinds of writers are believed: the one who keeps
+as many decimals everywhere, and the one who keeps as many significant digits; both may drop zeros
+at the end. So the finest last digit and the greatest count of significant digits are taken, and
+each number is as exact as the coarser of the two allows: `CoM = (0.0, 0.0, 0.1)` beside `Ix=0.012`
+is mostly 100 mm, and not anything between 50 and 150. A number of many digits is no round one, and
+has dropped no zeros.
 """
 
 from collections.abc import Mapping, Sequence
@@ -18,8 +20,10 @@ from kindsl.rigid.body import MassDistribution
 from kindsl.rules.number_writing import significant_digits
 from kindsl.semantics.declarations import MOMENTS, Inertia
 from kindsl.semantics.expressions import Expression, half_unit
+from kindsl.semantics.ranges import Interval, bounds_of
 
 _FEWEST_DIGITS = 2
+_MOST_OF_A_ROUND_NUMBER = 3
 _GREATEST_WHOLE = 1e15
 
 
@@ -37,34 +41,66 @@ class Written(NamedTuple):
     rounding: float
 
 
-def half_widths(inertia: Inertia, values: Mapping[str, float]) -> MassDistribution:
-    """Return how far each number of a complete inertia may be from what is written, at most."""
-    mass, *others = numbers_written(inertia, values)
-    com, moments = others[:3], others[3:]
-    return MassDistribution(
-        _own_half(mass),
-        tuple(_halves(com, com)),  # type: ignore[arg-type]
-        tuple(_halves(moments, moments)),  # type: ignore[arg-type]
-    )
+class Bounds(NamedTuple):
+    """All bodies whose numbers are within intervals.
+
+    Attributes:
+        middle: Of each interval.
+        half: Half of the width of each.
+    """
+
+    middle: MassDistribution
+    half: MassDistribution
+
+
+def bounds_by_digits(inertia: Inertia, known: Mapping[str, Interval]) -> Bounds | None:
+    """Return within which bounds the numbers of a complete inertia are, whoever wrote them.
+
+    Args:
+        inertia: Complete.
+        known: Bounds of parameters by name, and of constants by `<name>`.
+    """
+    found = [bounds_of(value, known, all_written_as) for value in _ten_values(inertia)]
+    bounds = [each for each in found if each is not None]
+    if len(bounds) < len(found):
+        return None
+    middles = [0.5 * (low + high) for low, high in bounds]
+    return Bounds(_ten(middles), _ten([0.5 * (high - low) for low, high in bounds]))
+
+
+def all_written_as(text: str) -> Interval:
+    """Return bounds of all numbers that are written so when they are rounded, or cut off."""
+    value, half = float(text), _own_half(text)
+    if value == 0.0:
+        return -2.0 * half, 2.0 * half
+    near, far = abs(value) - half, abs(value) + 2.0 * half
+    return (near, far) if value > 0.0 else (-far, -near)
 
 
 def likely_half_widths(numbers: Sequence[Written]) -> MassDistribution:
     """Return the same if all ten numbers were written in the same manner."""
     halves = _halves(numbers, numbers[1:])
-    return MassDistribution(halves[0], tuple(halves[1:4]), tuple(halves[4:]))  # type: ignore[arg-type]
+    return _ten(halves)
 
 
 def numbers_written(inertia: Inertia, values: Mapping[str, float]) -> list[Written]:
     """Return the ten numbers of a complete inertia: mass, centre of mass, moments."""
-    assert inertia.mass is not None and inertia.com is not None
-    moments = (inertia.moments[name] for name in MOMENTS)
-    group = (inertia.mass, *inertia.com.components, *moments)
-    return [_written(value, values) for value in group]
+    return [_written(value, values) for value in _ten_values(inertia)]
 
 
 def rewritten_number(text: str) -> Written:
     """Return a plain number that is to be written."""
     return Written(text, float(text), half_unit(text))
+
+
+def _ten_values(inertia: Inertia) -> list[Expression]:
+    assert inertia.mass is not None and inertia.com is not None
+    moments = (inertia.moments[name] for name in MOMENTS)
+    return [inertia.mass, *inertia.com.components, *moments]
+
+
+def _ten(numbers: Sequence[float]) -> MassDistribution:
+    return MassDistribution(numbers[0], tuple(numbers[1:4]), tuple(numbers[4:]))  # type: ignore[arg-type]
 
 
 def _written(value: Expression, values: Mapping[str, float]) -> Written:
@@ -80,33 +116,33 @@ def _halves(group: Sequence[Written], manner: Sequence[Written]) -> list[float]:
 
 
 def _half(number: Written, finest: float, digits: int) -> float:
-    own = _own_half(number)
     if number.literal is None:
-        return own
+        return number.rounding
     if number.literal == 0.0:
         return min(finest, half_unit(number.text))
+    own = _own_half(number.text)
+    if _believed_digits(number) > _MOST_OF_A_ROUND_NUMBER:
+        return own
     by_digits = 0.5 * 10.0 ** (floor(log10(abs(number.literal))) - digits + 1)
     return min(own, max(finest, by_digits))
 
 
-def _own_half(number: Written) -> float:
-    """Return the half-width of a number alone; of `120.0` the digits before its zeros count."""
-    whole, unit = _whole(number), 1
+def _own_half(text: str) -> float:
+    """Return half a unit of the last digit; of `120.0` the digits before its zeros count."""
+    whole, unit = _whole(text), 1
     if whole is None:
-        return number.rounding
+        return half_unit(text)
     while whole % 10 == 0 and whole >= 100:
         whole, unit = whole // 10, unit * 10
     return 0.5 * unit
 
 
 def _believed_digits(number: Written) -> int:
-    whole = _whole(number)
+    whole = _whole(number.text)
     return significant_digits(number.text) if whole is None else len(str(whole).rstrip("0"))
 
 
-def _whole(number: Written) -> int | None:
+def _whole(text: str) -> int | None:
     """Return the size of a number whose point is there only because the language wants it."""
-    if number.literal is None or not number.text.endswith(".0"):
-        return None
-    size = abs(number.literal)
+    size = abs(float(text)) if text.endswith(".0") else 0.0
     return int(size) if 10.0 <= size < _GREATEST_WHOLE else None

@@ -1,10 +1,10 @@
 """Whether the inertia of each link is that of a possible body.
 
 Every number written stands for all that round to it. A body is called impossible only if along one
-axis no choice of its numbers within these intervals gives a second moment that is not negative:
-that axis then proves it, whatever the other numbers are. The axis tried is that of the smallest
-second moment about the CoM. The intervals of a writer who drops zeros at the end are not known;
-see `digits` for those that prove and those that are likely.
+axis no choice of its numbers within these intervals gives a second moment, or a moment of inertia,
+that is not negative: that axis then proves it, whatever the other numbers are. The axes tried are
+those of the smallest ones about the CoM. See `digits` for the intervals that prove and those that
+are likely.
 """
 
 from collections.abc import Mapping, Sequence
@@ -26,7 +26,13 @@ from kindsl.rigid.body import (
 from kindsl.rules.base import Finding, Severity
 from kindsl.rules.broken_text import has_problem_within
 from kindsl.rules.context import Context
-from kindsl.rules.inertia.digits import half_widths, likely_half_widths, numbers_written
+from kindsl.rules.inertia.digits import (
+    Bounds,
+    all_written_as,
+    bounds_by_digits,
+    likely_half_widths,
+    numbers_written,
+)
 from kindsl.rules.inertia.plausibility import (
     GREATEST_DENSITY,
     GREATEST_LENGTH,
@@ -70,7 +76,7 @@ class Judgement(NamedTuple):
         half: How far each is likely to be from what is written.
         second_moments: Eigenvalues and axes of the second moments about the CoM, ascending.
         verdict: What is to be said, as the numbers are likely to be meant.
-        is_proved: Whether the body is impossible in whatever manner its numbers were rounded.
+        is_proved: Whether no body's numbers are so, in whatever manner each was rounded.
     """
 
     link: Link
@@ -138,9 +144,8 @@ def is_plain(inertia: Inertia) -> bool:
 
 def at_values(inertia: Inertia, values: Mapping[str, float]) -> str:
     """Return at which parameters' values an inertia was looked at: ` at m = 2`, or nothing."""
-    uses = [use for value in inertia_values(inertia) for use in symbols(value)]
-    names = dict.fromkeys(str(use.name) for use in uses if isinstance(use, ParameterUse))
-    told = [f"{name} = {values[name]:g}" for name in names if name in values]
+    used = _used(inertia, values).items()
+    told = [f"{name} = {value:g}" for name, value in used if not name.startswith("<")]
     return f" at {', '.join(told)}" if told else ""
 
 
@@ -169,8 +174,7 @@ def verdict_of(
         half: How far each number may be from what is written.
         pairs: Eigenpairs of the second moments about the CoM, ascending.
     """
-    size = sum(map(abs, body.moments)) + body.mass * sum(c * c for c in body.com)
-    noise = _ROUNDING_OF_ARITHMETIC * size
+    noise = _ROUNDING_OF_ARITHMETIC * _size(body)
     if pairs[0].value > _SINGULAR * (pairs[0].value + pairs[1].value + pairs[2].value) > 0.0:
         return Verdict.POSSIBLE
     if greatest_moment(body, half, pairs[2].axis) < -noise:
@@ -180,6 +184,25 @@ def verdict_of(
     if pairs[0].value < -max(noise, _SINGULAR * abs(pairs[2].value)):
         return Verdict.WITHIN_ROUNDING
     return Verdict.SINGULAR
+
+
+def is_impossible_within(bounds: Bounds, pairs: tuple[Eigenpair, Eigenpair, Eigenpair]) -> bool:
+    """Return whether an axis proves that no body has numbers within bounds.
+
+    Args:
+        bounds: Of the numbers.
+        pairs: Eigenpairs of the second moments about the CoM, ascending, of a body within them.
+    """
+    middle, half = bounds
+    noise = _ROUNDING_OF_ARITHMETIC * (_size(middle) + _size(half))
+    if greatest_moment(middle, half, pairs[2].axis) < -noise:
+        return True
+    return greatest_second_moment(middle, half, pairs[0].axis) < -noise
+
+
+def _size(body: MassDistribution) -> float:
+    """Return how large the numbers are that second moments are computed of."""
+    return sum(map(abs, body.moments)) + body.mass * sum(c * c for c in body.com)
 
 
 def _judge(link: Link, values: Mapping[str, float]) -> Judgement | None:
@@ -202,8 +225,26 @@ def _judge(link: Link, values: Mapping[str, float]) -> Judgement | None:
         if can_be_of_matter(body, half, pairs):
             return None
         verdict = Verdict.IMPLAUSIBLE
-    at_most = verdict_of(body, half_widths(inertia, values), pairs)
-    return Judgement(link, inertia, body, half, pairs, verdict, at_most in IMPOSSIBLE)
+    is_proved = verdict in IMPOSSIBLE and _is_proved_impossible(inertia, values, pairs)
+    return Judgement(link, inertia, body, half, pairs, verdict, is_proved)
+
+
+def _is_proved_impossible(
+    inertia: Inertia, values: Mapping[str, float], pairs: tuple[Eigenpair, Eigenpair, Eigenpair]
+) -> bool:
+    # A value's digits are those of the shortest decimal number that is equal to it.
+    known = {name: all_written_as(repr(value)) for name, value in _used(inertia, values).items()}
+    bounds = bounds_by_digits(inertia, known)
+    return bounds is not None and is_impossible_within(bounds, pairs)
+
+
+def _used(inertia: Inertia, values: Mapping[str, float]) -> dict[str, float]:
+    """Return the values that an inertia uses, of parameters by name, of constants by `<name>`."""
+    uses = [use for value in inertia_values(inertia) for use in symbols(value)]
+    names = dict.fromkeys(
+        str(use.name) if isinstance(use, ParameterUse) else f"<{use.name}>" for use in uses
+    )
+    return {name: values[name] for name in names if name in values}
 
 
 def can_be_of_matter(

@@ -15,7 +15,7 @@ from itertools import product
 from typing import NamedTuple
 
 from kindsl.rigid.body import eigensystem, second_moments_about_com
-from kindsl.rules.inertia.digits import half_widths
+from kindsl.rules.inertia.digits import likely_half_widths, numbers_written
 from kindsl.rules.inertia.judgements import IMPOSSIBLE, verdict_of
 from kindsl.semantics.declarations import MOMENTS, Inertia
 from kindsl.semantics.numbers import mass_distribution
@@ -50,8 +50,8 @@ def is_possible(inertia: Inertia, values: Values) -> bool:
         return True
     if body.mass <= 0.0:
         return False
-    pairs = eigensystem(second_moments_about_com(body))
-    return verdict_of(body, half_widths(inertia, values), pairs) not in IMPOSSIBLE
+    half = likely_half_widths(numbers_written(inertia, values))
+    return verdict_of(body, half, eigensystem(second_moments_about_com(body))) not in IMPOSSIBLE
 
 
 def over_ranges(inertia: Inertia, ranges: Ranges, values: Values) -> Proof:
