@@ -1,11 +1,14 @@
 """Numbers in order: what the fix writes, and where an order is broken (KD701, KD705)."""
 
 import random
+from pathlib import Path
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.support.amount import usually
 from tests.support.one_rule import found, told
+from tests.support.published import published_models
 
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.settings import Settings
@@ -13,6 +16,9 @@ from kindsl.rules.examples import link, robot
 from kindsl.rules.renumbering import regular_order, renumbering
 from kindsl.text.edits import apply_edits
 
+ROOT = Path(__file__).parents[2]
+EXAMPLES, FIXTURES = ROOT / "examples", ROOT / "tests" / "fixtures"
+MOST_COPIES = usually(15, 1000)
 NUMBERS = Settings(select=("KD101", "KD109", "KD110"))
 
 
@@ -63,6 +69,80 @@ def links(*ids: object) -> str:
     ]
     base = " ".join(f"{name} via to_{name}" for name in names)
     return robot(*blocks, base=base, joints=" ".join(f"to_{name}" for name in names))
+
+
+def documents() -> list[object]:
+    """Return a parameter for each model at hand whose links are numbered."""
+    own = [*sorted(EXAMPLES.glob("*.kindsl")), *sorted(FIXTURES.glob("**/*.kindsl"))]
+    return [*(pytest.param(path, id=path.stem) for path in own), *published_models()]
+
+
+@pytest.mark.parametrize("path", documents())
+def test_a_copied_number_is_put_back(path: Path) -> None:
+    """Of whichever link, from whichever other; nothing else changes."""
+    text = path.read_text(encoding="utf-8", errors="replace")
+    analysis = analyse(text, Settings(select=("KD1", "KD2")))
+    bodies, span = analysis.model.links, analysis.resolver.span
+    places = [span(body.id_place) for body in bodies if body.id_place is not None]
+    is_plain = [text[start:end] for start, end in places] == [str(body.id) for body in bodies]
+    if not is_plain or any(f.severity == "error" or f.code == "KD110" for f in analysis.findings):
+        return
+    pairs = [(one, other) for one in range(len(places)) for other in range(len(places))]
+    pairs = [(one, other) for one, other in pairs if one != other]
+    for one, other in random.Random(path.stem).sample(pairs, min(len(pairs), MOST_COPIES)):
+        (start, end), copied = places[one], bodies[other].id
+        planted = f"{text[:start]}{copied}{text[end:]}"
+        findings = [f for f in analyse(planted, NUMBERS).findings if f.code == "KD101"]
+        assert [f.start for f in findings] == [start]
+        assert findings[0].fix is not None
+        assert len(findings[0].fix.edits) == 1
+        assert apply_edits(planted, findings[0].fix.edits) == text
+
+
+def star(numbers: str, **joints: int) -> str:
+    """Return links a, b, c, ... on the base with these numbers, some joints with numbers, too."""
+    names = "abcdef"[: len(numbers.split())]
+    blocks = [link(name, int(n)) for name, n in zip(names, numbers.split(), strict=True)]
+    base = " ".join(f"{name} via to_{name}" for name in names)
+    text = robot(*blocks, base=base, joints=" ".join(f"to_{name}" for name in names))
+    for name, number in joints.items():
+        text = text.replace(f"joint to_{name} {{", f"joint to_{name} {{ id = {number}", 1)
+    return text
+
+
+@pytest.mark.parametrize(
+    ("text", "message", "title"),
+    [
+        (star("1 1 3"), "link 'b' reuses id 1 of link 'a'", "Change id of 'b' to 2"),
+        (star("2 2 3"), "link 'a' reuses id 2 of link 'b'", "Change id of 'a' to 1"),
+        (star("1 2 1"), "link 'c' reuses id 1 of link 'a'", "Change id of 'c' to 3"),
+        (star("3 2 3"), "link 'a' reuses id 3 of link 'c'", "Change id of 'a' to 1"),
+        # The joints tell more than the order in which the links are written.
+        (star("2 2 3", a=2, b=1), "link 'b' reuses id 2 of link 'a'", "Change id of 'b' to 1"),
+        # The tree tells most of all.
+        (
+            chain(1, 1, 3),
+            "link 'part1x' reuses id 1 of link 'part0x'",
+            "Change id of 'part1x' to 2",
+        ),
+        # A new link in the middle: the others must make room, or a child comes before its parent.
+        (chain(1, 2, 2, 3), "link 'part2x' reuses id 2 of link 'part1x'", "Renumber the links"),
+        (star("1 1 1 4"), "link 'b' reuses id 1 of link 'a'", "Renumber the links"),
+        (star("1 1 5"), "link 'b' reuses id 1 of link 'a'", "Renumber the links"),
+    ],
+)
+def test_which_of_two_links_has_the_copy(text: str, message: str, title: str) -> None:
+    first, *_ = found("KD101", text)
+    assert first.message == message
+    assert first.fix is not None
+    assert first.fix.title == title
+
+
+def test_a_copied_number_is_put_back_where_the_rest_is_in_no_order() -> None:
+    """The third link is numbered before its parent, whatever the copy becomes."""
+    (finding,) = found("KD101", chain(1, 1, 4, 3))
+    assert finding.fix is not None
+    assert finding.fix.title == "Change id of 'part1x' to 2"
 
 
 @pytest.mark.parametrize(

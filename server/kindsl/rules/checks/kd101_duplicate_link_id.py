@@ -1,8 +1,9 @@
 """Two links have the same number.
 
 ## What it does
-Reports a link whose `id` an earlier link has already. If it has the same name too, that is reported
-instead (KD102).
+Reports a link whose `id` another link has already: the later one, unless the tree, the joints'
+numbers and the order in which all is written tell that the earlier one has it by mistake. If they
+have the same name too, that is reported instead (KD102).
 
 ## Why is this bad?
 A link's number is the index of its joint in every vector and matrix. RobCoGen accepts the document
@@ -16,17 +17,20 @@ link LF_leg { id = 1 children {} }
 ```
 
 ## Fix
-Renumbers the links: parents before children, otherwise in the present order, without gaps. Unsafe:
-programs that use the generated code know joints by their numbers.
+Gives the link the one number that is missing; no other link changes. Where several are missing, or
+parents would not come before children, it renumbers the links: parents first, otherwise in the
+present order, without gaps. Unsafe: programs that use the generated code know joints by their
+numbers.
 """
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Example, Finding, Related, Rule, Severity
+from kindsl.rules.base import Change, Example, Finding, Fix, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.duplicates import repeats
 from kindsl.rules.examples import link, robot
-from kindsl.rules.renumbering import renumbering
+from kindsl.rules.renumbering import CopiedId, copied_id, renumbering
+from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
 
 
@@ -34,12 +38,27 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each link whose number is taken."""
     same_id = repeats(model.links, lambda link: link.id)
     pairs = [(first, again) for first, again in same_id if first.name != again.name]
+    copied = copied_id(model) if pairs else None
     for first, again in pairs:
-        owner = f"link '{first.name}'" if first.name else "a link without a name"
-        message = f"link '{again.name}' reuses id {again.id} of {owner}"
-        related = Related(first.id_place or first.name, f"id {first.id} of {owner}")
-        fix = renumbering(model, len(pairs))
-        yield Finding(again.id_place or again.name, message, (related,), fix)
+        if copied is None:
+            yield _finding(first, again, renumbering(model, len(pairs)))
+        else:
+            yield _finding(copied.owner, copied.copy, _written(copied))
+
+
+def _finding(owner: Link, again: Link, fix: Fix | None) -> Finding:
+    told = f"link '{owner.name}'" if owner.name else "a link without a name"
+    message = f"link '{again.name}' reuses id {again.id} of {told}"
+    related = Related(owner.id_place or owner.name, f"id {owner.id} of {told}")
+    return Finding(again.id_place or again.name, message, (related,), fix)
+
+
+def _written(copied: CopiedId) -> Fix | None:
+    place = copied.copy.id_place
+    if place is None:
+        return None
+    title = f"Change id of '{copied.copy.name}' to {copied.missing}"
+    return Fix(title, (Change(place, str(copied.missing)),))
 
 
 def _arm(second: int) -> str:
