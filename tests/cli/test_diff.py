@@ -1,6 +1,7 @@
 """`kindsl diff` compares what can be compared, and says what it left out."""
 
 import json
+from io import BytesIO, TextIOWrapper
 from pathlib import Path
 
 import pytest
@@ -104,3 +105,63 @@ def test_no_tree_at_all_is_refused(kindsl: Runner, folder: Path) -> None:
     status, _, err = differ(kindsl, folder, "Robot", ARM % ("2.0", "0.1", "0.3"))
     assert status == 2
     assert err.startswith("old.kindsl")
+
+
+XML = '<robot name="Arm"><link name="upper"/></robot>'
+
+
+@pytest.mark.parametrize("is_new", [False, True])
+@pytest.mark.parametrize(
+    ("name", "text", "what"),
+    [
+        ("arm.urdf", XML, "is URDF"),
+        ("arm.SDF", XML, "is SDF"),
+        ("arm.xml", ARM, "is MJCF"),
+        ("arm.xacro", XML, "is xacro"),
+        ("arm.kindsl", f"\ufeff \n{XML}", "is XML"),
+        ("arm", XML, "is XML"),
+        ("-", XML, "is XML"),
+    ],
+)
+def test_another_format_is_not_read_as_ours(
+    kindsl: Runner, folder: Path, monkeypatch: pytest.MonkeyPatch,
+    name: str, text: str, what: str, is_new: bool,
+) -> None:  # fmt: skip
+    (folder / "own.kindsl").write_text(ARM % ("2.0", "0.5", "0.3"))
+    (folder / name).write_text(text)
+    monkeypatch.setattr("sys.stdin", TextIOWrapper(BytesIO(text.encode())))
+    shown = "<stdin>" if name == "-" else name
+    told = kindsl("diff", *(("own.kindsl", name) if is_new else (name, "own.kindsl")))
+    assert (told.status, told.out) == (2, "")
+    assert told.err.startswith(f"{shown}: error: {what}, not a Kinematics-DSL document: ")
+    assert told.err.count("\n") == 1
+
+
+def test_a_folder_is_no_document(kindsl: Runner, folder: Path) -> None:
+    (folder / "own.kindsl").write_text(ARM % ("2.0", "0.5", "0.3"))
+    (folder / "code").mkdir()
+    told = kindsl("diff", "own.kindsl", "code")
+    assert (told.status, told.err) == (2, "code: error: is a folder, not a file\n")
+
+
+def test_a_centre_of_mass_that_stays_in_the_base_has_not_moved(
+    kindsl: Runner, folder: Path
+) -> None:
+    """Where a frame lies in its link is a convention; here the hand's is turned about z."""
+    old = ARM % ("2.0", "0.5", "0.3")
+    start = old.index("link hand")
+    hand = old[start:].replace("CoM = (0.0, 0.0, 0.0)", "CoM = (0.1, 0.2, 0.0)", 1)
+    hand = hand.replace("Ix=0.1 Iy=0.1 Iz=0.1 Ixy=0.0", "Ix=0.44 Iy=0.21 Iz=0.45 Ixy=0.02")
+    old = old[:start] + hand
+    turned = old.replace("(0.1, 0.2, 0.0)", "(0.2, -0.1, 0.0)")
+    turned = turned.replace("Ix=0.44 Iy=0.21 Iz=0.45 Ixy=0.02", "Ix=0.21 Iy=0.44 Iz=0.45 Ixy=-0.02")
+    head, _, tail = turned.rpartition("rotation = (0.0, 0.0, 0.0)")
+    turned = f"{head}rotation = (0.0, 0.0, PI/2.0){tail}"
+    status, found, _ = differ(kindsl, folder, old, turned)
+    assert (status, found["masses"]) == (1, [])
+    assert [move["name"] for move in found["zero_poses"]] == ["hand"]
+    _, found, _ = differ(kindsl, folder, old, turned.replace("(0.2, -0.1", "(0.2, -0.2"))
+    (change,) = found["masses"]
+    assert change["com_distance"] == pytest.approx(0.1)
+    _, found, _ = differ(kindsl, folder, old, old.replace("0.0, 0.0, 0.3", "0.1, 0.0, 0.3"))
+    assert found["masses"] == []

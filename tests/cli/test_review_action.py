@@ -10,6 +10,7 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 SCRIPT = ROOT / ".ci" / "review-pull-request"
+ARM = (ROOT / "examples" / "industrial_arm.kindsl").read_text()
 TEXT = (ROOT / "examples" / "quadruped.kindsl").read_text()
 # Writes down what it is asked for; lists the comment if there is one; refuses to write if told so.
 GH = """#!/bin/sh
@@ -100,3 +101,53 @@ def test_without_write_access_it_is_in_the_summary(repository: Path, tmp_path: P
 def test_nothing_changed_writes_nothing(repository: Path, tmp_path: Path) -> None:
     calls, comment, summary = reviewed(repository, tmp_path, PATHS="elsewhere")
     assert "No document" in comment and "POST" not in calls and summary == ""
+
+
+@pytest.fixture(scope="module")
+def reshaped(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A repository whose last commit adds a document, renames one, and deletes one."""
+    folder = tmp_path_factory.mktemp("reshaped")
+    git(folder, "init", "-b", "main")
+    (folder / "models" / "old").mkdir(parents=True)
+    for name in ("old/leg.kindsl", "gone.kindsl"):
+        (folder / "models" / name).write_text(f"// {name}\n{TEXT}")
+    git(folder, "add", ".")
+    git(folder, "commit", "-m", "first")
+    git(folder, "mv", "models/old/leg.kindsl", "./-leg.kindsl")
+    git(folder, "rm", "models/gone.kindsl")
+    changed = (folder / "-leg.kindsl").read_text().replace("mass = 0.634", "mass = 0.7")
+    (folder / "-leg.kindsl").write_text(changed)
+    (folder / "models").mkdir(exist_ok=True)
+    (folder / "models" / "näu [1].kindsl").write_text(ARM)
+    git(folder, "add", ".")
+    git(folder, "commit", "-m", "second")
+    return folder
+
+
+def test_added_and_renamed_documents_are_reviewed(reshaped: Path, tmp_path: Path) -> None:
+    _, comment, _ = reviewed(reshaped, tmp_path, PATHS=".")
+    _, renamed, added = comment.split("\n## `")
+    assert renamed.startswith("-leg.kindsl`") and "mass 0.634 -> 0.7 kg" in renamed
+    assert "added" not in renamed
+    assert added.startswith("models/näu [1].kindsl`")
+    assert "The document is not in" in added and "| link | forearm | added |" in added
+    assert "gone.kindsl" not in comment
+
+
+def test_a_review_of_git_takes_documents_that_are_only_in_one(
+    reshaped: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(reshaped)
+    base, head = git(reshaped, "rev-parse", "HEAD~1"), git(reshaped, "rev-parse", "HEAD")
+    command = (sys.executable, "-m", "kindsl", "review", "--git", f"{base}..{head}")
+    for name, expected in (
+        ("-leg.kindsl", f"{base[:12]}:models/old/leg.kindsl to {head[:12]}"),
+        ("models/gone.kindsl", f"The document is not in {head[:12]} any more."),
+        ("none.kindsl", f"none.kindsl: error: does not exist in {base} or {head}"),
+    ):
+        out = tmp_path / name
+        told = subprocess.run(
+            [*command, "-o", str(out), "--", name], capture_output=True, text=True, check=False
+        )
+        text = (out / "review.md").read_text() if out.exists() else told.stderr
+        assert expected in text.replace("\\", "")

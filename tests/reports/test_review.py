@@ -139,7 +139,7 @@ def test_two_commits_are_compared(repository: Path, tmp_path: Path) -> None:
         (["--git", "main..--all", "quadruped.kindsl"], "is not BASE..HEAD"),
         (
             ["--git", "HEAD~1..HEAD", "absent.kindsl"],
-            "absent.kindsl: error: does not exist in HEAD~1",
+            "absent.kindsl: error: does not exist in HEAD~1 or HEAD",
         ),
         (["--git", "HEAD~1..HEAD", "a.kindsl", "b.kindsl"], "needs one FILE with --git"),
         (["quadruped.kindsl"], "needs OLD and NEW, or --git BASE..HEAD FILE"),

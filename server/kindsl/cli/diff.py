@@ -8,18 +8,16 @@ import argparse
 import sys
 from collections.abc import Iterator
 from dataclasses import asdict
-from os import devnull
 from typing import TYPE_CHECKING
 
 from kindsl.cli.console import write
 from kindsl.cli.documents.choices import choices_of
 from kindsl.cli.documents.reading import (
     CommandError,
-    read_document,
-    require_parameters,
     shown_name,
     skeleton_of_document,
 )
+from kindsl.cli.documents.versions import read_versions
 from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import Failure, as_failures
 from kindsl.config.configuration import ConfigurationError
@@ -64,41 +62,21 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _difference(args: argparse.Namespace) -> "tuple[Difference, tuple[str, ...]]":
-    if devnull in (args.old, args.new):
-        return _of_one(args.new if args.old == devnull else args.old, args)
-    choices = choices_of(args)
-    old, new = (read_document(path, choices) for path in (args.old, args.new))
-    require_parameters(args.new, old, new)
+    old, new = read_versions((args.old, args.new), choices_of(args))
     both = ((args.old, old), (args.new, new))
     from kindsl.reports.comparison import compared
 
     found = compared(old, new)
     if found.difference is None:
         path, analysis = both[found.treeless or 0]
+        assert analysis is not None, "what is not there lacks no tree"
         skeleton_of_document(path, analysis)
         raise CommandError([Failure(shown_name(path), "has no tree of links to compare")])
     if found.is_of_whole:
         return found.difference, ()
-    broken = [path for path, analysis in both if _is_broken(analysis)]
+    broken = [path for path, analysis in both if analysis is not None and _is_broken(analysis)]
     notes = [f"{shown_name(path)} has errors: showing the rest" for path in broken]
     return found.difference, (*notes, *found.notes)
-
-
-def _of_one(path: str, args: argparse.Namespace) -> "tuple[Difference, tuple[str, ...]]":
-    """Return the difference of a document to nothing, as git has it for new and deleted files."""
-    if path == devnull:
-        raise CommandError([Failure(devnull, "there is no document to compare")])
-    analysis = read_document(path, choices_of(args))
-    require_parameters(path, analysis)
-    document = analysis.model, analysis.context.values
-    from kindsl.mechanism.partial_difference import added, partial_difference, removed
-
-    same = partial_difference(document, document)
-    if isinstance(same, int):
-        skeleton_of_document(path, analysis)
-        raise CommandError([Failure(shown_name(path), "has no tree of links to compare")])
-    found = (added if args.old == devnull else removed)(same.difference, analysis.model)
-    return found, same.notes
 
 
 def _is_broken(analysis: "Analysis") -> bool:

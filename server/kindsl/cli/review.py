@@ -9,14 +9,13 @@ import os
 from typing import TYPE_CHECKING
 
 from kindsl.cli.documents.choices import Choices, choices_of
-from kindsl.cli.documents.git_texts import commits_of, short, text_at
+from kindsl.cli.documents.git_texts import commits_of, short, versions_of
 from kindsl.cli.documents.reading import (
     CommandError,
     missing_module,
-    read_document,
-    require_parameters,
     shown_name,
 )
+from kindsl.cli.documents.versions import analysed_versions, read_versions
 from kindsl.cli.documents.writing import unwritable
 from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import Failure, as_failures
@@ -46,7 +45,6 @@ def run(args: argparse.Namespace) -> int:
     try:
         _check_folder(args)
         old, new, names = _documents(args, choices_of(args))
-        require_parameters(args.files[-1], old, new)
         _write(args.output, _files(args, old, new, names))
     except CommandError as error:
         return error.tell()
@@ -63,25 +61,24 @@ def _check_folder(args: argparse.Namespace) -> None:
 
 def _documents(
     args: argparse.Namespace, choices: Choices
-) -> "tuple[Analysis, Analysis, tuple[str, str]]":
+) -> "tuple[Analysis | None, Analysis | None, tuple[str, str]]":
     if args.git is None:
         if len(args.files) != 2:
             raise CommandError([Failure("review", "needs OLD and NEW, or --git BASE..HEAD FILE")])
-        old, new = (read_document(path, choices) for path in args.files)
+        old, new = read_versions(args.files, choices)
         return old, new, (shown_name(args.files[0]), shown_name(args.files[1]))
     if len(args.files) != 1:
         raise CommandError([Failure("review", "needs one FILE with --git")])
-    commits = commits_of(args.git)
-    path = args.files[0]
-    from kindsl.analysis.analysis import analyse
-
-    settings = choices.settings_for(path)
-    old, new = (analyse(text_at(commit, path), settings) for commit in commits)
-    return old, new, (short(commits.base), short(commits.head))
+    path, commits = args.files[0], commits_of(args.git)
+    versions = versions_of(path, commits)
+    old, new = analysed_versions(path, (versions.old, versions.new), choices)
+    base, head = map(short, commits)
+    before = versions.old_name
+    return old, new, (f"{base}:{before}" if before is not None else base, head)
 
 
 def _files(
-    args: argparse.Namespace, old: "Analysis", new: "Analysis", names: tuple[str, str]
+    args: argparse.Namespace, old: "Analysis | None", new: "Analysis | None", names: tuple[str, str]
 ) -> dict[str, str]:
     try:
         from kindsl.reports.review.files import review_files

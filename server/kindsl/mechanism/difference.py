@@ -7,10 +7,10 @@ from math import atan2, dist, fsum, hypot
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.rigid.body import (
     MassDistribution,
-    Symmetric,
     eigensystem,
     principal_moments,
     second_moments_about_com,
+    seen_from,
     shifted,
 )
 from kindsl.rigid.pose import IDENTITY, RigidPose, transposed
@@ -70,11 +70,12 @@ class MassChange:
     Attributes:
         link: The link's name.
         mass: Old and new mass, kg.
-        com_distance: Between the old and the new centre of mass in the link frame, metres.
+        com_distance: Between the old and the new centre of mass, metres: in the link's frame or,
+            if that is less because the frame was turned or put elsewhere, in the base's at zero.
         principal_moments: Old and new principal moments about the centre of mass, ascending,
             kg m^2.
         inertia_change: Norm of the change of the tensor about the centre of mass, over the norm of
-            the old one or the new one, whichever is greater.
+            the old one or the new one, whichever is greater; in the one frame or the other, too.
     """
 
     link: str
@@ -238,10 +239,16 @@ def _frames(skeleton: Skeleton) -> dict[str, RigidPose]:
     return {frame.name: frame.pose for frame in skeleton.frames}
 
 
-def _zero_poses(skeleton: Skeleton) -> dict[str, RigidPose]:
+def _poses(skeleton: Skeleton) -> list[RigidPose]:
+    """Return the pose of each body in the base's frame at zero."""
     poses = [IDENTITY]
     for (_, parent), placement in zip(skeleton.links(), skeleton.placements, strict=True):
         poses.append(poses[parent].then(placement))
+    return poses
+
+
+def _zero_poses(skeleton: Skeleton) -> dict[str, RigidPose]:
+    poses = _poses(skeleton)
     of_frames = {frame.name: poses[frame.body].then(frame.pose) for frame in skeleton.frames}
     return {**dict(zip(skeleton.link_names, poses[1:], strict=True)), **of_frames}
 
@@ -272,26 +279,37 @@ def _angle_between(old: RigidPose, new: RigidPose) -> float:
 
 def _masses(old: Skeleton, new: Skeleton, new_name: Mapping[str, str]) -> Iterator[MassChange]:
     index = {name: i for i, name in enumerate(new.body_names)}
+    old_poses, new_poses = _poses(old), _poses(new)
     for i, name in enumerate(old.body_names):
         now = new_name.get(name, name)
         if now not in index or (i == 0 and not (old.is_floating or new.is_floating)):
             continue
-        change = _mass_change(now, old.masses[i], new.masses[index[now]])
+        j = index[now]
+        change = _mass_change(now, (old.masses[i], new.masses[j]), (old_poses[i], new_poses[j]))
         if not _is_same_mass(change):
             yield change
 
 
-def _mass_change(name: str, old: MassDistribution, new: MassDistribution) -> MassChange:
+def _mass_change(
+    name: str,
+    bodies: tuple[MassDistribution, MassDistribution],
+    poses: tuple[RigidPose, RigidPose],
+) -> MassChange:
+    """Return the change; where a link's frame lies in the link is a convention."""
+    old, new = bodies
+    in_base = [seen_from(body, pose) for body, pose in zip(bodies, poses, strict=True)]
+    moved = min(dist(old.com, new.com), dist(in_base[0].com, in_base[1].com))
     return MassChange(
         name,
         (old.mass, new.mass),
-        dist(old.com, new.com),
+        moved if moved > _LENGTH_TOLERANCE else 0.0,
         (_principal_moments(old), _principal_moments(new)),
-        _inertia_change(shifted(old, -1.0).moments, shifted(new, -1.0).moments),
+        min(_inertia_change(*bodies), _inertia_change(*in_base)),
     )
 
 
-def _inertia_change(old: Symmetric, new: Symmetric) -> float:
+def _inertia_change(one: MassDistribution, other: MassDistribution) -> float:
+    old, new = shifted(one, -1.0).moments, shifted(other, -1.0).moments
     scale = max(_norm(old), _norm(new))
     change = [b - a for a, b in zip(old, new, strict=True)]
     return _norm(change) / scale if scale > 0.0 else 0.0
@@ -307,7 +325,7 @@ def _is_same_mass(change: MassChange) -> bool:
     moments = zip(*change.principal_moments, strict=True)
     return (
         _is_close(*change.mass)
-        and change.com_distance <= _LENGTH_TOLERANCE
+        and change.com_distance == 0.0
         and all(abs(a - b) <= _RELATIVE_TOLERANCE * max(abs(a), abs(b), 1e-6) for a, b in moments)
         and change.inertia_change <= _TENSOR_TOLERANCE
     )

@@ -1,13 +1,15 @@
 """What changed between two documents, whole or broken, as far as both can be compared."""
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.mechanism.difference import Difference, difference
 from kindsl.mechanism.errors import ModelError, UnboundParameterError
-from kindsl.mechanism.partial_difference import partial_difference
+from kindsl.mechanism.partial_difference import added, partial_difference, removed
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.mechanism.total_mass import total_mass
+from kindsl.semantics.model import Model
 
 _SYNTAX = "KD0"
 
@@ -28,8 +30,13 @@ class Comparison(NamedTuple):
     treeless: int | None = None
 
 
-def compared(old: Analysis, new: Analysis) -> Comparison:
-    """Compare two documents."""
+def compared(old: Analysis | None, new: Analysis | None) -> Comparison:
+    """Compare two documents; None stands for one that is not there, at most once."""
+    if old is None:
+        assert new is not None, "there is a document to compare"
+        return _of_one(new, added, 1)
+    if new is None:
+        return _of_one(old, removed, 0)
     whole = _skeleton(old), _skeleton(new)
     if whole[0] is not None and whole[1] is not None:
         return Comparison(difference(whole[0], whole[1]), is_of_whole=True)
@@ -37,6 +44,17 @@ def compared(old: Analysis, new: Analysis) -> Comparison:
     if isinstance(partial, int):
         return Comparison(None, treeless=partial)
     return Comparison(partial.difference, partial.notes)
+
+
+def _of_one(
+    analysis: Analysis, told: Callable[[Difference, Model], Difference], number: int
+) -> Comparison:
+    """Return the difference of a document to nothing."""
+    document = analysis.model, analysis.context.values
+    same = partial_difference(document, document)
+    if isinstance(same, int):
+        return Comparison(None, treeless=number)
+    return Comparison(told(same.difference, analysis.model), same.notes)
 
 
 def _skeleton(analysis: Analysis) -> Skeleton | None:

@@ -30,18 +30,58 @@ def commits_of(text: str) -> Commits:
     return Commits(base, head or "HEAD")
 
 
-def text_at(commit: str, path: str) -> str:
-    """Return the text of a file at a commit.
+class Texts(NamedTuple):
+    """A file at two commits.
+
+    Attributes:
+        old: Its text at the first, None where it is not there.
+        new: Its text at the second, None where it is not there.
+        old_name: What it was called at the first, from the repository's root, if that differs.
+    """
+
+    old: str | None
+    new: str | None
+    old_name: str | None = None
+
+
+def versions_of(path: str, commits: Commits) -> Texts:
+    """Return the texts of a file at two commits, under its former name if it was renamed.
 
     Raises:
-        CommandError: There is no git, no repository, no such commit, or no such file in it.
+        CommandError: There is no git, no repository, no such commit, or no such file in both.
     """
     folder, name = os.path.split(os.path.abspath(path))
-    _git(path, folder, "no git repository", "rev-parse", "--show-toplevel")
-    unknown = f"'{commit}' is no commit of its git repository"
-    _git(path, folder, unknown, "rev-parse", "--verify", "--quiet", f"{commit}^{{commit}}")
-    content = _git(path, folder, f"does not exist in {commit}", "show", f"{commit}:./{name}")
+    prefix = _git(path, folder, "no git repository", "rev-parse", "--show-prefix")
+    for commit in commits:
+        unknown = f"'{commit}' is no commit of its git repository"
+        _git(path, folder, unknown, "rev-parse", "--verify", "--quiet", f"{commit}^{{commit}}")
+    place = os.fsdecode(prefix.removesuffix(b"\n")) + name
+    old, new = (_text_at(commit, place, path, folder) for commit in commits)
+    if old is None and new is None:
+        raise CommandError([Failure(path, f"does not exist in {commits.base} or {commits.head}")])
+    former = _former_name(place, commits, path, folder) if old is None else None
+    if former is None:
+        return Texts(old, new)
+    return Texts(_text_at(commits.base, former, path, folder), new, former)
+
+
+def _text_at(commit: str, place: str, path: str, folder: str) -> str | None:
+    """Return the text of a file, named from the repository's root, None if it is not there."""
+    listed = _git(path, folder, "git fails", "ls-tree", "-z", "--full-tree", commit, "--", place)
+    if b" blob " not in listed:
+        return None
+    content = _git(path, folder, "git fails", "show", f"{commit}:{place}")
     return content.decode("utf-8", "surrogateescape")
+
+
+def _former_name(place: str, commits: Commits, path: str, folder: str) -> str | None:
+    """Return what a file was called before it got its name between two commits."""
+    options = ("--name-status", "-z", "-M", "--diff-filter=R", "--no-relative", "--no-ext-diff")
+    told = _git(path, folder, "git fails", "diff", *options, *commits, "--")
+    # A status, the old name, the new one, and so on.
+    fields = os.fsdecode(told).split("\0")
+    pairs = zip(fields[1::3], fields[2::3], strict=False)
+    return next((old for old, new in pairs if new == place), None)
 
 
 def short(commit: str) -> str:
@@ -55,7 +95,10 @@ def _git(path: str, folder: str, failure: str, *arguments: str) -> bytes:
         raise CommandError([Failure(path, "no such file or folder")])
     try:
         run = subprocess.run(
-            ["git", "-C", folder, *arguments], capture_output=True, timeout=_PATIENCE, check=False
+            ["git", "--literal-pathspecs", "-C", folder, *arguments],
+            capture_output=True,
+            timeout=_PATIENCE,
+            check=False,
         )
     except FileNotFoundError:
         raise CommandError([Failure(path, "git is not installed")]) from None

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 from math import dist, isclose
 
-from kindsl.analysis.analysis import Analysis
+from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanism.difference import Difference
 from kindsl.reports.card import branches, shown_skeleton, triple
@@ -25,18 +25,21 @@ _LEGEND = "Same camera. Orange: moved; violet: other mass; green: new; red: gone
 _NO_TREE = "has no tree of links to compare"
 
 
-def review_page(old: Analysis, new: Analysis, names: tuple[str, str]) -> Page:
+def review_page(before: Analysis | None, after: Analysis | None, names: tuple[str, str]) -> Page:
     """Return the page.
 
     Args:
-        old: The document before.
-        new: The document after.
+        before: The document before, None if it was not there.
+        after: The document after, None if it is not there.
         names: What to call them.
     """
-    found = compared(old, new)
+    found = compared(before, after)
+    old, new = before or analyse(""), after or analyse("")
     joints = renamed_joints(old, new, found.difference)
     return (
         Heading(f"{new.model.name or old.model.name or '(unnamed)'}: {names[0]} to {names[1]}", 1),
+        *([Paragraph(f"The document is not in {names[0]}: it is new.")] if before is None else []),
+        *([Paragraph(f"The document is not in {names[1]} any more.")] if after is None else []),
         *_notes(old, new, names, found),
         *_changes(found.difference, joints),
         *_numbers(old, new, found.difference, joints),
