@@ -40,7 +40,10 @@ def gap_of_imported(ours: Mechanics, model: Any, chance: np.random.Generator) ->
 
     In ours they are at their joints, and turned to their axes.
     """
-    return _gap(ours, model, chance, [frame.name for frame in ours.bodies.frames])
+    names = [model.body(body).name for body in range(model.nbody)]
+    names += [model.site(site).name for site in range(model.nsite)]
+    frames = [frame.name for frame in ours.bodies.frames]
+    return _gap(ours, model, chance, [name for name in frames if name in names])
 
 
 def _gap(ours: Mechanics, model: Any, chance: np.random.Generator, names: Sequence[str]) -> Gap:

@@ -1,5 +1,6 @@
 """MuJoCo's reader and compiler, and what they refuse in one sentence."""
 
+import warnings
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -60,15 +61,16 @@ def checked_text(text: str) -> None:
 def _told(action: Callable[[], Any], failure: str) -> Any:
     """Return what an action returns; MuJoCo's complaint is told as one sentence.
 
-    Warnings, which MuJoCo prints and appends to a file in the current folder, are dropped: what
-    they are about is checked afterwards.
+    Warnings, which MuJoCo prints, gives to Python and appends to a file in the current folder, are
+    dropped: what they are about is checked afterwards.
     """
     import mujoco
 
     former = mujoco.get_mju_user_warning()
     mujoco.set_mju_user_warning(_unheard)
     try:
-        return action()
+        with warnings.catch_warnings(action="ignore"):
+            return action()
     except (ValueError, mujoco.FatalError) as error:
         reason = " ".join(str(error).split()).rstrip(".")
         raise FormatError(f"{failure}: {reason}") from error
