@@ -53,6 +53,67 @@ def expect_findings(tab: Tab, path: Path) -> None:
     tab.eventually(lambda: tab.found() == sorted(expected), f"the findings of {path.name}")
 
 
+def test_nothing_is_called_checked_before_it_was(tab: Tab) -> None:
+    """Neither a text that was just opened, nor one that was just changed."""
+    problems, count = tab.page.locator("#problems"), tab.page.locator("#problem-count")
+    tab.show("arm.kindsl", models.ARM)
+    tab.eventually(lambda: problems.text_content() == "No problems found", "a checked text")
+    with tab.held("textDocument/publishDiagnostics"):
+        tab.show("broken.kindsl", BROKEN)
+        tab.wait_for_held()
+        assert (problems.text_content(), count.text_content()) == ("Checking…", "…")
+    tab.eventually(lambda: len(tab.found()) == _problems(BROKEN), "its problems")
+    tab.eventually(lambda: count.text_content() == str(_problems(BROKEN)), "their count")
+    with tab.held("textDocument/publishDiagnostics"):
+        tab.page.evaluate("(text) => playground.files.model().setValue(text)", models.ARM)
+        tab.wait_for_held()
+        assert "No problems found" not in (problems.text_content() or "")
+        assert count.text_content() == "…"
+    tab.eventually(lambda: problems.text_content() == "No problems found", "a checked text")
+    assert count.text_content() == "0"
+
+
+def test_a_configuration_is_checked_too(tab: Tab) -> None:
+    tab.show("kindsl.toml", "[parameters]\n")
+    problems = tab.page.locator("#problems")
+    tab.eventually(lambda: problems.text_content() == "No problems found", "a checked text")
+    tab.page.get_by_title("Close kindsl.toml").click()
+
+
+@pytest.mark.parametrize("size", [300_000, 3_000_000])
+def test_what_is_too_large_is_said(tab: Tab, size: int) -> None:
+    """As a file that is opened: with a warning, or not at all."""
+    tab.show("arm.kindsl", models.ARM)
+    text = models.ARM + size * "/"
+    file = {"name": "big.kindsl", "mimeType": "text/plain", "buffer": text.encode()}
+    tab.page.locator("#file").set_input_files(files=[file])
+    notice = tab.page.locator("#notice")
+    tab.eventually(lambda: "large for" in (notice.text_content() or ""), "the sentence")
+    tab.eventually(lambda: (tab.text() == text) == (size < 1_000_000), "what is open")
+    tab.page.get_by_title("Close this message").click()
+    tab.show("arm.kindsl", models.ARM)
+
+
+@pytest.mark.parametrize("name", ["nosuch", "toString"])
+def test_an_unknown_example_is_named(browser: Browser, address: str, name: str) -> None:
+    tab = Tab(browser.new_page())
+    tab.open(f"{address}?example={name}")
+    sentence = f"There is no example '{name}'; here is 'quadruped'. There are "
+    told = tab.page.locator("#notice").text_content() or ""
+    assert told.startswith(sentence)
+    assert "broken_arm" in told
+    tab.expect_robot("Quadruped")
+    tab.page.close()
+
+
+def test_an_address_that_cannot_be_read_is_told(browser: Browser, address: str) -> None:
+    tab = Tab(browser.new_page())
+    tab.open(f"{address}#nonsense")
+    told = tab.page.locator("#notice").text_content() or ""
+    assert told.startswith("The address holds no texts that can be read")
+    tab.page.close()
+
+
 def test_hover_completion_and_outline_answer(tab: Tab) -> None:
     tab.show("arm.kindsl", models.ARM)
     tab.page.locator("#outline button", has_text="lower").first.click()

@@ -11,6 +11,7 @@ import { rangeOf } from "./places.js";
 import { Preview } from "./preview.js";
 import { Problems } from "./problems.js";
 import { ServerPort } from "./server_port.js";
+import { sizeProblem } from "./sizes.js";
 import { fromFragment, toFragment } from "./share.js";
 import { Comparison } from "./comparison.js";
 
@@ -39,7 +40,7 @@ const preview = new Preview(byId("preview"), port);
 const comparison = new Comparison(byId("comparison"), byId("editor"), files, port);
 const notice = new Notice(byId("notice"));
 new Outline(byId("outline"), editor, port);
-new Problems(byId("problems"), byId("problem-count"), editor);
+const problems = new Problems(byId("problems"), byId("problem-count"), editor, port);
 
 files.onActive = (name) => {
   comparison.hide();
@@ -67,7 +68,10 @@ port.handlers.set("kindsl/ready", ({ isImage, total }) => {
   document.body.dataset.start = `${isImage ? "image" : "zips"} ${total}`;
   say("");
 });
-port.handlers.set("kindsl/failed", ({ message }) => say(`The language server did not start: ${message}`));
+port.handlers.set("kindsl/failed", ({ message }) => {
+  problems.fail();
+  say(`The language server did not start: ${message}`);
+});
 port.handlers.set("window/showMessage", ({ message }) => say(message));
 port.handlers.set("window/logMessage", () => undefined);
 port.handlers.set("workspace/configuration", ({ items }) => items.map(() => null));
@@ -144,7 +148,6 @@ async function share() {
 }
 
 async function addExample(name) {
-  if (!(name in examples)) return say(`There is no example '${name}'`);
   const file = `${name}.kindsl`;
   if (files.model(file) === undefined) {
     const text = await (await fetch(`examples/${file}`)).text();
@@ -158,10 +161,18 @@ async function openFile([file]) {
   if (file === undefined) return;
   notice.hide();
   say("");
+  if (sizeProblem(file.name, file.size)?.isRefused) return notice.tell(sizeProblem(file.name, file.size).sentence);
   if (OF_OTHERS.test(file.name)) return openConverted(file);
   const name = file.name === CONFIGURATION ? CONFIGURATION : properName(file.name);
-  files.open(name, await file.text());
-  files.show(name);
+  if (openText(name, await file.text())) files.show(name);
+}
+
+/** Open a text, unless it is too large; say so, and whether checking it takes long. */
+function openText(name, text) {
+  const problem = sizeProblem(name, text.length);
+  if (problem) notice.tell(problem.sentence);
+  if (!problem?.isRefused) files.open(name, text);
+  return !problem?.isRefused;
 }
 
 /** Open a robot of another format as a document, and tell what could not be kept. */
@@ -169,9 +180,9 @@ async function openConverted(file) {
   try {
     const { text, remarks } = await port.command("kindsl.importRobot", file.name, await file.text());
     const name = files.freeName(properName(file.name.replace(/\.\w+$/, "")));
-    files.open(name, text);
+    if (!openText(name, text)) return;
     files.show(name);
-    notice.tell(`${file.name} is open as ${name}${remarks.length > 0 ? ":" : ""}`, remarks);
+    if (notice.place.hidden) notice.tell(`${file.name} is open as ${name}${remarks.length > 0 ? ":" : ""}`, remarks);
   } catch (error) {
     notice.tell(`${file.name}: ${error.message}`);
   }
@@ -209,12 +220,15 @@ chooser.addEventListener("change", () => {
 new MonacoLspClient(createTransportToWorker(port));
 const shared = await fromFragment(location.hash.slice(1));
 if (shared !== undefined) {
-  for (const [name, text] of Object.entries(shared.files)) files.open(name === CONFIGURATION ? name : properName(name), text);
+  for (const [name, text] of Object.entries(shared.files)) openText(name === CONFIGURATION ? name : properName(name), text);
+  if (files.names().length === 0) actions.new();
   files.show(files.names().includes(shared.active) ? shared.active : files.names()[0]);
 } else {
   files.open(CONFIGURATION, await (await fetch(`examples/${CONFIGURATION}`)).text());
-  await addExample(query.get("example") ?? FIRST);
+  const asked = query.get("example") ?? FIRST, isThere = Object.hasOwn(examples, asked);
+  await addExample(isThere ? asked : FIRST);
+  if (!isThere) notice.tell(`There is no example '${asked}'; here is '${FIRST}'. There are ${Object.keys(examples).join(", ")}`);
+  if (location.hash.length > 1) notice.tell(`The address holds no texts that can be read; here is '${FIRST}'`);
 }
-if (location.hash.length > 1 && shared === undefined) say("The address holds no texts that can be read; here is an example");
 if ("serviceWorker" in navigator && query.get("worker") !== "off") void navigator.serviceWorker.register("service_worker.js");
 Object.assign(window, { playground: { monaco, editor, files, port, preview } });

@@ -17,12 +17,19 @@ export class Preview {
   /** Show another file. */
   async show(name) {
     const asked = ++this.#asked;
+    this.#setBusy(true);
     await this.port.whenOpen(uriOf(name));
     const answer = this.port.command("kindsl.preview", uriOf(name));
     await answer.catch(() => undefined);
     if (asked !== this.#asked) return;
+    this.#setBusy(false);
     this.#document = (await answer).url;
     this.#send({ type: "hello", joints: {}, parameters: {} });
+  }
+
+  /** Let what is drawn look like no news of the text beside it. */
+  #setBusy(isBusy) {
+    this.frame.ariaBusy = String(isBusy);
   }
 
   theme(kind) {

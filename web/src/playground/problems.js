@@ -6,22 +6,36 @@ import { Places } from "./places.js";
 const WORDS = { 8: "error", 4: "warning", 2: "info", 1: "hint" };
 
 export class Problems {
-  constructor(list, count, editor) {
-    Object.assign(this, { list, count, editor, places: new Places(editor) });
+  constructor(list, count, editor, port) {
+    Object.assign(this, { list, count, editor, port, places: new Places(editor) });
     monaco.editor.onDidChangeMarkers((uris) => {
       // Those of a text that has been edited since would be kept at places of the former one.
       const shown = editor.getModel()?.uri.toString();
       if (uris.some((uri) => uri.toString() === shown)) this.update();
     });
     editor.onDidChangeModel(() => this.update());
+    port.onChecked = (uri) => {
+      if (uri === editor.getModel()?.uri.toString()) this.update();
+    };
+  }
+
+  /** Say from now on why nothing is checked. */
+  fail() {
+    this.hasFailed = true;
+    this.update();
   }
 
   update() {
     const model = this.editor.getModel();
     const markers = model ? monaco.editor.getModelMarkers({ resource: model.uri }) : [];
     markers.sort((a, b) => b.severity - a.severity || a.startLineNumber - b.startLineNumber);
-    this.count.textContent = String(markers.length);
-    this.list.replaceChildren(...(markers.length > 0 ? markers.map((marker, index) => this.#row(marker, index)) : [nothing()]));
+    const count = model ? this.port.findingCount(model.uri.toString()) : undefined;
+    this.count.textContent = count === undefined ? "…" : String(markers.length);
+    const rows = markers.map((marker, index) => this.#row(marker, index));
+    // What is listed of a text that has been edited since stays until it is checked.
+    if (count === undefined) rows.unshift(said(this.hasFailed ? "Not checked" : "Checking…"));
+    else if (count === 0 && rows.length === 0) rows.push(said("No problems found"));
+    this.list.replaceChildren(...rows);
     this.places.keep(markers);
   }
 
@@ -42,6 +56,6 @@ export class Problems {
   }
 }
 
-function nothing() {
-  return element("li", { className: "nothing", textContent: "No problems found" });
+function said(text) {
+  return element("li", { className: "nothing", textContent: text });
 }

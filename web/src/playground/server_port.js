@@ -10,9 +10,12 @@ export class ServerPort {
   #count = 0;
   #open = new Map(); // by address: { promise, resolve }
   #versions = new Map(); // by address: what the server was told last
+  #checked = new Map(); // by address: { version, count } of the findings that came last
   #asked = new Map(); // by id: the address that Monaco's client asks about, and when that was opened
   /** Handlers of notifications and requests of the server that are ours, by method. */
   handlers = new Map();
+  /** Called when there may be another answer of `findingCount`. */
+  onChecked = () => {};
 
   constructor(worker, base, options) {
     this.#worker = worker;
@@ -31,9 +34,9 @@ export class ServerPort {
   /** Send what Monaco's client says; it does not speak of all that we can. */
   postMessage(message) {
     if (message.method === "initialize") Object.assign(message.params, additions(message.params));
-    if (HAS_VERSION.has(message.method)) this.#versions.set(message.params.textDocument.uri, message.params.textDocument.version);
+    if (HAS_VERSION.has(message.method)) this.#tellVersion(message.params.textDocument);
     if (message.method === "textDocument/didOpen") this.#opening(message.params.textDocument.uri).resolve();
-    if (message.method === "textDocument/didClose") this.#open.delete(message.params.textDocument.uri);
+    if (message.method === "textDocument/didClose") this.#forget(message.params.textDocument.uri);
     if (message.method && message.id !== undefined) this.#note(message);
     this.#worker.postMessage(message);
   }
@@ -46,6 +49,27 @@ export class ServerPort {
   /** The version of a document that the server was told last. */
   version(uri) {
     return this.#versions.get(uri);
+  }
+
+  /** How much was found in a text as it is now; undefined until it has been checked. */
+  findingCount(uri) {
+    const checked = this.#checked.get(uri);
+    return checked !== undefined && checked.version === this.#versions.get(uri) ? checked.count : undefined;
+  }
+
+  #forget(uri) {
+    this.#open.delete(uri);
+    this.#checked.delete(uri);
+  }
+
+  #tellVersion({ uri, version }) {
+    this.#versions.set(uri, version);
+    this.onChecked(uri);
+  }
+
+  #keepCount({ uri, version, diagnostics }) {
+    this.#checked.set(uri, { version: version ?? this.#versions.get(uri), count: diagnostics.length });
+    this.onChecked(uri);
   }
 
   notify(method, params) {
@@ -112,6 +136,7 @@ export class ServerPort {
     // Findings are pushed 0.1 s after a keystroke; Monaco's client would ask for them after 0.5 s only.
     if (data.result?.capabilities) delete data.result.capabilities.diagnosticProvider;
     for (const listener of this.#listeners) listener({ data, source: this.#worker });
+    if (data.method === FINDINGS) this.#keepCount(data.params);
   }
 }
 
