@@ -54,7 +54,7 @@ PLANTED: dict[str, Callable[[MassDistribution], MassDistribution]] = {
     "kg·mm²": slipped(lambda m: [1e6 * x for x in m]),
     "g·cm²": slipped(lambda m: [1e7 * x for x in m]),
     "kg·cm²": slipped(lambda m: [1e4 * x for x in m]),
-    "g·m²": slipped(lambda m: [1e3 * x for x in m]),
+    "t·mm²": slipped(lambda m: [1e3 * x for x in m]),
     "a digit": slipped(lambda m: [10.0 * x for x in m]),
     "two digits": slipped(lambda m: [0.01 * x for x in m]),
     "two swapped": slipped(lambda m: [m[2], m[1], m[0], *m[3:]]),

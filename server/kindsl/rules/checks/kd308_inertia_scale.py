@@ -5,7 +5,8 @@ Says of an impossible inertia (KD301, KD302) or one of implausible density (KD31
 consistent and plausible if its moments were in another unit. KD306 tells how causes are weighed.
 
 ## Why is this bad?
-CAD programs give g·mm², kg·mm² or g·cm². The language wants kg·m²; 1 kg·m² is 1 000 000 000 g·mm².
+CAD programs give g·mm², kg·mm² or g·cm², finite elements t·mm². The language wants kg·m², which is
+1 000 000 000 g·mm².
 
 ## Example
 ```kindsl

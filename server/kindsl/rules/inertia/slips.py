@@ -14,12 +14,13 @@ _Values = TypeVar("_Values", Symmetric, Vector3)
 Kind = tuple[object, ...]
 
 _PRODUCTS = (3, 4, 5)
+# What people write moments in: CAD programs in grams or kilograms, finite elements in tonnes.
 _UNITS = (
     (-9, "g·mm²", 0.4),
     (-6, "kg·mm²", 0.4),
     (-7, "g·cm²", 0.4),
     (-4, "kg·cm²", 0.4),
-    (-3, "g·m²", 0.1),
+    (-3, "t·mm²", 0.1),
 )
 _OTHER_POWERS = (-1, 1, -2, 2, 3, 4, 6)
 _RARE = 1e-5
