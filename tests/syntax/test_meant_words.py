@@ -181,3 +181,36 @@ def _mended(text: str) -> str:
             break
         text = apply_edits(text, fixes[0].edits)
     return text
+
+
+CASES = (str.lower, str.upper, str.capitalize, str.swapcase, lambda word: word + word[-1])
+
+
+@pytest.mark.parametrize(
+    "word",
+    ("Robot", "RobotBase", "link", "id", "inertia_params", "mass", "CoM", *MOMENTS, "children",
+     "via", "r_joint", "ref_frame", "translation", "rotation"),
+)  # fmt: skip
+@pytest.mark.parametrize("parameter", [None, "mass", "CoM", "Ix", "id", "link"])
+def test_a_keyword_in_other_letters_is_what_is_meant(word: str, parameter: str | None) -> None:
+    """Though a parameter is named like a keyword, it is not given already."""
+    text = ROBOT if parameter is None else ROBOT.replace("1.3", parameter).replace("0.2", parameter)
+    place = re.search(rf"\b{word}\b", text)
+    assert place is not None
+    for changing in CASES:
+        other = changing(word)
+        if other in (word, "idd", "Ixx", "Iyy", "Izz", "Ixyy", "Iyzz", "Ixzz"):
+            continue
+        wrong = f"{text[: place.start()]}{other}{text[place.end() :]}"
+        found = [f for f in analyse(wrong).findings if f.code in ("KD008", "KD009", "KD010")]
+        assert [f.code for f in found] == ["KD010"], (other, [f.message for f in found])
+        assert f"'{other}'" in found[0].message
+        assert found[0].fix is not None
+        assert apply_edits(wrong, found[0].fix.edits) == text
+
+
+def test_a_section_in_other_letters_beside_itself_is_a_second_one() -> None:
+    found = changed("mass = 1.5", "mass = 1.5 Mass = 1.5").findings
+    assert [f.message for f in found] == ["second 'mass', written 'Mass'"]
+    found = changed("mass = 1.5", "mass = 1.5 Mass = mass").findings
+    assert "KD009" not in [f.code for f in found]

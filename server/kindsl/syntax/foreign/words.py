@@ -8,6 +8,7 @@ lists its children; the search for repairs would take `parent {` for `children {
 
 import re
 from collections.abc import Sequence
+from itertools import pairwise
 
 from kindsl.syntax.scanner import word_kind
 from kindsl.syntax.tables import KEYWORDS
@@ -87,17 +88,23 @@ def _repeated(tokens: Sequence[Token], word: str) -> Problem:
         title = f"Remove '{shown(' '.join(token.text for token in tokens))}'"
         repair = Repair(title, (Edit(written.start, end, ""),), False)
     message = f"'{shown(written.text)}' means '{word}', which is already given"
+    if written.text.casefold() == word.casefold():
+        message = f"second '{word}', written '{shown(written.text)}'"
     return Problem("KD009", message, written.start, written.end, repair)
 
 
 def _keywords_behind(tokens: Sequence[Token], index: int) -> set[str]:
-    """Return the keywords between the brace at an index and the next one."""
+    """Return the keywords of the sections between the brace at an index and the next one.
+
+    A parameter may be named like one: `Ix = mass` is not the mass.
+    """
     words = set()
-    for token in tokens[index + 1 :]:
+    for token, behind in pairwise(tokens[index + 1 :]):
         if token.kind in _BRACES:
             break
-        words.add(token.text)
-    return words & KEYWORDS.keys()
+        if behind.kind == "=" and token.text in KEYWORDS:
+            words.add(token.text)
+    return words
 
 
 def _is_repeated_number(tokens: Sequence[Token], index: int) -> bool:
