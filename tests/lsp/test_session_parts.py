@@ -1,0 +1,535 @@
+"""What a session tells the editor, and what it makes of the answers."""
+
+import asyncio
+import math
+from array import array
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from lsprotocol import types
+from tests.cli.samples import GOOD, UNBOUND, arm
+from tests.lsp.sessions import REFUSAL, folder_of, of_versions, opened, session_with
+
+from kindsl.analysis.analysis import analyse
+from kindsl.analysis.diagnostics import RelatedPlace
+from kindsl.lsp.session.binding import bound
+from kindsl.lsp.session.findings import diagnostics
+from kindsl.lsp.session.progress import Progress
+from kindsl.lsp.session.settings import editor_settings
+from kindsl.lsp.session.status import tell_status
+from kindsl.lsp.session.tokens import TokenMemory
+from kindsl.lsp.session.transforms import transforms_view
+from kindsl.lsp.session.view import plain
+from kindsl.lsp.session.worker import AbandonedError, Urgency, Worker, start_task
+from kindsl.lsp.session.workspace import Workspace
+from kindsl.lsp.session.written import written
+from kindsl.lsp.text import uris
+from kindsl.lsp.text.document import document
+from kindsl.lsp.wire.client import Client
+from kindsl.text.edits import TextEdit
+
+URI = "untitled:arm"
+EDIT = TextEdit(6, 9, "leg")
+APPLIED = types.ApplyWorkspaceEditResult(applied=True)
+
+
+async def test_what_is_written_is_one_labelled_edit_of_the_version_that_was_seen() -> None:
+    with session_with(of_versions()) as (session, told):
+        view = await session.view(opened(session, URI, GOOD, 7))
+        told.answers["workspace_apply_edit"] = APPLIED
+        assert await written(session, view, "Rename", [EDIT]) == ""
+        (params,) = told.named("workspace_apply_edit")
+        assert params.label == "Rename"
+        (change,) = params.edit.document_changes
+        assert (change.text_document.uri, change.text_document.version) == (URI, 7)
+        span = types.Range(types.Position(0, 6), types.Position(0, 9))
+        assert change.edits == [types.TextEdit(span, "leg")]
+
+
+@pytest.mark.parametrize("answer", [types.ApplyWorkspaceEditResult(applied=False), None, REFUSAL])
+async def test_an_editor_that_did_not_write_means_that_the_text_changed(answer: Any) -> None:
+    with session_with(of_versions()) as (session, told):
+        view = await session.view(opened(session, URI, GOOD))
+        told.answers["workspace_apply_edit"] = answer
+        why = await written(session, view, "Rename", [EDIT])
+        assert why == "the document has changed meanwhile"
+        assert len(told.named("workspace_apply_edit")) == 1
+
+
+async def test_nothing_to_write_asks_nobody() -> None:
+    with session_with(of_versions()) as (session, told):
+        view = await session.view(opened(session, URI, GOOD))
+        assert await written(session, view, "Nothing", []) == ""
+        assert told.messages == []
+
+
+async def test_values_go_into_the_configuration_file_beside_the_edits(tmp_path: Path) -> None:
+    file, robot = tmp_path / "kindsl.toml", tmp_path / "arm.kindsl"
+    file.write_text("[parameters]\nlength = 1.0\n")
+    with session_with(of_versions()) as (session, told):
+        session.workspace.add_folders([folder_of(tmp_path)])
+        view = await session.view(opened(session, robot.as_uri(), UNBOUND, 3))
+        told.answers["workspace_apply_edit"] = APPLIED
+        assert await written(session, view, "Set", [EDIT], [("length", 2.5)]) == ""
+        (params,) = told.named("workspace_apply_edit")
+        first, second = params.edit.document_changes
+        assert (first.text_document.uri, first.text_document.version) == (robot.as_uri(), 3)
+        assert (second.text_document.uri, second.text_document.version) == (file.as_uri(), None)
+        assert [edit.new_text for edit in second.edits] == ["2.5"]
+        told.messages.clear()
+        assert await written(session, view, "Set", [], [("length", 2.5)]) == ""
+        (params,) = told.named("workspace_apply_edit")
+        assert [c.text_document.uri for c in params.edit.document_changes] == [file.as_uri()]
+
+
+@pytest.mark.parametrize("text", [None, "x = ["])
+async def test_without_a_file_to_write_values_into_nothing_is_written(
+    text: str | None, tmp_path: Path
+) -> None:
+    if text is not None:
+        (tmp_path / "kindsl.toml").write_text(text)
+    with session_with(of_versions()) as (session, told):
+        session.workspace.add_folders([folder_of(tmp_path)])
+        view = await session.view(opened(session, (tmp_path / "arm.kindsl").as_uri(), UNBOUND))
+        why = await written(session, view, "Set", [EDIT], [("length", 2.5)])
+        assert why == "the configuration file cannot be written" and told.messages == []
+
+
+async def test_a_new_file_goes_into_the_innermost_folder_around_the_robot(tmp_path: Path) -> None:
+    inner = tmp_path / "robots"
+    (inner / "legs").mkdir(parents=True)
+    with session_with() as (session, _):
+        robot = opened(session, (inner / "legs" / "arm.kindsl").as_uri(), UNBOUND)
+        for folders, where in (
+            ([], inner / "legs"),
+            ([tmp_path, inner], inner),
+            ([inner, tmp_path], inner),
+            ([tmp_path], tmp_path),
+        ):
+            session.workspace.remove_folders([folder_of(tmp_path), folder_of(inner)])
+            session.workspace.add_folders(map(folder_of, folders))
+            found = bound(session, robot, [("length", 2.0)])
+            assert found is not None and found.is_new
+            assert found.document.uri == uris.uri(where / "kindsl.toml")
+            assert found.edit == TextEdit(0, 0, "[parameters]\nlength = 2.0\n")
+        assert bound(session, opened(session, URI, UNBOUND), [("length", 2.0)]) is None
+
+
+async def test_status_counts_freedoms_and_findings() -> None:
+    loop = GOOD.replace("children {}", "children { upper via shoulder }")
+    for text, dof, state in (
+        (GOOD, 2, "ready"),
+        (arm(floating=True), 8, "ready"),
+        (UNBOUND, 2, "unbound parameters"),
+        (loop, None, "broken model"),
+    ):
+        with session_with() as (session, told):
+            shown = opened(session, URI, text)
+            findings = analyse(text).findings
+            await tell_status(session, shown, findings)
+            assert told.messages == []
+            session.client = Client(
+                types.ClientCapabilities(experimental={"kindsl/status": True}), {}
+            )
+            await tell_status(session, shown, findings)
+            assert told.messages == [
+                (
+                    "kindsl/status",
+                    {"uri": URI, "findings": len(findings), "dof": dof, "state": state},
+                )
+            ]
+
+
+class TestProgress:
+    """Of a whole of 100."""
+
+    async def test_with_a_token_each_per_cent_is_told_once(self) -> None:
+        with session_with() as (session, told):
+            async with Progress(session, "Checking", "t") as progress:
+                for done in (0, 1, 2, 3, 300, 400, 500):
+                    await progress.report(done, 400)
+                await progress.report(1, 0)
+        values = [params.value for params in told.named("progress")]
+        assert {params.token for params in told.named("progress")} == {"t"}
+        assert values[0] == types.WorkDoneProgressBegin("Checking", percentage=0)
+        assert [value.percentage for value in values[1:-1]] == [0, 75, 100, 100]
+        assert values[-1] == types.WorkDoneProgressEnd()
+
+    async def test_without_a_token_nothing_is_told_at_once(self) -> None:
+        with session_with(_shows_progress()) as (session, told):
+            async with Progress(session, "Checking", None) as progress:
+                await progress.report(1, 2)
+        assert told.messages == []
+
+    @pytest.mark.parametrize("answer", [None, REFUSAL])
+    async def test_long_work_asks_once_for_a_token(
+        self, answer: Any, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        monkeypatch.setattr("kindsl.lsp.session.progress._PATIENCE", 0.0)
+        with session_with(_shows_progress()) as (session, told):
+            told.answers["window_work_done_progress_create"] = answer
+            async with Progress(session, "Checking", None) as progress:
+                for done in (1, 2):
+                    await progress.report(done, 2)
+            (created,) = told.named("window_work_done_progress_create")
+            values = [(params.token, params.value) for params in told.named("progress")]
+            if answer is REFUSAL:
+                assert values == []
+            else:
+                assert [token for token, _ in values] == [created.token] * 4
+                assert values[0][1] == types.WorkDoneProgressBegin("Checking", percentage=0)
+                assert [value.percentage for _, value in values[1:3]] == [50, 100]
+
+    async def test_a_client_that_shows_none_is_not_asked(
+        self, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        monkeypatch.setattr("kindsl.lsp.session.progress._PATIENCE", 0.0)
+        with session_with() as (session, told):
+            async with Progress(session, "Checking", None) as progress:
+                await progress.report(1, 2)
+        assert told.messages == []
+
+
+def _shows_progress() -> types.ClientCapabilities:
+    window = types.WindowClientCapabilities(work_done_progress=True)
+    return types.ClientCapabilities(window=window)
+
+
+class TestTokens:
+    """Semantic tokens as the difference to those that the client knows."""
+
+    @given(st.lists(st.integers(0, 3), max_size=9), st.lists(st.integers(0, 3), max_size=9))
+    def test_the_difference_makes_one_of_the_other(self, old: list[int], new: list[int]) -> None:
+        memory = TokenMemory()
+        known = memory.tell(URI, array("I", old), None)
+        assert known["data"] == old
+        told = memory.tell(URI, array("I", new), known["resultId"])
+        assert told["resultId"] != known["resultId"] and "data" not in told
+        assert len(told["edits"]) == (old != new)
+        row = list(old)
+        for edit in told["edits"]:
+            row[edit["start"] : edit["start"] + edit["deleteCount"]] = edit["data"]
+            assert edit["start"] + edit["deleteCount"] <= len(old)
+            # Neither end of what is replaced was there already.
+            replaced = old[edit["start"] : edit["start"] + edit["deleteCount"]]
+            if replaced and edit["data"]:
+                assert replaced[0] != edit["data"][0] and replaced[-1] != edit["data"][-1]
+        assert row == new
+
+    def test_who_knows_something_else_is_told_all(self) -> None:
+        memory, tokens = TokenMemory(), array("I", [1, 2, 3])
+        first = memory.tell(URI, tokens, None)
+        assert memory.tell(URI, tokens, "other")["data"] == [1, 2, 3]
+        assert memory.tell(URI, tokens, first["resultId"])["data"] == [1, 2, 3]
+        latest = memory.tell("untitled:b", tokens, None)["resultId"]
+        memory.forget(document("untitled:b", 1, "", "utf-16"))
+        assert memory.tell("untitled:b", tokens, latest)["data"] == [1, 2, 3]
+        memory.forget(document("untitled:c", 1, "", "utf-16"))
+
+
+def test_findings_show_what_the_client_can() -> None:
+    text = arm(reach="1")
+    shown = document(URI, 1, text, "utf-16")
+    (found,) = analyse(text).findings
+    found = found._replace(related=(RelatedPlace(0, 5, "there"),), tag="unnecessary")
+    start, end = {"line": 20, "character": 31}, {"line": 20, "character": 32}
+    plain_parts = {
+        "range": {"start": start, "end": end},
+        "severity": 1,
+        "code": "KD005",
+        "source": "kindsl",
+        "message": found.message,
+    }
+    links = {"codeDescription": {"href": found.url}}
+    assert found.url is not None
+    tags = {"tags": [1]}
+    there = {"start": {"line": 0, "character": 0}, "end": {"line": 0, "character": 5}}
+    related = {
+        "relatedInformation": [{"location": {"uri": URI, "range": there}, "message": "there"}]
+    }
+    every = types.PublishDiagnosticsClientCapabilities(
+        related_information=True,
+        code_description_support=True,
+        tag_support=types.ClientDiagnosticsTagOptions([]),
+    )
+    for told, parts in (
+        (None, links | tags | related),
+        (every, links | tags | related),
+        (types.PublishDiagnosticsClientCapabilities(), {}),
+        (types.PublishDiagnosticsClientCapabilities(code_description_support=True), links),
+        (types.PublishDiagnosticsClientCapabilities(related_information=True), related),
+    ):
+        about = types.TextDocumentClientCapabilities(publish_diagnostics=told)
+        client = Client(types.ClientCapabilities(text_document=about), {})
+        assert diagnostics(shown, [found], client) == [plain_parts | parts]
+    bare = found._replace(related=(), tag=None, code="", severity="hint")
+    client = Client(types.ClientCapabilities(), {})
+    assert diagnostics(shown, [bare], client) == [plain_parts | {"severity": 4, "code": ""}]
+
+
+_NO_NUMBER = "parameters' gives 'a' something other than a finite number"
+
+
+class TestSettings:
+    """One sentence for each setting that makes no sense, which then counts as not given."""
+
+    @pytest.mark.parametrize(
+        ("raw", "problem"),
+        [
+            ({"target": "ros"}, "target' names 'ros', which is not one of robcogen, robcogen2"),
+            ({"target": 3}, "target' is not a list of strings"),
+            ({"ignore": "KD1"}, "ignore' is not a list of strings"),
+            ({"ignore": ["KD1", 2]}, "ignore' is not a list of strings"),
+            ({"severity": []}, "severity' is not an object"),
+            (
+                {"severity": {"KD1": "bad"}},
+                "severity' gives KD1 a severity other than error, warning, info, hint",
+            ),
+            ({"parameters": [1]}, "parameters' is not an object"),
+            *(
+                ({"parameters": {"a": v}}, _NO_NUMBER)
+                for v in (True, "1", math.nan, math.inf, 10**400, {}, {"value": 1, "max": "2"})
+            ),
+            *(
+                (
+                    {"diagnostics": {"delay": v}},
+                    "diagnostics.delay' is not a number of milliseconds up to 60000",
+                )
+                for v in (-1, 60_001, "1", True)
+            ),
+            ({"inlayHints": {"units": 1}}, "inlayHints' has 'units' other than true or false"),
+            ({"inlayHints": "all"}, "inlayHints' is not an object"),
+        ],
+    )  # fmt: skip
+    def test_nonsense(self, raw: object, problem: str) -> None:
+        found = editor_settings(raw)
+        assert found.problems == (f"setting 'kindsl.{problem}",)
+        assert found._replace(problems=()) == editor_settings({})
+
+    def test_the_ends_of_the_delay_and_its_usual_length(self) -> None:
+        delays = [
+            editor_settings({"diagnostics.delay": ms}).diagnostics_delay for ms in (0, 60_000)
+        ]
+        assert delays == [0.0, 60.0]
+        assert editor_settings(None).diagnostics_delay == 0.1
+
+    def test_one_word_for_all_hints_and_one_name_for_a_target(self) -> None:
+        assert editor_settings({"inlayHints": False}).inlay_hints == {"enabled": False}
+        assert editor_settings({"target": "robcogen2"}).rules.targets == {"robcogen2"}
+        binding = editor_settings({"parameters": {"a": {"value": 2, "min": 1}}}).rules.bindings["a"]
+        assert (binding.value, binding.minimum, binding.maximum) == (2.0, 1.0, None)
+
+
+class TestWorkspace:
+    """Whose word counts for a document."""
+
+    def test_the_innermost_folder_with_settings_decides(self) -> None:
+        workspace = Workspace()
+        assert workspace.set_editor_settings({"diagnostics": {"delay": 1000}})
+        assert not workspace.set_editor_settings({"diagnostics": {"delay": 1000}})
+        assert workspace.set_editor_settings({"diagnostics": {"delay": 2000}}, "file:///a")
+        assert workspace.set_editor_settings({"diagnostics": {"delay": "x"}}, "file:///a/b/")
+        delays = {
+            uri: workspace.editor_settings(uri).diagnostics_delay
+            for uri in ("file:///c.kindsl", "file:///a/c.kindsl", "file:///a/b/c.kindsl",
+                        "file:///ab/c.kindsl", "untitled:x")
+        }  # fmt: skip
+        assert list(delays.values()) == [1.0, 2.0, 0.1, 1.0, 1.0]
+        assert len(workspace.problems()) == 1
+        workspace.remove_folders([types.WorkspaceFolder("file:///a", "a")])
+        assert workspace.editor_settings("file:///a/c.kindsl").diagnostics_delay == 1.0
+
+    def test_files_are_read_when_they_are_asked_for_and_watched_from_then(
+        self, tmp_path: Path
+    ) -> None:
+        file = tmp_path / "kindsl.toml"
+        shown = document((tmp_path / "arm.kindsl").as_uri(), 1, UNBOUND, "utf-16")
+        workspace = Workspace()
+        workspace.add_folders([folder_of(tmp_path)])
+        assert workspace.known_settings(shown) is None and not workspace.is_outdated()
+        settings = workspace.read_settings(shown)
+        assert settings.bindings == {} and workspace.known_settings(shown) is settings
+        assert workspace.read_settings(shown) is settings and not workspace.is_outdated()
+        file.write_text("[parameters]\nlength = 2.0\n")
+        assert workspace.is_outdated()
+        workspace.forget()
+        assert workspace.read_settings(shown).bindings["length"].value == 2.0
+        assert workspace.configuration_file(shown) == file and workspace.broken == {}
+        file.write_text("x = [")
+        workspace.forget()
+        assert workspace.read_settings(shown).bindings == {}
+        assert workspace.configuration_file(shown) is None and list(workspace.broken) == [file]
+
+    def test_a_document_without_a_file_has_the_first_folder_s_settings(
+        self, tmp_path: Path
+    ) -> None:
+        (tmp_path / "kindsl.toml").write_text("[parameters]\nlength = 2.0\n")
+        shown = document(URI, 1, UNBOUND, "utf-16")
+        workspace = Workspace()
+        assert workspace.read_settings(shown).bindings == {}
+        workspace.add_folders([folder_of(tmp_path)])
+        assert workspace.read_settings(shown).bindings["length"].value == 2.0
+        (tmp_path / "arm.kindsl").write_text(GOOD)
+        assert list(workspace.files()) == [tmp_path / "arm.kindsl"]
+        assert list(workspace.paths()) == [tmp_path]
+
+
+class TestWorker:
+    """Jobs one after the other, in a thread."""
+
+    async def test_jobs_of_one_urgency_keep_their_order(self) -> None:
+        worker, done = Worker(), []
+        jobs = [worker.run(lambda n=n: done.append(n), Urgency.ANSWER) for n in range(20)]
+        await asyncio.gather(*jobs)
+        assert done == list(range(20))
+
+    async def test_a_job_that_is_waited_for_goes_on_past_its_checkpoints(self) -> None:
+        worker = Worker()
+        worker.checkpoint()
+        assert await worker.run(lambda: worker.checkpoint() or 3) == 3
+        worker.checkpoint()
+        assert issubclass(AbandonedError, Exception)
+
+    async def test_a_cancelled_future_leaves_its_job_out(self) -> None:
+        worker, done = Worker(), []
+        gate = asyncio.Event()
+        loop = asyncio.get_running_loop()
+        blocker = worker.submit(
+            lambda: asyncio.run_coroutine_threadsafe(gate.wait(), loop).result()
+        )
+        left_out = worker.submit(lambda: done.append(1))
+        assert left_out.cancel()
+        gate.set()
+        await asyncio.wrap_future(blocker)
+        assert await worker.run(lambda: done.append(2), Urgency.BACKGROUND) is None
+        assert done == [2]
+
+    async def test_a_task_that_fails_is_logged_and_one_that_is_cancelled_is_not(
+        self, caplog: pytest.LogCaptureFixture
+    ) -> None:
+        async def fails() -> None:
+            raise KeyError("oh")
+
+        await asyncio.wait([start_task(fails())])
+        await asyncio.sleep(0)
+        assert [record.getMessage() for record in caplog.records] == ["background work failed"]
+        waiting = start_task(asyncio.sleep(60))
+        await asyncio.sleep(0)
+        waiting.cancel()
+        await asyncio.wait([waiting])
+        await asyncio.sleep(0)
+        assert len(caplog.records) == 1
+
+
+class TestSight:
+    """What handlers ask of a version."""
+
+    def test_plain_text_has_no_marks(self) -> None:
+        told = plain("**mass** of `arm_1`, 2\\*3, a\\b")
+        assert told == "mass of arm_1, 2*3, a\\b"
+
+    @pytest.mark.parametrize(
+        ("formats", "kind"),
+        [
+            (None, "markdown"),
+            ([], "markdown"),
+            (["plaintext", "markdown"], "markdown"),
+            (["plaintext"], "plaintext"),
+        ],
+    )
+    async def test_markup_is_what_the_client_shows(self, formats: Any, kind: str) -> None:
+        shown = formats and [types.MarkupKind(name) for name in formats]
+        hover = types.HoverClientCapabilities(content_format=shown)
+        about = types.TextDocumentClientCapabilities(hover=hover)
+        with session_with(types.ClientCapabilities(text_document=about)) as (session, _):
+            view = await session.view(opened(session, URI, GOOD))
+            found = view.markup("**m**", "text_document.hover.content_format")
+            assert (found.kind, found.value) == (kind, "**m**" if kind == "markdown" else "m")
+
+    async def test_a_refusal_is_told_once_until_the_document_is_closed(self) -> None:
+        with session_with() as (session, told):
+            view = await session.view(opened(session, URI, GOOD))
+            for _ in range(2):
+                view.refuse("too broken")
+            await asyncio.sleep(0)
+            (params,) = told.named("window_show_message")
+            assert (params.type, params.message) == (types.MessageType.Warning, "too broken")
+            other = await session.view(opened(session, "untitled:b", GOOD))
+            other.refuse("too broken")
+            await asyncio.sleep(0)
+            assert len(told.named("window_show_message")) == 2
+            session.documents.close(URI)
+            assert session.refused == {"untitled:b"}
+
+    async def test_who_listens_hears_what_the_cursor_is_on(self) -> None:
+        with session_with() as (session, _):
+            view = await session.view(opened(session, URI, GOOD))
+            heard: list[tuple[str, str, str]] = []
+            session.on_cursor[:] = [lambda *what: heard.append(what)]
+            view.follow_cursor(types.Position(5, 6))
+            view.follow_cursor(types.Position(0, 0))
+            assert heard == [(URI, "link", "upper"), (URI, "", "")]
+            assert view.location(0, 5).range == types.Range(
+                types.Position(0, 0), types.Position(0, 5)
+            )
+
+
+async def test_a_session_answers_about_robots_only_and_counts_its_questions() -> None:
+    with session_with() as (session, _):
+        opened(session, URI, GOOD)
+        opened(session, "untitled:kindsl.toml", "")
+
+        def handler(view: Any, params: Any) -> Any:
+            return view.document.uri, params, session._quiet.is_set()
+
+        for ask in (session.ask_at_once, session.ask, session.ask_judged):
+            assert await ask(handler, URI, 3) == (URI, 3, False)
+            assert session._quiet.is_set()
+            assert await ask(handler, "untitled:kindsl.toml", 3) is None
+            assert await ask(handler, "untitled:absent", 3) is None
+
+
+async def test_quiet_comes_with_the_last_answer_or_after_a_moment(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    with session_with() as (session, _):
+        await asyncio.wait_for(session.until_quiet(), 5)
+        with session.question():
+            with session.question():
+                assert not session._quiet.is_set()
+            assert not session._quiet.is_set()
+            monkeypatch.setattr("kindsl.lsp.session.state._PATIENCE", 0.01)
+            await asyncio.wait_for(session.until_quiet(), 5)
+            monkeypatch.setattr("kindsl.lsp.session.state._PATIENCE", 60.0)
+            waiting = asyncio.ensure_future(session.until_quiet())
+            await asyncio.sleep(0)
+            assert not waiting.done()
+        await asyncio.wait_for(waiting, 5)
+
+
+async def test_every_document_that_is_open_or_in_a_folder_is_there_once(tmp_path: Path) -> None:
+    for name in ("a", "b"):
+        (tmp_path / f"{name}.kindsl").write_text(GOOD)
+    with session_with() as (session, _):
+        session.workspace.add_folders([folder_of(tmp_path)])
+        opened(session, URI, GOOD)
+        opened(session, (tmp_path / "a.kindsl").as_uri(), GOOD)
+        wanted = [URI, *((tmp_path / f"{name}.kindsl").as_uri() for name in "ab")]
+        found = await session.open_and_closed()
+        assert sorted(found) == sorted(wanted)
+
+
+async def test_a_transforms_document_is_seen_with_the_robot_beside_it(tmp_path: Path) -> None:
+    (tmp_path / "arm.kindsl").write_text(GOOD)
+    (tmp_path / "alone").mkdir()
+    with session_with() as (session, _):
+        for place, name in ((tmp_path, "arm"), (tmp_path / "alone", None)):
+            text = "Model arm\n\nTransforms {\n}\n"
+            shown = opened(session, (place / "arm.dtdsl").as_uri(), text)
+            view = await transforms_view(session, shown)
+            assert (str(view.model.name) if view.model else None) == name
+        view = await transforms_view(session, opened(session, "untitled:x.dtdsl", ""))
+        assert view.model is None
