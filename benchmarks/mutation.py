@@ -1,6 +1,7 @@
 """How much of a change of the code the tests notice: the score of sampled mutants.
 
     python benchmarks/mutation.py [FOLDER ...] [--count N] [--seed N] [--processes N] [--patience S]
+                                  [--tests PATH ...]
 
 A folder is one of the server's, such as `rules` or `lsp/session`. Works on copies, two at a time.
 The tests run once to find which of them come past which change, in this process or in one that
@@ -220,21 +221,21 @@ def tests_of(folder: str) -> Sequence[str]:
     return (Path(folder).parts[0],)
 
 
-def score(pool: Pool, folder: str, sites: Sequence[Site]) -> int:
-    """Print what lives of a folder's mutants; return how many do not."""
+def score(pool: Pool, folder: str, sites: Sequence[Site], tests: Sequence[str]) -> int:
+    """Print what lives of a folder's mutants in some tests; return how many do not."""
     start = time.monotonic()
-    found = pool.map(Worker.reached, [(sites, tests) for tests in tests_of(folder)], chunksize=1)
+    found = pool.map(Worker.reached, [(sites, path) for path in tests], chunksize=1)
     changes = [
         (site, {name: seconds for tests in found for name, seconds in tests[number].items()})
         for number, site in enumerate(sites)
     ]
     print(f"{folder}: {_minutes(start)} to find the tests", flush=True)
     alive: list[Site] = []
-    for (site, tests), lives in zip(changes, pool.imap(Worker.lives, changes), strict=True):
+    for (site, passed), lives in zip(changes, pool.imap(Worker.lives, changes), strict=True):
         if lives:
             alive.append(site)
             where = f"{site.path}:{site.line}"
-            print(f"  lives: {where}: {site.change} ({len(tests)} tests)", flush=True)
+            print(f"  lives: {where}: {site.change} ({len(passed)} tests)", flush=True)
     for kind in sorted({site.kind for site in sites}):
         print(f"  {kind}s: {_noticed(sites, alive, kind)}")
     print(f"{folder}: {_noticed(sites, alive)} noticed, {_minutes(start)}", flush=True)
@@ -260,6 +261,7 @@ def main() -> int:
     parser.add_argument(
         "--patience", type=float, default=120.0, help="seconds of tests that a mutant outlives"
     )
+    parser.add_argument("--tests", nargs="+", help="below tests, instead of those that concern it")
     options = parser.parse_args()
     server = ROOT / "server" / "kindsl"
     rows: list[tuple[str, int, int]] = []
@@ -268,7 +270,8 @@ def main() -> int:
         with get_context("fork").Pool(options.processes, Worker.begin, begin) as pool:
             for folder in options.folders or TESTS:
                 sites = sample(server, folder, options.count, options.seed)
-                rows.append((folder, len(sites), score(pool, folder, sites)))
+                tests = options.tests or tests_of(folder)
+                rows.append((folder, len(sites), score(pool, folder, sites, tests)))
     print(f"{'folder':16}{'mutants':>8}{'killed':>8}{'percent':>9}")
     for folder, count, killed in rows:
         print(f"{folder:16}{count:8}{killed:8}{killed / count:9.1%}")
