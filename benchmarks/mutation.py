@@ -76,7 +76,8 @@ class Copy:
     def __init__(self, folder: Path) -> None:
         self.kindsl = folder / "server" / "kindsl"
         shutil.copytree(ROOT / "server" / "kindsl", self.kindsl)
-        (folder / "docs").symlink_to(ROOT / "docs")
+        for beside in ("docs", "grammar"):
+            (folder / beside).symlink_to(ROOT / beside)
         (self.kindsl / "_reached.py").write_text(REACHED, encoding="utf-8")
         compileall.compile_dir(self.kindsl, quiet=2)
 

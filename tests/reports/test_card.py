@@ -97,4 +97,4 @@ def test_command_writes_a_file_or_stdout(tmp_path: Path, capsys) -> None:
     assert capsys.readouterr().out.startswith("# ")
     assert main(["card", str(tmp_path / "absent.kindsl")]) == 2
     assert main(["card", str(QUADRUPED), "-o", str(tmp_path / "no" / "card.md")]) == 2
-    assert "cannot be written: No such file" in capsys.readouterr().err
+    assert "cannot be written: there is no folder" in capsys.readouterr().err

@@ -188,7 +188,7 @@ def test_info_shows_units_constants_and_names_that_are_missing() -> None:
     facts = robot_facts(document(arm(reach="length", mass="m")))
     for parameter in facts["parameters"]:
         parameter["value"] = 2.0
-    assert " 2 m " in robot_text(facts) and "mass unknown" in robot_text(facts)
+    assert " 2 m " in robot_text(facts) and "at least 1 kg" in robot_text(facts)
     facts = robot_facts(document(""))
     assert robot_text(facts).startswith("(unnamed): fixed base, 0 degrees of freedom, 0 kg\n")
     facts["dof"] = 1

@@ -24,6 +24,4 @@ def _without_pictures(page: Page) -> Page:
 
 
 def _pictures(block: Block) -> tuple[Picture, ...]:
-    if isinstance(block, Side):
-        return block.pictures
-    return (block,) if isinstance(block, Picture) else ()
+    return block.pictures if isinstance(block, Side) else ()
