@@ -1,6 +1,7 @@
 """A session in this process, with an editor that notes what it is told and answers as it is bid."""
 
 import asyncio
+import json
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -60,12 +61,14 @@ def session_with(
     session.loop = asyncio.get_running_loop()
     session.client = Client(capabilities or types.ClientCapabilities(), {})
     editor: Any = session.editor
-    for name in ("workspace_apply_edit", "window_work_done_progress_create"):
+    asked = ("workspace_apply_edit", "window_work_done_progress_create", "window_show_document")
+    for name in asked:
         setattr(editor, f"{name}_async", told.ask(name))
     for name in ("progress", "window_show_message", "workspace_diagnostic_refresh"):
         setattr(editor, name, told.note(name))
     protocol: Any = editor.protocol
     protocol.notify = lambda name, params: told.messages.append((name, params))
+    protocol.notify_encoded = lambda name, params: protocol.notify(name, json.loads(params.json))
     yield session, told
 
 

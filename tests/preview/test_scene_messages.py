@@ -9,6 +9,7 @@ from tests.cli.samples import GOOD
 from tests.preview.robots import ARM, PARAMETRIC_ARM, skeleton_of
 
 from kindsl.analysis.analysis import analyse
+from kindsl.mechanism.total_mass import Weight
 from kindsl.preview.scene.ellipsoids import inertia_ellipsoid
 from kindsl.preview.scene.findings import (
     MOST_LISTED,
@@ -41,6 +42,7 @@ from kindsl.preview.scene.size import STEP, Segment, extent
 from kindsl.rigid.body import MassDistribution
 from kindsl.rules.base import Severity
 from kindsl.semantics.parameters import Binding, JointLimits
+from kindsl.semantics.unknown import Unknown
 
 
 def of_type(messages: Messages, kind: str) -> list[Message]:
@@ -210,7 +212,7 @@ class TestMarks:
         assert ellipsoid.semi_axes is not None
         np.testing.assert_allclose(semi, ellipsoid.semi_axes)
         assert messages["set_object", f"{place}/inertia/ellipsoid"]["object"].color == INERTIA
-        bad = replace(ellipsoid, is_consistent=False)
+        bad = ellipsoid._replace(is_consistent=False)
         found = {m["path"]: m["object"] for m in mass_marks("l", body.com, bad) if "object" in m}
         assert found[f"{place}/inertia/ellipsoid"].color == BAD_INERTIA
 
@@ -382,15 +384,17 @@ class TestFindings:
 
     def test_status_counts_all(self) -> None:
         (error,) = analyse(GOOD.replace("(0.5,", "(1,")).findings
-        drawn = Picture(None, State.BROKEN, "why")
+        drawn = Picture(None, State.BROKEN, "why", weight=Weight(2.5, 1, Unknown("why not")))
         found = status_message(drawn, [error] * 50, "arm.kindsl")
         assert found == {
             "type": "status", "path": "/kindsl/status", "state": "broken", "message": "why",
             "total": 50, "counts": {"error": 50}, "label": "arm.kindsl",
+            "mass": 2.5, "lacks": "why not", "is_former": False,
         }  # fmt: skip
-        assert lost_message("gone") == {
-            "type": "status", "path": "/kindsl/status", "state": "gone", "message": "gone",
-            "counts": {},
+        lost = {"state": "gone", "message": "gone", "total": 3, "counts": {}, "is_former": True}
+        assert lost_message("gone", drawn, 3, "arm.kindsl") == {**found, **lost}
+        assert lost_message("gone", None, 3, "arm.kindsl") == {
+            "type": "status", "path": "/kindsl/status", "label": "arm.kindsl", **lost,
         }  # fmt: skip
 
 
@@ -484,7 +488,7 @@ def test_why_a_picture_is_not_the_document(edit: tuple[str, str], message: str) 
     text = ARM.replace(*edit, 1)
     assert text != ARM
     analysis = analyse(text)
-    last = skeleton_of(ARM)
+    last = picture(analyse(ARM).model, {}, None)
     for last_good, consequence in (
         (last, "the last complete version is shown"), (None, "showing the rest"),
     ):  # fmt: skip

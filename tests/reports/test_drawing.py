@@ -6,13 +6,24 @@ from math import cos, hypot, radians, sin
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from tests.preview.robots import ARM, skeleton_of
+from tests.preview.robots import ARM, plain_robot, skeleton_in, skeleton_of
 
+from kindsl.preview.scene.size import extent
 from kindsl.reports.drawing.camera import HEIGHT, WIDTH, Camera, camera_for, depth
-from kindsl.reports.drawing.robot import BODY, COM, FRAME, JOINT, NAME, points_of, robot_drawing
+from kindsl.reports.drawing.robot import (
+    BODY,
+    COM,
+    FRAME,
+    JOINT,
+    NAME,
+    points_of,
+    robot_drawing,
+    zero_poses,
+)
 from kindsl.reports.drawing.shapes import Disc, Drawing, Label, Line, Spot
 from kindsl.reports.drawing.svg import svg_text
 from kindsl.reports.drawing.tikz import tikz_text
+from kindsl.rigid.pose import Vector3
 
 numbers = st.floats(-5.0, 5.0).map(lambda x: round(x, 3))
 points = st.lists(st.tuples(numbers, numbers, numbers), min_size=2, max_size=8, unique=True)
@@ -83,6 +94,26 @@ def test_what_is_nearer_is_drawn_over_what_is_farther() -> None:
         shapes = robot_drawing(skeleton_of(text), colors={"base": "000001"}).shapes
         lines = [s.color for s in shapes if isinstance(s, Line) and s.width == 7.0]
         assert lines == (["000001", BODY, BODY] if is_above else [BODY, BODY, "000001"])
+
+
+@given(links=st.integers(2, 12), seed=st.integers(0, 50))
+def test_rods_are_drawn_in_the_order_of_their_middles(links: int, seed: int) -> None:
+    skeleton = skeleton_in(plain_robot(links, seed))
+    color_of = {name: f"{n:06x}" for n, name in enumerate(skeleton.body_names)}
+    shapes = robot_drawing(skeleton, colors=color_of).shapes
+    drawn = [s.color for s in shapes if isinstance(s, Line) and s.width == 7.0]
+    middles = []
+    for name, pose, own in zip(
+        skeleton.body_names, zero_poses(skeleton), extent(skeleton).segments, strict=True
+    ):
+        middles += [(depth(pose.point(_half(s.end))), color_of[name]) for s in own]
+    assert len(middles) >= links
+    assert drawn == [color for _, color in sorted(middles, key=lambda middle: round(middle[0], 9))]
+
+
+def _half(end: Vector3) -> Vector3:
+    x, y, z = end
+    return 0.5 * x, 0.5 * y, 0.5 * z
 
 
 def test_each_thing_has_its_mark_where_it_is() -> None:

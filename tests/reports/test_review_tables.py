@@ -130,6 +130,17 @@ def test_masses_stand_beside_each_other() -> None:
     assert ("upper", "2", "-", "") in rows(page(GOOD, parametric), "Masses")
 
 
+def test_numbers_are_flush_right() -> None:
+    longer = edited(("0.5,", "0.6,"), ("mass = 2.0", "mass = 2.5"))
+    blocks = page(GOOD, longer)
+    flush = {t: table.right for t in titles(blocks) for table in section(blocks, t)
+             if isinstance(table, Table)}  # fmt: skip
+    assert flush == {
+        "What changed": frozenset(), "Numbers": {3, 4}, "Tree": frozenset(), "Masses": {1, 2, 3},
+        "Balance at zero": {1, 2, 3},
+    }  # fmt: skip
+
+
 def test_masses_of_renamed_new_and_gone_links() -> None:
     renamed = edited(("mass = 2.0", "mass = 3.0"), text=GOOD.replace("upper", "thigh"))
     assert ("thigh", "2", "3", "+50 %") in rows(page(GOOD, renamed), "Masses")

@@ -190,9 +190,15 @@ def test_info_shows_units_constants_and_names_that_are_missing() -> None:
         parameter["value"] = 2.0
     assert " 2 m " in robot_text(facts) and "at least 1 kg" in robot_text(facts)
     facts = robot_facts(document(""))
-    assert robot_text(facts).startswith("(unnamed): fixed base, 0 degrees of freedom, 0 kg\n")
+    assert robot_text(facts).startswith("(unnamed): fixed base, 0 degrees of freedom, ")
     facts["dof"] = 1
-    assert "1 degree of freedom" in robot_text(facts)
+    assert "1 degree of freedom, " in robot_text(facts)
+
+
+def test_info_shows_constants() -> None:
+    facts = robot_facts(document(GOOD))
+    facts["constants"] = [{"name": "half", "value": 0.5}, {"name": "x", "value": None}]
+    assert "\nconstants\n  half     0.5\n  x          -\n\nhealth" in robot_text(facts)
 
 
 def test_a_floating_base_weighs_and_moves() -> None:

@@ -129,10 +129,10 @@ def _called(name: str, angle: _Linear) -> Formula:
 
 def _linear(value: _Linear) -> Formula:
     parts = [(factor, name) for name, factor in value.terms if factor]
-    plain = [(f, _scaled(abs(f), n, "*")) for f, n in parts]
-    latex = [(f, _scaled(abs(f), latex_name(n), r"\,")) for f, n in parts]
+    plain = [(f < 0.0, _scaled(abs(f), n, "*")) for f, n in parts]
+    latex = [(f < 0.0, _scaled(abs(f), latex_name(n), r"\,")) for f, n in parts]
     if value.constant or not parts:
-        constant = (value.constant, _number(abs(value.constant)))
+        constant = (value.constant < 0.0, _number(abs(value.constant)))
         plain, latex = [*plain, constant], [*latex, constant]
     return Formula(_joined(plain), _joined(latex))
 
@@ -144,20 +144,21 @@ def _scaled(factor: float, name: str, times: str) -> str:
 def _sum(first: Sequence[Formula], products: Sequence[_Factor] = ()) -> Formula:
     """Return formulas and products, those that are nothing left out."""
     shown = [formula for formula in first if formula.plain != "0"]
-    plain: list[tuple[float, str]] = [(1.0, formula.plain) for formula in shown]
-    latex: list[tuple[float, str]] = [(1.0, formula.latex) for formula in shown]
+    plain = [(False, formula.plain) for formula in shown]
+    latex = [(False, formula.latex) for formula in shown]
     for product in products:
         if product.sign:
-            sign = float(product.sign)
-            plain.append((sign, "*".join(part.plain for part in product.parts) or "1"))
-            latex.append((sign, r"\,".join(part.latex for part in product.parts) or "1"))
+            is_negative = product.sign < 0
+            plain.append((is_negative, "*".join(part.plain for part in product.parts) or "1"))
+            latex.append((is_negative, r"\,".join(part.latex for part in product.parts) or "1"))
     return Formula(_joined(plain), _joined(latex))
 
 
-def _joined(signed: Sequence[tuple[float, str]]) -> str:
-    if not signed:
+def _joined(terms: Sequence[tuple[bool, str]]) -> str:
+    """Return a sum of terms, each with whether it is negative."""
+    if not terms:
         return "0"
-    text = "".join(f" {'-' if sign < 0 else '+'} {term}" for sign, term in signed)
+    text = "".join(f" {'-' if is_negative else '+'} {term}" for is_negative, term in terms)
     return f"-{text[3:]}" if text.startswith(" - ") else text[3:]
 
 

@@ -1,0 +1,240 @@
+"""What is pushed to the editor and when, and what is left to those that pull."""
+
+import asyncio
+from pathlib import Path
+from typing import Any
+
+import pytest
+from lsprotocol import types
+from tests.cli.samples import GOOD, INTEGER, UNBOUND, arm
+from tests.lsp.sessions import Told, folder_of, opened, session_with
+
+from kindsl.lsp.session import publishing
+from kindsl.lsp.session.disk_watch import watch_disk
+from kindsl.lsp.session.session import Session
+
+PUBLISH = "textDocument/publishDiagnostics"
+URI = "untitled:arm"
+
+
+def pulling(*, is_told: bool) -> types.ClientCapabilities:
+    """Return the capabilities of a client that pulls, and perhaps can be asked to pull again."""
+    return types.ClientCapabilities(
+        text_document=types.TextDocumentClientCapabilities(
+            diagnostic=types.DiagnosticClientCapabilities()
+        ),
+        workspace=types.WorkspaceClientCapabilities(
+            diagnostics=types.DiagnosticWorkspaceClientCapabilities(refresh_support=is_told)
+        ),
+    )
+
+
+async def published(told: Told, uri: str, n: int = 1) -> list[Any]:
+    """Wait until something was published so often for a document; return all of it."""
+    async with asyncio.timeout(60):
+        while len(found := [p for p in told.named(PUBLISH) if p["uri"] == uri]) < n:
+            await asyncio.sleep(0.002)
+    return found
+
+
+async def settled(session: Session) -> None:
+    """Wait until the publisher has nothing under way any more."""
+    while tasks := [task for task in session.publisher._tasks.values() if not task.done()]:
+        await asyncio.wait(tasks)
+    await asyncio.sleep(0.01)
+
+
+def codes(params: Any) -> list[str]:
+    return [found.get("code") for found in params["diagnostics"]]
+
+
+def change(session: Session, uri: str, version: int, text: str) -> None:
+    whole = types.TextDocumentContentChangeWholeDocument(text)
+    identifier = types.VersionedTextDocumentIdentifier(version, uri)
+    session.documents.change(types.DidChangeTextDocumentParams(identifier, [whole]))
+
+
+async def test_a_document_is_published_when_it_is_opened_and_after_the_last_keystroke() -> None:
+    with session_with() as (session, told):
+        session.workspace.set_editor_settings({"diagnostics": {"delay": 20}})
+        opened(session, URI, INTEGER, 1)
+        (first,) = await published(told, URI)
+        assert (first["version"], codes(first)) == (1, ["KD005"])
+        for version in range(2, 6):
+            change(session, URI, version, GOOD if version == 5 else UNBOUND)
+        found = await published(told, URI, 2)
+        await settled(session)
+        assert [(p["version"], codes(p)) for p in found[1:]] == [(5, [])]
+        session.documents.close(URI)
+        *_, cleared = await published(told, URI, 3)
+        assert cleared == {"uri": URI, "diagnostics": []}
+
+
+async def test_who_listens_hears_what_was_found() -> None:
+    with session_with() as (session, told):
+        heard: list[tuple[int | None, int]] = []
+        session.on_findings.append(lambda shown, found: heard.append((shown.version, len(found))))
+        opened(session, URI, INTEGER, 3)
+        await published(told, URI)
+        await settled(session)
+        assert heard == [(3, 1)]
+
+
+async def test_many_findings_are_made_ready_in_the_worker(monkeypatch: pytest.MonkeyPatch) -> None:
+    for many in (1, 200):
+        monkeypatch.setattr(publishing, "_MANY", many)
+        with session_with() as (session, told):
+            opened(session, URI, INTEGER, 1)
+            (found,) = await published(told, URI)
+            assert codes(found) == ["KD005"]
+
+
+async def test_what_is_pulled_is_cleared_once_and_pushed_no_more() -> None:
+    with session_with(pulling(is_told=True)) as (session, told):
+        shown = opened(session, URI, INTEGER, 1)
+        await published(told, URI)
+        for _ in range(2):
+            session.publisher.leave_to_pull(shown)
+        assert [codes(p) for p in told.named(PUBLISH)] == [["KD005"], []]
+        session.publisher.refresh()
+        await settled(session)
+        assert len(told.named(PUBLISH)) == 2
+        other = opened(session, "untitled:b", GOOD)
+        await published(told, "untitled:b")
+        session.publisher.leave_to_pull(other)
+        assert len([p for p in told.named(PUBLISH) if p["uri"] == "untitled:b"]) == 1
+
+
+async def test_one_that_cannot_be_asked_to_pull_again_is_pushed_what_is_new() -> None:
+    with session_with(pulling(is_told=False)) as (session, told):
+        shown = opened(session, URI, INTEGER, 1)
+        await published(told, URI)
+        session.publisher.leave_to_pull(shown)
+        session.publisher.refresh()
+        assert codes((await published(told, URI, 3))[-1]) == ["KD005"]
+        session.publisher.leave_to_pull(shown)
+        session.documents.close(URI)
+        opened(session, URI, INTEGER, 2)
+        assert (await published(told, URI, 6))[-1]["version"] == 2
+
+
+async def test_a_client_that_does_not_pull_is_pushed_on() -> None:
+    with session_with() as (session, told):
+        shown = opened(session, URI, INTEGER, 1)
+        await published(told, URI)
+        session.publisher.leave_to_pull(shown)
+        session.publisher.refresh()
+        assert [codes(p) for p in await published(told, URI, 2)] == [["KD005"]] * 2
+
+
+async def test_what_a_configuration_file_says_wrong_is_told_until_it_is_mended(
+    tmp_path: Path,
+) -> None:
+    file = tmp_path / "kindsl.toml"
+    file.write_text("x = 1\n")
+    with session_with() as (session, told):
+        session.workspace.add_folders([folder_of(tmp_path)])
+        opened(session, (tmp_path / "arm.kindsl").as_uri(), UNBOUND)
+        (wrong,) = await published(told, file.as_uri())
+        (problem,) = wrong["diagnostics"]
+        assert problem["message"].startswith("unknown key 'x'") and "version" not in wrong
+        assert (problem["severity"], problem["source"]) == (1, "kindsl")
+        assert problem["range"]["start"] == {"line": 0, "character": 0}
+        await session.publisher.look_at_broken_files()
+        assert len(await published(told, file.as_uri())) == 1
+        file.write_text("")
+        await session.publisher.look_at_broken_files()
+        assert [p["diagnostics"] for p in (await published(told, file.as_uri(), 2))[1:]] == [[]]
+        file.write_text("x = 1\n")
+        await session.publisher.look_at_broken_files()
+        assert len(await published(told, file.as_uri())) == 2
+        session.publisher.refresh([file.as_uri()])
+        assert len((await published(told, file.as_uri(), 3))[2]["diagnostics"]) == 1
+        file.unlink()
+        await session.publisher.look_at_broken_files()
+        assert (await published(told, file.as_uri(), 4))[3]["diagnostics"] == []
+
+
+async def test_an_open_configuration_file_speaks_for_itself_and_names_what_nobody_uses(
+    tmp_path: Path,
+) -> None:
+    file, robot = tmp_path / "kindsl.toml", tmp_path / "arm.kindsl"
+    robot.write_text(UNBOUND)
+    file.write_text("x = 1\n")
+    with session_with() as (session, told):
+        session.workspace.add_folders([folder_of(tmp_path)])
+        opened(session, file.as_uri(), "[parameters]\nlength = 1.0\nwidth = 2.0\n", 4)
+        (found,) = await published(told, file.as_uri())
+        assert found["version"] == 4
+        (unused,) = found["diagnostics"]
+        assert "'width'" in unused["message"] and unused["range"]["start"]["line"] == 2
+        opened(session, robot.as_uri(), arm(reach="width"), 1)
+        *_, again = await published(told, file.as_uri(), 2)
+        await settled(session)
+        assert ["'length'" in each["message"] for each in again["diagnostics"]] == [True]
+        change(session, file.as_uri(), 5, "y = 1\n")
+        *_, wrong = await until_says(told, file.as_uri(), "unknown key 'y'")
+        assert wrong["version"] == 5
+        session.documents.close(file.as_uri())
+        assert (await until_says(told, file.as_uri(), "unknown key 'x'"))[-1]
+
+
+async def until_says(told: Told, uri: str, message: str) -> list[Any]:
+    async with asyncio.timeout(60):
+        while True:
+            found = [p for p in told.named(PUBLISH) if p["uri"] == uri]
+            shown = found[-1]["diagnostics"] if found else []
+            if len(shown) == 1 and shown[0]["message"].startswith(message):
+                return found
+            await asyncio.sleep(0.002)
+
+
+async def test_companions_that_are_pulled_are_asked_for_again_when_names_change(
+    tmp_path: Path,
+) -> None:
+    file, robot = tmp_path / "kindsl.toml", tmp_path / "arm.kindsl"
+    with session_with(pulling(is_told=True)) as (session, told):
+        session.workspace.set_editor_settings({"diagnostics": {"delay": 0}})
+        shown = opened(session, file.as_uri(), "[parameters]\nlength = 1.0\n")
+        await published(told, file.as_uri())
+        session.publisher.leave_to_pull(shown)
+        told.messages.clear()
+        opened(session, robot.as_uri(), UNBOUND)
+        await published(told, robot.as_uri())
+        await settled(session)
+        assert len(told.named("workspace_diagnostic_refresh")) == 1
+        change(session, robot.as_uri(), 2, UNBOUND + "\n")
+        await published(told, robot.as_uri(), 2)
+        await settled(session)
+        assert len(told.named("workspace_diagnostic_refresh")) == 1
+        change(session, robot.as_uri(), 3, arm(reach="width"))
+        await published(told, robot.as_uri(), 3)
+        await settled(session)
+        assert len(told.named("workspace_diagnostic_refresh")) == 2
+
+
+async def test_the_disk_is_looked_at_for_files_that_decide(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("kindsl.lsp.session.disk_watch._INTERVAL", 0.001)
+    with session_with() as (session, told):
+        opened(session, (tmp_path / "arm.kindsl").as_uri(), UNBOUND)
+        await published(told, (tmp_path / "arm.kindsl").as_uri())
+        changes: list[None] = []
+
+        def changed() -> None:
+            changes.append(None)
+            session.publisher.refresh()
+
+        watching = asyncio.ensure_future(watch_disk(session, session.publisher, changed))
+        await asyncio.sleep(0.02)
+        assert changes == []
+        file = tmp_path / "kindsl.toml"
+        file.write_text("x = 1\n")
+        await until_says(told, file.as_uri(), "unknown key 'x'")
+        assert len(changes) == 1
+        file.write_text("")
+        assert (await published(told, file.as_uri(), 2))[1]["diagnostics"] == []
+        watching.cancel()
+        with pytest.raises(asyncio.CancelledError):
+            await watching
