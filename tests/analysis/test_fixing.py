@@ -13,8 +13,9 @@ from tests.support.models import Style, random_model
 from tests.support.mutants import mutants
 
 from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.diagnostics import Diagnostic, TextFix
+from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.analysis.fixing import is_mendable, is_safe, mended
+from kindsl.analysis.text_fix import TextFix
 from kindsl.rules.base import Severity
 from kindsl.syntax.document import parse
 from kindsl.syntax.scanner import comments

@@ -13,8 +13,9 @@ from tests.cli.samples import GOOD, INTEGER, arm
 from tests.support.amount import usually
 
 from kindsl.analysis.analysis import analyse
-from kindsl.analysis.diagnostics import Diagnostic, TextFix
+from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.analysis.fixing import disjoint_fixes, in_line_style, is_mendable, mended
+from kindsl.analysis.text_fix import TextFix
 from kindsl.rules.base import Severity
 from kindsl.text.edits import TextEdit, apply_edits
 

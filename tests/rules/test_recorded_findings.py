@@ -14,8 +14,9 @@ from tests.support.recorded import Teller, assert_as_recorded
 from tests.support.robots import STUB
 
 from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.diagnostics import Diagnostic, TextFix
+from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.analysis.settings import Settings
+from kindsl.analysis.text_fix import TextFix
 from kindsl.rules.examples import bindings_of, document_of
 from kindsl.rules.registry import all_rules
 from kindsl.syntax.document import parse

@@ -65,7 +65,7 @@ class Analysis:
     @cached_property
     def resolver(self) -> Resolver:
         """The way from places in islands to absolute offsets."""
-        return Resolver(self.syntax.islands, self.syntax.starts)
+        return Resolver(self.syntax)
 
     @property
     def findings(self) -> Findings:

@@ -1,12 +1,13 @@
 """Findings with absolute offsets, as they are shown."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
+from kindsl.analysis.text_fix import TextFix
 from kindsl.rules.base import Finding, Fix, Rule, Severity, Tag
 from kindsl.rules.page_files import page_address
 from kindsl.semantics.places import Located
-from kindsl.syntax.tree import Island
+from kindsl.syntax.document import SyntaxDocument
 from kindsl.text.display import html_of
 from kindsl.text.edits import TextEdit
 
@@ -17,14 +18,6 @@ class RelatedPlace(NamedTuple):
     start: int
     end: int
     message: str
-
-
-class TextFix(NamedTuple):
-    """A change of the document's text."""
-
-    title: str
-    is_safe: bool
-    edits: tuple[TextEdit, ...]
 
 
 class Diagnostic(NamedTuple):
@@ -73,9 +66,11 @@ class Findings(tuple[Diagnostic, ...]):
 class Resolver:
     """Turns places in islands into absolute offsets."""
 
-    def __init__(self, islands: Sequence[Island], starts: Sequence[int]) -> None:
+    def __init__(self, document: SyntaxDocument) -> None:
+        self._document = document
         self._starts: Mapping[int, int] = {
-            id(island): start for island, start in zip(islands, starts, strict=False)
+            id(island): start
+            for island, start in zip(document.islands, document.starts, strict=False)
         }
 
     def span(self, at: Located) -> tuple[int, int]:
@@ -102,4 +97,4 @@ class Resolver:
 
     def _fix(self, fix: Fix) -> TextFix:
         edits = sorted(TextEdit(*self.span(c.at), c.text) for c in fix.changes)
-        return TextFix(fix.title, fix.is_safe, tuple(edits))
+        return TextFix(fix.title, fix.is_safe, tuple(edits), fix.is_within_digits, self._document)

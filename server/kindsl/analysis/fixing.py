@@ -1,16 +1,21 @@
 """Applies the fixes of findings until nothing changes any more."""
 
-from bisect import bisect_left, insort
-from collections.abc import Callable, Iterable
+from collections import Counter
+from collections.abc import Callable, Iterable, Sequence
 from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.analysis.proof import Verdict, effect
+from kindsl.analysis.text_fix import TextFix, disjoint, edits_of, prove
+from kindsl.rules.base import Severity
 from kindsl.syntax.scanner import comments, scan
 from kindsl.text.edits import TextEdit
 
 # A fix may make another possible; a hundred in a row are a defect of the rules.
 _MOST_ROUNDS = 100
+# Many fixes that spoil each other are not worth more looks at the whole document.
+_MOST_TRIES = 64
 _SYNTAX = "KD0"
 
 
@@ -29,25 +34,78 @@ class Mended(NamedTuple):
 
 
 def mended(analysis: Analysis, is_wanted: Callable[[Diagnostic], bool]) -> Mended:
-    """Apply the wanted fixes; those that meet others wait for the next round.
+    """Apply the wanted fixes in rounds; those that meet others wait for the next one.
 
-    A round that would add errors of syntax is not made. Rounds that lead back to an earlier text,
-    but for blanks, are undone.
+    A text is read before it is judged: fixes of its syntax come first. What a round did is looked
+    at as a whole, see `made`. Rounds that lead back to an earlier text, but for blanks, are undone.
     """
     state = Mended(analysis, 0, ())
     seen = {_written(analysis.text): state}
     while len(state.rounds) < _MOST_ROUNDS:
-        fixes, n_mended = disjoint_fixes(filter(is_wanted, state.analysis.findings))
-        edits = tuple(in_line_style(edit, state.analysis.text) for edit in fixes)
-        better = state.analysis.edited(edits)
-        if not fixes or _n_syntax_errors(better) > _n_syntax_errors(state.analysis):
+        prove(finding.fix for finding in state.analysis.findings if finding.fix is not None)
+        done = _round(state.analysis, list(filter(is_wanted, state.analysis.findings)))
+        if done is None:
             break
-        state = Mended(better, state.n_findings + n_mended, (*state.rounds, edits))
-        written = _written(better.text)
+        rounds = (*state.rounds, done.edits)
+        state = Mended(done.analysis, state.n_findings + done.n_findings, rounds)
+        written = _written(state.analysis.text)
         if written in seen:
             return seen[written]
         seen[written] = state
     return state
+
+
+class Made(NamedTuple):
+    """What one round of fixes did: the new text, how many findings it mended, and the edits."""
+
+    analysis: Analysis
+    n_findings: int
+    edits: tuple[TextEdit, ...]
+
+
+def made(analysis: Analysis, findings: Iterable[Diagnostic]) -> Made | None:
+    """Apply the fixes of findings that go together, None if there is none.
+
+    Fixes go together if no comment and no block is lost, if there are no more errors than before,
+    and, where all of them are safe, if every number keeps its value. If they do not, halves of them
+    are tried, down to single ones.
+    """
+    best, taken = analysis, list[TextFix]()
+    pending, n_tries = [_disjoint(findings)], 0
+    while pending and n_tries < _MOST_TRIES:
+        some = pending.pop()
+        if not some:
+            continue
+        n_tries += 1
+        fixes = [*taken, *some]
+        tried = analysis.edited(_edits(fixes, analysis.text))
+        if _go_together(fixes, analysis, best, tried):
+            best, taken = tried, fixes
+        elif len(some) > 1:
+            pending += [some[len(some) // 2 :], some[: len(some) // 2]]
+    return Made(best, len(taken), _edits(taken, analysis.text)) if taken else None
+
+
+def _round(analysis: Analysis, findings: list[Diagnostic]) -> Made | None:
+    of_syntax = [finding for finding in findings if finding.code.startswith(_SYNTAX)]
+    of_meaning = [finding for finding in findings if not finding.code.startswith(_SYNTAX)]
+    return made(analysis, of_syntax) or made(analysis, of_meaning)
+
+
+def _go_together(
+    fixes: Sequence[TextFix], analysis: Analysis, best: Analysis, tried: Analysis
+) -> bool:
+    """Return whether fixes that were tried do no harm, beyond the best that was made of a text."""
+    within_digits = any(fix.is_within_digits for fix in fixes)
+    done = effect(analysis.syntax, tried.syntax, within_digits=within_digits)
+    is_kept = done.verdict is Verdict.KEEPS or not all(fix.is_safe for fix in fixes)
+    if not done.is_whole or not is_kept:
+        return False
+    before, after = _errors(best), _errors(tried)
+    # Text that can be read at last may have other errors; fixes of meaning bring none together.
+    is_reading = any(code.startswith(_SYNTAX) for code in before - after)
+    is_new = bool(after - before) and len(fixes) > 1 and not is_reading
+    return after.total() <= before.total() and not is_new
 
 
 def _written(text: str) -> tuple[str, ...]:
@@ -72,16 +130,17 @@ def disjoint_fixes(findings: Iterable[Diagnostic]) -> tuple[list[TextEdit], int]
     A fix is taken whole or not at all; of two that touch each other the safe one wins, then the
     first. Fixes may share edits.
     """
-    taken: list[TextEdit] = []
-    n_mended = 0
-    fixes = [finding.fix for finding in findings if finding.fix is not None and finding.fix.edits]
-    for fix in sorted(fixes, key=lambda fix: not fix.is_safe):
-        new = [edit for edit in fix.edits if not _is_among(taken, edit)]
-        if all(_is_apart(taken, edit) for edit in new):
-            for edit in new:
-                insort(taken, edit)
-            n_mended += 1
-    return taken, n_mended
+    fixes = _disjoint(findings)
+    return edits_of(fixes), len(fixes)
+
+
+def _disjoint(findings: Iterable[Diagnostic]) -> list[TextFix]:
+    fixes = [finding.fix for finding in findings if finding.fix is not None]
+    return disjoint(sorted(fixes, key=lambda fix: not fix.is_safe))
+
+
+def _edits(fixes: Iterable[TextFix], text: str) -> tuple[TextEdit, ...]:
+    return tuple(in_line_style(edit, text) for edit in edits_of(fixes))
 
 
 def in_line_style(edit: TextEdit, text: str) -> TextEdit:
@@ -94,17 +153,5 @@ def in_line_style(edit: TextEdit, text: str) -> TextEdit:
     return edit._replace(text=edit.text.replace("\r\n", "\n").replace("\n", line_end))
 
 
-def _is_among(taken: list[TextEdit], edit: TextEdit) -> bool:
-    index = bisect_left(taken, edit)
-    return taken[index : index + 1] == [edit]
-
-
-def _is_apart(taken: list[TextEdit], edit: TextEdit) -> bool:
-    """Return whether an edit neither overlaps nor touches sorted, disjoint ones."""
-    index = bisect_left(taken, edit)
-    before, behind = taken[max(index - 1, 0) : index], taken[index : index + 1]
-    return all(t.end < edit.start for t in before) and all(edit.end < t.start for t in behind)
-
-
-def _n_syntax_errors(analysis: Analysis) -> int:
-    return sum(finding.code.startswith(_SYNTAX) for finding in analysis.findings)
+def _errors(analysis: Analysis) -> Counter[str]:
+    return Counter(f.code for f in analysis.findings if f.severity is Severity.ERROR)

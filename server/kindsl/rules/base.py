@@ -46,12 +46,15 @@ class Fix(NamedTuple):
     Attributes:
         title: What it does, in the imperative.
         changes: Disjoint replacements.
-        is_safe: Whether the robot's meaning can only become what was obviously meant.
+        is_safe: Whether it keeps what the document means. The claim is put to the proof: a fix
+            that changes a number, or of which that cannot be known, is not safe.
+        is_within_digits: Whether it may give a number a value that has the digits written.
     """
 
     title: str
     changes: tuple[Change, ...]
     is_safe: bool = False
+    is_within_digits: bool = False
 
 
 class Finding(NamedTuple):

@@ -7,6 +7,7 @@ from typing import NamedTuple
 from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.analysis.settings import Settings
+from kindsl.analysis.text_fix import prove
 from kindsl.cli.documents.sources import STDIN, NotText, is_decodable, read_text
 from kindsl.cli.outcome import Failure, LintedFile
 from kindsl.config.file_names import TRANSFORMS_SUFFIX
@@ -123,6 +124,7 @@ def _file(
 ) -> LintedFile:
     parameters = frozenset(str(parameter.name) for parameter in analysis.model.parameters)
     found = analysis.findings
+    prove(finding.fix for finding in found if finding.fix is not None)
     file = LintedFile(task.shown, analysis.text, found, parameters, original, n_fixed)
     file.joints = frozenset(str(joint.name) for joint in analysis.model.joints)
     return file

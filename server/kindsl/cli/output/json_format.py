@@ -3,7 +3,8 @@
 import json
 from typing import Any
 
-from kindsl.analysis.diagnostics import Diagnostic, TextFix
+from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.analysis.text_fix import TextFix
 from kindsl.cli.outcome import LintedFile, Outcome
 from kindsl.text.printable import printable
 

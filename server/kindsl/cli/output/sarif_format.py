@@ -10,7 +10,8 @@ from typing import Any
 from urllib.parse import quote
 
 from kindsl import __version__
-from kindsl.analysis.diagnostics import Diagnostic, TextFix
+from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.analysis.text_fix import TextFix
 from kindsl.cli.outcome import Failure, LintedFile, Outcome
 from kindsl.cli.output.project_paths import fingerprints
 from kindsl.cli.output.rule_pages import summary_of

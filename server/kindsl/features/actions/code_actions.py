@@ -1,11 +1,13 @@
 """What an editor offers at a selection: fixes, fixes of all like it, suppressions, refactorings."""
 
 from collections.abc import Callable, Iterator
+from typing import TypeAlias
 from weakref import WeakKeyDictionary
 
 from kindsl.analysis.analysis import Analysis
-from kindsl.analysis.diagnostics import Diagnostic, TextFix
-from kindsl.analysis.fixing import disjoint_fixes
+from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.analysis.fixing import made
+from kindsl.analysis.text_fix import TextFix
 from kindsl.features.actions.action import CodeAction
 from kindsl.features.actions.add_sections import add_missing, add_sections
 from kindsl.features.actions.extract_parameter import extract_parameter
@@ -23,7 +25,9 @@ from kindsl.text.lines import LineIndex
 
 FIX_ALL = "source.fixAll.kindsl"
 QUICK_FIX = "quickfix"
+_Mending: TypeAlias = tuple[int, tuple[TextEdit, ...]]
 _fixed: "WeakKeyDictionary[Analysis, tuple[TextEdit, ...]]" = WeakKeyDictionary()
+_alike: "WeakKeyDictionary[Analysis, dict[str, _Mending]]" = WeakKeyDictionary()
 
 _REFACTORINGS: tuple[Callable[[Analysis, int, int], Iterator[CodeAction]], ...] = (
     extract_parameter,
@@ -89,10 +93,19 @@ def _fixes_of_rules(analysis: Analysis, touched: list[Diagnostic]) -> Iterator[C
     """Yield one action for each rule that could be mended in several places."""
     for code in dict.fromkeys(finding.code for finding in touched if finding.fix is not None):
         alike = tuple(d for d in analysis.findings if d.code == code and d.fix is not None)
-        if len(alike) > 1:
-            edits, _ = disjoint_fixes(alike)
-            title = f"Fix all {len(alike)} findings of {code}"
-            yield CodeAction(title, QUICK_FIX, tuple(edits), alike)
+        n_mended, edits = _mending(analysis, code, alike) if len(alike) > 1 else (0, ())
+        if n_mended > 1:
+            title = f"Fix all {n_mended} findings of {code}"
+            yield CodeAction(title, QUICK_FIX, edits, alike)
+
+
+def _mending(analysis: Analysis, code: str, alike: tuple[Diagnostic, ...]) -> _Mending:
+    """Return how many findings of a rule can be mended together, and by what."""
+    known = _alike.setdefault(analysis, {})
+    if code not in known:
+        done = made(analysis, alike)
+        known[code] = (done.n_findings, done.edits) if done is not None else (0, ())
+    return known[code]
 
 
 def suppressions(analysis: Analysis, start: int, end: int) -> Iterator[CodeAction]:

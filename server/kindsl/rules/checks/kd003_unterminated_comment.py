@@ -14,7 +14,8 @@ link RF_hip { id = 4 children {} }
 ```
 
 ## Fix
-Writes the `*/`. Unsafe: the comment may be meant to end elsewhere.
+Writes the `*/`. Unsafe: the comment may be meant to end elsewhere. `--unsafe-fixes` does so only
+where no word of the comment becomes code.
 """
 
 from kindsl.rules.base import Example, Rule, Severity

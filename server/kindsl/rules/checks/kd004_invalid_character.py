@@ -14,7 +14,8 @@ link upper { id = 1; children {} }
 ```
 
 ## Fix
-Removes the character, or puts a blank in its place. Safe: such a character has no meaning.
+Removes the character, or puts a blank in its place. Safe where that keeps every number and name:
+unsafe beside or within one.
 """
 
 from kindsl.rules.base import Example, Rule, Severity

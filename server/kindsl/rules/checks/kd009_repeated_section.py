@@ -17,7 +17,7 @@ link upper {
 
 ## Fix
 Removes the second one, or gives it the keyword of the section that is missing. Unsafe: each is a
-guess.
+guess. `--unsafe-fixes` removes no whole block.
 """
 
 from kindsl.rules.base import Example, Rule, Severity

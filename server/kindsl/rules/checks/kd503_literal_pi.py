@@ -14,7 +14,8 @@ rotation = (1.5708, 0.0, 0.0)
 ```
 
 ## Fix
-Writes the fraction. Safe where the number has five digits or more, otherwise unsafe.
+Writes the fraction. Safe where the number has five digits or more and they are those of the
+fraction, rounded or cut off; otherwise unsafe.
 """
 
 from collections.abc import Iterator
@@ -40,9 +41,8 @@ def check_island(declared: Declarations, _: Context) -> Iterator[Finding]:
                 tolerance = max(2.0 * half_unit(angle.text), 1e-15)
                 fraction = as_fraction_of_pi(angle.literal, tolerance)
                 if fraction is not None:
-                    fix = Fix(
-                        f"Write {fraction}", (Change(angle, fraction),), digits >= _SAFE_DIGITS
-                    )
+                    change, is_sure = Change(angle, fraction), digits >= _SAFE_DIGITS
+                    fix = Fix(f"Write {fraction}", (change,), is_sure, is_within_digits=True)
                     yield Finding(angle, f"angle {angle.text} is {fraction}", fix=fix)
 
 

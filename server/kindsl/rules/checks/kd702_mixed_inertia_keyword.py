@@ -24,6 +24,7 @@ from kindsl.rules.examples import STEEL_BALL, link, robot
 from kindsl.rules.inertia.judgements import keyword
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Place
+from kindsl.syntax.words import SPELLINGS
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
@@ -33,7 +34,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         if body.inertia is not None:
             word = body.inertia.node.children[0]
             text = body.inertia.island.text[word.start : word.end]
-            if text:
+            if text in SPELLINGS["INERTIA"]:
                 places.setdefault(text, []).append(keyword(body.inertia))
     if len(places) == 2:
         usual, rare = sorted(places, key=lambda text: -len(places[text]))
