@@ -1,5 +1,6 @@
 """What is imported moves and weighs as MuJoCo says, wherever and however its root is placed."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import get_args
 
@@ -9,11 +10,17 @@ import pytest
 from tests.interchange.mujoco_agreement import gap_of_imported
 from tests.interchange.placed_robots import RootKind, placed_robot
 from tests.interchange.placed_texts import mjcf, sdf, urdf
+from tests.interchange.random_robots import random_robot
 from tests.interchange.round_trips import gaps, mechanism_of, read, written_and_read
 from tests.support.amount import usually
 
+import kindsl
+from kindsl.analysis.settings import Settings
 from kindsl.interchange.kindsl_writing import kindsl_text
 from kindsl.interchange.registry import format_named
+from kindsl.interchange.robot_description import RobotDescription
+from kindsl.mechanism.bodies import skeleton_of_bodies
+from kindsl.rigid.body import MassDistribution
 
 TOLERANCE = 1e-9
 SEEDS = range(usually(8, 300))
@@ -37,3 +44,23 @@ def test_mechanics_are_those_of_mujoco(
     for other in ("mjcf", "sdf"):
         again = written_and_read(ours, format_named(other), tmp_path)
         assert max(gaps(ours, again, chance)) < TOLERANCE
+
+
+@pytest.mark.parametrize("size", [1e-4, 1e-2, 1.0, 1e2])
+def test_bodies_of_any_size_keep_their_digits(size: float) -> None:
+    """Of one density: a body of 0.1 mm weighs micrograms, and its moments are of 1e-17 kg m^2."""
+    link = random_robot(1).links[1]
+    small = scaled(link.body, size)
+    links = [replace(link, parent=None, joint="", body=None), replace(link, parent=0, body=small)]
+    text = kindsl_text(RobotDescription("r", False, tuple(links)))
+    (body,) = kindsl.parse(text, Settings()).mechanism().bodies.masses[1:]
+    np.testing.assert_allclose(body, small.mass, rtol=1e-13)
+    read_again = skeleton_of_bodies(kindsl.parse(text, Settings()).mechanism().bodies).masses[1]
+    greatest = max(small.moments)
+    np.testing.assert_allclose(read_again.moments, small.moments, rtol=0, atol=1e-13 * greatest)
+
+
+def scaled(body: MassDistribution, size: float) -> MassDistribution:
+    com = tuple(size * c for c in body.com)
+    moments = tuple(size**5 * moment for moment in body.moments)
+    return MassDistribution(size**3 * body.mass, com, moments)

@@ -13,9 +13,11 @@ from kindsl.interchange.robot_description import (
 )
 from kindsl.rigid.body import MassDistribution
 from kindsl.rigid.pose import RigidPose, angles
-from kindsl.text.decimals import fixed_decimal
+from kindsl.text.decimals import digits_after_point, fixed_decimal, significant_decimal
 
+# Of lengths and angles; masses and moments have so many digits.
 _DECIMALS = 15
+_DIGITS = 15
 _ANGLE_TOLERANCE = 1e-14
 _QUARTER_TURNS = {0: "0.0", 1: "PI/2.0", -1: "-PI/2.0", 2: "PI", -2: "-PI"}
 _MOMENTS = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")
@@ -98,12 +100,14 @@ def _children(children: Sequence[int], names: _Names) -> list[str]:
 
 
 def _inertia(body: MassDistribution) -> list[str]:
-    moments = zip(_MOMENTS, body.moments, strict=True)
+    """Return mass and moments with 15 digits of the greatest, however small the body."""
+    decimals = digits_after_point(max(map(abs, body.moments)), _DIGITS)
+    moments = (fixed_decimal(moment, decimals) for moment in body.moments)
     return [
         "    inertia_params {",
-        f"        mass = {_number(body.mass)}",
+        f"        mass = {significant_decimal(body.mass, _DIGITS)}",
         f"        CoM = {_vector(map(_number, body.com))}",
-        *(f"        {name} = {_number(value)}" for name, value in moments),
+        *(f"        {name} = {moment}" for name, moment in zip(_MOMENTS, moments, strict=True)),
         "    }",
     ]
 

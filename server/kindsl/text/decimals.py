@@ -18,9 +18,12 @@ def exact_decimal(value: float) -> str:
 
 def significant_decimal(value: float, digits: int) -> str:
     """Return a finite number with so many significant digits, and at least one decimal."""
-    if not value:
-        return "0.0"
-    return fixed_decimal(value, max(1, digits - 1 - floor(log10(abs(value)))))
+    return fixed_decimal(value, digits_after_point(value, digits))
+
+
+def digits_after_point(value: float, digits: int) -> int:
+    """Return how many decimals a number with so many significant digits has, at least one."""
+    return max(1, digits - 1 - floor(log10(abs(value)))) if value else 1
 
 
 def rounded_decimal(value: float, scale: float) -> str:
