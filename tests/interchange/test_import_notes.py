@@ -34,6 +34,7 @@ UNMOVED = "the link 'world', which does not move, dropped"
 TURNED = FLOATING.replace(
     '"torso"/></joint></robot>', '"torso"/><origin rpy="1 0 0"/></joint></robot>'
 )
+GROUND = '<model name="ground"><static>true</static><link name="plane"/></model>'
 INITIAL = "the initial orientation of the floating base 'torso' dropped"
 
 
@@ -90,6 +91,8 @@ def test_what_an_mjcf_says_of_mechanics(old, new, told, tmp_path: Path) -> None:
     [
         ("<gravity>0 0 -9.81</gravity>", "", []),
         ("0 0 -9.81", "0 0 -9.8", [GRAVITY.format("0, 0, -9.8", "0,0,-9.8")]),
+        ("<gravity>", "<include/><gravity>", ["1 included model dropped: not read"]),
+        ("<gravity>", f"{GROUND}<gravity>", ["the static model 'ground' dropped"]),
         ('<model name="m">', '<model name="m"><pose>0 0 0 0 0 0</pose>', []),
         ('<model name="m">', '<model name="m"><pose>0 0 1 0 0 0</pose>', [WORLDS]),
         ('<link name="torso">', '<link name="torso"><pose>0 0 0 1 0 0</pose>', [WORLDS]),

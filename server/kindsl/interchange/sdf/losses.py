@@ -17,8 +17,10 @@ _ELSEWHERE = (
 )
 
 
-def gravity_losses(root: Any) -> Iterator[str]:
-    """Yield what is dropped of the gravity of a world."""
+def world_losses(root: Any) -> Iterator[str]:
+    """Yield what is dropped of a world: its gravity, where it is another, and what it includes."""
+    if n := len(root.findall("world/include")):
+        yield f"{counted(n, 'included model')} dropped: not read"
     gravity = root.find("world/gravity")
     if gravity is not None:
         numbers = tuple(numbers_in(gravity, 3))

@@ -26,7 +26,7 @@ from kindsl.interchange.sdf.elements import (
     text_of,
 )
 from kindsl.interchange.sdf.frame_graph import MODEL, WORLD, FrameGraph
-from kindsl.interchange.sdf.losses import gravity_losses, losses
+from kindsl.interchange.sdf.losses import losses, world_losses
 from kindsl.rigid.body import MassDistribution, Symmetric
 from kindsl.rigid.pose import IDENTITY, Vector3
 from kindsl.text.words import listed
@@ -53,7 +53,7 @@ def robot_of_sdf(text: bytes | str, name: str, *, floating: bool = False) -> Rea
     """
     del name
     root = parsed(text)
-    model = _only_model(root)
+    model, others = _only_model(root)
     graph = FrameGraph(model, root.get("version") or "")
     joints = _joints_by_child(model, graph)
     start, is_fixed = _root(model, graph, joints)
@@ -62,7 +62,8 @@ def robot_of_sdf(text: bytes | str, name: str, *, floating: bool = False) -> Rea
     if not any(link.joint_kind in ("revolute", "prismatic") for link in links):
         raise FormatError("the SDF has no joint that moves, and a document needs one")
     told = (
-        *gravity_losses(root),
+        *others,
+        *world_losses(root),
         *losses(model),
         *_default_masses(model, start, base),
         *root_remarks(links[0], base),
@@ -71,19 +72,32 @@ def robot_of_sdf(text: bytes | str, name: str, *, floating: bool = False) -> Rea
     return ReadRobot(described(name_of(model), base, links), told)
 
 
-def _only_model(root: Any) -> Any:
+def _only_model(root: Any) -> tuple[Any, tuple[str, ...]]:
+    """Return the model, and what is said of the others, which are static."""
     models = [*root.findall("model"), *root.findall("world/model")]
-    if len(models) != 1:
+    moving = [model for model in models if not is_true(model, "static")] if models[1:] else models
+    if len(moving) != 1:
         told = listed(f"'{m.get('name')}'" for m in models[:5])
         found = f"{len(models)} models" if models else "no model"
         raise FormatError(f"the SDF has {found}, exactly one is required" + (told and f": {told}"))
+    _check_model(root, moving[0])
+    static = (f"'{name_of(model)}'" for model in models if model is not moving[0])
+    return moving[0], tuple(f"the static model {name} dropped" for name in static)
+
+
+def _check_model(root: Any, model: Any) -> None:
+    """Raise where what a model is made of is not all in it."""
+    joint = root.find("world/joint")
+    if joint is not None:
+        raise defect(joint, "is a joint of the world, which is not supported")
     for tag in ("include", "model"):
-        for element in models[0].iterfind(tag):
+        for element in model.iterfind(tag):
             what = "includes another model" if tag == "include" else "is a model in a model"
             raise defect(element, f"{what}, which is not supported: expand it first")
-    if models[0].find("link") is None:
-        raise defect(models[0], "has no link")
-    return models[0]
+    for origin in model.iter("origin"):
+        raise defect(origin, "is the pose of SDF before 1.2, which is not supported")
+    if model.find("link") is None:
+        raise defect(model, "has no link")
 
 
 def _joints_by_child(model: Any, graph: FrameGraph) -> dict[str, Any]:
