@@ -11,10 +11,12 @@ if TYPE_CHECKING:
 
     from kindsl.analysis.analysis import Analysis as Document
     from kindsl.analysis.settings import Settings
+    from kindsl.dynamics.evaluation.compiler import CompileError
     from kindsl.mechanism.build import Mechanism
     from kindsl.mechanism.errors import ModelError, ParameterValueError, UnboundParameterError
 
 __all__ = [
+    "CompileError",
     "Document",
     "Mechanism",
     "ModelError",
@@ -28,6 +30,7 @@ __all__ = [
 __version__ = "0.1.0"
 
 _PLACES = {
+    "CompileError": ("kindsl.dynamics.evaluation.compiler", "CompileError"),
     "Document": ("kindsl.analysis.analysis", "Analysis"),
     "Mechanism": ("kindsl.mechanism.build", "Mechanism"),
     "ModelError": ("kindsl.mechanism.errors", "ModelError"),

@@ -1,5 +1,6 @@
 """Compiled code is kept, found again, and never taken for what it was not compiled for."""
 
+import os
 import platform
 import shutil
 import stat
@@ -12,7 +13,9 @@ from typing import Any
 import pytest
 from tests.codegen.compiling import needs_compiler
 
+import kindsl
 from kindsl.dynamics.evaluation import compiling
+from kindsl.dynamics.evaluation.compiler import require_compiler
 from kindsl.dynamics.evaluation.compiling import CompileError, cache_folder, compiled_module
 
 SOURCE = """
@@ -20,6 +23,8 @@ SOURCE = """
 static struct PyModuleDef DEFINITION = {PyModuleDef_HEAD_INIT, "tiny", "A tiny module.", -1};
 PyMODINIT_FUNC PyInit_tiny(void) { return PyModule_Create(&DEFINITION); }
 """
+EXAMPLE = Path(__file__).parents[2] / "examples" / "industrial_arm.kindsl"
+needs_posix = pytest.mark.skipif(os.name != "posix", reason="modes and owners as POSIX has them")
 HOME = Path("/home/anna")
 
 
@@ -127,7 +132,8 @@ def test_files_end_as_extensions_do(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(sysconfig, "get_config_var", lambda _: told)
-    (file,) = made()
+    made()
+    (file,) = cache_folder().iterdir()
     assert file.name.endswith(used) and file.name.count(".") == used.count(".")
 
 
@@ -156,3 +162,105 @@ def test_what_is_no_code_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     monkeypatch.setattr(compiling, "_compile", lambda *given: given[-1].write_bytes(b"text"))
     with pytest.raises(CompileError, match="the compiled code cannot be loaded: "):
         compiled_module("tiny", SOURCE)
+
+
+@needs_compiler
+@needs_posix
+@pytest.mark.parametrize("mask", [0o000, 0o022, 0o077])
+def test_what_is_kept_is_for_its_owner_alone(
+    tiny: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, mask: int
+) -> None:
+    folder = tmp_path / "new"
+    monkeypatch.setenv("KINDSL_CACHE", str(folder))
+    monkeypatch.setattr(compiling, "_compile", lambda *given: shutil.copy(tiny, given[-1]))
+    former = os.umask(mask)
+    try:
+        compiled_module("tiny", SOURCE)
+    finally:
+        os.umask(former)
+    (file,) = folder.iterdir()
+    assert (stat.S_IMODE(folder.stat().st_mode), stat.S_IMODE(file.stat().st_mode)) == (
+        0o700,
+        0o600,
+    )
+
+
+def another_content(file: Path) -> None:
+    content = file.read_bytes()
+    file.unlink()  # What is loaded already stays.
+    file.write_bytes(content + b"x")
+    file.chmod(0o600)
+
+
+def another_writer(file: Path) -> None:
+    file.chmod(0o620)
+
+
+def another_owner(file: Path) -> None:
+    os.chown(file, 1234, -1)
+
+
+def a_link(file: Path) -> None:
+    file.rename(file.parent / "elsewhere")
+    file.symlink_to("elsewhere")
+
+
+@needs_compiler
+@needs_posix
+@pytest.mark.parametrize("change", [another_content, another_writer, another_owner, a_link])
+def test_what_is_not_trusted_is_not_loaded(
+    made: Callable[..., list[Path]], change: Callable[[Path], None]
+) -> None:
+    if change is another_owner and os.geteuid() != 0:
+        pytest.skip("only the superuser gives files away")
+    assert len(made()) == 1
+    (file,) = cache_folder().iterdir()
+    change(file)
+    assert len(made()) == 2
+    assert len(made()) == 2
+    assert stat.S_ISREG(file.lstat().st_mode) and stat.S_IMODE(file.stat().st_mode) == 0o600
+
+
+@needs_posix
+@pytest.mark.parametrize(
+    ("owner", "mode", "message"),
+    [(-1, 0o770, "others may write to it"), (1234, 0o700, "it belongs to somebody else")],
+)
+def test_a_folder_of_others_is_not_used(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, owner: int, mode: int, message: str
+) -> None:
+    if owner >= 0 and os.geteuid() != 0:
+        pytest.skip("only the superuser gives folders away")
+    monkeypatch.setenv("KINDSL_CACHE", str(tmp_path))
+    os.chown(tmp_path, owner, -1)
+    tmp_path.chmod(mode)
+    with pytest.raises(CompileError, match=f"cannot be used: {message}$"):
+        compiled_module("tiny", SOURCE)
+
+
+@needs_posix
+@pytest.mark.parametrize("compiler", [None, "no-such-cc -O2"])
+def test_without_a_compiler_it_is_told_what_to_install(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, compiler: str | None
+) -> None:
+    mechanism = kindsl.load(EXAMPLE).mechanism()
+    monkeypatch.setenv("KINDSL_CACHE", str(tmp_path))
+    monkeypatch.setattr(sys, "platform", "linux")
+    if compiler is None:
+        monkeypatch.delenv("CC", raising=False)
+        monkeypatch.setenv("PATH", str(tmp_path))
+    else:
+        monkeypatch.setenv("CC", compiler)
+    with pytest.raises(kindsl.CompileError, match=r"needs a C compiler, and '.*' is .*apt inst"):
+        mechanism.compiled()
+    assert mechanism.joint_space_inertia([0.1] * mechanism.n_joints).shape == (6, 6)
+
+
+def test_without_headers_it_is_told_what_to_install(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sysconfig, "get_path", lambda _: str(tmp_path))
+    monkeypatch.setattr(shutil, "which", lambda name: name)
+    monkeypatch.setattr(sys, "platform", "linux")
+    with pytest.raises(CompileError, match="the C headers of Python: apt install python3-dev"):
+        require_compiler()

@@ -36,7 +36,7 @@ class Mechanism(Mechanics):
             threads: How many threads share the work of large batches.
 
         Raises:
-            kindsl.dynamics.evaluation.compiling.CompileError: There is no compiler, or it fails.
+            kindsl.CompileError: There is no compiler, or it fails; tells what to install.
             SingularInertiaError: If nothing resists a motion in any configuration.
         """
         from kindsl.dynamics.evaluation.compiled import CompiledMechanics

@@ -15,6 +15,9 @@ from types import ModuleType
 
 import numpy as np
 
+from kindsl.dynamics.evaluation.compiled_files import digest_of, kept_file
+from kindsl.dynamics.evaluation.compiler import CompileError, require_compiler
+
 # Fused multiplication and addition rounds once instead of twice; straight lines packed into vector
 # registers spend more on packing than they save. Python's own options ask for debugging
 # information, which takes a third of the compiler's time.
@@ -22,10 +25,6 @@ OPTIONS = (
     "-O2", "-g0", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=fast",
     "-fno-tree-slp-vectorize", "-march=native",
 )  # fmt: skip
-
-
-class CompileError(RuntimeError):
-    """A mechanism cannot be compiled here."""
 
 
 def cache_folder() -> Path:
@@ -52,15 +51,16 @@ def compiled_module(name: str, source: str) -> ModuleType:
         CompileError: There is no compiler, it fails, or the cache cannot be written.
     """
     suffix = sysconfig.get_config_var("EXT_SUFFIX") or ".so"
-    path = cache_folder() / f"{_key(source)}{suffix}"
+    folder, key = cache_folder(), _key(source)
     try:
-        if not path.is_file():
-            path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
-            _compile(name, source, path)
-        return _loaded(name, path)
+        if not folder.is_dir():
+            folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+            folder.chmod(0o700)
+        kept = kept_file(folder, key, suffix)
+        return _loaded(name, kept or _made(name, source, folder, f"{key}{{}}{suffix}"))
     except OSError as error:
         why = error.strerror or str(error)
-        raise CompileError(f"the cache '{path.parent}' cannot be used: {why}") from None
+        raise CompileError(f"the cache '{folder}' cannot be used: {why}") from None
     except ImportError as error:
         raise CompileError(f"the compiled code cannot be loaded: {error}") from None
 
@@ -80,31 +80,40 @@ def _processor() -> str:
     return next((line for line in lines if line.startswith(("flags", "Features"))), "")
 
 
-def _compile(name: str, source: str, path: Path) -> None:
+def _made(name: str, source: str, folder: Path, pattern: str) -> Path:
     """Compile beside the cache's files, then move the result to its place."""
+    with tempfile.TemporaryDirectory(prefix="build-", dir=folder) as place:
+        made = Path(place) / "made"
+        _compile(name, source, made)
+        made.chmod(0o600)
+        return made.replace(folder / pattern.format(f"-{digest_of(made)}"))
+
+
+def _compile(name: str, source: str, path: Path) -> None:
+    """Compile in the folder of the file that is to be made."""
+    require_compiler()
     try:
         from setuptools import Distribution, Extension
         from setuptools.command.build_ext import build_ext
     except ModuleNotFoundError:
         message = "compiling needs setuptools; install it with: pip install 'kindsl[compile]'"
         raise CompileError(message) from None
-    with tempfile.TemporaryDirectory(prefix="build-", dir=path.parent) as folder:
-        file = Path(folder) / f"{name}.c"
-        file.write_text(source, encoding="utf-8")
-        options = [] if sys.platform == "win32" else list(OPTIONS)
-        extension = Extension(
-            name, [str(file)], include_dirs=[np.get_include()], extra_compile_args=options
-        )
-        command = build_ext(Distribution({"ext_modules": [extension]}))
-        command.build_lib = command.build_temp = folder
-        told = io.StringIO()
-        try:
-            with contextlib.redirect_stdout(told), contextlib.redirect_stderr(told):
-                command.ensure_finalized()
-                command.run()
-        except Exception as error:
-            raise CompileError(f"the C compiler failed: {error}") from None
-        Path(command.get_ext_fullpath(name)).replace(path)
+    file = path.parent / f"{name}.c"
+    file.write_text(source, encoding="utf-8")
+    options = [] if sys.platform == "win32" else list(OPTIONS)
+    extension = Extension(
+        name, [str(file)], include_dirs=[np.get_include()], extra_compile_args=options
+    )
+    command = build_ext(Distribution({"ext_modules": [extension]}))
+    command.build_lib = command.build_temp = str(path.parent)
+    told = io.StringIO()
+    try:
+        with contextlib.redirect_stdout(told), contextlib.redirect_stderr(told):
+            command.ensure_finalized()
+            command.run()
+    except Exception as error:
+        raise CompileError(f"the C compiler failed: {error}") from None
+    Path(command.get_ext_fullpath(name)).replace(path)
 
 
 def _loaded(name: str, path: Path) -> ModuleType:
