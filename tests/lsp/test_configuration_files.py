@@ -1,6 +1,5 @@
 """`kindsl.toml` in the editor and on disk: what it decides, and what is wrong with it."""
 
-import json
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -9,7 +8,6 @@ import pytest
 from tests.lsp.test_workspace import ROBOT, UNBOUND, WATCHES, client, folder, roots, tell, whole
 from tests.support.lsp import RawClient, ready_client
 
-from kindsl.lsp.browser import start
 from kindsl.lsp.text import uris
 
 __all__ = ["client", "folder"]
@@ -259,19 +257,6 @@ REFRESHES: dict[str, Any] = {"workspace": {"diagnostics": {"refreshSupport": Tru
 
 
 class TestPulling:
-    @pytest.mark.parametrize(
-        ("capabilities", "is_invited"), [(PULLS, False), (PULLS | REFRESHES, True), ({}, True)]
-    )
-    async def test_a_client_is_invited_to_pull_if_it_can_be_asked_to_do_so_again(
-        self, capabilities: dict[str, Any], is_invited: bool
-    ) -> None:
-        answers: list[str] = []
-        params = {"processId": None, "rootUri": None, "capabilities": capabilities}
-        question = {"jsonrpc": "2.0", "id": 1, "method": "initialize", "params": params}
-        start(answers.append)(json.dumps(question))
-        announced = json.loads(answers[0])["result"]["capabilities"]
-        assert ("diagnosticProvider" in announced) is is_invited
-
     def test_a_client_that_pulls_uninvited_is_told_what_others_change(self, folder: Path) -> None:
         robot = uris.uri(folder / "robot.kindsl")
         with ready_client(PULLS, workspaceFolders=roots(folder)) as client:

@@ -58,6 +58,17 @@ class Client:
         return self.can("workspace.diagnostics.refresh_support")
 
     @property
+    def is_invited_to_pull(self) -> bool:
+        """Whether it is told that it may pull diagnostics.
+
+        One that says nothing of it might show what is pushed as well. One that cannot be asked to
+        pull again would go on showing what the documents around have changed; but one that takes
+        nothing that is pushed would show nothing at all.
+        """
+        can_only_pull = not self.can("text_document.publish_diagnostics")
+        return self.can("text_document.diagnostic") and (self.is_told_to_pull or can_only_pull)
+
+    @property
     def shows_in_diagnostics(self) -> "DiagnosticParts":
         """What it can show of a diagnostic; everything, if it does not speak of diagnostics."""
         told = (

@@ -245,15 +245,10 @@ class KindslProtocol(LanguageServerProtocol):
 
     @lsp_method(types.INITIALIZE)
     def lsp_initialize(self, params: types.InitializeParams) -> Any:
-        """Agree on capabilities.
-
-        A client that cannot be asked to pull diagnostics again would go on showing what the
-        documents around have changed, so it is not invited to pull: all is pushed to it.
-        """
+        """Agree on capabilities."""
         self.is_initialized = True
         result = yield from super().lsp_initialize(params)
-        client = Client(params.capabilities, None)
-        if client.can("text_document.diagnostic") and not client.is_told_to_pull:
+        if not Client(params.capabilities, None).is_invited_to_pull:
             result.capabilities.diagnostic_provider = None
         return result
 
