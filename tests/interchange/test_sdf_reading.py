@@ -128,3 +128,8 @@ def test_each_loss_is_one_sentence(tmp_path: Path) -> None:
         "damping, friction and springs of 1 joint dropped: not supported",
         "1 plugin dropped: not supported",
     )
+
+
+def test_model_without_links_is_refused_where_it_begins(tmp_path: Path) -> None:
+    with pytest.raises(FormatError, match=r"^line 2: <model name='a'> has no link$"):
+        robot("<sdf>\n<model name='a'/></sdf>", tmp_path)

@@ -1,0 +1,91 @@
+"""What another format says beyond the document, or what other tools refuse of it: told."""
+
+from pathlib import Path
+
+import pytest
+from tests.interchange.round_trips import read
+
+import kindsl
+from kindsl.analysis.settings import Settings
+from kindsl.interchange.format import ORDINARY, FormatError, WritingChoices
+from kindsl.interchange.registry import format_named
+from kindsl.semantics.parameters import JointLimits
+
+BODY = "inertia_params { mass = 2.0 CoM = (0.0, 0.0, 0.0) Ix = 0.1 Iy = 0.2 Iz = 0.2 "
+BODY += "Ixy = 0.0 Ixz = 0.0 Iyz = 0.0 }"
+TEXT = f"""Robot r {{
+RobotBase base {{ {BODY} children {{ arm via turn }} }}
+link arm {{ id = 1 {BODY} children {{ hand via slide }} }}
+link hand {{ id = 2 {BODY} children {{}} }}
+r_joint turn {{ ref_frame {{ translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) }} }}
+p_joint slide {{ ref_frame {{ translation = (0.0, 0.0, 0.5) rotation = (0.0, 0.0, 0.0) }} }}
+}}"""
+TURN = "1 revolute joint got limits of a full turn each way; kindsl convert --continuous writes "
+TURN += "endless joints"
+SLIDE = "the joint 'slide' got limits of -1 m and 1 m, which a URDF must give"
+IMPOSSIBLE = "inertia of 'hand' is physically impossible: other tools refuse it"
+HAND = TEXT[TEXT.index("link hand") : TEXT.index("r_joint")]
+
+
+def notes(text: str, format: str, choices: WritingChoices = ORDINARY) -> list[str]:
+    skeleton = kindsl.parse(text, Settings()).skeleton()
+    return list(format_named(format).write("r", skeleton, choices).remarks)
+
+
+def test_limits_that_a_urdf_must_give() -> None:
+    assert notes(TEXT, "urdf") == [TURN, SLIDE]
+    assert notes(TEXT, "urdf", WritingChoices(endless_joints=True)) == [SLIDE]
+    limits = {"slide": JointLimits(0.0, 1.0)}
+    assert notes(TEXT, "urdf", WritingChoices(limits=limits)) == [TURN]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ("RobotBase base", "RobotBase world", []),
+        ("RobotBase base", "RobotBase base floating", []),
+        (
+            "RobotBase base",
+            "RobotBase world floating",
+            ["the base 'world' is now 'world_': MuJoCo's world has that name"],
+        ),
+        ("hand", "world", ["the link 'world' is now 'world_': MuJoCo's world has that name"]),
+    ],
+)
+def test_name_of_the_world_of_mujoco(old: str, new: str, told: list[str]) -> None:
+    assert notes(TEXT.replace(old, new), "mjcf") == told
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ("Ix = 0.1", "Ix = 0.1", []),
+        ("Ix = 0.1", "Ix = 0.0", [IMPOSSIBLE]),
+        ("mass = 2.0", "mass = -2.0", [IMPOSSIBLE]),
+        (BODY, "", ["the link 'hand' has no mass: other tools refuse it"]),
+    ],
+)
+def test_what_other_tools_refuse_of_an_sdf(old: str, new: str, told: list[str]) -> None:
+    assert notes(TEXT.replace(HAND, HAND.replace(old, new)), "sdf") == told
+
+
+URDF = """<robot name="r"><link name="base"/><link name="arm"/><link name="tip">{tip}</link>
+<joint name="j" type="continuous"><parent link="base"/><child link="arm"/></joint>
+<joint name="k" type="fixed"><parent link="arm"/><child link="tip"/>
+<origin xyz="{x} 0 0"/></joint></robot>"""
+MASS = '<inertial><mass value="2"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>'
+
+
+def test_links_without_inertia_are_told_unless_something_fixed_to_them_has_it(tmp_path) -> None:
+    fixed = "the link 'tip', fixed to 'arm', became a frame of it"
+    urdf = format_named("urdf")
+    empty = read(URDF.format(tip="", x="0"), urdf, tmp_path)
+    assert empty.remarks == (fixed, "the link 'arm' has no inertia")
+    assert read(URDF.format(tip=f"{MASS}</inertial>", x="0"), urdf, tmp_path).remarks == (fixed,)
+
+
+@pytest.mark.parametrize("number", ["1e51", "-1e51", "nan", "1e999"])
+def test_numbers_beyond_all_measure_are_refused(number: str, tmp_path: Path) -> None:
+    with pytest.raises(FormatError, match=f"has '{number}' in 'xyz', which is not a finite number"):
+        read(URDF.format(tip="", x=number), format_named("urdf"), tmp_path)
+    read(URDF.format(tip="", x="1e50"), format_named("urdf"), tmp_path)
