@@ -40,6 +40,7 @@ def said(
 
 
 LONG = "long towards its next joint"
+ACROSS = "though then long across its link"
 AHEAD = "CoM on the side of its next joint"
 
 
@@ -49,10 +50,10 @@ AHEAD = "CoM on the side of its next joint"
         ((1.0, 0.1, 0.1), [], 1.0, ()),
         ((1.0, 0.1, 0.1), [(0.3, 0.0, 0.0)], 2.5, (LONG,)),
         ((1.0, 0.1, 0.1), [(-0.3, 0.0, 0.0)], 2.5, (LONG,)),
-        ((1.0, 0.1, 0.1), [(0.0, 0.3, 0.0)], 0.6, ()),
+        ((1.0, 0.1, 0.1), [(0.0, 0.3, 0.0)], 0.6, (ACROSS,)),
         # The farthest one counts.
         ((1.0, 0.1, 0.1), [(0.0, 0.3, 0.0), (0.4, 0.0, 0.0)], 2.5, (LONG,)),
-        ((1.0, 0.1, 0.1), [(0.0, 0.3, 0.3), (0.4, 0.0, 0.0)], 0.6, ()),
+        ((1.0, 0.1, 0.1), [(0.0, 0.3, 0.3), (0.4, 0.0, 0.0)], 0.6, (ACROSS,)),
         # Towards it is within 32 degrees, whose cosine is 0.85.
         ((1.0, 0.1, 0.1), [(0.86, 0.0, -sqrt(1.0 - 0.86**2))], 2.5, (LONG,)),
         ((1.0, 0.1, 0.1), [(0.84, 0.0, -sqrt(1.0 - 0.84**2))], 0.6, ()),

@@ -21,6 +21,7 @@ _MOST_PARTS = 8
 _NEAR = 0.02
 _ELONGATED = 2.5
 _ALONG = 0.85
+_ACROSS = 0.2
 _SAME = 0.02
 _LOG_EXPECTED, _LOG_MIRRORED = log(1500.0), log(30.0)
 _LOG_ALONG, _LOG_ACROSS = log(2.5), log(0.6)
@@ -100,6 +101,7 @@ def of_points(h: Hypothesis, shape: Shape, around: Surroundings) -> Evidence:
         along = abs(sum(a * p for a, p in zip(long.axis, point, strict=True))) / length
         total += _LOG_ALONG if along > _ALONG else _LOG_ACROSS
         reasons += ["long towards its next joint"] if along > _ALONG else []
+        reasons += ["though then long across its link"] if along < _ACROSS else []
     if Slip.COM_SIGN in h.slips:
         ahead = sum(c * p for c, p in zip(h.body.com, point, strict=True))
         total += _LOG_TOWARDS if ahead > 0.0 else _LOG_AWAY
