@@ -80,7 +80,7 @@ def test_a_configuration_is_checked_too(tab: Tab) -> None:
     tab.page.get_by_title("Close kindsl.toml").click()
 
 
-@pytest.mark.parametrize("size", [300_000, 3_000_000])
+@pytest.mark.parametrize("size", [600_000, 3_000_000])
 def test_what_is_too_large_is_said(tab: Tab, size: int) -> None:
     """As a file that is opened: with a warning, or not at all."""
     tab.show("arm.kindsl", models.ARM)

@@ -6,6 +6,8 @@ import { Places } from "./places.js";
 const WORDS = { 8: "error", 4: "warning", 2: "info", 1: "hint" };
 
 export class Problems {
+  rows = [];
+
   constructor(list, count, editor, port) {
     Object.assign(this, { list, count, editor, port, places: new Places(editor) });
     monaco.editor.onDidChangeMarkers((uris) => {
@@ -15,28 +17,32 @@ export class Problems {
     });
     editor.onDidChangeModel(() => this.update());
     port.onChecked = (uri) => {
-      if (uri === editor.getModel()?.uri.toString()) this.update();
+      if (uri === editor.getModel()?.uri.toString()) this.#show();
     };
   }
 
   /** Say from now on why nothing is checked. */
   fail() {
     this.hasFailed = true;
-    this.update();
+    this.#show();
   }
 
   update() {
     const model = this.editor.getModel();
     const markers = model ? monaco.editor.getModelMarkers({ resource: model.uri }) : [];
     markers.sort((a, b) => b.severity - a.severity || a.startLineNumber - b.startLineNumber);
-    const count = model ? this.port.findingCount(model.uri.toString()) : undefined;
-    this.count.textContent = count === undefined ? "…" : String(markers.length);
-    const rows = markers.map((marker, index) => this.#row(marker, index));
-    // What is listed of a text that has been edited since stays until it is checked.
-    if (count === undefined) rows.unshift(said(this.hasFailed ? "Not checked" : "Checking…"));
-    else if (count === 0 && rows.length === 0) rows.push(said("No problems found"));
-    this.list.replaceChildren(...rows);
+    this.rows = markers.map((marker, index) => this.#row(marker, index));
     this.places.keep(markers);
+    this.#show();
+  }
+
+  /** What is listed of a text that has been edited since stays, with its places, until it is checked. */
+  #show() {
+    const model = this.editor.getModel(), found = model ? this.port.findingCount(model.uri.toString()) : undefined;
+    const isChecked = found !== undefined, isGood = found === 0 && this.rows.length === 0;
+    this.count.textContent = isChecked ? String(this.rows.length) : "…";
+    const words = isGood ? "No problems found" : this.hasFailed ? "Not checked" : "Checking…";
+    this.list.replaceChildren(...(isChecked && !isGood ? [] : [said(words)]), ...this.rows);
   }
 
   #row(marker, index) {
