@@ -4,12 +4,13 @@ import re
 from collections.abc import Iterator
 
 from kindsl.rules.base import Change, Finding, Fix, Rule, Severity
-from kindsl.rules.context import ROBCOGEN
+from kindsl.rules.context import ROBCOGEN, ROBCOGEN2
 from kindsl.rules.registry import all_rules
 from kindsl.semantics.places import Place
 from kindsl.syntax.document import SyntaxDocument
 from kindsl.syntax.tree import Island, Problem, Repair
 
+_FOREIGN_NUMBER = re.compile(r"[-+]?\d*\.\d+(?:[eE][-+]?\d+)?")
 _UNDECODED = re.compile("[\udc80-\udcff]+")
 
 
@@ -20,7 +21,10 @@ def syntax_findings(
     rules = {rule.code: rule for rule in all_rules()}
     for island, problem in all_problems(document):
         finding = _finding(island, problem)
-        if targets == {ROBCOGEN} and _is_foreign_comment(island, problem):
+        is_read = (targets == {ROBCOGEN} and _is_foreign_comment(island, problem)) or (
+            targets == {ROBCOGEN2} and _is_foreign_number(island, problem)
+        )
+        if is_read:
             finding = finding._replace(severity=Severity.HINT)
         yield rules[problem.code], finding
 
@@ -30,6 +34,12 @@ def _is_foreign_comment(island: Island, problem: Problem) -> bool:
     if not _UNDECODED.fullmatch(island.text, problem.start, problem.end):
         return False
     return any(start <= problem.start < end for start, end in island.comments)
+
+
+def _is_foreign_number(island: Island, problem: Problem) -> bool:
+    """Return whether a number is in digits of another script, which robcogen2 reads as we do."""
+    number = _FOREIGN_NUMBER.fullmatch(island.text, problem.start, problem.end)
+    return problem.code == "KD004" and number is not None
 
 
 def all_problems(document: SyntaxDocument) -> Iterator[tuple[Island, Problem]]:

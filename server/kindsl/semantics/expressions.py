@@ -26,8 +26,11 @@ class Expression(Construct):
 
     @property
     def text(self) -> str:
-        """As written."""
-        return self.island.text[self.start : self.end]
+        """As written, characters as what they stand for."""
+        if self.node.kind == "number":
+            return cast(Token, self.node.children[0]).text
+        written = self.island.text[self.start : self.end]
+        return written if written.isascii() else " ".join(t.text for t in self.node.tokens())
 
     def value(self, bindings: Mapping[str, float]) -> float | None:
         """Return the value in SI units, or None where a name is unbound or nothing is defined.

@@ -1,29 +1,18 @@
 """Characters that belong to no token, comments without an end, bytes that are no UTF-8."""
 
 import re
+from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 
-from kindsl.syntax.scanner import BAD
+from kindsl.syntax.lookalikes import is_ignorable
+from kindsl.syntax.misprints import misprints, named
+from kindsl.syntax.scanner import BAD, COMMENT
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
 from kindsl.syntax.values import in_radians
 from kindsl.syntax.words import shown
 
 _MOST_PROBLEMS = 20
-_BLANKS = frozenset(
-    "\x0b\x0c\x85\xa0\u1680\u2000\u2001\u2002\u2003\u2004\u2005\u2006\u2007\u2008"
-    "\u2009\u200a\u2028\u2029\u202f\u205f\u3000"
-)
-_NAMED = {
-    "\ufeff": "byte order mark",
-    "\xa0": "no-break space",
-    "\x0c": "form feed",
-    "\x0b": "vertical tab",
-    "\x00": "null character",
-    "\u200b": "zero-width space",
-    "\u2028": "line separator",
-    "\u2029": "paragraph separator",
-    "\ufffd": "undecodable byte",
-}
+_GAP = re.compile(rf"{COMMENT.pattern}|(?P<blanks>[^\S \t\r\n](?:[ \t]*[^\S \t\r\n])*)")
 OPEN_COMMENT = "KD003"
 # What reading a file makes of bytes that are no UTF-8, and how many of them are told.
 _BYTES = re.compile("[\udc80-\udcff]+")
@@ -31,31 +20,30 @@ _MOST_BYTES = 8
 
 
 def without_invalid(
-    tokens: Sequence[Token],
+    text: str, tokens: Sequence[Token]
 ) -> tuple[list[Token], list[Token], tuple[Problem, ...]]:
-    """Return the tokens that can be read, the others, and what to say about these."""
+    """Return the tokens that can be read, the others, and what to say of characters.
+
+    Args:
+        text: The island's text.
+        tokens: Its tokens, as they are meant.
+    """
     good: list[Token] = []
     invalid: list[Token] = []
-    problems: list[Problem] = []
-    end = -1
+    told: list[Problem] = []
     for token in tokens:
         if token.kind != BAD or _is_visible(token.text[0]):
-            is_rest_of_name = token.start == end and good and good[-1].end < end
-            if is_rest_of_name and good[-1].text[:1].isidentifier() and token.text[0].isalnum():
-                invalid.append(token)
-                end = token.end
-            else:
-                good.append(token)
+            good.append(token)
             continue
+        invalid.append(token)
         is_glued = bool(good) and good[-1].end == token.start
         if is_glued and token.text == "°" and good[-1].kind in ("INT", "FLOAT"):
-            invalid.append(token)
-            problems.append(_degrees(good[-1], token))
-            continue
-        end = token.end if is_glued else -1
-        invalid.append(token)
-        problems.append(_problem(token))
-    return good, invalid, _summary(problems)
+            told.append(_degrees(text, good[-1], token))
+    starts = {problem.start for problem in told}
+    told += [p for p in misprints(text, good, invalid) if p.start not in starts]
+    told.sort(key=lambda problem: problem.start)
+    strays = [_problem(text, *span) for span in _strays(text, tokens) if not _is_in(told, *span)]
+    return good, invalid, (*told, *_summary(strays))
 
 
 def comment_problems(text: str, spans: Sequence[tuple[int, int]]) -> list[Problem]:
@@ -90,29 +78,40 @@ def _is_visible(character: str) -> bool:
     return " " < character < "\x7f"
 
 
-def _problem(token: Token) -> Problem:
-    run = _BYTES.match(token.text)
-    message = _bytes_message(run[0]) if run else f"invalid character {_named(token.text[0])}"
-    new = "".join(" " if c in _BLANKS else "" for c in token.text)
-    title = "Replace with a blank" if new else "Remove the invalid character"
-    repair = Repair(title, (Edit(token.start, token.end, new),), True)
-    return Problem("KD004", message, token.start, token.end, repair)
+def _strays(text: str, tokens: Sequence[Token]) -> Iterator[tuple[int, int]]:
+    """Yield the spans of what is in no token, and of blanks that no document may hold."""
+    done = 0
+    for token in tokens:
+        yield from (m.span() for m in _GAP.finditer(text, done, token.start) if m["blanks"])
+        if token.kind == BAD and not _is_visible(token.text[0]):
+            yield token.start, token.end
+        done = token.end
+    yield from (m.span() for m in _GAP.finditer(text, done) if m["blanks"])
 
 
-def _degrees(number: Token, sign: Token) -> Problem:
+def _is_in(told: Sequence[Problem], start: int, end: int) -> bool:
+    index = bisect_right(told, start, key=lambda problem: problem.start)
+    return index > 0 and end <= told[index - 1].end
+
+
+def _problem(text: str, start: int, end: int) -> Problem:
+    written = text[start:end]
+    run = _BYTES.match(written)
+    message = _bytes_message(run[0]) if run else f"invalid character {named(written[0])}"
+    is_blank = written[0].isspace()
+    title = "Replace with a blank" if is_blank else "Remove the invalid character"
+    is_safe = is_blank or all(map(is_ignorable, written))
+    repair = Repair(title, (Edit(start, end, " " if is_blank else ""),), is_safe)
+    return Problem("KD004", message, start, end, repair)
+
+
+def _degrees(text: str, number: Token, sign: Token) -> Problem:
     repair = None
     if float(number.text):
         meant = in_radians(number.text)
         repair = Repair(f"Write {meant}", (Edit(number.start, sign.end, meant),), False)
-    message = f"'{shown(number.text)}°' is not a number"
+    message = f"'{shown(text[number.start : sign.end])}' is not a number"
     return Problem("KD005", message, number.start, sign.end, repair)
-
-
-def _named(character: str) -> str:
-    name, code = _NAMED.get(character), f"U+{ord(character):04X}"
-    if name is None and character.isprintable():
-        name = f"'{character}'"
-    return f"{name} ({code})" if name else code
 
 
 def _summary(problems: list[Problem]) -> tuple[Problem, ...]:
@@ -123,6 +122,7 @@ def _summary(problems: list[Problem]) -> tuple[Problem, ...]:
     rest = problems[shown:]
     edits = tuple(edit for problem in rest if problem.repair for edit in problem.repair.edits)
     message = f"{len(rest)} more invalid characters"
-    repair = Repair("Remove the invalid characters", edits, True) if edits else None
+    is_safe = all(problem.repair is None or problem.repair.is_safe for problem in rest)
+    repair = Repair("Remove the invalid characters", edits, is_safe) if edits else None
     last = Problem("KD004", message, rest[0].start, rest[0].end, repair)
     return (*problems[:shown], last)

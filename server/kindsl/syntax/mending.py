@@ -13,6 +13,7 @@ from kindsl.syntax.recovery.island import recover
 from kindsl.syntax.scanner import BAD
 from kindsl.syntax.tables import PUNCTUATION
 from kindsl.syntax.tree import Island, Node, Problem, Token
+from kindsl.syntax.typeset import tokens_as_meant
 
 _ECHO = 12
 _MOST_TOKENS = 100_000
@@ -32,9 +33,10 @@ def mended(
         spans: Its comments.
         about_comments: What is wrong in them.
     """
+    tokens = tokens_as_meant(text, tokens, spans)
     if len(tokens) > _MOST_TOKENS:
         tokens = _shortened(text, tokens)
-    good, invalid, problems = without_invalid(tokens)
+    good, invalid, problems = without_invalid(text, tokens)
     usual = adapted(text, good)
     is_cut = any(problem.code == OPEN_COMMENT for problem in about_comments)
     recovered = recover(text, usual.tokens, is_cut=is_cut)

@@ -1,11 +1,16 @@
 """One island's text to its tree; any text whatever."""
 
+import re
+
 from kindsl.syntax.builder import build
 from kindsl.syntax.characters import comment_problems
 from kindsl.syntax.meaning import meaning_problems
 from kindsl.syntax.scanner import comments, scan
 from kindsl.syntax.tree import Island, Node, Token
 from kindsl.syntax.words import BLOCK_STARTS
+
+# Superscripts, ligatures and letters of full width: valid tokens, yet read as what they stand for.
+_TYPESET = re.compile("[\u2070-\u2079\xb2\xb3\xb9\ufb00-\ufb06\uff21-\uff5a]")
 
 
 def parse_island(text: str) -> Island:
@@ -14,7 +19,7 @@ def parse_island(text: str) -> Island:
     nodes = _straight(tokens)
     spans = comments(text)
     about_comments = comment_problems(text, spans)
-    if nodes is None:
+    if nodes is None or _TYPESET.search(text):
         from kindsl.syntax.mending import mended
 
         return mended(text, tokens, spans, about_comments)

@@ -58,7 +58,7 @@ def _notes(island: Island) -> Iterator[PortabilityNote]:
     for block in island.nodes:
         if block.kind in _BLOCKS:
             yield from _token_notes(list(block.tokens()))
-            yield from _value_notes(island.text, block)
+            yield from _value_notes(island, block)
             yield from _id_notes(block)
             yield from _inertia_notes(block)
 
@@ -129,7 +129,8 @@ def _glue_notes(left: Token, right: Token) -> Iterator[PortabilityNote]:
         yield PortabilityNote(ROBCOGEN2, "glued-number", message, left.start, right.end, repair)
 
 
-def _value_notes(text: str, block: Node) -> Iterator[PortabilityNote]:
+def _value_notes(island: Island, block: Node) -> Iterator[PortabilityNote]:
+    text = island.text
     for node in _expressions(block):
         if node.kind == "number" and node.children[0].kind == "FLOAT":
             continue
@@ -137,7 +138,7 @@ def _value_notes(text: str, block: Node) -> Iterator[PortabilityNote]:
         if any(token.is_missing for token in tokens):
             continue
         targets = accepted_by(tokens)
-        if len(targets) != 1:
+        if len(targets) != 1 or _is_told(island, node):
             continue
         (target,) = TARGETS_OF_ALL - targets
         if any(note.target == target for token in tokens for note in _name_notes(token)):
@@ -152,6 +153,11 @@ def _value_notes(text: str, block: Node) -> Iterator[PortabilityNote]:
         new = rewritten(node)
         repair = Repair(f"Write {new}", (Edit(start, end, new),), True) if new else None
         yield PortabilityNote(target, "value-form", message, start, end, repair)
+
+
+def _is_told(island: Island, node: Node) -> bool:
+    """Return whether something is wrong with a value for either target."""
+    return any(p.start < node.end and node.start < p.end for p in island.problems)
 
 
 def _expressions(block: Node) -> Iterator[Node]:

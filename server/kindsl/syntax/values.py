@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from kindsl.syntax.forms import accepted_by, form_kind, kinds_accepted_by
+from kindsl.syntax.malformed import meant_numbers
 from kindsl.syntax.tree import Edit, Node, Problem, Repair, Token
 from kindsl.syntax.words import shown
 from kindsl.text.decimals import exact_decimal, significant_decimal
@@ -65,22 +66,15 @@ def _malformed(tokens: Sequence[Token]) -> Problem | None:
     token = next((t for t in tokens if t.kind == "MALFORMED_NUMBER"), None)
     if token is None:
         return None
-    meant = _meant(token.text)
-    repair = None
-    if meant is not None:
-        repair = Repair(f"Write {meant}", (Edit(token.start, token.end, meant),), False)
+    repairs = tuple(
+        Repair(f"Write {meant}", (Edit(token.start, token.end, meant),), False)
+        for meant in meant_numbers(token.text)
+    )
     message = f"'{shown(token.text)}' is not a number"
-    return Problem("KD005", message, token.start, token.end, repair)
-
-
-def _meant(text: str) -> str | None:
-    """Return the number that a malformed one was meant to be, where that is plain."""
-    plain = text.replace("_", "").replace(",", ".")
-    if plain.lower().lstrip("+-").startswith("0x"):
-        return f"{float(int(plain, 16)):.1f}" if len(plain) < 16 else None
-    if plain.count(".") > 1:
-        return None
-    return plain if "." in plain and not plain.endswith(".") else plain.rstrip(".") + ".0"
+    problem = Problem("KD005", message, token.start, token.end)
+    if len(repairs) == 1:
+        return problem._replace(repair=repairs[0])
+    return problem._replace(choices=repairs)
 
 
 def _integer(tokens: Sequence[Token]) -> Problem | None:

@@ -8,12 +8,15 @@ _EXACT = 15
 def exact_decimal(value: float) -> str:
     """Return the shortest decimal number that is read as the same value."""
     text = repr(value + 0.0)
-    if "e" in text:
-        # Only what is written with an exponent is worth the time to load this.
-        from decimal import Decimal
+    return plain_decimal(text) if "e" in text else _short(text)
 
-        text = f"{Decimal(text):f}"
-    return _short(text)
+
+def plain_decimal(number: str) -> str:
+    """Return a decimal number, as `1.50e-3`, without exponent: the same value exactly."""
+    # Only what is written with an exponent is worth the time to load this.
+    from decimal import Decimal
+
+    return _short(f"{Decimal(number):f}")
 
 
 def significant_decimal(value: float, digits: int) -> str:

@@ -2,11 +2,14 @@
 
 ## What it does
 Reports a byte order mark, a no-break space, a form feed, bytes that are no UTF-8, and signs that
-the language does not know.
+the language does not know. Many stand for others: the minus of print `−` for `-`, a middle dot
+between digits for a point and between factors for `*`, the digits of any script, `×10⁻³` for an
+exponent, ligatures for letters. They are read as what they mean, so that the preview and all other
+rules see the value; a number is reported once, however many of its characters are wrong.
 
 ## Why is this bad?
 Both generators reject them, and most of them cannot be seen: they come with text that is copied
-from a PDF file or a web page.
+from a PDF file, a spreadsheet or a web page. Only digits of another script are read by robcogen2.
 
 ## Example
 ```kindsl
@@ -14,8 +17,11 @@ link upper { id = 1; children {} }
 ```
 
 ## Fix
-Removes the character, or puts a blank in its place. Safe where that keeps every number and name:
-unsafe beside or within one.
+Writes a number, a word or a sign as it is read, in a form that both generators accept: `-1.0` for
+`−1.0`, `0.001` for `1.0×10⁻³`. Safe: the value stays. Removes a character that is seen nowhere, and
+puts a blank in place of another blank. Safe: these have no meaning. Removes any other character.
+Unsafe, as is `_` in place of a dash in a name: what was meant is not known. Nothing in or beside a
+number is removed; what cannot be read there is no number (KD005).
 """
 
 from kindsl.rules.base import Example, Rule, Severity
@@ -30,6 +36,9 @@ RULE = Rule(
     good=(_LINK,),
     bad=(
         Example(_LINK.replace("id = 1", "id\xa0= 1"), fixed=_LINK),
-        Example(_LINK.replace("id = 1", "id = 1\xa7"), fixed=_LINK),
+        Example(_LINK.replace("id = 1", "\xa7 id = 1"), fixed=_LINK.replace("id = 1", " id = 1")),
+        Example(_LINK.replace("0.0041", "4.1\xd710⁻³", 1), fixed=_LINK),
+        Example(_LINK.replace("4.1", "\u0664\u066b\u0661", 1), fixed=_LINK),
+        Example(_LINK.replace("(0.0", "(\u22120.0"), fixed=_LINK.replace("(0.0", "(-0.0")),
     ),
 )

@@ -2,7 +2,8 @@
 
 ## What it does
 Reports a whole number where both generators want a decimal point, a decimal comma, hexadecimal
-digits, two points, and an `id` that is no natural number.
+digits, two points, digits in groups (`1 234.5`, `1'000.0`), strange characters in a number or right
+beside it, powers of ten (`1.0*10^-3`), and an `id` that is no natural number.
 
 ## Why is this bad?
 `1` for `1.0` is the commonest slip of all: one generator rejects it with "no viable alternative",
@@ -14,8 +15,8 @@ translation = (1, 0, 0)
 ```
 
 ## Fix
-Writes `1.0` for `1`. Safe: the value stays. Writes `1.5` for `1,5` and the like. Unsafe: it is a
-guess.
+Writes `1.0` for `1` and `0.001` for `1.0*10^-3`. Safe: the value stays. Writes `1.5` for `1,5`,
+`1234.5` for `1 234.5` and the like. Unsafe: it is a guess; `1,234` may be either of two numbers.
 """
 
 from kindsl.rules.base import Example, Rule, Severity
@@ -31,5 +32,7 @@ RULE = Rule(
     bad=(
         Example(_ELBOW.replace("1.0", "1"), fixed=_ELBOW),
         Example(_ELBOW.replace("1.0", "1,0"), fixed=_ELBOW),
+        Example(_ELBOW.replace("1.0", "10.0*10^-1"), fixed=_ELBOW),
+        Example(_ELBOW.replace("1.0", "0.123 456"), fixed=_ELBOW.replace("1.0", "0.123456")),
     ),
 )

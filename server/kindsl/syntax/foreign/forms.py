@@ -9,6 +9,7 @@ from typing import NamedTuple
 from kindsl.syntax.components import COMPONENTS, QUOTES, from_attribute, of_three, with_commas
 from kindsl.syntax.foreign.words import in_our_words, without_relatives
 from kindsl.syntax.half_written import VECTOR, half_vector, with_whole_children, with_whole_sections
+from kindsl.syntax.malformed import is_grouped
 from kindsl.syntax.obsolete_forms import in_todays_forms
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
 from kindsl.syntax.words import SPELLINGS, supplied
@@ -171,7 +172,7 @@ def _with_parentheses(
 
 
 def _with_points_or_signs(text: str, tokens: Sequence[Token], is_scalar: bool) -> list[Token]:
-    merged = _with_points(tokens)
+    merged = _with_points(text, tokens)
     commas = sum(token.kind == "," for token in merged)
     is_vector = bool(merged) and merged[0].kind == "("
     if not (is_vector and commas == COMPONENTS - 1) and not (is_scalar and commas == 0):
@@ -195,21 +196,42 @@ def _with_round_brackets(tokens: Sequence[Token], problems: list[Problem]) -> li
     return [opening, *tokens[1:-1], closing]
 
 
-def _with_points(tokens: Sequence[Token]) -> list[Token]:
-    """Return the tokens with `0,5` as one malformed number wherever no blank is in it."""
+def _with_points(text: str, tokens: Sequence[Token]) -> list[Token]:
+    """Return the tokens with `0,5`, `1 234.5` and the like as one malformed number."""
     merged: list[Token] = []
     index = 0
     while index < len(tokens):
-        three = tokens[index : index + 3]
-        if _is_decimal_comma(three):
-            text = "".join(token.text for token in three)
-            left = three[0]
-            merged.append(Token("MALFORMED_NUMBER", text, left.lead, left.start, three[2].end))
-            index += 3
+        parts = _one_number(text, tokens, index)
+        if len(parts) > 1:
+            start, end = parts[0].start, parts[-1].end
+            written = text[start:end]
+            merged.append(Token("MALFORMED_NUMBER", written, parts[0].lead, start, end))
         else:
             merged.append(tokens[index])
-            index += 1
+        index += max(len(parts), 1)
     return merged
+
+
+def _one_number(text: str, tokens: Sequence[Token], index: int) -> Sequence[Token]:
+    """Return the tokens that make one number in groups of three digits, or with a comma."""
+    end = index + 1
+    while end < len(tokens) and _may_go_on(text, tokens, end):
+        end += 1
+    while end > index + 1:
+        if is_grouped(text[tokens[index].start : tokens[end - 1].end]):
+            return tokens[index:end]
+        end -= 1
+    three = tokens[index : index + 3]
+    return three if _is_decimal_comma(three) else ()
+
+
+def _may_go_on(text: str, tokens: Sequence[Token], index: int) -> bool:
+    """Return whether a number may go on at a token: digits or a comma, a blank between at most."""
+    token = tokens[index]
+    if token.start == token.end or text[tokens[index - 1].end : token.start] not in ("", " "):
+        return False
+    is_number = token.kind in ("INT", "FLOAT") and token.text[0] not in "+-"
+    return token.kind == "," or is_number
 
 
 def _is_decimal_comma(tokens: Sequence[Token]) -> bool:
