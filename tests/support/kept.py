@@ -2,8 +2,8 @@
 
 import re
 from collections import Counter
-from collections.abc import Iterator
-from typing import NamedTuple
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple, TypeAlias
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.rules.base import Severity
@@ -11,7 +11,9 @@ from kindsl.semantics.declarations import MOMENTS, Inertia, Link, Pose
 from kindsl.semantics.expressions import Expression
 from kindsl.syntax.scanner import comments
 
-# A value for each parameter, so that `x`, `2.0*x` and 0.5 are told apart.
+Place: TypeAlias = tuple[object, ...]
+
+_NO_VALUES: Mapping[str, float] = {}
 _LETTERS = re.compile(r"\w+")
 _DIRECTIVE = re.compile(r"kindsl: *ignore")
 
@@ -24,68 +26,81 @@ class Written(NamedTuple):
 
 
 class _StandIns(dict[str, float]):
-    """Another value for each name."""
+    """Values by name; a name without one has a value of its own."""
 
     def get(self, name: str, default: object = None) -> float:  # type: ignore[override]
-        return 2.0 + sum(map(ord, name)) / 7919.0
+        return self[name] if name in self else 2.0 + sum(map(ord, name)) / 7919.0
 
 
-VALUES = _StandIns()
+def numbers(analysis: Analysis, values: Mapping[str, float] = _NO_VALUES) -> dict[Place, Written]:
+    """Return each number of the document by owner, the how-manieth of its name, and component.
 
-
-def numbers(analysis: Analysis) -> dict[tuple[object, ...], Written]:
-    """Return each number of the document by owner, the how-manieth of its name, and component."""
-    found: dict[tuple[object, ...], Written] = {}
+    Args:
+        analysis: The document.
+        values: Values of parameters; each of the others has one of its own, whatever its default.
+    """
+    found: dict[Place, Written] = {}
     seen: Counter[tuple[str, str]] = Counter()
-    model = analysis.model
+    model, values = analysis.model, _StandIns(values)
     for body in model.bodies:
         seen["body", str(body.name)] += 1
         owner = ("body", str(body.name), seen["body", str(body.name)])
-        found.update({(*owner, *place): number for place, number in _of_body(body)})
+        found.update({(*owner, *place): number for place, number in _of_body(body, values)})
     for joint in model.joints:
         seen["joint", str(joint.name)] += 1
         owner = ("joint", str(joint.name), seen["joint", str(joint.name)])
         if joint.id_place is not None:
             found[*owner, "id"] = Written(joint.id, 0.0)
-        found.update({(*owner, *place): number for place, number in _of_pose(joint.pose)})
+        found.update({(*owner, *place): number for place, number in _of_pose(joint.pose, values)})
     return found
 
 
-def _of_body(body: Link) -> Iterator[tuple[tuple[object, ...], Written]]:
+def _of_body(body: Link, values: _StandIns) -> Iterator[tuple[Place, Written]]:
     if body.id_place is not None:
         yield ("id",), Written(body.id, 0.0)
     if body.inertia is not None:
-        yield from _of_inertia(body.inertia)
+        yield from _of_inertia(body.inertia, values)
     for number, frame in enumerate(body.frames):
-        for place, written in _of_pose(frame.pose):
+        for place, written in _of_pose(frame.pose, values):
             yield ("frame", str(frame.name), number, *place), written
 
 
-def _of_inertia(inertia: Inertia) -> Iterator[tuple[tuple[object, ...], Written]]:
+def _of_inertia(
+    inertia: Inertia, values: _StandIns
+) -> Iterator[tuple[tuple[object, ...], Written]]:
     if inertia.mass is not None:
-        yield ("mass",), _written(inertia.mass)
+        yield ("mass",), _written(inertia.mass, values)
     if inertia.com is not None:
         for axis, component in zip("xyz", inertia.com.components, strict=True):
-            yield ("com", axis), _written(component)
+            yield ("com", axis), _written(component, values)
     for name in MOMENTS:
         if name in inertia.moments:
-            yield (name,), _written(inertia.moments[name])
+            yield (name,), _written(inertia.moments[name], values)
 
 
-def _of_pose(pose: Pose) -> Iterator[tuple[tuple[object, ...], Written]]:
+def _of_pose(pose: Pose, values: _StandIns) -> Iterator[tuple[Place, Written]]:
     for kind, vector in (("translation", pose.translation), ("rotation", pose.rotation)):
         if vector is not None:
             for axis, component in zip("xyz", vector.components, strict=True):
-                yield (kind, axis), _written(component)
+                yield (kind, axis), _written(component, values)
 
 
-def _written(expression: Expression) -> Written:
-    return Written(expression.value(VALUES), 2.0 * expression.rounding(VALUES))
+def _written(expression: Expression, values: _StandIns) -> Written:
+    return Written(expression.value(values), 2.0 * expression.rounding(values))
 
 
 def changed_numbers(before: Analysis, after: Analysis) -> list[str]:
     """Return what became of numbers, but for those that stay within a unit of their last digit."""
-    old, new = numbers(before), numbers(after)
+    return _changes(numbers(before), numbers(after))
+
+
+def changed_at_their_values(before: Analysis, after: Analysis) -> list[str]:
+    """Return the same where parameters have the values that the documents give them."""
+    old, new = (numbers(each, each.context.values) for each in (before, after))
+    return _changes(old, new)
+
+
+def _changes(old: dict[Place, Written], new: dict[Place, Written]) -> list[str]:
     told = [f"lost: {place}" for place in old.keys() - new.keys()]
     told += [f"gained: {place}" for place in new.keys() - old.keys()]
     for place in old.keys() & new.keys():
