@@ -16,6 +16,7 @@ from kindsl.reports.drawing.robot import (
     FRAME,
     JOINT,
     NAME,
+    _overlap,
     points_of,
     robot_drawing,
     zero_poses,
@@ -220,6 +221,14 @@ def test_of_names_that_touch_one_is_left_out(dx: float, dy: float, n: int) -> No
         rotation = (0.0, 0.0, 0.0) }} }} }}"""
     found = labels(robot_drawing(skeleton_of(text), Camera(1.0, (0.0, 0.0))))
     assert len(found) == n
+
+
+def test_boxes_that_touch_do_not_overlap() -> None:
+    box = (1.0, 1.0, 2.0, 2.0)
+    for dx, dy in ((1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)):
+        there = (box[0] + dx, box[1] + dy, box[2] + dx, box[3] + dy)
+        near = (box[0] + dx / 2, box[1] + dy / 2, box[2] + dx / 2, box[3] + dy / 2)
+        assert not _overlap(box, there) and _overlap(box, near)
 
 
 def test_links_frames_and_joints_take_the_colours_that_are_given() -> None:

@@ -1,6 +1,7 @@
 """What `kindsl info` tells of a document, as plain data."""
 
 from collections.abc import Iterator, Mapping
+from math import inf
 from typing import Any
 
 from kindsl.analysis.analysis import Analysis
@@ -71,7 +72,7 @@ def _in_order(model: Model) -> Iterator[Link]:
     """Yield the base, then the links by id, those without one last."""
     if model.base is not None:
         yield model.base
-    yield from sorted(model.links, key=lambda link: (link.id is None, link.id or 0))
+    yield from sorted(model.links, key=lambda link: inf if link.id is None else link.id)
 
 
 def _body(model: Model, body: Link, values: Mapping[str, float], places: _Places) -> dict[str, Any]:

@@ -1,7 +1,7 @@
 """Looking at a robot from a fixed direction, without perspective, so that lengths compare."""
 
 from collections.abc import Sequence
-from math import cos, hypot, radians, sin
+from math import cos, radians, sin
 from typing import NamedTuple
 
 from kindsl.reports.drawing.shapes import Spot
@@ -45,14 +45,13 @@ def camera_for(points: Sequence[Vector3]) -> Camera:
     """Return the camera that sees some points of the base's frame as large as they fit."""
     flat = [_flat(point) for point in points] or [(0.0, 0.0)]
     (left, right), (low, high) = ((min(axis), max(axis)) for axis in zip(*flat, strict=True))
-    if hypot(right - left, high - low) < _NEGLIGIBLE:
-        left, right = left - 0.5, right + 0.5
     scales = [
         (sheet - 2 * _MARGIN) / size
         for sheet, size in ((WIDTH, right - left), (HEIGHT, high - low))
         if size > _NEGLIGIBLE
     ]
-    return Camera(min(scales), ((left + right) / 2, (low + high) / 2))
+    of_one_metre = WIDTH - 2 * _MARGIN
+    return Camera(min(scales, default=of_one_metre), ((left + right) / 2, (low + high) / 2))
 
 
 def _flat(point: Vector3) -> tuple[float, float]:
