@@ -36,7 +36,9 @@ async def test_all_who_ask_share_one_analysis(analyses: Analyses) -> None:
     shown = document("untitled:r", 1, TEXT, "utf-16")
     one, other = await asyncio.gather(analyses.of(shown), analyses.of(shown))
     assert one is other
-    assert await analyses.findings(shown) is await analyses.findings(shown)
+    findings = await analyses.findings(shown)
+    assert [found.code for found in findings] == ["KD008"]
+    assert await analyses.findings(shown) is findings
     assert await analyses.of(shown) is one
 
 

@@ -56,8 +56,9 @@ async def message_of(connection: WebSocketClientConnection) -> dict[str, Any]:
 
 
 def test_a_document_keeps_its_address(client: RawClient) -> None:
-    assert preview(client) == preview(client)
-    assert preview(client).startswith("http://127.0.0.1:")
+    address = preview(client)
+    assert address.startswith("http://127.0.0.1:")
+    assert preview(client) == address
 
 
 def is_source_shown(message: dict[str, Any]) -> bool:

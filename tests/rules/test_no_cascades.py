@@ -64,7 +64,9 @@ def test_model_is_good() -> None:
 def test_slip_gives_one_message(
     pattern: re.Pattern[str], group: int, new: str, codes: set[str]
 ) -> None:
-    for text in replaced(pattern, group, new):
+    texts = list(replaced(pattern, group, new))
+    assert texts
+    for text in texts:
         found = remarks(text)
         assert len(found) == 1, [(f.code, f.message) for f in found]
         assert found[0].code in codes
@@ -129,6 +131,7 @@ def test_duplicate_id_gives_one_message() -> None:
 
 
 def test_block_left_out_gives_one_message() -> None:
+    assert len(list(blocks())) == 24
     for kind, start, end in blocks():
         found = remarks(MODEL[:start] + MODEL[end:])
         assert [f.code for f in found] == [{"link": "KD105", "joint": "KD106"}[kind]]
@@ -170,10 +173,13 @@ def test_a_lost_head_is_one_mistake(lost: str, message: str) -> None:
 
 
 def test_syntax_error_invents_nothing_elsewhere() -> None:
+    n_broken = 0
     for mutant in random.Random(11).sample(list(mutants(MODEL)), 250):
         found = remarks(mutant.text)
         syntax = [f for f in found if f.code.startswith("KD0")]
         assert not syntax or found == syntax, (mutant, found)
+        n_broken += bool(syntax)
+    assert n_broken > 100
 
 
 def test_syntax_error_silences_nothing_elsewhere() -> None:

@@ -46,9 +46,9 @@ def test_a_section_has_the_indentation_of_its_neighbours_and_leaves_comments_bes
 @pytest.mark.parametrize("newline", ["\n", "\r\n", "\r"])
 def test_a_section_ends_its_lines_like_the_rest(newline: str) -> None:
     marked = LINK.replace("link k", "link $0k").replace("\n", newline)
-    for title, new in offered(marked).items():
-        ends = offered(LINK.replace("link k", "link $0k"))[title]
-        assert new == ends.replace("\n", newline)
+    plain = offered(LINK.replace("link k", "link $0k"))
+    assert plain
+    assert offered(marked) == {t: new.replace("\n", newline) for t, new in plain.items()}
 
 
 def test_the_last_section_goes_behind_the_comment_of_the_one_before() -> None:

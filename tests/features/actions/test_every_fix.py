@@ -53,6 +53,11 @@ def warnings(analysis):
     return Counter(f.code for f in analysis.findings if f.severity in worse)
 
 
+def test_there_are_fixes_to_hold():
+    assert sum(len(list(fixes(analyse(text)))) for text in DOCUMENTS) > 50
+    assert any(list(fixes(analyse(text))) for text in EXAMPLES)
+
+
 @pytest.mark.parametrize("text", DOCUMENTS)
 def test_a_fix_mends_its_finding_and_makes_no_error(text):
     before = analyse(text)

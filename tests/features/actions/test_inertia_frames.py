@@ -117,6 +117,7 @@ def test_a_quarter_turn_leaves_no_dust_in_the_numbers(mass: float, size: float, 
         f"mass = {mass} CoM = {com} Ix={moment} Iy={moment} Iz={moment} Ixy=0.0 Ixz=0.0 Iyz=0.0"
     )
     text = upper(inertia, f"{turned} {moved}")
+    assert len(offered(text)) >= 2
     for title, new in offered(text).items():
         inertia_section = analyse(new).model.body_named["upper"].inertia
         values = [*inertia_section.moments.values(), *inertia_section.com.components]
