@@ -81,16 +81,20 @@ async def test_what_nobody_waits_for_any_more_is_not_begun(
 
 
 async def test_answers_go_before_diagnostics_and_those_before_the_rest(worker: Worker) -> None:
-    done: list[Urgency] = []
+    done: list[str] = []
     release = busy(worker)
+    urgencies = {
+        "the rest": Urgency.BACKGROUND, "diagnostics": Urgency.DIAGNOSTICS,
+        "answer": Urgency.ANSWER,
+    }  # fmt: skip
     jobs = [
-        asyncio.ensure_future(worker.run(lambda urgency=urgency: done.append(urgency), urgency))
-        for urgency in (Urgency.BACKGROUND, Urgency.DIAGNOSTICS, Urgency.ANSWER)
+        asyncio.ensure_future(worker.run(lambda name=name: done.append(name), urgency))
+        for name, urgency in urgencies.items()
     ]
     await asyncio.sleep(0)
     release()
     await asyncio.gather(*jobs)
-    assert done == [Urgency.ANSWER, Urgency.DIAGNOSTICS, Urgency.BACKGROUND]
+    assert done == ["answer", "diagnostics", "the rest"]
 
 
 async def test_a_job_under_way_ends_when_nobody_waits_any_more(worker: Worker) -> None:
