@@ -215,8 +215,9 @@ def test_comments_stay_as_they_are() -> None:
     assert "mass = 1.0" in repaired.text
 
 
-def test_robcogen2_reads_digits_of_another_script() -> None:
-    text = robots.STUB.replace("mass = 1.0", "mass = ٣.٥")
+@pytest.mark.parametrize("written", ["٣.٥", "PI/٣.٥", "-٣.٥"])
+def test_robcogen2_reads_digits_of_another_script(written: str) -> None:
+    text = robots.STUB.replace("Ixy=0.0", f"Ixy={written}", 1)
     severities = {
         target: [f.severity for f in analyse(text, Settings(targets=targets)).findings]
         for target, targets in {

@@ -10,7 +10,6 @@ from kindsl.semantics.places import Place
 from kindsl.syntax.document import SyntaxDocument
 from kindsl.syntax.tree import Island, Problem, Repair
 
-_FOREIGN_NUMBER = re.compile(r"[-+]?\d*\.\d+(?:[eE][-+]?\d+)?")
 _UNDECODED = re.compile("[\udc80-\udcff]+")
 
 
@@ -37,9 +36,12 @@ def _is_foreign_comment(island: Island, problem: Problem) -> bool:
 
 
 def _is_foreign_number(island: Island, problem: Problem) -> bool:
-    """Return whether a number is in digits of another script, which robcogen2 reads as we do."""
-    number = _FOREIGN_NUMBER.fullmatch(island.text, problem.start, problem.end)
-    return problem.code == "KD004" and number is not None
+    """Return whether a value has digits of another script alone, which robcogen2 reads as we do."""
+    if problem.code != "KD004" or problem.repair is None:
+        return False
+    written = island.text[problem.start : problem.end]
+    plain = "".join(str(int(c)) if c.isdecimal() else c for c in written)
+    return "." in plain and plain == problem.repair.edits[0].text
 
 
 def all_problems(document: SyntaxDocument) -> Iterator[tuple[Island, Problem]]:
