@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kindsl.config.discovery import Configurations, nearest_configuration
+from kindsl.config.discovery import Configurations, has_python_table, nearest_configuration
 from kindsl.config.errors import ConfigurationError
 from kindsl.config.reading import configuration_of, read_configuration, read_parameters
 from kindsl.config.toml_places import toml_places
@@ -259,3 +259,27 @@ def _paths(value: Any, path: tuple[str | int, ...]) -> list[tuple[str | int, ...
         return []
     below = [found for key, inner in items for found in _paths(inner, (*path, key))]
     return [*((*path, key) for key, _ in items), *below]
+
+
+@pytest.mark.parametrize(("content", "is_ours"), [
+    (b"[tool.kindsl]\nx = \xff", True), (b"[tool.kindsl]\nx = = 1", True),
+    (b"# kindsl\nx = \xff", False), (b"# kindsl\nx = = 1", False),
+])  # fmt: skip
+def test_a_broken_pyproject_is_ours_if_it_has_our_table(
+    tmp_path: Path, content: bytes, is_ours: bool
+) -> None:
+    (tmp_path / "pyproject.toml").write_bytes(content)
+    assert has_python_table(str(tmp_path / "pyproject.toml")) is is_ours
+
+
+def test_one_letter_is_no_code() -> None:
+    with pytest.raises(ConfigurationError, match="no rule has a code that begins with 'K'"):
+        configuration_of("kindsl.toml", 'ignore = ["K"]\n')
+    assert configuration_of("kindsl.toml", 'ignore = ["KD"]\n').common.ignore == ("KD",)
+
+
+def test_what_cannot_be_read_is_told_at_the_start(tmp_path: Path) -> None:
+    with pytest.raises(ConfigurationError) as caught:
+        read_configuration(str(tmp_path / "kindsl.toml"))
+    (problem,) = caught.value.problems
+    assert problem.place == (1, 1, 0, 0)
