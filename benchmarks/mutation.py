@@ -51,7 +51,7 @@ TESTS = {
     "lsp/session": ("lsp",),
     "config": ("config", "cli"),
     "codegen": ("codegen",),
-    "preview/scene": ("preview",),
+    "scene": ("scene", "preview"),
 }
 OPTIONS = ["-q", "-p", "no:cacheprovider", "-p", "no:xdist"]
 OPTIONS += ["-p", "benchmarks.mutating.plugin", "-W", "ignore::pytest.PytestAssertRewriteWarning"]

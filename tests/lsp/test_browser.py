@@ -195,7 +195,7 @@ async def test_a_urdf_for_download_has_the_limits_of_the_configuration(client, t
 def test_it_needs_nothing_that_a_browser_lacks():
     missing = ("numpy", "lxml", "tornado", "umsgpack", "ssl")
     code = f"import sys; sys.modules.update(dict.fromkeys({missing}));"
-    code += "import kindsl.lsp.browser, kindsl.preview.posted, kindsl.preview.scene.robot;"
+    code += "import kindsl.lsp.browser, kindsl.preview.posted, kindsl.scene.robot;"
     code += "import kindsl.interchange.urdf.reading, kindsl.interchange.urdf.writing"
     subprocess.run([sys.executable, "-c", code], check=True)
 

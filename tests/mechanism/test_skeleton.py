@@ -22,9 +22,9 @@ WITHOUT_NUMPY = """
 import sys
 sys.modules["numpy"] = None
 from kindsl.analysis.analysis import analyse
-from kindsl.preview.scene.messages import encode
-from kindsl.preview.scene.picture import picture
-from kindsl.preview.scene.robot import robot_messages
+from kindsl.scene.messages import encode
+from kindsl.scene.picture import picture
+from kindsl.scene.robot import robot_messages
 analysis = analyse(open(sys.argv[1]).read())
 shown = picture(analysis.model, analysis.context.values, None)
 print(sum(len(encode(m)) for m in robot_messages("robot", shown.skeleton).values()) > 1000)

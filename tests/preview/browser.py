@@ -8,8 +8,8 @@ from weakref import WeakKeyDictionary
 from playwright.async_api import Browser, Error, Page, async_playwright
 from tests.preview.robots import require
 
-from kindsl.preview.scene.messages import as_json
 from kindsl.preview.server import PreviewServer
+from kindsl.scene.messages import as_json
 
 ARGUMENTS = (
     "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic",

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from typing import Any
 
-from kindsl.preview.scene.messages import Key, Message, key_of
+from kindsl.scene.messages import Key, Message, key_of
 
 
 class Page:

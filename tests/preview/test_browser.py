@@ -27,9 +27,9 @@ from tests.support.documents import all_documents
 
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.preview.scene.picture import picture
 from kindsl.preview.server import PreviewServer
 from kindsl.rules.base import Severity
+from kindsl.scene.picture import picture
 
 LONGER_ARM = ARM.replace("(0.4, 0.0, 0.0)", "(0.6, 0.0, 0.0)")
 

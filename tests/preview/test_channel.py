@@ -10,7 +10,7 @@ from tests.preview.robots import plain_robot
 
 from kindsl.preview.channel import Channel, Tab
 from kindsl.preview.document_preview import DocumentPreview
-from kindsl.preview.scene.messages import key_of, keyed
+from kindsl.scene.messages import key_of, keyed
 
 
 class Socket:

@@ -12,9 +12,9 @@ from kindsl.analysis.analysis import analyse
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.analysis.settings import Settings
 from kindsl.preview.document_preview import DocumentPreview
+from kindsl.preview.findings import MOST_LISTED
 from kindsl.preview.requests import Reveal
 from kindsl.preview.reveal import place_of
-from kindsl.preview.scene.findings import MOST_LISTED
 from kindsl.preview.server import PreviewServer
 from kindsl.rules.base import Severity
 from kindsl.semantics.parameters import Binding, JointLimits
@@ -211,7 +211,7 @@ def test_a_finding_means_what_it_marks():
 
 
 def test_undecodable_bytes_in_a_message_can_be_sent():
-    from kindsl.preview.scene.messages import encode
+    from kindsl.scene.messages import encode
 
     preview = preview_of(ARM, findings=[finding("KD004", 0, 1, message="byte '\udcff'")])
     assert all(encode(message) for message in preview.channel.state)

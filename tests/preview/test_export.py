@@ -13,7 +13,7 @@ from tests.preview.robots import ARM, mechanics_of, plain_robot, skeleton_in, sk
 from kindsl.analysis.analysis import analyse
 from kindsl.preview.document_preview import DocumentPreview
 from kindsl.preview.export import exported_page
-from kindsl.preview.scene.formulas import formula_messages
+from kindsl.scene.formulas import formula_messages
 
 
 def exported(analysis):

@@ -15,7 +15,7 @@ from tests.preview.robots import (
     skeleton_of,
 )
 
-from kindsl.preview.scene.robot import NOTHING_UNKNOWN, robot_messages
+from kindsl.scene.robot import NOTHING_UNKNOWN, robot_messages
 
 SCRIPT = ROOT / "server" / "kindsl" / "preview" / "page" / "picture" / "kinematics.js"
 DRIVER = """

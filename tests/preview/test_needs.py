@@ -6,7 +6,7 @@ import sys
 
 import pytest
 
-from kindsl.preview.scene.geometry import (
+from kindsl.scene.geometry import (
     Form,
     PreviewUnavailableError,
     Shape,
@@ -30,7 +30,7 @@ def test_importing_it_loads_nothing_heavy(module):
 
 def test_the_server_never_imports_meshcat_itself():
     loaded = loaded_by(
-        "from kindsl.preview import PreviewServer; from kindsl.preview.scene.geometry import *;"
+        "from kindsl.preview import PreviewServer; from kindsl.scene.geometry import *;"
         "lowered(Shape(Form.BALL, 0))"
     )
     assert not loaded & {"meshcat", "IPython", "zmq"}

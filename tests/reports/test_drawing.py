@@ -8,7 +8,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tests.preview.robots import ARM, plain_robot, skeleton_in, skeleton_of
 
-from kindsl.preview.scene.size import extent
 from kindsl.reports.drawing.camera import HEIGHT, WIDTH, Camera, camera_for, depth
 from kindsl.reports.drawing.robot import (
     BODY,
@@ -25,6 +24,7 @@ from kindsl.reports.drawing.shapes import Disc, Drawing, Label, Line, Spot
 from kindsl.reports.drawing.svg import svg_text
 from kindsl.reports.drawing.tikz import tikz_text
 from kindsl.rigid.pose import Vector3
+from kindsl.scene.size import extent
 
 numbers = st.floats(-5.0, 5.0).map(lambda x: round(x, 3))
 points = st.lists(st.tuples(numbers, numbers, numbers), min_size=2, max_size=8, unique=True)

@@ -61,7 +61,7 @@ class UnreadableError(Exception):
 def _run(args: argparse.Namespace) -> int:
     old = _read(args, args.compare) if args.compare else None
     from kindsl.mechanism.errors import ModelError
-    from kindsl.preview.scene.geometry import PreviewUnavailableError
+    from kindsl.scene.geometry import PreviewUnavailableError
 
     try:
         if args.export or args.screenshot:
@@ -88,7 +88,7 @@ def _read(args: argparse.Namespace, file: str) -> "Analysis":
 
 def _write(args: argparse.Namespace, old: "Analysis | None") -> None:
     from kindsl.preview.export import exported_page
-    from kindsl.preview.scene.formulas import formula_messages
+    from kindsl.scene.formulas import formula_messages
 
     analysis = _read(args, args.file)
     state = _document(args.file, analysis, old).channel.state

@@ -1,4 +1,4 @@
-"""Knows the scene and its live viewer.
+"""Knows the live viewer of a scene.
 
 Must not know the protocol of editors.
 """
@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from kindsl.preview.requests import Reveal
-    from kindsl.preview.scene.geometry import PreviewUnavailableError
     from kindsl.preview.server import PreviewServer
+    from kindsl.scene.geometry import PreviewUnavailableError
 
 __all__ = ["PreviewServer", "PreviewUnavailableError", "Reveal"]
 
 _HOMES = {
     "PreviewServer": "kindsl.preview.server",
-    "PreviewUnavailableError": "kindsl.preview.scene.geometry",
+    "PreviewUnavailableError": "kindsl.scene.geometry",
     "Reveal": "kindsl.preview.requests",
 }
 

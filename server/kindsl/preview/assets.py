@@ -4,7 +4,7 @@ from functools import cache
 from importlib import resources
 from typing import NamedTuple
 
-from kindsl.preview.scene.geometry import viewer_script
+from kindsl.scene.geometry import viewer_script
 
 VIEWER = "viewer.js"
 # Each uses the ones before it.

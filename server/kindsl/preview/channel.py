@@ -3,8 +3,8 @@
 import asyncio
 from collections.abc import Awaitable, Callable
 
-from kindsl.preview.scene.changes import changes
-from kindsl.preview.scene.messages import Key, Message, Messages, key_of
+from kindsl.scene.changes import changes
+from kindsl.scene.messages import Key, Message, Messages, key_of
 
 # Between these, what is sent belongs together.
 CHANGES: Message = {"type": "changes"}

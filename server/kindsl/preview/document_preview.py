@@ -10,11 +10,11 @@ from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.mechanism.drawable import drawable_skeleton
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.preview.channel import Channel, Tab
-from kindsl.preview.scene.findings import finding_messages, lost_message, status_message
-from kindsl.preview.scene.messages import Message, Messages, keyed, path_of
-from kindsl.preview.scene.parameters import parameter_messages
-from kindsl.preview.scene.picture import Picture, State, picture
-from kindsl.preview.scene.robot import ghost_messages, robot_messages
+from kindsl.preview.findings import finding_messages, lost_message, status_message
+from kindsl.scene.messages import Message, Messages, keyed, path_of
+from kindsl.scene.parameters import parameter_messages
+from kindsl.scene.picture import Picture, State, picture
+from kindsl.scene.robot import ghost_messages, robot_messages
 
 # More joints or parameters than any robot has.
 MOST_VALUES = 10_000

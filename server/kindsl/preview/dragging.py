@@ -22,8 +22,8 @@ from kindsl.features.manipulation.set_component import Change, set_component
 from kindsl.features.manipulation.things import Thing, carrying_frame
 from kindsl.preview.document_preview import DocumentPreview
 from kindsl.preview.gesture_requests import Drag, GestureRequest, Grasp, Plan
-from kindsl.preview.scene.messages import Message, keyed, path_of
 from kindsl.preview.steps import Steps, difference
+from kindsl.scene.messages import Message, keyed, path_of
 from kindsl.semantics.parameters import Binding
 from kindsl.text.edits import TextEdit
 

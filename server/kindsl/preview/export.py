@@ -6,7 +6,7 @@ import struct
 from collections.abc import Iterable, Sequence
 
 from kindsl.preview.assets import SCRIPTS, STYLES, assets, page
-from kindsl.preview.scene.messages import Message, encode
+from kindsl.scene.messages import Message, encode
 
 _POLICY = (
     "default-src 'none'; script-src {hashes}; style-src 'unsafe-inline'; img-src data: blob:; "

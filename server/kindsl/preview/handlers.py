@@ -14,7 +14,7 @@ from kindsl.preview.budget import Budget
 from kindsl.preview.channel import CHANGES, END, Tab
 from kindsl.preview.document_preview import DocumentPreview
 from kindsl.preview.requests import MOST_BYTES, Request, parse_request
-from kindsl.preview.scene.messages import Message, encode
+from kindsl.scene.messages import Message, encode
 
 TOO_MUCH = 1008
 # The viewer and its control library set styles from scripts; nothing may evaluate text as code.

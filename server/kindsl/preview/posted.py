@@ -9,7 +9,7 @@ from kindsl.preview.document_preview import DocumentPreview
 from kindsl.preview.documents import DocumentPreviews, OnEdit, OnReveal
 from kindsl.preview.documents import identifier as identifier_of
 from kindsl.preview.requests import Hello, request_of
-from kindsl.preview.scene.messages import Message, as_json
+from kindsl.scene.messages import Message, as_json
 
 T = TypeVar("T")
 

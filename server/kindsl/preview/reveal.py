@@ -4,8 +4,8 @@ from collections.abc import Sequence
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.preview.findings import listed
 from kindsl.preview.requests import Reveal
-from kindsl.preview.scene.findings import listed
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Located
 from kindsl.text.span import Span

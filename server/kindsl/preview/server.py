@@ -11,8 +11,8 @@ from kindsl.preview.access import ADDRESS, Access, new_token
 from kindsl.preview.assets import assets
 from kindsl.preview.documents import DocumentPreviews, OnEdit, OnReveal, OnWrite, identifier
 from kindsl.preview.handlers import LiveHandler, application
-from kindsl.preview.scene.geometry import PreviewUnavailableError
 from kindsl.preview.session import Session, last_session, remember
+from kindsl.scene.geometry import PreviewUnavailableError
 
 GOING_AWAY = 1001
 PATIENCE = 1.0  # seconds, for tabs to say goodbye

@@ -7,8 +7,6 @@ from typing import Any
 from kindsl.analysis.analysis import Analysis
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.mechanism.total_mass import unknown_bodies
-from kindsl.preview.scene.picture import Picture as Shown
-from kindsl.preview.scene.picture import picture
 from kindsl.reports.columns import number
 from kindsl.reports.drawing.robot import robot_drawing
 from kindsl.reports.joint_transforms import joint_transform
@@ -16,6 +14,8 @@ from kindsl.reports.page.blocks import Block, Heading, Matrix, Page, Paragraph, 
 from kindsl.reports.robot_facts import mass_text, robot_facts
 from kindsl.rigid.body import eigensystem, principal_moments, second_moments_about_com
 from kindsl.rigid.pose import PLAIN, RigidPose, angles
+from kindsl.scene.picture import Picture as Shown
+from kindsl.scene.picture import picture
 from kindsl.text.words import counted
 
 _UNITS = {"length": "m", "angle": "rad", "dynamics": ""}

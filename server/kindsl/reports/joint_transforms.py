@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from math import cos, pi, sin
 from typing import NamedTuple
 
-from kindsl.preview.scene.formulas import affine_component
+from kindsl.scene.formulas import affine_component
 from kindsl.semantics.declarations import Joint, Vector
 from kindsl.semantics.expressions import Expression
 

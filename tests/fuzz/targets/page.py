@@ -14,7 +14,7 @@ from kindsl.preview.channel import Tab
 from kindsl.preview.documents import DocumentPreviews
 from kindsl.preview.dragging import Writing
 from kindsl.preview.requests import parse_request
-from kindsl.preview.scene.messages import Message, as_json, encode
+from kindsl.scene.messages import Message, as_json, encode
 from kindsl.text.edits import apply_edits
 
 _KEY = "untitled:arm"

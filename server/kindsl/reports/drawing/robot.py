@@ -4,10 +4,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from kindsl.mechanism.skeleton import Skeleton
-from kindsl.preview.scene.size import extent
 from kindsl.reports.drawing.camera import HEIGHT, WIDTH, Camera, camera_for, depth
 from kindsl.reports.drawing.shapes import Disc, Drawing, Label, Line, Shape, Spot
 from kindsl.rigid.pose import IDENTITY, RigidPose, Vector3
+from kindsl.scene.size import extent
 
 BODY, JOINT, COM, FRAME, NAME = "7d93ab", "2b4562", "b8860b", "4c9a5b", "33404d"
 _BODY_WIDTH, _AXIS_WIDTH, _JOINT_RADIUS, _COM_RADIUS, _FRAME_RADIUS = 7.0, 2.0, 5.0, 2.6, 3.0

@@ -12,10 +12,10 @@ from tests.preview.robots import ARM, plain_robot, skeleton_in, skeleton_of
 from tests.support.documents import all_documents
 
 from kindsl.analysis.analysis import analyse
-from kindsl.preview.scene.changes import changes
-from kindsl.preview.scene.messages import as_json, encode
-from kindsl.preview.scene.picture import picture
-from kindsl.preview.scene.robot import ghost_messages, robot_messages
+from kindsl.scene.changes import changes
+from kindsl.scene.messages import as_json, encode
+from kindsl.scene.picture import picture
+from kindsl.scene.robot import ghost_messages, robot_messages
 
 CATEGORIES = {
     "base", "body", "axis", "link-frame", "joint-frame", "com", "robot-com", "inertia", "torque",

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from kindsl.preview.scene.messages import Message, Messages, delete
+from kindsl.scene.messages import Message, Messages, delete
 
 # "/kindsl/TREE": nothing above a tree is ever deleted.
 _TREE_DEPTH = 3

@@ -5,9 +5,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tests.preview.robots import ARM, skeleton_of
 
-from kindsl.preview.scene.ellipsoids import inertia_ellipsoid
-from kindsl.preview.scene.marks import mass_marks
 from kindsl.rigid.body import NO_BODY, MassDistribution
+from kindsl.scene.ellipsoids import inertia_ellipsoid
+from kindsl.scene.marks import mass_marks
 from kindsl.spatial.inertia import move_inertia
 from kindsl.spatial.transforms import rotation_from_intrinsic_xyz
 

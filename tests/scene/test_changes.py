@@ -4,8 +4,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tests.preview.page import Page
 
-from kindsl.preview.scene.changes import changes
-from kindsl.preview.scene.messages import delete, keyed, path_of
+from kindsl.scene.changes import changes
+from kindsl.scene.messages import delete, keyed, path_of
 
 elements = st.sampled_from(["a", "b", "c/d", "links", "ü"])
 paths = st.lists(elements, min_size=1, max_size=4).map(lambda names: path_of("robot", *names))

@@ -13,8 +13,8 @@ from itertools import chain
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from kindsl.preview.scene.meshes import Mesh, lathe, triad
 from kindsl.rigid.pose import Vector3
+from kindsl.scene.meshes import Mesh, lathe, triad
 
 # A joint's mark and its axis stand out of the bodies, whose radius is 1.
 ARROW_PROFILE = ((0.0, -3.0), (0.2, -3.0), (0.2, 5.0), (0.62, 5.0), (0.0, 7.0))

@@ -10,18 +10,20 @@ from tests.preview.robots import ARM, PARAMETRIC_ARM, skeleton_of
 
 from kindsl.analysis.analysis import analyse
 from kindsl.mechanism.total_mass import Weight
-from kindsl.preview.scene.ellipsoids import inertia_ellipsoid
-from kindsl.preview.scene.findings import (
+from kindsl.preview.findings import (
     MOST_LISTED,
     finding_messages,
     listed,
     lost_message,
     status_message,
 )
-from kindsl.preview.scene.formulas import affine_component, formula_messages
-from kindsl.preview.scene.geometry import Form, Shape
-from kindsl.preview.scene.guesses import NO_GUESSES, Guesses, guesses
-from kindsl.preview.scene.marks import (
+from kindsl.rigid.body import MassDistribution
+from kindsl.rules.base import Severity
+from kindsl.scene.ellipsoids import inertia_ellipsoid
+from kindsl.scene.formulas import affine_component, formula_messages
+from kindsl.scene.geometry import Form, Shape
+from kindsl.scene.guesses import NO_GUESSES, Guesses, guesses
+from kindsl.scene.marks import (
     BAD_INERTIA,
     BASE,
     COM,
@@ -34,13 +36,11 @@ from kindsl.preview.scene.marks import (
     mass_marks,
     robot_com_marks,
 )
-from kindsl.preview.scene.messages import Message, Messages
-from kindsl.preview.scene.parameters import parameter_messages
-from kindsl.preview.scene.picture import Picture, State, picture
-from kindsl.preview.scene.robot import ghost_messages, robot_messages
-from kindsl.preview.scene.size import STEP, Segment, extent
-from kindsl.rigid.body import MassDistribution
-from kindsl.rules.base import Severity
+from kindsl.scene.messages import Message, Messages
+from kindsl.scene.parameters import parameter_messages
+from kindsl.scene.picture import Picture, State, picture
+from kindsl.scene.robot import ghost_messages, robot_messages
+from kindsl.scene.size import STEP, Segment, extent
 from kindsl.semantics.parameters import Binding, JointLimits
 from kindsl.semantics.unknown import Unknown
 

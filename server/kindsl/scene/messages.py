@@ -13,7 +13,7 @@ from functools import lru_cache
 from typing import Any, NamedTuple, TypeAlias
 from urllib.parse import quote
 
-from kindsl.preview.scene.geometry import Shape, lowered
+from kindsl.scene.geometry import Shape, lowered
 
 Message: TypeAlias = Mapping[str, Any]
 

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Mapping
 
-from kindsl.preview.scene.messages import Messages, keyed, path_of
+from kindsl.scene.messages import Messages, keyed, path_of
 from kindsl.semantics.declarations import ValueKind
 from kindsl.semantics.model import Model
 from kindsl.semantics.parameters import Binding, Parameter

@@ -4,9 +4,9 @@ from collections import Counter
 from collections.abc import Sequence
 
 from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.preview.scene.messages import Message, Messages, keyed, path_of
-from kindsl.preview.scene.picture import Picture
 from kindsl.rules.base import Severity
+from kindsl.scene.messages import Message, Messages, keyed, path_of
+from kindsl.scene.picture import Picture
 from kindsl.text.lines import LineIndex
 
 # A page that lists hundreds of findings helps nobody and costs at every keystroke.

@@ -6,7 +6,7 @@ translation or rotation is told as its value with all parameters zero, and a fac
 
 from collections.abc import Iterator, Mapping
 
-from kindsl.preview.scene.messages import Message, path_of
+from kindsl.scene.messages import Message, path_of
 from kindsl.semantics.declarations import Link, Pose, Vector
 from kindsl.semantics.expressions import Expression, ParameterUse, symbols
 from kindsl.semantics.model import Model

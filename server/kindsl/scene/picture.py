@@ -12,7 +12,7 @@ from kindsl.mechanism.errors import ModelError
 from kindsl.mechanism.fragments import LenientReader, skeleton_as_far_as_known
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.mechanism.total_mass import NO_MASS, Weight, total_mass, unknown_bodies
-from kindsl.preview.scene.guesses import NO_GUESSES, Guesses, guesses
+from kindsl.scene.guesses import NO_GUESSES, Guesses, guesses
 from kindsl.semantics.model import Model
 from kindsl.semantics.parameters import values_of
 from kindsl.text.words import counted

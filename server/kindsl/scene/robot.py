@@ -8,9 +8,9 @@ joints' marks under their joint's, and the page places these nodes by forward ki
 from collections.abc import Iterator, Mapping, Sequence
 
 from kindsl.mechanism.skeleton import Skeleton
-from kindsl.preview.scene.ellipsoids import InertiaEllipsoid, inertia_ellipsoid
-from kindsl.preview.scene.guesses import NO_GUESSES, Guesses
-from kindsl.preview.scene.marks import (
+from kindsl.scene.ellipsoids import InertiaEllipsoid, inertia_ellipsoid
+from kindsl.scene.guesses import NO_GUESSES, Guesses
+from kindsl.scene.marks import (
     base_mark,
     body_marks,
     column_major,
@@ -20,8 +20,8 @@ from kindsl.preview.scene.marks import (
     mass_marks,
     robot_com_marks,
 )
-from kindsl.preview.scene.messages import Message, Messages, keyed, path_of
-from kindsl.preview.scene.size import Extent, Segment, extent
+from kindsl.scene.messages import Message, Messages, keyed, path_of
+from kindsl.scene.size import Extent, Segment, extent
 from kindsl.semantics.parameters import JointLimits
 
 NO_LIMITS: Mapping[str, JointLimits] = {}

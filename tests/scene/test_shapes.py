@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 import umsgpack
 
-from kindsl.preview.scene import geometry
-from kindsl.preview.scene.geometry import (
+from kindsl.scene import geometry
+from kindsl.scene.geometry import (
     ARROW_PROFILE,
     FORCE_PROFILE,
     Form,
@@ -20,8 +20,8 @@ from kindsl.preview.scene.geometry import (
     lowered,
     viewer_script,
 )
-from kindsl.preview.scene.meshes import SIDES, Mesh, lathe, triad
-from kindsl.preview.scene.messages import (
+from kindsl.scene.meshes import SIDES, Mesh, lathe, triad
+from kindsl.scene.messages import (
     Key,
     as_json,
     delete,

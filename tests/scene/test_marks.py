@@ -4,8 +4,8 @@ import numpy as np
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from kindsl.preview.scene.marks import body_marks
-from kindsl.preview.scene.size import Segment
+from kindsl.scene.marks import body_marks
+from kindsl.scene.size import Segment
 
 components = st.floats(-3.0, 3.0).map(lambda number: 0.0 if abs(number) < 1e-6 else number)
 
@@ -24,7 +24,7 @@ def test_a_rod_goes_from_the_origin_to_the_end(end):
 
 
 def test_a_joint_of_another_kind_is_another_mark():
-    from kindsl.preview.scene.marks import joint_marks
+    from kindsl.scene.marks import joint_marks
 
     paths = [
         {message["path"] for message in joint_marks("j", kind)}

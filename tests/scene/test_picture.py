@@ -5,7 +5,7 @@ from tests.preview.robots import ARM, BROKEN_ARM, PARAMETRIC_ARM
 
 from kindsl.analysis.analysis import analyse
 from kindsl.mechanism.total_mass import Weight
-from kindsl.preview.scene.picture import State, picture
+from kindsl.scene.picture import State, picture
 
 
 def picture_of(text, given=None, last=None):

@@ -4,11 +4,11 @@ import math
 from collections.abc import Iterator
 from functools import lru_cache
 
-from kindsl.preview.scene.ellipsoids import InertiaEllipsoid
-from kindsl.preview.scene.geometry import Form, Shape
-from kindsl.preview.scene.messages import Message, path_of, set_object, set_transform
-from kindsl.preview.scene.size import Point, Segment
 from kindsl.rigid.pose import RigidPose, Vector3, transposed
+from kindsl.scene.ellipsoids import InertiaEllipsoid
+from kindsl.scene.geometry import Form, Shape
+from kindsl.scene.messages import Message, path_of, set_object, set_transform
+from kindsl.scene.size import Point, Segment
 
 LINK = 0x8EA3BA
 BASE = 0x56667A
