@@ -195,7 +195,8 @@ def test_findings_are_counted_and_have_their_own_places() -> None:
     assert told == Paragraph(f"{n} new, 0 gone, 0 kept") and new == Heading("New", 3)
     line = bad.partition("mass = -2.0")[0].count("\n") + 1
     (place,) = [row[0] for row in table.rows if row[2] == "KD303"]
-    assert place.startswith(f"{line}:")
+    column = bad.splitlines()[line - 1].index("-2.0") + 1
+    assert place == f"{line}:{column}"
     assert section(page(GOOD, GOOD), "Findings") == [Paragraph("0 new, 0 gone, 0 kept")]
     down = page(bad, "\n" + bad)
     assert section(down, "Findings")[0] == Paragraph(f"0 new, 0 gone, {n} kept")

@@ -15,6 +15,7 @@ from kindsl.reports.robot_facts import robot_facts
 from kindsl.reports.robot_health import health_facts, health_text
 from kindsl.reports.robot_text import robot_text
 from kindsl.rules.base import Severity
+from kindsl.semantics.parameters import Binding
 
 
 def document(text: str) -> kindsl.Document:
@@ -195,6 +196,20 @@ def test_info_shows_units_constants_and_names_that_are_missing() -> None:
     assert "1 degree of freedom, " in robot_text(facts)
 
 
+def test_info_draws_the_tree() -> None:
+    both = GOOD.replace("children { upper via shoulder }", "children { upper via a lower via b }")
+    both = both.replace("children { lower via elbow }", "children { last via c }")
+    both = both.replace("r_joint shoulder", "r_joint a").replace("p_joint elbow", "p_joint b")
+    twin = both[both.index("p_joint b") :].replace("p_joint b", "p_joint c")
+    both = both[: both.rindex("}")] + "link last { id = 3 children {} }\n" + twin
+    lines = robot_text(robot_facts(document(both))).splitlines()
+    start = next(i for i, line in enumerate(lines) if line.startswith("link"))
+    assert [line.partition("  ")[0] for line in lines[start + 1 : start + 5]] == [
+        "base", "├─ upper", "│", "└─ lower",
+    ]  # fmt: skip
+    assert lines[start + 3].startswith("│  └─ last")
+
+
 def test_info_shows_constants() -> None:
     facts = robot_facts(document(GOOD))
     facts["constants"] = [{"name": "half", "value": 0.5}, {"name": "x", "value": None}]
@@ -255,6 +270,10 @@ def test_the_card_of_a_floating_robot_has_the_base_s_mass() -> None:
 
 
 def test_the_card_says_what_is_not_known() -> None:
+    bound = Settings(bindings={"length": Binding(0.5, 0.1, 0.9, "kindsl.toml")})
+    assert table(card_page(kindsl.parse(arm(reach="length"), bound)), "Parameters").rows == (
+        ("length", "length", "0.5 m", "0.1", "0.9", "kindsl.toml"),
+    )
     blocks = card_page(document(arm(reach="length")))
     assert Paragraph("1 parameter has no value: drawn at a guess") in blocks
     assert table(blocks, "Parameters") == Table(

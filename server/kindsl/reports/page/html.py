@@ -49,10 +49,7 @@ def _block(block: Block) -> Iterator[str]:
         yield f'<div class="side">{"".join(map(_figure, block.pictures))}</div>'
     elif isinstance(block, Matrix):
         yield f"<p>{escape(block.label)}</p>"
-        cells = (f"<td>{escape(cell)}</td>" for row in block.plain for cell in row)
-        width = len(block.plain[0])
-        listed = list(cells)
-        rows = ("".join(listed[i : i + width]) for i in range(0, len(listed), width))
+        rows = ("".join(f"<td>{escape(cell)}</td>" for cell in row) for row in block.plain)
         yield f'<table class="matrix">{"".join(f"<tr>{row}</tr>" for row in rows)}</table>'
     else:
         yield _table(block)
