@@ -145,7 +145,7 @@ def test_a_mechanism_is_a_line_a_picture_and_a_table() -> None:
     assert floating.startswith("<p>floating base base, 2 joints, 4 kg</p><svg ")
     weightless = GOOD.replace("mass = 1.0 CoM", "mass = 0.0 CoM")
     shown = notebook_html(document(weightless).mechanism())
-    assert "2 joints, 2 kg (&#x27;lower&#x27; without mass)</p>" in shown
+    assert "2 joints, 2 kg (lower without mass)</p>" in shown
 
 
 def test_a_document_is_its_preview_and_what_is_wrong_with_it() -> None:
