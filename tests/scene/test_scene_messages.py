@@ -234,6 +234,12 @@ class TestMarks:
         point = ellipsoid(1.0, 0.0, 0.0, 0.0)
         assert point.semi_axes is None and point.is_consistent
 
+    def test_a_tensor_has_the_products_negated_and_is_symmetric(self) -> None:
+        body = MassDistribution(1.0, (0.0, 0.0, 0.0), (1.0, 2.0, 2.5, 0.1, 0.2, 0.3))
+        assert inertia_ellipsoid(body).about_com == pytest.approx(
+            (1.0, -0.1, -0.2, -0.1, 2.0, -0.3, -0.2, -0.3, 2.5)
+        )
+
     def test_a_joint_stands_in_its_frame(self) -> None:
         place = "/kindsl/robot/joints/j"
         for kind, forms in (
