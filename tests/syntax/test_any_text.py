@@ -1,5 +1,6 @@
 """Any text whatever is read, losslessly, and any row of edits gives what reading anew gives."""
 
+import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from tests.support.models import LAYOUTS, Style, random_model
@@ -73,3 +74,10 @@ def test_edits_give_what_reading_anew_gives(text: str, edits: list[tuple[float, 
 def test_edits_made_at_once(text: str, places: list[int]) -> None:
     edits = [TextEdit(place, place, "\n/* x */") for place in places if place <= len(text)]
     assert_same(parse(text).edited(edits), parse(apply_edits(text, edits)))
+
+
+@pytest.mark.parametrize("first", ["0x1", "0x1f", "-0X1_F", "0x", "0x_", "1'000", "0x1e+3"])
+@pytest.mark.parametrize("second", ["", "0.0", "1", "0x2", "1'000"])
+def test_numbers_of_other_languages_beside_each_other(first: str, second: str) -> None:
+    text = f"r_joint j {{ ref_frame {{ translation = ({first}, {second}, 0.0) rotation = (0"
+    assert parse(text).text == text

@@ -3,6 +3,7 @@
 import re
 
 _LONGEST_HEXADECIMAL = 15
+_HEXADECIMAL = re.compile(r"[-+]?0[xX](?:_?[0-9a-fA-F])+")
 _DIGITS = re.compile(r"[^0-9]+")
 _GROUPED = re.compile(
     r"(?P<whole>[-+]?[0-9]{1,3}(?P<mark>[\s'٬,.])[0-9]{3}(?:(?P=mark)[0-9]{3})*)"
@@ -19,7 +20,7 @@ def is_grouped(text: str) -> bool:
 
 def meant_numbers(text: str) -> tuple[str, ...]:
     """Return the numbers that a malformed one may be meant to be, none where nobody knows."""
-    if text.lower().lstrip("+-").startswith("0x"):
+    if _HEXADECIMAL.fullmatch(text):
         is_short = len(text) <= _LONGEST_HEXADECIMAL
         return (f"{float(int(text, 16)):.1f}",) if is_short else ()
     text = _without_unseen(text).replace("_", "")
