@@ -85,6 +85,21 @@ def test_every_run_of_undecodable_bytes_is_found(folder: Path) -> None:
     ]
 
 
+@pytest.mark.parametrize(
+    ("written", "spoilt"),
+    [
+        ("Iy = 0.0019", "Iy = \x800.0019"),
+        ("Iy = 0.0019", "Iy = 0.0\x8019"),
+        ("(0.0, 0.0, 0.5) rot", "(0.0, 0.0, 0.5\x80) rot"),
+    ],
+)
+def test_a_byte_at_a_number_is_told_once(folder: Path, written: str, spoilt: str) -> None:
+    (folder / "latin.kindsl").write_bytes(GOOD.replace(written, spoilt, 1).encode("latin-1"))
+    (found,) = kindsl.load(folder / "latin.kindsl").findings
+    assert (found.code, found.fix) == ("KD004", None)
+    assert found.message == "undecodable byte 0x80, a document is UTF-8"
+
+
 def test_a_document_that_did_not_decode_is_never_written(kdsl_lint: Runner, folder: Path) -> None:
     content = INTEGER.replace("Robot arm {", "Robot arm { // Länge").encode("latin-1")
     (folder / "latin.kindsl").write_bytes(content)

@@ -1,6 +1,5 @@
 """What the parser found, as findings of the syntax rules."""
 
-import re
 from collections.abc import Iterator
 
 from kindsl.rules.base import Change, Finding, Fix, Rule, Severity
@@ -8,9 +7,8 @@ from kindsl.rules.context import ROBCOGEN, ROBCOGEN2
 from kindsl.rules.registry import all_rules
 from kindsl.semantics.places import Place
 from kindsl.syntax.document import SyntaxDocument
+from kindsl.syntax.malformed import UNDECODABLE
 from kindsl.syntax.tree import Island, Problem, Repair
-
-_UNDECODED = re.compile("[\udc80-\udcff]+")
 
 
 def syntax_findings(
@@ -30,7 +28,7 @@ def syntax_findings(
 
 def _is_foreign_comment(island: Island, problem: Problem) -> bool:
     """Return whether bytes of another encoding stand in a comment, which RobCoGen reads over."""
-    if not _UNDECODED.fullmatch(island.text, problem.start, problem.end):
+    if not UNDECODABLE.fullmatch(island.text, problem.start, problem.end):
         return False
     return any(start <= problem.start < end for start, end in island.comments)
 

@@ -5,6 +5,7 @@ from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 
 from kindsl.syntax.lookalikes import is_ignorable
+from kindsl.syntax.malformed import UNDECODABLE
 from kindsl.syntax.misprints import misprints, named
 from kindsl.syntax.scanner import BAD, COMMENT
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
@@ -14,8 +15,6 @@ from kindsl.syntax.words import shown
 _MOST_PROBLEMS = 20
 _GAP = re.compile(rf"{COMMENT.pattern}|(?P<blanks>[^\S \t\r\n](?:[ \t]*[^\S \t\r\n])*)")
 OPEN_COMMENT = "KD003"
-# What reading a file makes of bytes that are no UTF-8, and how many of them are told.
-_BYTES = re.compile("[\udc80-\udcff]+")
 _MOST_BYTES = 8
 
 
@@ -43,6 +42,8 @@ def without_invalid(
     told += [p for p in misprints(text, good, invalid) if p.start not in starts]
     told.sort(key=lambda problem: problem.start)
     strays = [_problem(text, *span) for span in _strays(text, tokens) if not _is_in(told, *span)]
+    numbers = [(t.start, t.end) for t in good if t.kind == "MALFORMED_NUMBER"]
+    strays = sorted([*strays, *_undecodable(text, numbers)], key=lambda problem: problem.start)
     return good, invalid, (*told, *_summary(strays))
 
 
@@ -65,7 +66,7 @@ def _open_comment(comment: str, start: int) -> Problem:
 
 def _undecodable(text: str, spans: Sequence[tuple[int, int]]) -> Iterator[Problem]:
     for start, end in spans:
-        for run in _BYTES.finditer(text, start, end):
+        for run in UNDECODABLE.finditer(text, start, end):
             yield Problem("KD004", _bytes_message(run[0]), *run.span())
 
 
@@ -96,7 +97,7 @@ def _is_in(told: Sequence[Problem], start: int, end: int) -> bool:
 
 def _problem(text: str, start: int, end: int) -> Problem:
     written = text[start:end]
-    run = _BYTES.match(written)
+    run = UNDECODABLE.match(written)
     message = _bytes_message(run[0]) if run else f"invalid character {named(written[0])}"
     is_blank = written[0].isspace()
     title = "Replace with a blank" if is_blank else "Remove the invalid character"

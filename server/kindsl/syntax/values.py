@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from kindsl.syntax.forms import accepted_by, form_kind, kinds_accepted_by
-from kindsl.syntax.malformed import meant_numbers
+from kindsl.syntax.malformed import UNDECODABLE, meant_numbers
 from kindsl.syntax.tree import Edit, Node, Problem, Repair, Token
 from kindsl.syntax.words import shown
 from kindsl.text.decimals import exact_decimal, significant_decimal
@@ -48,7 +48,9 @@ def _expression_problems(text: str, parent: Node, place: int) -> Iterator[Proble
         return
     tokens = list(node.tokens())
     _flatten_long_expressions(parent)
-    if any(token.is_missing for token in tokens) or accepted_by(tokens):
+    if any(token.is_missing or UNDECODABLE.search(token.text) for token in tokens):
+        return  # which is told already
+    if accepted_by(tokens):
         return
     yield (_malformed(tokens) or _integer(tokens) or _unsupported(text, node, tokens))
 
