@@ -149,7 +149,7 @@ class Analysis:
 
     def _found(self, run: CheckRun) -> list[tuple[Rule, Finding]]:
         rules = [rule for rule in all_rules() if is_enabled(rule, self.settings)]
-        found = [*syntax_findings(self.syntax, self.settings.targets)]
+        found = [*syntax_findings(self.syntax, self.model, self.settings.targets)]
         of_meaning = run.document_findings(rules, self.model, self.context)
         of_meaning += run.island_findings(rules, self.model, self.context)
         return [*found, *(entry for entry in of_meaning if not is_explained(entry[1]))]

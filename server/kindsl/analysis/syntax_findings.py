@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from kindsl.rules.base import Change, Finding, Fix, Rule, Severity
 from kindsl.rules.context import ROBCOGEN, ROBCOGEN2
 from kindsl.rules.registry import all_rules
+from kindsl.semantics.model import Model
 from kindsl.semantics.places import Place
 from kindsl.syntax.document import SyntaxDocument
 from kindsl.syntax.malformed import UNDECODABLE
@@ -12,18 +13,31 @@ from kindsl.syntax.tree import Island, Problem, Repair
 
 
 def syntax_findings(
-    document: SyntaxDocument, targets: frozenset[str]
+    document: SyntaxDocument, model: Model, targets: frozenset[str]
 ) -> Iterator[tuple[Rule, Finding]]:
-    """Yield the problems of the islands and of the document as a whole."""
+    """Yield the problems of the islands and of the document as a whole.
+
+    What robcogen2 reads all the same is no error, unless the document is for robcogen too.
+    """
     rules = {rule.code: rule for rule in all_rules()}
-    for island, problem in all_problems(document):
+    problems = list(all_problems(document))
+    is_read = bool(problems) and targets <= {ROBCOGEN2} and _is_read_by_robcogen2(model)
+    for island, problem in problems:
         finding = _finding(island, problem)
-        is_read = (targets == {ROBCOGEN} and _is_foreign_comment(island, problem)) or (
+        if (targets == {ROBCOGEN} and _is_foreign_comment(island, problem)) or (
             targets == {ROBCOGEN2} and _is_foreign_number(island, problem)
-        )
-        if is_read:
+        ):
             finding = finding._replace(severity=Severity.HINT)
+        elif is_read:
+            finding = finding._replace(severity=Severity.WARNING)
         yield rules[problem.code], finding
+
+
+def _is_read_by_robcogen2(model: Model) -> bool:
+    # Imported for broken documents only, since it delays the linter's start.
+    from kindsl.rules.robcogen2_loading import is_read_by_robcogen2
+
+    return is_read_by_robcogen2(model)
 
 
 def _is_foreign_comment(island: Island, problem: Problem) -> bool:

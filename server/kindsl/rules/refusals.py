@@ -1,6 +1,5 @@
-"""Defects of meaning at which a generator stops while it loads a document, telling no place."""
+"""What a generator refuses: constructs, and defects of meaning at which it stops while it loads."""
 
-from collections import Counter
 from collections.abc import Iterator
 
 from kindsl.rules.base import Change, Finding, Fix, Severity
@@ -9,8 +8,8 @@ from kindsl.semantics.model import Model
 from kindsl.semantics.places import Place
 from kindsl.syntax.portability import PortabilityNote, portability
 from kindsl.syntax.tree import Island
-from kindsl.text.words import counted
 
+# The rules that tell best why a generator stops.
 _STOPPING = {
     ROBCOGEN: ("KD206",),
     ROBCOGEN2: (
@@ -20,61 +19,68 @@ _STOPPING = {
 }  # fmt: skip
 
 
-def load_refusal(target: str, model: Model, context: Context) -> Iterator[Finding]:
-    """Yield the first defect at which a named target stops; it tells no more than one either."""
-    if target not in context.targets:
-        return
-    for finding in (*_defects(_STOPPING[target], model, context), *_ambiguous(target, model)):
-        message = f"not supported by {target}: {finding.message}"
-        yield Finding(finding.at, message, severity=Severity.ERROR)
-        return
+def refused_by(target: str, model: Model, context: Context) -> Iterator[Finding]:
+    """Yield what a generator refuses: errors if the document is for it, else hints.
+
+    Of what it refuses while it loads the document it tells no more than one, and neither do these.
+    """
+    found = list(_constructs(target, model))
+    yield from (_as_told(finding, target, context) for finding in found)
+    if target in context.targets:
+        stop = _stop(target, model, context, not found)
+        if stop is not None:
+            message = f"not supported by {target}: {stop.message}"
+            yield Finding(stop.at, message, severity=Severity.ERROR)
 
 
-def _ambiguous(target: str, model: Model) -> Iterator[Finding]:
-    """Yield inertias in a frame whose name several links declare: robcogen2 looks among all."""
-    if target != ROBCOGEN2:
-        return
-    owners = Counter({(str(frame.name), str(frame.link)) for frame in model.frames})
-    links = Counter(name for name, _ in owners)
-    for body in model.bodies:
-        name = body.inertia.frame if body.inertia is not None else None
-        if name and links[str(name)] > 1:
-            yield Finding(name, f"{counted(links[str(name)], 'link')} declare a frame '{name}'")
+def _as_told(finding: Finding, target: str, context: Context) -> Finding:
+    severity = Severity.ERROR if target in context.targets else Severity.HINT
+    return finding._replace(severity=severity)
 
 
-def _defects(codes: tuple[str, ...], model: Model, context: Context) -> Iterator[Finding]:
+def _stop(target: str, model: Model, context: Context, is_silent: bool) -> Finding | None:
+    """Return the first defect at which a generator stops after all that was told of constructs.
+
+    Args:
+        target: The generator.
+        model: The document's.
+        context: The surroundings.
+        is_silent: Whether nothing was told.
+    """
+    if not any(island.text.strip() for island in model.islands):
+        return Finding(Place(model.islands[0], 0, 0), "the document is empty")
+    if target == ROBCOGEN:
+        return next(_defects(target, model, context), None)
+    from kindsl.rules.robcogen2_loading import loading_defect
+    from kindsl.syntax.strict_robcogen2 import stop_of_robcogen2
+
+    stop = stop_of_robcogen2(model.islands)
+    if stop is None:
+        defect = loading_defect(model)
+        return defect and next(_defects(target, model, context), defect)
+    if not is_silent or model.broken_islands:
+        return None
+    return Finding(Place(stop.island, stop.offset, stop.offset), "it stops reading here")
+
+
+def _defects(target: str, model: Model, context: Context) -> Iterator[Finding]:
     from kindsl.rules.registry import all_rules
 
     for rule in all_rules():
-        if rule.code in codes and rule.check_document and not _is_harmless(rule.code, model):
+        if rule.code in _STOPPING[target] and rule.check_document:
             yield from rule.check_document(model, context)
 
 
-def _is_harmless(code: str, model: Model) -> bool:
-    """Return whether robcogen2 takes what the rule finds: it loads a link that is its own child,
-    and the same child listed twice.
-    """
-    if code == "KD201":
-        return all(len(loop) == 1 for loop in model.tree.loops)
-    if code == "KD207":
-        return all(
-            len({edge.child.joint for edge in edges}) == 1 for edges in model.tree.above.values()
-        )
-    return False
-
-
-def refused_by(target: str, model: Model, context: Context) -> Iterator[Finding]:
-    """Yield what a generator refuses: errors if the document is for it, else hints."""
-    severity = Severity.ERROR if target in context.targets else Severity.HINT
+def _constructs(target: str, model: Model) -> Iterator[Finding]:
     for island in model.islands:
         for note in portability(island):
             if note.target == target:
-                yield _finding(island, note, severity)
+                yield _finding(island, note)
 
 
-def _finding(island: Island, note: PortabilityNote, severity: Severity) -> Finding:
+def _finding(island: Island, note: PortabilityNote) -> Finding:
     fix = None
     if note.repair is not None:
         changes = tuple(Change(Place(island, e.start, e.end), e.text) for e in note.repair.edits)
         fix = Fix(note.repair.title, changes, note.repair.is_safe)
-    return Finding(Place(island, note.start, note.end), note.message, fix=fix, severity=severity)
+    return Finding(Place(island, note.start, note.end), note.message, fix=fix)

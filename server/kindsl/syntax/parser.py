@@ -22,6 +22,10 @@ def parse_island(text: str) -> Island:
     if nodes is None or _TYPESET.search(text):
         from kindsl.syntax.mending import mended
 
+        if nodes is None and not _TYPESET.search(text):
+            island = island_of_robcogen2(text)
+            if island is not None and all(map(_has_plain_digits, island.tokens)):
+                return island
         return mended(text, tokens, spans, about_comments)
     problems = [*meaning_problems(text, nodes, frozenset()), *about_comments]
     island = Island(text, tuple(nodes), tuple(tokens), (), spans, tuple(problems))
@@ -32,6 +36,19 @@ def parse_island(text: str) -> Island:
         other = mended(text, scan(text), spans, about_comments)
         return other if len(other.problems) < len(problems) else island
     return island
+
+
+def island_of_robcogen2(text: str) -> Island | None:
+    """Return the island that robcogen2 reads in a text, None where it does not read all of it."""
+    from kindsl.syntax.strict_robcogen2 import strict_reading
+
+    reading = strict_reading(text)
+    nodes = _straight(list(reading.tokens)) if reading.failure is None else None
+    if nodes is None:
+        return None
+    spans = comments(text)
+    problems = (*meaning_problems(text, nodes, frozenset()), *comment_problems(text, spans))
+    return Island(text, tuple(nodes), reading.tokens, (), spans, problems)
 
 
 def _straight(tokens: list[Token]) -> list[Node] | None:
@@ -47,3 +64,7 @@ def _straight(tokens: list[Token]) -> list[Node] | None:
             return None
         nodes.append(node)
     return nodes
+
+
+def _has_plain_digits(token: Token) -> bool:
+    return token.text.isascii() or token.kind == "NAME"

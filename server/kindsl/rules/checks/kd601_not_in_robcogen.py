@@ -23,14 +23,13 @@ from collections.abc import Iterator
 from kindsl.rules.base import Example, Finding, Rule, Severity
 from kindsl.rules.context import ROBCOGEN, Context
 from kindsl.rules.examples import STEEL_BALL, joint, link, robot
-from kindsl.rules.refusals import load_refusal, refused_by
+from kindsl.rules.refusals import refused_by
 from kindsl.semantics.model import Model
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each construct that RobCoGen refuses."""
     yield from refused_by(ROBCOGEN, model, context)
-    yield from load_refusal(ROBCOGEN, model, context)
 
 
 def _arm(height: str, fixed: str | None = None) -> Example:

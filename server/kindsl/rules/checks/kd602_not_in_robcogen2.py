@@ -24,14 +24,13 @@ from collections.abc import Iterator
 from kindsl.rules.base import Example, Finding, Rule, Severity
 from kindsl.rules.context import ROBCOGEN2, Context
 from kindsl.rules.examples import joint
-from kindsl.rules.refusals import load_refusal, refused_by
+from kindsl.rules.refusals import refused_by
 from kindsl.semantics.model import Model
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each construct that RobCoGen2 refuses."""
     yield from refused_by(ROBCOGEN2, model, context)
-    yield from load_refusal(ROBCOGEN2, model, context)
 
 
 def _joint(height: str, comment: str = "") -> Example:

@@ -1,0 +1,274 @@
+"""Text as robcogen2 reads it, character by character: nothing is supplied, nothing skipped.
+
+robcogen2 has no tokens. Its grammar (textX, robot-model-tools 0.3.0) takes at each place what may
+stand there, the first alternative that fits: so a keyword is a name where a name stands, a word may
+begin right behind a keyword or a number, and digits are those of any alphabet.
+"""
+
+import re
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+from kindsl.syntax.tables import PATTERNS
+from kindsl.syntax.tree import Island, Token
+
+_TRIVIA = re.compile(r"(?:[ \t\r\n]++|//[^\r\n]*+)*+")
+_NAME = re.compile(r"[^\d\W]\w*")
+_PI = re.compile(r"[Pp|][Ii|]")
+_INT = re.compile(r"[-+]?[0-9]+")
+_STRICT_FLOAT = re.compile(
+    r"[+-]?(?:(?:\d+\.\d*|\.\d+)(?:[eE][+-]?\d+)?|\d+[eE][+-]?\d+)(?<=[\w.])(?![\w.])"
+)
+_IN_ORDER = re.compile("hbl+j+e")
+_MOMENTS = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")
+_KINDS = {
+    "floating": "FLOATING",
+    "r_joint": "JOINT_KIND",
+    "p_joint": "JOINT_KIND",
+    "inertia_params": "INERTIA",
+    "inertia_properties": "INERTIA",
+    **dict.fromkeys(_MOMENTS, "MOMENT"),
+}
+_NUMBER_KINDS = [
+    (kind, re.compile(pattern))
+    for kind, pattern in PATTERNS
+    if kind in ("POWER_FLOAT", "SCIENTIFIC", "FLOAT")
+]
+
+
+class StrictReading(NamedTuple):
+    """What robcogen2 makes of a piece of text.
+
+    Attributes:
+        blocks: A letter for each block that it reads: `h`, `b`, `l`, `j`, `e`.
+        tokens: What it reads, of the kinds that the grammar's tables have.
+        failure: Where it stops, code points from the start; None where it reads all.
+    """
+
+    blocks: str
+    tokens: tuple[Token, ...]
+    failure: int | None
+
+
+def strict_reading(text: str) -> StrictReading:
+    """Return how far robcogen2 reads a row of blocks, in whatever order they stand."""
+    reader = _Reader(text)
+    blocks = ""
+    for _ in iter(reader.is_at_end, True):
+        letter = next((letter for letter, block in _BLOCKS if block(reader)), None)
+        if letter is None:
+            break
+        blocks += letter
+    failure = None if reader.is_at_end() else reader.furthest
+    return StrictReading(blocks, tuple(reader.tokens), failure)
+
+
+class _Reader:
+    """A place in a text, and what was read up to there.
+
+    Every method that reads returns whether it could, and reads nothing if not.
+    """
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.place = 0
+        self.furthest = 0
+        self.tokens: list[Token] = []
+
+    def is_at_end(self) -> bool:
+        return self._next() == len(self.text)
+
+    def words(self, *words: str) -> bool:
+        """Read keywords, signs, and whatever stands for `NAME`, `NUMBER`, `VECTOR`, ..."""
+        state = self.place, len(self.tokens)
+        for word in words:
+            part = _PARTS.get(word)
+            if not (part(self) if part is not None else self._word(word)):
+                self.place = state[0]
+                del self.tokens[state[1] :]
+                return False
+        return True
+
+    def any_of(self, *sequences: str) -> bool:
+        return any(self.words(*sequence.split()) for sequence in sequences)
+
+    def perhaps(self, sequence: str) -> bool:
+        """Read a sequence, or nothing."""
+        return self.words(*sequence.split()) or True
+
+    def _next(self) -> int:
+        match = _TRIVIA.match(self.text, self.place)
+        return match.end() if match is not None else self.place
+
+    def _word(self, word: str) -> bool:
+        start = self._next()
+        if not self.text.startswith(word, start):
+            self.furthest = max(self.furthest, start)
+            return False
+        return self._take(_KINDS.get(word, word), start, start + len(word))
+
+    def matching(self, kind: str, pattern: re.Pattern[str]) -> bool:
+        start = self._next()
+        match = pattern.match(self.text, start)
+        if match is None:
+            self.furthest = max(self.furthest, start)
+            return False
+        return self._take(kind or _number_kind(match[0]), start, match.end())
+
+    def name(self) -> bool:
+        return self.matching("NAME", _NAME)
+
+    def number(self) -> bool:
+        return self.matching("", _STRICT_FLOAT) or self.matching("INT", _INT)
+
+    def pi(self) -> bool:
+        start = self._next()
+        if not self.matching("PI", _PI):
+            return False
+        word = self.text[start : self.place]
+        if word != "PI":
+            self.tokens[-1].kind = "LOWER_PI" if word.isalpha() else "PIPE_PI"
+        return True
+
+    def parameter(self) -> bool:
+        if _PI.match(self.text, self._next()) or not self.name():
+            return False
+        return self.perhaps("[ NUMBER ]")
+
+    def value(self) -> bool:
+        return self.parameter() or self.any_of("NUMBER", "PI", "< NAME = NUMBER >", "< NAME >")
+
+    def expression(self) -> bool:
+        return self.any_of(
+            "NUMBER * VALUE", "- VALUE / NUMBER", "VALUE / NUMBER", "- VALUE", "VALUE"
+        )
+
+    def moments(self) -> bool:
+        left = list(_MOMENTS)
+        while left:
+            found = next((name for name in left if self.words(name, "=", "EXPRESSION")), None)
+            if found is None:
+                return False
+            left.remove(found)
+        return True
+
+    def inertia(self) -> bool:
+        """Read an inertia section, or nothing where there is none."""
+        return self.perhaps("INERTIA_KEYWORD { mass = EXPRESSION CoM = VECTOR MOMENTS INNER }")
+
+    def children(self) -> bool:
+        if not self.words("children", "{"):
+            return False
+        while self.words("NAME", "via", "NAME"):
+            pass
+        return self.words("}")
+
+    def frames(self) -> bool:
+        """Read the frames, or nothing where there are none."""
+        if self.words("frames", "GROUP"):
+            while self.group():
+                pass
+        return True
+
+    def group(self) -> bool:
+        if not self.words("{", "FRAME"):
+            return False
+        while self.words("FRAME"):
+            pass
+        return self.words("}")
+
+    def _take(self, kind: str, start: int, end: int) -> bool:
+        done = self.tokens[-1].end if self.tokens else 0
+        self.tokens.append(Token(kind, self.text[start:end], done, start, end))
+        self.place = end
+        self.furthest = max(self.furthest, end)
+        return True
+
+
+def _number_kind(text: str) -> str:
+    plain = "".join(str(int(c)) if c.isdigit() else c for c in text)
+    return next(kind for kind, pattern in _NUMBER_KINDS if pattern.fullmatch(plain))
+
+
+_VECTOR = "( EXPRESSION , EXPRESSION , EXPRESSION )"
+_POSE = "translation = VECTOR rotation = VECTOR"
+_PARTS: dict[str, Callable[[_Reader], bool]] = {
+    "NAME": _Reader.name,
+    "NUMBER": _Reader.number,
+    "PI": _Reader.pi,
+    "VALUE": _Reader.value,
+    "EXPRESSION": _Reader.expression,
+    "VECTOR": lambda reader: reader.any_of(_VECTOR),
+    "POSE": lambda reader: reader.any_of(_POSE),
+    "FRAME": lambda reader: reader.any_of("NAME { POSE }"),
+    "GROUP": _Reader.group,
+    "INERTIA": _Reader.inertia,
+    "MOMENTS": _Reader.moments,
+    "CHILDREN": _Reader.children,
+    "FRAMES": _Reader.frames,
+    "INT": lambda reader: reader.matching("INT", _INT),
+    "ID": lambda reader: reader.perhaps("id = INT"),
+    "INNER": lambda reader: reader.perhaps("ref_frame = NAME"),
+    "INERTIA_KEYWORD": lambda reader: reader.any_of("inertia_params", "inertia_properties"),
+    "JOINT_KEYWORD": lambda reader: reader.any_of("r_joint", "p_joint"),
+}
+_BODY = "INERTIA CHILDREN FRAMES }"
+_BLOCKS = (
+    ("b", lambda r: r.any_of(f"RobotBase NAME {{ {_BODY}", f"RobotBase NAME floating {{ {_BODY}")),
+    ("h", lambda r: r.any_of("Robot NAME {")),
+    ("l", lambda r: r.any_of(f"link NAME {{ id = INT {_BODY}")),
+    ("j", lambda r: r.any_of("JOINT_KEYWORD NAME { ID ref_frame { POSE } }")),
+    ("e", lambda r: r.any_of("}")),
+)
+
+
+_UNDECODED = re.compile("[\ud800-\udfff]")
+_KEY = "as robcogen2 reads it"
+
+
+class Stop(NamedTuple):
+    """Where robcogen2 stops: a place in an island, code points from the island's start."""
+
+    island: Island
+    offset: int
+
+
+def stop_of_robcogen2(islands: Sequence[Island]) -> Stop | None:
+    """Return where robcogen2 stops reading a document, None where it reads all of it.
+
+    Args:
+        islands: The document's, in order.
+    """
+    blocks = ""
+    for island in islands:
+        reading = _kept_reading(island)
+        blocks += reading.blocks
+        if reading.failure is not None:
+            return _stop_in(islands)
+    return None if _IN_ORDER.fullmatch(blocks) else Stop(islands[-1], len(islands[-1].text))
+
+
+def _stop_in(islands: Sequence[Island]) -> Stop | None:
+    """Read the document as one, since it may be cut into islands where robcogen2 cuts none."""
+    whole = _reading("".join(island.text for island in islands))
+    if whole.failure is None and _IN_ORDER.fullmatch(whole.blocks):
+        return None
+    offset = whole.failure or 0
+    for island in islands[:-1]:
+        if offset < len(island.text):
+            return Stop(island, offset)
+        offset -= len(island.text)
+    return Stop(islands[-1], offset)
+
+
+def _kept_reading(island: Island) -> StrictReading:
+    known = island.facts.get(_KEY)
+    if not isinstance(known, StrictReading):
+        known = island.facts[_KEY] = _reading(island.text)._replace(tokens=())
+    return known
+
+
+def _reading(text: str) -> StrictReading:
+    undecoded = None if text.isascii() else _UNDECODED.search(text)
+    reading = strict_reading(text)
+    return reading if undecoded is None else reading._replace(failure=undecoded.start())
