@@ -55,10 +55,12 @@ def _stop(target: str, model: Model, context: Context, is_silent: bool) -> Findi
     from kindsl.syntax.strict_robcogen2 import stop_of_robcogen2
 
     stop = stop_of_robcogen2(model.islands)
+    if model.broken_islands:
+        return None
     if stop is None:
         defect = loading_defect(model)
         return defect and next(_defects(target, model, context), defect)
-    if not is_silent or model.broken_islands:
+    if not is_silent:
         return None
     return Finding(Place(stop.island, stop.offset, stop.offset), "it stops reading here")
 

@@ -5,6 +5,7 @@ from math import pi
 from typing import NamedTuple, cast
 
 from kindsl.semantics.places import Construct, Name
+from kindsl.syntax.forms import is_signed_product
 from kindsl.syntax.tree import Island, Node, Token
 
 _MOST_DECIMALS = 300
@@ -151,7 +152,7 @@ def _binary(node: Node, bindings: Mapping[str, float]) -> float | None:
         return left / right if right else None
     if node.kind == "add":
         return left + right
-    return left - right
+    return -left * right if is_signed_product(node) else left - right
 
 
 def _operand(node: Node, bindings: Mapping[str, float]) -> float | None:
@@ -167,6 +168,8 @@ def _rounding(node: Node, bindings: Mapping[str, float]) -> float:
         token = node.children[0]
         return half_unit(token.text) if isinstance(token, Token) and number_of(token) else 0.0
     parts = [child for child in node.children if isinstance(child, Node)]
+    if is_signed_product(node):
+        return abs(_value(parts[1], bindings) or 0.0) * _rounding(parts[0], bindings)
     if node.kind in ("add", "subtract", "group", "plus", "negate"):
         return sum(_rounding(part, bindings) for part in parts)
     if node.kind in ("multiply", "divide"):

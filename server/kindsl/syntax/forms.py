@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from kindsl.syntax.automaton import ROWS, TARGETS
 from kindsl.syntax.scanner import word_kind
 from kindsl.syntax.tables import NEITHER, ONLY, RULES, STARTS
-from kindsl.syntax.tree import Token
+from kindsl.syntax.tree import Node, Token
 
 TARGETS_OF_ALL = frozenset({"robcogen", "robcogen2"})
 
@@ -44,6 +44,16 @@ def form_kind(token: Token) -> str:
     if kind in ("NAME", "PI_PREFIXED", "UNICODE_NAME", "LOWER_PI"):
         return kind
     return "KEYWORD_NAME"
+
+
+def is_signed_product(node: Node) -> bool:
+    """Return whether an expression is `2.0 - PI`, which robcogen takes for 2.0 times -PI."""
+    if node.kind != "subtract":
+        return False
+    left, _, right = node.children
+    if not (isinstance(left, Node) and isinstance(right, Node) and left.kind == "number"):
+        return False
+    return left.children[0].kind == "FLOAT" and right.kind in ("pi", "parameter")
 
 
 def _run(kinds: tuple[str, ...]) -> frozenset[str]:

@@ -2,7 +2,7 @@
 
 from decimal import Decimal, InvalidOperation
 
-from kindsl.syntax.forms import TARGETS_OF_ALL, form_kind, kinds_accepted_by
+from kindsl.syntax.forms import TARGETS_OF_ALL, form_kind, is_signed_product, kinds_accepted_by
 from kindsl.syntax.scanner import scan
 from kindsl.syntax.tree import Node, Token
 
@@ -30,6 +30,9 @@ def _form(node: Node) -> str | None:
         return _text(node)
     if node.kind == "divide":
         return _quotient(node)
+    if is_signed_product(node):
+        product = _product(node)
+        return None if product is None else product[1:] if product[0] == "-" else f"-{product}"
     if node.kind in ("multiply", "juxtaposed_pi", "juxtaposed_parameter"):
         return _product(node)
     return None

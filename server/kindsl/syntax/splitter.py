@@ -62,6 +62,8 @@ def _begins_block(
     ahead = _ahead(text, match.end(), last_close)
     if match[2]:
         return before in "{}" and _is_glued_block(match[1], ahead)
+    if ahead[0] == "floating" and text[: match.start()].rstrip().endswith("RobotBase"):
+        return False
     is_first = before in "{}" or _is_first_on_line(text, match.start())
     if match[1] == "Robot":
         return ahead[1] == "{" and (is_first or ahead[2] in BLOCK_KEYWORDS)
