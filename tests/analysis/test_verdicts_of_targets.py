@@ -29,7 +29,7 @@ def errors(text: str, target: str) -> list[str]:
 def test_robcogen2_refuses_a_reference_to_a_frame_that_two_links_declare() -> None:
     assert errors(ARM % "", "robcogen2") == []
     (told,) = errors(ARM % "ref_frame = tip", "robcogen2")
-    assert "2 links declare a frame 'tip'" in told
+    assert "2 frames have the name 'tip'" in told
     assert errors(ARM % "ref_frame = tip", "robcogen") == []
 
 

@@ -57,7 +57,7 @@ def test_robcogen2_looks_for_a_frame_among_those_of_all_links(
     arm, hand = (text.rstrip().removesuffix("}") for text in (arm, hand))
     links = f"{arm}{FRAMES} }}\n", f"{hand}{FRAMES if n_frames == 2 else ''} }}\n"
     text = robot(*links, base=TWO, joints="elbow wrist")
-    expected = ["not supported by robcogen2: 2 links declare a frame 'tool'"] * refused
+    expected = ["not supported by robcogen2: 2 frames have the name 'tool'"] * refused
     assert refusals("robcogen2", text, "robcogen2") == expected
     assert refusals("robcogen", text, "robcogen", "robcogen2") == []
 

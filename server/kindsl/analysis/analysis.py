@@ -22,6 +22,7 @@ from kindsl.rules.registry import all_rules
 from kindsl.rules.suppression import Directive, covered_by, directives, suppressions
 from kindsl.semantics.model import Model
 from kindsl.syntax.document import SyntaxDocument, parse, paused_collector
+from kindsl.syntax.readings import as_read_for
 from kindsl.text.display import html_of
 from kindsl.text.edits import TextEdit
 from kindsl.text.words import counted
@@ -37,12 +38,13 @@ class Analysis:
     """An immutable document; everything else about it is computed when asked for, once.
 
     Attributes:
-        syntax: Its text and syntax.
+        syntax: Its text and syntax, as its targets read it.
         settings: What the user decided.
     """
 
     def __init__(self, syntax: SyntaxDocument, settings: Settings = _NO_SETTINGS) -> None:
-        self.syntax = syntax
+        self._written = syntax
+        self.syntax = as_read_for(syntax, settings.targets)
         self.settings = settings
         self._findings: Findings | None = None
         self._faults: tuple[Fault, ...] = ()
@@ -93,11 +95,11 @@ class Analysis:
 
     def edited(self, edits: Sequence[TextEdit]) -> Analysis:
         """Return the analysis of the edited text; what no edit touches is not computed again."""
-        return Analysis(self.syntax.edited(edits), self.settings)
+        return Analysis(self._written.edited(edits), self.settings)
 
     def with_settings(self, settings: Settings) -> Analysis:
         """Return the analysis of the same text under other decisions."""
-        return Analysis(self.syntax, settings)
+        return Analysis(self._written, settings)
 
     def mechanism(self, parameters: Mapping[str, float] | None = None) -> Mechanism:
         """Return the numbered bodies for mechanics; needs NumPy.

@@ -29,6 +29,17 @@ class UnboundParameterError(ModelError):
         self.names = names
 
 
+class UndecidedValueError(ModelError):
+    """A value has two meanings, and no target decides which is meant."""
+
+    def __init__(self, owner: str, what: str, text: str, at: Located) -> None:
+        message = (
+            f"{owner}: '{what}' has two meanings: robcogen2 reads '{text}' as a number, robcogen as"
+            " a product with a parameter; set 'target' in kindsl.toml to one of them"
+        )
+        super().__init__(message, at)
+
+
 class ParameterValueError(ValueError):
     """A value was given to a parameter that the document does not have, or that cannot be one.
 

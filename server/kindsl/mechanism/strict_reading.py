@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import NamedTuple
 
-from kindsl.mechanism.errors import ModelError, UnboundParameterError
+from kindsl.mechanism.errors import ModelError, UnboundParameterError, UndecidedValueError
 from kindsl.mechanism.numbering import numbered_by_id, require_base
 from kindsl.mechanism.skeleton import Skeleton, skeleton_of
 from kindsl.rigid.body import NO_BODY, MassDistribution, seen_from
@@ -82,7 +82,7 @@ class StrictReader(NamedTuple):
             return NO_BODY
         try:
             return self._given(link, link.inertia)
-        except UnboundParameterError:
+        except (UnboundParameterError, UndecidedValueError):
             if link.is_base and not link.is_floating:
                 return NO_BODY
             raise
@@ -122,4 +122,6 @@ class StrictReader(NamedTuple):
         missing = [name for name in unbound if name not in self.values]
         if missing:
             raise UnboundParameterError(tuple(str(name) for name in missing), missing[0])
+        if value.node.kind == "undecided":
+            raise UndecidedValueError(owner, what, value.text, value)
         raise ModelError(f"{owner}: '{what}' has no value: {value.text}", value)

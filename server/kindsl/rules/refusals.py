@@ -9,6 +9,7 @@ from kindsl.semantics.places import Place
 from kindsl.syntax.portability import PortabilityNote, portability
 from kindsl.syntax.tree import Island
 
+_BLANKS = " \t\r\n"
 # The rules that tell best why a generator stops.
 _STOPPING = {
     ROBCOGEN: ("KD206",),
@@ -22,45 +23,49 @@ _STOPPING = {
 def refused_by(target: str, model: Model, context: Context) -> Iterator[Finding]:
     """Yield what a generator refuses: errors if the document is for it, else hints.
 
-    Of what it refuses while it loads the document it tells no more than one, and neither do these.
+    Of what it dies of while it loads the document it tells no more than one, and neither do these.
     """
-    found = list(_constructs(target, model))
-    yield from (_as_told(finding, target, context) for finding in found)
-    if target in context.targets:
-        stop = _stop(target, model, context, not found)
-        if stop is not None:
-            message = f"not supported by {target}: {stop.message}"
-            yield Finding(stop.at, message, severity=Severity.ERROR)
-
-
-def _as_told(finding: Finding, target: str, context: Context) -> Finding:
     severity = Severity.ERROR if target in context.targets else Severity.HINT
-    return finding._replace(severity=severity)
+    for finding in _constructs(target, model):
+        yield finding._replace(severity=severity)
+    if target in context.targets:
+        yield from load_refusal(target, model, context)
 
 
-def _stop(target: str, model: Model, context: Context, is_silent: bool) -> Finding | None:
-    """Return the first defect at which a generator stops after all that was told of constructs.
+def load_refusal(target: str, model: Model, context: Context) -> Iterator[Finding]:
+    """Yield the first defect at which a named target stops after all that it parses."""
+    stop = _stop(target, model, context) if target in context.targets else None
+    if stop is not None:
+        message = f"not supported by {target}: {stop.message}"
+        yield Finding(stop.at, message, severity=Severity.ERROR)
 
-    Args:
-        target: The generator.
-        model: The document's.
-        context: The surroundings.
-        is_silent: Whether nothing was told.
-    """
-    if not any(island.text.strip() for island in model.islands):
+
+def first_refusal(target: str, model: Model, context: Context) -> Finding | None:
+    """Return why a generator refuses a document, an error where a rule of its own says so too."""
+    construct = next(_constructs(target, model), None)
+    return construct or (None if is_blank(model) else _stop(target, model, context))
+
+
+def is_blank(model: Model) -> bool:
+    """Return whether nothing is written yet."""
+    return not any(island.text.strip(_BLANKS) for island in model.islands)
+
+
+def _stop(target: str, model: Model, context: Context) -> Finding | None:
+    if is_blank(model):
         return Finding(Place(model.islands[0], 0, 0), "the document is empty")
     if target == ROBCOGEN:
         return next(_defects(target, model, context), None)
+    if model.broken_islands:
+        return None
     from kindsl.rules.robcogen2_loading import loading_defect
     from kindsl.syntax.strict_robcogen2 import stop_of_robcogen2
 
     stop = stop_of_robcogen2(model.islands)
-    if model.broken_islands:
-        return None
     if stop is None:
         defect = loading_defect(model)
         return defect and next(_defects(target, model, context), defect)
-    if not is_silent:
+    if next(_constructs(target, model), None) is not None:
         return None
     return Finding(Place(stop.island, stop.offset, stop.offset), "it stops reading here")
 
@@ -70,7 +75,8 @@ def _defects(target: str, model: Model, context: Context) -> Iterator[Finding]:
 
     for rule in all_rules():
         if rule.code in _STOPPING[target] and rule.check_document:
-            yield from rule.check_document(model, context)
+            for finding in rule.check_document(model, context):
+                yield finding._replace(severity=finding.severity or rule.severity)
 
 
 def _constructs(target: str, model: Model) -> Iterator[Finding]:

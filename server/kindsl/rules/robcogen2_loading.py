@@ -62,8 +62,9 @@ def _references(model: Model) -> Iterator[Finding]:
 
 def _resolved(name: Name, known: Counter[str], what: str) -> Iterator[Finding]:
     if known[str(name)] != 1:
-        count = counted(known[str(name)], what) if known[str(name)] else f"no {what}"
-        yield Finding(name, f"{count} named '{name}'")
+        number = known[str(name)]
+        count = f"{counted(number, what)} have" if number else f"no {what} has"
+        yield Finding(name, f"{count} the name '{name}'")
 
 
 def _numbering(model: Model) -> Iterator[Finding]:

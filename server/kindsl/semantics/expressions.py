@@ -121,6 +121,8 @@ def _value(node: Node, bindings: Mapping[str, float]) -> float | None:
         return number_of(node.children[0])
     if kind == "pi":
         return pi
+    if kind == "undecided":
+        return None
     if kind == "parameter":
         return bindings.get(name_of(node))
     if kind == "defaulted":

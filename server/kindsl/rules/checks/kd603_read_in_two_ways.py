@@ -1,0 +1,75 @@
+"""A value that the generators read differently, or not as it looks.
+
+## What it does
+Reports `1.0e3`, which RobCoGen reads as 1.0 times a parameter `e3` and RobCoGen2 as 1000, and
+`2.0 - PI`, which RobCoGen reads as the product of 2.0 and -PI and RobCoGen2 not at all. With one
+target named it says what that target reads. `pi` has a rule of its own, KD408.
+
+## Why is this bad?
+One text, two robots, and no generator says a word. Without a target `1.0e3` has no value here:
+nothing is computed from it until the target in `kindsl.toml` decides, or the text does.
+
+## Example
+```kindsl
+mass = 1.0e3
+```
+
+## Fix
+Writes the number that RobCoGen2 reads, or the product as both read it. Safe where the only target
+reads the same.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
+from kindsl.rules.context import ROBCOGEN, ROBCOGEN2, Context
+from kindsl.rules.examples import joint
+from kindsl.semantics.model import Model
+from kindsl.semantics.places import Place
+from kindsl.syntax.readings import TwoReadings, two_readings
+from kindsl.syntax.tree import Island
+from kindsl.text.decimals import exact_decimal
+
+
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each value that is read in two ways."""
+    for island in model.islands:
+        for found in two_readings(island):
+            if found.kind != "pi":
+                yield _finding(island, found, context.targets)
+
+
+def _finding(island: Island, found: TwoReadings, targets: frozenset[str]) -> Finding:
+    place = Place(island, found.start, found.end)
+    if found.kind == "product":
+        return Finding(place, f"robcogen reads '{found.text}' as {found.robcogen}")
+    number = exact_decimal(float(found.text))
+    fix = Fix(f"Write {number}", (Change(place, number),), targets == {ROBCOGEN2})
+    if targets == {ROBCOGEN}:
+        return Finding(place, f"robcogen reads '{found.text}' as {found.robcogen}", fix=fix)
+    message = f"robcogen2 reads '{found.text}' as {found.other}"
+    if targets != {ROBCOGEN2}:
+        message += f", robcogen as {found.robcogen}"
+    return Finding(place, message, fix=fix)
+
+
+def _joint(height: str, target: str = "", fixed: str | None = None) -> Example:
+    shoulder = joint("shoulder").replace("0.3", height)
+    targets = (target,) if target else ()
+    example = Example(shoulder, targets, (("reach", 0.3), ("e1", 0.1)))
+    return example._replace(fixed=joint("shoulder").replace("0.3", fixed)) if fixed else example
+
+
+RULE = Rule(
+    "KD603",
+    "read-in-two-ways",
+    Severity.WARNING,
+    check_document=check_document,
+    good=(_joint("20.0"), _joint("2.0e-3", ROBCOGEN2)),
+    bad=(
+        _joint("2.0e1", fixed="20.0"),
+        _joint("2.0e1", ROBCOGEN2, "20.0"),
+        _joint("2.0e1", ROBCOGEN, "20.0"),
+        _joint("2.0 - reach"),
+    ),
+)

@@ -1,0 +1,51 @@
+"""Each generator refuses something else in this document, so none reads it.
+
+## What it does
+Reports, where no target is named, a document in which RobCoGen refuses one thing and RobCoGen2
+another. Each alone is in the language; with a target named it is KD601 or KD602.
+
+## Why is this bad?
+The document belongs to no generator: whichever is run stops.
+
+## Example
+```kindsl
+translation = (2.0*reach, 2.0 height, 0.0)      // only RobCoGen2, only RobCoGen
+```
+"""
+
+from collections.abc import Iterator
+
+from kindsl.rules.base import Example, Finding, Related, Rule, Severity
+from kindsl.rules.context import ROBCOGEN, ROBCOGEN2, Context
+from kindsl.rules.examples import STEEL_BALL, joint, link, robot
+from kindsl.rules.refusals import first_refusal
+from kindsl.semantics.model import Model
+
+
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding where both generators refuse a document that no other rule calls wrong."""
+    if context.targets or model.broken_islands:
+        return
+    one = first_refusal(ROBCOGEN, model, context)
+    other = first_refusal(ROBCOGEN2, model, context) if one is not None else None
+    if one is None or other is None or Severity.ERROR in (one.severity, other.severity):
+        return
+    message = f"no generator reads this document: {one.message}, and {other.message}"
+    yield Finding(one.at, message, (Related(other.at, other.message),))
+
+
+def _arm(height: str, radius: str) -> Example:
+    shoulder = joint("shoulder").replace("(0.0, 0.0, 0.3)", f"({radius}, 0.0, {height})")
+    text = robot(link("arm", 1), shoulder, base="arm via shoulder")
+    text = text.replace("ground {", "ground {\n    " + STEEL_BALL, 1)
+    return Example(text, parameters=(("reach", 0.3),))
+
+
+RULE = Rule(
+    "KD604",
+    "read-by-neither",
+    Severity.ERROR,
+    check_document=check_document,
+    good=(_arm("2.0*reach", "0.0"), _arm("2.0 reach", "0.0")),
+    bad=(_arm("2.0*reach", "2.0 reach"),),
+)

@@ -1,0 +1,177 @@
+"""What both generators read, and not as the same: which values these are, and how one reads them.
+
+`1.0e3` is 1000 for robcogen2 and the product of 1.0 and a parameter `e3` for robcogen; `pi` is a
+parameter for robcogen. What `2.0 - PI` looks like, a difference, no generator reads: robcogen takes
+it for a product.
+"""
+
+import re
+from collections.abc import Callable, Iterator, Sequence
+from typing import NamedTuple
+
+from kindsl.syntax.document import Chunk, SyntaxDocument
+from kindsl.syntax.forms import is_signed_product
+from kindsl.syntax.portability import ROBCOGEN, ROBCOGEN2
+from kindsl.syntax.tree import Island, Node, Token
+
+_POWER = re.compile(r"([-+]?[0-9]*\.[0-9]+)([eE][0-9]+)")
+_KEY = "two readings"
+_VALUES = frozenset({"vector", "mass", "moment"})
+_Rewrite = Callable[[Node], Node | None]
+
+
+class TwoReadings(NamedTuple):
+    """A value that means something else to one generator than to the other, or than it looks like.
+
+    Attributes:
+        start: Code points from the island's start.
+        end: End, exclusive.
+        kind: `power`, `product` or `pi`.
+        text: As written.
+        robcogen: What robcogen takes it for.
+        other: What robcogen2 takes it for, or what it looks like.
+    """
+
+    start: int
+    end: int
+    kind: str
+    text: str
+    robcogen: str
+    other: str
+
+
+def two_readings(island: Island) -> tuple[TwoReadings, ...]:
+    """Return the values of an island that are read in two ways; kept with the island."""
+    known = island.facts.get(_KEY)
+    if not isinstance(known, tuple):
+        known = island.facts[_KEY] = tuple(
+            found for block in island.nodes for found in _in_block(island.text, block)
+        )
+    return known
+
+
+def as_read_for(document: SyntaxDocument, targets: frozenset[str]) -> SyntaxDocument:
+    """Return a document with the values as its targets read them.
+
+    For robcogen alone `1.0e3` and `pi` have parameters in them. Where the targets do not decide
+    what `1.0e3` is, it is a node `undecided`, which has no value.
+    """
+    if targets == {ROBCOGEN2}:
+        return document
+    rewrite = _for_robcogen if targets == {ROBCOGEN} else _undecided
+    chunks = [_chunk_as_read(chunk, rewrite) for chunk in document.chunks]
+    if all(new is old for new, old in zip(chunks, document.chunks, strict=True)):
+        return document
+    return SyntaxDocument(tuple(chunks))
+
+
+def _chunk_as_read(chunk: Chunk, rewrite: _Rewrite) -> Chunk:
+    islands = [_island_as_read(island, rewrite) for island in chunk.islands]
+    if all(new is old for new, old in zip(islands, chunk.islands, strict=True)):
+        return chunk
+    return Chunk(tuple(islands))
+
+
+def _island_as_read(island: Island, rewrite: _Rewrite) -> Island:
+    found = two_readings(island)
+    if not found:
+        return island
+    known = island.facts.get(rewrite)
+    if not isinstance(known, Island):
+        known = _rewritten_island(island, rewrite)
+        known.facts[_KEY] = found
+        island.facts[rewrite] = known
+    return known
+
+
+def _rewritten_island(island: Island, rewrite: _Rewrite) -> Island:
+    nodes = tuple(_rewritten(node, rewrite) for node in island.nodes)
+    tokens = [*island.skipped]
+    for node in nodes:
+        tokens += node.tokens()
+    tokens.sort(key=lambda token: (token.start, token.end))
+    return Island(
+        island.text, nodes, tuple(tokens), island.skipped, island.comments, island.problems
+    )
+
+
+def _rewritten(node: Node, rewrite: _Rewrite) -> Node:
+    new = rewrite(node)
+    if new is not None:
+        return new
+    children = [
+        _rewritten(child, rewrite) if isinstance(child, Node) else child for child in node.children
+    ]
+    if all(new is old for new, old in zip(children, node.children, strict=True)):
+        return node
+    return Node(node.kind, children)
+
+
+def _undecided(node: Node) -> Node | None:
+    return Node("undecided", node.children) if _power(node) else None
+
+
+def _for_robcogen(node: Node) -> Node | None:
+    token = node.children[0]
+    if not isinstance(token, Token):
+        return None
+    if node.kind == "pi" and token.kind == "LOWER_PI":
+        return Node("parameter", [Token("NAME", token.text, token.lead, token.start, token.end)])
+    power = _power(node)
+    if node.kind == "juxtaposed_pi" and isinstance(node.children[1], Token):
+        second = node.children[1]
+        if second.kind == "LOWER_PI":
+            name = Token("NAME", second.text, second.lead, second.start, second.end)
+            return Node("juxtaposed_parameter", [token, name])
+    if power is None:
+        return None
+    middle = token.start + power.end(1)
+    factor = Token("FLOAT", power[1], token.lead, token.start, middle)
+    return Node("juxtaposed_parameter", [factor, Token("NAME", power[2], middle, middle, token.end)])
+
+
+def _power(node: Node) -> re.Match[str] | None:
+    token = node.children[0]
+    if node.kind != "number" or not isinstance(token, Token) or token.kind != "POWER_FLOAT":
+        return None
+    return _POWER.fullmatch(token.text)
+
+
+def _in_block(text: str, block: Node) -> Iterator[TwoReadings]:
+    for node in _values(block):
+        start, end = node.start, node.end
+        written = text[start:end]
+        power = _power(node)
+        if power is not None:
+            meaning = f"{power[1]} times a parameter '{power[2]}'"
+            yield TwoReadings(start, end, "power", written, meaning, f"{float(written):.15g}")
+        elif is_signed_product(node):
+            left, _, right = written.partition("-") if written[0] not in "+-" else _split(written)
+            meaning = f"the product of {left.strip()} and -{right.strip()}"
+            yield TwoReadings(start, end, "product", written, meaning, "a difference")
+        else:
+            for token in node.tokens():
+                if token.kind == "LOWER_PI":
+                    meaning = f"a parameter '{token.text}'"
+                    yield TwoReadings(
+                        token.start, token.end, "pi", token.text, meaning, "the number pi"
+                    )
+
+
+def _split(written: str) -> tuple[str, str, str]:
+    """Return both sides of the minus that is not a sign."""
+    left, minus, right = written[1:].partition("-")
+    return written[0] + left, minus, right
+
+
+def _values(block: Node) -> Sequence[Node]:
+    found: list[Node] = []
+    pending = [block]
+    while pending:
+        node = pending.pop()
+        nodes = [child for child in node.children if isinstance(child, Node)]
+        if node.kind in _VALUES:
+            found += nodes
+        else:
+            pending += nodes
+    return sorted(found, key=lambda node: node.start)
