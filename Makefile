@@ -84,6 +84,13 @@ fuzz: $(STAMP)
 	for target in configuration document page urdf wire; do \
 		$(BIN)/python -m tests.fuzz.run --target $$target --seconds $(SECONDS_EACH) || exit 1; done
 
+# New random documents against RobCoGen2's own reader: N=20000 SEED=7 make differential.
+N ?= 5000
+SEED ?= 1
+.PHONY: differential
+differential: $(STAMP)
+	PYTHONPATH=. $(BIN)/python -m tests.differential.run --documents $(N) --seed $(SEED)
+
 # How much of a change of the code the tests notice; takes an hour.
 .PHONY: mutation
 mutation: $(STAMP)

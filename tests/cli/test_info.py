@@ -20,6 +20,9 @@ def test_tree_and_masses(kindsl: Runner, folder: Path) -> None:
         "└─ upper      1  shoulder  revolute   2 kg\n"
         "   └─ lower   2  elbow     prismatic  1 kg  tip\n"
         "\n"
+        "robcogen reads it\n"
+        "robcogen2 reads it\n"
+        "\n"
         "health  good\n"
     )
 

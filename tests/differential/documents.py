@@ -11,8 +11,9 @@ VALUES = (
     "pI", "pi/2.0", "-pi/2", "PI/2", "PI/2.", "PI/1e1", "PI/0.0", "PI/0", "1.0/0.0", "1.0/0",
     "2.0*PI", "-2.0*PI", "- 2.0*PI", "2*PI", "2.*PI", "1e1*x", "PI*2.0", "2.0 PI", "-2.0PI",
     "2.0 -PI", "2.0 - PI", "2.0 -x", "2.0-x", "-2.0 - x", "2.0 - x/2.0", "2.0 PI/2.0", "2.0 -^x",
-    "1.0 e3", "1.0e", "1.0f", "2.0e3x", "2.0 ^x", "^x", "-^PI", "^mass", "pitch", "PI_2", "2.0 pitch",
-    "2.0*pitch", "pitch[1.0]", "mass", "id", "link", "children", "ref_frame", "via", "PIPE", "p|",
+    "1.0 e3", "1.0e", "1.0f", "2.0e3x", "2.0 ^x", "^x", "-^PI", "^mass", "pitch", "PI_2",
+    "2.0 pitch", "2.0*pitch", "pitch[1.0]", "mass", "id", "link", "children", "ref_frame", "via",
+    "PIPE", "p|",
     "|i/2.0", "2.0*x", "-2.0*x", "x/2", "-x/2", "x*y", "x+1.0", "1.0+2.0", "1.0-2.0", "2.0*3.0",
     "2*3", "2*3.0", "1/3", "1.0/3", "(1.0)", "(PI)", "x[1.0]", "x[1]", "x [ -1e3 ]", "-x[1.0]/2",
     "2.0*x[.5]", "x[PI]", "x[]", "x[1.0][2.0]", "<k=1.0>", "<k=2.0>", "<k>", "-<k>/2", "2*<k>",
@@ -23,8 +24,8 @@ NAMES = (
     "a", "b1", "_", "__", "link", "Robot", "RobotBase", "via", "mass", "CoM", "id", "floating",
     "children", "frames", "r_joint", "p_joint", "ref_frame", "translation", "rotation", "Ix", "Ixy",
     "inertia_params", "inertia_properties", "PI", "pi", "PIx", "pitch", "^link", "^a", "linkx",
-    "xlink", "true", "class", "fr_l1", "e3", "E", "base", "l1", "l2", "j1", "j2", "R", "ü", "名", "ß",
-    "a٣", "ａ", "a-b", "1a", "a b", "'a'", "", "^", "a^", "idx", "massage", "viaduct", "Ixx",
+    "xlink", "true", "class", "fr_l1", "e3", "E", "base", "l1", "l2", "j1", "j2", "R", "ü", "名",
+    "ß", "a٣", "ａ", "a-b", "1a", "a b", "'a'", "", "^", "a^", "idx", "massage", "viaduct", "Ixx",
 )  # fmt: skip
 MOMENTS = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")
 KEYWORDS = (

@@ -9,10 +9,23 @@ from tests.differential.documents import KEYWORDS, NAMES, VALUES
 _WORD = re.compile(r"\w+|[^\w\s]")
 _BLANKS = " \t\n\r", "\xa0", "\x0c", "\x0b", "\u2028", "\u3000", "\ufeff", "\u200b", "\x00", "\x85"
 _COMMENTS = (
-    "// c\n", "//\n", "///\n", "// c\r", "// c\r\n", "// ü\n", "// /*\n", "/* c */", "/**/", "/***/",
-    "/* a /* b */", "/* a */ b */", "/*", "*/", "#c\n", "-- c\n", "// \u2028 x\n", "//\x85x\n",
+    "// c\n", "//\n", "///\n", "// c\r", "// c\r\n", "// ü\n", "// /*\n", "/* c */", "/**/",
+    "/***/", "/* a /* b */", "/* a */ b */", "/*", "*/", "#c\n", "-- c\n", "// \u2028 x\n",
+    "//\x85x\n",
 )  # fmt: skip
-_TAILS = ("x", "}", "{", ";", "// end", "/* end */", "/* end", "Robot R { }", "\x1a", "1.0", " \t\n")
+_TAILS = (
+    "x",
+    "}",
+    "{",
+    ";",
+    "// end",
+    "/* end */",
+    "/* end",
+    "Robot R { }",
+    "\x1a",
+    "1.0",
+    " \t\n",
+)
 _CHARACTERS = "{}()=,[]<>*/+-.^_|;:'\"#$@!?&~%\\0123456789eEiIlpPx \t\n\r\xa0äπ٣"
 
 
@@ -134,6 +147,6 @@ def _name(text: str, generator: random.Random) -> str:
 
 
 _MUTATIONS: tuple[Callable[[str, random.Random], str], ...] = (
-    _delete, _double, _swap, _replace, _insert, _blank, _glue, _glue, _comment, _character, _character,
-    _case, _cut, _append, _line_ends, _value, _vector, _block, _name,
+    _delete, _double, _swap, _replace, _insert, _blank, _glue, _glue, _comment, _character,
+    _character, _case, _cut, _append, _line_ends, _value, _vector, _block, _name,
 )  # fmt: skip

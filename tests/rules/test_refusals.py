@@ -23,8 +23,9 @@ def arms(base: str, arm: str = "", hand: str = "", joints: str = "elbow wrist") 
     ("text", "refused"),
     [
         (arms(TWO), ""),
-        # A link that is its own child is taken, a longer loop is not.
-        (arms(TWO, arm="arm via neck", joints="elbow wrist neck"), ""),
+        # A link that is its own child is taken where nothing else carries it; a longer loop is not.
+        (arms(ONE, hand="hand via wrist"), ""),
+        (arms(TWO, arm="arm via neck", joints="elbow wrist neck"), "arm"),
         (arms(ONE, "hand via wrist", "arm via neck", "elbow wrist neck"), "loop"),
         # So is a child that is listed twice, but not by another joint.
         (arms(f"{TWO} {ONE}"), ""),

@@ -93,6 +93,11 @@ class Analysis:
             self._findings, self._faults = self._without_silenced(found), tuple(run.faults)
         return self._findings
 
+    def unsilenced(self) -> list[Diagnostic]:
+        """Return what is wrong, whatever comments in the document silence."""
+        run = CheckRun(go_on)
+        return [self._resolve(rule, finding) for rule, finding in self._found(run)]
+
     def edited(self, edits: Sequence[TextEdit]) -> Analysis:
         """Return the analysis of the edited text; what no edit touches is not computed again."""
         return Analysis(self._written.edited(edits), self.settings)

@@ -15,6 +15,7 @@ from kindsl.cli.documents.reading import (
     CommandError,
     defect,
     note_errors,
+    note_readings,
     read_document,
     require_parameters,
     require_syntax,
@@ -64,6 +65,7 @@ def run(args: argparse.Namespace) -> int:
         analysis = read_document(args.file, choices_of(args))
         require_syntax(args.file, analysis)
         mechanism = _mechanism(args.file, analysis)
+        note_readings(args.file, analysis)
         note_errors(args.file, analysis)
         robot = Robot(mechanism.bodies.joint_names, mechanism.bodies.is_floating)
         return _show(args, analysis, mechanism, motions_of(args, robot))

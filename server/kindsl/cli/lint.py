@@ -27,6 +27,7 @@ DEFAULTS: dict[str, Any] = {
     "max_warnings": None,
     "exit_zero": False,
     "statistics": False,
+    "verbose": False,
     "quiet": False,
     "watch": False,
     "jobs": 0,

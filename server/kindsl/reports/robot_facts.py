@@ -5,6 +5,7 @@ from math import inf
 from typing import Any
 
 from kindsl.analysis.analysis import Analysis
+from kindsl.analysis.verdicts import verdicts
 from kindsl.mechanism.total_mass import Weight, missing_masses, own_mass, total_mass
 from kindsl.reports.columns import number
 from kindsl.reports.robot_health import health_facts
@@ -46,6 +47,16 @@ def robot_facts(analysis: Analysis) -> dict[str, Any]:
         "findings": {
             severity.value: sum(finding.severity is severity for finding in analysis.findings)
             for severity in Severity
+        },
+        "verdicts": {
+            verdict.target: {
+                "reads": verdict.reads,
+                "places": [
+                    {"code": d.code, "message": d.message, **places.at(d.start)}
+                    for d in verdict.places
+                ],
+            }
+            for verdict in verdicts(analysis)
         },
         "health": health_facts(analysis.findings, places.at),
     }

@@ -8,6 +8,7 @@ from kindsl.reports.columns import aligned, number
 from kindsl.reports.robot_facts import mass_text
 from kindsl.reports.robot_health import health_text
 from kindsl.text.printable import printable
+from kindsl.text.words import counted
 
 _UNITS = {"length": "m", "angle": "rad", "dynamics": ""}
 
@@ -21,6 +22,7 @@ def robot_text(facts: dict[str, Any]) -> str:
         rows = [("constants", "")]
         rows += [(f"  {c['name']}", number(c["value"])) for c in facts["constants"]]
         parts.append(aligned(rows, frozenset((1,))))
+    parts.append("".join(_verdict(*entry) for entry in facts["verdicts"].items()))
     parts.append(health_text(facts["health"]))
     return printable_lines("\n".join(parts))
 
@@ -36,6 +38,17 @@ def _heading(facts: dict[str, Any]) -> str:
     mass = mass_text(facts)
     mass = f"mass {mass}" if mass.startswith(UNKNOWN) else mass
     return f"{facts['robot'] or '(unnamed)'}: {base}, {dof} of freedom, {mass}\n"
+
+
+def _verdict(target: str, verdict: dict[str, Any]) -> str:
+    if verdict["reads"]:
+        return f"{target} reads it\n"
+    places = verdict["places"]
+    first = places[0]
+    return (
+        f"{target} refuses it, {counted(len(places), 'place')}: "
+        f"{first['line']}:{first['column']} {first['message']}\n"
+    )
 
 
 def _tree_rows(facts: dict[str, Any]) -> Iterator[tuple[str, ...]]:

@@ -92,4 +92,5 @@ def _around(text: str) -> str:
     children = " ".join(f"{child} via {name}" for child, name in pairs)
     is_joint = not re.search(r"^link\s", text, re.MULTILINE)
     blocks = f"{links}{text}\n{joints}" if is_joint else f"{text}\n{links}{joints}"
-    return f"Robot Arm {{\nRobotBase ground {{\n    children {{ {children} }}\n}}\n{blocks}}}\n"
+    base = f"RobotBase ground {{\n    {STEEL_BALL}\n    children {{ {children} }}\n}}\n"
+    return f"Robot Arm {{\n{base}{blocks}}}\n"

@@ -127,7 +127,9 @@ def _for_robcogen(node: Node) -> Node | None:
         return None
     middle = token.start + power.end(1)
     factor = Token("FLOAT", power[1], token.lead, token.start, middle)
-    return Node("juxtaposed_parameter", [factor, Token("NAME", power[2], middle, middle, token.end)])
+    return Node(
+        "juxtaposed_parameter", [factor, Token("NAME", power[2], middle, middle, token.end)]
+    )
 
 
 def _power(node: Node) -> re.Match[str] | None:

@@ -54,7 +54,7 @@ def strict_reading(text: str) -> StrictReading:
     """Return how far robcogen2 reads a row of blocks, in whatever order they stand."""
     reader = _Reader(text)
     blocks = ""
-    for _ in iter(reader.is_at_end, True):
+    while not reader.is_at_end():
         letter = next((letter for letter, block in _BLOCKS if block(reader)), None)
         if letter is None:
             break
@@ -213,7 +213,7 @@ _PARTS: dict[str, Callable[[_Reader], bool]] = {
     "JOINT_KEYWORD": lambda reader: reader.any_of("r_joint", "p_joint"),
 }
 _BODY = "INERTIA CHILDREN FRAMES }"
-_BLOCKS = (
+_BLOCKS: tuple[tuple[str, Callable[[_Reader], bool]], ...] = (
     ("b", lambda r: r.any_of(f"RobotBase NAME {{ {_BODY}", f"RobotBase NAME floating {{ {_BODY}")),
     ("h", lambda r: r.any_of("Robot NAME {")),
     ("l", lambda r: r.any_of(f"link NAME {{ id = INT {_BODY}")),

@@ -11,6 +11,7 @@ from kindsl.cli.outcome import Failure, as_failures
 from kindsl.config.errors import ConfigurationError
 from kindsl.rules.base import Severity
 from kindsl.semantics.places import Located
+from kindsl.syntax.readings import two_readings
 from kindsl.text.lines import LineIndex
 from kindsl.text.nearest import hint, nearest_name
 from kindsl.text.printable import printable
@@ -67,7 +68,7 @@ def require_syntax(path: str, analysis: Analysis) -> None:
     lines = LineIndex(analysis.text)
     failures = []
     for finding in analysis.findings:
-        if finding.code.startswith(_SYNTAX):
+        if finding.code.startswith(_SYNTAX) and finding.severity is Severity.ERROR:
             line, column = lines.position(finding.start)
             message = f"[{finding.code}] {finding.message}"
             failures.append(Failure(shown_name(path), message, line + 1, column + 1))
@@ -102,6 +103,22 @@ def note_errors(path: str, analysis: Analysis) -> None:
     if n_errors:
         told = f"{n_errors} errors" if n_errors > 1 else "an error"
         write(sys.stderr, f"{shown_name(path)}: note: has {told}, see kindsl lint\n")
+
+
+def note_readings(path: str, analysis: Analysis) -> None:
+    """Tell on stderr which values one generator reads otherwise, and how to decide."""
+    if len(analysis.settings.targets) == 1:
+        return
+    lines = LineIndex(analysis.text)
+    for island, start in zip(analysis.syntax.islands, analysis.syntax.starts, strict=True):
+        for found in two_readings(island):
+            line, column = lines.position(start + found.start)
+            place = f"{shown_name(path)}:{line + 1}:{column + 1}"
+            taken = found.robcogen if found.kind == "product" else found.other
+            message = f"'{found.text}' is taken for {taken}"
+            if found.kind != "product":
+                message += f"; robcogen takes it for {found.robcogen}: set 'target' in kindsl.toml"
+            write(sys.stderr, f"{place}: note: {message}\n")
 
 
 def defect(path: str, analysis: Analysis, message: str, at: Located | None) -> CommandError:

@@ -110,6 +110,10 @@ def _report(outcome: Outcome, args: Any) -> int:
         from kindsl.cli.linter.summary import summary
 
         write(sys.stderr, summary(outcome))
+    if args.verbose:
+        from kindsl.cli.linter.verdict_lines import verdict_lines
+
+        write(sys.stderr, verdict_lines(outcome.files))
     return exit_status(outcome, args.max_warnings, args.exit_zero)
 
 

@@ -27,6 +27,6 @@ RULE = Rule(
     "KD003",
     "unterminated-comment",
     Severity.ERROR,
-    good=("/* the first link */\n" + _LINK,),
-    bad=(Example("/* the first link\n" + _LINK, fixed="/* the first link */\n" + _LINK),),
+    good=("/* the first one */\n" + _LINK,),
+    bad=(Example("/* the first one\n" + _LINK, fixed="/* the first one */\n" + _LINK),),
 )

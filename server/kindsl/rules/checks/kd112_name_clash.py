@@ -2,7 +2,8 @@
 
 ## What it does
 Reports a link, joint or frame that has the name of something else, or the same name but for upper
-and lower case. A link with a joint's name is an error, because RobCoGen cannot generate it.
+and lower case. A link with a joint's name is an error: RobCoGen cannot generate it, and RobCoGen2
+dies of it, unless the joint moves that very link.
 
 ## Why is this bad?
 The generators make files, classes and constants of names. On a file system that ignores case
@@ -32,7 +33,10 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
             continue
         known = first.setdefault(name.casefold(), (what, name))
         if (what, name) != known:
-            yield _finding(what, name, *known, context)
+            is_fatal = {what, known[0]} == {"link", "joint"} and name == known[1]
+            if context.targets == {ROBCOGEN2} and _is_joint_of_its_link(name, model):
+                is_fatal = False
+            yield _finding(what, name, *known, is_fatal)
 
 
 def _names(model: Model) -> Iterator[tuple[str, Name | None]]:
@@ -42,9 +46,15 @@ def _names(model: Model) -> Iterator[tuple[str, Name | None]]:
     yield from (("frame", frame.name) for frame in model.frames)
 
 
-def _finding(what: str, name: Name, other: str, known: Name, context: Context) -> Finding:
-    is_fatal = {what, other} == {"link", "joint"} and name == known
-    severity = Severity.ERROR if is_fatal and context.targets != {ROBCOGEN2} else Severity.WARNING
+def _is_joint_of_its_link(name: Name, model: Model) -> bool:
+    """Return whether the joint of a name moves the link of that name: it has that link's id."""
+    return any(
+        child.link == child.joint == name for body in model.bodies for child in body.children
+    )
+
+
+def _finding(what: str, name: Name, other: str, known: Name, is_fatal: bool) -> Finding:
+    severity = Severity.ERROR if is_fatal else Severity.WARNING
     message = f"{what} '{name}' has the name of the {other} '{known}'"
     if name != known:
         message = f"{what} '{name}' differs by case only from the {other} '{known}'"

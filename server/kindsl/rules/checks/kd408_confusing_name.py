@@ -30,6 +30,7 @@ from kindsl.rules.examples import joint
 from kindsl.rules.units import NumberWithUnit, numbers_with_unit
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Located, Place
+from kindsl.syntax.readings import two_readings
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
@@ -66,11 +67,9 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
 
 def _small_pi(model: Model) -> Iterator[Finding]:
     for island in model.islands:
-        text = island.text
-        if "pi" in text or "Pi" in text or "pI" in text:
-            for token in island.tokens:
-                if token.kind == "LOWER_PI":
-                    yield _ambiguous(Place(island, token.start, token.end), token.text)
+        for found in two_readings(island):
+            if found.kind == "pi":
+                yield _ambiguous(Place(island, found.start, found.end), found.text)
 
 
 def _ambiguous(place: Place, text: str) -> Finding:

@@ -15,8 +15,7 @@ mass = 1.0e3
 ```
 
 ## Fix
-Writes the number that RobCoGen2 reads, or the product as both read it. Safe where the only target
-reads the same.
+Writes the number that RobCoGen2 reads. Safe where that is the only target, else unsafe.
 """
 
 from collections.abc import Iterator
@@ -35,7 +34,8 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each value that is read in two ways."""
     for island in model.islands:
         for found in two_readings(island):
-            if found.kind != "pi":
+            is_refused = found.kind == "product" and context.targets == {ROBCOGEN2}
+            if found.kind != "pi" and not is_refused:
                 yield _finding(island, found, context.targets)
 
 
@@ -56,7 +56,7 @@ def _finding(island: Island, found: TwoReadings, targets: frozenset[str]) -> Fin
 def _joint(height: str, target: str = "", fixed: str | None = None) -> Example:
     shoulder = joint("shoulder").replace("0.3", height)
     targets = (target,) if target else ()
-    example = Example(shoulder, targets, (("reach", 0.3), ("e1", 0.1)))
+    example = Example(shoulder, targets, (("reach", 0.3), ("e0", 0.1)))
     return example._replace(fixed=joint("shoulder").replace("0.3", fixed)) if fixed else example
 
 
@@ -65,11 +65,11 @@ RULE = Rule(
     "read-in-two-ways",
     Severity.WARNING,
     check_document=check_document,
-    good=(_joint("20.0"), _joint("2.0e-3", ROBCOGEN2)),
+    good=(_joint("0.3"), _joint("2.0e-3", ROBCOGEN2)),
     bad=(
-        _joint("2.0e1", fixed="20.0"),
-        _joint("2.0e1", ROBCOGEN2, "20.0"),
-        _joint("2.0e1", ROBCOGEN, "20.0"),
+        _joint("0.3e0", fixed="0.3"),
+        _joint("0.3e0", ROBCOGEN2, "0.3"),
+        _joint("0.3e0", ROBCOGEN, "0.3"),
         _joint("2.0 - reach"),
     ),
 )
