@@ -192,7 +192,8 @@ def test_names(written: str, read: str, is_certain: bool | None) -> None:
     if is_certain is None:
         assert syntax_codes(analysis) == []
     else:
-        assert {f.code for f in found if f.severity == "error"} == {"KD004"}
+        # A ligature is a letter for robcogen2, which is why it is no error without a target.
+        assert set(syntax_codes(analysis)) == {"KD004"}
         assert {f.fix.is_safe for f in found if f.fix} == {is_certain}
 
 

@@ -18,6 +18,8 @@ _STOPPING = {
         "KD206", "KD207", "KD406",
     ),
 }  # fmt: skip
+# What these find is an error for every target; no generator needs to be named besides.
+_REFERENCES = ("KD105", "KD106", "KD107")
 
 
 def refused_by(target: str, model: Model, context: Context) -> Iterator[Finding]:
@@ -64,17 +66,23 @@ def _stop(target: str, model: Model, context: Context) -> Finding | None:
     stop = stop_of_robcogen2(model.islands)
     if stop is None:
         defect = loading_defect(model)
-        return defect and next(_defects(target, model, context), defect)
+        if defect is None or any(_of_rules(_REFERENCES, model, context)):
+            return None
+        return next(_defects(target, model, context), defect)
     if next(_constructs(target, model), None) is not None:
         return None
     return Finding(Place(stop.island, stop.offset, stop.offset), "it stops reading here")
 
 
 def _defects(target: str, model: Model, context: Context) -> Iterator[Finding]:
+    yield from _of_rules(_STOPPING[target], model, context)
+
+
+def _of_rules(codes: tuple[str, ...], model: Model, context: Context) -> Iterator[Finding]:
     from kindsl.rules.registry import all_rules
 
     for rule in all_rules():
-        if rule.code in _STOPPING[target] and rule.check_document:
+        if rule.code in codes and rule.check_document:
             for finding in rule.check_document(model, context):
                 yield finding._replace(severity=finding.severity or rule.severity)
 
