@@ -84,10 +84,11 @@ PICTURES = {
 
 LOOK_FROM = """([target, direction, closeness]) => {
   const { viewer } = kindsl, { controls, camera } = viewer;
+  const { toThree } = kindslModules["picture/camera.js"];
   const away = camera.getWorldPosition(new MeshCat.THREE.Vector3()).sub(controls.target);
   const length = away.length() / closeness;
-  if (target) controls.target.copy(KindslCamera.toThree(target));
-  const ray = direction ? KindslCamera.toThree(direction).normalize() : away.normalize();
+  if (target) controls.target.copy(toThree(target));
+  const ray = direction ? toThree(direction).normalize() : away.normalize();
   const place = controls.target.clone().addScaledVector(ray, length);
   camera.position.copy(kindsl.camera.fromWorld(place));
   controls.update();

@@ -68,7 +68,7 @@ PLACE = """([group, name]) => {
   kindsl.scene.update();
   const pose = kindsl.scene.poses.robot[group].get(name);
   const box = kindsl.viewer.renderer.domElement.getBoundingClientRect();
-  const [x, y] = kindsl.labels.project(KindslKinematics.origin(pose));
+  const [x, y] = kindsl.labels.project(kindslModules["picture/kinematics.js"].originOf(pose));
   return [box.left + x, box.top + y];
 }"""
 

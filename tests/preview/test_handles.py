@@ -168,13 +168,13 @@ async def test_a_finger_drags_a_handle(arm):
     owner, page = arm
     await grasp(page, "joint", "lift")
     (x0, y0), (x1, y1) = (await page.evaluate(LINES))["x"]
-    eye = await page.evaluate("KindslAddress.eyeText(kindsl.camera.state())")
+    eye = await page.evaluate("kindslModules['address.js'].eyeText(kindsl.camera.state())")
     shares = (0.7, 0.8, 1.0, 1.3)
     await touch(page, [(x0 + s * (x1 - x0), y0 + s * (y1 - y0)) for s in shares])
     await eventually(lambda: owner.text != ARM)
     ((old, _),) = changed(ARM, owner.text)
     assert old == "0.4"
-    assert await page.evaluate("KindslAddress.eyeText(kindsl.camera.state())") == eye
+    assert await page.evaluate("kindslModules['address.js'].eyeText(kindsl.camera.state())") == eye
 
 
 async def test_dragging_a_link_moves_its_joint_and_never_the_text(arm):

@@ -19,8 +19,9 @@ from kindsl.scene.robot import NOTHING_UNKNOWN, robot_messages
 
 SCRIPT = ROOT / "server" / "kindsl" / "preview" / "page" / "picture" / "kinematics.js"
 DRIVER = """
-const kinematics = require(process.argv[1]);
-const cases = JSON.parse(require("fs").readFileSync(0, "utf8"));
+import { readFileSync } from "node:fs";
+const kinematics = await import(process.argv[1]);
+const cases = JSON.parse(readFileSync(0, "utf8"));
 const byName = (list) => new Map(list.map((item) => [item.name, item]));
 console.log(JSON.stringify(cases.map(({ links, joints, frames, q, isFloating }) => {
   const robot = { links: byName(links), joints: byName(joints), frames: byName(frames) };
@@ -60,7 +61,7 @@ def answers(cases):
 def answers_to(inputs):
     node = require("node", "nodejs")
     given = json.dumps(inputs)
-    command = [node, "-e", DRIVER, str(SCRIPT)]
+    command = [node, "--input-type=module", "-e", DRIVER, SCRIPT.as_uri()]
     run = subprocess.run(
         command, input=given, capture_output=True, text=True, timeout=60, check=True
     )

@@ -13,7 +13,7 @@ from kindsl.analysis.settings import Settings
 from kindsl.preview.server import PreviewServer
 from kindsl.semantics.parameters import JointLimits
 
-EYE = "KindslAddress.eyeText(kindsl.camera.state())"
+EYE = "kindslModules['address.js'].eyeText(kindsl.camera.state())"
 
 
 async def url_of(server, text=ARM, settings=None):

@@ -39,12 +39,13 @@ CALLS = """() => {
 }"""
 # WCAG's contrast of each colour against the pane's two ends, the lesser one.
 CONTRASTS = """() => {
-  const style = getComputedStyle(document.documentElement), contrasts = {};
+  const { cssColor, luminance } = kindslModules["picture/palette.js"], contrasts = {};
+  const style = getComputedStyle(document.documentElement);
   const parts = (hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16));
   const grounds = ["sky", "floor"].map(
-    (name) => KindslPalette.luminance(parts(style.getPropertyValue(`--${name}`).trim())));
+    (name) => luminance(parts(style.getPropertyValue(`--${name}`).trim())));
   for (const [name, color] of Object.entries(kindsl.scene.colors)) {
-    const own = KindslPalette.luminance(parts(KindslPalette.css(color)));
+    const own = luminance(parts(cssColor(color)));
     contrasts[name] = Math.min(...grounds.map((ground) =>
       (Math.max(own, ground) + 0.05) / (Math.min(own, ground) + 0.05)));
   }
@@ -53,6 +54,7 @@ CONTRASTS = """() => {
 # Of each kind, drawn alone: the median contrast of its pixels with what is behind them.
 DRAWN_CONTRASTS = """() => {
   const { viewer, scene, presets } = kindsl, gl = viewer.renderer.getContext(), contrasts = {};
+  const { luminance } = kindslModules["picture/palette.js"];
   const style = getComputedStyle(document.documentElement);
   const parts = (hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16));
   const ground = (name) => parts(style.getPropertyValue(`--${name}`).trim());
@@ -70,8 +72,8 @@ DRAWN_CONTRASTS = """() => {
       if (pixels[i + 3] < 255) continue;
       const share = Math.floor(i / 4 / w) / h;
       const behind = sky.map((c, k) => floor[k] + share * (c - floor[k]));
-      const a = KindslPalette.luminance([...pixels.slice(i, i + 3)]);
-      const b = KindslPalette.luminance(behind);
+      const a = luminance([...pixels.slice(i, i + 3)]);
+      const b = luminance(behind);
       found.push((Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05));
     }
     contrasts[key] = found.sort((x, y) => x - y)[found.length >> 1];

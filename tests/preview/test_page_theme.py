@@ -15,6 +15,7 @@ async def url_of(server):
     return server.url("robot")
 
 
+IS_DARK = "kindsl.scene.colors === kindslModules['picture/palette.js'].DARK"
 THEME = """(kind) => kindsl.theme.take({ kind, colors: {
   paper: "#002b36", sky: "#002b36", ink: "red; background: url(x)", sneaky: "#fff",
 } })"""
@@ -28,10 +29,10 @@ async def test_an_editors_colours_are_taken_by_known_names_and_plain_values(brow
         assert "url" not in style
         assert "sneaky" not in style
         # A dark ground needs light marks, whatever the theme is called.
-        assert await page.evaluate("kindsl.scene.colors === KindslPalette.DARK")
+        assert await page.evaluate(IS_DARK)
         await page.evaluate("postMessage({ type: 'kindsl.theme', kind: 'light', colors: {} }, '*')")
         await page.wait_for_timeout(100)
-        assert await page.evaluate("kindsl.scene.colors === KindslPalette.DARK")
+        assert await page.evaluate(IS_DARK)
 
 
 @pytest.mark.parametrize("width", [200, 240, 1280])

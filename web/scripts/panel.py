@@ -7,18 +7,14 @@ server, and takes the editor's colours.
 import sys
 from pathlib import Path
 
-from kindsl.preview.assets import SCRIPTS, assets
+from kindsl.preview.assets import scripts
 from kindsl.preview.export import sealed_page
-
-CONNECTION = "connection.js"
 
 
 def main(file: Path, connection: Path, theme: Path) -> None:
     """Write the page."""
-    scripts = {name: assets()[name].content for name in SCRIPTS}
-    scripts[CONNECTION] = connection.read_text("utf-8")
-    text = sealed_page([*scripts.values(), theme.read_text("utf-8")])
-    file.write_text(text, encoding="utf-8")
+    texts = [asset.content for asset in scripts(connection.read_text("utf-8")).values()]
+    file.write_text(sealed_page([*texts, theme.read_text("utf-8")]), encoding="utf-8")
 
 
 main(*map(Path, sys.argv[1:]))

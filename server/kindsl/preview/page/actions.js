@@ -1,147 +1,144 @@
 // What the user can do, whatever it is done with: mouse, touch, keyboard, panel or picture.
-"use strict";
+import { make } from "./elements.js";
+import { drawPicture, savePicture } from "./picture/snapshot.js";
 
-const KindslActions = (() => {
-  const MOST_AT_ONCE = 500; // values in a message to the server
-  const byName = (parameters) => Object.fromEntries(parameters.map(({ name, value }) => [name, value]));
+const MOST_AT_ONCE = 500; // values in a message to the server
+const byName = (parameters) => Object.fromEntries(parameters.map(({ name, value }) => [name, value]));
 
-  // `page` has scene, stage, camera, selection, presets, inbox, embedded, send; more parts are added to it later.
-  function make(page) {
-    const { scene, selection, camera, presets } = page;
-    const note = () => { page.history.note(); page.address.note(); };
-    const actions = {
-      isStatic: page.isStatic,
-      note,
-      setJoint(name, value) {
-        scene.q.set(name, value);
-        scene.changed("value");
-        page.send({ type: "set-joint", name, value });
-        note();
-      },
-      // Several joints at once, by name.
-      setPose(values) {
-        const changed = [...values].filter(([name, value]) => (scene.q.get(name) || 0) !== value);
-        for (const [name, value] of changed) scene.q.set(name, value);
-        if (!changed.length) return;
-        scene.changed("value");
-        actions.tellPose(changed);
-        note();
-      },
-      tellPose(values) {
-        for (let at = 0; at < values.length; at += MOST_AT_ONCE) {
-          page.send({ type: "set-joints", values: Object.fromEntries(values.slice(at, at + MOST_AT_ONCE)) });
-        }
-      },
-      zero: () => page.joints.zero(),
-      setParameter(name, value) {
-        if (page.isStatic) page.inbox.setParameter(name, value);
-        else page.send({ type: "set-parameter", name, value });
-      },
-      setParameters(parameters) {
-        if (page.isStatic) for (const { name, value } of parameters) page.inbox.setParameter(name, value);
-        else page.send({ type: "set-parameters", values: byName(parameters) });
-      },
-      writeParameters: (parameters) => page.send({ type: "write-parameters", values: byName(parameters) }),
-      setView(key, visible, opacity) {
-        presets.set(key, visible, opacity);
-        note();
-      },
-      choosePreset(name) {
-        presets.choose(name);
-        note();
-      },
-      resetPreset() {
-        presets.reset();
-        note();
-      },
-      showOversized(isShown) {
-        scene.showsOversized = isShown;
-        scene.changed("view");
-        page.legend.show();
-      },
-      chooseTheme(choice) {
-        page.theme.choose(choice);
-        document.getElementById("theme").textContent = { auto: "Auto", light: "Light", dark: "Dark" }[page.theme.choice];
-        note();
-      },
-      hover: (thing) => selection.hover(thing),
-      reveal(thing) {
-        if (page.measure.take(thing)) return;
-        selection.choose(thing);
-        page.send({ type: "reveal", kind: thing.kind, name: thing.name });
-        note();
-      },
-      clear() {
-        if (page.measure.isOn) page.measure.toggle();
-        selection.choose(null);
-        note();
-      },
-      frame() {
-        camera.frame();
-        note();
-      },
-      focus() {
-        const thing = selection.chosen;
-        if (thing) camera.focus(camera.pointsOf(thing));
-        else actions.frame();
-      },
-      animate: (name) => page.motion.toggle(name),
-      measure: () => page.measure.toggle(),
-      savePicture: () => KindslSnapshot.save(KindslSnapshot.draw(page.viewer, page.labels, page.pane), scene.model.name),
-      copyLink: () => copy(page.address.link()),
-      showKeys: () => page.keys.show(),
-      foldPanel(isFolded = !document.body.classList.contains("folded")) {
-        document.body.classList.toggle("folded", isFolded);
-        document.getElementById("open-panel").hidden = !isFolded;
-      },
-    };
-    connect(actions, page);
-    return actions;
+// `page` has scene, stage, camera, selection, presets, inbox, embedded, send; more parts are added to it later.
+export function makeActions(page) {
+  const { scene, selection, camera, presets } = page;
+  const note = () => { page.history.note(); page.address.note(); };
+  const actions = {
+    isStatic: page.isStatic,
+    note,
+    setJoint(name, value) {
+      scene.q.set(name, value);
+      scene.changed("value");
+      page.send({ type: "set-joint", name, value });
+      note();
+    },
+    // Several joints at once, by name.
+    setPose(values) {
+      const changed = [...values].filter(([name, value]) => (scene.q.get(name) || 0) !== value);
+      for (const [name, value] of changed) scene.q.set(name, value);
+      if (!changed.length) return;
+      scene.changed("value");
+      actions.tellPose(changed);
+      note();
+    },
+    tellPose(values) {
+      for (let at = 0; at < values.length; at += MOST_AT_ONCE) {
+        page.send({ type: "set-joints", values: Object.fromEntries(values.slice(at, at + MOST_AT_ONCE)) });
+      }
+    },
+    zero: () => page.joints.zero(),
+    setParameter(name, value) {
+      if (page.isStatic) page.inbox.setParameter(name, value);
+      else page.send({ type: "set-parameter", name, value });
+    },
+    setParameters(parameters) {
+      if (page.isStatic) for (const { name, value } of parameters) page.inbox.setParameter(name, value);
+      else page.send({ type: "set-parameters", values: byName(parameters) });
+    },
+    writeParameters: (parameters) => page.send({ type: "write-parameters", values: byName(parameters) }),
+    setView(key, visible, opacity) {
+      presets.set(key, visible, opacity);
+      note();
+    },
+    choosePreset(name) {
+      presets.choose(name);
+      note();
+    },
+    resetPreset() {
+      presets.reset();
+      note();
+    },
+    showOversized(isShown) {
+      scene.showsOversized = isShown;
+      scene.changed("view");
+      page.legend.show();
+    },
+    chooseTheme(choice) {
+      page.theme.choose(choice);
+      document.getElementById("theme").textContent = { auto: "Auto", light: "Light", dark: "Dark" }[page.theme.choice];
+      note();
+    },
+    hover: (thing) => selection.hover(thing),
+    reveal(thing) {
+      if (page.measure.take(thing)) return;
+      selection.choose(thing);
+      page.send({ type: "reveal", kind: thing.kind, name: thing.name });
+      note();
+    },
+    clear() {
+      if (page.measure.isOn) page.measure.toggle();
+      selection.choose(null);
+      note();
+    },
+    frame() {
+      camera.frame();
+      note();
+    },
+    focus() {
+      const thing = selection.chosen;
+      if (thing) camera.focus(camera.pointsOf(thing));
+      else actions.frame();
+    },
+    animate: (name) => page.motion.toggle(name),
+    measure: () => page.measure.toggle(),
+    savePicture: () => savePicture(drawPicture(page.viewer, page.labels, page.pane), scene.model.name),
+    copyLink: () => copy(page.address.link()),
+    showKeys: () => page.keys.show(),
+    foldPanel(isFolded = !document.body.classList.contains("folded")) {
+      document.body.classList.toggle("folded", isFolded);
+      document.getElementById("open-panel").hidden = !isFolded;
+    },
+  };
+  connect(actions, page);
+  return actions;
+}
+
+function connect(actions, page) {
+  const on = (id, act) => document.getElementById(id).addEventListener("click", act);
+  on("zero", () => actions.zero());
+  on("frame", () => actions.frame());
+  on("animate", () => actions.animate(null));
+  on("measure", () => actions.measure());
+  on("png", () => actions.savePicture());
+  on("link", () => actions.copyLink());
+  on("help", () => actions.showKeys());
+  on("theme", () => actions.chooseTheme(page.theme.next()));
+  on("close-panel", () => actions.foldPanel(true));
+  on("open-panel", () => actions.foldPanel(false));
+  // The viewer's controls would take the press for the start of a turn.
+  document.getElementById("open-panel").addEventListener("pointerdown", (event) => event.stopPropagation());
+  on("angle-unit", () => {
+    page.units.choose(page.units.angle === "rad" ? "deg" : "rad");
+    actions.note();
+  });
+  page.units.onChange(() => { document.getElementById("angle-unit").textContent = page.units.angle; });
+}
+
+// Put a text on the clipboard; where that is forbidden, show it.
+async function copy(text) {
+  const button = document.getElementById("link");
+  try {
+    await navigator.clipboard.writeText(text);
+    button.textContent = "Copied";
+    setTimeout(() => { button.textContent = "Copy link"; }, 1500);
+  } catch {
+    showText("Link to this view", text);
   }
+}
 
-  function connect(actions, page) {
-    const on = (id, act) => document.getElementById(id).addEventListener("click", act);
-    on("zero", () => actions.zero());
-    on("frame", () => actions.frame());
-    on("animate", () => actions.animate(null));
-    on("measure", () => actions.measure());
-    on("png", () => actions.savePicture());
-    on("link", () => actions.copyLink());
-    on("help", () => actions.showKeys());
-    on("theme", () => actions.chooseTheme(page.theme.next()));
-    on("close-panel", () => actions.foldPanel(true));
-    on("open-panel", () => actions.foldPanel(false));
-    // The viewer's controls would take the press for the start of a turn.
-    document.getElementById("open-panel").addEventListener("pointerdown", (event) => event.stopPropagation());
-    on("angle-unit", () => {
-      page.units.choose(page.units.angle === "rad" ? "deg" : "rad");
-      actions.note();
-    });
-    page.units.onChange(() => { document.getElementById("angle-unit").textContent = page.units.angle; });
-  }
-
-  // Put a text on the clipboard; where that is forbidden, show it.
-  async function copy(text) {
-    const button = document.getElementById("link");
-    try {
-      await navigator.clipboard.writeText(text);
-      button.textContent = "Copied";
-      setTimeout(() => { button.textContent = "Copy link"; }, 1500);
-    } catch {
-      showText("Link to this view", text);
-    }
-  }
-
-  // A text to be selected and copied by hand.
-  function showText(title, text) {
-    const { make } = KindslElements, dialog = make("dialog"), close = make("button", "", "Close");
-    dialog.ariaLabel = title;
-    dialog.append(make("h2", "", title), make("pre", "", text), close);
-    close.addEventListener("click", () => dialog.close());
-    dialog.addEventListener("close", () => dialog.remove());
-    document.body.append(dialog);
-    dialog.showModal();
-  }
-
-  return { make, showText };
-})();
+// A text to be selected and copied by hand.
+export function showText(title, text) {
+  const dialog = make("dialog"), close = make("button", "", "Close");
+  dialog.ariaLabel = title;
+  dialog.append(make("h2", "", title), make("pre", "", text), close);
+  close.addEventListener("click", () => dialog.close());
+  dialog.addEventListener("close", () => dialog.remove());
+  document.body.append(dialog);
+  dialog.showModal();
+}

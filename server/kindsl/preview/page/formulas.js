@@ -1,40 +1,36 @@
 // Places that depend on parameters, evaluated in an exported page, where no server reads the document.
-"use strict";
+import { poseMatrix } from "./picture/kinematics.js";
 
-const KindslFormulas = (() => {
-  // [constant, [[parameter, factor], ...]]; a parameter without a value counts as zero.
-  function evaluate([constant, terms], values) {
-    return terms.reduce((sum, [name, factor]) => sum + factor * (values.get(name) || 0), constant);
+// [constant, [[parameter, factor], ...]]; a parameter without a value counts as zero.
+function evaluate([constant, terms], values) {
+  return terms.reduce((sum, [name, factor]) => sum + factor * (values.get(name) || 0), constant);
+}
+
+// Place again what the formulas speak of. `values` has the parameters by name.
+export function applyFormulas(scene, formulas, values) {
+  for (const formula of formulas) {
+    const entity = scene.trees.robot[formula.group].get(formula.name);
+    if (!entity || (entity.link || entity.predecessor) !== formula.link) continue;
+    const [translation, rotation] = [formula.translation, formula.rotation].map(
+      (vector) => vector.map((component) => evaluate(component, values)));
+    entity.placement = poseMatrix(translation, rotation);
+    moveBody(scene, formula, translation);
   }
+  scene.changed("joint");
+}
 
-  // Place again what the formulas speak of. `values` has the parameters by name.
-  function apply(scene, formulas, values) {
-    for (const formula of formulas) {
-      const entity = scene.trees.robot[formula.group].get(formula.name);
-      if (!entity || (entity.link || entity.predecessor) !== formula.link) continue;
-      const [translation, rotation] = [formula.translation, formula.rotation].map(
-        (vector) => vector.map((component) => evaluate(component, values)));
-      entity.placement = KindslKinematics.placement(translation, rotation);
-      moveBody(scene, formula, translation);
-    }
-    scene.changed("joint");
-  }
+// The capsule from the carrying link's frame to the joint or frame.
+function moveBody(scene, { rod, end }, translation) {
+  if (!scene.marks.byPath.has(rod)) return;
+  scene.apply({ type: "set_transform", path: rod, matrix: along(translation) });
+  scene.apply({ type: "set_transform", path: end, matrix: poseMatrix(translation, [0, 0, 0]) });
+}
 
-  // The capsule from the carrying link's frame to the joint or frame.
-  function moveBody(scene, { rod, end }, translation) {
-    if (!scene.marks.byPath.has(rod)) return;
-    scene.apply({ type: "set_transform", path: rod, matrix: along(translation) });
-    scene.apply({ type: "set_transform", path: end, matrix: KindslKinematics.placement(translation, [0, 0, 0]) });
-  }
-
-  // Stretch a unit cylinder, along y, from the origin to `end`.
-  function along(end) {
-    const direction = new MeshCat.THREE.Vector3(...end), length = Math.max(direction.length(), 1e-9);
-    const turn = new MeshCat.THREE.Quaternion();
-    turn.setFromUnitVectors(new MeshCat.THREE.Vector3(0, 1, 0), direction.clone().normalize());
-    const middle = direction.clone().multiplyScalar(0.5), scale = new MeshCat.THREE.Vector3(1, length, 1);
-    return new MeshCat.THREE.Matrix4().compose(middle, turn, scale).toArray();
-  }
-
-  return { apply };
-})();
+// Stretch a unit cylinder, along y, from the origin to `end`.
+function along(end) {
+  const direction = new MeshCat.THREE.Vector3(...end), length = Math.max(direction.length(), 1e-9);
+  const turn = new MeshCat.THREE.Quaternion();
+  turn.setFromUnitVectors(new MeshCat.THREE.Vector3(0, 1, 0), direction.clone().normalize());
+  const middle = direction.clone().multiplyScalar(0.5), scale = new MeshCat.THREE.Vector3(1, length, 1);
+  return new MeshCat.THREE.Matrix4().compose(middle, turn, scale).toArray();
+}

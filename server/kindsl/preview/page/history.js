@@ -1,92 +1,87 @@
 // Undo and redo, in the order in which things were done: of the pose, of where it is seen from, and of what was written
 // into the document from here.
-"use strict";
 
-const KindslHistory = (() => {
-  const REST = 400; // milliseconds without a change make a step
-  const MOST = 200; // steps
-  const WRITTEN = "written"; // a step that changed the document; the others are states
+const REST = 400; // milliseconds without a change make a step
+const MOST = 200; // steps
+const WRITTEN = "written"; // a step that changed the document; the others are states
 
-  class History {
-    // `take()` returns the present state as a string, `put(state)` restores one; `editing` takes the last writing back
-    // or makes it again, and tells by `rewritten` that it did.
-    constructor(take, put, editing) {
-      Object.assign(this, { take, put, editing, past: [], future: [], present: null, timer: null });
-      this.undoButton = document.getElementById("undo");
-      this.redoButton = document.getElementById("redo");
-      this.undoButton.addEventListener("click", () => this.undo());
-      this.redoButton.addEventListener("click", () => this.redo());
-    }
-
-    // What there is now is where undoing ends.
-    begin() {
-      Object.assign(this, { past: [], future: [], present: this.take() });
-      this.tell();
-    }
-
-    note() {
-      clearTimeout(this.timer);
-      this.timer = setTimeout(() => this.settle(), REST);
-    }
-
-    settle() {
-      clearTimeout(this.timer);
-      const now = this.take();
-      if (this.present === null || now === this.present) return;
-      this.add(this.present);
-      this.present = now;
-    }
-
-    add(step) {
-      this.past.push(step);
-      if (this.past.length > MOST) this.past.shift();
-      this.future = [];
-      this.tell();
-    }
-
-    // Something was written into the document.
-    wrote() {
-      this.settle();
-      this.add(WRITTEN);
-    }
-
-    // A writing was taken back or made again, wherever that was asked for; or it cannot be any more.
-    rewritten(which, isDone) {
-      const [from, to] = this.sides(which);
-      const at = from.lastIndexOf(WRITTEN);
-      if (at < 0) return;
-      from.splice(at, 1);
-      if (isDone) to.push(WRITTEN);
-      this.tell();
-    }
-
-    // What is being written comes first: it is what was done last.
-    undo() { this.editing.afterwards(() => this.go("undo")); }
-
-    redo() { this.editing.afterwards(() => this.go("redo")); }
-
-    go(which) {
-      this.settle();
-      const [from, to] = this.sides(which);
-      if (!from.length) return;
-      if (from.at(-1) === WRITTEN) {
-        this.editing.plan(which);
-        return;
-      }
-      to.push(this.present);
-      this.present = from.pop();
-      this.put(this.present);
-      clearTimeout(this.timer);
-      this.tell();
-    }
-
-    sides(which) { return which === "undo" ? [this.past, this.future] : [this.future, this.past]; }
-
-    tell() {
-      this.undoButton.disabled = this.past.length === 0;
-      this.redoButton.disabled = this.future.length === 0;
-    }
+export class History {
+  // `take()` returns the present state as a string, `put(state)` restores one; `editing` takes the last writing back
+  // or makes it again, and tells by `rewritten` that it did.
+  constructor(take, put, editing) {
+    Object.assign(this, { take, put, editing, past: [], future: [], present: null, timer: null });
+    this.undoButton = document.getElementById("undo");
+    this.redoButton = document.getElementById("redo");
+    this.undoButton.addEventListener("click", () => this.undo());
+    this.redoButton.addEventListener("click", () => this.redo());
   }
 
-  return { History };
-})();
+  // What there is now is where undoing ends.
+  begin() {
+    Object.assign(this, { past: [], future: [], present: this.take() });
+    this.tell();
+  }
+
+  note() {
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => this.settle(), REST);
+  }
+
+  settle() {
+    clearTimeout(this.timer);
+    const now = this.take();
+    if (this.present === null || now === this.present) return;
+    this.add(this.present);
+    this.present = now;
+  }
+
+  add(step) {
+    this.past.push(step);
+    if (this.past.length > MOST) this.past.shift();
+    this.future = [];
+    this.tell();
+  }
+
+  // Something was written into the document.
+  wrote() {
+    this.settle();
+    this.add(WRITTEN);
+  }
+
+  // A writing was taken back or made again, wherever that was asked for; or it cannot be any more.
+  rewritten(which, isDone) {
+    const [from, to] = this.sides(which);
+    const at = from.lastIndexOf(WRITTEN);
+    if (at < 0) return;
+    from.splice(at, 1);
+    if (isDone) to.push(WRITTEN);
+    this.tell();
+  }
+
+  // What is being written comes first: it is what was done last.
+  undo() { this.editing.afterwards(() => this.go("undo")); }
+
+  redo() { this.editing.afterwards(() => this.go("redo")); }
+
+  go(which) {
+    this.settle();
+    const [from, to] = this.sides(which);
+    if (!from.length) return;
+    if (from.at(-1) === WRITTEN) {
+      this.editing.plan(which);
+      return;
+    }
+    to.push(this.present);
+    this.present = from.pop();
+    this.put(this.present);
+    clearTimeout(this.timer);
+    this.tell();
+  }
+
+  sides(which) { return which === "undo" ? [this.past, this.future] : [this.future, this.past]; }
+
+  tell() {
+    this.undoButton.disabled = this.past.length === 0;
+    this.redoButton.disabled = this.future.length === 0;
+  }
+}

@@ -1,174 +1,171 @@
 // The handles of what is chosen: arrows along the axes of what carries it, rings about x, the new y, the newest z.
 // Each is one number of the document, so nothing is ambiguous where two rings fall together.
-"use strict";
+import { toThree } from "../picture/camera.js";
 
-const KindslHandles = (() => {
-  const NAMESPACE = "http://www.w3.org/2000/svg";
-  const { Matrix4, Vector3 } = MeshCat.THREE;
-  const LENGTH = 84, RADII = { rx: 55, ry: 62, rz: 69 }; // pixels
-  const PIECES = 48; // of a ring
-  const LEAST = 12; // pixels that an arrow must have to be dragged
-  const LENGTHS = ["x", "y", "z"], ANGLES = ["rx", "ry", "rz"];
-  const NAMES = { x: "along x", y: "along y", z: "along z", rx: "about x", ry: "about the new y", rz: "about the newest z" };
+const NAMESPACE = "http://www.w3.org/2000/svg";
+const { Matrix4, Vector3 } = MeshCat.THREE;
+const LENGTH = 84, RADII = { rx: 55, ry: 62, rz: 69 }; // pixels
+const PIECES = 48; // of a ring
+const LEAST = 12; // pixels that an arrow must have to be dragged
+export const LENGTHS = ["x", "y", "z"];
+export const ANGLES = ["rx", "ry", "rz"];
+export const HANDLE_NAMES = { x: "along x", y: "along y", z: "along z", rx: "about x", ry: "about the new y", rz: "about the newest z" };
 
-  class Handles {
-    constructor(scene, pane) {
-      Object.assign(this, { scene, pane, shown: null, mode: "move", shapes: new Map() });
-      this.svg = node("svg", { class: "handles", role: "group", "aria-label": "Handles" });
-      this.svg.style.display = "none";
-      this.svg.addEventListener("pointermove", (event) => !event.buttons && this.aim(this.nearest(event)));
-      this.svg.addEventListener("pointerout", (event) => !event.buttons && this.aim(null));
-      pane.append(this.svg);
-    }
-
-    // Called with a component and the event of a press or a key on it.
-    onPress() {}
-    onKey() {}
-
-    // Show the numbers of a thing: {kind, name, frame, components, values}; null for none.
-    show(shown) {
-      this.shown = shown;
-      const names = shown ? this.names(Object.keys(shown.values)) : [];
-      for (const [name, shape] of this.shapes) if (!names.includes(name)) this.drop(name, shape);
-      for (const name of names) if (!this.shapes.has(name)) this.add(name);
-      this.place();
-    }
-
-    // Of the numbers that there are, those of the mode; what cannot be turned is moved.
-    names(all) {
-      const angles = all.filter((name) => ANGLES.includes(name));
-      return this.mode === "turn" && angles.length ? angles : all.filter((name) => LENGTHS.includes(name));
-    }
-
-    choose(mode) {
-      this.mode = mode;
-      this.show(this.shown);
-    }
-
-    add(name) {
-      const group = node("g", { class: `handle ${name.at(-1)}`, tabindex: "0", role: "slider", "data-component": name });
-      const wide = node("path", { class: "grip" }), line = node("path", { class: "line" });
-      group.append(wide, line);
-      group.addEventListener("pointerdown", (event) => this.onPress(this.nearest(event), event));
-      group.addEventListener("keydown", (event) => this.onKey(name, event));
-      this.svg.append(group);
-      this.shapes.set(name, { group, wide, line, places: [] });
-    }
-
-    drop(name, { group }) {
-      group.remove();
-      this.shapes.delete(name);
-    }
-
-    focus(name) { this.shapes.get(name).group.focus(); }
-
-    // Show which handle a press would take; null for none.
-    aim(name) {
-      for (const [other, { group }] of this.shapes) group.classList.toggle("aimed", other === name);
-    }
-
-    // The handle whose line is nearest to the mouse, whichever of those that cross there lies on top.
-    nearest({ clientX, clientY }) {
-      const box = this.svg.getBoundingClientRect(), at = [clientX - box.left, clientY - box.top];
-      const known = [...this.shapes].map(([name, { places }]) => ({ name, distance: distanceTo(places, at) }));
-      return known.reduce((a, b) => (b.distance < a.distance ? b : a)).name;
-    }
-
-    // The radius of a ring in the base's frame, metres.
-    radius(name) { return RADII[name] * this.pixel; }
-
-    // Where the thing is carried, and its own origin and axes as the numbers say, in the base's coordinates.
-    geometry() {
-      const { shown, scene } = this, carrier = shown && this.carrier();
-      if (!carrier) return null;
-      const frame = new Matrix4().fromArray(carrier), { values } = shown;
-      const numbers = (names) => names.map((name) => values[name] || 0);
-      const origin = new Vector3(...numbers(LENGTHS)).applyMatrix4(frame);
-      const [rx, ry] = numbers(ANGLES);
-      const axis = (column, turn) => new Vector3().setFromMatrixColumn(new Matrix4().multiplyMatrices(frame, turn), column).normalize();
-      const afterX = new Matrix4().makeRotationX(rx), afterY = afterX.clone().multiply(new Matrix4().makeRotationY(ry)), none = new Matrix4();
-      return { origin, axes: { x: axis(0, none), y: axis(1, none), z: axis(2, none), rx: axis(0, none), ry: axis(1, afterX), rz: axis(2, afterY) }, unit: scene.model.unit };
-    }
-
-    carrier() {
-      const { poses, trees: { robot } } = this.scene, { kind, name, frame } = this.shown;
-      if (!poses.robot) return null;
-      if (kind === "com") return frame ? poses.robot.frames.get(frame) : poses.robot.links.get(name);
-      const thing = robot[`${kind}s`].get(name);
-      return thing && poses.robot.links.get(kind === "joint" ? thing.predecessor : thing.link);
-    }
-
-    // Bring the shapes in line with the view; called after each picture.
-    place() {
-      const geometry = this.geometry(), at = geometry && this.project(geometry.origin);
-      this.svg.style.display = at ? "" : "none";
-      if (!at) return;
-      const { camera } = this.scene.viewer;
-      this.pixel = (2 * at[2] * Math.tan((camera.fov * Math.PI) / 360)) / Math.max(1, this.pane.clientHeight);
-      for (const [name, shape] of this.shapes) this.draw(name, shape, geometry);
-    }
-
-    // Where a point of the base's frame is on the pane, beyond its edges too, and how far away; null behind the eye.
-    project(position) {
-      const { camera } = this.scene.viewer, place = KindslCamera.toThree(position.toArray());
-      const distance = camera.getWorldPosition(new Vector3()).distanceTo(place), point = place.clone().project(camera);
-      if (point.z < -1 || point.z > 1) return null;
-      return [((point.x + 1) / 2) * this.pane.clientWidth, ((1 - point.y) / 2) * this.pane.clientHeight, distance];
-    }
-
-    draw(name, shape, { origin, axes }) {
-      const { group, wide, line } = shape, axis = axes[name], isRing = name.length === 2;
-      const points = isRing ? ring(origin, axis, this.radius(name)) : [origin, origin.clone().addScaledVector(axis, LENGTH * this.pixel)];
-      const seen = points.map((point) => this.project(point)), places = seen.some((place) => !place) ? [] : seen;
-      const path = places.map(([x, y], i) => `${i ? "L" : "M"}${x.toFixed(1)} ${y.toFixed(1)}`).join("");
-      for (const each of [wide, line]) each.setAttribute("d", path && (isRing ? `${path}Z` : path + head(places)));
-      shape.places = isRing ? [...places, ...places.slice(0, 1)] : places;
-      group.classList.toggle("end-on", !isRing && lengthOf(places) < LEAST);
-      const handle = this.shown.components.find((one) => one.component === name);
-      group.classList.toggle("locked", Boolean(handle.locked));
-      group.classList.toggle("joint-axis", name.endsWith("z") && this.shown.kind === "joint" && isRing);
-      const value = this.shown.values[name];
-      group.setAttribute("aria-label", `${this.shown.kind} ${this.shown.name} ${NAMES[name]}`);
-      group.setAttribute("aria-valuenow", String(value ?? 0));
-      group.setAttribute("aria-valuetext", handle.locked || handle.text);
-    }
+export class Handles {
+  constructor(scene, pane) {
+    Object.assign(this, { scene, pane, shown: null, mode: "move", shapes: new Map() });
+    this.svg = node("svg", { class: "handles", role: "group", "aria-label": "Handles" });
+    this.svg.style.display = "none";
+    this.svg.addEventListener("pointermove", (event) => !event.buttons && this.aim(this.nearest(event)));
+    this.svg.addEventListener("pointerout", (event) => !event.buttons && this.aim(null));
+    pane.append(this.svg);
   }
 
-  function ring(origin, axis, radius) {
-    const least = Math.abs(axis.x) < 0.6 ? new Vector3(1, 0, 0) : new Vector3(0, 1, 0);
-    const u = least.cross(axis).normalize(), v = axis.clone().cross(u);
-    return Array.from({ length: PIECES }, (_, i) => {
-      const angle = (2 * Math.PI * i) / PIECES;
-      return origin.clone().addScaledVector(u, radius * Math.cos(angle)).addScaledVector(v, radius * Math.sin(angle));
-    });
+  // Called with a component and the event of a press or a key on it.
+  onPress() {}
+  onKey() {}
+
+  // Show the numbers of a thing: {kind, name, frame, components, values}; null for none.
+  show(shown) {
+    this.shown = shown;
+    const names = shown ? this.names(Object.keys(shown.values)) : [];
+    for (const [name, shape] of this.shapes) if (!names.includes(name)) this.drop(name, shape);
+    for (const name of names) if (!this.shapes.has(name)) this.add(name);
+    this.place();
   }
 
-  const lengthOf = ([from, to]) => (to ? Math.hypot(to[0] - from[0], to[1] - from[1]) : 0);
-
-  // How far a point of the pane is from a line through places, pixels.
-  function distanceTo(places, [x, y]) {
-    let least = Infinity;
-    for (let i = 1; i < places.length; i++) {
-      const [[x0, y0], [x1, y1]] = [places[i - 1], places[i]], [dx, dy] = [x1 - x0, y1 - y0];
-      const share = ((x - x0) * dx + (y - y0) * dy) / Math.max(dx * dx + dy * dy, 1e-9);
-      const near = Math.min(1, Math.max(0, share));
-      least = Math.min(least, Math.hypot(x0 + near * dx - x, y0 + near * dy - y));
-    }
-    return least;
+  // Of the numbers that there are, those of the mode; what cannot be turned is moved.
+  names(all) {
+    const angles = all.filter((name) => ANGLES.includes(name));
+    return this.mode === "turn" && angles.length ? angles : all.filter((name) => LENGTHS.includes(name));
   }
 
-  // The two strokes of an arrow's head.
-  function head([[x0, y0], [x1, y1]]) {
-    const length = Math.hypot(x1 - x0, y1 - y0) || 1, [ux, uy] = [(x1 - x0) / length, (y1 - y0) / length], s = 9;
-    const stroke = (side) => `M${x1.toFixed(1)} ${y1.toFixed(1)}L${(x1 - s * ux + side * 0.5 * s * uy).toFixed(1)} ${(y1 - s * uy - side * 0.5 * s * ux).toFixed(1)}`;
-    return stroke(1) + stroke(-1);
+  choose(mode) {
+    this.mode = mode;
+    this.show(this.shown);
   }
 
-  function node(tag, attributes) {
-    const element = document.createElementNS(NAMESPACE, tag);
-    for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-    return element;
+  add(name) {
+    const group = node("g", { class: `handle ${name.at(-1)}`, tabindex: "0", role: "slider", "data-component": name });
+    const wide = node("path", { class: "grip" }), line = node("path", { class: "line" });
+    group.append(wide, line);
+    group.addEventListener("pointerdown", (event) => this.onPress(this.nearest(event), event));
+    group.addEventListener("keydown", (event) => this.onKey(name, event));
+    this.svg.append(group);
+    this.shapes.set(name, { group, wide, line, places: [] });
   }
 
-  return { ANGLES, Handles, LENGTHS, NAMES };
-})();
+  drop(name, { group }) {
+    group.remove();
+    this.shapes.delete(name);
+  }
+
+  focus(name) { this.shapes.get(name).group.focus(); }
+
+  // Show which handle a press would take; null for none.
+  aim(name) {
+    for (const [other, { group }] of this.shapes) group.classList.toggle("aimed", other === name);
+  }
+
+  // The handle whose line is nearest to the mouse, whichever of those that cross there lies on top.
+  nearest({ clientX, clientY }) {
+    const box = this.svg.getBoundingClientRect(), at = [clientX - box.left, clientY - box.top];
+    const known = [...this.shapes].map(([name, { places }]) => ({ name, distance: distanceTo(places, at) }));
+    return known.reduce((a, b) => (b.distance < a.distance ? b : a)).name;
+  }
+
+  // The radius of a ring in the base's frame, metres.
+  radius(name) { return RADII[name] * this.pixel; }
+
+  // Where the thing is carried, and its own origin and axes as the numbers say, in the base's coordinates.
+  geometry() {
+    const { shown, scene } = this, carrier = shown && this.carrier();
+    if (!carrier) return null;
+    const frame = new Matrix4().fromArray(carrier), { values } = shown;
+    const numbers = (names) => names.map((name) => values[name] || 0);
+    const origin = new Vector3(...numbers(LENGTHS)).applyMatrix4(frame);
+    const [rx, ry] = numbers(ANGLES);
+    const axis = (column, turn) => new Vector3().setFromMatrixColumn(new Matrix4().multiplyMatrices(frame, turn), column).normalize();
+    const afterX = new Matrix4().makeRotationX(rx), afterY = afterX.clone().multiply(new Matrix4().makeRotationY(ry)), none = new Matrix4();
+    return { origin, axes: { x: axis(0, none), y: axis(1, none), z: axis(2, none), rx: axis(0, none), ry: axis(1, afterX), rz: axis(2, afterY) }, unit: scene.model.unit };
+  }
+
+  carrier() {
+    const { poses, trees: { robot } } = this.scene, { kind, name, frame } = this.shown;
+    if (!poses.robot) return null;
+    if (kind === "com") return frame ? poses.robot.frames.get(frame) : poses.robot.links.get(name);
+    const thing = robot[`${kind}s`].get(name);
+    return thing && poses.robot.links.get(kind === "joint" ? thing.predecessor : thing.link);
+  }
+
+  // Bring the shapes in line with the view; called after each picture.
+  place() {
+    const geometry = this.geometry(), at = geometry && this.project(geometry.origin);
+    this.svg.style.display = at ? "" : "none";
+    if (!at) return;
+    const { camera } = this.scene.viewer;
+    this.pixel = (2 * at[2] * Math.tan((camera.fov * Math.PI) / 360)) / Math.max(1, this.pane.clientHeight);
+    for (const [name, shape] of this.shapes) this.draw(name, shape, geometry);
+  }
+
+  // Where a point of the base's frame is on the pane, beyond its edges too, and how far away; null behind the eye.
+  project(position) {
+    const { camera } = this.scene.viewer, place = toThree(position.toArray());
+    const distance = camera.getWorldPosition(new Vector3()).distanceTo(place), point = place.clone().project(camera);
+    if (point.z < -1 || point.z > 1) return null;
+    return [((point.x + 1) / 2) * this.pane.clientWidth, ((1 - point.y) / 2) * this.pane.clientHeight, distance];
+  }
+
+  draw(name, shape, { origin, axes }) {
+    const { group, wide, line } = shape, axis = axes[name], isRing = name.length === 2;
+    const points = isRing ? ring(origin, axis, this.radius(name)) : [origin, origin.clone().addScaledVector(axis, LENGTH * this.pixel)];
+    const seen = points.map((point) => this.project(point)), places = seen.some((place) => !place) ? [] : seen;
+    const path = places.map(([x, y], i) => `${i ? "L" : "M"}${x.toFixed(1)} ${y.toFixed(1)}`).join("");
+    for (const each of [wide, line]) each.setAttribute("d", path && (isRing ? `${path}Z` : path + head(places)));
+    shape.places = isRing ? [...places, ...places.slice(0, 1)] : places;
+    group.classList.toggle("end-on", !isRing && lengthOf(places) < LEAST);
+    const handle = this.shown.components.find((one) => one.component === name);
+    group.classList.toggle("locked", Boolean(handle.locked));
+    group.classList.toggle("joint-axis", name.endsWith("z") && this.shown.kind === "joint" && isRing);
+    const value = this.shown.values[name];
+    group.setAttribute("aria-label", `${this.shown.kind} ${this.shown.name} ${HANDLE_NAMES[name]}`);
+    group.setAttribute("aria-valuenow", String(value ?? 0));
+    group.setAttribute("aria-valuetext", handle.locked || handle.text);
+  }
+}
+
+function ring(origin, axis, radius) {
+  const least = Math.abs(axis.x) < 0.6 ? new Vector3(1, 0, 0) : new Vector3(0, 1, 0);
+  const u = least.cross(axis).normalize(), v = axis.clone().cross(u);
+  return Array.from({ length: PIECES }, (_, i) => {
+    const angle = (2 * Math.PI * i) / PIECES;
+    return origin.clone().addScaledVector(u, radius * Math.cos(angle)).addScaledVector(v, radius * Math.sin(angle));
+  });
+}
+
+const lengthOf = ([from, to]) => (to ? Math.hypot(to[0] - from[0], to[1] - from[1]) : 0);
+
+// How far a point of the pane is from a line through places, pixels.
+function distanceTo(places, [x, y]) {
+  let least = Infinity;
+  for (let i = 1; i < places.length; i++) {
+    const [[x0, y0], [x1, y1]] = [places[i - 1], places[i]], [dx, dy] = [x1 - x0, y1 - y0];
+    const share = ((x - x0) * dx + (y - y0) * dy) / Math.max(dx * dx + dy * dy, 1e-9);
+    const near = Math.min(1, Math.max(0, share));
+    least = Math.min(least, Math.hypot(x0 + near * dx - x, y0 + near * dy - y));
+  }
+  return least;
+}
+
+// The two strokes of an arrow's head.
+function head([[x0, y0], [x1, y1]]) {
+  const length = Math.hypot(x1 - x0, y1 - y0) || 1, [ux, uy] = [(x1 - x0) / length, (y1 - y0) / length], s = 9;
+  const stroke = (side) => `M${x1.toFixed(1)} ${y1.toFixed(1)}L${(x1 - s * ux + side * 0.5 * s * uy).toFixed(1)} ${(y1 - s * uy - side * 0.5 * s * ux).toFixed(1)}`;
+  return stroke(1) + stroke(-1);
+}
+
+function node(tag, attributes) {
+  const element = document.createElementNS(NAMESPACE, tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  return element;
+}

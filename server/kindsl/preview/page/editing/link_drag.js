@@ -1,58 +1,55 @@
 // Dragging the chosen link turns or slides its joint: the pose alone, never the document.
-"use strict";
+import { originOf, zAxisOf } from "../picture/kinematics.js";
+import { alongLine, angleBetween, onPlane, rayOf, wrappedAngle } from "./rays.js";
 
-const KindslLinkDrag = (() => {
-  const { Vector3 } = MeshCat.THREE;
-  const GRAZING = 0.25; // below this the plane of the turn is seen from its edge
+const { Vector3 } = MeshCat.THREE;
+const GRAZING = 0.25; // below this the plane of the turn is seen from its edge
 
-  class LinkDrag {
-    constructor(page) {
-      Object.assign(this, { page, grabbed: null });
-      const { pane } = page;
-      // Before the orbit controls hear of a press, see whether it is on the chosen link.
-      pane.addEventListener("pointerdown", (event) => this.press(event), true);
-      addEventListener("pointermove", (event) => this.move(event));
-      for (const type of ["pointerup", "pointercancel"]) addEventListener(type, () => this.release());
-    }
-
-    press(event) {
-      const { scene, selection, picking, viewer } = this.page, chosen = selection.chosen;
-      if (event.button !== 0 || event.target !== viewer.renderer.domElement || !chosen || chosen.kind !== "link") return;
-      const hit = picking.at(event), { trees: { robot }, poses } = scene;
-      const joint = hit && hit.kind === "link" && hit.name === chosen.name && robot.joints.get(robot.links.get(hit.name).joint);
-      if (!joint) return;
-      const pose = poses.robot.joints.get(joint.name), pivot = new Vector3(...KindslKinematics.origin(pose));
-      const axis = new Vector3(...KindslKinematics.zAxis(pose)), ray = KindslRays.rayOf(viewer, event);
-      const point = ray.origin.clone().addScaledVector(ray.direction, hit.distance);
-      const isSlide = joint.kind === "prismatic", isEdgeOn = !isSlide && Math.abs(ray.direction.dot(axis)) < GRAZING;
-      const normal = isSlide || isEdgeOn ? ray.direction.clone() : axis;
-      this.grabbed = { joint, axis, pivot, point, normal, isSlide, isEdgeOn, last: 0, q: scene.q.get(joint.name) || 0 };
-      viewer.controls.enabled = false;
-    }
-
-    move(event) {
-      if (!this.grabbed) return;
-      const { joint, axis, pivot, point, normal, isSlide, isEdgeOn, q } = this.grabbed, { page } = this;
-      const ray = KindslRays.rayOf(page.viewer, event);
-      if (isSlide) {
-        const along = KindslRays.alongLine(ray, point, axis);
-        if (along !== null) page.actions.setJoint(joint.name, q + along);
-        return;
-      }
-      const at = KindslRays.onPlane(ray, point, normal);
-      if (!at) return;
-      const arm = point.clone().sub(pivot).projectOnPlane(axis);
-      const angle = isEdgeOn ? at.clone().sub(point).dot(axis.clone().cross(arm)) / Math.max(arm.lengthSq(), 1e-12) : KindslRays.turned(axis, pivot, point, at);
-      this.grabbed.last += isEdgeOn ? angle - this.grabbed.last : KindslRays.wrapped(angle - this.grabbed.last);
-      page.actions.setJoint(joint.name, q + this.grabbed.last);
-    }
-
-    release() {
-      if (!this.grabbed) return;
-      this.grabbed = null;
-      this.page.viewer.controls.enabled = true;
-    }
+export class LinkDrag {
+  constructor(page) {
+    Object.assign(this, { page, grabbed: null });
+    const { pane } = page;
+    // Before the orbit controls hear of a press, see whether it is on the chosen link.
+    pane.addEventListener("pointerdown", (event) => this.press(event), true);
+    addEventListener("pointermove", (event) => this.move(event));
+    for (const type of ["pointerup", "pointercancel"]) addEventListener(type, () => this.release());
   }
 
-  return { LinkDrag };
-})();
+  press(event) {
+    const { scene, selection, picking, viewer } = this.page, chosen = selection.chosen;
+    if (event.button !== 0 || event.target !== viewer.renderer.domElement || !chosen || chosen.kind !== "link") return;
+    const hit = picking.at(event), { trees: { robot }, poses } = scene;
+    const joint = hit && hit.kind === "link" && hit.name === chosen.name && robot.joints.get(robot.links.get(hit.name).joint);
+    if (!joint) return;
+    const pose = poses.robot.joints.get(joint.name), pivot = new Vector3(...originOf(pose));
+    const axis = new Vector3(...zAxisOf(pose)), ray = rayOf(viewer, event);
+    const point = ray.origin.clone().addScaledVector(ray.direction, hit.distance);
+    const isSlide = joint.kind === "prismatic", isEdgeOn = !isSlide && Math.abs(ray.direction.dot(axis)) < GRAZING;
+    const normal = isSlide || isEdgeOn ? ray.direction.clone() : axis;
+    this.grabbed = { joint, axis, pivot, point, normal, isSlide, isEdgeOn, last: 0, q: scene.q.get(joint.name) || 0 };
+    viewer.controls.enabled = false;
+  }
+
+  move(event) {
+    if (!this.grabbed) return;
+    const { joint, axis, pivot, point, normal, isSlide, isEdgeOn, q } = this.grabbed, { page } = this;
+    const ray = rayOf(page.viewer, event);
+    if (isSlide) {
+      const along = alongLine(ray, point, axis);
+      if (along !== null) page.actions.setJoint(joint.name, q + along);
+      return;
+    }
+    const at = onPlane(ray, point, normal);
+    if (!at) return;
+    const arm = point.clone().sub(pivot).projectOnPlane(axis);
+    const angle = isEdgeOn ? at.clone().sub(point).dot(axis.clone().cross(arm)) / Math.max(arm.lengthSq(), 1e-12) : angleBetween(axis, pivot, point, at);
+    this.grabbed.last += isEdgeOn ? angle - this.grabbed.last : wrappedAngle(angle - this.grabbed.last);
+    page.actions.setJoint(joint.name, q + this.grabbed.last);
+  }
+
+  release() {
+    if (!this.grabbed) return;
+    this.grabbed = null;
+    this.page.viewer.controls.enabled = true;
+  }
+}

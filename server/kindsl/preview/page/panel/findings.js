@@ -1,73 +1,68 @@
 // What the linter says: a chip that opens a list in the panel, and one line over the picture when it is not the document.
-"use strict";
+import { make } from "../elements.js";
 
-const KindslFindings = (() => {
-  const { make } = KindslElements;
-  const WORDS = [["error", "error"], ["warning", "warning"], ["info", "note"], ["hint", "hint"]];
+const WORDS = [["error", "error"], ["warning", "warning"], ["info", "note"], ["hint", "hint"]];
 
-  const GREY = new Set(["broken", "gone"]); // what is drawn is not the document
+export const GREY = new Set(["broken", "gone"]); // what is drawn is not the document
 
-  class Findings {
-    constructor(pane, inbox, actions) {
-      Object.assign(this, { pane, inbox, actions, isOpen: false });
-      this.notice = document.getElementById("notice");
-      this.section = document.getElementById("findings");
-      this.chip = document.getElementById("summary");
-      this.chip.addEventListener("click", () => this.open(!this.isOpen));
-      for (const type of ["pointerdown", "wheel"]) this.notice.addEventListener(type, (event) => event.stopPropagation());
-      this.notice.firstElementChild.addEventListener("click", () => this.open(!this.isOpen));
-    }
-
-    open(isOpen) {
-      this.isOpen = isOpen && this.inbox.findings.size > 0;
-      if (this.isOpen) this.actions.foldPanel(false);
-      this.show();
-    }
-
-    // {error, warning, info, hint}: how many there are, listed or not.
-    get counts() { return this.inbox.status.counts || {}; }
-
-    show() {
-      const { state, message, total } = this.inbox.status;
-      const list = [...this.inbox.findings.values()].sort((a, b) => a.index - b.index);
-      const isStale = GREY.has(state);
-      this.pane.classList.toggle("stale", isStale);
-      this.notice.hidden = !message;
-      this.notice.classList.toggle("broken", isStale);
-      this.notice.firstElementChild.textContent = message;
-      this.notice.firstElementChild.title = message;
-      this.isOpen = this.isOpen && list.length > 0;
-      this.section.hidden = !this.isOpen;
-      this.chip.ariaExpanded = String(this.isOpen);
-      this.section.querySelector("ul").replaceChildren(...(this.isOpen ? list.map((finding) => this.item(finding)) : []));
-      const more = total - list.length;
-      this.section.querySelector("p").textContent = more > 0 ? `and ${more} more` : "";
-      this.summarise();
-    }
-
-    summarise() {
-      const parts = this.words();
-      this.chip.textContent = parts.join(", ");
-      this.chip.hidden = parts.length === 0;
-      const worst = WORDS.find(([severity]) => this.counts[severity]);
-      this.chip.className = worst ? worst[0] : "";
-    }
-
-    // "2 errors", "1 warning"
-    words() {
-      const said = WORDS.filter(([severity]) => this.counts[severity]);
-      return said.map(([severity, word]) => `${this.counts[severity]} ${word}${this.counts[severity] === 1 ? "" : "s"}`);
-    }
-
-    item(finding) {
-      const item = make("li"), link = make("button", finding.severity);
-      const texts = { place: `${finding.line}:${finding.column}`, code: finding.code, message: finding.message };
-      for (const [className, text] of Object.entries(texts)) link.append(make("span", className, text));
-      link.addEventListener("click", () => this.actions.reveal({ kind: "finding", name: String(finding.index) }));
-      item.append(link);
-      return item;
-    }
+export class Findings {
+  constructor(pane, inbox, actions) {
+    Object.assign(this, { pane, inbox, actions, isOpen: false });
+    this.notice = document.getElementById("notice");
+    this.section = document.getElementById("findings");
+    this.chip = document.getElementById("summary");
+    this.chip.addEventListener("click", () => this.open(!this.isOpen));
+    for (const type of ["pointerdown", "wheel"]) this.notice.addEventListener(type, (event) => event.stopPropagation());
+    this.notice.firstElementChild.addEventListener("click", () => this.open(!this.isOpen));
   }
 
-  return { Findings, GREY };
-})();
+  open(isOpen) {
+    this.isOpen = isOpen && this.inbox.findings.size > 0;
+    if (this.isOpen) this.actions.foldPanel(false);
+    this.show();
+  }
+
+  // {error, warning, info, hint}: how many there are, listed or not.
+  get counts() { return this.inbox.status.counts || {}; }
+
+  show() {
+    const { state, message, total } = this.inbox.status;
+    const list = [...this.inbox.findings.values()].sort((a, b) => a.index - b.index);
+    const isStale = GREY.has(state);
+    this.pane.classList.toggle("stale", isStale);
+    this.notice.hidden = !message;
+    this.notice.classList.toggle("broken", isStale);
+    this.notice.firstElementChild.textContent = message;
+    this.notice.firstElementChild.title = message;
+    this.isOpen = this.isOpen && list.length > 0;
+    this.section.hidden = !this.isOpen;
+    this.chip.ariaExpanded = String(this.isOpen);
+    this.section.querySelector("ul").replaceChildren(...(this.isOpen ? list.map((finding) => this.item(finding)) : []));
+    const more = total - list.length;
+    this.section.querySelector("p").textContent = more > 0 ? `and ${more} more` : "";
+    this.summarise();
+  }
+
+  summarise() {
+    const parts = this.words();
+    this.chip.textContent = parts.join(", ");
+    this.chip.hidden = parts.length === 0;
+    const worst = WORDS.find(([severity]) => this.counts[severity]);
+    this.chip.className = worst ? worst[0] : "";
+  }
+
+  // "2 errors", "1 warning"
+  words() {
+    const said = WORDS.filter(([severity]) => this.counts[severity]);
+    return said.map(([severity, word]) => `${this.counts[severity]} ${word}${this.counts[severity] === 1 ? "" : "s"}`);
+  }
+
+  item(finding) {
+    const item = make("li"), link = make("button", finding.severity);
+    const texts = { place: `${finding.line}:${finding.column}`, code: finding.code, message: finding.message };
+    for (const [className, text] of Object.entries(texts)) link.append(make("span", className, text));
+    link.addEventListener("click", () => this.actions.reveal({ kind: "finding", name: String(finding.index) }));
+    item.append(link);
+    return item;
+  }
+}

@@ -1,94 +1,92 @@
 // Presets, and below them what is drawn in which colour, with switches and opacities for each kind of thing.
-"use strict";
+import { make } from "../elements.js";
+import { CATEGORIES, NAME_KINDS } from "../picture/categories.js";
+import { cssColor } from "../picture/palette.js";
+import { oversized } from "../picture/places.js";
+import { PRESET_NAMES } from "../picture/presets.js";
 
-const KindslLegend = (() => {
-  const { make } = KindslElements;
+export class Legend {
+  constructor(scene, presets, actions) {
+    Object.assign(this, { scene, presets, actions, rows: new Map(), buttons: new Map() });
+    this.box = document.getElementById("legend");
+    for (const category of CATEGORIES) this.box.append(this.entry(category));
+    this.more = make("p", "more");
+    this.box.append(this.more);
+    this.fillPresets(document.getElementById("presets"));
+    presets.onChange(() => this.show());
+    this.show();
+  }
 
-  class Legend {
-    constructor(scene, presets, actions) {
-      Object.assign(this, { scene, presets, actions, rows: new Map(), buttons: new Map() });
-      this.box = document.getElementById("legend");
-      for (const category of KindslCategories.CATEGORIES) this.box.append(this.entry(category));
-      this.more = make("p", "more");
-      this.box.append(this.more);
-      this.fillPresets(document.getElementById("presets"));
-      presets.onChange(() => this.show());
-      this.show();
-    }
-
-    fillPresets(group) {
-      for (const name of KindslPresets.NAMES) {
-        const button = make("button", "", name);
-        Object.assign(button, { type: "button", role: "radio" });
-        button.dataset.preset = name;
-        button.addEventListener("click", () => this.actions.choosePreset(name));
-        button.addEventListener("keydown", (event) => this.step(event, name));
-        this.buttons.set(name, button);
-        group.append(button);
-      }
-    }
-
-    // The arrow keys go from one preset to the next, as in any group of radio buttons.
-    step(event, name) {
-      const by = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
-      if (!by) return;
-      const names = KindslPresets.NAMES, next = names[(names.indexOf(name) + by + names.length) % names.length];
-      this.actions.choosePreset(next);
-      this.buttons.get(next).focus();
-      event.preventDefault();
-    }
-
-    entry(category) {
-      const row = make("label", "entry"), box = make("input"), fade = make("input", "fade");
-      Object.assign(box, { type: "checkbox" });
-      box.dataset.category = category.key;
-      Object.assign(fade, { type: "range", min: 0.05, max: 1, step: 0.05, title: "Opacity" });
-      fade.ariaLabel = `opacity of ${category.title}`;
-      fade.hidden = KindslCategories.NAMES.includes(category.key);
-      const change = () => this.actions.setView(category.key, box.checked, Number(fade.value));
-      box.addEventListener("change", change);
-      fade.addEventListener("input", change);
-      const swatch = make("span", `swatch ${category.swatch || ""}`);
-      row.append(box, swatch, make("span", "title", category.title), fade);
-      this.rows.set(category.key, { box, fade, swatch });
-      return row;
-    }
-
-    // What the presets and the theme say now.
-    show() {
-      for (const [key, { box, fade, swatch }] of this.rows) {
-        const { visible, opacity } = this.scene.view.get(key), color = this.scene.colors[key];
-        box.checked = visible;
-        if (document.activeElement !== fade) fade.value = opacity;
-        if (color !== undefined) swatch.style.background = KindslPalette.css(color);
-      }
-      for (const [name, button] of this.buttons) {
-        const isChosen = name === this.presets.name;
-        button.ariaChecked = String(isChosen);
-        button.tabIndex = isChosen ? 0 : -1;
-        button.textContent = isChosen && this.presets.own.size ? `${name} *` : name;
-      }
-      this.showMore();
-    }
-
-    // Own choices can be taken back, and what was left out for its size be asked for.
-    showMore() {
-      const large = KindslPlaces.oversized(this.scene).length, offers = new Map();
-      if (large) offers.set(`Show ${large} ellipsoid${large === 1 ? "" : "s"} larger than the robot`, () => this.actions.showOversized(true));
-      else if (this.scene.showsOversized) offers.set("Leave out ellipsoids larger than the robot", () => this.actions.showOversized(false));
-      if (this.presets.own.size) offers.set(`Back to ${this.presets.name} as it was`, () => this.actions.resetPreset());
-      const shown = [...this.more.children].map((button) => button.textContent);
-      if (shown.join() === [...offers.keys()].join()) return; // a button stays under the mouse that presses it
-      this.more.replaceChildren(...[...offers].flatMap(([text, act]) => [offer(text, act), " "]));
+  fillPresets(group) {
+    for (const name of PRESET_NAMES) {
+      const button = make("button", "", name);
+      Object.assign(button, { type: "button", role: "radio" });
+      button.dataset.preset = name;
+      button.addEventListener("click", () => this.actions.choosePreset(name));
+      button.addEventListener("keydown", (event) => this.step(event, name));
+      this.buttons.set(name, button);
+      group.append(button);
     }
   }
 
-  function offer(text, act) {
-    const button = make("button", "", text);
-    button.type = "button";
-    button.addEventListener("click", act);
-    return button;
+  // The arrow keys go from one preset to the next, as in any group of radio buttons.
+  step(event, name) {
+    const by = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
+    if (!by) return;
+    const names = PRESET_NAMES, next = names[(names.indexOf(name) + by + names.length) % names.length];
+    this.actions.choosePreset(next);
+    this.buttons.get(next).focus();
+    event.preventDefault();
   }
 
-  return { Legend };
-})();
+  entry(category) {
+    const row = make("label", "entry"), box = make("input"), fade = make("input", "fade");
+    Object.assign(box, { type: "checkbox" });
+    box.dataset.category = category.key;
+    Object.assign(fade, { type: "range", min: 0.05, max: 1, step: 0.05, title: "Opacity" });
+    fade.ariaLabel = `opacity of ${category.title}`;
+    fade.hidden = NAME_KINDS.includes(category.key);
+    const change = () => this.actions.setView(category.key, box.checked, Number(fade.value));
+    box.addEventListener("change", change);
+    fade.addEventListener("input", change);
+    const swatch = make("span", `swatch ${category.swatch || ""}`);
+    row.append(box, swatch, make("span", "title", category.title), fade);
+    this.rows.set(category.key, { box, fade, swatch });
+    return row;
+  }
+
+  // What the presets and the theme say now.
+  show() {
+    for (const [key, { box, fade, swatch }] of this.rows) {
+      const { visible, opacity } = this.scene.view.get(key), color = this.scene.colors[key];
+      box.checked = visible;
+      if (document.activeElement !== fade) fade.value = opacity;
+      if (color !== undefined) swatch.style.background = cssColor(color);
+    }
+    for (const [name, button] of this.buttons) {
+      const isChosen = name === this.presets.name;
+      button.ariaChecked = String(isChosen);
+      button.tabIndex = isChosen ? 0 : -1;
+      button.textContent = isChosen && this.presets.own.size ? `${name} *` : name;
+    }
+    this.showMore();
+  }
+
+  // Own choices can be taken back, and what was left out for its size be asked for.
+  showMore() {
+    const large = oversized(this.scene).length, offers = new Map();
+    if (large) offers.set(`Show ${large} ellipsoid${large === 1 ? "" : "s"} larger than the robot`, () => this.actions.showOversized(true));
+    else if (this.scene.showsOversized) offers.set("Leave out ellipsoids larger than the robot", () => this.actions.showOversized(false));
+    if (this.presets.own.size) offers.set(`Back to ${this.presets.name} as it was`, () => this.actions.resetPreset());
+    const shown = [...this.more.children].map((button) => button.textContent);
+    if (shown.join() === [...offers.keys()].join()) return; // a button stays under the mouse that presses it
+    this.more.replaceChildren(...[...offers].flatMap(([text, act]) => [offer(text, act), " "]));
+  }
+}
+
+function offer(text, act) {
+  const button = make("button", "", text);
+  button.type = "button";
+  button.addEventListener("click", act);
+  return button;
+}

@@ -1,73 +1,68 @@
 // A row with a name, a slider and a place to type the value.
-"use strict";
+import { make } from "../elements.js";
 
-const KindslSliderRow = (() => {
-  const { make } = KindslElements;
-  const STEPS = 2000;
+const STEPS = 2000;
 
-  class SliderRow {
-    // `onInput(value)` is called with numbers only, `onName()` for a click on the name, `onReset()` for a double click.
-    constructor(name, units, { onInput, onName, onReset, onHover }) {
-      Object.assign(this, { units, kind: "", minimum: 0, maximum: 1, value: 0 });
-      this.element = make("div", "row");
-      this.name = make("button", "name", name);
-      this.name.title = name;
-      this.name.addEventListener("click", onName);
-      this.slider = make("input");
-      Object.assign(this.slider, { type: "range", ariaLabel: name });
-      this.number = make("input", "number");
-      Object.assign(this.number, { type: "text", inputMode: "decimal", ariaLabel: `${name}, typed`, spellcheck: false });
-      this.unit = make("span", "unit");
-      this.element.append(this.name, this.slider, this.number, this.unit);
-      this.slider.addEventListener("input", () => this.slide(onInput));
-      this.slider.addEventListener("dblclick", onReset);
-      this.number.addEventListener("change", () => this.type(onInput));
-      if (!onHover) return;
-      this.element.addEventListener("mouseenter", () => onHover(true));
-      this.element.addEventListener("mouseleave", () => onHover(false));
-    }
-
-    slide(onInput) {
-      const value = Number(this.slider.value);
-      this.number.value = this.units.show(value, this.kind);
-      this.number.classList.remove("wrong");
-      this.fill(value);
-      onInput(value);
-    }
-
-    type(onInput) {
-      const value = this.units.read(this.number.value, this.kind);
-      this.number.classList.toggle("wrong", value === null);
-      this.number.ariaInvalid = String(value === null);
-      if (value === null) return;
-      onInput(value);
-      this.setValue(value);
-      this.number.value = this.units.show(value, this.kind);
-    }
-
-    // `kind` is "angle", "length" or another without a unit.
-    setRange(minimum, maximum, kind) {
-      Object.assign(this, { minimum, maximum, kind });
-      Object.assign(this.slider, { min: minimum, max: maximum, step: (maximum - minimum) / STEPS });
-      this.unit.textContent = this.units.nameOf(kind);
-    }
-
-    // Show a value. What is being typed stays.
-    setValue(value) {
-      if (document.activeElement !== this.number) this.number.value = this.units.show(value, this.kind);
-      this.slider.value = value;
-      this.slider.ariaValueText = `${this.units.show(value, this.kind)} ${this.units.nameOf(this.kind)}`.trim();
-      this.fill(value);
-    }
-
-    // The track is filled from zero, or from the end that is nearest to it.
-    fill(value) {
-      const share = (at) => Math.min(100, Math.max(0, (100 * (at - this.minimum)) / (this.maximum - this.minimum)));
-      const [from, to] = [share(0), share(value)].sort((a, b) => a - b);
-      this.slider.style.setProperty("--from", `${from.toFixed(2)}%`);
-      this.slider.style.setProperty("--to", `${to.toFixed(2)}%`);
-    }
+export class SliderRow {
+  // `onInput(value)` is called with numbers only, `onName()` for a click on the name, `onReset()` for a double click.
+  constructor(name, units, { onInput, onName, onReset, onHover }) {
+    Object.assign(this, { units, kind: "", minimum: 0, maximum: 1, value: 0 });
+    this.element = make("div", "row");
+    this.name = make("button", "name", name);
+    this.name.title = name;
+    this.name.addEventListener("click", onName);
+    this.slider = make("input");
+    Object.assign(this.slider, { type: "range", ariaLabel: name });
+    this.number = make("input", "number");
+    Object.assign(this.number, { type: "text", inputMode: "decimal", ariaLabel: `${name}, typed`, spellcheck: false });
+    this.unit = make("span", "unit");
+    this.element.append(this.name, this.slider, this.number, this.unit);
+    this.slider.addEventListener("input", () => this.slide(onInput));
+    this.slider.addEventListener("dblclick", onReset);
+    this.number.addEventListener("change", () => this.type(onInput));
+    if (!onHover) return;
+    this.element.addEventListener("mouseenter", () => onHover(true));
+    this.element.addEventListener("mouseleave", () => onHover(false));
   }
 
-  return { SliderRow };
-})();
+  slide(onInput) {
+    const value = Number(this.slider.value);
+    this.number.value = this.units.show(value, this.kind);
+    this.number.classList.remove("wrong");
+    this.fill(value);
+    onInput(value);
+  }
+
+  type(onInput) {
+    const value = this.units.read(this.number.value, this.kind);
+    this.number.classList.toggle("wrong", value === null);
+    this.number.ariaInvalid = String(value === null);
+    if (value === null) return;
+    onInput(value);
+    this.setValue(value);
+    this.number.value = this.units.show(value, this.kind);
+  }
+
+  // `kind` is "angle", "length" or another without a unit.
+  setRange(minimum, maximum, kind) {
+    Object.assign(this, { minimum, maximum, kind });
+    Object.assign(this.slider, { min: minimum, max: maximum, step: (maximum - minimum) / STEPS });
+    this.unit.textContent = this.units.nameOf(kind);
+  }
+
+  // Show a value. What is being typed stays.
+  setValue(value) {
+    if (document.activeElement !== this.number) this.number.value = this.units.show(value, this.kind);
+    this.slider.value = value;
+    this.slider.ariaValueText = `${this.units.show(value, this.kind)} ${this.units.nameOf(this.kind)}`.trim();
+    this.fill(value);
+  }
+
+  // The track is filled from zero, or from the end that is nearest to it.
+  fill(value) {
+    const share = (at) => Math.min(100, Math.max(0, (100 * (at - this.minimum)) / (this.maximum - this.minimum)));
+    const [from, to] = [share(0), share(value)].sort((a, b) => a - b);
+    this.slider.style.setProperty("--from", `${from.toFixed(2)}%`);
+    this.slider.style.setProperty("--to", `${to.toFixed(2)}%`);
+  }
+}

@@ -1,50 +1,45 @@
 // Where names may stand: one after another takes the best free place near its thing.
-"use strict";
 
-const KindslLabelPlaces = (() => {
-  const GAP = 3; // pixels between two labels
-  // [horizontal, vertical side of the thing, how far off in pixels], the preferred first.
-  const SLOTS = [10, 30, 52].flatMap((off) => [[1, -1], [1, 1], [-1, -1], [-1, 1], [0, -1], [0, 1]].map(([h, v]) => [h, v, off]));
-  const COST = { order: 0.35, away: 2, kept: -3, covered: 2 };
+const GAP = 3; // pixels between two labels
+// [horizontal, vertical side of the thing, how far off in pixels], the preferred first.
+const SLOTS = [10, 30, 52].flatMap((off) => [[1, -1], [1, 1], [-1, -1], [-1, 1], [0, -1], [0, 1]].map(([h, v]) => [h, v, off]));
+const COST = { order: 0.35, away: 2, kept: -3, covered: 2 };
 
-  class LabelPlaces {
-    // `marks` are boxes [left, top, right, bottom] that names should not cover.
-    constructor(pane, marks) {
-      Object.assign(this, { width: pane.clientWidth, height: pane.clientHeight, marks, taken: [] });
-    }
-
-    // The cheapest free place for a label: near, off the marks, and where it was before; null without one.
-    claim(label, [x, y]) {
-      let best = null, least = Infinity, chosen = -1;
-      for (const [index, slot] of SLOTS.entries()) {
-        const box = boxAt(label.size, x, y, slot);
-        if (box[0] < 0 || box[1] < 0 || box[2] > this.width || box[3] > this.height) continue;
-        if (this.taken.some((other) => overlaps(box, other))) continue;
-        const cost = this.cost(box, index, label.slot);
-        if (cost < least) [least, best, chosen] = [cost, box, index];
-      }
-      if (!best) return null;
-      label.slot = chosen;
-      this.taken.push(best);
-      return best;
-    }
-
-    cost(box, index, before) {
-      const covered = this.marks.filter((mark) => overlaps(box, mark)).length;
-      const away = SLOTS[index][2] > SLOTS[0][2] ? COST.away : 0;
-      return index * COST.order + away + covered * COST.covered + (index === before ? COST.kept : 0);
-    }
+export class LabelPlaces {
+  // `marks` are boxes [left, top, right, bottom] that names should not cover.
+  constructor(pane, marks) {
+    Object.assign(this, { width: pane.clientWidth, height: pane.clientHeight, marks, taken: [] });
   }
 
-  function boxAt([width, height], x, y, [h, v, off]) {
-    const left = h === 0 ? x - width / 2 : h > 0 ? x + off : x - off - width;
-    const top = v > 0 ? y + off * 0.5 : y - off * 0.5 - height;
-    return [left, top, left + width, top + height];
+  // The cheapest free place for a label: near, off the marks, and where it was before; null without one.
+  claim(label, [x, y]) {
+    let best = null, least = Infinity, chosen = -1;
+    for (const [index, slot] of SLOTS.entries()) {
+      const box = boxAt(label.size, x, y, slot);
+      if (box[0] < 0 || box[1] < 0 || box[2] > this.width || box[3] > this.height) continue;
+      if (this.taken.some((other) => overlaps(box, other))) continue;
+      const cost = this.cost(box, index, label.slot);
+      if (cost < least) [least, best, chosen] = [cost, box, index];
+    }
+    if (!best) return null;
+    label.slot = chosen;
+    this.taken.push(best);
+    return best;
   }
 
-  function overlaps(a, b) {
-    return a[0] < b[2] + GAP && b[0] < a[2] + GAP && a[1] < b[3] + GAP && b[1] < a[3] + GAP;
+  cost(box, index, before) {
+    const covered = this.marks.filter((mark) => overlaps(box, mark)).length;
+    const away = SLOTS[index][2] > SLOTS[0][2] ? COST.away : 0;
+    return index * COST.order + away + covered * COST.covered + (index === before ? COST.kept : 0);
   }
+}
 
-  return { LabelPlaces, overlaps };
-})();
+function boxAt([width, height], x, y, [h, v, off]) {
+  const left = h === 0 ? x - width / 2 : h > 0 ? x + off : x - off - width;
+  const top = v > 0 ? y + off * 0.5 : y - off * 0.5 - height;
+  return [left, top, left + width, top + height];
+}
+
+export function overlaps(a, b) {
+  return a[0] < b[2] + GAP && b[0] < a[2] + GAP && a[1] < b[3] + GAP && b[1] < a[3] + GAP;
+}

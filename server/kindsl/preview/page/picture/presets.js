@@ -1,76 +1,73 @@
 // Sets of what is shown, and the user's own choices on top of them.
-"use strict";
 
-const KindslPresets = (() => {
-  const COMMON = { body: 1, base: 1, revolute: 1, prismatic: 1, ghost: 0.3, ground: 1, "link-names": 1 };
-  // The opacity of what is shown beside the common things.
-  const PRESETS = {
-    Kinematics: { axis: 1, "optional-frame": "few", "frame-names": "few" },
-    Inertia: { body: 0.3, base: 0.3, revolute: 0.35, prismatic: 0.35, com: 1, "robot-com": 1, inertia: 0.13 },
-    Frames: {
-      body: 0.25, base: 0.25, revolute: 0.3, prismatic: 0.3, "link-frame": 1, "joint-frame": 0.85, "optional-frame": 1,
-      "joint-names": 1, "frame-names": 1,
-    },
-    All: {
-      body: 0.62, base: 0.75, axis: 1, "link-frame": 1, "joint-frame": 0.55, "optional-frame": 1, com: 1, "robot-com": 1,
-      inertia: 0.13, "joint-names": 1, "frame-names": 1,
-    },
-  };
-  const USUAL = { com: 1, inertia: 0.13, "joint-frame": 0.85 }; // opacities of what a preset leaves out
-  const FEW = 8; // optional frames
-  const FIRST = "Kinematics";
+const COMMON = { body: 1, base: 1, revolute: 1, prismatic: 1, ghost: 0.3, ground: 1, "link-names": 1 };
+// The opacity of what is shown beside the common things.
+const PRESETS = {
+  Kinematics: { axis: 1, "optional-frame": "few", "frame-names": "few" },
+  Inertia: { body: 0.3, base: 0.3, revolute: 0.35, prismatic: 0.35, com: 1, "robot-com": 1, inertia: 0.13 },
+  Frames: {
+    body: 0.25, base: 0.25, revolute: 0.3, prismatic: 0.3, "link-frame": 1, "joint-frame": 0.85, "optional-frame": 1,
+    "joint-names": 1, "frame-names": 1,
+  },
+  All: {
+    body: 0.62, base: 0.75, axis: 1, "link-frame": 1, "joint-frame": 0.55, "optional-frame": 1, com: 1, "robot-com": 1,
+    inertia: 0.13, "joint-names": 1, "frame-names": 1,
+  },
+};
+const USUAL = { com: 1, inertia: 0.13, "joint-frame": 0.85 }; // opacities of what a preset leaves out
+const FEW = 8; // optional frames
+export const FIRST_PRESET = "Kinematics";
 
-  class Presets {
-    constructor(scene) {
-      this.scene = scene;
-      this.name = FIRST;
-      this.own = new Map(); // of the present preset: key to {visible, opacity}
-      this.kept = new Map(); // own choices by preset
-      this.listeners = [];
-      this.apply();
-    }
-
-    onChange(listener) { this.listeners.push(listener); }
-
-    choose(name) {
-      if (!(name in PRESETS)) return;
-      this.kept.set(this.name, this.own);
-      this.name = name;
-      this.own = this.kept.get(name) || new Map();
-      this.apply();
-    }
-
-    set(key, visible, opacity) {
-      if (!this.scene.view.has(key)) return;
-      this.own.set(key, { visible, opacity });
-      this.apply();
-    }
-
-    reset() {
-      this.own.clear();
-      this.apply();
-    }
-
-    // What a preset shows of a robot with so many optional frames.
-    usual(key) {
-      const wanted = { ...COMMON, ...PRESETS[this.name] }[key];
-      const visible = wanted === "few" ? this.scene.trees.robot.frames.size <= FEW : wanted !== undefined;
-      return { visible, opacity: typeof wanted === "number" ? wanted : USUAL[key] || 1 };
-    }
-
-    apply() {
-      for (const key of this.scene.view.keys()) this.scene.view.set(key, this.own.get(key) || this.usual(key));
-      this.scene.changed("view");
-      for (const listener of this.listeners) listener();
-    }
-
-    // The robot has other frames: what depends on their number is looked at again.
-    refresh() {
-      const before = this.scene.view.get("optional-frame");
-      const now = this.own.get("optional-frame") || this.usual("optional-frame");
-      if (before.visible !== now.visible) this.apply();
-    }
+export class Presets {
+  constructor(scene) {
+    this.scene = scene;
+    this.name = FIRST_PRESET;
+    this.own = new Map(); // of the present preset: key to {visible, opacity}
+    this.kept = new Map(); // own choices by preset
+    this.listeners = [];
+    this.apply();
   }
 
-  return { FIRST, NAMES: Object.keys(PRESETS), Presets };
-})();
+  onChange(listener) { this.listeners.push(listener); }
+
+  choose(name) {
+    if (!(name in PRESETS)) return;
+    this.kept.set(this.name, this.own);
+    this.name = name;
+    this.own = this.kept.get(name) || new Map();
+    this.apply();
+  }
+
+  set(key, visible, opacity) {
+    if (!this.scene.view.has(key)) return;
+    this.own.set(key, { visible, opacity });
+    this.apply();
+  }
+
+  reset() {
+    this.own.clear();
+    this.apply();
+  }
+
+  // What a preset shows of a robot with so many optional frames.
+  usual(key) {
+    const wanted = { ...COMMON, ...PRESETS[this.name] }[key];
+    const visible = wanted === "few" ? this.scene.trees.robot.frames.size <= FEW : wanted !== undefined;
+    return { visible, opacity: typeof wanted === "number" ? wanted : USUAL[key] || 1 };
+  }
+
+  apply() {
+    for (const key of this.scene.view.keys()) this.scene.view.set(key, this.own.get(key) || this.usual(key));
+    this.scene.changed("view");
+    for (const listener of this.listeners) listener();
+  }
+
+  // The robot has other frames: what depends on their number is looked at again.
+  refresh() {
+    const before = this.scene.view.get("optional-frame");
+    const now = this.own.get("optional-frame") || this.usual("optional-frame");
+    if (before.visible !== now.visible) this.apply();
+  }
+}
+
+export const PRESET_NAMES = Object.keys(PRESETS);

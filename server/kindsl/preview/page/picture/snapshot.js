@@ -1,49 +1,44 @@
 // The picture as a PNG file: ground colour, robot and names.
-"use strict";
 
-const KindslSnapshot = (() => {
-  // Return a canvas with what the pane shows.
-  function draw(viewer, labels, pane) {
-    viewer.render();
-    const source = viewer.renderer.domElement, canvas = document.createElement("canvas");
-    Object.assign(canvas, { width: source.width, height: source.height });
-    const pen = canvas.getContext("2d"), scale = source.width / pane.clientWidth, style = getComputedStyle(document.documentElement);
-    const color = (name) => style.getPropertyValue(`--${name}`).trim();
-    const sky = pen.createLinearGradient(0, 0, 0, canvas.height);
-    sky.addColorStop(0, color("sky"));
-    sky.addColorStop(1, color("floor"));
-    pen.fillStyle = sky;
-    pen.fillRect(0, 0, canvas.width, canvas.height);
-    pen.drawImage(source, 0, 0);
-    pen.scale(scale, scale);
-    drawNames(pen, labels, pane.getBoundingClientRect(), color);
-    return canvas;
+// Return a canvas with what the pane shows.
+export function drawPicture(viewer, labels, pane) {
+  viewer.render();
+  const source = viewer.renderer.domElement, canvas = document.createElement("canvas");
+  Object.assign(canvas, { width: source.width, height: source.height });
+  const pen = canvas.getContext("2d"), scale = source.width / pane.clientWidth, style = getComputedStyle(document.documentElement);
+  const color = (name) => style.getPropertyValue(`--${name}`).trim();
+  const sky = pen.createLinearGradient(0, 0, 0, canvas.height);
+  sky.addColorStop(0, color("sky"));
+  sky.addColorStop(1, color("floor"));
+  pen.fillStyle = sky;
+  pen.fillRect(0, 0, canvas.width, canvas.height);
+  pen.drawImage(source, 0, 0);
+  pen.scale(scale, scale);
+  drawNames(pen, labels, pane.getBoundingClientRect(), color);
+  return canvas;
+}
+
+function drawNames(pen, labels, { left, top }, color) {
+  pen.font = "11px system-ui, DejaVu Sans, sans-serif";
+  pen.textBaseline = "middle";
+  for (const { element, name, isShown } of labels.byKey.values()) {
+    if (!isShown) continue;
+    const box = element.getBoundingClientRect(), look = getComputedStyle(element);
+    pen.fillStyle = look.backgroundColor;
+    pen.fillRect(box.left - left, box.top - top, box.width, box.height);
+    pen.fillStyle = look.borderLeftColor;
+    pen.fillRect(box.left - left, box.top - top, 2, box.height);
+    pen.fillStyle = look.color || color("ink");
+    pen.fillText(name, box.left - left + 6, box.top - top + box.height / 2);
   }
+}
 
-  function drawNames(pen, labels, { left, top }, color) {
-    pen.font = "11px system-ui, DejaVu Sans, sans-serif";
-    pen.textBaseline = "middle";
-    for (const { element, name, isShown } of labels.byKey.values()) {
-      if (!isShown) continue;
-      const box = element.getBoundingClientRect(), look = getComputedStyle(element);
-      pen.fillStyle = look.backgroundColor;
-      pen.fillRect(box.left - left, box.top - top, box.width, box.height);
-      pen.fillStyle = look.borderLeftColor;
-      pen.fillRect(box.left - left, box.top - top, 2, box.height);
-      pen.fillStyle = look.color || color("ink");
-      pen.fillText(name, box.left - left + 6, box.top - top + box.height / 2);
-    }
-  }
-
-  function save(canvas, name) {
-    canvas.toBlob((blob) => {
-      const link = document.createElement("a");
-      link.href = URL.createObjectURL(blob);
-      link.download = `${name.replace(/[^\w.-]+/g, "_") || "robot"}.png`;
-      link.click();
-      setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
-    });
-  }
-
-  return { draw, save };
-})();
+export function savePicture(canvas, name) {
+  canvas.toBlob((blob) => {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(blob);
+    link.download = `${name.replace(/[^\w.-]+/g, "_") || "robot"}.png`;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+  });
+}
