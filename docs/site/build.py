@@ -7,7 +7,6 @@ network.
 """
 
 import argparse
-import importlib
 import inspect
 import re
 import shutil
@@ -108,11 +107,12 @@ def _page_of_folder(folder: Path) -> Path:
 
 def command_line_page() -> str:
     """Return the help of every command."""
-    from kindsl.cli.main import available
+    from kindsl.cli.commands import command_module, command_summaries
 
     parts = ["# Command line\n", "`kindsl COMMAND ...`; `kdsl-lint` is `kindsl lint`.\n"]
-    for name, what in available().items():
-        module = importlib.import_module(f"kindsl.cli.{name.replace('-', '_')}")
+    for name, what in command_summaries().items():
+        module = command_module(name)
+        assert module is not None
         parser = argparse.ArgumentParser(prog=f"kindsl {name}", description=module.__doc__)
         module.add_arguments(parser)
         parts.append(f"## kindsl {name}\n\n{what[:1].upper()}{what[1:]}.\n")

@@ -19,6 +19,7 @@ from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import as_failures
 from kindsl.config.errors import ConfigurationError
 
+SUMMARY = "write a page about a document: picture, tables, transforms"
 FORMATS = ("markdown", "html", "latex")
 
 

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis
     from kindsl.mechanism.build import Mechanism
 
+SUMMARY = "compute poses, inertia and forces"
 UNUSABLE = 2
 FORMATS = ("json", "text", "npz")
 

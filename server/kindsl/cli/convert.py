@@ -1,4 +1,4 @@
-"""Converts between URDF, MJCF, SDF and the Kinematics-DSL, told apart by their suffixes.
+"""Converts between the Kinematics-DSL and other formats, told apart by their suffixes.
 
 Reports on stderr what the other format cannot express. A .xacro file is expanded first, which
 evaluates Python expressions in it: convert only files that you trust.
@@ -33,16 +33,19 @@ from kindsl.text.words import alternatives
 if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis
 
+SUMMARY = "convert from and to URDF, MJCF and SDF"
 _DOCUMENT = Format("kindsl", "Kinematics-DSL", (".kindsl",), "")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     add = parser.add_argument
-    add("input", metavar="IN", help="a .kindsl, .urdf, .xacro, .xml, .mjcf or .sdf file")
-    add("output", metavar="OUT", help="the file to write, of another suffix, or '-' for stdout")
     others = tuple(all_formats())
-    read = (_DOCUMENT.name, *(format.name for format in others if format.read))
+    readable = (_DOCUMENT, *(format for format in others if format.read))
+    *suffixes, last = (suffix for format in readable for suffix in format.suffixes)
+    add("input", metavar="IN", help=f"a {', '.join(suffixes)} or {last} file")
+    add("output", metavar="OUT", help="the file to write, of another suffix, or '-' for stdout")
+    read = tuple(format.name for format in readable)
     written = (_DOCUMENT.name, *(format.name for format in others if format.write))
     untold = "the format of {} if its suffix does not tell"
     add("--from", dest="source", choices=read, help=untold.format("IN"))

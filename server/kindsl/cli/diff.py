@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis
     from kindsl.mechanism.difference import Difference
 
+SUMMARY = "report mechanical changes between two documents"
 SAME = 0
 CHANGED = 1
 

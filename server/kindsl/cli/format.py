@@ -20,6 +20,7 @@ from kindsl.text.lines import LineIndex
 from kindsl.text.printable import printable
 from kindsl.text.words import counted
 
+SUMMARY = "format documents; changes whitespace only"
 OK = 0
 WOULD_CHANGE = 1
 UNUSABLE = 2

@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from kindsl.codegen.generating import Source
     from kindsl.codegen.library import Library, Options
 
+SUMMARY = "write code for kinematics and dynamics"
 C_LANGUAGES = ("c", "cpp")
 LANGUAGES = (*C_LANGUAGES, "python", "jax", "casadi")
 

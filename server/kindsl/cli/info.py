@@ -17,6 +17,8 @@ from kindsl.cli.outcome import as_failures
 from kindsl.config.errors import ConfigurationError
 from kindsl.reports.robot_facts import robot_facts
 
+SUMMARY = "show the tree, masses and parameters of a document"
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""

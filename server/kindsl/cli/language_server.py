@@ -5,6 +5,8 @@ import logging
 import sys
 from pathlib import Path
 
+SUMMARY = "run the language server of an editor"
+RUNS_LONG = True
 _LEVELS = ("debug", "info", "warning", "error")
 
 

@@ -9,6 +9,7 @@ from kindsl.cli.process import run_and_exit
 if TYPE_CHECKING:
     import argparse
 
+SUMMARY = "report what is wrong with documents"
 _DESCRIPTION = "Tells what is wrong with Kinematics-DSL documents."
 DEFAULTS: dict[str, Any] = {
     "stdin_filename": None,

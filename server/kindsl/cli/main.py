@@ -1,28 +1,14 @@
 """`kindsl`: one command, each subcommand imported only when it is asked for."""
 
 import gc
-import os
 import sys
-from importlib import import_module
+from types import ModuleType
 
 from kindsl import __version__
+from kindsl.cli.commands import command_module, command_summaries, runs_long
 from kindsl.cli.console import write
 from kindsl.cli.process import run_and_exit
 
-COMMANDS = {
-    "lint": "report what is wrong with documents",
-    "format": "format documents; changes whitespace only",
-    "info": "show the tree, masses and parameters of a document",
-    "compute": "compute poses, inertia and forces",
-    "preview": "show the robot in 3D while its document is edited",
-    "convert": "convert from and to URDF, MJCF and SDF",
-    "generate": "write code for kinematics and dynamics",
-    "card": "write a page about a document: picture, tables, transforms",
-    "diff": "report mechanical changes between two documents",
-    "review": "write a report on a change for its reviewer",
-    "language-server": "run the language server of an editor",
-}
-LONG_RUNNING = ("preview", "language-server")
 USAGE_ERROR = 2
 INTERRUPTED = 130
 _DIGITS = tuple("0123456789.")
@@ -35,24 +21,14 @@ def main(arguments: list[str] | None = None) -> int:
     """
     if arguments is None:
         arguments = sys.argv[1:]
-        if not set(arguments[:1]) <= set(LONG_RUNNING):
+        if not any(map(runs_long, arguments[:1])):
             run_and_exit(lambda: _dispatched(sys.argv[1:]))
     return _dispatched(arguments)
 
 
-def available() -> dict[str, str]:
-    """Return the subcommands that are installed, with what they do."""
-    folder = os.path.dirname(__file__)
-    return {
-        name: what
-        for name, what in COMMANDS.items()
-        if os.path.isfile(os.path.join(folder, f"{_module(name)}.py"))
-    }
-
-
 def overview() -> str:
     """Return the help of the command as a whole."""
-    rows = "".join(f"  {name:17}{what}\n" for name, what in available().items())
+    rows = "".join(f"  {name:17}{what}\n" for name, what in command_summaries().items())
     return (
         "usage: kindsl COMMAND ...\n\nTools for the Kinematics-DSL of RobCoGen.\n\n"
         f"commands:\n{rows}\noptions:\n  -h, --help       show this help\n"
@@ -68,10 +44,11 @@ def _dispatched(given: list[str]) -> int:
     if command in ("-V", "--version"):
         write(sys.stdout, f"kindsl {__version__}\n")
         return 0
-    if command not in available():
+    module = command_module(command)
+    if module is None:
         write(sys.stderr, f"kindsl: error: {_unknown(command)}\n")
         return USAGE_ERROR
-    return _run(command, given[1:])
+    return _run(command, module, given[1:])
 
 
 def with_joined_negatives(arguments: list[str]) -> list[str]:
@@ -88,12 +65,11 @@ def with_joined_negatives(arguments: list[str]) -> list[str]:
     return joined
 
 
-def _run(command: str, arguments: list[str]) -> int:
+def _run(command: str, module: ModuleType, arguments: list[str]) -> int:
     import argparse
 
     from kindsl.cli.process import help_formatter
 
-    module = import_module(f"kindsl.cli.{_module(command)}")
     if command != "lint":
         gc.enable()
     parser = argparse.ArgumentParser(
@@ -106,16 +82,12 @@ def _run(command: str, arguments: list[str]) -> int:
         return INTERRUPTED
 
 
-def _module(command: str) -> str:
-    return command.replace("-", "_")
-
-
 def _unknown(command: str) -> str:
     from kindsl.text.nearest import hint, nearest_word
 
     if command.startswith("-"):
         return f"unknown option '{command}'; see 'kindsl --help'"
-    near = hint(nearest_word(command, available()), after=",")
+    near = hint(nearest_word(command, command_summaries()), after=",")
     return f"unknown command '{command}'" + (near or "; see 'kindsl --help'")
 
 

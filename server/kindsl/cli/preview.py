@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from kindsl.preview.document_preview import DocumentPreview
     from kindsl.preview.dragging import Writing
 
+SUMMARY = "show the robot in 3D while its document is edited"
+RUNS_LONG = True
 PROBLEM = 2
 
 

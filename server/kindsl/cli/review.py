@@ -25,6 +25,8 @@ from kindsl.text.writing import write_folder
 if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis
 
+SUMMARY = "write a report on a change for its reviewer"
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""

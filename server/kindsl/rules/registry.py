@@ -1,19 +1,18 @@
 """All rules, found by walking `checks`: a file named after a code holds one."""
 
-import os
-from collections.abc import Iterator
 from functools import cache
 from importlib import import_module
 from types import ModuleType
 
 from kindsl.rules import checks
 from kindsl.rules.base import Rule
+from kindsl.text.modules import module_names
 
 
 @cache
 def all_rules() -> tuple[Rule, ...]:
     """Return the rules in the order of their codes."""
-    return tuple(rule_module(name).RULE for name in sorted(_module_names()))
+    return tuple(rule_module(name).RULE for name in _module_names())
 
 
 @cache
@@ -39,17 +38,5 @@ def rule_module(name: str) -> ModuleType:
     return import_module(f"kindsl.rules.checks.{name}")
 
 
-def _module_names() -> Iterator[str]:
-    return (name for name in _listed() if name.startswith("kd"))
-
-
-def _listed() -> Iterator[str]:
-    """Yield the names of the modules in `checks`, which in a browser is a folder in a zip."""
-    folder = os.path.dirname(checks.__file__)
-    if os.path.isdir(folder):
-        yield from (n.removesuffix(".py") for n in os.listdir(folder) if n.endswith(".py"))
-    else:
-        # Imported for zips only, since it delays the linter's start.
-        import pkgutil
-
-        yield from (found.name for found in pkgutil.iter_modules(checks.__path__))
+def _module_names() -> list[str]:
+    return [name for name in module_names(checks) if name.startswith("kd")]

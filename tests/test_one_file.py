@@ -1,0 +1,112 @@
+"""One file adds one thing: each test writes one to a folder of its own and uses it."""
+
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+from tests.cli.samples import GOOD
+
+from kindsl import cli, interchange
+from kindsl.cli.commands import command_module, command_summaries, runs_long
+from kindsl.cli.main import main
+from kindsl.interchange.registry import all_formats
+from kindsl.text.modules import module_names
+
+Add = Callable[[ModuleType, str, str], None]
+
+
+@pytest.fixture
+def add(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Add]:
+    """Return what writes a file as if it were in a package; it is forgotten afterwards."""
+    before = set(sys.modules)
+    all_formats.cache_clear()
+
+    def write(package: ModuleType, file: str, text: str) -> None:
+        folder = tmp_path / package.__name__
+        path = folder / file
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+        monkeypatch.setattr(package, "__path__", [*package.__path__, str(folder)])
+
+    yield write
+    all_formats.cache_clear()
+    for name in set(sys.modules) - before:
+        if (getattr(sys.modules[name], "__file__", None) or "").startswith(str(tmp_path)):
+            del sys.modules[name]
+
+
+COMMAND = '''\
+"""Greets a robot."""
+
+SUMMARY = "greet a robot: 'hello'"
+
+
+def add_arguments(parser):
+    parser.add_argument("name")
+
+
+def run(args):
+    print(f"hello {args.name}")
+    return 3
+'''
+
+
+def test_a_command(add: Add, capfd: pytest.CaptureFixture[str]) -> None:
+    add(cli, "say_hello.py", COMMAND)
+    assert main(["--help"]) == 0
+    assert "\n  say-hello        greet a robot: 'hello'\n" in capfd.readouterr().out
+    assert main(["say-hello", "arm"]) == 3
+    assert capfd.readouterr().out == "hello arm\n"
+    assert main(["say-helo"]) == 2
+    assert "did you mean 'say-hello'?" in capfd.readouterr().err
+    assert not runs_long("say-hello")
+
+
+def test_a_command_that_runs_long_says_so(add: Add) -> None:
+    add(cli, "watch.py", '"""Watches."""\n\nSUMMARY = "watch a robot"\nRUNS_LONG = True\n')
+    assert runs_long("watch")
+    assert [name for name in command_summaries() if runs_long(name)] == [
+        "language-server", "preview", "watch",
+    ]  # fmt: skip
+
+
+def test_what_is_read_of_commands_is_what_they_say() -> None:
+    found = command_summaries()
+    assert len(found) > 10
+    for name, summary in found.items():
+        module = command_module(name)
+        assert module is not None
+        assert (module.SUMMARY, getattr(module, "RUNS_LONG", False)) == (summary, runs_long(name))
+    others = set(module_names(cli)) - {name.replace("-", "_") for name in found}
+    assert others > {"main", "console"}
+    assert not any(map(command_module, others))
+
+
+FORMAT = '''\
+"""Knows names of robots.
+
+Must not know what they are made of.
+"""
+
+from kindsl.interchange.format import Format, WrittenRobot
+
+
+def _write(name, skeleton, choices):
+    return WrittenRobot(f"{name}: {', '.join(skeleton.joint_names)}", ("poses dropped",))
+
+
+FORMAT = Format("roster", "list of names", (".roster",), "", write=_write)
+'''
+
+
+def test_a_format(add: Add, tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    add(interchange, "roster/__init__.py", FORMAT)
+    (tmp_path / "arm.kindsl").write_text(GOOD)
+    written = tmp_path / "arm.roster"
+    assert main(["convert", str(tmp_path / "arm.kindsl"), str(written)]) == 0
+    assert "arm.kindsl: note: poses dropped\n" in capfd.readouterr().err
+    assert written.read_text() == "arm: shoulder, elbow"
+    assert main(["convert", str(written), str(tmp_path / "arm.urdf")]) == 2
+    assert "list of names cannot be read" in capfd.readouterr().err
