@@ -6,12 +6,15 @@ from pathlib import Path
 from types import ModuleType
 
 import pytest
+from lsprotocol import types
 from tests.cli.samples import GOOD
 
 from kindsl import cli, interchange
 from kindsl.cli.commands import command_module, command_summaries, runs_long
 from kindsl.cli.main import main
 from kindsl.interchange.registry import all_formats
+from kindsl.lsp import handlers
+from kindsl.lsp.server import KindslLanguageServer
 from kindsl.text.modules import module_names
 
 Add = Callable[[ModuleType, str, str], None]
@@ -110,3 +113,27 @@ def test_a_format(add: Add, tmp_path: Path, capfd: pytest.CaptureFixture[str]) -
     assert written.read_text() == "arm: shoulder, elbow"
     assert main(["convert", str(written), str(tmp_path / "arm.urdf")]) == 2
     assert "list of names cannot be read" in capfd.readouterr().err
+
+
+HANDLER = '''\
+"""The length of a document, by a command."""
+
+from kindsl.lsp.handlers.table import Handlers
+
+handlers = Handlers()
+
+
+@handlers.command("kindsl.length")
+def length(session, uri):
+    """Return the number of characters."""
+    return session.documents.get(uri).lines.length
+'''
+
+
+def test_a_handler(add: Add) -> None:
+    add(handlers, "counting.py", HANDLER)
+    server = KindslLanguageServer()
+    robot = types.TextDocumentItem("untitled:r", "kinematics-dsl", 1, "Robot r {}")
+    server.protocol.documents.open(robot)
+    told = server.protocol.fm.commands["kindsl.length"](robot.uri)
+    assert told == len(robot.text)

@@ -1,41 +1,14 @@
 """The language server: a session with an editor, and who answers what in it."""
 
-from kindsl.lsp.handlers import (
-    actions,
-    commands,
-    comparing,
-    completing,
-    configuration,
-    diagnostics,
-    formatting,
-    highlighting,
-    interchange,
-    manipulating,
-    navigation,
-    presentation,
-    renaming,
-    structure,
-)
+from collections.abc import Iterator
+from importlib import import_module
+
+from kindsl.lsp import handlers
+from kindsl.lsp.handlers.table import Handlers
 from kindsl.lsp.session.session import Session
 from kindsl.lsp.session.surroundings import Surroundings, process
 from kindsl.lsp.wire.editor import Editor
-
-_HANDLERS = (
-    configuration.handlers,
-    diagnostics.handlers,
-    navigation.handlers,
-    structure.handlers,
-    highlighting.handlers,
-    renaming.handlers,
-    formatting.handlers,
-    actions.handlers,
-    presentation.handlers,
-    completing.handlers,
-    commands.handlers,
-    interchange.handlers,
-    comparing.handlers,
-    manipulating.handlers,
-)
+from kindsl.text.modules import module_names
 
 
 class KindslLanguageServer(Editor):
@@ -48,5 +21,13 @@ class KindslLanguageServer(Editor):
     def __init__(self, surroundings: Surroundings | None = None) -> None:
         super().__init__()
         self.session = Session(self, surroundings or process())
-        for handlers in _HANDLERS:
-            handlers.register(self.session)
+        for found in _all_handlers():
+            found.register(self.session)
+
+
+def _all_handlers() -> Iterator[Handlers]:
+    """Yield the handlers of each module that has some, found by walking their folder."""
+    for name in module_names(handlers):
+        module = import_module(f"kindsl.lsp.handlers.{name}")
+        if isinstance(found := getattr(module, "handlers", None), Handlers):
+            yield found
