@@ -33,7 +33,7 @@ from tests.codegen.loaded import Loaded
 from tests.codegen.robots import ALL, bodies_of_seed, library
 
 from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.codegen.c_test import parameter_values
+from kindsl.codegen.c_test_program import parameter_values
 from kindsl.codegen.generating import Source, generate, library_files
 from kindsl.codegen.library import GenerationError, Library, Options
 from kindsl.codegen.reference import Reference, sample

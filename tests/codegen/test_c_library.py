@@ -18,7 +18,7 @@ from tests.codegen.loaded import Loaded
 from tests.codegen.robots import PLAIN, bodies_of_seed, library, reference, write_c
 from tests.support.differences import worst_difference
 
-from kindsl.codegen.c_test import TOLERANCES
+from kindsl.codegen.c_test_program import TOLERANCES
 from kindsl.codegen.reference import Reference
 
 pytestmark = needs_compiler

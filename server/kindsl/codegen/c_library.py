@@ -3,9 +3,9 @@
 from kindsl.codegen.c_build import cmake_lists
 from kindsl.codegen.c_header import header
 from kindsl.codegen.c_sources import model_source, noinline, quantity_source, sources
-from kindsl.codegen.c_test import test_program
+from kindsl.codegen.c_test_program import test_program
 from kindsl.codegen.c_text import macro
-from kindsl.codegen.cpp_header import namespace
+from kindsl.codegen.languages.cpp import namespace
 from kindsl.codegen.library import Library
 from kindsl.codegen.readme import readme
 from kindsl.codegen.reference import Reference

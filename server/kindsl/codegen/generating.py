@@ -7,9 +7,9 @@ from kindsl import __version__
 from kindsl.analysis.analysis import Analysis
 from kindsl.codegen.array_module import array_module
 from kindsl.codegen.c_library import c_files
-from kindsl.codegen.c_test import parameter_values
-from kindsl.codegen.casadi_module import casadi_module
-from kindsl.codegen.cpp_header import cpp_header
+from kindsl.codegen.c_test_program import parameter_values
+from kindsl.codegen.languages.casadi import casadi_module
+from kindsl.codegen.languages.cpp import cpp_header
 from kindsl.codegen.library import (
     GenerationError,
     Library,

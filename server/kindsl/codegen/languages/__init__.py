@@ -1,0 +1,4 @@
+"""Knows one language each.
+
+Must not know the other languages.
+"""
