@@ -23,7 +23,7 @@ PAGE = ROOT / "docs" / "published-models.md"
 SOURCES = "SOURCES.tsv"
 # Of each generator: its column in SOURCES.tsv, its target, the rule that tells what it refuses.
 GENERATORS = (("A", "robcogen", "KD601"), ("B", "robcogen2", "KD602"))
-SEVERITIES = (("error",), ("warning",), ("info", "hint"))
+SEVERITIES = ("error", "warning", "info", "hint")
 NOTHING_SET = Settings()
 CAUSES = ("KD306", "KD307", "KD308")
 HEAD = """\
@@ -69,12 +69,12 @@ def page(folder: Path) -> str:
 
 
 def _table(folder: Path, rows: Iterable[Mapping[str, str]]) -> Iterable[str]:
-    yield "| model | of | RobCoGen | RobCoGen2 | errors | warnings | remarks |"
-    yield "|---|---|---|---|---|---|---|"
+    yield "| model | of | RobCoGen | RobCoGen2 | errors | warnings | infos | hints |"
+    yield "|---|---|---|---|---|---|---|---|"
     for row in rows:
         cells = [_name(row), _origin(row)]
         cells += [_verdict(folder, row, *generator) for generator in GENERATORS]
-        cells += [_counted(folder, row, severities) for severities in SEVERITIES]
+        cells += [_counted(folder, row, severity) for severity in SEVERITIES]
         yield f"| {' | '.join(cells)} |"
 
 
@@ -97,8 +97,8 @@ def _findings(
     return [(str(f.severity), f.code, f.message) for f in analyse(text, settings).findings]
 
 
-def _counted(folder: Path, row: Mapping[str, str], severities: Sequence[str]) -> str:
-    codes = Counter(code for severity, code, _ in _findings(folder, row) if severity in severities)
+def _counted(folder: Path, row: Mapping[str, str], severity: str) -> str:
+    codes = Counter(code for found, code, _ in _findings(folder, row) if found == severity)
     if not codes:
         return "none"
     return ", ".join(f"{n} {_link(code)} {_title(code)}" for code, n in sorted(codes.items()))

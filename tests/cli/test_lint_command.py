@@ -163,7 +163,7 @@ def test_summary_says_what_fix_would_do(kdsl_lint: Runner, folder: Path) -> None
     (folder / "a.kindsl").write_text(INTEGER)
     (folder / "b.kindsl").write_text(UNBOUND)
     err = kdsl_lint().err
-    assert err == "1 error, 1 warning in 2 documents; 1 can be mended with --fix\n"
+    assert err == "1 error, 1 warning in 2 documents; 1 fixable with --fix\n"
 
 
 def test_explain_shows_a_page(kdsl_lint: Runner) -> None:

@@ -3,7 +3,7 @@
 import sys
 from pathlib import Path
 
-from kindsl.rules.base import Rule, Severity
+from kindsl.rules.base import Rule
 from kindsl.rules.registry import all_rules, page_of
 
 _FOLDER = Path(__file__).parents[3] / "docs" / "rules"
@@ -17,12 +17,6 @@ _FAMILIES = {
     "KD6": "Portability",
     "KD7": "Style",
     "KD8": "Transforms documents",
-}
-_WORDS = {
-    Severity.ERROR: "error",
-    Severity.WARNING: "warning",
-    Severity.INFORMATION: "information",
-    Severity.HINT: "hint",
 }
 
 
@@ -59,7 +53,7 @@ def _stale(folder: Path, wanted: dict[str, str]) -> list[str]:
 
 def _page(rule: Rule) -> str:
     default = "" if rule.is_default else ", off unless selected or needed by a target"
-    severity = f"Severity: {_WORDS[rule.severity]}{default}"
+    severity = f"Severity: {rule.severity}{default}"
     return f"# {rule.code} {rule.name}\n\n{severity}\n\n{page_of(rule)}\n"
 
 
@@ -78,7 +72,7 @@ def _index() -> str:
             lines += ["|---|---|---|---|"]
         first = page_of(rule).partition("\n")[0].removesuffix(".")
         code = f"[{rule.code}]({rule.code.lower()}.md)"
-        lines.append(f"| {code} | {rule.name} | {_WORDS[rule.severity]} | {first} |")
+        lines.append(f"| {code} | {rule.name} | {rule.severity} | {first} |")
     return "\n".join(lines) + "\n"
 
 

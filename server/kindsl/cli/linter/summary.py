@@ -1,4 +1,4 @@
-"""The last line of a run, for people."""
+"""The summary line of a run."""
 
 from kindsl.cli.outcome import Outcome
 from kindsl.rules.base import Severity
@@ -6,7 +6,7 @@ from kindsl.text.words import counted
 
 
 def summary(outcome: Outcome) -> str:
-    """Return a line that counts documents and findings, and tells what `--fix` could do."""
+    """Return the line that counts documents, findings and safe fixes."""
     n_files = len(outcome.files)
     if not n_files and not outcome.failures:
         return "no documents (*.kindsl) found\n"
@@ -20,14 +20,9 @@ def summary(outcome: Outcome) -> str:
         for finding in file.findings
     )
     line += f"; {n_fixed} fixed" if n_fixed else ""
-    return line + (f"; {n_fixable} can be mended with --fix\n" if n_fixable else "\n")
+    return line + (f"; {n_fixable} fixable with --fix\n" if n_fixable else "\n")
 
 
 def _counts(outcome: Outcome) -> str:
-    n_remarks = outcome.count(Severity.INFORMATION) + outcome.count(Severity.HINT)
-    counts = {
-        "error": outcome.count(Severity.ERROR),
-        "warning": outcome.count(Severity.WARNING),
-        "remark": n_remarks,
-    }
-    return ", ".join(counted(number, noun) for noun, number in counts.items() if number)
+    counts = ((severity, outcome.count(severity)) for severity in Severity)
+    return ", ".join(counted(number, severity) for severity, number in counts if number)

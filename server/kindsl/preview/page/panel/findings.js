@@ -1,7 +1,7 @@
 // What the linter says: a chip that opens a list in the panel, and one line over the picture when it is not the document.
 import { make } from "../elements.js";
 
-const WORDS = [["error", "error"], ["warning", "warning"], ["info", "note"], ["hint", "hint"]];
+const SEVERITIES = ["error", "warning", "info", "hint"];
 
 export const GREY = new Set(["broken", "gone"]); // what is drawn is not the document
 
@@ -47,14 +47,13 @@ export class Findings {
     const parts = this.words();
     this.chip.textContent = parts.join(", ");
     this.chip.hidden = parts.length === 0;
-    const worst = WORDS.find(([severity]) => this.counts[severity]);
-    this.chip.className = worst ? worst[0] : "";
+    this.chip.className = SEVERITIES.find((severity) => this.counts[severity]) ?? "";
   }
 
   // "2 errors", "1 warning"
   words() {
-    const said = WORDS.filter(([severity]) => this.counts[severity]);
-    return said.map(([severity, word]) => `${this.counts[severity]} ${word}${this.counts[severity] === 1 ? "" : "s"}`);
+    const found = SEVERITIES.filter((severity) => this.counts[severity]);
+    return found.map((severity) => `${this.counts[severity]} ${severity}${this.counts[severity] === 1 ? "" : "s"}`);
   }
 
   item(finding) {
