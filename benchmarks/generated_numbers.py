@@ -34,7 +34,8 @@ from tests.codegen.robots import ALL, bodies_of_seed, library
 
 from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.codegen.c_test_program import parameter_values
-from kindsl.codegen.generating import Source, generate, library_files
+from kindsl.codegen.generating import Source, generate
+from kindsl.codegen.language import language_named
 from kindsl.codegen.library import GenerationError, Library, Options
 from kindsl.codegen.reference import Reference, sample
 from kindsl.dynamics.bodies import Bodies
@@ -192,7 +193,7 @@ def _book(bodies: Bodies, values: Mapping[str, Array] | None = None) -> Referenc
 
 
 def _files(made: Library, expected: Reference) -> dict[str, str]:
-    return library_files(made, expected, {})
+    return language_named(made.options.language).files(made, expected, {})
 
 
 def _answers(made: Library, call: Caller, expected: Reference) -> Iterator[Answers]:

@@ -12,6 +12,8 @@ from tests.cli.samples import GOOD
 from kindsl import cli, interchange
 from kindsl.cli.commands import command_module, command_summaries, runs_long
 from kindsl.cli.main import main
+from kindsl.codegen import languages
+from kindsl.dynamics.generation import emitters
 from kindsl.interchange.registry import all_formats
 from kindsl.lsp import handlers
 from kindsl.lsp.server import KindslLanguageServer
@@ -137,3 +139,66 @@ def test_a_handler(add: Add) -> None:
     server.protocol.documents.open(robot)
     told = server.protocol.fm.commands["kindsl.length"](robot.uri)
     assert told == len(robot.text)
+
+
+EMITTER = '''\
+"""Writes a value in prefix notation."""
+
+from kindsl.dynamics.generation.expressions import Expression
+
+
+def prefix_notation(graph, value):
+    """Return the text of a value."""
+    if not isinstance(value, Expression):
+        return f"{value:g}"
+    operation, *operands = graph.nodes[value.index]
+    if operation == "input":
+        return f"x{value.index}"
+    values = [Expression(graph, o) if isinstance(o, int) else o for o in operands]
+    words = (prefix_notation(graph, value) for value in values)
+    return f"({' '.join([operation, *words])})"
+'''
+
+LANGUAGE = '''\
+"""Lists in prefix notation."""
+
+from kindsl.codegen.language import Language
+from kindsl.dynamics.generation.emitters.prefix import prefix_notation
+
+
+def _files(library, reference, parameters):
+    lines = [
+        f"(define {function.name}.{result.name} {prefix_notation(library.robot.graph, entry)})\\n"
+        for function in library.all_functions
+        for result in function.results
+        for entry in result.entries
+    ]
+    return {f"{library.prefix}.scm": "".join(lines)}
+
+
+LANGUAGE = Language(_files, frozenset(("--real float",)))
+'''
+
+
+def test_a_language_and_its_emitter(
+    add: Add, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    add(emitters, "prefix.py", EMITTER)
+    add(languages, "scheme.py", LANGUAGE)
+    document, folder = tmp_path / "arm.kindsl", tmp_path / "out"
+    document.write_text(GOOD)
+    asked = ["generate", str(document), "--language", "scheme", "-o", str(folder)]
+    assert main([*asked, "--single-header"]) == 2
+    assert "--single-header cannot be used with --language scheme" in capfd.readouterr().err
+    assert main([*asked, "--quantities", "gravity_torque", "--real", "float"]) == 0
+    text = (folder / "arm.scm").read_text()
+    assert text.startswith("(define gravity_torque.")
+    assert main(["generate", str(document), "--check", str(folder)]) == 0
+    manifest = folder / "kindsl-generated.json"
+    text = manifest.read_text()
+    manifest.write_text(text.replace('"scheme"', '"lisp"'))
+    assert main(["generate", str(document), "--check", str(folder)]) == 1
+    assert "is not a manifest of generated code" in capfd.readouterr().err
+    manifest.write_text(text)
+    document.write_text(GOOD.replace("mass = ", "mass = 2"))
+    assert main(["generate", str(document), "--check", str(folder)]) == 1

@@ -29,6 +29,7 @@ from kindsl.cli.documents.sources import STDIN, read_text, reason
 from kindsl.cli.documents.writing import unwritable
 from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import Failure, as_failures
+from kindsl.codegen.language import language_named, language_names
 from kindsl.config.errors import ConfigurationError
 from kindsl.text.printable import printable
 from kindsl.text.words import counted
@@ -38,15 +39,13 @@ if TYPE_CHECKING:
     from kindsl.codegen.library import Library, Options
 
 SUMMARY = "write code for kinematics and dynamics"
-C_LANGUAGES = ("c", "cpp")
-LANGUAGES = (*C_LANGUAGES, "python", "jax", "casadi")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     add = parser.add_argument
     add("file", metavar="FILE", help="the document, or '-' for stdin")
-    add("--language", choices=LANGUAGES, help="what to write")
+    add("--language", choices=language_names(), help="what to write")
     add("-o", "--output", metavar="DIR", help="the folder to write to")
     add("--name", metavar="PREFIX", help="what all names begin with (default: the robot's name)")
     add("--quantities", metavar="LIST", help="separated by commas (default: all but derivatives)")
@@ -87,14 +86,19 @@ def _run(args: argparse.Namespace) -> int:
     if args.check is None and (args.language is None or args.output is None):
         write(sys.stderr, "kindsl generate: error: --language and -o DIR are needed\n")
         return 2
-    if args.check is None and args.language not in C_LANGUAGES:
-        options = {"--real float": args.real == "float", "--single-header": args.single_header}
-        for option in (option for option, is_given in options.items() if is_given):
-            message = f"{option} cannot be used with --language {args.language}"
-            write(sys.stderr, f"kindsl generate: error: {message}\n")
-            return 2
+    if args.check is None and (option := _refused_option(args)):
+        message = f"{option} cannot be used with --language {args.language}"
+        write(sys.stderr, f"kindsl generate: error: {message}\n")
+        return 2
     source = _source(args)
     return _generate(args, source) if args.check is None else _check(args, source)
+
+
+def _refused_option(args: argparse.Namespace) -> str | None:
+    """Return what is asked for and the language does not take."""
+    asked = {"--real float": args.real == "float", "--single-header": args.single_header}
+    taken = language_named(args.language).options
+    return next((name for name, is_asked in asked.items() if is_asked and name not in taken), None)
 
 
 def _source(args: argparse.Namespace) -> "Source":

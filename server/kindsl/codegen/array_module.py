@@ -1,21 +1,7 @@
-"""Modules in Python that compute with NumPy or JAX alone, leading dimensions being batches."""
-
-from typing import Literal
+"""Modules in Python that compute with arrays, leading dimensions being batches."""
 
 from kindsl.codegen.library import Library
 from kindsl.codegen.python_text import module_text
-
-ARRAYS: dict[str, tuple[str, str]] = {
-    "python": (
-        "import numpy as np\nfrom numpy import cos, sin\n",
-        "Needs NumPy only. Leading dimensions of all arguments are batches and broadcast.",
-    ),
-    "jax": (
-        "import jax.numpy as np\nfrom jax.numpy import cos, sin\n",
-        "Needs JAX only; pure functions for jit, grad and vmap. Leading dimensions are batches.\n"
-        "Numbers are 64 bits wide only with jax.config.update('jax_enable_x64', True).",
-    ),
-}
 
 ANSWER = '''\
 def _answer(function, shapes, parameters, *vectors):
@@ -43,7 +29,12 @@ def forward_kinematics(q, parameters=None):
 '''
 
 
-def array_module(library: Library, kind: Literal["python", "jax"]) -> str:
-    """Return the text of a module."""
-    imports, how = ARRAYS[kind]
-    return module_text(library, how, (imports, ANSWER, POSES))
+def array_module(library: Library, imports: str, how: str) -> dict[str, str]:
+    """Return the text of a module by its file's name.
+
+    Args:
+        library: What to write.
+        imports: They define `np`, `sin` and `cos`.
+        how: What the module needs and how it is used.
+    """
+    return {f"{library.prefix}.py": module_text(library, how, (imports, ANSWER, POSES))}

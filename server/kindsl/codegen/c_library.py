@@ -1,23 +1,42 @@
 """All files of a library in C."""
 
+from typing import NamedTuple
+
 from kindsl.codegen.c_build import cmake_lists
 from kindsl.codegen.c_header import header
 from kindsl.codegen.c_sources import model_source, noinline, quantity_source, sources
 from kindsl.codegen.c_test_program import test_program
 from kindsl.codegen.c_text import macro
-from kindsl.codegen.languages.cpp import namespace
 from kindsl.codegen.library import Library
 from kindsl.codegen.readme import readme
 from kindsl.codegen.reference import Reference
 
+OPTIONS = frozenset(("--real float", "--single-header"))
 
-def c_files(library: Library, reference: Reference, parameters: dict[str, float]) -> dict[str, str]:
+
+class Wrapper(NamedTuple):
+    """What another language adds: headers by their names, and how they are used."""
+
+    headers: dict[str, str]
+    usage: str
+
+
+NO_WRAPPER = Wrapper({}, "")
+
+
+def c_files(
+    library: Library,
+    reference: Reference,
+    parameters: dict[str, float],
+    wrapper: Wrapper = NO_WRAPPER,
+) -> dict[str, str]:
     """Return the text of each file by its name.
 
     Args:
         library: What to write.
         reference: The right answers, for the test program.
         parameters: The values that these hold for.
+        wrapper: What comes besides.
     """
     p = library.prefix
     if library.options.is_single_header:
@@ -27,16 +46,18 @@ def c_files(library: Library, reference: Reference, parameters: dict[str, float]
                 library, reference, parameters,
                 f'#define {macro(library)}_IMPLEMENTATION\n#include "{p}.h"',
             ),
-            "README.md": readme(library, _single_usage(library)),
+            "README.md": readme(library, _single_usage(library) + wrapper.usage),
+            **wrapper.headers,
         }  # fmt: skip
     files = {f"{p}.h": header(library), **dict(sources(library))}
     names = [name for name in files if name.endswith(".c")]
-    headers = [f"{p}.h", *([f"{p}.hpp"] if library.options.language == "cpp" else [])]
+    headers = [f"{p}.h", *wrapper.headers]
     return {
         **files,
         f"{p}_test.c": test_program(library, reference, parameters, f'#include "{p}.h"'),
         "CMakeLists.txt": cmake_lists(library, names, headers),
-        "README.md": readme(library, _usage(library)),
+        "README.md": readme(library, _usage(library) + wrapper.usage),
+        **wrapper.headers,
     }
 
 
@@ -66,7 +87,7 @@ cmake -B build && cmake --build build && ctest --test-dir build && cmake --insta
 
 Then `find_package({p})` and `target_link_libraries(program {p}::{p})`.
 
-{_example(library)}{_in_cpp(library)}"""
+{_example(library)}"""
 
 
 def _single_usage(library: Library) -> str:
@@ -77,7 +98,7 @@ def _single_usage(library: Library) -> str:
 Write `#define {P}_IMPLEMENTATION` before `#include "{p}.h"` in one source file (C11, link with
 `-lm`); include it as it is in others. `cc {p}_test.c -lm && ./a.out` tests it.
 
-{_example(library)}{_in_cpp(library)}"""
+{_example(library)}"""
 
 
 def _example(library: Library) -> str:
@@ -87,24 +108,5 @@ def _example(library: Library) -> str:
 {p}_parameters parameters = {p}_default_parameters();
 {p}_model model;
 {p}_model_init(&model, &parameters); /* again whenever a parameter changes */
-```
-"""
-
-
-def _in_cpp(library: Library) -> str:
-    if library.options.language != "cpp":
-        return ""
-    p, space = library.prefix, namespace(library)
-    given = "" if library.is_bound else "(parameters)"
-    return f"""\
-
-`{p}.hpp` has the functions as methods in C++17, with Eigen's types. A single result is returned,
-several are filled in, and `fext` comes last and may be left out:
-
-```cpp
-#include <{p}.hpp>
-
-const {space}::Model model{given};
-const {space}::JointVector q = {space}::JointVector::Zero();
 ```
 """

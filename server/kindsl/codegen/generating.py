@@ -5,11 +5,8 @@ from typing import NamedTuple
 
 from kindsl import __version__
 from kindsl.analysis.analysis import Analysis
-from kindsl.codegen.array_module import array_module
-from kindsl.codegen.c_library import c_files
 from kindsl.codegen.c_test_program import parameter_values
-from kindsl.codegen.languages.casadi import casadi_module
-from kindsl.codegen.languages.cpp import cpp_header
+from kindsl.codegen.language import language_named
 from kindsl.codegen.library import (
     GenerationError,
     Library,
@@ -76,26 +73,12 @@ def generate(
     try:
         wanted = wanted_pairs(source.transforms, model, robot) if source.transforms else None
         library = library_of(robot, name, defaults, options, stamp, wanted)
-        files = library_files(library, Reference(mechanics, values_of_arguments), parameters)
+        reference = Reference(mechanics, values_of_arguments)
+        files = language_named(options.language).files(library, reference, parameters)
     except OverflowError as error:
         raise GenerationError(str(error)) from None
     files[NAME] = manifest_text(stamp, options, source.bindings, source.transforms, files)
     return library, files
-
-
-def library_files(
-    library: Library, reference: Reference, parameters: dict[str, float]
-) -> dict[str, str]:
-    """Return the text of each file of a library, in its language, by its name."""
-    p, language = library.prefix, library.options.language
-    if language == "python" or language == "jax":
-        return {f"{p}.py": array_module(library, language)}
-    if language == "casadi":
-        return {f"{p}.py": casadi_module(library)}
-    files = c_files(library, reference, parameters)
-    if language == "cpp":
-        files[f"{p}.hpp"] = cpp_header(library)
-    return files
 
 
 def _inputs(analysis: Analysis, choice: str) -> list[str]:

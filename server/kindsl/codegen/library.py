@@ -21,7 +21,6 @@ from kindsl.dynamics.generation.relative_frames import (
 from kindsl.dynamics.generation.robot import Robot
 from kindsl.dynamics.quantities import SingularInertiaError
 
-Language = Literal["c", "cpp", "python", "jax", "casadi"]
 Real = Literal["double", "float"]
 
 
@@ -34,7 +33,7 @@ class Options:
     """What is asked for.
 
     Attributes:
-        language: In which language.
+        language: In which language, by the name of its module.
         quantities: Which, by the names of `QUANTITIES`.
         real: The type of all numbers, in C.
         is_single_header: Whether C is one file.
@@ -42,7 +41,7 @@ class Options:
         prefix: What all names begin with.
     """
 
-    language: Language
+    language: str
     quantities: tuple[str, ...]
     real: Real
     is_single_header: bool

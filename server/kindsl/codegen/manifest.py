@@ -7,6 +7,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from kindsl.codegen.language import language_names
 from kindsl.codegen.library import GenerationError, Options, Stamp
 
 NAME = "kindsl-generated.json"
@@ -75,6 +76,8 @@ def read_manifest(folder: Path) -> Manifest | None:
 
 def _manifest(record: dict[str, Any]) -> Manifest:
     options = record["options"]
+    if options["language"] not in language_names():
+        raise ValueError(options["language"])
     return Manifest(
         Stamp(*(str(record[k]) for k in ("generator", "document", "sha256", "command"))),
         Options(**{**options, "quantities": tuple(options["quantities"])}),

@@ -1,7 +1,9 @@
 """A module in Python that computes with CasADi, on its numbers and symbols alike."""
 
+from kindsl.codegen.language import Language
 from kindsl.codegen.library import Library
 from kindsl.codegen.python_text import module_text
+from kindsl.codegen.reference import Reference
 
 HOW = """\
 Needs CasADi only. Arguments and results are its matrices (DM, SX or MX); vectors are columns, and
@@ -37,7 +39,9 @@ def forward_kinematics(q, parameters=None):
 '''
 
 
-def casadi_module(library: Library) -> str:
-    """Return the text of a module."""
+def _files(library: Library, _: Reference, _parameters: dict[str, float]) -> dict[str, str]:
     imports = "import casadi\nfrom casadi import cos, sin\n"
-    return module_text(library, HOW, (imports, ANSWER, POSES))
+    return {f"{library.prefix}.py": module_text(library, HOW, (imports, ANSWER, POSES))}
+
+
+LANGUAGE = Language(_files)

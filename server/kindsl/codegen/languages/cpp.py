@@ -1,8 +1,11 @@
 """A thin header in C++17 over a library in C: Eigen's types, nothing to compute of its own."""
 
+from kindsl.codegen.c_library import OPTIONS, Wrapper, c_files
 from kindsl.codegen.c_text import EXTERNAL, macro, stamp_comment
+from kindsl.codegen.language import Language
 from kindsl.codegen.library import Library
 from kindsl.codegen.names import RESERVED, identifier
+from kindsl.codegen.reference import Reference
 from kindsl.dynamics.generation.function import Function, Result
 
 FIXED = {"v0": 6, "a0": 6, "g": 3}
@@ -91,3 +94,28 @@ def _type(result: Result) -> str:
     for dimension in outer:
         rows *= dimension
     return f"Matrix<{rows}, {columns}>"
+
+
+def _usage(library: Library) -> str:
+    p, space = library.prefix, namespace(library)
+    given = "" if library.is_bound else "(parameters)"
+    return f"""\
+
+`{p}.hpp` has the functions as methods in C++17, with Eigen's types. A single result is returned,
+several are filled in, and `fext` comes last and may be left out:
+
+```cpp
+#include <{p}.hpp>
+
+const {space}::Model model{given};
+const {space}::JointVector q = {space}::JointVector::Zero();
+```
+"""
+
+
+def _files(library: Library, reference: Reference, parameters: dict[str, float]) -> dict[str, str]:
+    wrapper = Wrapper({f"{library.prefix}.hpp": cpp_header(library)}, _usage(library))
+    return c_files(library, reference, parameters, wrapper)
+
+
+LANGUAGE = Language(_files, OPTIONS)

@@ -1,0 +1,39 @@
+"""The languages of generated code, found by walking `languages`: each module holds one."""
+
+from collections.abc import Callable
+from importlib import import_module
+from typing import TYPE_CHECKING, NamedTuple
+
+from kindsl.codegen import languages
+from kindsl.text.modules import module_names
+
+if TYPE_CHECKING:
+    from kindsl.codegen.library import Library
+    from kindsl.codegen.reference import Reference
+
+Files = dict[str, str]
+
+
+class Language(NamedTuple):
+    """A language; its module is called as the command line calls it, and holds it as `LANGUAGE`.
+
+    Attributes:
+        files: Takes a library, the right answers, and the values of parameters that these hold
+            for; returns the text of each file by its name.
+        options: What it takes of the options that not every language takes, as they are typed.
+    """
+
+    files: "Callable[[Library, Reference, dict[str, float]], Files]"
+    options: frozenset[str] = frozenset()
+
+
+def language_names() -> list[str]:
+    """Return the names of all languages, without loading one."""
+    return module_names(languages)
+
+
+def language_named(name: str) -> Language:
+    """Return a language."""
+    found = import_module(f"kindsl.codegen.languages.{name}").LANGUAGE
+    assert isinstance(found, Language)
+    return found
