@@ -66,7 +66,7 @@ async function show() {
   worker.postMessage({ jsonrpc: "2.0", id: 2, method: "workspace/executeCommand", params: { command: "kindsl.preview", arguments: [URI] } });
   const { result } = await wait(({ id }) => id === 2);
   notify("kindsl/previewRequest", { document: result.url, request: { type: "hello", joints: {}, parameters: {} } });
-  await wait(({ method, params }) => method === "kindsl/previewMessages" && params.messages.some(({ type }) => type === "end"));
+  await wait(({ method, params }) => method === "kindsl/previewMessages" && params.messages.some(({ is_whole: isWhole }) => isWhole));
 }
 
 async function digit(line, character, version) {

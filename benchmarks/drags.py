@@ -227,9 +227,8 @@ def redrawn(rounds: int = 30) -> bool:
     pictures, findings = [], []
     for number in range(rounds):
         line.settle()
-        revision = [f for f in line.frames if f.message["type"] == "editing"][-1].message[
-            "revision"
-        ]
+        told = [part for frame in line.frames for part in frame.parts]
+        revision = [part for part in told if part["type"] == "editing"][-1]["revision"]
         sent = time.perf_counter()
         line.send(DROP | {"value": 0.3 + 0.01 * (number % 7), "revision": revision})
         editor.diagnostics(URI)

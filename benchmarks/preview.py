@@ -37,11 +37,11 @@ MOST_GROWTH = 1.1
 
 
 class Frame(NamedTuple):
-    """A frame as it came in."""
+    """A change as it came in."""
 
     time: float
     size: int
-    message: dict[str, Any]
+    parts: list[dict[str, Any]]
 
 
 class Line:
@@ -54,14 +54,14 @@ class Line:
         self._connection: WebSocketClientConnection | None = None
         self._thread = threading.Thread(target=self._run, daemon=True)
         self._thread.start()
-        self.wait_for("end")
+        self.wait_for("status")
 
     def wait_for(self, kind: str, after: float = 0.0) -> Frame:
-        """Return the first frame of a kind after a time."""
+        """Return the first frame with a part of a kind after a time."""
         deadline = time.perf_counter() + 30.0
         while time.perf_counter() < deadline:
             for frame in list(self.frames):
-                if frame.message["type"] == kind and frame.time >= after:
+                if frame.time >= after and any(part["type"] == kind for part in frame.parts):
                     return frame
             time.sleep(0.0005)
         raise TimeoutError(f"no frame '{kind}' has come")
@@ -91,7 +91,8 @@ class Line:
     async def _read(self) -> None:
         self._connection = await websocket_connect(self._url)
         while (data := await self._connection.read_message()) is not None:
-            self.frames.append(Frame(time.perf_counter(), len(data), umsgpack.unpackb(data)))
+            parts = umsgpack.unpackb(data)["parts"]
+            self.frames.append(Frame(time.perf_counter(), len(data), parts))
 
 
 class Typing:
@@ -196,9 +197,9 @@ def thousand_edits(text: str, edits: int) -> bool:
     line.settle()
     grown = tell(f"memory after {edits} edits, before", typing.memory(), before, MOST_GROWTH, "MB")
     fresh = Line(typing.url)
-    keys = [(f.message.get("path"), f.message["type"]) for f in fresh.frames]
+    keys = [(part["path"], part["type"]) for f in fresh.frames for part in f.parts]
     is_single = len(keys) == len(set(keys))
-    print(f"a new tab gets {len(keys)} frames, one per property {verdict(is_single)}")
+    print(f"a new tab gets {len(keys)} parts, one per property {verdict(is_single)}")
     for open_line in (line, fresh):
         open_line.close()
     typing.close()

@@ -16,6 +16,10 @@ URI = "file:///arm.kindsl"
 TEXT = (EXAMPLES / "broken_arm.kindsl").read_text()
 
 
+def parts_of(message):
+    return [part for change in message["params"]["messages"] for part in change["parts"]]
+
+
 class Client:
     """The page's side of the messages."""
 
@@ -60,13 +64,12 @@ class Client:
 
     async def told(self, kind):
         def is_told(message):
-            messages = message.get("params", {}).get("messages", ())
             return message.get("method") == PREVIEW_MESSAGES and any(
-                part["type"] == kind for part in messages
+                part["type"] == kind for part in parts_of(message)
             )
 
-        params = (await self.seen(is_told))["params"]
-        return next(part for part in params["messages"] if part["type"] == kind)
+        told = parts_of(await self.seen(is_told))
+        return next(part for part in told if part["type"] == kind)
 
 
 @pytest.fixture

@@ -7,12 +7,11 @@ from contextlib import asynccontextmanager
 from typing import Any
 
 import pytest
-import umsgpack
 from tests.support import robots
 from tests.support.lsp import RawClient, ready_client
 
 pytest.importorskip("tornado", reason="the preview needs tornado")
-from tests.preview.websocket import connected
+from tests.preview.websocket import connected, first_part, whole_state
 from tornado.websocket import WebSocketClientConnection
 
 ROBOT = robots.ONE_LINK.replace("mass = m", "mass = 1.0").replace("0.0) rot", "0.5) rot")
@@ -42,17 +41,8 @@ def preview(client: RawClient) -> str:
 @asynccontextmanager
 async def page_of(client: RawClient) -> AsyncIterator[WebSocketClientConnection]:
     async with connected(preview(client)) as connection:
-        while (await message_of(connection))["type"] != "end":
-            pass
+        await whole_state(connection)
         yield connection
-
-
-async def received(connection: WebSocketClientConnection) -> object:
-    return await asyncio.wait_for(connection.read_message(), 60)
-
-
-async def message_of(connection: WebSocketClientConnection) -> dict[str, Any]:
-    return dict(umsgpack.unpackb(await received(connection)))
 
 
 def test_a_document_keeps_its_address(client: RawClient) -> None:
@@ -82,8 +72,7 @@ async def test_a_keystroke_is_seen(client: RawClient) -> None:
 
 
 async def until_drawn_higher(connection: WebSocketClientConnection) -> None:
-    while (await message_of(connection)).get("placement", [])[12:15] != [0.0, 0.0, 9.5]:
-        pass
+    await first_part(connection, lambda m: m.get("placement", [])[12:15] == [0.0, 0.0, 9.5])
 
 
 async def test_a_keystroke_is_seen_long_before_it_is_checked() -> None:
@@ -104,8 +93,7 @@ async def test_what_is_wrong_is_listed_when_it_is_known(client: RawClient) -> No
         client.change(
             URI, 3, {"range": {"start": end, "end": end}, "text": "link one { id = 2 }\n"}
         )
-        while (await message_of(connection)).get("line") != JOINT_LINE + 1:
-            pass
+        await first_part(connection, lambda m: m.get("line") == JOINT_LINE + 1)
         client.change(URI, 4, {"text": ROBOT})
 
 
@@ -113,6 +101,5 @@ async def test_the_cursor_lights_up_what_it_is_on(client: RawClient) -> None:
     async with page_of(client) as connection:
         where = {"textDocument": {"uri": URI}, "position": {"line": 2, "character": 6}}
         assert await asyncio.to_thread(client.request, "textDocument/documentHighlight", where)
-        while (message := await message_of(connection))["type"] != "highlight":
-            pass
+        message = await first_part(connection, lambda m: m["type"] == "highlight")
         assert (message["kind"], message["name"]) == ("link", "one")

@@ -22,7 +22,7 @@ WITHOUT_NUMPY = """
 import sys
 sys.modules["numpy"] = None
 from kindsl.analysis.analysis import analyse
-from kindsl.scene.messages import encode
+from kindsl.scene.encoding import encode
 from kindsl.scene.picture import picture
 from kindsl.scene.robot import robot_messages
 analysis = analyse(open(sys.argv[1]).read())

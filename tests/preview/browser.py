@@ -9,7 +9,7 @@ from playwright.async_api import Browser, Error, Page, async_playwright
 from tests.preview.robots import require
 
 from kindsl.preview.server import PreviewServer
-from kindsl.scene.messages import as_json
+from kindsl.scene.encoding import as_json
 
 ARGUMENTS = (
     "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic",
@@ -75,8 +75,8 @@ PLACE = """([group, name]) => {
 
 # Drawn, and the camera stands where it stays: a place on the page is one from now on.
 IS_SHOWN = """(name) => {
-  const { model, poses, paths, isWhole } = kindsl.scene;
-  const isDrawn = model.name === name && poses.robot && paths.size > 0 && isWhole;
+  const { model, poses, paths } = kindsl.scene;
+  const isDrawn = model.name === name && poses.robot && paths.size > 0;
   return isDrawn && kindsl.camera.framedSize > 0;
 }"""
 
@@ -91,7 +91,7 @@ HAS = """(messages) => {
     groups.includes(type) && path.startsWith("/kindsl/robot/"));
   const known = groups.flatMap((group) => [...robot[`${group}s`].values()]);
   const sorted = (list) => list.map((one) => JSON.stringify(one)).sort().join();
-  return kindsl.scene.isWhole && sorted(known) === sorted(told);
+  return sorted(known) === sorted(told);
 }"""
 
 

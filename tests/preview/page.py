@@ -3,22 +3,22 @@
 from collections.abc import Iterable
 from typing import Any
 
-from kindsl.scene.messages import Key, Message, key_of
+from kindsl.scene.encoding import plain
+from kindsl.scene.messages import Part
+from kindsl.scene.state import Messages, key_of
 
 
 class Page:
     """Keeps the last value of each property, as the page does."""
 
-    def __init__(self, messages: Iterable[Message] = ()) -> None:
-        self.state: dict[Key, Message] = {}
+    def __init__(self, messages: Iterable[Part] = ()) -> None:
+        self.state: Messages = {}
         for message in messages:
             self.take(message)
 
-    def take(self, message: Message) -> None:
-        if message["type"] in ("begin", "end"):
-            return
-        if message["type"] == "delete":
-            path = message["path"]
+    def take(self, message: Part) -> None:
+        if message.type == "delete":
+            path = message.path
             below = path + "/"
             self.state = {
                 key: value
@@ -30,4 +30,4 @@ class Page:
 
     def at(self, path: str) -> dict[str, Any]:
         """Return the properties of a path by type."""
-        return {key.type: dict(value) for key, value in self.state.items() if key.path == path}
+        return {key.type: plain(value) for key, value in self.state.items() if key.path == path}

@@ -1,6 +1,7 @@
 """The page in a real browser: what is drawn, moved, clicked, and kept."""
 
 import asyncio
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -29,7 +30,9 @@ from kindsl.analysis.analysis import analyse
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.preview.server import PreviewServer
 from kindsl.rules.base import Severity
+from kindsl.scene.messages import ParameterMessage
 from kindsl.scene.picture import picture
+from kindsl.semantics.declarations import ValueKind
 
 LONGER_ARM = ARM.replace("(0.4, 0.0, 0.0)", "(0.6, 0.0, 0.0)")
 
@@ -70,25 +73,24 @@ async def test_every_category_is_in_the_picture(browser, server, file):
     assert set(visible) == set(painted) - absent - {"ground"}
 
 
-HALF_A_STATE = """() => {
+PART_AND_CHANGE = """() => {
   const { viewer, scene, camera } = kindsl, sizes = [camera.framedSize];
-  viewer.handle_command({ type: "begin" });
-  viewer.handle_command({ ...scene.model, size: 10 * scene.model.size });
+  const part = { ...scene.model, type: "model", size: 10 * scene.model.size };
+  viewer.handle_command(part);
   viewer.render();
   sizes.push(camera.framedSize);
-  scene.unconfirmed.clear();
-  viewer.handle_command({ type: "end" });
+  viewer.handle_command({ type: "change", is_whole: false, parts: [part] });
   viewer.render();
   return [...sizes, camera.framedSize];
 }"""
 
 
-async def test_the_camera_waits_for_the_whole_robot(browser, server):
+async def test_a_page_takes_whole_changes_only(browser, server):
     async with opened(browser, await show(server, ARM)) as page:
         await until_shown(page, "Arm")
         await until(page, "kindsl.camera.framedSize > 0")
-        before, halfway, after = await page.evaluate(HALF_A_STATE)
-    assert halfway == before
+        before, apart, after = await page.evaluate(PART_AND_CHANGE)
+    assert apart == before
     assert after == pytest.approx(10 * before)
 
 
@@ -387,17 +389,18 @@ async def test_the_saved_version_is_a_ghost_behind_the_edited_one(browser, serve
 MARKUP = "<img src=x onerror='window.hacked=1'><script>window.hacked=1</script>"
 
 
-PARAMETER = {
-    "type": "parameter",
-    "path": "/kindsl/parameters/x",
-    "index": 0,
-    "name": MARKUP,
-    "kind": "length",
-    "value": 1.0,
-    "minimum": 0.0,
-    "maximum": 2.0,
-    "is_overridden": False,
-}
+PARAMETER = ParameterMessage(
+    path="/kindsl/parameters/x",
+    index=0,
+    name=MARKUP,
+    kind=ValueKind.LENGTH,
+    value=1.0,
+    is_guess=False,
+    is_bound=False,
+    minimum=0.0,
+    maximum=2.0,
+    is_overridden=False,
+)
 
 
 async def test_names_and_messages_with_markup_do_nothing(browser, server):
@@ -405,14 +408,14 @@ async def test_names_and_messages_with_markup_do_nothing(browser, server):
     async with opened(browser, await show(server, BROKEN_ARM, [finding])) as page:
         await until_shown(page, "Arm")
         channel = server._documents["arm.kindsl"].channel
-        link = {**next(m for m in channel.state if m["type"] == "link" and m["index"] == 1)}
-        joint = {**next(m for m in channel.state if m["type"] == "joint" and m["index"] == 1)}
-        channel.put("x", {**link, "name": MARKUP, "path": "/kindsl/robot/links/x"})
-        channel.put(
-            "x", {**joint, "name": MARKUP, "successor": MARKUP, "path": "/kindsl/robot/joints/x"}
-        )
+        link = next(m for m in channel.state if m.type == "link" and m.index == 1)
+        joint = next(m for m in channel.state if m.type == "joint" and m.index == 1)
+        channel.put("x", replace(link, name=MARKUP, path="/kindsl/robot/links/x"))
+        path = "/kindsl/robot/joints/x"
+        channel.put("x", replace(joint, name=MARKUP, successor=MARKUP, path=path))
         channel.put("x", PARAMETER)
-        channel.put("x", {**next(m for m in channel.state if m["type"] == "model"), "name": MARKUP})
+        model = next(m for m in channel.state if m.type == "model")
+        channel.put("x", replace(model, name=MARKUP))
         await page.locator("#robot", has_text=MARKUP).wait_for()
         await page.locator("#joints", has_text=MARKUP).wait_for()
         await page.locator("#parameters", has_text=MARKUP).wait_for()
@@ -432,12 +435,12 @@ EVALUATES = """() => new Promise((done) => setTimeout(() => {
 async def test_no_text_is_ever_evaluated(browser, server):
     async with opened(browser, await show(server, ARM)) as page:
         await until_shown(page, "Arm")
-        channel = server._documents["arm.kindsl"].channel
-        channel.announce({"type": "set_control", "name": "x", "callback": "window.hacked = 1"})
-        channel.announce({"type": "set_object", "path": "/Elsewhere", "object": {}})
-        channel.put(
-            "x", {"type": "value", "path": "/kindsl/values/lift", "name": "lift", "value": 0.1}
-        )
+        control = {"type": "set_control", "name": "x", "callback": "window.hacked = 1"}
+        elsewhere = {"type": "set_object", "path": "/Elsewhere", "object": {}}
+        change = {"type": "change", "is_whole": False, "parts": [control, elsewhere]}
+        for message in (control, elsewhere, change):
+            await page.evaluate("(message) => kindsl.viewer.handle_command(message)", message)
+        server._documents["arm.kindsl"].set_joint("lift", 0.1)
         await until(page, "kindsl.scene.q.get('lift') === 0.1")
         assert await page.evaluate("window.hacked") is None
         assert await page.evaluate(EVALUATES) == "EvalError"

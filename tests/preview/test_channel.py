@@ -10,20 +10,25 @@ from tests.preview.robots import plain_robot
 
 from kindsl.preview.channel import Channel, Tab
 from kindsl.preview.document_preview import DocumentPreview
-from kindsl.scene.messages import key_of, keyed
+from kindsl.scene.messages import Change, SetObject, SetTransform, ValueMessage
+from kindsl.scene.state import key_of, keyed
 
 
 class Socket:
     """A socket whose other end can stall."""
 
     def __init__(self):
-        self.messages = []
+        self.changes = []
         self.is_free = asyncio.Event()
         self.is_free.set()
 
-    async def write(self, messages):
+    async def write(self, change):
         await self.is_free.wait()
-        self.messages.extend(messages)
+        self.changes.append(change)
+
+    @property
+    def messages(self):
+        return [part for change in self.changes for part in change.parts]
 
 
 async def settle():
@@ -38,25 +43,38 @@ async def stop(task):
 
 
 def value(name, number):
-    return {"type": "value", "path": f"/kindsl/values/{name}", "name": name, "value": number}
+    return ValueMessage(f"/kindsl/values/{name}", name, number)
+
+
+def place(name, number):
+    return SetTransform(f"/kindsl/robot/{name}", (number,))
 
 
 async def test_a_new_tab_gets_each_property_once():
     channel, socket = Channel(), Socket()
     for number in range(1000):
         channel.put("joints", value("a", number))
-        channel.replace("robot", keyed([{"type": "t", "path": "/kindsl/robot/x", "v": number}]))
+        channel.replace("robot", keyed([place("x", number)]))
     channel.join(Tab(socket.write))
     tab = next(iter(channel._tabs))
     task = asyncio.ensure_future(tab.run())
     await settle()
     await stop(task)
-    assert socket.messages == [
-        {"type": "begin"},
-        value("a", 999),
-        {"type": "t", "path": "/kindsl/robot/x", "v": 999},
-        {"type": "end"},
-    ]
+    assert socket.changes == [Change(True, (value("a", 999), place("x", 999)))]
+
+
+async def test_what_changes_at_once_comes_at_once():
+    channel, socket = Channel(), Socket()
+    channel.join(Tab(socket.write))
+    tab = next(iter(channel._tabs))
+    task = asyncio.ensure_future(tab.run())
+    await settle()
+    channel.replace("robot", keyed([place("x", 1), place("y", 2)]))
+    channel.announce(value("a", 3))
+    await settle()
+    await stop(task)
+    parts = (place("x", 1), place("y", 2), value("a", 3))
+    assert socket.changes == [Change(True, ()), Change(False, parts)]
 
 
 async def test_a_stalled_tab_holds_one_state_and_delays_nobody():
@@ -89,14 +107,14 @@ async def test_the_sender_is_not_told_what_it_said():
     task = asyncio.ensure_future(tab.run())
     await settle()
     await stop(task)
-    assert [message["type"] for message in socket.messages] == ["begin", "end"]
+    assert socket.changes == [Change(True, ())]
 
 
 states = st.lists(
     st.builds(
-        lambda name, kind, number: {"type": kind, "path": f"/kindsl/robot/{name}", "v": number},
+        lambda name, kind, number: kind(f"/kindsl/robot/{name}", number),
         st.sampled_from(["a", "a/b", "a/b/c", "d"]),
-        st.sampled_from(["set_object", "set_transform"]),
+        st.sampled_from([SetObject, SetTransform]),
         st.integers(0, 3),
     ),
     max_size=8,

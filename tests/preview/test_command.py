@@ -8,9 +8,8 @@ import sys
 from contextlib import asynccontextmanager
 
 import pytest
-import umsgpack
 from tests.preview.robots import ARM, BROKEN_ARM, PARAMETRIC_ARM, require
-from tests.preview.websocket import connected
+from tests.preview.websocket import connected, first_part, whole_state
 from tests.support.ports import free_port
 
 DRIVER = (
@@ -74,14 +73,6 @@ async def running_with_errors(tmp_path, *arguments):
         await process.communicate()
 
 
-async def message(connection, is_wanted):
-    async with asyncio.timeout(PATIENCE):
-        while True:
-            frame = umsgpack.unpackb(await connection.read_message())
-            if is_wanted(frame):
-                return frame
-
-
 async def test_the_first_line_is_the_address(tmp_path, file):
     async with running(tmp_path, file) as (_, address):
         assert address.startswith("http://127.0.0.1:")
@@ -90,9 +81,9 @@ async def test_the_first_line_is_the_address(tmp_path, file):
 
 async def test_saving_reloads_and_a_click_prints_the_place(tmp_path, file):
     async with running(tmp_path, file) as (process, address), connected(address) as connection:
-        await message(connection, lambda m: m["type"] == "end")
+        await whole_state(connection)
         file.write_text("\n\n" + ARM.replace("(0.4, 0.0", "(0.6, 0.0"))
-        joint = await message(connection, lambda m: m["type"] == "joint")
+        joint = await first_part(connection, lambda m: m["type"] == "joint")
         assert joint["placement"][12] == 0.6
         await connection.write_message('{"type": "reveal", "kind": "joint", "name": "lift"}')
         line = ("\n\n" + ARM).partition("p_joint lift")[0].count("\n") + 1
@@ -107,21 +98,21 @@ async def test_a_document_on_stdin_is_not_followed(tmp_path):
 
 async def test_a_broken_save_keeps_the_model(tmp_path, file):
     async with running(tmp_path, file) as (_, address), connected(address) as connection:
-        await message(connection, lambda m: m["type"] == "end")
+        await whole_state(connection)
         file.write_text(BROKEN_ARM)
         # It may be read while it is written, and then again.
-        await message(connection, lambda m: m["type"] == "status" and m["state"] == "broken")
+        await first_part(connection, lambda m: m["type"] == "status" and m["state"] == "broken")
 
 
 async def test_a_save_that_replaces_the_file_is_noticed(tmp_path, file):
     async with running(tmp_path, file) as (_, address), connected(address) as connection:
-        await message(connection, lambda m: m["type"] == "end")
+        await whole_state(connection)
         new = tmp_path / "new"
         new.write_text(ARM.replace("tool {", "gripper {"))
         file.unlink()
         await asyncio.sleep(0.25)
         new.rename(file)
-        frame = await message(connection, lambda m: m["type"] == "frame")
+        frame = await first_part(connection, lambda m: m["type"] == "frame")
         assert frame["name"] == "gripper"
 
 
@@ -146,7 +137,7 @@ async def test_an_old_version_stands_behind(tmp_path, file):
         running(tmp_path, file, "--compare", old) as (_, address),
         connected(address) as connection,
     ):
-        await message(connection, lambda m: m.get("path") == "/kindsl/ghost/joints/lift")
+        await first_part(connection, lambda m: m.get("path") == "/kindsl/ghost/joints/lift")
 
 
 async def test_a_parameter_is_bound(tmp_path, file):
@@ -155,7 +146,7 @@ async def test_a_parameter_is_bound(tmp_path, file):
         running(tmp_path, file, "--param", "reach=0.25") as (_, address),
         connected(address) as connection,
     ):
-        joint = await message(connection, lambda m: m.get("name") == "lift")
+        joint = await first_part(connection, lambda m: m.get("name") == "lift")
         assert joint["placement"][12] == 0.25
 
 
@@ -210,25 +201,25 @@ async def test_a_document_without_bodies_cannot_stand_behind(tmp_path, file):
 
 async def test_a_lost_file_is_told_in_the_page_and_found_again(tmp_path, file):
     async with running_with_errors(tmp_path, file) as (_, address), connected(address) as page:
-        await message(page, lambda m: m["type"] == "end")
+        await whole_state(page)
         away = file.rename(tmp_path / "elsewhere.kindsl")
-        lost = await message(page, lambda m: m["type"] == "status")
+        lost = await first_part(page, lambda m: m["type"] == "status")
         assert (lost["state"], lost["message"]) == (
             "gone", f"{file}: the file was moved or deleted",
         )  # fmt: skip
         away.rename(file)
-        assert (await message(page, lambda m: m["type"] == "status"))["state"] == "live"
+        assert (await first_part(page, lambda m: m["type"] == "status"))["state"] == "live"
 
 
 async def test_lines_for_the_configuration_are_told_and_a_ghost_shows_what_is_saved(tmp_path, file):
     file.write_text(PARAMETRIC_ARM.replace("(reach,", "(reach[0.4],"))
     async with running(tmp_path, file) as (process, address), connected(address) as page:
-        await message(page, lambda m: m["type"] == "end")
+        await whole_state(page)
         await page.write_message('{"type": "set-parameters", "values": {"reach": 0.6}}')
-        ghost = await message(page, lambda m: m.get("path") == "/kindsl/ghost/joints/lift")
+        ghost = await first_part(page, lambda m: m.get("path") == "/kindsl/ghost/joints/lift")
         assert ghost["placement"][12] == 0.4
         await page.write_message('{"type": "write-parameters", "values": {"reach": 0.6, "x": 1}}')
-        lines = await message(page, lambda m: m["type"] == "lines")
+        lines = await first_part(page, lambda m: m["type"] == "lines")
         assert lines["text"] == "[parameters]\nreach = 0.6\n"
         assert [await line_of(process.stdout), await line_of(process.stdout)] == [
             "[parameters]", "reach = 0.6",

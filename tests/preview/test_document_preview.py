@@ -211,7 +211,7 @@ def test_a_finding_means_what_it_marks():
 
 
 def test_undecodable_bytes_in_a_message_can_be_sent():
-    from kindsl.scene.messages import encode
+    from kindsl.scene.encoding import encode
 
     preview = preview_of(ARM, findings=[finding("KD004", 0, 1, message="byte '\udcff'")])
     assert all(encode(message) for message in preview.channel.state)

@@ -10,6 +10,7 @@ from kindsl.preview.channel import Tab
 from kindsl.preview.document_preview import DocumentPreview
 from kindsl.preview.dragging import Dragging
 from kindsl.preview.requests import parse_request, request_of
+from kindsl.scene.encoding import plain
 from kindsl.text.edits import apply_edits
 
 
@@ -33,10 +34,10 @@ class Page:
         self.tab._waiting.clear()
 
     def last(self, kind: str):
-        return next((m for m in reversed(self.messages) if m["type"] == kind), None)
+        return next((plain(m) for m in reversed(self.messages) if m.type == kind), None)
 
     def state(self, kind: str):
-        return [m for m in self.preview.channel.state if m["type"] == kind]
+        return [plain(m) for m in self.preview.channel.state if m.type == kind]
 
     async def _write(self, writing):
         self.writings.append(writing)
@@ -44,8 +45,8 @@ class Page:
             self.preview.show(analyse(apply_edits(writing.text, writing.edits)), ())
         return self.refusal
 
-    async def _take(self, messages):
-        self.messages += messages
+    async def _take(self, change):
+        self.messages += change.parts
 
 
 def drag(phase="move", component="x", value=0.55, step=0.01, **more):
@@ -54,7 +55,7 @@ def drag(phase="move", component="x", value=0.55, step=0.01, **more):
 
 
 def place_of(page, joint):
-    return next(m["placement"][12:15] for m in page.state("joint") if m["name"] == joint)
+    return next(list(m["placement"][12:15]) for m in page.state("joint") if m["name"] == joint)
 
 
 @pytest.fixture
@@ -144,7 +145,7 @@ async def test_the_page_is_answered_when_the_new_version_is_shown():
     page.dragging._write = write_later
     await page.ask(**drag("drop", value=0.55))
     assert page.preview.revision == 2
-    kinds = [message["type"] for message in page.messages]
+    kinds = [message.type for message in page.messages]
     assert kinds.index("editing") < kinds.index("dragged")
 
 
@@ -193,10 +194,10 @@ async def test_a_gesture_is_a_ghost_until_it_is_accepted(page):
     plan = {"type": "plan", "gesture": "add-child", "name": "slider", "point": [0.1, 0.0, 0.2]}
     await page.ask(**plan)
     assert page.last("plan")["title"] == "Add link 'link1' to 'slider' by joint 'joint1'"
-    assert any("/ghost/" in m["path"] for m in page.preview.channel.state) and not page.writings
+    assert any("/ghost/" in m.path for m in page.preview.channel.state) and not page.writings
     await page.ask(**plan, accepted=True)
     assert "link link1" in page.preview.analysis.text
-    assert not any("/ghost/" in m["path"] for m in page.preview.channel.state)
+    assert not any("/ghost/" in m.path for m in page.preview.channel.state)
 
 
 async def test_the_pose_becomes_the_new_zero(page):
@@ -226,4 +227,4 @@ async def test_a_document_that_nobody_writes_has_no_handles():
     preview = DocumentPreview("arm")
     preview.show(analyse(ARM), ())
     await asyncio.sleep(0)
-    assert not [m for m in preview.channel.state if m["type"] == "editing"]
+    assert not [m for m in preview.channel.state if m.type == "editing"]

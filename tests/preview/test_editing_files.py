@@ -3,8 +3,8 @@
 import argparse
 
 from tests.preview.robots import ARM
-from tests.preview.test_command import line_of, message, running
-from tests.preview.websocket import connected
+from tests.preview.test_command import line_of, running
+from tests.preview.websocket import connected, first_part, whole_state
 
 from kindsl.cli import preview
 from kindsl.preview.dragging import Writing
@@ -88,7 +88,7 @@ async def test_a_page_drags_and_the_file_follows(tmp_path):
     file = tmp_path / "arm.kindsl"
     file.write_text(ARM)
     async with running(tmp_path, file, "--edit") as (process, address), connected(address) as page:
-        await message(page, lambda m: m["type"] == "editing")
+        await first_part(page, lambda m: m["type"] == "editing")
         await page.write_message(DRAG)
         assert await line_of(process.stdout) == f"{file}: Set x of joint 'lift'"
         assert file.read_text() == EDITED
@@ -99,5 +99,5 @@ async def test_without_the_option_nothing_is_written(tmp_path):
     file.write_text(ARM)
     async with running(tmp_path, file) as (_, address), connected(address) as page:
         await page.write_message(DRAG)
-        await message(page, lambda m: m["type"] == "end")
+        await whole_state(page)
         assert file.read_text() == ARM

@@ -5,9 +5,8 @@ import json
 from contextlib import asynccontextmanager
 
 import pytest
-import umsgpack
 from tests.preview.robots import ARM, BROKEN_ARM, PARAMETRIC_ARM
-from tests.preview.websocket import connected
+from tests.preview.websocket import connected, first_part, parts, whole_state
 from tests.support.lsp import RawClient
 
 URI = "untitled:arm"
@@ -29,25 +28,21 @@ async def page(editor):
     command = {"command": "kindsl.preview", "arguments": [URI]}
     url = (await asyncio.to_thread(editor.request, "workspace/executeCommand", command))["url"]
     async with connected(url) as connection:
-        await next_message(connection, "end")
+        await whole_state(connection)
         yield connection
 
 
 async def next_message(connection, kind):
-    async with asyncio.timeout(60.0):
-        while True:
-            message = umsgpack.unpackb(await connection.read_message())
-            if message["type"] == kind:
-                return message
+    return await first_part(connection, lambda part: part["type"] == kind)
 
 
 async def messages_until(connection, *wanted):
     """Wait until each wanted part of a message has come, in whatever order."""
     missing = list(wanted)
-    async with asyncio.timeout(60.0):
-        while missing:
-            message = umsgpack.unpackb(await connection.read_message())
-            missing = [part for part in missing if not part.items() <= message.items()]
+    told = parts(connection)
+    while missing:
+        message = await anext(told)
+        missing = [part for part in missing if not part.items() <= message.items()]
 
 
 def position(text):
@@ -92,11 +87,8 @@ async def test_a_saved_version_stays_as_a_ghost(editor):
     async with page(editor) as connection:
         editor.notify("textDocument/didSave", {"textDocument": {"uri": URI}})
         editor.change(URI, 2, {"text": ARM.replace("(0.4, 0.0", "(0.45, 0.0")})
-        async with asyncio.timeout(60.0):
-            while True:
-                message = await next_message(connection, "joint")
-                if message["path"].startswith("/kindsl/ghost/"):
-                    break
+        is_ghost = lambda part: part["path"].startswith("/kindsl/ghost/joints")  # noqa: E731
+        message = await first_part(connection, is_ghost)
         assert message["name"] in ("shoulder", "lift")
 
 
@@ -112,7 +104,7 @@ async def test_typed_values_are_written_by_the_editor(tmp_path):
     command = {"command": "kindsl.preview", "arguments": [file.as_uri()]}
     url = (await asyncio.to_thread(client.request, "workspace/executeCommand", command))["url"]
     async with connected(url) as connection:
-        await next_message(connection, "end")
+        await whole_state(connection)
         await connection.write_message('{"type": "write-parameters", "values": {"reach": 0.25}}')
         is_wanted = lambda m: m.get("method") == "workspace/applyEdit"  # noqa: E731
         request = await asyncio.to_thread(client.wait, is_wanted)

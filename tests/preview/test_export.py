@@ -13,6 +13,7 @@ from tests.preview.robots import ARM, mechanics_of, plain_robot, skeleton_in, sk
 from kindsl.analysis.analysis import analyse
 from kindsl.preview.document_preview import DocumentPreview
 from kindsl.preview.export import exported_page
+from kindsl.scene.encoding import plain
 from kindsl.scene.formulas import formula_messages
 
 
@@ -66,11 +67,9 @@ def test_it_reaches_for_nothing_outside():
 def test_the_state_is_in_it_once():
     page = exported(analyse(ARM))
     data = base64.b64decode(re.search(r'id="embedded-state"[^>]*>([^<]*)<', page).group(1))
-    messages = []
-    while data:
-        length = int.from_bytes(data[:4], "big")
-        messages.append(umsgpack.unpackb(data[4 : 4 + length]))
-        data = data[4 + length :]
+    change = umsgpack.unpackb(data)
+    assert (change["type"], change["is_whole"]) == ("change", True)
+    messages = change["parts"]
     keys = [(message["path"], message["type"]) for message in messages]
     assert len(keys) == len(set(keys))
     joints = [message["name"] for message in messages if message["type"] == "joint"]
@@ -117,10 +116,10 @@ async def test_its_parameters_move_what_depends_on_them(browser, tmp_path):
 
 def test_formulas_are_those_of_the_document():
     analysis = analyse(PARAMETRIC)
-    formulas = {m["name"]: m for m in formula_messages(analysis.model, analysis.context.values)}
+    formulas = {m.name: plain(m) for m in formula_messages(analysis.model, analysis.context.values)}
     assert set(formulas) == {"lift", "tool"}
     assert formulas["lift"]["translation"] == [
-        (0.0, [("reach", 1.0)]), (0.0, []), (0.0, [("reach", -0.5)]),
+        (0.0, (("reach", 1.0),)), (0.0, ()), (0.0, (("reach", -0.5),)),
     ]  # fmt: skip
-    assert formulas["lift"]["rotation"][1] == (0.0, [("tilt", 2.0)])
+    assert formulas["lift"]["rotation"][1] == (0.0, (("tilt", 2.0),))
     assert formulas["tool"]["rod"] == "/kindsl/robot/links/slider/body/segment-tool"

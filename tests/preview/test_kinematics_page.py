@@ -15,6 +15,7 @@ from tests.preview.robots import (
     skeleton_of,
 )
 
+from kindsl.scene.encoding import plain
 from kindsl.scene.robot import NOTHING_UNKNOWN, robot_messages
 
 SCRIPT = ROOT / "server" / "kindsl" / "preview" / "page" / "picture" / "kinematics.js"
@@ -71,7 +72,7 @@ def answers_to(inputs):
 def page_input(skeleton, q, unknown=NOTHING_UNKNOWN):
     messages = robot_messages("robot", skeleton, unknown=unknown).values()
     groups = {
-        kind + "s": [m for m in messages if m["type"] == kind]
+        kind + "s": [plain(m) for m in messages if m.type == kind]
         for kind in ("link", "joint", "frame")
     }
     values = dict(zip(skeleton.joint_names, q.tolist(), strict=True))

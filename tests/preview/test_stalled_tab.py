@@ -5,9 +5,8 @@ import base64
 import os
 import socket
 
-import umsgpack
 from tests.preview.robots import plain_robot
-from tests.preview.websocket import connected
+from tests.preview.websocket import connected, first_part
 
 from kindsl.preview.server import PreviewServer
 
@@ -25,11 +24,7 @@ async def hanging_tab(server):
 
 
 async def last_pose(connection, wanted):
-    async with asyncio.timeout(60.0):
-        while True:
-            message = umsgpack.unpackb(await connection.read_message())
-            if message["type"] == "joint" and message.get("placement") == wanted:
-                return message
+    return await first_part(connection, lambda part: part.get("placement") == wanted)
 
 
 async def test_it_holds_up_nobody_and_grows_no_queue():
@@ -49,8 +44,8 @@ async def test_it_holds_up_nobody_and_grows_no_queue():
             sizes.append(max(len(line.tab._waiting) for line in server._lines))
         n_properties = len(server.document(None).channel.state)
         assert max(sizes) <= 2 * n_properties + 2
-        joints = [m for m in server.document(None).channel.state if m["type"] == "joint"]
-        await last_pose(lively, list(joints[-1]["placement"]))
+        joints = [m for m in server.document(None).channel.state if m.type == "joint"]
+        await last_pose(lively, list(joints[-1].placement))
     hanging.close()
     await server.stop()
 

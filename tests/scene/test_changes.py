@@ -5,14 +5,20 @@ from hypothesis import strategies as st
 from tests.preview.page import Page
 
 from kindsl.scene.changes import changes
-from kindsl.scene.messages import delete, keyed, path_of
+from kindsl.scene.messages import Delete, SetObject, SetTransform, ValueMessage
+from kindsl.scene.state import keyed, path_of
+
+
+def _value(path, number):
+    return ValueMessage(path, "a", number)
+
 
 elements = st.sampled_from(["a", "b", "c/d", "links", "ü"])
 paths = st.lists(elements, min_size=1, max_size=4).map(lambda names: path_of("robot", *names))
 messages = st.builds(
-    lambda path, kind, value: {"type": kind, "path": path, "value": value},
+    lambda path, kind, value: kind(path, value),
     paths,
-    st.sampled_from(["set_object", "set_transform", "link"]),
+    st.sampled_from([SetObject, SetTransform, _value]),
     st.integers(0, 3),
 )
 states = st.lists(messages, max_size=20).map(keyed)
@@ -38,9 +44,9 @@ def test_what_stays_is_not_sent_again(old, more):
 
 
 def test_a_whole_branch_is_deleted_at_once():
-    old = keyed({"type": "t", "path": path_of("robot", "links", "a", str(i))} for i in range(5))
-    keep = {"type": "t", "path": path_of("robot", "links", "b")}
-    assert changes(old | keyed([keep]), keyed([keep])) == [delete("/kindsl/robot/links/a")]
+    old = keyed(SetTransform(path_of("robot", "links", "a", str(i)), ()) for i in range(5))
+    keep = SetTransform(path_of("robot", "links", "b"), ())
+    assert changes(old | keyed([keep]), keyed([keep])) == [Delete("/kindsl/robot/links/a")]
 
 
 def test_a_name_cannot_leave_its_place():

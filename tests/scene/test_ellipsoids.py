@@ -49,7 +49,7 @@ def test_an_impossible_inertia_is_told_and_stays_drawable():
 
 def test_no_mass_no_ellipsoid():
     marks = list(mass_marks("link", NO_BODY.com, inertia_ellipsoid(NO_BODY)))
-    assert not [message for message in marks if "inertia" in message["path"]]
+    assert not [message for message in marks if "inertia" in message.path]
 
 
 def test_ref_frame_turns_and_moves_the_ellipsoid():

@@ -14,7 +14,7 @@ components = st.floats(-3.0, 3.0).map(lambda number: 0.0 if abs(number) < 1e-6 e
 def test_a_rod_goes_from_the_origin_to_the_end(end):
     assume(np.linalg.norm(end) > 1e-6)
     messages = body_marks("robot", "link", (Segment("tip", end),), "body")
-    transforms = {m["path"]: m["matrix"] for m in messages if m["type"] == "set_transform"}
+    transforms = {m.path: m.matrix for m in messages if m.type == "set_transform"}
     rod = np.reshape(transforms["/kindsl/robot/links/link/body/segment-tip"], (4, 4)).T
     for y, wanted in ((-0.5, np.zeros(3)), (0.5, end)):
         np.testing.assert_allclose((rod @ [0.0, y, 0.0, 1.0])[:3], wanted, atol=1e-12)
@@ -27,8 +27,7 @@ def test_a_joint_of_another_kind_is_another_mark():
     from kindsl.scene.marks import joint_marks
 
     paths = [
-        {message["path"] for message in joint_marks("j", kind)}
-        for kind in ("revolute", "prismatic")
+        {message.path for message in joint_marks("j", kind)} for kind in ("revolute", "prismatic")
     ]
     assert "/kindsl/robot/joints/j/revolute/mark" in paths[0] - paths[1]
     assert "/kindsl/robot/joints/j/prismatic/mark" in paths[1] - paths[0]

@@ -13,7 +13,8 @@ from tests.support.documents import all_documents
 
 from kindsl.analysis.analysis import analyse
 from kindsl.scene.changes import changes
-from kindsl.scene.messages import as_json, encode
+from kindsl.scene.encoding import as_json, encode
+from kindsl.scene.messages import Change, SetTransform, ValueMessage
 from kindsl.scene.picture import picture
 from kindsl.scene.robot import ghost_messages, robot_messages
 
@@ -39,23 +40,23 @@ def test_a_moved_joint_moves_transforms_only():
     old = robot_messages("Arm", skeleton_of(ARM))
     new = robot_messages("Arm", skeleton_of(ARM.replace("(0.4, 0.0, 0.0)", "(0.41, 0.0, 0.0)")))
     sent = changes(old, new)
-    assert {message["type"] for message in sent} == {"joint", "set_transform", "model", "link"}
-    assert {m["name"] for m in sent if m["type"] == "joint"} == {"lift"}
-    assert {m["name"] for m in sent if m["type"] == "link"} == {"upper"}
+    assert {message.type for message in sent} == {"joint", "set_transform", "model", "link"}
+    assert {m.name for m in sent if m.type == "joint"} == {"lift"}
+    assert {m.name for m in sent if m.type == "link"} == {"upper"}
 
 
 def test_a_new_mass_redraws_no_body():
     old = robot_messages("Arm", skeleton_of(ARM))
     new = robot_messages("Arm", skeleton_of(ARM.replace("mass = 2.0", "mass = 2.5")))
     sent = changes(old, new)
-    assert {message["type"] for message in sent} == {"set_transform", "link"}
-    assert all("inertia" in m["path"] for m in sent if m["type"] == "set_transform")
+    assert {message.type for message in sent} == {"set_transform", "link"}
+    assert all("inertia" in m.path for m in sent if m.type == "set_transform")
 
 
 def test_a_renamed_link_takes_its_marks_along():
     old = robot_messages("Arm", skeleton_of(ARM))
     new = robot_messages("Arm", skeleton_of(ARM.replace("slider", "carriage")))
-    deleted = [message["path"] for message in changes(old, new) if message["type"] == "delete"]
+    deleted = [message.path for message in changes(old, new) if message.type == "delete"]
     assert deleted == ["/kindsl/robot/links/slider"]
 
 
@@ -73,9 +74,9 @@ def test_a_digit_of_any_joint_changes_few_messages(links, seed, which):
 
 def test_placements_are_the_joints_homogeneous_matrices_by_columns():
     messages = robot_messages("Arm", skeleton_of(ARM))
-    joint = next(m for m in messages.values() if m["type"] == "joint" and m["name"] == "shoulder")
+    joint = next(m for m in messages.values() if m.type == "joint" and m.name == "shoulder")
     wanted = [[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0.5], [0, 0, 0, 1]]
-    np.testing.assert_allclose(np.reshape(joint["placement"], (4, 4)).T, wanted, atol=1e-15)
+    np.testing.assert_allclose(np.reshape(joint.placement, (4, 4)).T, wanted, atol=1e-15)
 
 
 def test_a_ghost_is_made_of_bodies_alone():
@@ -85,7 +86,8 @@ def test_a_ghost_is_made_of_bodies_alone():
 
 
 def test_a_message_in_json_has_no_word_that_json_lacks():
-    message = {"type": "value", "value": math.nan, "matrix": (1.0, -math.inf), "name": "é"}
-    assert json.loads(as_json(message)) == {
-        "type": "value", "value": None, "matrix": [1.0, None], "name": "é"
-    }  # fmt: skip
+    value, place = ValueMessage("/a", "é", math.nan), SetTransform("/b", (1.0, -math.inf))
+    assert json.loads(as_json(Change(False, (value, place))))["parts"] == [
+        {"type": "value", "path": "/a", "name": "é", "value": None},
+        {"type": "set_transform", "path": "/b", "matrix": [1.0, None]},
+    ]

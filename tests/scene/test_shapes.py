@@ -3,7 +3,6 @@
 import importlib.util
 import json
 import math
-from array import array
 from itertools import pairwise
 
 import numpy as np
@@ -11,6 +10,7 @@ import pytest
 import umsgpack
 
 from kindsl.scene import geometry
+from kindsl.scene.encoding import as_json, encode
 from kindsl.scene.geometry import (
     ARROW_PROFILE,
     FORCE_PROFILE,
@@ -22,15 +22,17 @@ from kindsl.scene.geometry import (
 )
 from kindsl.scene.meshes import SIDES, Mesh, lathe, triad
 from kindsl.scene.messages import (
-    Key,
-    as_json,
-    delete,
-    encode,
-    key_of,
-    keyed,
-    set_object,
-    set_transform,
+    Change,
+    Delete,
+    FindingMessage,
+    HandleRow,
+    HandlesMessage,
+    SetObject,
+    SetTransform,
+    StatusMessage,
 )
+from kindsl.scene.picture import State
+from kindsl.scene.state import Key, keyed
 
 # Radii, heights, widths: of bodies, whose radius is 1.
 SIZES = {
@@ -173,16 +175,15 @@ class TestMessages:
     """Messages by key, as bytes and as JSON."""
 
     def test_of_two_with_one_key_the_last_stays(self) -> None:
-        first, last = set_transform("/a", (0.0,) * 16), set_transform("/a", (1.0,) * 16)
-        other = delete("/a")
+        first, last = SetTransform("/a", (0.0,) * 16), SetTransform("/a", (1.0,) * 16)
+        other = Delete("/a")
         assert keyed([first, other, last]) == {
             Key("/a", "set_transform"): last, Key("/a", "delete"): other,
         }  # fmt: skip
-        assert key_of({"type": "hello"}) == Key("", "hello")
 
     def test_bytes_have_the_shape_and_typed_arrays_by_their_kind(self) -> None:
         shape = Shape(Form.ARROW, 0x123456)
-        sent = umsgpack.unpackb(encode(set_object("/a", shape)))
+        sent = umsgpack.unpackb(encode(SetObject("/a", shape)))
         assert sent["path"] == "/a" and sent["object"]["metadata"]["type"] == "Object"
         data = sent["object"]["geometries"][0]["data"]
         known = lowered(shape)["geometries"][0]["data"]
@@ -192,21 +193,42 @@ class TestMessages:
         ):
             assert found["array"].type == kind
             assert found["array"].data == wanted["array"].tobytes()
-        assert umsgpack.unpackb(encode(delete("/a"))) == {"type": "delete", "path": "/a"}
+        assert umsgpack.unpackb(encode(Delete("/a"))) == {"type": "delete", "path": "/a"}
 
     def test_bytes_that_were_no_text_become_question_marks(self) -> None:
-        message = {"type": "finding", "message": "\udce4x", "counts": {"a": ["ok", 1]}, "n": 2}
-        sent = umsgpack.unpackb(encode(message))
-        assert sent == {"type": "finding", "message": "?x", "counts": {"a": ["ok", 1]}, "n": 2}
+        finding = FindingMessage("/a", 0, "KD004", "error", "\udce4x", 1, 2)
+        sent = umsgpack.unpackb(encode(Change(True, (Delete("/a"), finding))))
+        assert sent == {
+            "type": "change", "is_whole": True,
+            "parts": [
+                {"type": "delete", "path": "/a"},
+                {
+                    "type": "finding", "path": "/a", "index": 0, "code": "KD004",
+                    "severity": "error", "message": "?x", "line": 1, "column": 2,
+                },
+            ],
+        }  # fmt: skip
 
     def test_json_has_lists_for_arrays_and_null_for_what_is_no_number(self) -> None:
-        message = {"type": "t", "array": array("f", [1.0, 2.0]), "matrix": (0.5, 1)}
-        assert as_json(message) == '{"type":"t","array":[1.0,2.0],"matrix":[0.5,1]}'
-        broken = {"type": "t", "m": (math.inf, 1.0), "d": {"x": [math.nan, "s"]}}
-        assert json.loads(as_json(broken)) == {
-            "type": "t",
-            "m": [None, 1.0],
-            "d": {"x": [None, "s"]},
-        }
-        whole = json.loads(as_json(set_object("/a", Shape(Form.BALL, 1))))
+        row = HandleRow("x", math.nan, "0.5", "", ("joint 'a' x",), "")
+        told = json.loads(as_json(HandlesMessage("joint", "a", 2, "", (row,))))
+        assert told == {
+            "type": "handles", "path": "/kindsl/handles", "kind": "joint", "name": "a",
+            "revision": 2, "frame": "",
+            "components": [
+                {
+                    "component": "x", "value": None, "text": "0.5", "symbol": "",
+                    "moves_along": ["joint 'a' x"], "locked": "",
+                },
+            ],
+        }  # fmt: skip
+        status = StatusMessage(State.LIVE, "", 1, {"error": 1}, "a", math.inf, "", False)
+        told = json.loads(as_json(status))
+        assert (told["state"], told["counts"], told["mass"]) == ("live", {"error": 1}, None)
+        assert as_json(SetTransform("/a", (0.5, 1))) == (
+            '{"type":"set_transform","path":"/a","matrix":[0.5,1]}'
+        )
+        whole = json.loads(as_json(SetObject("/a", Shape(Form.BALL, 1))))
+        arrow = json.loads(as_json(SetObject("/a", Shape(Form.ARROW, 1))))["object"]
+        assert isinstance(arrow["geometries"][0]["data"]["index"]["array"], list)
         assert whole["object"]["geometries"][0]["radius"] == 1.0

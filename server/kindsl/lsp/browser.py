@@ -7,7 +7,7 @@ page of that identifier, `kindsl/previewMessages` carries `{"document", "message
 
 import asyncio
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from kindsl.lsp.server import KindslLanguageServer
@@ -39,8 +39,8 @@ def start(post: PostText) -> Callable[[str], bool]:
         pages.append(PostedPreviews(post_to_page, on_reveal, on_edit))
         return pages[-1]
 
-    def post_to_page(document: str, messages: Sequence[str]) -> None:
-        params = f'{{"document":{json.dumps(document)},"messages":[{",".join(messages)}]}}'
+    def post_to_page(document: str, change: str) -> None:
+        params = f'{{"document":{json.dumps(document)},"messages":[{change}]}}'
         server.protocol.notify_encoded(PREVIEW_MESSAGES, Encoded(params))
 
     server = KindslLanguageServer(Surroundings(InlineWorker(), new_previews, has_files=False))

@@ -1,14 +1,11 @@
 """The state of one document's preview, and the tabs that show it."""
 
 import asyncio
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Iterable
 
 from kindsl.scene.changes import changes
-from kindsl.scene.messages import Key, Message, Messages, key_of
-
-# Between these, what is sent belongs together.
-CHANGES: Message = {"type": "changes"}
-END: Message = {"type": "end"}
+from kindsl.scene.messages import Change, Part
+from kindsl.scene.state import Messages, key_of, keyed
 
 
 class Tab:
@@ -17,13 +14,19 @@ class Tab:
     So a tab that stalls costs at most one state, and nobody waits for it.
     """
 
-    def __init__(self, write: Callable[[list[Message]], Awaitable[None]]) -> None:
-        """Take the function that writes messages and returns when the page has taken them."""
+    def __init__(self, write: Callable[[Change], Awaitable[None]]) -> None:
+        """Take the function that writes a change and returns when the page has taken it."""
         self._write = write
-        self._waiting: dict[Key, Message] = {}
+        self._waiting: Messages = {}
+        self._is_whole = False
         self._has_work = asyncio.Event()
 
-    def send(self, message: Message) -> None:
+    def begin(self, state: Iterable[Part]) -> None:
+        """Let the page have a whole state."""
+        self._waiting, self._is_whole = keyed(state), True
+        self._has_work.set()
+
+    def send(self, message: Part) -> None:
         """Let the page have a message as soon as it takes it."""
         key = key_of(message)
         if key.type == "delete":
@@ -38,8 +41,9 @@ class Tab:
         while True:
             await self._has_work.wait()
             self._has_work.clear()
-            messages, self._waiting = self._waiting, {}
-            await self._write(list(messages.values()))
+            change = Change(self._is_whole, tuple(self._waiting.values()))
+            self._waiting, self._is_whole = {}, False
+            await self._write(change)
 
     def _drop_below(self, path: str) -> None:
         below = path + "/"
@@ -58,14 +62,13 @@ class Channel:
         self._tabs: set[Tab] = set()
 
     @property
-    def state(self) -> list[Message]:
+    def state(self) -> list[Part]:
         """One message for each property."""
         return [message for part in self._parts.values() for message in part.values()]
 
     def join(self, tab: Tab) -> None:
         """Send a tab the whole state, and from now on its changes."""
-        for message in ({"type": "begin"}, *self.state, END):
-            tab.send(message)
+        tab.begin(self.state)
         self._tabs.add(tab)
 
     def leave(self, tab: Tab) -> None:
@@ -78,13 +81,13 @@ class Channel:
             self.announce(message)
         self._parts[part] = messages
 
-    def put(self, part: str, message: Message, sender: Tab | None = None) -> None:
+    def put(self, part: str, message: Part, sender: Tab | None = None) -> None:
         """Set one property and tell all tabs but the one that it came from."""
         self._parts.setdefault(part, {})[key_of(message)] = message
         for tab in self._tabs - {sender}:
             tab.send(message)
 
-    def announce(self, message: Message) -> None:
+    def announce(self, message: Part) -> None:
         """Send a message that is no part of the state."""
         for tab in self._tabs:
             tab.send(message)

@@ -11,10 +11,11 @@ from kindsl.mechanism.drawable import drawable_skeleton
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.preview.channel import Channel, Tab
 from kindsl.preview.findings import finding_messages, lost_message, status_message
-from kindsl.scene.messages import Message, Messages, keyed, path_of
+from kindsl.scene.messages import HighlightMessage, ValueMessage
 from kindsl.scene.parameters import parameter_messages
 from kindsl.scene.picture import Picture, State, picture
 from kindsl.scene.robot import ghost_messages, robot_messages
+from kindsl.scene.state import Messages, keyed, path_of
 
 # More joints or parameters than any robot has.
 MOST_VALUES = 10_000
@@ -145,7 +146,8 @@ class DocumentPreview:
         """Move a joint to a position, radians or metres."""
         if math.isfinite(value) and _has_room(self._joints, name):
             self._joints[name] = value
-            self.channel.put("joints", _joint_value(name, value), sender)
+            told = ValueMessage(path_of("values", name), name, value)
+            self.channel.put("joints", told, sender)
 
     def set_parameters(self, values: Mapping[str, float | None]) -> None:
         """Give parameters values, or their own back for None; draws once."""
@@ -168,8 +170,7 @@ class DocumentPreview:
 
     def highlight(self, kind: str, name: str) -> None:
         """Light up a link, joint or frame; nothing for an empty name."""
-        message = {"type": "highlight", "path": path_of("highlight"), "kind": kind, "name": name}
-        self.channel.replace("highlight", keyed([message]))
+        self.channel.replace("highlight", keyed([HighlightMessage(kind, name)]))
 
     @property
     def _last_skeleton(self) -> Skeleton | None:
@@ -211,10 +212,6 @@ class DocumentPreview:
 def _has_room(values: dict[str, float], name: str) -> bool:
     """Return whether a value may be kept: whatever a page sends, memory stays bounded."""
     return name in values or len(values) < MOST_VALUES
-
-
-def _joint_value(name: str, value: float) -> Message:
-    return {"type": "value", "path": path_of("values", name), "name": name, "value": value}
 
 
 def _stand_alike(a: Skeleton, b: Skeleton) -> bool:

@@ -23,6 +23,7 @@ from kindsl.preview.requests import (
     WriteParameters,
 )
 from kindsl.preview.reveal import place_of
+from kindsl.scene.messages import LinesMessage
 from kindsl.text.span import Span
 
 # Longer robots are drawn beside the loop, to keep it free for the editor.
@@ -213,7 +214,7 @@ class DocumentPreviews(ABC):
         known = {name: value for name, value in values.items() if name in free}
         lines = self.on_write(key, known) if known else ""
         if lines:
-            tab.send({"type": "lines", "text": lines})
+            tab.send(LinesMessage(lines))
 
     def _reveal(self, document: DocumentPreview, chosen: Reveal) -> None:
         key = self._key(document)

@@ -15,7 +15,7 @@ from kindsl.analysis.settings import Settings
 from kindsl.features.manipulation.add_child import add_child
 from kindsl.features.manipulation.add_frame import add_frame
 from kindsl.features.manipulation.gesture import Gesture, Refusal
-from kindsl.features.manipulation.handles import Handle, handles
+from kindsl.features.manipulation.handles import handles
 from kindsl.features.manipulation.mirror_leg import mirror_leg
 from kindsl.features.manipulation.pose_as_zero import pose_as_zero
 from kindsl.features.manipulation.set_component import Change, set_component
@@ -23,7 +23,15 @@ from kindsl.features.manipulation.things import Thing, carrying_frame
 from kindsl.preview.document_preview import DocumentPreview
 from kindsl.preview.gesture_requests import Drag, GestureRequest, Grasp, Plan
 from kindsl.preview.steps import Steps, difference
-from kindsl.scene.messages import Message, keyed, path_of
+from kindsl.scene.messages import (
+    DraggedMessage,
+    EditingMessage,
+    HandleRow,
+    HandlesMessage,
+    PlanMessage,
+    WrittenMessage,
+)
+from kindsl.scene.state import keyed
 from kindsl.semantics.parameters import Binding
 from kindsl.text.edits import TextEdit
 
@@ -73,7 +81,7 @@ class Dragging:
             if isinstance(request, Drag):
                 self._refuse(request, "internal error")
             elif isinstance(request, Plan):
-                self._tell("plan", request.gesture, "", "internal error")
+                self._preview.channel.announce(PlanMessage(request.gesture, "", "internal error"))
 
     async def _do(self, request: GestureRequest) -> None:
         if isinstance(request, Grasp):
@@ -118,7 +126,7 @@ class Dragging:
         """Show a gesture as a ghost, or write it when it is accepted."""
         analysis = self._preview.analysis
         if analysis is None or request.revision != self._preview.revision:
-            self._tell("plan", request.gesture, "", _OUTDATED)
+            self._preview.channel.announce(PlanMessage(request.gesture, "", _OUTDATED))
             return
         if request.gesture == "discard":
             self._preview.show_plan(None)
@@ -128,15 +136,15 @@ class Dragging:
             return
         gesture = _gesture(analysis, request)
         if isinstance(gesture, Refusal):
-            self._tell("plan", request.gesture, "", gesture.reason)
+            self._preview.channel.announce(PlanMessage(request.gesture, "", gesture.reason))
         elif request.is_accepted:
             self._preview.show_plan(None)
             writing = Writing(gesture.title, analysis.text, gesture.edits)
             reason = await self._written(writing)
-            self._tell("written", request.gesture, gesture.title, reason)
+            self._preview.channel.announce(WrittenMessage(request.gesture, gesture.title, reason))
         else:
             self._preview.show_plan(analysis.edited(gesture.edits))
-            self._tell("plan", request.gesture, gesture.title, "")
+            self._preview.channel.announce(PlanMessage(request.gesture, gesture.title, ""))
 
     def _try(self, analysis: Analysis, request: Drag, change: Change) -> None:
         self._preview.set_parameters(dict(change.preview))
@@ -185,13 +193,13 @@ class Dragging:
         steps, is_undo = self._steps, gesture == "undo"
         step = steps.to_undo(text) if is_undo else steps.to_redo(text)
         if isinstance(step, str):
-            self._tell("plan", gesture, "", step)
+            self._preview.channel.announce(PlanMessage(gesture, "", step))
             return
         label = f"Undo: {step.label}" if is_undo else step.label
         reason = await self._write_and_wait(Writing(label, text, (difference(step),)))
         if not reason:
             (steps.undone if is_undo else steps.redone)()
-        self._tell("written", gesture, label, reason)
+        self._preview.channel.announce(WrittenMessage(gesture, label, reason))
 
     def _refuse(self, request: Drag, reason: str) -> None:
         self._preview.put_back()
@@ -201,48 +209,27 @@ class Dragging:
     def _answer(
         self, request: Drag, text: str, value: float, reason: str, *, is_written: bool = False
     ) -> None:
-        message = {
-            "type": "dragged",
-            "path": path_of("dragged"),
-            "phase": request.phase,
-            "component": request.component,
-            "text": text,
-            "value": value,
-            "reason": reason,
-            "written": is_written,
-        }
+        message = DraggedMessage(
+            request.phase, request.component, text, value, reason, written=is_written
+        )
         self._preview.channel.announce(message)
-
-    def _tell(self, kind: str, gesture: str, title: str, reason: str) -> None:
-        message = {"type": kind, "path": path_of(kind), "gesture": gesture}
-        self._preview.channel.announce({**message, "title": title, "reason": reason})
 
     def _tell_handles(self) -> None:
         analysis, held = self._preview.analysis, self._held
-        editing = {
-            "type": "editing",
-            "path": path_of("editing"),
-            "revision": self._preview.revision,
-        }
+        editing = EditingMessage(self._preview.revision)
         self._preview.channel.replace("editing", keyed([editing]))
         if analysis is None or held is None:
             self._preview.channel.replace("handles", {})
             return
         found = handles(analysis, held, self._preview.typed)
-        message = {
-            "type": "handles",
-            "path": path_of("handles"),
-            "kind": held.kind,
-            "name": held.name,
-            "revision": self._preview.revision,
-            "frame": carrying_frame(analysis.model, held),
-            "components": [_row(handle) for handle in found],
-        }
+        message = HandlesMessage(
+            kind=held.kind,
+            name=held.name,
+            revision=self._preview.revision,
+            frame=carrying_frame(analysis.model, held),
+            components=tuple(HandleRow(**handle._asdict()) for handle in found),
+        )
         self._preview.channel.replace("handles", keyed([message]))
-
-
-def _row(handle: Handle) -> Message:
-    return {**handle._asdict(), "moves_along": list(handle.moves_along)}
 
 
 def _changed(analysis: Analysis, change: Change) -> Analysis:

@@ -2,11 +2,11 @@
 
 import base64
 import hashlib
-import struct
 from collections.abc import Iterable, Sequence
 
 from kindsl.preview.assets import SCRIPTS, STYLES, assets, page
-from kindsl.scene.messages import Message, encode
+from kindsl.scene.encoding import encode
+from kindsl.scene.messages import Change, Part
 
 _POLICY = (
     "default-src 'none'; script-src {hashes}; style-src 'unsafe-inline'; img-src data: blob:; "
@@ -14,7 +14,7 @@ _POLICY = (
 )
 
 
-def exported_page(state: Iterable[Message]) -> str:
+def exported_page(state: Iterable[Part]) -> str:
     """Return a page that shows a state from the file system.
 
     Only its own scripts may run in it, told by their hashes, and it may not reach any address.
@@ -25,8 +25,8 @@ def exported_page(state: Iterable[Message]) -> str:
     Raises:
         PreviewUnavailableError: If meshcat is not installed.
     """
-    frames = base64.b64encode(_joined(state)).decode("ascii")
-    data = f'<script id="embedded-state" type="text/plain">{frames}</script>'
+    whole = base64.b64encode(encode(Change(True, tuple(state)))).decode("ascii")
+    data = f'<script id="embedded-state" type="text/plain">{whole}</script>'
     return sealed_page([assets()[name].content for name in SCRIPTS], data)
 
 
@@ -46,12 +46,6 @@ def sealed_page(scripts: Sequence[str], data: str = "") -> str:
         f"<style>{''.join(assets()[name].content for name in STYLES)}</style>"
     )
     return page(head, "\n".join([data, *(f"<script>{script}</script>" for script in scripts)]))
-
-
-def _joined(state: Iterable[Message]) -> bytes:
-    """Return the messages' frames one after the other, each after its length in four bytes."""
-    frames = (encode(message) for message in state)
-    return b"".join(struct.pack(">I", len(frame)) + frame for frame in frames)
 
 
 def _hash(script: str) -> str:

@@ -4,9 +4,11 @@ from collections import Counter
 from collections.abc import Sequence
 
 from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.mechanism.total_mass import NO_MASS
 from kindsl.rules.base import Severity
-from kindsl.scene.messages import Message, Messages, keyed, path_of
+from kindsl.scene.messages import FindingMessage, StatusMessage
 from kindsl.scene.picture import Picture
+from kindsl.scene.state import Messages, keyed, path_of
 from kindsl.text.lines import LineIndex
 
 # A page that lists hundreds of findings helps nobody and costs at every keystroke.
@@ -27,39 +29,44 @@ def finding_messages(findings: Sequence[Diagnostic], text: str) -> Messages:
     return keyed(_finding(index, finding, lines) for index, finding in enumerate(listed(findings)))
 
 
-def status_message(drawn: Picture, findings: Sequence[Diagnostic], label: str) -> Message:
+def status_message(drawn: Picture, findings: Sequence[Diagnostic], label: str) -> StatusMessage:
     """Return the message about the state of the picture and how many findings there are."""
     counts = Counter(str(finding.severity) for finding in findings)
-    return {
-        "type": "status",
-        "path": path_of("status"),
-        "state": str(drawn.state),
-        "message": drawn.message,
-        "total": len(findings),
-        "counts": dict(counts),
-        "label": label,
-        "mass": drawn.weight.known,
-        "lacks": drawn.weight.plain_reason,
-        "is_former": drawn.is_former,
-    }
+    return StatusMessage(
+        state=drawn.state,
+        message=drawn.message,
+        total=len(findings),
+        counts=dict(counts),
+        label=label,
+        mass=drawn.weight.known,
+        lacks=drawn.weight.plain_reason,
+        is_former=drawn.is_former,
+    )
 
 
-def lost_message(message: str, drawn: Picture | None, total: int, label: str) -> Message:
+def lost_message(message: str, drawn: Picture | None, total: int, label: str) -> StatusMessage:
     """Return the message that the document itself is not there: what is shown is a former one."""
-    lost = {"state": "gone", "message": message, "total": total, "counts": {}, "is_former": True}
-    shown = {} if drawn is None else status_message(drawn, (), label)
-    return {"type": "status", "path": path_of("status"), "label": label, **shown, **lost}
+    weight = NO_MASS if drawn is None else drawn.weight
+    return StatusMessage(
+        state="gone",
+        message=message,
+        total=total,
+        counts={},
+        label=label,
+        mass=weight.known,
+        lacks=weight.plain_reason,
+        is_former=True,
+    )
 
 
-def _finding(index: int, finding: Diagnostic, lines: LineIndex) -> Message:
+def _finding(index: int, finding: Diagnostic, lines: LineIndex) -> FindingMessage:
     line, column = lines.position(finding.start)
-    return {
-        "type": "finding",
-        "path": path_of("findings", str(index)),
-        "index": index,
-        "code": finding.code,
-        "severity": str(finding.severity),
-        "message": finding.message,
-        "line": line + 1,
-        "column": column + 1,
-    }
+    return FindingMessage(
+        path=path_of("findings", str(index)),
+        index=index,
+        code=finding.code,
+        severity=str(finding.severity),
+        message=finding.message,
+        line=line + 1,
+        column=column + 1,
+    )

@@ -11,10 +11,11 @@ from tornado.websocket import WebSocketClosedError, WebSocketHandler
 from kindsl.preview.access import Access
 from kindsl.preview.assets import assets, live_page
 from kindsl.preview.budget import Budget
-from kindsl.preview.channel import CHANGES, END, Tab
+from kindsl.preview.channel import Tab
 from kindsl.preview.document_preview import DocumentPreview
 from kindsl.preview.requests import MOST_BYTES, Request, parse_request
-from kindsl.scene.messages import Message, encode
+from kindsl.scene.encoding import encode
+from kindsl.scene.messages import Change
 
 TOO_MUCH = 1008
 # The viewer and its control library set styles from scripts; nothing may evaluate text as code.
@@ -172,14 +173,7 @@ class LiveHandler(CheckedHandler, WebSocketHandler):
             self.writer.cancel()
             self.server.disconnected(self)
 
-    async def _write(self, messages: list[Message]) -> None:
-        """Write messages; a line that is closing loses them, and `on_close` follows.
-
-        Each is a frame of its own, and the page may draw between any two: it is told from where to
-        where they belong together.
-        """
-        written = []
+    async def _write(self, change: Change) -> None:
+        """Write a change; a line that is closing loses it, and `on_close` follows."""
         with suppress(WebSocketClosedError):
-            for message in [CHANGES, *messages, END] if len(messages) > 1 else messages:
-                written.append(self.write_message(encode(message), binary=True))
-        await asyncio.gather(*written, return_exceptions=True)
+            await self.write_message(encode(change), binary=True)

@@ -1,7 +1,7 @@
 """Previews whose pages are in the same browser: messages as JSON instead of a server."""
 
 import asyncio
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import Any, NamedTuple, TypeVar
 
 from kindsl.preview.channel import Tab
@@ -9,11 +9,12 @@ from kindsl.preview.document_preview import DocumentPreview
 from kindsl.preview.documents import DocumentPreviews, OnEdit, OnReveal
 from kindsl.preview.documents import identifier as identifier_of
 from kindsl.preview.requests import Hello, request_of
-from kindsl.scene.messages import Message, as_json
+from kindsl.scene.encoding import as_json
+from kindsl.scene.messages import Change
 
 T = TypeVar("T")
 
-Post = Callable[[str, Sequence[str]], None]
+Post = Callable[[str, str], None]
 
 
 class _Page(NamedTuple):
@@ -29,7 +30,7 @@ class PostedPreviews(DocumentPreviews):
     def __init__(
         self, post: Post, on_reveal: OnReveal | None = None, on_edit: OnEdit | None = None
     ) -> None:
-        """Take what sends JSON texts to the pages of a document."""
+        """Take what sends a JSON text to the pages of a document."""
         super().__init__(on_reveal, on_edit=on_edit, beside=_at_once)
         self._post = post
         self._pages: dict[str, _Page] = {}
@@ -65,8 +66,8 @@ class PostedPreviews(DocumentPreviews):
     def _join(self, identifier: str, document: DocumentPreview) -> None:
         """Make a page the one that shows a document, instead of what it was before a reload."""
 
-        async def write(messages: list[Message]) -> None:
-            self._post(identifier, [as_json(message) for message in messages])
+        async def write(change: Change) -> None:
+            self._post(identifier, as_json(change))
 
         former = self._pages.get(identifier)
         if former is not None:

@@ -2,13 +2,14 @@
 
 from collections.abc import Iterable
 
-from kindsl.scene.messages import Message, Messages, delete
+from kindsl.scene.messages import Delete, Part
+from kindsl.scene.state import Messages
 
 # "/kindsl/TREE": nothing above a tree is ever deleted.
 _TREE_DEPTH = 3
 
 
-def changes(old: Messages, new: Messages) -> list[Message]:
+def changes(old: Messages, new: Messages) -> list[Part]:
     """Return what a page that shows `old` must be sent to show `new`: deletions first.
 
     A page can forget a path with all below, but not one property of it; so what stays of a path
@@ -19,11 +20,14 @@ def changes(old: Messages, new: Messages) -> list[Message]:
     if lost_paths:
         kept = _with_ancestors(key.path for key in new)
         deleted = {_highest_gone(path, kept) for path in lost_paths}
-    return [delete(path) for path in sorted(deleted)] + [
-        message
-        for key, message in new.items()
-        if old.get(key) != message or (deleted and _is_below(key.path, deleted))
-    ]
+    parts: list[Part] = [Delete(path) for path in sorted(deleted)]
+    for key, message in new.items():
+        known = old.get(key)
+        # Most are the same object, which comparing would only find out field by field.
+        is_new = known is not message and known != message
+        if is_new or (deleted and _is_below(key.path, deleted)):
+            parts.append(message)
+    return parts
 
 
 def _is_below(path: str, deleted: set[str]) -> bool:

@@ -5,19 +5,18 @@ translation or rotation is told as its value with all parameters zero, and a fac
 """
 
 from collections.abc import Iterator, Mapping
+from typing import Literal
 
-from kindsl.scene.messages import Message, path_of
+from kindsl.scene.messages import Affine, FormulaMessage
+from kindsl.scene.state import path_of
 from kindsl.semantics.declarations import Link, Pose, Vector
 from kindsl.semantics.expressions import Expression, ParameterUse, symbols
 from kindsl.semantics.model import Model
 
-# Value with all parameters zero, and the factor of each parameter.
-Affine = tuple[float, list[tuple[str, float]]]
-
 _COMPONENTS = 3
 
 
-def formula_messages(model: Model, values: Mapping[str, float]) -> Iterator[Message]:
+def formula_messages(model: Model, values: Mapping[str, float]) -> Iterator[FormulaMessage]:
     """Yield the formula of each joint and frame whose place has parameters in it.
 
     Args:
@@ -34,33 +33,36 @@ def formula_messages(model: Model, values: Mapping[str, float]) -> Iterator[Mess
 
 
 def _formula(
-    group: str, name: str, carrier: Link, pose: Pose, values: Mapping[str, float]
-) -> Iterator[Message]:
+    group: Literal["joints", "frames"],
+    name: str,
+    carrier: Link,
+    pose: Pose,
+    values: Mapping[str, float],
+) -> Iterator[FormulaMessage]:
     translation, rotation = _affine(pose.translation, values), _affine(pose.rotation, values)
     if translation is None or rotation is None:
         return
     if not any(terms for _, terms in (*translation, *rotation)):
         return
     body = ("robot", "links", str(carrier.name), "base" if carrier.is_base else "body")
-    yield {
-        "type": "formula",
-        "path": path_of("formulas", group, name),
-        "group": group,
-        "name": name,
-        "link": str(carrier.name),
-        "translation": translation,
-        "rotation": rotation,
-        "rod": path_of(*body, f"segment-{name}"),
-        "end": path_of(*body, f"end-{name}"),
-    }
+    yield FormulaMessage(
+        path=path_of("formulas", group, name),
+        group=group,
+        name=name,
+        link=str(carrier.name),
+        translation=translation,
+        rotation=rotation,
+        rod=path_of(*body, f"segment-{name}"),
+        end=path_of(*body, f"end-{name}"),
+    )
 
 
-def _affine(vector: Vector | None, values: Mapping[str, float]) -> list[Affine] | None:
+def _affine(vector: Vector | None, values: Mapping[str, float]) -> tuple[Affine, ...] | None:
     """Return the components of a vector, None if one has another form or no value."""
     if vector is None:
         return None
     components = [affine_component(component, values) for component in vector.components]
-    known = [component for component in components if component is not None]
+    known = tuple(component for component in components if component is not None)
     return known if len(known) == _COMPONENTS else None
 
 
@@ -77,4 +79,4 @@ def affine_component(expression: Expression, values: Mapping[str, float]) -> Aff
         if once is None or twice is None or abs(twice - 2.0 * once + constant) > 1e-9:
             return None
         factors.append((name, once - constant))
-    return constant, factors
+    return constant, tuple(factors)

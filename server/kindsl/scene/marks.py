@@ -7,8 +7,9 @@ from functools import lru_cache
 from kindsl.rigid.pose import RigidPose, Vector3, transposed
 from kindsl.scene.ellipsoids import InertiaEllipsoid
 from kindsl.scene.geometry import Form, Shape
-from kindsl.scene.messages import Message, path_of, set_object, set_transform
-from kindsl.scene.size import Point, Segment
+from kindsl.scene.messages import Part, SetObject, SetTransform
+from kindsl.scene.size import Segment
+from kindsl.scene.state import path_of
 
 LINK = 0x8EA3BA
 BASE = 0x56667A
@@ -34,90 +35,90 @@ JOINT_TURNS = {
 _MOST_KNOWN = 1 << 12
 
 
-def column_major(pose: RigidPose) -> list[float]:
+def column_major(pose: RigidPose) -> tuple[float, ...]:
     """Return a pose as the 16 numbers of its homogeneous matrix, column by column."""
     x, y, z = transposed(pose.rotation)
-    return [*x, 0.0, *y, 0.0, *z, 0.0, *pose.translation, 1.0]
+    return (*x, 0.0, *y, 0.0, *z, 0.0, *pose.translation, 1.0)
 
 
 def body_marks(
     tree: str, link: str, segments: tuple[Segment, ...], category: str
-) -> Iterator[Message]:
+) -> Iterator[Part]:
     """Yield a body: a ball at its frame's origin and a capsule along each of its segments."""
     color = GHOST if tree == "ghost" else {"base": BASE, "body": LINK}[category]
     place = (tree, "links", link, category)
-    yield set_object(path_of(*place, "ball"), Shape(Form.BALL, color))
+    yield SetObject(path_of(*place, "ball"), Shape(Form.BALL, color))
     for segment in segments:
         rod = path_of(*place, f"segment-{segment.name}")
         end = path_of(*place, f"end-{segment.name}")
-        yield set_object(rod, Shape(Form.CYLINDER, color))
-        yield set_transform(rod, _along(segment.end))
-        yield set_object(end, Shape(Form.BALL, color))
-        yield set_transform(end, _at(segment.end))
+        yield SetObject(rod, Shape(Form.CYLINDER, color))
+        yield SetTransform(rod, _along(segment.end))
+        yield SetObject(end, Shape(Form.BALL, color))
+        yield SetTransform(end, _at(segment.end))
 
 
-def base_mark(link: str) -> Iterator[Message]:
+def base_mark(link: str) -> Iterator[Part]:
     """Yield the slab under a fixed base."""
-    yield set_object(path_of("robot", "links", link, "base", "slab"), Shape(Form.SLAB, BASE))
+    yield SetObject(path_of("robot", "links", link, "base", "slab"), Shape(Form.SLAB, BASE))
 
 
-def link_frame(link: str) -> Message:
+def link_frame(link: str) -> Part:
     """Return a link's frame."""
     path = path_of("robot", "links", link, "link-frame", "triad")
-    return set_object(path, Shape(Form.TRIAD, WHITE))
+    return SetObject(path, Shape(Form.TRIAD, WHITE))
 
 
-def mass_marks(link: str, com: Vector3, ellipsoid: InertiaEllipsoid) -> Iterator[Message]:
+def mass_marks(link: str, com: Vector3, ellipsoid: InertiaEllipsoid) -> Iterator[Part]:
     """Yield a link's centre of mass and inertia ellipsoid, nothing without mass or extent."""
     place = ("robot", "links", link)
     if ellipsoid.semi_axes is None:
         return
     ball = path_of(*place, "com", "ball")
-    yield set_object(ball, Shape(Form.POINT, COM, on_top=True))
-    yield set_transform(ball, _at(com))
+    yield SetObject(ball, Shape(Form.POINT, COM, on_top=True))
+    yield SetTransform(ball, _at(com))
     mark = path_of(*place, "inertia", "ellipsoid")
     color = INERTIA if ellipsoid.is_consistent else BAD_INERTIA
-    yield set_object(mark, Shape(Form.BALL, color))
+    yield SetObject(mark, Shape(Form.BALL, color))
     x, y, z = ellipsoid.semi_axes
-    yield set_transform(mark, (*x, 0.0, *y, 0.0, *z, 0.0, *com, 1.0))
+    yield SetTransform(mark, (*x, 0.0, *y, 0.0, *z, 0.0, *com, 1.0))
 
 
 @lru_cache(maxsize=_MOST_KNOWN)
-def joint_marks(joint: str, kind: str) -> tuple[Message, ...]:
+def joint_marks(joint: str, kind: str) -> tuple[Part, ...]:
     """Return a joint: its body, its axis, its frame and the arrow of its gravity torque."""
     place = ("robot", "joints", joint)
     mark, rail = path_of(*place, kind, "mark"), path_of(*place, kind, "rail")
-    marks = [
-        set_object(mark, Shape(JOINT_FORMS[kind], JOINT_COLORS[kind])),
-        set_transform(mark, JOINT_TURNS[kind]),
-        set_object(path_of(*place, "axis", "arrow"), Shape(Form.ARROW, AXIS)),
-        set_object(path_of(*place, "joint-frame", "triad"), Shape(Form.SHORT_TRIAD, WHITE)),
-        set_object(path_of(*place, "torque", "force"), Shape(Form.FORCE, TORQUE)),
+    marks: list[Part] = [
+        SetObject(mark, Shape(JOINT_FORMS[kind], JOINT_COLORS[kind])),
+        SetTransform(mark, JOINT_TURNS[kind]),
+        SetObject(path_of(*place, "axis", "arrow"), Shape(Form.ARROW, AXIS)),
+        SetObject(path_of(*place, "joint-frame", "triad"), Shape(Form.SHORT_TRIAD, WHITE)),
+        SetObject(path_of(*place, "torque", "force"), Shape(Form.FORCE, TORQUE)),
     ]
     if kind == "prismatic":
         # The page stretches it from the joint to the link.
-        marks.append(set_object(rail, Shape(Form.CYLINDER, JOINT_COLORS[kind])))
-        marks.append(set_transform(rail, _Y_TO_Z))
+        marks.append(SetObject(rail, Shape(Form.CYLINDER, JOINT_COLORS[kind])))
+        marks.append(SetTransform(rail, _Y_TO_Z))
     return tuple(marks)
 
 
-def frame_marks(frame: str) -> Iterator[Message]:
+def frame_marks(frame: str) -> Iterator[Part]:
     """Yield an optional frame's triad."""
     path = path_of("robot", "frames", frame, "optional-frame", "triad")
-    yield set_object(path, Shape(Form.TRIAD, WHITE))
+    yield SetObject(path, Shape(Form.TRIAD, WHITE))
 
 
-def robot_com_marks() -> Iterator[Message]:
+def robot_com_marks() -> Iterator[Part]:
     """Yield the mark of the whole robot's centre of mass, which the page places."""
     path = path_of("robot", "total", "robot", "robot-com", "ball")
-    yield set_object(path, Shape(Form.BALL, ROBOT_COM, on_top=True))
+    yield SetObject(path, Shape(Form.BALL, ROBOT_COM, on_top=True))
 
 
-def _at(position: Point) -> tuple[float, ...]:
+def _at(position: Vector3) -> tuple[float, ...]:
     return (*_X, 0.0, *_Y, 0.0, *_Z, 0.0, *position, 1.0)
 
 
-def _along(end: Point) -> tuple[float, ...]:
+def _along(end: Vector3) -> tuple[float, ...]:
     """Return the transform that stretches a unit cylinder, along y, from the origin to `end`.
 
     In plain floats, because there is one for each body at each keystroke.

@@ -1,113 +1,476 @@
-"""Messages to the page: what each says, what tells it from others, and its bytes.
+"""What a page is told: each message, and what is in it.
 
-The drawing messages are meshcat's (`set_object`, `set_transform`, `delete`); the others are our own
-and are understood by our page only. All have a type and most a path, which is the place in the
-scene that they speak of: `/kindsl/TREE/GROUP/NAME/CATEGORY/MARK`.
+`messages.d.ts` of the page is written from this file (`python -m kindsl.preview.message_types`).
+A message is the value of its `type` at its `path`, the place in the scene that it speaks of:
+`/kindsl/TREE/GROUP/NAME/CATEGORY/MARK`; a later one of the same type and path replaces it.
+
+`set_object`, `set_transform` and `delete` are meshcat's. Lengths are in metres, angles in radians,
+masses in kilograms. A matrix has 16 numbers, column by column, and maps coordinates of the thing
+that it places to those of what carries it.
 """
 
-import json
-import math
-from array import array
-from collections.abc import Iterable, Mapping
-from functools import lru_cache
-from typing import Any, NamedTuple, TypeAlias
-from urllib.parse import quote
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import ClassVar, Literal, TypeAlias
 
-from kindsl.scene.geometry import Shape, lowered
+from kindsl.rigid.pose import Vector3
+from kindsl.scene.geometry import Shape
+from kindsl.scene.picture import State
+from kindsl.semantics.declarations import ValueKind
 
-Message: TypeAlias = Mapping[str, Any]
-
+# A value with all parameters zero, and the factor of each parameter by name.
+Affine: TypeAlias = tuple[float, tuple[tuple[str, float], ...]]
 ROOT = "/kindsl"
-# MessagePack's extension types of the viewer, by the kind of number in a typed array.
-_EXTENSIONS = {"f": 0x17, "I": 0x16}
 
 
-class Key(NamedTuple):
-    """What a message is the value of; a later one with the same key replaces it."""
+@dataclass(frozen=True, slots=True)
+class SetObject:
+    """Draw a shape.
 
-    path: str
-    type: str
-
-
-Messages: TypeAlias = dict[Key, Message]
-
-
-@lru_cache(maxsize=1 << 15)
-def path_of(*elements: str) -> str:
-    """Return the path of named elements; a name can hold any character."""
-    return "/".join((ROOT, *(quote(element, safe="") for element in elements)))
-
-
-def key_of(message: Message) -> Key:
-    """Return the key of a message."""
-    return Key(message.get("path", ""), message["type"])
-
-
-def keyed(messages: Iterable[Message]) -> Messages:
-    """Return messages by key; of two with the same key the last stays."""
-    return {key_of(message): message for message in messages}
-
-
-def set_object(path: str, shape: Shape) -> Message:
-    """Return the message that draws a shape at a path."""
-    return {"type": "set_object", "path": path, "object": shape}
-
-
-def set_transform(path: str, matrix: tuple[float, ...]) -> Message:
-    """Return the message that places a path; `matrix` has 16 numbers, column by column."""
-    return {"type": "set_transform", "path": path, "matrix": matrix}
-
-
-def delete(path: str) -> Message:
-    """Return the message that removes a path and all below."""
-    return {"type": "delete", "path": path}
-
-
-def encode(message: Message) -> bytes:
-    """Return a message's MessagePack bytes, with its shape in meshcat's form."""
-    import umsgpack  # type: ignore[import-untyped]
-
-    def extension(numbers: "array[Any]") -> Any:
-        return umsgpack.Ext(_EXTENSIONS[numbers.typecode], numbers.tobytes())
-
-    handlers = {array: extension}
-    try:
-        packed: bytes = umsgpack.packb(_whole(message), ext_handlers=handlers)
-    except UnicodeEncodeError:
-        packed = umsgpack.packb(_printable(_whole(message)), ext_handlers=handlers)
-    return packed
-
-
-def as_json(message: Message) -> str:
-    """Return a message as JSON, with its shape in meshcat's form and arrays as lists.
-
-    What is no finite number becomes null, since JSON has no other word for it.
+    Attributes:
+        path: Of the mark.
+        object: The shape, in meshcat's form.
     """
-    try:
-        return _json(_whole(message))
-    except ValueError:
-        return _json(_finite(_whole(message)))
+
+    type: ClassVar[Literal["set_object"]] = "set_object"
+    path: str
+    object: Shape
 
 
-def _json(value: object) -> str:
-    return json.dumps(value, default=list, separators=(",", ":"), allow_nan=False)
+@dataclass(frozen=True, slots=True)
+class SetTransform:
+    """Place a shape.
+
+    Attributes:
+        path: Of the mark.
+        matrix: Places and stretches the mark in the frame of its link, joint or frame.
+    """
+
+    type: ClassVar[Literal["set_transform"]] = "set_transform"
+    path: str
+    matrix: tuple[float, ...]
 
 
-def _finite(value: Any) -> Any:
-    if isinstance(value, float):
-        return value if math.isfinite(value) else None
-    if isinstance(value, dict):
-        return {key: _finite(item) for key, item in value.items()}
-    return [_finite(item) for item in value] if isinstance(value, list | tuple) else value
+@dataclass(frozen=True, slots=True)
+class Delete:
+    """Forget a path and all below it.
+
+    Attributes:
+        path: The highest that is gone.
+    """
+
+    type: ClassVar[Literal["delete"]] = "delete"
+    path: str
 
 
-def _whole(message: Message) -> dict[str, Any]:
-    shape = message.get("object")
-    return {**message, "object": lowered(shape)} if isinstance(shape, Shape) else dict(message)
+@dataclass(frozen=True, slots=True)
+class ModelMessage:
+    """The robot as a whole, at its zero configuration.
+
+    Attributes:
+        name: The document's.
+        is_floating: Whether its base moves freely.
+        size: Diagonal of the box around all bodies, metres.
+        center: Middle of that box in the base's frame, metres.
+        ground: Height of the ground in the base's frame, metres.
+        unit: Radius to draw bodies with, metres; marks are made for a radius of 1.
+        path: Constant.
+    """
+
+    type: ClassVar[Literal["model"]] = "model"
+    name: str
+    is_floating: bool
+    size: float
+    center: Vector3
+    ground: float
+    unit: float
+    path: str = f"{ROOT}/model"
 
 
-def _printable(value: Any) -> Any:
-    """Return a message without the surrogates that undecodable bytes of a document leave."""
-    if isinstance(value, str):
-        return value.encode(errors="replace").decode()
-    return {key: _printable(v) for key, v in value.items()} if isinstance(value, dict) else value
+@dataclass(frozen=True, slots=True)
+class LinkMessage:
+    """A link's numbers, the base's among them.
+
+    Attributes:
+        path: Of the link in its tree.
+        name: In the document.
+        index: 0 for the base; parents come before their children.
+        joint: Name of the supporting joint, empty for the base.
+        mass: Kilograms.
+        com: Centre of mass in the link's frame, metres.
+        inertia: Tensor about the centre of mass in the link's axes, row by row, kg m^2.
+        is_consistent: Whether a rigid body with such an inertia exists.
+        lacks: Why mass, centre of mass or moments are not known; empty where they are.
+        anchor: Where its name stands in its frame, metres.
+        ends: Where it reaches to in its frame, metres.
+    """
+
+    type: ClassVar[Literal["link"]] = "link"
+    path: str
+    name: str
+    index: int
+    joint: str
+    mass: float
+    com: Vector3
+    inertia: tuple[float, ...]
+    is_consistent: bool
+    lacks: str
+    anchor: Vector3
+    ends: tuple[Vector3, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class JointMessage:
+    """A joint and its place.
+
+    Attributes:
+        path: Of the joint in its tree.
+        name: In the document.
+        index: That of the link that it supports.
+        kind: `revolute`, about its z, or `prismatic`, along it.
+        predecessor: Name of the parent link.
+        successor: Name of the child link.
+        placement: Its frame in the parent link's frame.
+        is_guess: Whether its place is in part a guess.
+    """
+
+    type: ClassVar[Literal["joint"]] = "joint"
+    path: str
+    name: str
+    index: int
+    kind: str
+    predecessor: str
+    successor: str
+    placement: tuple[float, ...]
+    is_guess: bool
+
+
+@dataclass(frozen=True, slots=True)
+class FrameMessage:
+    """An optional frame and its place.
+
+    Attributes:
+        path: Of the frame in its tree.
+        name: In the document, after the link's name and a dot where the name is taken.
+        link: Name of the link that it is attached to.
+        placement: Its place in the link's frame.
+        is_guess: Whether its place is in part a guess.
+    """
+
+    type: ClassVar[Literal["frame"]] = "frame"
+    path: str
+    name: str
+    link: str
+    placement: tuple[float, ...]
+    is_guess: bool
+
+
+@dataclass(frozen=True, slots=True)
+class LimitsMessage:
+    """How far a joint goes.
+
+    Attributes:
+        path: Of these limits.
+        name: The joint's.
+        minimum: Radians or metres; None where there is none.
+        maximum: Radians or metres; None where there is none.
+    """
+
+    type: ClassVar[Literal["limits"]] = "limits"
+    path: str
+    name: str
+    minimum: float | None
+    maximum: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class ValueMessage:
+    """Where a joint stands.
+
+    Attributes:
+        path: Of this value.
+        name: The joint's.
+        value: Radians or metres.
+    """
+
+    type: ClassVar[Literal["value"]] = "value"
+    path: str
+    name: str
+    value: float
+
+
+@dataclass(frozen=True, slots=True)
+class ParameterMessage:
+    """A parameter's row in the panel; its numbers are in metres, radians or kg, kg m, kg m^2.
+
+    Attributes:
+        path: Of this row.
+        index: Its place among the document's parameters.
+        name: In the document.
+        kind: What it measures.
+        value: That is drawn.
+        is_guess: Whether that value is one because there is none.
+        is_bound: Whether a configuration gives it its value.
+        minimum: Of its slider.
+        maximum: Of its slider.
+        is_overridden: Whether the value was set in the page.
+    """
+
+    type: ClassVar[Literal["parameter"]] = "parameter"
+    path: str
+    index: int
+    name: str
+    kind: ValueKind
+    value: float
+    is_guess: bool
+    is_bound: bool
+    minimum: float
+    maximum: float
+    is_overridden: bool
+
+
+@dataclass(frozen=True, slots=True)
+class FormulaMessage:
+    """How a place depends on parameters, for pages without a server.
+
+    Attributes:
+        path: Of this formula.
+        group: What is placed.
+        name: Of the joint or frame.
+        link: Name of the link that it is attached to.
+        translation: In the link's frame, a formula for each of x, y, z, metres.
+        rotation: Intrinsic angles about x, y, z, a formula for each, radians.
+        rod: Path of the link's mark that reaches there.
+        end: Path of the mark at that rod's end.
+    """
+
+    type: ClassVar[Literal["formula"]] = "formula"
+    path: str
+    group: Literal["joints", "frames"]
+    name: str
+    link: str
+    translation: tuple[Affine, ...]
+    rotation: tuple[Affine, ...]
+    rod: str
+    end: str
+
+
+@dataclass(frozen=True, slots=True)
+class FindingMessage:
+    """A finding of the linter, in the list over the picture.
+
+    Attributes:
+        path: Of this finding.
+        index: Its place in the list, the worst first.
+        code: Of the rule: `KD301`.
+        severity: `error`, `warning`, `info` or `hint`.
+        message: For people.
+        line: Counts from 1.
+        column: Counts from 1, in code points.
+    """
+
+    type: ClassVar[Literal["finding"]] = "finding"
+    path: str
+    index: int
+    code: str
+    severity: str
+    message: str
+    line: int
+    column: int
+
+
+@dataclass(frozen=True, slots=True)
+class StatusMessage:
+    """How what is drawn stands to the document.
+
+    Attributes:
+        state: See there; `gone` if the document cannot be read.
+        message: What is the matter, for people; empty if nothing.
+        total: How many findings there are, listed or not.
+        counts: How many there are of each severity that occurs.
+        label: What to call the document.
+        mass: Of all bodies that count, as far as known, kilograms.
+        lacks: Why that is not all; empty where it is.
+        is_former: Whether an earlier version is drawn.
+        path: Constant.
+    """
+
+    type: ClassVar[Literal["status"]] = "status"
+    state: State | Literal["gone"]
+    message: str
+    total: int
+    counts: Mapping[str, int]
+    label: str
+    mass: float
+    lacks: str
+    is_former: bool
+    path: str = f"{ROOT}/status"
+
+
+@dataclass(frozen=True, slots=True)
+class HighlightMessage:
+    """What the editor's cursor is on.
+
+    Attributes:
+        kind: `link`, `joint` or `frame`; empty for nothing.
+        name: In the document; empty for nothing.
+        path: Constant.
+    """
+
+    type: ClassVar[Literal["highlight"]] = "highlight"
+    kind: str
+    name: str
+    path: str = f"{ROOT}/highlight"
+
+
+@dataclass(frozen=True, slots=True)
+class EditingMessage:
+    """That the document can be edited from the page.
+
+    Attributes:
+        revision: Of the text that is shown; to be sent back with what is dragged.
+        path: Constant.
+    """
+
+    type: ClassVar[Literal["editing"]] = "editing"
+    revision: int
+    path: str = f"{ROOT}/editing"
+
+
+@dataclass(frozen=True, slots=True)
+class HandleRow:
+    """One number of a thing.
+
+    Attributes:
+        component: `x y z rx ry rz`.
+        value: Metres or radians, None where it has none.
+        text: As written in the document.
+        symbol: The parameter or constant that carries it, empty where it is a plain number.
+        moves_along: Other places that the symbol moves: `joint 'knee' x`.
+        locked: Why it cannot be changed, empty where it can.
+    """
+
+    component: str
+    value: float | None
+    text: str
+    symbol: str
+    moves_along: tuple[str, ...]
+    locked: str
+
+
+@dataclass(frozen=True, slots=True)
+class HandlesMessage:
+    """The numbers of what is grasped.
+
+    Attributes:
+        kind: `joint`, `frame` or `com`.
+        name: In the document; of a centre of mass the link's.
+        revision: Of the text that they are of.
+        frame: Optional frame along whose axes a centre of mass is written, empty for its link's.
+        components: Three of a centre of mass, else six.
+        path: Constant.
+    """
+
+    type: ClassVar[Literal["handles"]] = "handles"
+    kind: str
+    name: str
+    revision: int
+    frame: str
+    components: tuple[HandleRow, ...]
+    path: str = f"{ROOT}/handles"
+
+
+@dataclass(frozen=True, slots=True)
+class DraggedMessage:
+    """What became of a handle's move.
+
+    Attributes:
+        phase: That the page asked for: `move`, `drop` or `cancel`.
+        component: `x y z rx ry rz`.
+        text: The number as it is or would be written.
+        value: That number, metres or radians.
+        reason: Why not; empty if nothing was in the way.
+        written: Whether the document was changed.
+        path: Constant.
+    """
+
+    type: ClassVar[Literal["dragged"]] = "dragged"
+    phase: str
+    component: str
+    text: str
+    value: float
+    reason: str
+    written: bool
+    path: str = f"{ROOT}/dragged"
+
+
+@dataclass(frozen=True, slots=True)
+class PlanMessage:
+    """What a gesture would do.
+
+    Attributes:
+        gesture: That the page asked for.
+        title: What it does, in the imperative; empty if it cannot be.
+        reason: Why not; empty if nothing is in the way.
+        path: Constant.
+    """
+
+    type: ClassVar[Literal["plan"]] = "plan"
+    gesture: str
+    title: str
+    reason: str
+    path: str = f"{ROOT}/plan"
+
+
+@dataclass(frozen=True, slots=True)
+class WrittenMessage:
+    """What became of a gesture that was accepted.
+
+    Attributes:
+        gesture: That the page asked for.
+        title: What it does, in the imperative.
+        reason: Why nothing was written; empty if it was.
+        path: Constant.
+    """
+
+    type: ClassVar[Literal["written"]] = "written"
+    gesture: str
+    title: str
+    reason: str
+    path: str = f"{ROOT}/written"
+
+
+@dataclass(frozen=True, slots=True)
+class LinesMessage:
+    """Lines that the user may add to a file.
+
+    Attributes:
+        text: The lines.
+        path: Constant.
+    """
+
+    type: ClassVar[Literal["lines"]] = "lines"
+    text: str
+    path: str = f"{ROOT}/lines"
+
+
+Part: TypeAlias = (
+    SetObject | SetTransform | Delete | ModelMessage | LinkMessage | JointMessage | FrameMessage
+    | LimitsMessage | ValueMessage | ParameterMessage | FormulaMessage | FindingMessage
+    | StatusMessage | HighlightMessage | EditingMessage | HandlesMessage | DraggedMessage
+    | PlanMessage | WrittenMessage | LinesMessage
+)  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """All that a page is told at once; it shows nothing of it before it has taken all of it.
+
+    Attributes:
+        is_whole: Whether this is the whole state: what it does not mention is gone.
+        parts: In the order in which they are to be taken.
+    """
+
+    type: ClassVar[Literal["change"]] = "change"
+    is_whole: bool
+    parts: tuple[Part, ...]

@@ -3,7 +3,8 @@
 import math
 from collections.abc import Mapping
 
-from kindsl.scene.messages import Messages, keyed, path_of
+from kindsl.scene.messages import ParameterMessage
+from kindsl.scene.state import Messages, keyed, path_of
 from kindsl.semantics.declarations import ValueKind
 from kindsl.semantics.model import Model
 from kindsl.semantics.parameters import Binding, Parameter
@@ -38,19 +39,19 @@ def parameter_messages(
         is_guess = own is None and name not in typed
         shown = guessed.get(name, 0.0) if own is None else own
         minimum, maximum = _range(parameter, binding, shown)
-        rows.append({
-            "type": "parameter",
-            "path": path_of("parameters", name),
-            "index": index,
-            "name": name,
-            "kind": str(parameter.kind),
-            "value": typed.get(name, shown),
-            "is_guess": is_guess,
-            "is_bound": binding is not None,
-            "minimum": minimum,
-            "maximum": maximum,
-            "is_overridden": name in typed,
-        })  # fmt: skip
+        row = ParameterMessage(
+            path=path_of("parameters", name),
+            index=index,
+            name=name,
+            kind=parameter.kind,
+            value=typed.get(name, shown),
+            is_guess=is_guess,
+            is_bound=binding is not None,
+            minimum=minimum,
+            maximum=maximum,
+            is_overridden=name in typed,
+        )
+        rows.append(row)
     return keyed(rows)
 
 

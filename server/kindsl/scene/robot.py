@@ -8,6 +8,7 @@ joints' marks under their joint's, and the page places these nodes by forward ki
 from collections.abc import Iterator, Mapping, Sequence
 
 from kindsl.mechanism.skeleton import Skeleton
+from kindsl.rigid.pose import Vector3
 from kindsl.scene.ellipsoids import InertiaEllipsoid, inertia_ellipsoid
 from kindsl.scene.guesses import NO_GUESSES, Guesses
 from kindsl.scene.marks import (
@@ -20,8 +21,16 @@ from kindsl.scene.marks import (
     mass_marks,
     robot_com_marks,
 )
-from kindsl.scene.messages import Message, Messages, keyed, path_of
+from kindsl.scene.messages import (
+    FrameMessage,
+    JointMessage,
+    LimitsMessage,
+    LinkMessage,
+    ModelMessage,
+    Part,
+)
 from kindsl.scene.size import Extent, Segment, extent
+from kindsl.scene.state import Messages, keyed, path_of
 from kindsl.semantics.parameters import JointLimits
 
 NO_LIMITS: Mapping[str, JointLimits] = {}
@@ -46,7 +55,7 @@ def robot_messages(
     """
     size = extent(skeleton)
     ellipsoids = [inertia_ellipsoid(body) for body in skeleton.masses]
-    messages = [_model(name, skeleton, size)]
+    messages: list[Part] = [_model(name, skeleton, size)]
     messages.extend(_numbers("robot", skeleton, size, ellipsoids, guessed, unknown))
     messages.extend(_limits(skeleton, limits))
     messages.extend(_robot_marks(skeleton, size, ellipsoids))
@@ -58,28 +67,26 @@ def ghost_messages(skeleton: Skeleton) -> Messages:
     size = extent(skeleton)
     ellipsoids = [inertia_ellipsoid(body) for body in skeleton.masses]
     nothing = NO_GUESSES, NOTHING_UNKNOWN
-    messages = list(_numbers("ghost", skeleton, size, ellipsoids, *nothing))
+    messages: list[Part] = list(_numbers("ghost", skeleton, size, ellipsoids, *nothing))
     for link, segments in zip(skeleton.body_names, size.segments, strict=True):
         messages.extend(body_marks("ghost", link, segments, "body"))
     return keyed(messages)
 
 
-def _model(name: str, skeleton: Skeleton, size: Extent) -> Message:
-    return {
-        "type": "model",
-        "path": path_of("model"),
-        "name": name,
-        "is_floating": skeleton.is_floating,
-        "size": size.size,
-        "center": list(size.center),
-        "ground": size.ground,
-        "unit": size.radius,
-    }
+def _model(name: str, skeleton: Skeleton, size: Extent) -> ModelMessage:
+    return ModelMessage(
+        name=name,
+        is_floating=skeleton.is_floating,
+        size=size.size,
+        center=size.center,
+        ground=size.ground,
+        unit=size.radius,
+    )
 
 
 def _robot_marks(
     skeleton: Skeleton, size: Extent, ellipsoids: Sequence[InertiaEllipsoid]
-) -> Iterator[Message]:
+) -> Iterator[Part]:
     for body, link in enumerate(skeleton.body_names):
         yield from body_marks("robot", link, size.segments[body], "body" if body else "base")
         yield link_frame(link)
@@ -102,71 +109,65 @@ def _numbers(
     ellipsoids: Sequence[InertiaEllipsoid],
     guessed: Guesses,
     unknown: Mapping[str, str],
-) -> Iterator[Message]:
+) -> Iterator[Part]:
     """Yield what the page needs for kinematics, gravity torques and its panel."""
     joints = ("", *skeleton.joint_names)
     for body, name in enumerate(skeleton.body_names):
         is_at_rest = body == 0 and not skeleton.is_floating
-        yield {
-            "type": "link",
-            "path": path_of(tree, "links", name),
-            "name": name,
-            "index": body,
-            "joint": joints[body],
-            "mass": skeleton.masses[body].mass,
-            "com": list(skeleton.masses[body].com),
-            "inertia": list(ellipsoids[body].about_com),
-            "is_consistent": is_at_rest or ellipsoids[body].is_consistent,
-            "lacks": unknown.get(name, ""),
-            **_shape(size.segments[body]),
-        }
+        yield LinkMessage(
+            path=path_of(tree, "links", name),
+            name=name,
+            index=body,
+            joint=joints[body],
+            mass=skeleton.masses[body].mass,
+            com=skeleton.masses[body].com,
+            inertia=ellipsoids[body].about_com,
+            is_consistent=is_at_rest or ellipsoids[body].is_consistent,
+            lacks=unknown.get(name, ""),
+            anchor=_anchor(size.segments[body]),
+            ends=tuple(segment.end for segment in size.segments[body]),
+        )
     yield from _joints(tree, skeleton, guessed)
     yield from _frames(tree, skeleton, guessed)
 
 
-def _joints(tree: str, skeleton: Skeleton, guessed: Guesses) -> Iterator[Message]:
+def _joints(tree: str, skeleton: Skeleton, guessed: Guesses) -> Iterator[Part]:
     names = skeleton.body_names
     for link, parent in skeleton.links():
-        yield {
-            "type": "joint",
-            "path": path_of(tree, "joints", skeleton.joint_names[link - 1]),
-            "name": skeleton.joint_names[link - 1],
-            "index": link,
-            "kind": skeleton.joint_kinds[link - 1],
-            "predecessor": names[parent],
-            "successor": names[link],
-            "placement": column_major(skeleton.placements[link - 1]),
-            "is_guess": skeleton.joint_names[link - 1] in guessed.joints,
-        }
+        name = skeleton.joint_names[link - 1]
+        yield JointMessage(
+            path=path_of(tree, "joints", name),
+            name=name,
+            index=link,
+            kind=skeleton.joint_kinds[link - 1],
+            predecessor=names[parent],
+            successor=names[link],
+            placement=column_major(skeleton.placements[link - 1]),
+            is_guess=name in guessed.joints,
+        )
 
 
-def _limits(skeleton: Skeleton, limits: Mapping[str, JointLimits]) -> Iterator[Message]:
+def _limits(skeleton: Skeleton, limits: Mapping[str, JointLimits]) -> Iterator[Part]:
     for name in skeleton.joint_names:
         if name in limits:
-            yield {
-                "type": "limits",
-                "path": path_of("limits", name),
-                "name": name,
-                "minimum": limits[name].minimum,
-                "maximum": limits[name].maximum,
-            }
+            own = limits[name]
+            yield LimitsMessage(path_of("limits", name), name, own.minimum, own.maximum)
 
 
-def _frames(tree: str, skeleton: Skeleton, guessed: Guesses) -> Iterator[Message]:
+def _frames(tree: str, skeleton: Skeleton, guessed: Guesses) -> Iterator[Part]:
     for frame in skeleton.frames:
-        yield {
-            "type": "frame",
-            "path": path_of(tree, "frames", frame.name),
-            "name": frame.name,
-            "link": skeleton.body_names[frame.body],
-            "placement": column_major(frame.pose),
-            "is_guess": frame.name in guessed.frames,
-        }
+        yield FrameMessage(
+            path=path_of(tree, "frames", frame.name),
+            name=frame.name,
+            link=skeleton.body_names[frame.body],
+            placement=column_major(frame.pose),
+            is_guess=frame.name in guessed.frames,
+        )
 
 
-def _shape(segments: tuple[Segment, ...]) -> dict[str, object]:
-    """Return where a link reaches to, and where its name stands: half way along its segments."""
+def _anchor(segments: tuple[Segment, ...]) -> Vector3:
+    """Return where a link's name stands: half way along its segments."""
     ends = [segment.end for segment in segments]
     share = 0.5 / len(ends) if ends else 0.0
-    anchor = [share * sum(end[axis] for end in ends) for axis in range(3)]
-    return {"anchor": anchor, "ends": ends}
+    x, y, z = (share * sum(end[axis] for end in ends) for axis in range(3))
+    return x, y, z

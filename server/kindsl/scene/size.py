@@ -3,10 +3,10 @@
 import math
 from dataclasses import dataclass
 from statistics import median
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple
 
 from kindsl.mechanism.skeleton import Skeleton
-from kindsl.rigid.pose import IDENTITY
+from kindsl.rigid.pose import IDENTITY, Vector3
 
 # A body's radius is a share of the median segment, within shares of the whole robot.
 RADIUS_PER_SEGMENT = 0.11
@@ -17,14 +17,11 @@ STEP = 1.1
 NEGLIGIBLE = 1e-9
 
 
-Point: TypeAlias = tuple[float, float, float]
-
-
 class Segment(NamedTuple):
     """A straight piece of a body, from its frame's origin to `end` in its frame, metres."""
 
     name: str
-    end: Point
+    end: Vector3
 
     @property
     def length(self) -> float:
@@ -46,7 +43,7 @@ class Extent:
 
     segments: tuple[tuple[Segment, ...], ...]
     size: float
-    center: Point
+    center: Vector3
     ground: float
     radius: float
 
@@ -83,7 +80,7 @@ def _segments(skeleton: Skeleton) -> tuple[tuple[Segment, ...], ...]:
     return tuple(drawn)
 
 
-def _points(skeleton: Skeleton, segments: tuple[tuple[Segment, ...], ...]) -> list[Point]:
+def _points(skeleton: Skeleton, segments: tuple[tuple[Segment, ...], ...]) -> list[Vector3]:
     """Return where bodies begin and end at the zero configuration, in the base's frame."""
     poses = [IDENTITY]
     for link, parent in skeleton.links():

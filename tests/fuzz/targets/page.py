@@ -14,7 +14,8 @@ from kindsl.preview.channel import Tab
 from kindsl.preview.documents import DocumentPreviews
 from kindsl.preview.dragging import Writing
 from kindsl.preview.requests import parse_request
-from kindsl.scene.messages import Message, as_json, encode
+from kindsl.scene.encoding import as_json, encode
+from kindsl.scene.messages import Change, Part
 from kindsl.text.edits import apply_edits
 
 _KEY = "untitled:arm"
@@ -54,13 +55,13 @@ def one_input(data: bytes) -> None:
 
 
 async def _receive(lines: list[str]) -> None:
-    previews, sent = _Previews(), list[Message]()
+    previews, sent = _Previews(), list[Part]()
     await previews.show(_KEY, _ANALYSIS, _ANALYSIS.findings)
     document = previews.document(None)
     assert document is not None
 
-    async def write(messages: list[Message]) -> None:
-        sent.extend(messages)
+    async def write(change: Change) -> None:
+        sent.extend(change.parts)
 
     tab = Tab(write)
     document.channel.join(tab)
@@ -81,14 +82,14 @@ async def _gestures_done(writer: "asyncio.Task[None]") -> None:
     await asyncio.gather(*(task for task in asyncio.all_tasks() if task not in mine))
 
 
-def _check(message: Message) -> None:
+def _check(message: Part) -> None:
     """Check that a message can be sent, unless that very text was checked before."""
     text = as_json(message)
     if text in _known:
         return
     assert encode(message)
     decoded = json.loads(text, parse_constant=_no_constant)
-    assert isinstance(decoded, Mapping) and decoded["type"] == message["type"]
+    assert isinstance(decoded, Mapping) and decoded["type"] == message.type
     if len(_known) >= _MOST_KNOWN:
         _known.clear()
     _known.add(text)

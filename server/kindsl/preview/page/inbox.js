@@ -31,7 +31,16 @@ export class Inbox {
   onEditing() {}
   onForget() {}
 
-  take(message) {
+  // Take a change: some parts, or all that there is. No picture is drawn in between.
+  take(change) {
+    if (change.type !== "change") return;
+    if (change.is_whole) this.scene.begin();
+    for (const part of change.parts) this.learn(part);
+    if (change.is_whole) this.scene.sweep();
+    this.scene.viewer.set_dirty();
+  }
+
+  learn(message) {
     if (message.type === "parameter") this.keep("parameters", message);
     else if (message.type === "formula") this.formulas.push(message);
     else if (message.type === "finding") this.keep("findings", message);
@@ -42,7 +51,6 @@ export class Inbox {
     else if (message.type === "lines") this.onLines(message.text);
     else if (EDITING_TYPES.has(message.type)) this.onEditing(message);
     this.scene.apply(message);
-    this.scene.viewer.set_dirty();
   }
 
   keep(list, message) {

@@ -3,7 +3,6 @@ import { makeActions, showText } from "./actions.js";
 import { Address, eyeOf, eyeText } from "./address.js";
 import { Connection } from "./connection.js";
 import { Editing } from "./editing/editing.js";
-import { framesIn } from "./embedded.js";
 import { History } from "./history.js";
 import { Inbox } from "./inbox.js";
 import { showCard, summary } from "./panel/card.js";
@@ -109,11 +108,11 @@ function follow() {
 
 function refresh() {
   scene.update();
-  const isDrawn = scene.isWhole && scene.trees.robot.links.size > 0;
+  const isDrawn = scene.trees.robot.links.size > 0;
   if (isDrawn && page.inbox.isStale("camera")) follow();
   if (isDrawn && !isBegun) begin();
-  if (scene.isWhole && page.inbox.isStale("rows")) showRows();
-  if (scene.isWhole && page.inbox.isStale("marks")) page.legend.showMore();
+  if (page.inbox.isStale("rows")) showRows();
+  if (page.inbox.isStale("marks")) page.legend.showMore();
   if (page.inbox.isStale("values")) page.joints.update();
   if (page.inbox.isStale("parameters")) page.parameters.update([...page.inbox.parameters.values()]);
   if (page.inbox.isStale("findings")) {
@@ -203,7 +202,7 @@ const onFrame = (frame) => viewer.handle_command_bytearray(frame);
 const greeting = () => ({ type: "hello", joints: Object.fromEntries(scene.q), parameters: page.inbox.typedValues() });
 if (embedded) {
   onState("exported");
-  framesIn(embedded.textContent.trim()).forEach(onFrame);
+  onFrame(Uint8Array.from(atob(embedded.textContent.trim()), (character) => character.charCodeAt(0)));
 } else page.connection = new Connection({ onFrame, onMessage, onState, greeting });
 new ResizeObserver(() => viewer.set_3d_pane_size()).observe(pane);
 

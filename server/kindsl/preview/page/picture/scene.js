@@ -37,7 +37,6 @@ export class Scene {
     this.showsOversized = false;
     this.paths = new Set();
     this.unconfirmed = null;
-    this.isWhole = true; // no state and no change is on its way of which more is to come
     this.highlighted = null;
     this.listeners = [];
     viewer.scene_tree.folder = new NoFolder();
@@ -58,10 +57,7 @@ export class Scene {
   // Apply one message. Only what is named here ever reaches the viewer: it would evaluate code in others.
   apply(message) {
     if (message.path) this.confirm(message.path);
-    if (message.type === "begin") this.begin();
-    else if (message.type === "changes") this.isWhole = false;
-    else if (message.type === "end") this.sweep();
-    else if (message.type === "delete") this.remove(message.path);
+    if (message.type === "delete") this.remove(message.path);
     else if (DRAWING.has(message.type)) this.draw(message);
     else if (message.type === "model") Object.assign(this.model, message);
     else if (THINGS.includes(message.type)) this.learn(message);
@@ -82,16 +78,15 @@ export class Scene {
     if (this.unconfirmed) this.unconfirmed.delete(path);
   }
 
+  // A whole state comes, maybe after a reconnection: what it does not mention is gone.
   begin() {
     this.unconfirmed = new Set(this.paths);
-    this.isWhole = false;
   }
 
-  // After a reconnection: what the new state did not mention is gone.
   sweep() {
-    for (const path of this.unconfirmed || []) this.remove(path);
+    for (const path of this.unconfirmed) this.remove(path);
     this.unconfirmed = null;
-    this.isWhole = true;
+    this.changed("delete");
   }
 
   draw(message) {

@@ -1,0 +1,381 @@
+// What the server tells the page. Generated from server/kindsl/scene/messages.py by
+// `python -m kindsl.preview.message_types`; do not edit.
+//
+// Lengths are in metres, angles in radians, masses in kilograms. A matrix has 16 numbers, column by
+// column (three.js' order). What is no finite number may come as null in JSON.
+
+/** A shape as three.js' ObjectLoader reads it. Equal shapes have equal identifiers. */
+export interface ShapeObject {
+  readonly metadata: { readonly version: number; readonly type: string };
+  readonly geometries: readonly { readonly uuid: string; readonly type: string }[];
+  readonly materials: readonly {
+    readonly uuid: string;
+    readonly type: string;
+    readonly color: number;
+  }[];
+  readonly object: {
+    readonly uuid: string;
+    readonly type: string;
+    readonly geometry: string;
+    readonly material: string;
+    readonly matrix: readonly number[];
+  };
+}
+
+/** Draw a shape. */
+export interface SetObject {
+  readonly type: "set_object";
+  /** Of the mark. */
+  readonly path: string;
+  /** The shape, in meshcat's form. */
+  readonly object: ShapeObject;
+}
+
+/** Place a shape. */
+export interface SetTransform {
+  readonly type: "set_transform";
+  /** Of the mark. */
+  readonly path: string;
+  /** Places and stretches the mark in the frame of its link, joint or frame. */
+  readonly matrix: readonly number[];
+}
+
+/** Forget a path and all below it. */
+export interface Delete {
+  readonly type: "delete";
+  /** The highest that is gone. */
+  readonly path: string;
+}
+
+/** The robot as a whole, at its zero configuration. */
+export interface ModelMessage {
+  readonly type: "model";
+  /** The document's. */
+  readonly name: string;
+  /** Whether its base moves freely. */
+  readonly is_floating: boolean;
+  /** Diagonal of the box around all bodies, metres. */
+  readonly size: number;
+  /** Middle of that box in the base's frame, metres. */
+  readonly center: readonly [number, number, number];
+  /** Height of the ground in the base's frame, metres. */
+  readonly ground: number;
+  /** Radius to draw bodies with, metres; marks are made for a radius of 1. */
+  readonly unit: number;
+  /** Constant. */
+  readonly path: string;
+}
+
+/** A link's numbers, the base's among them. */
+export interface LinkMessage {
+  readonly type: "link";
+  /** Of the link in its tree. */
+  readonly path: string;
+  /** In the document. */
+  readonly name: string;
+  /** 0 for the base; parents come before their children. */
+  readonly index: number;
+  /** Name of the supporting joint, empty for the base. */
+  readonly joint: string;
+  /** Kilograms. */
+  readonly mass: number;
+  /** Centre of mass in the link's frame, metres. */
+  readonly com: readonly [number, number, number];
+  /** Tensor about the centre of mass in the link's axes, row by row, kg m^2. */
+  readonly inertia: readonly number[];
+  /** Whether a rigid body with such an inertia exists. */
+  readonly is_consistent: boolean;
+  /** Why mass, centre of mass or moments are not known; empty where they are. */
+  readonly lacks: string;
+  /** Where its name stands in its frame, metres. */
+  readonly anchor: readonly [number, number, number];
+  /** Where it reaches to in its frame, metres. */
+  readonly ends: readonly (readonly [number, number, number])[];
+}
+
+/** A joint and its place. */
+export interface JointMessage {
+  readonly type: "joint";
+  /** Of the joint in its tree. */
+  readonly path: string;
+  /** In the document. */
+  readonly name: string;
+  /** That of the link that it supports. */
+  readonly index: number;
+  /** `revolute`, about its z, or `prismatic`, along it. */
+  readonly kind: string;
+  /** Name of the parent link. */
+  readonly predecessor: string;
+  /** Name of the child link. */
+  readonly successor: string;
+  /** Its frame in the parent link's frame. */
+  readonly placement: readonly number[];
+  /** Whether its place is in part a guess. */
+  readonly is_guess: boolean;
+}
+
+/** An optional frame and its place. */
+export interface FrameMessage {
+  readonly type: "frame";
+  /** Of the frame in its tree. */
+  readonly path: string;
+  /** In the document, after the link's name and a dot where the name is taken. */
+  readonly name: string;
+  /** Name of the link that it is attached to. */
+  readonly link: string;
+  /** Its place in the link's frame. */
+  readonly placement: readonly number[];
+  /** Whether its place is in part a guess. */
+  readonly is_guess: boolean;
+}
+
+/** How far a joint goes. */
+export interface LimitsMessage {
+  readonly type: "limits";
+  /** Of these limits. */
+  readonly path: string;
+  /** The joint's. */
+  readonly name: string;
+  /** Radians or metres; None where there is none. */
+  readonly minimum: number | null;
+  /** Radians or metres; None where there is none. */
+  readonly maximum: number | null;
+}
+
+/** Where a joint stands. */
+export interface ValueMessage {
+  readonly type: "value";
+  /** Of this value. */
+  readonly path: string;
+  /** The joint's. */
+  readonly name: string;
+  /** Radians or metres. */
+  readonly value: number;
+}
+
+/** A parameter's row in the panel; its numbers are in metres, radians or kg, kg m, kg m^2. */
+export interface ParameterMessage {
+  readonly type: "parameter";
+  /** Of this row. */
+  readonly path: string;
+  /** Its place among the document's parameters. */
+  readonly index: number;
+  /** In the document. */
+  readonly name: string;
+  /** What it measures. */
+  readonly kind: "length" | "angle" | "dynamics";
+  /** That is drawn. */
+  readonly value: number;
+  /** Whether that value is one because there is none. */
+  readonly is_guess: boolean;
+  /** Whether a configuration gives it its value. */
+  readonly is_bound: boolean;
+  /** Of its slider. */
+  readonly minimum: number;
+  /** Of its slider. */
+  readonly maximum: number;
+  /** Whether the value was set in the page. */
+  readonly is_overridden: boolean;
+}
+
+/** How a place depends on parameters, for pages without a server. */
+export interface FormulaMessage {
+  readonly type: "formula";
+  /** Of this formula. */
+  readonly path: string;
+  /** What is placed. */
+  readonly group: "joints" | "frames";
+  /** Of the joint or frame. */
+  readonly name: string;
+  /** Name of the link that it is attached to. */
+  readonly link: string;
+  /** In the link's frame, a formula for each of x, y, z, metres. */
+  readonly translation: readonly (readonly [number, readonly (readonly [string, number])[]])[];
+  /** Intrinsic angles about x, y, z, a formula for each, radians. */
+  readonly rotation: readonly (readonly [number, readonly (readonly [string, number])[]])[];
+  /** Path of the link's mark that reaches there. */
+  readonly rod: string;
+  /** Path of the mark at that rod's end. */
+  readonly end: string;
+}
+
+/** A finding of the linter, in the list over the picture. */
+export interface FindingMessage {
+  readonly type: "finding";
+  /** Of this finding. */
+  readonly path: string;
+  /** Its place in the list, the worst first. */
+  readonly index: number;
+  /** Of the rule: `KD301`. */
+  readonly code: string;
+  /** `error`, `warning`, `info` or `hint`. */
+  readonly severity: string;
+  /** For people. */
+  readonly message: string;
+  /** Counts from 1. */
+  readonly line: number;
+  /** Counts from 1, in code points. */
+  readonly column: number;
+}
+
+/** How what is drawn stands to the document. */
+export interface StatusMessage {
+  readonly type: "status";
+  /** See there; `gone` if the document cannot be read. */
+  readonly state: "live" | "broken" | "guessed" | "gone";
+  /** What is the matter, for people; empty if nothing. */
+  readonly message: string;
+  /** How many findings there are, listed or not. */
+  readonly total: number;
+  /** How many there are of each severity that occurs. */
+  readonly counts: { readonly [name: string]: number };
+  /** What to call the document. */
+  readonly label: string;
+  /** Of all bodies that count, as far as known, kilograms. */
+  readonly mass: number;
+  /** Why that is not all; empty where it is. */
+  readonly lacks: string;
+  /** Whether an earlier version is drawn. */
+  readonly is_former: boolean;
+  /** Constant. */
+  readonly path: string;
+}
+
+/** What the editor's cursor is on. */
+export interface HighlightMessage {
+  readonly type: "highlight";
+  /** `link`, `joint` or `frame`; empty for nothing. */
+  readonly kind: string;
+  /** In the document; empty for nothing. */
+  readonly name: string;
+  /** Constant. */
+  readonly path: string;
+}
+
+/** That the document can be edited from the page. */
+export interface EditingMessage {
+  readonly type: "editing";
+  /** Of the text that is shown; to be sent back with what is dragged. */
+  readonly revision: number;
+  /** Constant. */
+  readonly path: string;
+}
+
+/** One number of a thing. */
+export interface HandleRow {
+  /** `x y z rx ry rz`. */
+  readonly component: string;
+  /** Metres or radians, None where it has none. */
+  readonly value: number | null;
+  /** As written in the document. */
+  readonly text: string;
+  /** The parameter or constant that carries it, empty where it is a plain number. */
+  readonly symbol: string;
+  /** Other places that the symbol moves: `joint 'knee' x`. */
+  readonly moves_along: readonly string[];
+  /** Why it cannot be changed, empty where it can. */
+  readonly locked: string;
+}
+
+/** The numbers of what is grasped. */
+export interface HandlesMessage {
+  readonly type: "handles";
+  /** `joint`, `frame` or `com`. */
+  readonly kind: string;
+  /** In the document; of a centre of mass the link's. */
+  readonly name: string;
+  /** Of the text that they are of. */
+  readonly revision: number;
+  /** Optional frame along whose axes a centre of mass is written, empty for its link's. */
+  readonly frame: string;
+  /** Three of a centre of mass, else six. */
+  readonly components: readonly HandleRow[];
+  /** Constant. */
+  readonly path: string;
+}
+
+/** What became of a handle's move. */
+export interface DraggedMessage {
+  readonly type: "dragged";
+  /** That the page asked for: `move`, `drop` or `cancel`. */
+  readonly phase: string;
+  /** `x y z rx ry rz`. */
+  readonly component: string;
+  /** The number as it is or would be written. */
+  readonly text: string;
+  /** That number, metres or radians. */
+  readonly value: number;
+  /** Why not; empty if nothing was in the way. */
+  readonly reason: string;
+  /** Whether the document was changed. */
+  readonly written: boolean;
+  /** Constant. */
+  readonly path: string;
+}
+
+/** What a gesture would do. */
+export interface PlanMessage {
+  readonly type: "plan";
+  /** That the page asked for. */
+  readonly gesture: string;
+  /** What it does, in the imperative; empty if it cannot be. */
+  readonly title: string;
+  /** Why not; empty if nothing is in the way. */
+  readonly reason: string;
+  /** Constant. */
+  readonly path: string;
+}
+
+/** What became of a gesture that was accepted. */
+export interface WrittenMessage {
+  readonly type: "written";
+  /** That the page asked for. */
+  readonly gesture: string;
+  /** What it does, in the imperative. */
+  readonly title: string;
+  /** Why nothing was written; empty if it was. */
+  readonly reason: string;
+  /** Constant. */
+  readonly path: string;
+}
+
+/** Lines that the user may add to a file. */
+export interface LinesMessage {
+  readonly type: "lines";
+  /** The lines. */
+  readonly text: string;
+  /** Constant. */
+  readonly path: string;
+}
+
+/** All that a page is told at once; it shows nothing of it before it has taken all of it. */
+export interface Change {
+  readonly type: "change";
+  /** Whether this is the whole state: what it does not mention is gone. */
+  readonly is_whole: boolean;
+  /** In the order in which they are to be taken. */
+  readonly parts: readonly Part[];
+}
+
+/** One piece of news. */
+export type Part =
+  | SetObject
+  | SetTransform
+  | Delete
+  | ModelMessage
+  | LinkMessage
+  | JointMessage
+  | FrameMessage
+  | LimitsMessage
+  | ValueMessage
+  | ParameterMessage
+  | FormulaMessage
+  | FindingMessage
+  | StatusMessage
+  | HighlightMessage
+  | EditingMessage
+  | HandlesMessage
+  | DraggedMessage
+  | PlanMessage
+  | WrittenMessage
+  | LinesMessage;
