@@ -15,6 +15,8 @@ from kindsl.analysis.settings import Settings
 
 ROOT = GUIDE.parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
+EVIDENCE = (ROOT / "docs" / "evidence.md").read_text(encoding="utf-8")
+PYTHON = (GUIDE / "python.md").read_text(encoding="utf-8")
 RECIPES = (GUIDE / "recipes.md").read_text(encoding="utf-8")
 TEXTS = {path.name: path.read_text(encoding="utf-8") for path in (ROOT / "docs").glob("*.md")}
 BLOCK = r"```{}\n(.*?)^```$"
@@ -52,18 +54,21 @@ def test_whole_robots_in_the_pages_are_taken_by_both_generators() -> None:
         assert worse == [], text
 
 
-def test_the_python_of_the_readme_runs(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(ROOT)
-    (snippet,) = blocks(README, "python")
+def test_the_python_of_the_guide_runs(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(GUIDE)
     names: dict[str, object] = {}
-    exec(compile(snippet, "README.md", "exec"), names)
-    assert getattr(names["M"], "shape", None) == (18, 18)
+    for snippet in blocks(PYTHON, "python"):
+        exec(compile(snippet, "python.md", "exec"), names)
+    assert getattr(names["M"], "shape", None) == (3, 3)
 
 
-@pytest.mark.parametrize("name", ["README.md", "ci.md"])
-def test_the_action_is_told_where_the_models_are(name: str) -> None:
-    text = README if name == "README.md" else TEXTS[name]
-    steps = [block for block in blocks(text, "yaml") if "uses: OWNER/kindsl" in block]
+def test_the_readme_fits_two_screens() -> None:
+    assert len(README.splitlines()) <= 80
+    assert len(re.findall(r"^!\[", README, re.MULTILINE)) == 1
+
+
+def test_the_action_is_told_where_the_models_are() -> None:
+    steps = [block for block in blocks(TEXTS["ci.md"], "yaml") if "uses: OWNER/kindsl" in block]
     assert steps
     for step in steps:
         assert re.search(r"^ *paths: models$", step, re.MULTILINE), step
@@ -77,8 +82,8 @@ def test_nothing_is_installed_from_an_index_that_does_not_have_it() -> None:
             assert command.startswith((".", "'.")) or "git+ADDRESS" in command, command
 
 
-def test_tests_that_the_readme_names_are_in_a_clone() -> None:
-    named = re.findall(r"pytest (tests/[\w/.]+)", README)
+def test_tests_that_the_evidence_names_are_in_a_clone() -> None:
+    named = re.findall(r"pytest (tests/[\w/.]+)", EVIDENCE)
     assert named
     for path in named:
         text = (ROOT / path).read_text(encoding="utf-8")

@@ -48,7 +48,7 @@ def test_what_stands_behind_the_cursor_does_not_count():
     assert shown == [
         ("rx", "radians, about x"),
         ("ry", "radians, about the new y"),
-        ("rz", "radians, about the newest z"),
+        ("rz", "radians, about the new z"),
     ]
     assert signature_help(*at_cursor(FRAME + "rotation = $0(1.0, 2.0, 3.0) } } }")) is None
 

@@ -48,7 +48,7 @@ AS_AT_FIRST = """() => {
 }"""
 LIFTED = "() => kindsl.scene.q.get('lift') || 0"
 QUADRUPED = (EXAMPLES / "quadruped.kindsl").read_text()
-# x and the newest z are one line, so two rings lie in one plane.
+# x and the new z are one line, so two rings lie in one plane.
 LOCKED = ARM.replace("rotation = (PI/2.0, 0.0, 0.0)", "rotation = (0.3, PI/2.0, 0.4)", 1)
 
 

@@ -8,7 +8,7 @@ from kindsl.syntax.tree import Island
 
 _WHAT = {
     "translation": "origin of the frame, in metres",
-    "rotation": "intrinsic angles, in radians: about x, then the new y, then the newest z",
+    "rotation": "intrinsic angles, in radians: about x, then the new y, then the new z",
     "CoM": "centre of mass in the link frame (or in ref_frame), in metres",
 }
 _PARAMETERS = {
@@ -16,7 +16,7 @@ _PARAMETERS = {
     "rotation": (
         ("rx", "radians, about x"),
         ("ry", "radians, about the new y"),
-        ("rz", "radians, about the newest z"),
+        ("rz", "radians, about the new z"),
     ),
     "CoM": (("x", "metres"), ("y", "metres"), ("z", "metres")),
 }

@@ -12,7 +12,7 @@ from kindsl.syntax.tree import Island, Node
 _SECTIONS = frozenset(("mass", "com", "moment", "translation", "rotation"))
 _OWNERS = frozenset(("frame", "link", "base", "joint"))
 _AXES = ("x", "y", "z")
-_TURNS = ("about x", "about the new y", "about the newest z")
+_TURNS = ("about x", "about the new y", "about the new z")
 VALUE_NODES = frozenset((
     "number", "pi", "parameter", "defaulted", "juxtaposed_pi", "juxtaposed_parameter", "constant",
     "constant_use", "group", "add", "subtract", "multiply", "divide", "negate", "plus",

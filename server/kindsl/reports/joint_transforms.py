@@ -82,7 +82,7 @@ def _affine(expression: Expression, values: Mapping[str, float]) -> _Linear | No
 
 
 def _rotation(a: _Linear, b: _Linear, c: _Linear) -> list[list[list[_Factor]]]:
-    """Return the entries of turns about x, the new y, the newest z, each a sum of products."""
+    """Return the entries of turns about x, the new y, the new z, each a sum of products."""
     (cx, sx), (cy, sy), (cz, sz) = (_cosine_and_sine(angle) for angle in (a, b, c))
 
     def product(*factors: _Factor) -> _Factor:

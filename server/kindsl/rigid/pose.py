@@ -53,7 +53,7 @@ IDENTITY = RigidPose(_IDENTITY, (0.0, 0.0, 0.0))
 
 
 def pose_from(translation: Vector3, angles: Vector3) -> RigidPose:
-    """Return the pose after a translation, then turns about x, the new y, the newest z.
+    """Return the pose after a translation, then turns about x, the new y, the new z.
 
     Args:
         translation: Metres.
@@ -96,7 +96,7 @@ def pose_from_fixed_axes(translation: Vector3, angles: Vector3) -> RigidPose:
 
 
 def angles(rotation: Rotation, within: float) -> Vector3:
-    """Return the turns about x, the new y, the newest z that make a rotation, radians.
+    """Return the turns about x, the new y, the new z that make a rotation, radians.
 
     Where y is a quarter turn, x and z turn about one axis and only their sum counts. The turn about
     x is ill-defined nearby, so the other two are read off what it leaves: together they make the

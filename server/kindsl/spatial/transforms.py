@@ -51,7 +51,7 @@ def rotation_about_z(angle: Array) -> Array:
 
 
 def rotation_from_intrinsic_xyz(angles: Array) -> Array:
-    """Return `Rx @ Ry @ Rz`: turns about x, then the new y, then the newer z.
+    """Return `Rx @ Ry @ Rz`: turns about x, then the new y, then the new z.
 
     Args:
         angles: `(rx, ry, rz)`, shape (..., 3), radians.

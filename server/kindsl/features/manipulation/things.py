@@ -39,7 +39,7 @@ def component(analysis: Analysis, thing: Thing, name: str) -> Expression | Missi
         analysis: The document.
         thing: What is moved.
         name: `x y z` in metres along the axes of what carries it, `rx ry rz` in radians about x,
-            the new y, the newest z.
+            the new y, the new z.
     """
     found = _vectors(analysis.model, thing)
     if isinstance(found, Missing):

@@ -1,4 +1,4 @@
-// The handles of what is chosen: arrows along the axes of what carries it, rings about x, the new y, the newest z.
+// The handles of what is chosen: arrows along the axes of what carries it, rings about x, the new y, the new z.
 // Each is one number of the document, so nothing is ambiguous where two rings fall together.
 import { toThree } from "../picture/camera.js";
 
@@ -9,7 +9,7 @@ const PIECES = 48; // of a ring
 const LEAST = 12; // pixels that an arrow must have to be dragged
 export const LENGTHS = ["x", "y", "z"];
 export const ANGLES = ["rx", "ry", "rz"];
-export const HANDLE_NAMES = { x: "along x", y: "along y", z: "along z", rx: "about x", ry: "about the new y", rz: "about the newest z" };
+export const HANDLE_NAMES = { x: "along x", y: "along y", z: "along z", rx: "about x", ry: "about the new y", rz: "about the new z" };
 
 export class Handles {
   constructor(scene, pane) {
