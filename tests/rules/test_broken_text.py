@@ -37,7 +37,7 @@ PAIR = robot(UPPER, link("lower", 2, inertia=IN_HUB), base="upper via lift", joi
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ("link upper {\n    id = 1", "link {\n    id = 2", "a link without a name reuses id 2 of"),
+        ("link upper {\n    id = 1", "link {\n    id = 2", "reuses id 2 of a link without a name"),
         ("link lower {\n    id = 2", "link {\n    id = 1", "expected a name"),
         ("link upper", "link", "expected a name"),
         ("link lower", "link", "expected a name"),

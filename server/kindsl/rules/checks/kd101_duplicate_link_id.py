@@ -47,20 +47,20 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
 
 
 def _finding(owner: Link, again: Link, fix: Fix | None) -> Finding:
-    message = f"{_title(again)} reuses id {again.id} of {_title(owner)}"
-    related = Related(owner.id_place or owner.name, f"id {owner.id} of {_title(owner)}")
+    if not again.name:
+        # Its missing name is told there already.
+        owner, again = again, owner
+    told = f"link '{owner.name}'" if owner.name else "a link without a name"
+    message = f"link '{again.name}' reuses id {again.id} of {told}"
+    related = Related(owner.id_place or owner.name, f"id {owner.id} of {told}")
     return Finding(again.id_place or again.name, message, (related,), fix)
-
-
-def _title(link: Link) -> str:
-    return f"link '{link.name}'" if link.name else "a link without a name"
 
 
 def _written(copied: CopiedId) -> Fix | None:
     place = copied.copy.id_place
-    if place is None:
+    if place is None or not copied.copy.name:
         return None
-    title = f"Change id of {_title(copied.copy).removeprefix('link ')} to {copied.missing}"
+    title = f"Change id of '{copied.copy.name}' to {copied.missing}"
     return Fix(title, (Change(place, str(copied.missing)),))
 
 
