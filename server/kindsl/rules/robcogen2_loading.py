@@ -9,8 +9,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from kindsl.rules.base import Finding
-from kindsl.semantics.declarations import Joint, Link, inertia_values, pose_values
+from kindsl.semantics.declarations import Declarations, Joint, Link, inertia_values, pose_values
 from kindsl.semantics.expressions import Expression
+from kindsl.semantics.lowering import declarations
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Name
 from kindsl.syntax.parser import island_of_robcogen2
@@ -123,13 +124,21 @@ def _unused_joints(model: Model) -> Iterator[Finding]:
 
 def _numbers(model: Model) -> Iterator[Finding]:
     """Yield the values that it cannot convert; those of a fixed base's inertia it does not try."""
-    for joint in model.joints:
-        yield from _unconverted(value for value, _ in pose_values(joint.pose))
-    for body in model.bodies:
+    for island in model.islands:
+        found = island.facts.get(_numbers)
+        if not isinstance(found, tuple):
+            found = island.facts[_numbers] = tuple(_unconverted(_tried(declarations(island))))
+        yield from found
+
+
+def _tried(declared: Declarations) -> Iterator[Expression]:
+    for joint in declared.joints:
+        yield from (value for value, _ in pose_values(joint.pose))
+    for body in declared.bodies():
         for frame in body.frames:
-            yield from _unconverted(value for value, _ in pose_values(frame.pose))
+            yield from (value for value, _ in pose_values(frame.pose))
         if body.inertia is not None and (body.is_floating or not body.is_base):
-            yield from _unconverted(inertia_values(body.inertia))
+            yield from inertia_values(body.inertia)
 
 
 def _unconverted(values: Iterable[Expression]) -> Iterator[Finding]:

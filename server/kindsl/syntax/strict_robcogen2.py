@@ -9,7 +9,8 @@ import re
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
-from kindsl.syntax.tables import PATTERNS
+from kindsl.syntax.portability import ROBCOGEN2, portability
+from kindsl.syntax.tables import KEYWORDS, PATTERNS
 from kindsl.syntax.tree import Island, Token
 
 _TRIVIA = re.compile(r"(?:[ \t\r\n]++|//[^\r\n]*+)*+")
@@ -224,6 +225,11 @@ _BLOCKS: tuple[tuple[str, Callable[[_Reader], bool]], ...] = (
 
 _UNDECODED = re.compile("[\ud800-\udfff]")
 _KEY = "as robcogen2 reads it"
+# Text in which robcogen2 sees the tokens that the grammar's tables have.
+_PLAIN = re.compile(r"[\w\s{}()=,.+*/-]*", re.ASCII)
+_REMARK = re.compile(r"//[^\r\n]*")
+_SPECIAL = re.compile(r"(?<!\w)(?:[\d.]+[A-Za-z_]|[pP][iI](?:\w|(?<!PI)))|/\*", re.ASCII)
+_LETTERS = {"head": "h", "base": "b", "link": "l", "joint": "j", "end": "e"}
 
 
 class Stop(NamedTuple):
@@ -264,8 +270,23 @@ def _stop_in(islands: Sequence[Island]) -> Stop | None:
 def _kept_reading(island: Island) -> StrictReading:
     known = island.facts.get(_KEY)
     if not isinstance(known, StrictReading):
-        known = island.facts[_KEY] = _reading(island.text)._replace(tokens=())
+        blocks = _plain_blocks(island)
+        known = StrictReading(blocks, (), None) if blocks is not None else _reading(island.text)
+        island.facts[_KEY] = known = known._replace(tokens=())
     return known
+
+
+def _plain_blocks(island: Island) -> str | None:
+    """Return the blocks of an island that robcogen2 surely reads as we do, else None."""
+    text = _REMARK.sub("", island.text)
+    if island.problems or not _PLAIN.fullmatch(text) or _SPECIAL.search(text):
+        return None
+    if any(note.target == ROBCOGEN2 for note in portability(island)):
+        return None
+    tokens = (token for node in island.nodes for token in node.tokens())
+    if any(token.kind == "NAME" and token.text in KEYWORDS for token in tokens):
+        return None
+    return "".join(_LETTERS[node.kind] for node in island.nodes)
 
 
 def _reading(text: str) -> StrictReading:

@@ -33,6 +33,7 @@ from kindsl.rules.examples import joint, link, robot
 from kindsl.rules.inertia.judgements import is_moving, keyword
 from kindsl.rules.inertia.plausibility import GREATEST_LENGTH
 from kindsl.rules.inertia.wording import with_unit
+from kindsl.rules.memory import remembered
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
 from kindsl.semantics.numbers import mass_distribution, written_pose
@@ -50,7 +51,7 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     for body in model.bodies:
         if body.inertia is not None and body.inertia.frame is None and is_moving(body):
             end = _only_end(model, body, context)
-            message = _message(body, end, context) if end is not None else ""
+            message = _kept_message(body, end, context) if end is not None else ""
             if message:
                 yield Finding(keyword(body.inertia), message)
 
@@ -62,6 +63,11 @@ def _only_end(model: Model, body: Link, context: Context) -> Vector3 | None:
     placed = [written_pose(pose, context.values) for pose in poses]
     known = [place.translation for place in placed if place is not None]
     return known[0] if len(known) == len(poses) == 1 else None
+
+
+def _kept_message(body: Link, end: Vector3, context: Context) -> str:
+    given = end, mass_distribution(body.inertia, context.values) if body.inertia else None
+    return remembered(body, "across", given, lambda: _message(body, end, context))
 
 
 def _message(body: Link, end: Vector3, context: Context) -> str:
