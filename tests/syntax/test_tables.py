@@ -5,7 +5,8 @@ from lark import Lark, Tree
 from tests.support.models import Style, random_model
 
 from kindsl.syntax.document import parse
-from kindsl.syntax.generate import STARTS, TABLES, main, tables
+from kindsl.syntax.generate import TABLES, main, starts, tables
+from kindsl.syntax.generating.annotations import AnnotationError
 from kindsl.syntax.grammars import grammar_text
 from kindsl.syntax.tree import Node
 
@@ -24,12 +25,68 @@ def test_a_changed_grammar_is_noticed(
     assert "does not fit the grammar" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize(
+    ("line", "remark"),
+    [
+        ('id: "id" "=" INT', "//: only robcogen3"),
+        ('id: "id" "=" INT', "//: soon"),
+        ('id: "id" "=" INT', "//: neither yes"),
+        ('head: "Robot" _name "{"', "//: only robcogen"),
+        ("_section: id | inertia | children | frames", "//: only robcogen"),
+        ('    | product "*" signed        -> multiply', "//: only robcogen2"),
+        ('    | product "*" signed        -> multiply', "//: neither KD006"),
+        ('    | sum "+" product           -> add', "//: order sum product"),
+        ("//: order id? joint_frame", "//: order"),
+        ("BLANK: /[ \\t\\r\\n]+/", "//: neither KD005"),
+        ('vector: "(" _expression "," _expression "," _expression ")"', "//: only robcogen"),
+    ],
+)
+def test_a_remark_that_nobody_reads_is_refused(line: str, remark: str) -> None:
+    grammar = grammar_text("kindsl.lark")
+    assert grammar.count(f"\n{line}\n") == 1
+    with pytest.raises(AnnotationError, match=r"line \d+: nobody reads '//: "):
+        tables(grammar.replace(f"\n{line}\n", f"\n{line} {remark}\n"))
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [("order id? joint_frame", "order id? mass"), ("order id? joint_frame", "order ")],
+)
+def test_an_order_names_sections_of_its_block(old: str, new: str) -> None:
+    with pytest.raises(AnnotationError, match=r"nobody reads '//: order "):
+        tables(grammar_text("kindsl.lark").replace(old, new))
+
+
+@pytest.mark.parametrize(
+    ("line", "remark"),
+    [
+        ('id: "id" "=" INT', "//: only robcogen2"),
+        ('id: "id" "=" INT', "//: neither KD001"),
+        ('FLOATING.2: "floating"', "//: only robcogen"),
+        ("decimal: FLOAT | SCIENTIFIC | POWER_FLOAT", "//: only robcogen"),
+    ],
+)
+def test_what_is_remarked_is_in_the_tables(line: str, remark: str) -> None:
+    source = tables(grammar_text("kindsl.lark").replace(f"\n{line}\n", f"\n{line} {remark}\n"))
+    name = line.split(":")[0].split(".")[0]
+    assert f"    {name!r}: {remark.split()[-1]!r},\n" in source
+
+
+def test_a_refused_remark_is_told(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    grammar = grammar_text("kindsl.lark") + "\nOTHER: /o/   //: perhaps\n"
+    monkeypatch.setattr("kindsl.syntax.generate.grammar_text", lambda _: grammar)
+    assert main([]) == 1
+    assert "nobody reads '//: perhaps'" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("tree", ["chain", "tree", "star"])
 def test_trees_are_those_of_lark(tree: str) -> None:
     lark = Lark(
         grammar_text("kindsl.lark"),
         parser="lalr",
-        start=list(STARTS),
+        start=starts(grammar_text("kindsl.lark")),
         maybe_placeholders=False,
         keep_all_tokens=True,
     )

@@ -9,10 +9,17 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from kindsl.syntax.generating.annotations import (
+    Annotation,
+    AnnotationError,
+    annotations,
+    check_read,
+    orders,
+)
+from kindsl.syntax.generating.constructs import Constructs
 from kindsl.syntax.grammars import grammar_text
 
 TABLES = Path(__file__).with_name("tables.py")
-STARTS = ("head", "base", "link", "joint", "end", "value")
 
 _HEADER = (
     '"""Generated from grammar/kindsl.lark by `python -m kindsl.syntax.generate`; do not edit."""\n'
@@ -21,24 +28,34 @@ _ROWS = "tuple[tuple[tuple[str, ...], tuple[int, ...]], ...]"
 _TYPES = {
     "KEYWORDS": "dict[str, str]",
     "PUNCTUATION": "str",
-    "PATTERNS": "tuple[tuple[str, str], ...]",
+    "PATTERNS": "dict[str, str]",
+    "IGNORED": "tuple[str, ...]",
+    "TRIVIA": "str",
+    "COMMENTS": "str",
     "ACTIONS": _ROWS,
     "GOTOS": _ROWS,
     "STARTS": "dict[str, tuple[int, int]]",
     "RULES": "tuple[tuple[int, str, str, str], ...]",
     "CONSTRUCTS": "tuple[str, ...]",
+    "HOLDS": "dict[str, tuple[str, ...]]",
+    "WORDS": "dict[str, tuple[str, ...]]",
+    "KINDS": "dict[str, str]",
+    "CLASSES": "dict[str, tuple[str, ...]]",
     "ORDERS": "dict[str, tuple[str, ...]]",
     "ONLY": "dict[str, str]",
     "NEITHER": "dict[str, str]",
 }
 _WORDS = re.compile(r"\(\?:(\w+(?:\|\w+)*)\)")
-_ORDER = re.compile(r"^//: order (.*)\n(\w+):", re.M)
-_REMARK = re.compile(r"(?:-> (\w+)|^(\w+):.*?)[ \t]*//: (only|neither) (\w+)[ \t]*$", re.M)
+_ENDING = re.compile(r"(?:\\[^\w\s])+\Z")
 
 
 def main(arguments: list[str]) -> int:
     """Write the tables, or compare them with `--check`; return the exit status."""
-    text = tables(grammar_text("kindsl.lark"))
+    try:
+        text = tables(grammar_text("kindsl.lark"))
+    except AnnotationError as error:
+        sys.stderr.write(f"grammar/kindsl.lark: {error}\n")
+        return 1
     if "--check" not in arguments:
         TABLES.write_text(text, encoding="utf-8")
         return 0
@@ -48,27 +65,40 @@ def main(arguments: list[str]) -> int:
     return 1
 
 
+def starts(grammar: str) -> list[str]:
+    """Return the constructs that are parsed by themselves: the parts of a document, and values."""
+    parts = orders(list(annotations(grammar)))["document"]
+    return [*(part.rstrip("?+") for part in parts), "value"]
+
+
 def tables(grammar: str) -> str:
-    """Return the source of `tables.py` for a grammar."""
+    """Return the source of `tables.py` for a grammar.
+
+    Raises:
+        AnnotationError: Nobody reads one of its remarks.
+    """
     from lark import Lark
 
     lark = Lark(
         grammar,
         parser="lalr",
         lexer="basic",
-        start=list(STARTS),
+        start=starts(grammar),
         maybe_placeholders=False,
         keep_all_tokens=True,
         debug=True,
     )
     kinds = _token_kinds(lark, grammar)
-    automaton = _Automaton(lark, kinds)
+    found = list(annotations(grammar))
+    constructs = Constructs(lark, grammar, kinds, orders(found))
+    check_read(found, constructs.holds, _readers(lark, constructs))
     sections = {
         **_lexical(lark, kinds),
-        **automaton.tables(),
-        "ORDERS": {rule: tuple(order.split()) for order, rule in _ORDER.findall(grammar)},
-        "ONLY": _remarks(grammar, "only"),
-        "NEITHER": _remarks(grammar, "neither"),
+        **_Automaton(lark, kinds, starts(grammar)).tables(),
+        **constructs.tables(),
+        "ORDERS": orders(found),
+        "ONLY": _remarks(found, "only"),
+        "NEITHER": _remarks(found, "neither"),
     }
     return (
         _HEADER
@@ -77,6 +107,19 @@ def tables(grammar: str) -> str:
             f"\n{name}: {_TYPES[name]} = {_literal(value)}\n" for name, value in sections.items()
         )
     )
+
+
+def _readers(lark: Any, constructs: Constructs) -> dict[str, set[str]]:
+    """Return whose remarks are read: sections by their blocks, forms and terminals by values."""
+    sections = {part for name in constructs.orders for part in constructs.holds[name]}
+    sections -= set(constructs.holds["document"])
+    within = constructs.within("value")
+    aliases = {str(rule.alias) for rule in lark.rules if str(rule.origin.name) in within}
+    terminals = {terminal.name for terminal in lark.terminals}
+    return {
+        "only": sections | within | aliases | terminals,
+        "neither": sections | (terminals & constructs.within("_expression")),
+    }
 
 
 def _token_kinds(lark: Any, grammar: str) -> dict[str, str]:
@@ -91,45 +134,56 @@ def _token_kinds(lark: Any, grammar: str) -> dict[str, str]:
 def _lexical(lark: Any, kinds: dict[str, str]) -> dict[str, Any]:
     keywords: dict[str, str] = {}
     punctuation: list[str] = []
-    patterns: list[tuple[str, str]] = []
+    patterns: dict[str, str] = {}
     for terminal in lark.terminals:
         kind, value = kinds[terminal.name], terminal.pattern.value
         words = _WORDS.fullmatch(value)
         if words:
             keywords |= dict.fromkeys(sorted(words[1].split("|")), kind)
         elif terminal.pattern.type == "re":
-            patterns.append((kind, value))
+            patterns[kind] = value
         elif value[0].isalpha():
             keywords[value] = kind
         else:
             punctuation.append(value)
+    ignored = [patterns[kind] for kind in lark.ignore_tokens]
     return {
         "KEYWORDS": keywords,
         "PUNCTUATION": "".join(sorted(punctuation)),
-        "PATTERNS": tuple(patterns),
+        "PATTERNS": patterns,
+        "IGNORED": tuple(lark.ignore_tokens),
+        "TRIVIA": f"(?:{'|'.join(map(_unended, ignored))})*+",
+        "COMMENTS": "|".join(_unended(pattern) for pattern in ignored if _is_comment(pattern)),
     }
 
 
-def _remarks(grammar: str, word: str) -> dict[str, str]:
-    return {
-        alias or rule: value
-        for alias, rule, found, value in _REMARK.findall(grammar)
-        if found == word
-    }
+def _unended(pattern: str) -> str:
+    """Return a pattern that also takes what goes on to the end of the text."""
+    ending = _ENDING.search(pattern)
+    return f"{pattern[: ending.start()]}(?:{ending[0]}|\\Z)" if ending else pattern
+
+
+def _is_comment(pattern: str) -> bool:
+    return re.match(pattern, " ") is None
+
+
+def _remarks(found: list[Annotation], word: str) -> dict[str, str]:
+    return {note.about: note.value for note in found if note.word == word}
 
 
 class _Automaton:
     """Lark's LALR states, numbered so that equal grammars give equal tables."""
 
-    def __init__(self, lark: Any, kinds: dict[str, str]) -> None:
+    def __init__(self, lark: Any, kinds: dict[str, str], starts: list[str]) -> None:
         self.table = lark.parser.parser._parse_table
         self.kinds = kinds
+        self.starts = starts
         self.rules: dict[Any, int] = {}
         self.numbers: dict[Any, int] = {}
         self._number()
 
     def _number(self) -> None:
-        queue = [self.table.start_states[start] for start in STARTS]
+        queue = [self.table.start_states[start] for start in self.starts]
         for state in queue:
             if state in self.numbers:
                 continue
@@ -162,7 +216,7 @@ class _Automaton:
                     self.numbers[self.table.start_states[start]],
                     self.numbers[self.table.end_states[start]],
                 )
-                for start in STARTS
+                for start in self.starts
             },
             "ACTIONS": tuple(actions),
             "GOTOS": tuple(gotos),

@@ -2,34 +2,25 @@
 
 import re
 
-from kindsl.syntax.tables import KEYWORDS, PATTERNS
+from kindsl.syntax.tables import CLASSES, COMMENTS, IGNORED, KEYWORDS, PATTERNS, PUNCTUATION, TRIVIA
 from kindsl.syntax.tree import Token
 
 BAD = "BAD"
 _MOST_BAD = 2000
-TRIVIA = r"(?:[ \t\r\n]++|//[^\r\n]*+|/\*(?:[^*]|\*(?!/))*+(?:\*/|\Z))*+"
-COMMENT = re.compile(r"//[^\r\n]*|/\*(?:[^*]|\*(?!/))*+(?:\*/)?")
 
-_NAME_KINDS = ("NAME", "PI_PREFIXED", "UNICODE_NAME")
-_PATTERN = dict(PATTERNS)
-_ODD_KINDS = (
-    "PIPE_PI",
-    "ESCAPED_NAME",
-    "POWER_FLOAT",
-    "SCIENTIFIC",
-    "MALFORMED_NUMBER",
-    "FLOAT",
-    "INT",
-)
+COMMENT = re.compile(COMMENTS)
+_SIGNS = "+-"
+_NAME_KINDS = [kind for kind in CLASSES["_name"] if kind in PATTERNS]
+_ODD_KINDS = [kind for kind in PATTERNS if kind not in IGNORED]
 _TOKEN = re.compile(
     rf"{TRIVIA}(?:"
-    r"((?![pP]\|)[^\W\d]\w*)"
-    r"|([-+]?[0-9]*\.[0-9]+(?![\w.]))"
-    r"|([{}()=,\[\]<>*/])"
-    r"|([-+]?[0-9]+(?![\w.]))"
+    rf"((?!{PATTERNS['PIPE_PI']}){PATTERNS['UNICODE_NAME']})"
+    rf"|({PATTERNS['FLOAT']}(?![\w.]))"
+    rf"|([{re.escape(''.join(sign for sign in PUNCTUATION if sign not in _SIGNS))}])"
+    rf"|({PATTERNS['INT']}(?![\w.]))"
     r"|(\Z)"
-    rf"|{'|'.join(f'({_PATTERN[kind]})' for kind in _ODD_KINDS)}"
-    r"|([-+])"
+    rf"|{'|'.join(f'({PATTERNS[kind]})' for kind in _ODD_KINDS)}"
+    rf"|([{_SIGNS}])"
     r"|([^\x21-\x7e\w \t\r\n]+|[^ \t\r\n]))"
 )
 _WORD, _FLOAT, _SIGN, _INT, _END, _ODD = 1, 2, 3, 4, 5, 6
@@ -87,7 +78,7 @@ def word_kind(word: str) -> str:
     kind = KEYWORDS.get(word)
     if kind is not None:
         return kind
-    kinds = (kind for kind in _NAME_KINDS if re.fullmatch(_PATTERN[kind], word))
+    kinds = (kind for kind in _NAME_KINDS if re.fullmatch(PATTERNS[kind], word))
     return next(kinds, "UNICODE_NAME")
 
 

@@ -32,7 +32,7 @@ _KINDS = {
 }
 _NUMBER_KINDS = [
     (kind, re.compile(pattern))
-    for kind, pattern in PATTERNS
+    for kind, pattern in PATTERNS.items()
     if kind in ("POWER_FLOAT", "SCIENTIFIC", "FLOAT")
 ]
 

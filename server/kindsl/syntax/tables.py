@@ -35,22 +35,32 @@ KEYWORDS: dict[str, str] = {
 
 PUNCTUATION: str = '()*+,-/<=>[]{}'
 
-PATTERNS: tuple[tuple[str, str], ...] = (
-    ('PIPE_PI', '[pP]\\||\\|[iI|]'),
-    ('PI_PREFIXED', '[pP][iI][A-Za-z_0-9]+(?!\\w)'),
-    ('NAME', '(?![pP][iI])[A-Za-z_][A-Za-z_0-9]*(?!\\w)'),
-    ('ESCAPED_NAME', '\\^[A-Za-z_][A-Za-z_0-9]*'),
-    ('UNICODE_NAME', '[^\\W\\d]\\w*'),
-    ('KEYWORD_NAME', '(?!).'),
-    ('POWER_FLOAT', '[-+]?[0-9]*\\.[0-9]+[eE][0-9]+(?![\\w.])'),
-    ('SCIENTIFIC', '[-+]?(?:(?:[0-9]+\\.?[0-9]*|\\.[0-9]+)[eE][-+]?[0-9]+|[0-9]+\\.)(?![\\w.])'),
-    ('MALFORMED_NUMBER', '[-+]?(?:0[xX][0-9a-fA-F]+|[0-9]+_[0-9_]+(?:\\.[0-9_]*)?|[0-9]*\\.[0-9]*\\.[0-9.]*)'),
-    ('FLOAT', '[-+]?[0-9]*\\.[0-9]+'),
-    ('INT', '[-+]?[0-9]+'),
-    ('LINE_COMMENT', '\\/\\/[^\r\n]*'),
-    ('BLOCK_COMMENT', '\\/\\*(?:[^*]|\\*(?!\\/))*\\*\\/'),
-    ('BLANK', '[ \t\r\n]+'),
+PATTERNS: dict[str, str] = {
+    'PIPE_PI': '[pP]\\||\\|[iI|]',
+    'PI_PREFIXED': '[pP][iI][A-Za-z_0-9]+(?!\\w)',
+    'NAME': '(?![pP][iI])[A-Za-z_][A-Za-z_0-9]*(?!\\w)',
+    'ESCAPED_NAME': '\\^[A-Za-z_][A-Za-z_0-9]*',
+    'UNICODE_NAME': '[^\\W\\d]\\w*',
+    'KEYWORD_NAME': '(?!).',
+    'POWER_FLOAT': '[-+]?[0-9]*\\.[0-9]+[eE][0-9]+(?![\\w.])',
+    'SCIENTIFIC': '[-+]?(?:(?:[0-9]+\\.?[0-9]*|\\.[0-9]+)[eE][-+]?[0-9]+|[0-9]+\\.)(?![\\w.])',
+    'MALFORMED_NUMBER': '[-+]?(?:0[xX][0-9a-fA-F]+|[0-9]+_[0-9_]+(?:\\.[0-9_]*)?|[0-9]*\\.[0-9]*\\.[0-9.]*)',
+    'FLOAT': '[-+]?[0-9]*\\.[0-9]+',
+    'INT': '[-+]?[0-9]+',
+    'LINE_COMMENT': '\\/\\/[^\r\n]*',
+    'BLOCK_COMMENT': '\\/\\*(?:[^*]|\\*(?!\\/))*+\\*\\/',
+    'BLANK': '[ \t\r\n]+',
+}
+
+IGNORED: tuple[str, ...] = (
+    'BLANK',
+    'LINE_COMMENT',
+    'BLOCK_COMMENT',
 )
+
+TRIVIA: str = '(?:[ \t\r\n]+|\\/\\/[^\r\n]*|\\/\\*(?:[^*]|\\*(?!\\/))*+(?:\\*\\/|\\Z))*+'
+
+COMMENTS: str = '\\/\\/[^\r\n]*|\\/\\*(?:[^*]|\\*(?!\\/))*+(?:\\*\\/|\\Z)'
 
 STARTS: dict[str, tuple[int, int]] = {
     'head': (0, 7),
@@ -949,6 +959,70 @@ CONSTRUCTS: tuple[str, ...] = (
     'vector',
     'vector',
 )
+
+HOLDS: dict[str, tuple[str, ...]] = {
+    'document': ('head', 'base', 'link', 'joint', 'end'),
+    'base': ('id', 'inertia', 'children', 'frames'),
+    'link': ('id', 'inertia', 'children', 'frames'),
+    'joint': ('id', 'joint_frame'),
+    'inertia': ('mass', 'com', 'moment', 'inertia_frame'),
+    'children': ('child',),
+    'frames': ('frame_group',),
+    'joint_frame': ('translation', 'rotation'),
+    'frame_group': ('frame',),
+    'frame': ('translation', 'rotation'),
+}
+
+WORDS: dict[str, tuple[str, ...]] = {
+    'head': ('Robot',),
+    'base': ('RobotBase',),
+    'link': ('link',),
+    'joint': ('r_joint', 'p_joint'),
+    'end': ('}',),
+    'id': ('id',),
+    'inertia': ('inertia_params', 'inertia_properties'),
+    'children': ('children',),
+    'frames': ('frames',),
+    'joint_frame': ('ref_frame',),
+    'mass': ('mass',),
+    'com': ('CoM',),
+    'moment': ('Ix', 'Iy', 'Iz', 'Ixy', 'Ixz', 'Iyz'),
+    'inertia_frame': ('ref_frame',),
+    'child': (),
+    'frame_group': ('{',),
+    'translation': ('translation',),
+    'rotation': ('rotation',),
+    'frame': (),
+}
+
+KINDS: dict[str, str] = {
+    'head': 'row',
+    'base': 'block',
+    'link': 'block',
+    'joint': 'block',
+    'end': 'row',
+    'id': 'whole',
+    'inertia': 'block',
+    'children': 'list',
+    'frames': 'list',
+    'joint_frame': 'pose',
+    'mass': 'scalar',
+    'com': 'vector',
+    'moment': 'moments',
+    'inertia_frame': 'name',
+    'child': 'row',
+    'frame_group': 'group',
+    'translation': 'vector',
+    'rotation': 'vector',
+    'frame': 'pose',
+}
+
+CLASSES: dict[str, tuple[str, ...]] = {
+    '_number': ('FLOAT', 'INT', 'SCIENTIFIC', 'POWER_FLOAT', 'MALFORMED_NUMBER'),
+    '_pi': ('PI', 'LOWER_PI', 'PIPE_PI'),
+    '_parameter': ('NAME', 'PI_PREFIXED', 'UNICODE_NAME', 'ESCAPED_NAME', 'KEYWORD_NAME'),
+    '_name': ('NAME', 'PI_PREFIXED', 'UNICODE_NAME', 'ESCAPED_NAME', 'KEYWORD_NAME', 'LOWER_PI'),
+}
 
 ORDERS: dict[str, tuple[str, ...]] = {
     'document': ('head', 'base', 'link+', 'joint+', 'end'),
