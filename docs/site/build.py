@@ -19,27 +19,42 @@ ROOT = Path(__file__).resolve().parents[2]
 SETTINGS = Path(__file__).with_name("mkdocs.yml")
 BUILD = ROOT / "build" / "site"
 PLAYGROUND = ROOT / "dist" / "playground"
+SITE = ROOT / "dist" / "site"
 PAGES = (
     *("README.md", "CHANGELOG.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "grammar/README.md"),
     "vscode-extension/README.md",
     *("docs/*.md", "docs/guide/*.md", "docs/rules/*.md", "docs/decisions/*.md"),
 )
 HOME = "README.md"
+# The factor on a page's score in the search, by the beginning of its place; 1 for the others.
+BOOSTS = {
+    "docs/guide/": 5.0,
+    **dict.fromkeys(("docs/ci", "docs/configuration", "docs/editors", "docs/playground"), 4.0),
+    "docs/rules/": 0.3,
+    "docs/decisions/": 0.1,
+    "CHANGELOG": 0.1,
+}
 _LINK = re.compile(r"(\]\()([^)\s]+)(\))")
 _FENCE = re.compile(r"^(```.*?^```$)", re.MULTILINE | re.DOTALL)
 
 
 def main() -> int:
-    """Build the site; return what mkdocs says."""
+    """Build the site; return the exit status of mkdocs."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.parse_args()
     shutil.rmtree(BUILD, ignore_errors=True)
     assemble(BUILD)
-    command = [sys.executable, "-m", "mkdocs", "build", "--strict", "--quiet"]
-    status = subprocess.run([*command, "--config-file", str(BUILD / "mkdocs.yml")]).returncode
+    status = render(BUILD, SITE)
     if status == 0 and PLAYGROUND.is_dir():
-        shutil.copytree(PLAYGROUND, ROOT / "dist" / "site" / "playground", dirs_exist_ok=True)
+        shutil.copytree(PLAYGROUND, SITE / "playground", dirs_exist_ok=True)
     return status
+
+
+def render(folder: Path, site: Path) -> int:
+    """Make a site of a folder's settings and pages; return the exit status of mkdocs."""
+    command = [sys.executable, "-m", "mkdocs", "build", "--strict", "--quiet"]
+    options = ["--config-file", str(folder / "mkdocs.yml"), "--site-dir", str(site)]
+    return subprocess.run([*command, *options]).returncode
 
 
 def assemble(folder: Path) -> None:
@@ -48,13 +63,13 @@ def assemble(folder: Path) -> None:
     for source in sources():
         place = site_path(source)
         text = source.read_text(encoding="utf-8")
-        _write(pages / place, relinked(text, source, pages))
+        _write(pages / place, boosted(place, relinked(text, source, pages)))
     for name, text in (
         ("reference/cli.md", command_line_page()),
         ("reference/python.md", python_page()),
         ("docs/decisions/README.md", decisions_page()),
     ):
-        _write(pages / name, text)
+        _write(pages / name, boosted(name, text))
     shutil.copy(SETTINGS, folder / "mkdocs.yml")
 
 
@@ -167,6 +182,13 @@ def decisions_page() -> str:
     titles = ((path.name, path.read_text(encoding="utf-8").splitlines()[0]) for path in found)
     rows = (f"- [{title.removeprefix('# ')}]({name})" for name, title in titles)
     return "# Decisions\n\nWhy things are as they are.\n\n" + "\n".join(rows) + "\n"
+
+
+def boosted(place: str, text: str) -> str:
+    """Return a page with its factor in the search, in Material's front matter."""
+    boosts = (boost for start, boost in BOOSTS.items() if place.startswith(start))
+    boost = next(boosts, None)
+    return text if boost is None else f"---\nsearch:\n  boost: {boost}\n---\n{text}"
 
 
 def _write(path: Path, text: str) -> None:
