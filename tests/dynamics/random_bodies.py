@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from kindsl.dynamics.bodies import Bodies, Frame, JointKind
+from kindsl.dynamics.bodies import Bodies, Frame
+from kindsl.rigid.topology import JointKind
 from kindsl.spatial.arrays import Array
 from kindsl.spatial.transforms import rotation_from_intrinsic_xyz
 

@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 from tests.dynamics.random_bodies import random_bodies
 
-from kindsl.dynamics.bodies import Bodies, JointKind
+from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.dynamics.evaluation.singular import singular_inertia
 from kindsl.dynamics.quantities import SingularInertiaError
+from kindsl.rigid.topology import JointKind
 from kindsl.spatial.arrays import Array
 
 METHODS = ("inverse_dynamics", "forward_dynamics", "forward_dynamics_derivatives")

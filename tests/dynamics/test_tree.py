@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from tests.dynamics.random_bodies import random_bodies
 
-from kindsl.dynamics.bodies import JointKind
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.dynamics.generation.emitters.numbers import evaluate
 from kindsl.dynamics.generation.expressions import Expression, Graph
@@ -20,6 +19,7 @@ from kindsl.dynamics.generation.tree import (
     tree_of,
 )
 from kindsl.dynamics.generation.vectors import EYE
+from kindsl.rigid.topology import JointKind
 
 NEAR = 0.5 * ROUNDING
 

@@ -18,7 +18,6 @@ from kindsl.reports.drawing.robot import (
     _overlap,
     points_of,
     robot_drawing,
-    zero_poses,
 )
 from kindsl.reports.drawing.shapes import Disc, Drawing, Label, Line, Spot
 from kindsl.reports.drawing.svg import svg_text
@@ -105,7 +104,7 @@ def test_rods_are_drawn_in_the_order_of_their_middles(links: int, seed: int) -> 
     drawn = [s.color for s in shapes if isinstance(s, Line) and s.width == 7.0]
     middles = []
     for name, pose, own in zip(
-        skeleton.body_names, zero_poses(skeleton), extent(skeleton).segments, strict=True
+        skeleton.body_names, skeleton.zero_poses(), extent(skeleton).segments, strict=True
     ):
         middles += [(depth(pose.point(_half(s.end))), color_of[name]) for s in own]
     assert len(middles) >= links

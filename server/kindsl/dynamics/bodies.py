@@ -1,14 +1,12 @@
 """The numeric description of a mechanism that all algorithms work on."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 
+from kindsl.rigid.topology import Topology, check_topology
 from kindsl.spatial.arrays import Array
-
-JointKind = Literal["revolute", "prismatic"]
 
 ORTHONORMAL_TOLERANCE = 1e-9
 
@@ -31,18 +29,10 @@ class Frame:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Bodies:
-    """A tree of rigid bodies: the base, body 0, and the links 1 to n, parents before children.
-
-    Link i and its supporting joint i have the index i - 1 in what has a length of n.
+class Bodies(Topology):
+    """A tree of rigid bodies; names of bodies and frames are unique together.
 
     Attributes:
-        base_name: The base's name.
-        link_names: Names of the n links, unique together with the base's and the frames'.
-        joint_names: Names of the n supporting joints.
-        joint_kinds: `"revolute"` (turns about the joint frame's z) or `"prismatic"` (slides
-            along it).
-        parents: Body index of each link's parent, less than the link's own.
         p_R_j: Rotations from joint frames to predecessor frames, shape (n, 3, 3).
         p_r_j: Joint frames' origins in predecessor frames, shape (n, 3), metres.
         masses: Of the base and the links, shape (n + 1,), kg.
@@ -56,11 +46,6 @@ class Bodies:
         ValueError: On construction, if shapes, numbering, names or values are not as above.
     """
 
-    base_name: str
-    link_names: tuple[str, ...]
-    joint_names: tuple[str, ...]
-    joint_kinds: tuple[JointKind, ...]
-    parents: tuple[int, ...]
     p_R_j: Array
     p_r_j: Array
     masses: Array
@@ -70,9 +55,8 @@ class Bodies:
     frames: tuple[Frame, ...] = ()
 
     def __post_init__(self) -> None:
-        n = len(self.link_names)
-        _check_tree(self, n)
-        _check_names(self)
+        n = self.n_links
+        check_topology(self, (frame.name for frame in self.frames))
         shapes = {
             "p_R_j": (n, 3, 3),
             "p_r_j": (n, 3),
@@ -87,18 +71,9 @@ class Bodies:
         object.__setattr__(self, "frames", tuple(_checked_frame(f, n) for f in self.frames))
 
     @property
-    def n_links(self) -> int:
-        """Number of moving links, which is also the number of joints."""
-        return len(self.link_names)
-
-    @property
     def n_velocities(self) -> int:
         """Number of velocity variables: the joints, and six more for a floating base."""
         return self.n_links + (6 if self.is_floating else 0)
-
-    def links(self) -> Iterator[tuple[int, int]]:
-        """Yield each link's body index and its parent's, parents first."""
-        return enumerate(self.parents, start=1)
 
     def links_leaves_first(self) -> Iterator[tuple[int, int]]:
         """Yield what `links` yields, children first."""
@@ -111,35 +86,6 @@ class Bodies:
             joints.append(body)
             body = self.parents[body - 1]
         return joints
-
-
-def _check_tree(bodies: Bodies, n: int) -> None:
-    if n == 0:
-        raise ValueError("a mechanism has at least one link")
-    for attribute in ("joint_names", "joint_kinds", "parents"):
-        if len(getattr(bodies, attribute)) != n:
-            got = len(getattr(bodies, attribute))
-            raise ValueError(f"{attribute} has {got} entries, expected {n}, one per link")
-    for link, parent in bodies.links():
-        name = bodies.link_names[link - 1]
-        if not 0 <= parent < link:
-            raise ValueError(f"link '{name}' is body {link}: its parent {parent} is not before it")
-        if bodies.joint_kinds[link - 1] not in ("revolute", "prismatic"):
-            kind = bodies.joint_kinds[link - 1]
-            raise ValueError(f"joint of '{name}': '{kind}' is neither revolute nor prismatic")
-
-
-def _check_names(bodies: Bodies) -> None:
-    _check_unique([bodies.base_name, *bodies.link_names, *(frame.name for frame in bodies.frames)])
-    _check_unique(bodies.joint_names)
-
-
-def _check_unique(names: Sequence[str]) -> None:
-    seen: set[str] = set()
-    for name in names:
-        if name in seen:
-            raise ValueError(f"the name '{name}' is used twice")
-        seen.add(name)
 
 
 def _check_values(bodies: Bodies) -> None:

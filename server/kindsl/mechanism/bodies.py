@@ -2,13 +2,11 @@
 
 import numpy as np
 
-from kindsl.dynamics.bodies import Bodies, Frame, JointKind
+from kindsl.dynamics.bodies import Bodies, Frame
 from kindsl.mechanism.skeleton import AttachedFrame, Skeleton
 from kindsl.rigid.body import MassDistribution
 from kindsl.rigid.pose import RigidPose, Vector3
 from kindsl.spatial.arrays import Array
-
-_KINDS: dict[str, JointKind] = {"revolute": "revolute", "prismatic": "prismatic"}
 
 
 def bodies_of(skeleton: Skeleton) -> Bodies:
@@ -17,7 +15,7 @@ def bodies_of(skeleton: Skeleton) -> Bodies:
         base_name=skeleton.base_name,
         link_names=skeleton.link_names,
         joint_names=skeleton.joint_names,
-        joint_kinds=tuple(_KINDS[kind] for kind in skeleton.joint_kinds),
+        joint_kinds=skeleton.joint_kinds,
         parents=skeleton.parents,
         p_R_j=np.array([pose.rotation for pose in skeleton.placements]),
         p_r_j=np.array([pose.translation for pose in skeleton.placements]),

@@ -13,7 +13,7 @@ from kindsl.rigid.body import (
     seen_from,
     shifted,
 )
-from kindsl.rigid.pose import IDENTITY, RigidPose, transposed
+from kindsl.rigid.pose import RigidPose, transposed
 
 _LENGTH_TOLERANCE = 1e-9
 _ANGLE_TOLERANCE = 1e-9
@@ -239,16 +239,8 @@ def _frames(skeleton: Skeleton) -> dict[str, RigidPose]:
     return {frame.name: frame.pose for frame in skeleton.frames}
 
 
-def _poses(skeleton: Skeleton) -> list[RigidPose]:
-    """Return the pose of each body in the base's frame at zero."""
-    poses = [IDENTITY]
-    for (_, parent), placement in zip(skeleton.links(), skeleton.placements, strict=True):
-        poses.append(poses[parent].then(placement))
-    return poses
-
-
 def _zero_poses(skeleton: Skeleton) -> dict[str, RigidPose]:
-    poses = _poses(skeleton)
+    poses = skeleton.zero_poses()
     of_frames = {frame.name: poses[frame.body].then(frame.pose) for frame in skeleton.frames}
     return {**dict(zip(skeleton.link_names, poses[1:], strict=True)), **of_frames}
 
@@ -279,7 +271,7 @@ def _angle_between(old: RigidPose, new: RigidPose) -> float:
 
 def _masses(old: Skeleton, new: Skeleton, new_name: Mapping[str, str]) -> Iterator[MassChange]:
     index = {name: i for i, name in enumerate(new.body_names)}
-    old_poses, new_poses = _poses(old), _poses(new)
+    old_poses, new_poses = old.zero_poses(), new.zero_poses()
     for i, name in enumerate(old.body_names):
         now = new_name.get(name, name)
         if now not in index or (i == 0 and not (old.is_floating or new.is_floating)):

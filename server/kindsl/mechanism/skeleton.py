@@ -7,7 +7,8 @@ from typing import NamedTuple, Protocol
 
 from kindsl.mechanism.numbering import require_base
 from kindsl.rigid.body import MassDistribution
-from kindsl.rigid.pose import RigidPose
+from kindsl.rigid.pose import IDENTITY, RigidPose
+from kindsl.rigid.topology import Topology, check_topology
 from kindsl.semantics.declarations import Frame, Joint, Link
 from kindsl.semantics.kinematic_tree import Edge
 from kindsl.semantics.model import Model
@@ -28,42 +29,27 @@ class AttachedFrame(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True)
-class Skeleton:
-    """A tree of rigid bodies: the base, body 0, and the links 1 to n, parents before children.
-
-    Link i and its supporting joint i have the index i - 1 in what has a length of n.
+class Skeleton(Topology):
+    """A tree of rigid bodies; names of bodies and frames are unique together.
 
     Attributes:
-        base_name: The base's name.
-        link_names: Names of the n links, unique together with the base's and the frames'.
-        joint_names: Names of the n supporting joints.
-        joint_kinds: `"revolute"` or `"prismatic"`.
-        parents: Body index of each link's parent, less than the link's own.
         placements: Joint frames in their predecessors' frames, n of them.
         masses: Of the base and the links, about the bodies' origins and axes, n + 1 of them.
         is_floating: Whether the base is free to move; if not, its inertia does not matter.
         frames: Further named frames.
 
     Raises:
-        ValueError: On construction, if there is no link, a name is used twice, or a value is not
-            finite.
+        ValueError: On construction, if there is no link, numbering or names are not as above, or a
+            value is not finite.
     """
 
-    base_name: str
-    link_names: tuple[str, ...]
-    joint_names: tuple[str, ...]
-    joint_kinds: tuple[str, ...]
-    parents: tuple[int, ...]
     placements: tuple[RigidPose, ...]
     masses: tuple[MassDistribution, ...]
     is_floating: bool
     frames: tuple[AttachedFrame, ...] = ()
 
     def __post_init__(self) -> None:
-        if not self.link_names:
-            raise ValueError("a mechanism has at least one link")
-        _check_unique((*self.body_names, *(frame.name for frame in self.frames)))
-        _check_unique(self.joint_names)
+        check_topology(self, (frame.name for frame in self.frames))
         for name, pose in zip(self.joint_names, self.placements, strict=True):
             _check_finite(f"pose of joint '{name}'", _numbers_of(pose))
         for frame in self.frames:
@@ -71,14 +57,12 @@ class Skeleton:
         for name, body in zip(self.body_names, self.masses, strict=True):
             _check_finite(f"inertia of '{name}'", (body.mass, *body.com, *body.moments))
 
-    @property
-    def body_names(self) -> tuple[str, ...]:
-        """The base's name and the links'."""
-        return (self.base_name, *self.link_names)
-
-    def links(self) -> Iterator[tuple[int, int]]:
-        """Yield each link's body index and its parent's, parents first."""
-        return enumerate(self.parents, start=1)
+    def zero_poses(self) -> list[RigidPose]:
+        """Return the poses of the bodies in the base's frame at zero."""
+        poses = [IDENTITY]
+        for parent, placement in zip(self.parents, self.placements, strict=True):
+            poses.append(poses[parent].then(placement))
+        return poses
 
 
 class Reader(Protocol):
@@ -138,14 +122,6 @@ def named_frames(bodies: Collection[Link]) -> Iterator[tuple[str, Link, Frame]]:
             if name not in taken:
                 taken.add(name)
                 yield name, body, frame
-
-
-def _check_unique(names: Sequence[str]) -> None:
-    seen: set[str] = set()
-    for name in names:
-        if name in seen:
-            raise ValueError(f"the name '{name}' is used twice")
-        seen.add(name)
 
 
 def _check_finite(quantity: str, numbers: Sequence[float]) -> None:

@@ -3,7 +3,6 @@
 from collections.abc import Collection, Mapping
 from typing import cast
 
-from kindsl.dynamics.bodies import JointKind
 from kindsl.dynamics.generation.expressions import Expression, Graph, Scalar, cosine_and_sine
 from kindsl.dynamics.generation.mass_moments import MassDistribution
 from kindsl.dynamics.generation.robot import PlacedFrame, Robot, massless
@@ -13,6 +12,7 @@ from kindsl.mechanism.build import mechanism_of
 from kindsl.mechanism.errors import ModelError
 from kindsl.mechanism.numbering import numbered_by_id, require_base
 from kindsl.mechanism.skeleton import named_frames
+from kindsl.rigid.topology import JointKind
 from kindsl.semantics import declarations as declared
 from kindsl.semantics.declarations import MOMENTS
 from kindsl.semantics.expressions import Expression as Written
@@ -41,7 +41,7 @@ def symbolic_robot(model: Model, values: Mapping[str, float], inputs: Collection
     links = [base, *(edge.link for edge in edges if edge.link is not None)]
     joints = [edge.joint for edge in edges if edge.joint is not None]
     index = {link: number for number, link in enumerate(links)}
-    kinds: list[JointKind] = ["revolute", *(cast(JointKind, j.kind) for j in joints)]
+    kinds: list[JointKind] = ["revolute", *(joint.kind for joint in joints)]
     parents = [0, *(index[edge.predecessor] for edge in edges)]
     eye: Matrix = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
     rotations = [eye, *(reader.rotation(joint.pose) for joint in joints)]

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from typing import ClassVar, Literal, TypeAlias
 
 from kindsl.rigid.pose import Vector3
+from kindsl.rigid.topology import JointKind
 from kindsl.scene.geometry import Shape
 from kindsl.scene.picture import State
 from kindsl.semantics.declarations import ValueKind
@@ -127,7 +128,7 @@ class JointMessage:
         path: Of the joint in its tree.
         name: In the document.
         index: That of the link that it supports.
-        kind: `revolute`, about its z, or `prismatic`, along it.
+        kind: It turns about its z, or slides along it.
         predecessor: Name of the parent link.
         successor: Name of the child link.
         placement: Its frame in the parent link's frame.
@@ -138,7 +139,7 @@ class JointMessage:
     path: str
     name: str
     index: int
-    kind: str
+    kind: JointKind
     predecessor: str
     successor: str
     placement: tuple[float, ...]

@@ -6,7 +6,7 @@ from statistics import median
 from typing import NamedTuple
 
 from kindsl.mechanism.skeleton import Skeleton
-from kindsl.rigid.pose import IDENTITY, Vector3
+from kindsl.rigid.pose import Vector3
 
 # A body's radius is a share of the median segment, within shares of the whole robot.
 RADIUS_PER_SEGMENT = 0.11
@@ -82,9 +82,7 @@ def _segments(skeleton: Skeleton) -> tuple[tuple[Segment, ...], ...]:
 
 def _points(skeleton: Skeleton, segments: tuple[tuple[Segment, ...], ...]) -> list[Vector3]:
     """Return where bodies begin and end at the zero configuration, in the base's frame."""
-    poses = [IDENTITY]
-    for link, parent in skeleton.links():
-        poses.append(poses[parent].then(skeleton.placements[link - 1]))
+    poses = skeleton.zero_poses()
     ends = [pose.point(s.end) for pose, own in zip(poses, segments, strict=True) for s in own]
     return [*(pose.translation for pose in poses), *ends]
 

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from enum import StrEnum
 from typing import NamedTuple, TypeAlias
 
+from kindsl.rigid.topology import JointKind
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.places import Construct, Name, Place
 from kindsl.syntax.tree import Island, Node
@@ -151,11 +152,11 @@ class Joint(Construct):
 
     __slots__ = ("id", "id_place", "kind", "name", "pose")
 
-    def __init__(self, node: Node, island: Island, name: Name, kind: str) -> None:
+    def __init__(self, node: Node, island: Island, name: Name, kind: JointKind) -> None:
         self.node = node
         self.island = island
         self.name = name
-        self.kind = kind
+        self.kind: JointKind = kind
         self.id: int | None = None
         self.id_place: Place | None = None
         self.pose = Pose(None, None)

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from typing import cast
 
+from kindsl.rigid.topology import JointKind
 from kindsl.semantics.declarations import (
     Child,
     Declarations,
@@ -78,7 +79,7 @@ def _link(node: Node, island: Island) -> Link:
 
 def _joint(node: Node, island: Island) -> Joint:
     word = cast(Token, node.children[0])
-    kind = "prismatic" if word.text == "p_joint" else "revolute"
+    kind: JointKind = "prismatic" if word.text == "p_joint" else "revolute"
     joint = Joint(node, island, _name(node, island), kind)
     number = _first(node, "id")
     if number is not None:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from kindsl.dynamics.bodies import Bodies, JointKind
+from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.generation.expressions import Scalar, cosine_and_sine
 from kindsl.dynamics.generation.mass_moments import (
     MassDistribution,
@@ -12,6 +12,7 @@ from kindsl.dynamics.generation.mass_moments import (
     without,
 )
 from kindsl.dynamics.generation.vectors import EYE, ZERO, Matrix, Vector, add, scale, transform
+from kindsl.rigid.topology import JointKind
 from kindsl.spatial.arrays import Array
 from kindsl.spatial.inertia import second_moment
 

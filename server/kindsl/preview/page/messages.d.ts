@@ -102,8 +102,8 @@ export interface JointMessage {
   readonly name: string;
   /** That of the link that it supports. */
   readonly index: number;
-  /** `revolute`, about its z, or `prismatic`, along it. */
-  readonly kind: string;
+  /** It turns about its z, or slides along it. */
+  readonly kind: "revolute" | "prismatic";
   /** Name of the parent link. */
   readonly predecessor: string;
   /** Name of the child link. */

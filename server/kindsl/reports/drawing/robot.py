@@ -6,7 +6,7 @@ from typing import NamedTuple
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.reports.drawing.camera import HEIGHT, WIDTH, Camera, camera_for, depth
 from kindsl.reports.drawing.shapes import Disc, Drawing, Label, Line, Shape, Spot
-from kindsl.rigid.pose import IDENTITY, RigidPose, Vector3
+from kindsl.rigid.pose import RigidPose, Vector3
 from kindsl.scene.size import extent
 
 BODY, JOINT, COM, FRAME, NAME = "7d93ab", "2b4562", "b8860b", "4c9a5b", "33404d"
@@ -23,17 +23,9 @@ class _Deep(NamedTuple):
     shape: Shape
 
 
-def zero_poses(skeleton: Skeleton) -> list[RigidPose]:
-    """Return the poses of the bodies in the base at zero."""
-    poses = [IDENTITY]
-    for link, parent in skeleton.links():
-        poses.append(poses[parent].then(skeleton.placements[link - 1]))
-    return poses
-
-
 def points_of(skeleton: Skeleton) -> list[Vector3]:
     """Return what a picture must show, in the base's frame."""
-    poses = zero_poses(skeleton)
+    poses = skeleton.zero_poses()
     ends = zip(poses, extent(skeleton).segments, strict=True)
     segments = [pose.point(piece.end) for pose, own in ends for piece in own]
     frames = [poses[f.body].point(f.pose.translation) for f in skeleton.frames]
@@ -51,7 +43,7 @@ def robot_drawing(
         colors: Of links and frames that are not drawn in the usual colour, `rrggbb`.
     """
     camera = camera or camera_for(points_of(skeleton))
-    poses = zero_poses(skeleton)
+    poses = skeleton.zero_poses()
     deep = sorted(
         [*_bodies(skeleton, poses, camera, colors), *_marks(skeleton, poses, camera, colors)],
         key=lambda thing: thing.depth,
