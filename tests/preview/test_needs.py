@@ -6,12 +6,12 @@ import sys
 
 import pytest
 
+from kindsl.preview import viewer
+from kindsl.preview.viewer import PreviewUnavailableError, viewer_script
 from kindsl.scene.geometry import (
     Form,
-    PreviewUnavailableError,
     Shape,
     lowered,
-    viewer_script,
 )
 
 HEAVY = {"numpy", "tornado", "asyncio", "umsgpack", "meshcat", "IPython", "zmq"}
@@ -49,6 +49,19 @@ def test_without_meshcat_it_says_what_to_install(monkeypatch):
     with pytest.raises(PreviewUnavailableError, match=r"pip install 'kindsl\[preview\]'"):
         viewer_script()
     viewer_script.cache_clear()
+
+
+def test_the_viewer_comes_with_meshcat_or_is_said_to_be_missing(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    assert viewer_script().name == "main.min.js" and viewer_script().is_file()
+    monkeypatch.setattr(viewer.importlib.util, "find_spec", lambda _: None)
+    with pytest.raises(PreviewUnavailableError, match="needs the package 'meshcat'"):
+        viewer._meshcat_folder()
+    spec = importlib.util.spec_from_loader("meshcat", loader=None)
+    monkeypatch.setattr(viewer.importlib.util, "find_spec", lambda _: spec)
+    with pytest.raises(PreviewUnavailableError, match="needs the package 'meshcat'"):
+        viewer._meshcat_folder()
 
 
 def test_an_unknown_name_is_no_part_of_it():

@@ -281,7 +281,7 @@ async def test_two_servers_have_two_tokens(server):
 
 
 async def test_a_taken_port_is_told(server):
-    from kindsl.scene.geometry import PreviewUnavailableError
+    from kindsl.preview.viewer import PreviewUnavailableError
 
     with pytest.raises(PreviewUnavailableError, match=r"cannot listen on 127\.0\.0\.1"):
         await PreviewServer(port=server.port).start()

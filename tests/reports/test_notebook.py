@@ -55,7 +55,7 @@ def test_preview_is_inlined_and_may_reach_nothing() -> None:
 
 
 def test_without_the_preview_there_is_a_picture(monkeypatch) -> None:
-    from kindsl.scene.geometry import PreviewUnavailableError
+    from kindsl.preview.viewer import PreviewUnavailableError
 
     def missing(_: object) -> str:
         raise PreviewUnavailableError("meshcat is not installed")

@@ -1,6 +1,5 @@
 """Shapes as meshcat's objects, and messages as bytes and words."""
 
-import importlib.util
 import json
 import math
 from itertools import pairwise
@@ -9,16 +8,13 @@ import numpy as np
 import pytest
 import umsgpack
 
-from kindsl.scene import geometry
 from kindsl.scene.encoding import as_json, encode
 from kindsl.scene.geometry import (
     ARROW_PROFILE,
     FORCE_PROFILE,
     Form,
-    PreviewUnavailableError,
     Shape,
     lowered,
-    viewer_script,
 )
 from kindsl.scene.meshes import SIDES, Mesh, lathe, triad
 from kindsl.scene.messages import (
@@ -156,19 +152,6 @@ def test_what_is_on_top_is_seen_through_other_things_and_shapes_are_told_apart()
     assert lowered(plain) is lowered(Shape(Form.BALL, 1))
     names = {lowered(Shape(form, c))["object"]["uuid"] for form in Form for c in (1, 16)}
     assert len(names) == 2 * len(Form)
-
-
-def test_the_viewer_comes_with_meshcat_or_is_said_to_be_missing(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    assert viewer_script().name == "main.min.js" and viewer_script().is_file()
-    monkeypatch.setattr(geometry.importlib.util, "find_spec", lambda _: None)
-    with pytest.raises(PreviewUnavailableError, match="needs the package 'meshcat'"):
-        geometry._meshcat_folder()
-    spec = importlib.util.spec_from_loader("meshcat", loader=None)
-    monkeypatch.setattr(geometry.importlib.util, "find_spec", lambda _: spec)
-    with pytest.raises(PreviewUnavailableError, match="needs the package 'meshcat'"):
-        geometry._meshcat_folder()
 
 
 class TestMessages:

@@ -63,7 +63,7 @@ class UnreadableError(Exception):
 def _run(args: argparse.Namespace) -> int:
     old = _read(args, args.compare) if args.compare else None
     from kindsl.mechanism.errors import ModelError
-    from kindsl.scene.geometry import PreviewUnavailableError
+    from kindsl.preview.viewer import PreviewUnavailableError
 
     try:
         if args.export or args.screenshot:

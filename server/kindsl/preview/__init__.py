@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from kindsl.preview.requests import Reveal
     from kindsl.preview.server import PreviewServer
-    from kindsl.scene.geometry import PreviewUnavailableError
+    from kindsl.preview.viewer import PreviewUnavailableError
 
 __all__ = ["PreviewServer", "PreviewUnavailableError", "Reveal"]
 
 _HOMES = {
     "PreviewServer": "kindsl.preview.server",
-    "PreviewUnavailableError": "kindsl.scene.geometry",
+    "PreviewUnavailableError": "kindsl.preview.viewer",
     "Reveal": "kindsl.preview.requests",
 }
 

@@ -5,7 +5,7 @@ from importlib import resources
 from typing import NamedTuple
 
 from kindsl.preview.linking import linked
-from kindsl.scene.geometry import viewer_script
+from kindsl.preview.viewer import viewer_script
 
 VIEWER = "viewer.js"
 SCRIPTS = (VIEWER, "page.js")

@@ -6,7 +6,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from kindsl.scene.geometry import PreviewUnavailableError
+from kindsl.preview.viewer import PreviewUnavailableError
 from kindsl.text.writing import write_file
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")

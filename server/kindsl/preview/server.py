@@ -12,7 +12,7 @@ from kindsl.preview.assets import assets
 from kindsl.preview.documents import DocumentPreviews, OnEdit, OnReveal, OnWrite, identifier
 from kindsl.preview.handlers import LiveHandler, application
 from kindsl.preview.session import Session, last_session, remember
-from kindsl.scene.geometry import PreviewUnavailableError
+from kindsl.preview.viewer import PreviewUnavailableError
 
 GOING_AWAY = 1001
 PATIENCE = 1.0  # seconds, for tabs to say goodbye

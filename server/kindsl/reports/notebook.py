@@ -6,12 +6,12 @@ from kindsl.analysis.analysis import Analysis
 from kindsl.analysis.diagnostics import Findings
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.preview.export import exported_page
+from kindsl.preview.viewer import PreviewUnavailableError
 from kindsl.reports.card import card_page
 from kindsl.reports.drawing.robot import robot_drawing
 from kindsl.reports.drawing.svg import svg_text
 from kindsl.reports.page.blocks import Picture
 from kindsl.scene.formulas import formula_messages
-from kindsl.scene.geometry import PreviewUnavailableError
 from kindsl.text.lines import LineIndex
 from kindsl.text.words import counted, listed
 

@@ -4,13 +4,11 @@ The viewer's script comes with the package meshcat; its Python side starts a vis
 imports (IPython, ZMQ, NumPy) that a picture does not need, so the few objects are written here.
 """
 
-import importlib.util
 from array import array
 from collections.abc import Sequence
 from enum import Enum
 from functools import cache
 from itertools import chain
-from pathlib import Path
 from typing import Any, NamedTuple
 
 from kindsl.rigid.pose import Vector3
@@ -44,10 +42,6 @@ class Shape(NamedTuple):
     on_top: bool = False
 
 
-class PreviewUnavailableError(RuntimeError):
-    """Something that the preview needs is not installed; the message says what."""
-
-
 @cache
 def lowered(shape: Shape) -> dict[str, Any]:
     """Return a shape as an object of meshcat's protocol, its numbers in typed arrays."""
@@ -74,16 +68,6 @@ def lowered(shape: Shape) -> dict[str, Any]:
             "matrix": _IDENTITY,
         },
     }
-
-
-@cache
-def viewer_script() -> Path:
-    """Return the file of meshcat's viewer, without importing meshcat.
-
-    Raises:
-        PreviewUnavailableError: If meshcat is not installed.
-    """
-    return _meshcat_folder() / "viewer" / "dist" / "main.min.js"
 
 
 _IDENTITY = [float(row == column) for row in range(4) for column in range(4)]
@@ -141,12 +125,3 @@ def _mesh(form: Form) -> Mesh:
     if form is Form.FORCE:
         return lathe(FORCE_PROFILE)
     return triad(0.24, 5.0) if form is Form.TRIAD else triad(0.18, 3.6)
-
-
-def _meshcat_folder() -> Path:
-    spec = importlib.util.find_spec("meshcat")
-    if spec is None or not spec.submodule_search_locations:
-        raise PreviewUnavailableError(
-            "the preview needs the package 'meshcat': pip install 'kindsl[preview]'"
-        )
-    return Path(next(iter(spec.submodule_search_locations)))
