@@ -5,7 +5,8 @@ from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.quantity_text import INERTIA, angle, number
-from kindsl.mechanism.link_inertia import link_inertia, principal_moments_about_com
+from kindsl.mechanism.link_inertia import link_inertia
+from kindsl.rigid.body import principal_moments_about_com
 from kindsl.semantics.declarations import (
     Declarations,
     Inertia,

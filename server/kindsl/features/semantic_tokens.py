@@ -7,12 +7,6 @@ from kindsl.features.symbol_at import EntityKind, Role, Symbol, named_places
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Island, Token
 
-TYPES = (
-    "namespace", "class", "method", "property", "parameter", "variable", "keyword", "number",
-    "comment", "operator",
-)  # fmt: skip
-MODIFIERS = ("declaration", "readonly", "modification", "defaultLibrary", "deprecated")
-
 _TYPE_OF = {
     EntityKind.ROBOT: "namespace",
     EntityKind.LINK: "class",
@@ -28,7 +22,7 @@ _KEY = "semantic tokens"
 
 
 class SemanticToken(NamedTuple):
-    """A stretch of one line; the type is one of `TYPES`, the modifiers some of `MODIFIERS`."""
+    """A stretch of one line; the type is one of the legend's, the modifiers some of them."""
 
     start: int
     end: int

@@ -119,15 +119,11 @@ def root_remarks(root: RigidLink, base: BaseKind) -> Iterator[str]:
 
 def _check_finite(link: RigidLink) -> None:
     poses = [link.parent_T_joint, link.joint_T_link, *(f.link_T_frame for f in link.frames)]
-    numbers = [*link.axis, *(number for pose in poses for number in _numbers_of(pose))]
+    numbers = [*link.axis, *(number for pose in poses for number in pose.numbers)]
     if link.body is not None:
         numbers += [link.body.mass, *link.body.com, *link.body.moments]
     if not all(abs(number) < _GREATEST for number in numbers):
         raise FormatError(f"'{link.name}' has a number that is not finite")
-
-
-def _numbers_of(pose: RigidPose) -> tuple[float, ...]:
-    return (*pose.translation, *(number for row in pose.rotation for number in row))
 
 
 def _depth_first(links: Sequence[RigidLink]) -> Iterator[int]:

@@ -7,9 +7,7 @@ from math import atan2, dist, fsum, hypot
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.rigid.body import (
     MassDistribution,
-    eigensystem,
-    principal_moments,
-    second_moments_about_com,
+    principal_moments_about_com,
     seen_from,
     shifted,
 )
@@ -295,7 +293,7 @@ def _mass_change(
         name,
         (old.mass, new.mass),
         moved if moved > _LENGTH_TOLERANCE else 0.0,
-        (_principal_moments(old), _principal_moments(new)),
+        (principal_moments_about_com(old), principal_moments_about_com(new)),
         min(_inertia_change(*bodies), _inertia_change(*in_base)),
     )
 
@@ -321,10 +319,6 @@ def _is_same_mass(change: MassChange) -> bool:
         and all(abs(a - b) <= _RELATIVE_TOLERANCE * max(abs(a), abs(b), 1e-6) for a, b in moments)
         and change.inertia_change <= _TENSOR_TOLERANCE
     )
-
-
-def _principal_moments(body: MassDistribution) -> tuple[float, ...]:
-    return principal_moments(eigensystem(second_moments_about_com(body)))
 
 
 def _base_kind(skeleton: Skeleton) -> str:

@@ -2,14 +2,7 @@
 
 from collections.abc import Mapping
 
-from kindsl.rigid.body import (
-    MassDistribution,
-    eigensystem,
-    principal_moments,
-    second_moments_about_com,
-    seen_from,
-)
-from kindsl.rigid.pose import Vector3
+from kindsl.rigid.body import MassDistribution, seen_from
 from kindsl.semantics.declarations import Inertia, Link, inertia_values
 from kindsl.semantics.numbers import mass_distribution, written_pose
 from kindsl.semantics.unknown import Unknown, pose_expressions, why_unknown
@@ -36,8 +29,3 @@ def link_inertia(link: Link, values: Mapping[str, float]) -> MassDistribution | 
     if pose is None:
         return why_unknown(pose_expressions(frame.pose), values)
     return seen_from(written, pose)
-
-
-def principal_moments_about_com(body: MassDistribution) -> Vector3:
-    """Return the ascending principal moments about the centre of mass, kg·m²."""
-    return principal_moments(eigensystem(second_moments_about_com(body)))

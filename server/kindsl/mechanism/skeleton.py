@@ -51,9 +51,9 @@ class Skeleton(Topology):
     def __post_init__(self) -> None:
         check_topology(self, (frame.name for frame in self.frames))
         for name, pose in zip(self.joint_names, self.placements, strict=True):
-            _check_finite(f"pose of joint '{name}'", _numbers_of(pose))
+            _check_finite(f"pose of joint '{name}'", pose.numbers)
         for frame in self.frames:
-            _check_finite(f"pose of frame '{frame.name}'", _numbers_of(frame.pose))
+            _check_finite(f"pose of frame '{frame.name}'", frame.pose.numbers)
         for name, body in zip(self.body_names, self.masses, strict=True):
             _check_finite(f"inertia of '{name}'", (body.mass, *body.com, *body.moments))
 
@@ -127,7 +127,3 @@ def named_frames(bodies: Collection[Link]) -> Iterator[tuple[str, Link, Frame]]:
 def _check_finite(quantity: str, numbers: Sequence[float]) -> None:
     if not all(map(isfinite, numbers)):
         raise ValueError(f"{quantity} holds a value that is not finite")
-
-
-def _numbers_of(pose: RigidPose) -> tuple[float, ...]:
-    return (*pose.translation, *(number for row in pose.rotation for number in row))

@@ -12,7 +12,7 @@ from kindsl.reports.drawing.robot import robot_drawing
 from kindsl.reports.joint_transforms import joint_transform
 from kindsl.reports.page.blocks import Block, Heading, Matrix, Page, Paragraph, Picture, Table
 from kindsl.reports.robot_facts import mass_text, robot_facts
-from kindsl.rigid.body import eigensystem, principal_moments, second_moments_about_com
+from kindsl.rigid.body import principal_moments_about_com
 from kindsl.rigid.pose import PLAIN, RigidPose, angles
 from kindsl.scene.picture import Picture as Shown
 from kindsl.scene.picture import picture
@@ -107,7 +107,7 @@ def _masses(skeleton: Skeleton, facts: dict[str, Any], analysis: Analysis) -> It
     bodies = list(zip(skeleton.body_names, skeleton.masses, strict=True))[first:]
     unknown = unknown_bodies(analysis.model, analysis.context.values)
     written = {body["name"]: body["mass"] for _, body in branches(facts)}
-    moments = [principal_moments(eigensystem(second_moments_about_com(b))) for _, b in bodies]
+    moments = [principal_moments_about_com(body) for _, body in bodies]
     rows = tuple(
         (name, number(written.get(name)), "-", "-")
         if name in unknown

@@ -102,6 +102,11 @@ def principal_moments(pairs: tuple[Eigenpair, Eigenpair, Eigenpair]) -> Vector3:
     return a + b, a + c, b + c
 
 
+def principal_moments_about_com(body: MassDistribution) -> Vector3:
+    """Return the ascending principal moments about the centre of mass, kg·m²."""
+    return principal_moments(eigensystem(second_moments_about_com(body)))
+
+
 def is_clearly_positive(matrix: Symmetric) -> bool:
     """Return whether a matrix is positive definite far beyond the rounding of arithmetic.
 

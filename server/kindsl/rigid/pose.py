@@ -25,6 +25,11 @@ class RigidPose(NamedTuple):
     rotation: Rotation
     translation: Vector3
 
+    @property
+    def numbers(self) -> tuple[float, ...]:
+        """All twelve: the translation, then the rotation by rows."""
+        return (*self.translation, *(number for row in self.rotation for number in row))
+
     def then(self, other: "RigidPose") -> "RigidPose":
         """Return the pose of C in A, `other` being the pose of C in B."""
         x, y, z = transposed(other.rotation)

@@ -52,6 +52,12 @@ def robot(*links: str, base: str = "", joints: str = "", name: str = "Arm") -> s
     return head + "".join(links) + "".join(joint(name) for name in joints.split()) + "}\n"
 
 
+def two_links(first: int, second: int) -> str:
+    """Return a chain of two links with these ids."""
+    links = link("upper", first, "lower via elbow"), link("lower", second)
+    return robot(*links, base="upper via shoulder", joints="shoulder elbow")
+
+
 def bindings_of(example: str | Example) -> dict[str, Binding]:
     """Return the values that an example's parameters have from outside."""
     if isinstance(example, str):

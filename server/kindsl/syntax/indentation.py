@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from kindsl.syntax.tree import Token
+from kindsl.text.lines import is_first_on_line
 
 
 def indentation(text: str, position: int) -> str:
@@ -50,10 +51,3 @@ def surplus_closing(text: str, tokens: Sequence[Token]) -> int | None:
                 return index if suspect is None else suspect
             suspect = None if is_first and column == indent else index
     return None
-
-
-def is_first_on_line(text: str, position: int) -> bool:
-    """Return whether only blanks stand before a position on its line."""
-    while position > 0 and text[position - 1] in " \t":
-        position -= 1
-    return position == 0 or text[position - 1] in "\r\n"

@@ -7,11 +7,12 @@ before the search for repairs, which would see several.
 from collections.abc import Sequence
 
 from kindsl.syntax.forms import form_kind, kinds_accepted_by
-from kindsl.syntax.indentation import indentation, is_first_on_line
+from kindsl.syntax.indentation import indentation
 from kindsl.syntax.moving import removed
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
 from kindsl.syntax.words import shown, supplied
+from kindsl.text.lines import is_first_on_line
 from kindsl.text.words import counted
 
 _MOMENTS = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")

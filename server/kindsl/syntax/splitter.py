@@ -9,6 +9,7 @@ import re
 from typing import NamedTuple
 
 from kindsl.syntax.tables import KEYWORDS
+from kindsl.text.lines import is_first_on_line
 
 BLOCK_KEYWORDS = frozenset({"RobotBase", "link", "r_joint", "p_joint"})
 
@@ -64,7 +65,7 @@ def _begins_block(
         return before in "{}" and _is_glued_block(match[1], ahead)
     if ahead[0] == "floating" and text[: match.start()].rstrip().endswith("RobotBase"):
         return False
-    is_first = before in "{}" or _is_first_on_line(text, match.start())
+    is_first = before in "{}" or is_first_on_line(text, match.start())
     if match[1] == "Robot":
         return ahead[1] == "{" and (is_first or ahead[2] in BLOCK_KEYWORDS)
     if _WORD.fullmatch(ahead[0]):
@@ -110,12 +111,6 @@ def _before(text: str, position: int, comments: list[tuple[int, int]]) -> str:
         else:
             return text[position - 1]
     return "{"
-
-
-def _is_first_on_line(text: str, position: int) -> bool:
-    while position > 0 and text[position - 1] in " \t":
-        position -= 1
-    return position == 0 or text[position - 1] in "\r\n"
 
 
 def _ahead(text: str, position: int, last_close: int) -> list[str]:

@@ -29,3 +29,10 @@ class LineIndex:
         if line >= len(self.starts):
             return self.length
         return min(self.starts[max(line, 0)] + max(column, 0), self.length)
+
+
+def is_first_on_line(text: str, position: int) -> bool:
+    """Return whether only blanks stand before a position on its line."""
+    while position > 0 and text[position - 1] in " \t":
+        position -= 1
+    return position == 0 or text[position - 1] in "\r\n"

@@ -3,9 +3,10 @@
 import re
 from collections.abc import Sequence
 
-from kindsl.syntax.indentation import indentation, is_first_on_line
+from kindsl.syntax.indentation import indentation
 from kindsl.syntax.tree import Node
 from kindsl.text.edits import TextEdit
+from kindsl.text.lines import is_first_on_line
 
 _REST_OF_LINE = re.compile(r"[ \t]*(?://[^\r\n]*)?(?=[\r\n])")
 _STEP = "    "

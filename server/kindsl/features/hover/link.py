@@ -7,8 +7,9 @@ from kindsl.features.quantity_text import INERTIA, KILOGRAMS, number, vector
 from kindsl.features.subtree import subtree_of
 from kindsl.features.wording import code, paragraph, pose_text
 from kindsl.features.zero_configuration import body_pose
-from kindsl.mechanism.link_inertia import link_inertia, principal_moments_about_com
+from kindsl.mechanism.link_inertia import link_inertia
 from kindsl.mechanism.total_mass import UNKNOWN, Weight, own_mass
+from kindsl.rigid.body import principal_moments_about_com
 from kindsl.rules.base import Severity
 from kindsl.rules.registry import all_rules
 from kindsl.semantics.declarations import Link

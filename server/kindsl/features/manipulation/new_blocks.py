@@ -9,9 +9,10 @@ from kindsl.features.actions.new_frame import added_frame
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Construct, Place
-from kindsl.syntax.indentation import indentation, is_first_on_line
+from kindsl.syntax.indentation import indentation
 from kindsl.syntax.tree import Node
 from kindsl.text.edits import TextEdit
+from kindsl.text.lines import is_first_on_line
 
 
 def with_child(analysis: Analysis, body: Link, link: str, joint: str) -> TextEdit | None:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types
 
+from kindsl.features.token_legend import MODIFIERS, TYPES
 from kindsl.lsp.handlers.table import Handlers
 from kindsl.lsp.session.view import View
 from kindsl.lsp.text.document import Document
@@ -14,13 +15,6 @@ if TYPE_CHECKING:
     from kindsl.features.semantic_tokens import SemanticToken
 
 handlers = Handlers()
-
-# The legend is announced before the features are loaded; a test holds both equal.
-TYPES = (
-    "namespace", "class", "method", "property", "parameter", "variable", "keyword", "number",
-    "comment", "operator",
-)  # fmt: skip
-MODIFIERS = ("declaration", "readonly", "modification", "defaultLibrary", "deprecated")
 
 _LEGEND = types.SemanticTokensLegend(TYPES, MODIFIERS)
 _OPTIONS = types.SemanticTokensRegistrationOptions(

@@ -25,7 +25,7 @@ from itertools import pairwise
 from kindsl.rules.base import Example, Finding, Rule, Severity
 from kindsl.rules.broken_text import has_problem_within
 from kindsl.rules.context import Context
-from kindsl.rules.examples import link, robot
+from kindsl.rules.examples import two_links
 from kindsl.rules.reference_defects import reference_defects
 from kindsl.rules.renumbering import renumbering
 from kindsl.semantics.declarations import Link
@@ -76,19 +76,14 @@ def _message(low: int, high: int, number: int, least: int) -> str:
     return f"{which} missing, and id {number} is out of sequence"
 
 
-def _arm(first: int, second: int) -> str:
-    links = link("upper", first, "lower via elbow"), link("lower", second)
-    return robot(*links, base="upper via shoulder", joints="shoulder elbow")
-
-
 RULE = Rule(
     "KD109",
     "gap-in-ids",
     Severity.ERROR,
     check_document=check_document,
-    good=(_arm(1, 2),),
+    good=(two_links(1, 2),),
     bad=(
-        Example(_arm(1, 4), fixed=_arm(1, 2)),
-        Example(_arm(7, 8), fixed=_arm(1, 2)),
+        Example(two_links(1, 4), fixed=two_links(1, 2)),
+        Example(two_links(7, 8), fixed=two_links(1, 2)),
     ),
 )

@@ -25,7 +25,7 @@ from collections.abc import Iterator
 from kindsl.rules.base import Example, Finding, Fix, Related, Rule, Severity
 from kindsl.rules.context import ROBCOGEN2, Context
 from kindsl.rules.duplicates import repeats
-from kindsl.rules.examples import link, robot
+from kindsl.rules.examples import two_links
 from kindsl.rules.reference_defects import reference_defects
 from kindsl.rules.renumbering import renumbering
 from kindsl.semantics.declarations import Link
@@ -69,16 +69,11 @@ def _finding(parent: Link, child: Link, severity: Severity, fix: Fix | None) -> 
     return Finding(child.id_place or child.name, message, (related,), fix, severity)
 
 
-def _chain(first: int, second: int) -> str:
-    links = link("upper", first, "lower via elbow"), link("lower", second)
-    return robot(*links, base="upper via shoulder", joints="shoulder elbow")
-
-
 RULE = Rule(
     "KD110",
     "id-order",
     Severity.WARNING,
     check_document=check_document,
-    good=(_chain(1, 2),),
-    bad=(Example(_chain(2, 1), fixed=_chain(1, 2)),),
+    good=(two_links(1, 2),),
+    bad=(Example(two_links(2, 1), fixed=two_links(1, 2)),),
 )
