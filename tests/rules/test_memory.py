@@ -2,19 +2,20 @@
 
 from kindsl.analysis.analysis import analyse
 from kindsl.rules.examples import link, robot
-from kindsl.rules.memory import remembered
+from kindsl.rules.memory import Memory
 
 
 def test_what_is_made_is_remembered_while_nothing_has_changed() -> None:
     body = analyse(robot(link("arm", 1))).model.links[0]
     made: list[str] = []
+    memories = {what: Memory[str](what) for what in ("weight", "size", "nothing")}
 
     def make(what: str, *given: object) -> str:
         def making() -> str:
             made.append(what)
             return f"{what} of {given}"
 
-        return remembered(body, what, given, making)
+        return memories[what].of(body, given, making)
 
     assert make("weight", 1, 2) == "weight of (1, 2)"
     assert make("weight", 1, 2) == "weight of (1, 2)"

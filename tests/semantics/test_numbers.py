@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from kindsl.rigid.pose import pose_from
 from kindsl.semantics.declarations import Inertia, Joint
 from kindsl.semantics.lowering import declarations
-from kindsl.semantics.numbers import mass_distribution, triple, written_pose
+from kindsl.semantics.numbers import BODIES, POSES, mass_distribution, triple, written_pose
 from kindsl.syntax.document import parse
 
 POSE = "r_joint j {{ ref_frame {{ translation = ({0}, 2.0, 3.0) rotation = (0.0, {1}, 0.0) }} }}"
@@ -29,8 +29,9 @@ def _inertia(*values: str) -> Inertia:
 
 
 def _is_kept(thing: Joint | Inertia) -> bool:
-    key = thing if isinstance(thing, Inertia) else thing.pose.translation
-    return key in thing.island.facts
+    if isinstance(thing, Inertia):
+        return thing in (thing.island.facts.get(BODIES) or {})
+    return thing.pose.translation in (thing.island.facts.get(POSES) or {})
 
 
 def test_numbers_alone_are_computed_once() -> None:

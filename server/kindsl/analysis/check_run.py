@@ -8,12 +8,14 @@ from kindsl.rules.context import Context
 from kindsl.semantics.declarations import Declarations
 from kindsl.semantics.model import Model
 from kindsl.syntax.tree import Island
+from kindsl.text.facts import Fact
 
 Found: TypeAlias = list[tuple[Rule, Finding]]
 Checkpoint: TypeAlias = Callable[[], None]
 
 # What the findings of an island depend on besides it: the rules, and what they may see.
 _Key = tuple[tuple[Rule, ...], object]
+_FINDINGS: "Fact[tuple[_Key, Found]]" = Fact("findings")
 
 
 class Fault(NamedTuple):
@@ -61,8 +63,8 @@ class CheckRun:
         ):
             uses_values = bool(symbols.parameters or symbols.constants)
             key = (local, context.key if uses_values else context.targets)
-            known = island.facts.get("findings")
-            if not (isinstance(known, tuple) and known[0] == key):
+            known = island.facts.get(_FINDINGS)
+            if known is None or known[0] != key:
                 self._checkpoint()
                 known = self._remembered(island, declared, key, context)
             found += known[1]
@@ -77,7 +79,7 @@ class CheckRun:
             if rule.check_island is not None:
                 found += self._of(rule, rule.check_island(declared, context))
         if len(self.faults) == n_faults:
-            island.facts["findings"] = key, found
+            island.facts.keep(_FINDINGS, (key, found))
         return key, found
 
     def _of(self, rule: Rule, findings: Iterator[Finding]) -> Found:

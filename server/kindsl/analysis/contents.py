@@ -9,10 +9,11 @@ from zlib import crc32
 
 from kindsl.semantics.expressions import ConstantUse, Expression, symbols
 from kindsl.syntax.tree import Island, Node, Token
+from kindsl.text.facts import Fact
 
 Place: TypeAlias = tuple[object, ...]
 
-_KEY = "contents"
+_PIECE = Fact["_Piece"]("contents")
 _VALUES = frozenset({"mass", "moment"})
 _REFERENCES = frozenset({"child", "inertia_frame"})
 # What may be written once or in several pieces, and means the same.
@@ -102,9 +103,9 @@ def _order(block: Block) -> Place:
 
 
 def _piece(island: Island) -> _Piece:
-    known = island.facts.get(_KEY)
-    if not isinstance(known, _Piece):
-        known = island.facts[_KEY] = _Reading(island).piece()
+    known = island.facts.get(_PIECE)
+    if known is None:
+        known = island.facts.keep(_PIECE, _Reading(island).piece())
     return known
 
 

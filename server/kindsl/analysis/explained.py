@@ -2,8 +2,9 @@
 
 from kindsl.rules.base import Finding
 from kindsl.syntax.tree import Island, Node, Token
+from kindsl.text.facts import Fact
 
-_KEY = "repaired spans"
+_SPANS = Fact[list[tuple[int, int]]]("repaired spans")
 _NAME_PLACE = 1
 
 
@@ -16,11 +17,10 @@ def is_explained(finding: Finding) -> bool:
 
 
 def _repaired_spans(island: Island) -> list[tuple[int, int]]:
-    known = island.facts.get(_KEY)
-    if not isinstance(known, list):
-        known = island.facts[_KEY] = [
-            span for node in island.nodes for span in _spans(island, node)
-        ]
+    known = island.facts.get(_SPANS)
+    if known is None:
+        spans = [span for node in island.nodes for span in _spans(island, node)]
+        known = island.facts.keep(_SPANS, spans)
     return known
 
 

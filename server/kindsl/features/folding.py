@@ -5,10 +5,13 @@ from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.syntax.tree import Island, Node, Token
+from kindsl.text.facts import Fact
 
 _BLOCKS = frozenset((
     "base", "link", "joint", "inertia", "children", "frames", "frame_group", "frame", "joint_frame",
 ))  # fmt: skip
+
+_FOLDS: "Fact[tuple[Fold, ...]]" = Fact("folds")
 
 
 class Fold(NamedTuple):
@@ -36,11 +39,11 @@ def folds(analysis: Analysis) -> tuple[Fold, ...]:
 
 
 def _island_folds(island: Island) -> tuple[Fold, ...]:
-    known = island.facts.get("folds")
-    if not isinstance(known, tuple):
+    known = island.facts.get(_FOLDS)
+    if known is None:
         blocks = [fold for node in island.nodes for fold in _blocks(node)]
         found = [f for f in (*blocks, *_comments(island)) if _is_tall(island.text[f.start : f.end])]
-        known = island.facts["folds"] = tuple(found)
+        known = island.facts.keep(_FOLDS, tuple(found))
     return known
 
 

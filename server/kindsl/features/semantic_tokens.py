@@ -1,11 +1,12 @@
 """What each word means, for highlighting beyond the grammar's reach."""
 
-from typing import NamedTuple, cast
+from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.symbol_at import EntityKind, Role, Symbol, named_places
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Island, Token
+from kindsl.text.facts import Fact
 
 _TYPE_OF = {
     EntityKind.ROBOT: "namespace",
@@ -18,7 +19,7 @@ _TYPE_OF = {
 _NUMBERS = frozenset(("FLOAT", "INT", "SCIENTIFIC", "POWER_FLOAT", "MALFORMED_NUMBER"))
 _PI = frozenset(("PI", "LOWER_PI", "PIPE_PI"))
 _OPERATORS = frozenset("+-*/=")
-_KEY = "semantic tokens"
+_TOKENS = Fact["tuple[SemanticToken, ...]"]("semantic tokens")
 
 
 class SemanticToken(NamedTuple):
@@ -49,13 +50,14 @@ def semantic_tokens(
 
 def island_tokens(island: Island) -> tuple[SemanticToken, ...]:
     """Return the tokens of an island, offsets from its start; computed once in its life."""
-    known = island.facts.get(_KEY)
+    known = island.facts.get(_TOKENS)
     if known is None:
         names = {symbol.start: symbol for symbol in named_places(island).symbols}
         found = [_token(token, names) for token in island.tokens if not token.is_missing]
         found += _comments(island)
-        known = island.facts[_KEY] = tuple(sorted(token for token in found if token is not None))
-    return cast(tuple[SemanticToken, ...], known)
+        tokens = tuple(sorted(token for token in found if token is not None))
+        known = island.facts.keep(_TOKENS, tokens)
+    return known
 
 
 def _token(token: Token, names: dict[int, Symbol]) -> SemanticToken | None:

@@ -6,13 +6,14 @@ One walk over an island finds all its names; the result lives as long as the isl
 from bisect import bisect_right
 from collections.abc import Iterator
 from enum import StrEnum
-from typing import NamedTuple, cast
+from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.semantics.lowering import NAME
 from kindsl.syntax.tree import Island, Node, Token
+from kindsl.text.facts import Fact
 
-_KEY = "named places"
+_NAMED_PLACES = Fact["NamedPlaces"]("named places")
 
 
 class EntityKind(StrEnum):
@@ -87,11 +88,12 @@ def occurrences(analysis: Analysis, entity: Entity) -> tuple[Symbol, ...]:
 
 def named_places(island: Island) -> NamedPlaces:
     """Return the names in an island, offsets from its start; computed once in its life."""
-    known = island.facts.get(_KEY)
+    known = island.facts.get(_NAMED_PLACES)
     if known is None:
         symbols = sorted(s for node in island.nodes for s in _symbols(node, ""))
-        known = island.facts[_KEY] = NamedPlaces(tuple(symbols), _by_entity(symbols))
-    return cast(NamedPlaces, known)
+        places = NamedPlaces(tuple(symbols), _by_entity(symbols))
+        known = island.facts.keep(_NAMED_PLACES, places)
+    return known
 
 
 def _by_entity(symbols: list[Symbol]) -> dict[Entity, tuple[Symbol, ...]]:

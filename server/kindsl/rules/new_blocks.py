@@ -4,8 +4,9 @@ from kindsl.rules.base import Change, Fix
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Place
 from kindsl.syntax.tree import Island
+from kindsl.text.facts import Fact
 
-_KEY = "next id"
+_NEXT_ID = Fact[int]("next id")
 _LINK = "\n\nlink {name} {{\n    id = {number}\n    children {{}}\n}}"
 _JOINT = """
 
@@ -35,10 +36,12 @@ def new_joint(model: Model, name: str) -> Fix | None:
     return Fix(f"Add a joint '{name}'", (_behind(blocks[-1].island, blocks[-1].end, text),))
 
 
-def _next_id(model: Model) -> object:
-    if _KEY not in model.facts:
-        model.facts[_KEY] = 1 + max((link.id or 0 for link in model.links), default=0)
-    return model.facts[_KEY]
+def _next_id(model: Model) -> int:
+    known = model.facts.get(_NEXT_ID)
+    if known is None:
+        highest = max((link.id or 0 for link in model.links), default=0)
+        known = model.facts.keep(_NEXT_ID, 1 + highest)
+    return known
 
 
 def _behind(island: Island, end: int, text: str) -> Change:

@@ -15,9 +15,10 @@ from kindsl.rules.duplicates import repeated_names
 from kindsl.semantics.declarations import Joint, Link
 from kindsl.semantics.kinematic_tree import Edge
 from kindsl.semantics.model import Model
+from kindsl.text.facts import Fact
 from kindsl.text.nearest import nearest_name, nearest_names
 
-_KEY = "reference defects"
+_DEFECTS: "Fact[ReferenceDefects]" = Fact("reference defects")
 _MOST_SUGGESTIONS = 20
 _Thing = TypeVar("_Thing", Link, Joint)
 
@@ -62,9 +63,9 @@ class ReferenceDefects:
 
 def reference_defects(model: Model) -> ReferenceDefects:
     """Return the wrong references of a model; computed once in its life."""
-    known = model.facts.get(_KEY)
-    if not isinstance(known, ReferenceDefects):
-        known = model.facts[_KEY] = _defects(model)
+    known = model.facts.get(_DEFECTS)
+    if known is None:
+        known = model.facts.keep(_DEFECTS, _defects(model))
     return known
 
 

@@ -8,10 +8,11 @@ from kindsl.rules.base import Change, Fix
 from kindsl.rules.duplicates import repeats
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
+from kindsl.text.facts import Fact
 
 _TITLE = "Renumber the links"
 _MOST_CHANGES = 200_000
-_KEY = "renumbering"
+_RENUMBERING = Fact[tuple[Fix | None]]("renumbering")
 
 
 def renumbering(model: Model, findings: int = 1) -> Fix | None:
@@ -21,10 +22,11 @@ def renumbering(model: Model, findings: int = 1) -> Fix | None:
         model: The model.
         findings: How many findings carry it; None when that would be too much text in total.
     """
-    if _KEY not in model.facts:
-        model.facts[_KEY] = _renumbering(model)
-    fix = model.facts[_KEY]
-    if not isinstance(fix, Fix) or len(fix.changes) * findings > _MOST_CHANGES:
+    known = model.facts.get(_RENUMBERING)
+    if known is None:
+        known = model.facts.keep(_RENUMBERING, (_renumbering(model),))
+    (fix,) = known
+    if fix is None or len(fix.changes) * findings > _MOST_CHANGES:
         return None
     return fix
 

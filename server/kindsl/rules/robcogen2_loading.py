@@ -17,7 +17,10 @@ from kindsl.semantics.places import Name
 from kindsl.syntax.parser import island_of_robcogen2
 from kindsl.syntax.strict_robcogen2 import stop_of_robcogen2
 from kindsl.syntax.tree import Node, Token
+from kindsl.text.facts import Fact
 from kindsl.text.words import counted
+
+_NUMBERS = Fact[tuple[Finding, ...]]("values that robcogen2 cannot convert")
 
 
 class _Pair(NamedTuple):
@@ -125,9 +128,10 @@ def _unused_joints(model: Model) -> Iterator[Finding]:
 def _numbers(model: Model) -> Iterator[Finding]:
     """Yield the values that it cannot convert; those of a fixed base's inertia it does not try."""
     for island in model.islands:
-        found = island.facts.get(_numbers)
-        if not isinstance(found, tuple):
-            found = island.facts[_numbers] = tuple(_unconverted(_tried(declarations(island))))
+        found = island.facts.get(_NUMBERS)
+        if found is None:
+            unconverted = tuple(_unconverted(_tried(declarations(island))))
+            found = island.facts.keep(_NUMBERS, unconverted)
         yield from found
 
 

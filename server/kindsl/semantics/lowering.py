@@ -17,17 +17,18 @@ from kindsl.semantics.declarations import (
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.places import Name, Place
 from kindsl.syntax.tree import Island, Node, Token
+from kindsl.text.facts import Fact
 
 NAME = "NAME"
-_KEY = "declarations"
+_DECLARATIONS = Fact[Declarations]("declarations")
 
 
 def declarations(island: Island) -> Declarations:
     """Return what an island declares; computed once in its life."""
-    known = island.facts.get(_KEY)
+    known = island.facts.get(_DECLARATIONS)
     if known is None:
-        known = island.facts[_KEY] = _lower(island)
-    return cast(Declarations, known)
+        known = island.facts.keep(_DECLARATIONS, _lower(island))
+    return known
 
 
 def _lower(island: Island) -> Declarations:

@@ -16,6 +16,7 @@ from kindsl.semantics.parameters import (
     parameters_of,
 )
 from kindsl.syntax.tree import Island
+from kindsl.text.facts import Facts
 
 _Named = TypeVar("_Named", Link, Joint)
 
@@ -36,7 +37,7 @@ class Model:
 
     def __init__(self, islands: Sequence[Island]) -> None:
         self.islands = islands
-        self.facts: dict[object, object] = {}
+        self.facts = Facts()
         self.declared: list[Declarations] = [declarations(island) for island in islands]
         self.bases: list[Link] = []
         self.links: list[Link] = []

@@ -12,6 +12,10 @@ from kindsl.semantics.declarations import MOMENTS, Inertia, Pose, Vector
 from kindsl.semantics.lowering import declarations
 from kindsl.semantics.parameters import island_symbols
 from kindsl.syntax.tree import Island
+from kindsl.text.facts import Fact
+
+POSES = Fact[dict[Vector, RigidPose]]("poses")
+BODIES = Fact[dict[Inertia, MassDistribution]]("mass distributions")
 
 
 def written_pose(pose: Pose, values: Mapping[str, float]) -> RigidPose | None:
@@ -19,24 +23,24 @@ def written_pose(pose: Pose, values: Mapping[str, float]) -> RigidPose | None:
     if pose.translation is None or pose.rotation is None:
         return None
     island = pose.translation.island
-    known = island.facts.get(pose.translation)
-    if isinstance(known, RigidPose):
-        return known
+    known = island.facts.get(POSES)
+    if known is not None and pose.translation in known:
+        return known[pose.translation]
     translation, angles = triple(pose.translation, values), triple(pose.rotation, values)
     if translation is None or angles is None:
         return None
     written = pose_from(translation, angles)
     if _is_literal(island):
-        island.facts[pose.translation] = written
+        (known or island.facts.keep(POSES, {}))[pose.translation] = written
     return written
 
 
 def mass_distribution(inertia: Inertia, values: Mapping[str, float]) -> MassDistribution | None:
     """Return the numbers of an inertia, None where one is missing, unbound or infinite."""
     island = inertia.island
-    known = island.facts.get(inertia)
-    if isinstance(known, MassDistribution):
-        return known
+    known = island.facts.get(BODIES)
+    if known is not None and inertia in known:
+        return known[inertia]
     mass = inertia.mass.value(values) if inertia.mass is not None else None
     com = triple(inertia.com, values)
     given = inertia.moments
@@ -47,7 +51,7 @@ def mass_distribution(inertia: Inertia, values: Mapping[str, float]) -> MassDist
         return None
     written = MassDistribution(mass, com, moments)  # type: ignore[arg-type]
     if _is_literal(island):
-        island.facts[inertia] = written
+        (known or island.facts.keep(BODIES, {}))[inertia] = written
     return written
 
 

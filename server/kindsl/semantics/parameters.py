@@ -7,8 +7,9 @@ from kindsl.semantics.declarations import Declarations, ValueKind, link_values, 
 from kindsl.semantics.expressions import ConstantUse, Expression, ParameterUse, symbols
 from kindsl.semantics.places import Name
 from kindsl.syntax.tree import Island
+from kindsl.text.facts import Fact
 
-_KEY = "symbols"
+_SYMBOLS = Fact["Symbols"]("symbols")
 
 
 class Use(NamedTuple):
@@ -86,9 +87,9 @@ class JointLimits(NamedTuple):
 
 def island_symbols(island: Island, declared: Declarations) -> Symbols:
     """Return what an island uses; computed once in its life."""
-    known = island.facts.get(_KEY)
-    if not isinstance(known, Symbols):
-        known = island.facts[_KEY] = _collect(declared)
+    known = island.facts.get(_SYMBOLS)
+    if known is None:
+        known = island.facts.keep(_SYMBOLS, _collect(declared))
     return known
 
 

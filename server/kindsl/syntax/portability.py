@@ -11,6 +11,7 @@ from kindsl.syntax.forms import TARGETS_OF_ALL, accepted_by
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Edit, Island, Node, Repair, Token
 from kindsl.syntax.words import shown
+from kindsl.text.facts import Fact
 
 ROBCOGEN, ROBCOGEN2 = "robcogen", "robcogen2"
 
@@ -21,6 +22,7 @@ _REASONS = {
     ROBCOGEN: "robcogen does not take the form of '{}'",
     ROBCOGEN2: "robcogen2 does not take the form of '{}'",
 }
+_NOTES: "Fact[tuple[PortabilityNote, ...]]" = Fact("portability")
 
 
 class PortabilityNote(NamedTuple):
@@ -45,12 +47,11 @@ class PortabilityNote(NamedTuple):
 
 def portability(island: Island) -> tuple[PortabilityNote, ...]:
     """Return what one of the targets refuses in an island, in order; kept with the island."""
-    known = island.facts.get(portability)
-    if isinstance(known, tuple):
-        return known
-    notes = tuple(sorted(_notes(island), key=lambda note: (note.start, note.end, note.target)))
-    island.facts[portability] = notes
-    return notes
+    known = island.facts.get(_NOTES)
+    if known is None:
+        notes = sorted(_notes(island), key=lambda note: (note.start, note.end, note.target))
+        known = island.facts.keep(_NOTES, tuple(notes))
+    return known
 
 
 def _notes(island: Island) -> Iterator[PortabilityNote]:

@@ -13,11 +13,13 @@ from kindsl.syntax.document import Chunk, SyntaxDocument
 from kindsl.syntax.forms import is_signed_product
 from kindsl.syntax.portability import ROBCOGEN, ROBCOGEN2
 from kindsl.syntax.tree import Island, Node, Token
+from kindsl.text.facts import Fact
 
 _POWER = re.compile(r"([-+]?[0-9]*\.[0-9]+)([eE][0-9]+)")
-_KEY = "two readings"
+_READINGS = Fact["tuple[TwoReadings, ...]"]("two readings")
 _VALUES = frozenset({"vector", "mass", "moment"})
 _Rewrite = Callable[[Node], Node | None]
+_AS_READ: "Fact[dict[_Rewrite, Island]]" = Fact("as read")
 
 
 class TwoReadings(NamedTuple):
@@ -42,11 +44,10 @@ class TwoReadings(NamedTuple):
 
 def two_readings(island: Island) -> tuple[TwoReadings, ...]:
     """Return the values of an island that are read in two ways; kept with the island."""
-    known = island.facts.get(_KEY)
-    if not isinstance(known, tuple):
-        known = island.facts[_KEY] = tuple(
-            found for block in island.nodes for found in _in_block(island.text, block)
-        )
+    known = island.facts.get(_READINGS)
+    if known is None:
+        found = (each for block in island.nodes for each in _in_block(island.text, block))
+        known = island.facts.keep(_READINGS, tuple(found))
     return known
 
 
@@ -76,11 +77,13 @@ def _island_as_read(island: Island, rewrite: _Rewrite) -> Island:
     found = two_readings(island)
     if not found:
         return island
-    known = island.facts.get(rewrite)
-    if not isinstance(known, Island):
-        known = _rewritten_island(island, rewrite)
-        known.facts[_KEY] = found
-        island.facts[rewrite] = known
+    as_read = island.facts.get(_AS_READ)
+    if as_read is None:
+        as_read = island.facts.keep(_AS_READ, {})
+    known = as_read.get(rewrite)
+    if known is None:
+        known = as_read[rewrite] = _rewritten_island(island, rewrite)
+        known.facts.keep(_READINGS, found)
     return known
 
 

@@ -12,6 +12,7 @@ from typing import NamedTuple
 from kindsl.syntax.portability import ROBCOGEN2, portability
 from kindsl.syntax.tables import KEYWORDS, PATTERNS
 from kindsl.syntax.tree import Island, Token
+from kindsl.text.facts import Fact
 
 _TRIVIA = re.compile(r"(?:[ \t\r\n]++|//[^\r\n]*+)*+")
 _NAME = re.compile(r"[^\d\W]\w*")
@@ -224,7 +225,7 @@ _BLOCKS: tuple[tuple[str, Callable[[_Reader], bool]], ...] = (
 
 
 _UNDECODED = re.compile("[\ud800-\udfff]")
-_KEY = "as robcogen2 reads it"
+_READING = Fact["StrictReading"]("as robcogen2 reads it")
 # Text in which robcogen2 sees the tokens that the grammar's tables have.
 _PLAIN = re.compile(r"[\w\s{}()=,.+*/-]*", re.ASCII)
 _REMARK = re.compile(r"//[^\r\n]*")
@@ -268,11 +269,11 @@ def _stop_in(islands: Sequence[Island]) -> Stop | None:
 
 
 def _kept_reading(island: Island) -> StrictReading:
-    known = island.facts.get(_KEY)
-    if not isinstance(known, StrictReading):
+    known = island.facts.get(_READING)
+    if known is None:
         blocks = _plain_blocks(island)
         known = StrictReading(blocks, (), None) if blocks is not None else _reading(island.text)
-        island.facts[_KEY] = known = known._replace(tokens=())
+        known = island.facts.keep(_READING, known._replace(tokens=()))
     return known
 
 

@@ -19,6 +19,8 @@ Conventions of the nodes, whose kinds are the rules and aliases of `grammar/kind
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from kindsl.text.facts import Facts
+
 
 class Token:
     """A word, number or sign. Blanks and comments lie between tokens, in `lead`.
@@ -174,4 +176,4 @@ class Island:
         self.skipped = skipped
         self.comments = comments
         self.problems = problems
-        self.facts: dict[object, object] = {}
+        self.facts = Facts()

@@ -5,8 +5,9 @@ from itertools import chain, count
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.semantics.declarations import Link
+from kindsl.text.facts import Fact
 
-_KEY = "names taken"
+_TAKEN = Fact[set[str]]("names taken")
 
 
 def fresh_link(analysis: Analysis) -> str:
@@ -51,9 +52,11 @@ def _is_numbered(name: str) -> bool:
 def _taken(analysis: Analysis) -> Collection[str]:
     """Return every name that something has, or is called by; collected once in a model's life."""
     model = analysis.model
-    known = model.facts.get(_KEY)
-    if not isinstance(known, set):
-        known = model.facts[_KEY] = {model.name, *model.body_named, *model.joint_named}
+    known = model.facts.get(_TAKEN)
+    if known is None:
+        known = model.facts.keep(
+            _TAKEN, {str(model.name), *map(str, model.body_named), *map(str, model.joint_named)}
+        )
         known |= {frame.name for frame in model.frames}
         children = chain.from_iterable(body.children for body in model.bodies)
         known.update(chain.from_iterable(children))

@@ -8,6 +8,7 @@ from kindsl.lsp.handlers.table import Handlers
 from kindsl.lsp.session.session import Session
 from kindsl.lsp.session.transforms import TransformsView
 from kindsl.lsp.session.view import Sight, View, plain
+from kindsl.text.facts import Fact
 
 if TYPE_CHECKING:
     from kindsl.features.completion.completion import Completions
@@ -26,7 +27,7 @@ _KINDS = {
     "constant": types.CompletionItemKind.Constant.value,
     "value": types.CompletionItemKind.Value.value,
 }
-_LIST = "a list of completions was shown"
+_LIST = Fact[bool]("a list of completions was shown")
 _KIND = types.CompletionTriggerKind
 _NEVER_TYPED = " "
 _ITEM = "text_document.completion.completion_item"
@@ -87,8 +88,8 @@ def _comes_by_itself(view: View, offset: int) -> bool:
     The protocol does not tell it from one that the user asks for. Who wants to see more than comes
     by itself asks once more.
     """
-    document, is_first = view.document, _LIST not in view.document.facts
-    document.facts[_LIST] = True
+    document, is_first = view.document, view.document.facts.get(_LIST) is None
+    document.facts.keep(_LIST, True)
     touched, before = document.touched, document.lines.text(max(offset - 1, 0), offset)
     is_typed = touched is not None and touched.start <= offset <= touched.end
     return is_first and is_typed and (before.isalnum() or before == "_")

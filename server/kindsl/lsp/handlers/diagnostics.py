@@ -1,7 +1,7 @@
 """Diagnostics that the client asks for."""
 
 import itertools
-from typing import TYPE_CHECKING, Any, NamedTuple, cast
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from lsprotocol import types
 
@@ -13,6 +13,7 @@ from kindsl.lsp.session.session import Session
 from kindsl.lsp.session.worker import Urgency
 from kindsl.lsp.text import uris
 from kindsl.lsp.text.document import Document
+from kindsl.text.facts import Fact
 
 if TYPE_CHECKING:
     from kindsl.analysis.diagnostics import Diagnostic
@@ -27,6 +28,9 @@ _SERIAL = itertools.count(1)
 _OPTIONS = types.DiagnosticOptions(
     inter_file_dependencies=False, workspace_diagnostics=True, identifier=SOURCE
 )
+
+_REPORT: "Fact[_Report]" = Fact("report")
+_RESULT_ID: "Fact[tuple[tuple[Diagnostic, ...], str]]" = Fact("result id")
 
 
 @handlers.session(types.TEXT_DOCUMENT_DIAGNOSTIC, _OPTIONS)
@@ -102,14 +106,14 @@ async def _workspace_report(session: Session, uri: str, known: str | None) -> Re
 async def _report(session: Session, document: Document) -> "_Report":
     """Return what is wrong with a document; of a file that is not open only this is kept."""
     settings = await session.analyses.settings(document)
-    report = document.facts.get(_Report)
+    report = document.facts.get(_REPORT)
     if report is None or report.settings != settings:
         findings = await session.analyses.findings(document, Urgency.BACKGROUND)
         items = diagnostics(document, findings, session.client)
         report = _Report(settings, result_id_of(document, findings), items)
-        document.facts[_Report] = report
+        document.facts.keep(_REPORT, report)
         session.analyses.rest(document)
-    return cast(_Report, report)
+    return report
 
 
 class _Report(NamedTuple):
@@ -122,7 +126,7 @@ class _Report(NamedTuple):
 
 def result_id_of(document: Document, findings: "tuple[Diagnostic, ...]") -> str:
     """Return a name for these findings of this version."""
-    known = document.facts.get(result_id_of)
+    known = document.facts.get(_RESULT_ID)
     if known is None or known[0] is not findings:
-        known = document.facts[result_id_of] = findings, str(next(_SERIAL))
-    return str(known[1])
+        known = document.facts.keep(_RESULT_ID, (findings, str(next(_SERIAL))))
+    return known[1]

@@ -1,6 +1,6 @@
 """The shape of a document: outline, folds, growing selections, links."""
 
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types
 
@@ -9,6 +9,7 @@ from kindsl.lsp.session.configuration_files import configuration_links
 from kindsl.lsp.session.progress import Progress
 from kindsl.lsp.session.session import Session
 from kindsl.lsp.session.view import View
+from kindsl.text.facts import Fact
 
 if TYPE_CHECKING:
     from kindsl.features.document_symbols import DocumentSymbol
@@ -26,6 +27,7 @@ _KINDS = {
 }
 _FOLDS = {"block": types.FoldingRangeKind.Region, "comment": types.FoldingRangeKind.Comment}
 _MOST_SYMBOLS = 1000
+_SYMBOLS = Fact[list[types.SymbolInformation]]("workspace symbols")
 
 
 @handlers.document(types.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
@@ -83,10 +85,12 @@ async def _symbols_of(session: Session, uri: str) -> list[types.SymbolInformatio
     document = session.documents.get(uri)
     if document is None or not document.is_robot:
         return []
-    if _symbols_of not in document.facts:
-        document.facts[_symbols_of] = await session.ask_at_once(_all_symbols, uri, None)
+    known = document.facts.get(_SYMBOLS)
+    if known is None:
+        found = await session.ask_at_once(_all_symbols, uri, None)
+        known = document.facts.keep(_SYMBOLS, found)
         session.analyses.rest(document)
-    return cast(list[types.SymbolInformation], document.facts[_symbols_of])
+    return known
 
 
 def _all_symbols(view: View, _: None) -> list[types.SymbolInformation]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 from kindsl.lsp.session.worker import Urgency, Worker
 from kindsl.lsp.session.workspace import Workspace
 from kindsl.lsp.text.document import Document
+from kindsl.text.facts import Fact
 
 if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
 logger = logging.getLogger(__name__)
 
 T = TypeVar("T")
+_JOBS: "Fact[tuple[Settings, dict[str, _Job[Any]]]]" = Fact("jobs")
 
 
 class Analyses:
@@ -55,7 +57,7 @@ class Analyses:
     def rest(self, document: Document) -> None:
         """Drop what is known of a file that no editor shows, for it may be one of many."""
         if document.version is None:
-            document.facts.pop(_jobs, None)
+            document.facts.forget(_JOBS)
             document.rest()
 
     def _check(self, analysis: "Analysis") -> "tuple[Diagnostic, ...]":
@@ -96,10 +98,10 @@ class _Job(Generic[T]):
 
 def _jobs(document: Document, settings: "Settings") -> "dict[str, _Job[Any]]":
     """Return what has been asked of a version under these settings; other settings start anew."""
-    known = document.facts.get(_jobs)
+    known = document.facts.get(_JOBS)
     if known is None or known[0] != settings:
-        known = document.facts[_jobs] = settings, {}
-    return cast("dict[str, _Job[Any]]", known[1])
+        known = document.facts.keep(_JOBS, (settings, {}))
+    return known[1]
 
 
 def _model(document: Document, settings: "Settings") -> "Analysis":

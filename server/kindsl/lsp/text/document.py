@@ -1,7 +1,7 @@
 """One version of a text that an editor shows or a file holds."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from lsprotocol import types
 
@@ -11,6 +11,7 @@ from kindsl.lsp.text.changes import Change, changed
 from kindsl.lsp.text.differences import edits_between
 from kindsl.lsp.text.lines import Lines
 from kindsl.lsp.text.row import PlainPiece, Row
+from kindsl.text.facts import Facts
 from kindsl.text.span import Span
 
 if TYPE_CHECKING:
@@ -46,7 +47,7 @@ class Document:
         self.version = version
         self.encoding = encoding
         self.lines = lines
-        self.facts: dict[object, Any] = {}
+        self.facts = Facts()
         self.touched: Span | None = None
         self._basis = basis
         self._tree: SyntaxDocument | None = None

@@ -4,7 +4,10 @@ from bisect import bisect_right
 
 from kindsl.lsp.text import code_units as convert
 from kindsl.lsp.text.row import Piece, Row
+from kindsl.text.facts import Fact
 from kindsl.text.lines import LineIndex
+
+_INDEX = Fact[LineIndex]("lines")
 
 
 class Lines:
@@ -91,7 +94,7 @@ class Lines:
 
 
 def _starts(piece: Piece) -> list[int]:
-    index = piece.facts.get(LineIndex)
-    if not isinstance(index, LineIndex):
-        index = piece.facts[LineIndex] = LineIndex(piece.text)
+    index = piece.facts.get(_INDEX)
+    if index is None:
+        index = piece.facts.keep(_INDEX, LineIndex(piece.text))
     return index.starts

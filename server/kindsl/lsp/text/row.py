@@ -10,16 +10,19 @@ from collections.abc import Callable, Sequence
 from typing import Protocol
 
 from kindsl.lsp.text.sums import Sums
+from kindsl.text.facts import Fact, Facts
 
 # What is compared in one go: of ten thousand pieces nearly all are the same.
 _BLOCK = 256
+
+_LINE_ENDS = Fact[int]("line ends")
 
 
 class Piece(Protocol):
     """A part of a text that never changes, and what was derived from it."""
 
     text: str
-    facts: dict[object, object]
+    facts: Facts
 
 
 class PlainPiece:
@@ -29,7 +32,7 @@ class PlainPiece:
 
     def __init__(self, text: str) -> None:
         self.text = text
-        self.facts: dict[object, object] = {}
+        self.facts = Facts()
 
 
 class Row:
@@ -140,13 +143,13 @@ def n_same(limit: int, are_same: Callable[[int, int], bool]) -> int:
 
 
 def _line_ends(piece: Piece) -> int:
-    known = piece.facts.get(_line_ends)
-    if not isinstance(known, int):
+    known = piece.facts.get(_LINE_ENDS)
+    if known is None:
         text = piece.text
         known = text.count("\n")
         if "\r" in text:
             known += text.count("\r") - text.count("\r\n")
-        piece.facts[_line_ends] = known
+        piece.facts.keep(_LINE_ENDS, known)
     return known
 
 

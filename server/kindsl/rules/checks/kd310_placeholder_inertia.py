@@ -26,13 +26,14 @@ from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.inertia.judgements import is_moving, keyword
 from kindsl.rules.inertia.twins import part_of
-from kindsl.rules.memory import remembered
+from kindsl.rules.memory import Memory
 from kindsl.semantics.declarations import MOMENTS, Inertia, Link
 from kindsl.semantics.model import Model
 
 _ENOUGH = 3
 _MOST_RELATED = 20
 Numbers = tuple[float | None, ...]
+_NUMBERS = Memory[Numbers]("numbers")
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
@@ -40,7 +41,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
     groups: dict[Numbers, list[tuple[Link, Inertia]]] = {}
     for body in model.bodies:
         if body.inertia is not None and is_moving(body):
-            numbers = remembered(body, "numbers", (), partial(_numbers, body.inertia))
+            numbers = _NUMBERS.of(body, (), partial(_numbers, body.inertia))
             if numbers[:4] == (1.0, 1.0, 1.0, 1.0):
                 message = f"inertia of '{body.name}' is a placeholder: mass and moments are 1.0"
                 yield Finding(keyword(body.inertia), message)

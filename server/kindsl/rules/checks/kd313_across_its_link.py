@@ -33,7 +33,7 @@ from kindsl.rules.examples import joint, link, robot
 from kindsl.rules.inertia.judgements import is_moving, keyword
 from kindsl.rules.inertia.plausibility import GREATEST_LENGTH
 from kindsl.rules.inertia.wording import with_unit
-from kindsl.rules.memory import remembered
+from kindsl.rules.memory import Memory
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
 from kindsl.semantics.numbers import mass_distribution, written_pose
@@ -44,6 +44,7 @@ _SHORTER, _LONGER = 0.7, 1.5
 _ACROSS = 0.2
 _NEAR_END = 0.2
 _NOISE = 0.01
+_MESSAGES = Memory[str]("across")
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
@@ -67,7 +68,7 @@ def _only_end(model: Model, body: Link, context: Context) -> Vector3 | None:
 
 def _kept_message(body: Link, end: Vector3, context: Context) -> str:
     given = end, mass_distribution(body.inertia, context.values) if body.inertia else None
-    return remembered(body, "across", given, lambda: _message(body, end, context))
+    return _MESSAGES.of(body, given, lambda: _message(body, end, context))
 
 
 def _message(body: Link, end: Vector3, context: Context) -> str:

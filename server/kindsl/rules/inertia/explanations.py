@@ -13,8 +13,11 @@ from kindsl.rules.inertia.causes import Cause, candidates, likelihood_as_written
 from kindsl.rules.inertia.judgements import Judgement
 from kindsl.rules.inertia.slips import Kind
 from kindsl.rules.inertia.surroundings import Surroundings, surroundings
-from kindsl.rules.memory import remembered
+from kindsl.rules.memory import Memory
 from kindsl.semantics.model import Model
+
+_TRIALS: "Memory[_Tried]" = Memory("tried causes")
+_RANKINGS = Memory[list[Cause]]("likely causes")
 
 
 class Explained(NamedTuple):
@@ -61,7 +64,7 @@ def _tried(found: Judgement, around: Surroundings, alike: dict[object, _Tried]) 
             alike[key] = _Tried(causes, said_by(causes), likelihood_as_written(found, around))
         return alike[key]
 
-    return remembered(found.link, "tried causes", (found, around), trial)
+    return _TRIALS.of(found.link, (found, around), trial)
 
 
 def _likely(
@@ -71,4 +74,4 @@ def _likely(
         others = {kind: said - tried.said.get(kind, 0.0) for kind, said in together}
         return ranked(tried.causes, others, tried.as_written)
 
-    return remembered(found.link, "likely causes", (tried, together), ranking)
+    return _RANKINGS.of(found.link, (tried, together), ranking)

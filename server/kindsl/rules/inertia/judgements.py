@@ -46,8 +46,9 @@ from kindsl.semantics.expressions import ParameterUse, symbols
 from kindsl.semantics.lowering import declarations
 from kindsl.semantics.numbers import mass_distribution
 from kindsl.semantics.places import Place
+from kindsl.text.facts import Fact
 
-_KEY = "inertia"
+_JUDGEMENTS: "Fact[tuple[Context | None, list[Judgement]]]" = Fact("judgements")
 _ROUNDING_OF_ARITHMETIC = 1e-12
 _SINGULAR = 1e-9
 
@@ -112,14 +113,13 @@ def judgements(declared: Declarations, context: Context) -> Sequence[Judgement]:
     if not declared.links and not declared.bases:
         return ()
     facts = (declared.links or declared.bases)[0].island.facts
-    known = facts.get(_KEY)
-    if isinstance(known, tuple) and (known[0] is None or known[0] is context):
-        return known[1]  # type: ignore[no-any-return]
+    known = facts.get(_JUDGEMENTS)
+    if known is not None and (known[0] is None or known[0] is context):
+        return known[1]
     moving = [body for body in declared.bodies() if is_moving(body) and body.inertia is not None]
     judged = [j for j in (_judge(link, context.values) for link in moving) if j is not None]
     is_literal = all(is_plain(link.inertia) for link in moving if link.inertia is not None)
-    facts[_KEY] = None if is_literal else context, judged
-    return judged
+    return facts.keep(_JUDGEMENTS, (None if is_literal else context, judged))[1]
 
 
 def is_impossible(link: Link, context: Context) -> bool:

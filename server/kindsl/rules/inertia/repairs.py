@@ -24,7 +24,7 @@ from kindsl.rules.inertia.judgements import (
 )
 from kindsl.rules.inertia.slips import Slip
 from kindsl.rules.inertia.told import likely_cause, several_causes, shared_cause, title
-from kindsl.rules.memory import remembered
+from kindsl.rules.memory import Memory
 from kindsl.rules.number_writing import rescaled, rewritten
 from kindsl.rules.tiny_values import is_negligible, is_tiny
 from kindsl.semantics.declarations import MOMENTS
@@ -43,6 +43,7 @@ _RULES = {
 
 # The code of the rule that tells it, and what it tells.
 _Told = tuple[str, Finding]
+_TELLINGS = Memory[_Told | None]("told causes")
 
 
 def findings(suspects: Sequence[Judgement], model: Model, context: Context) -> list[_Told]:
@@ -62,7 +63,7 @@ def _told(explained: Explained, context: Context) -> _Told | None:
         code = next((_RULES[c.hypothesis.slips[0]] for c in causes if _has_rule(c)), None)
         return None if code is None else (code, _finding(explained, at, context))
 
-    return remembered(found.link, "told causes", (causes, at, context.targets), telling)
+    return _TELLINGS.of(found.link, (causes, at, context.targets), telling)
 
 
 def _shared(explained: Sequence[Explained], told: Sequence[_Told], model: Model) -> _Told | None:

@@ -6,15 +6,16 @@ from kindsl.rules.base import Finding
 from kindsl.rules.context import Context
 from kindsl.rules.inertia.judgements import Judgement, Verdict, judgements
 from kindsl.semantics.model import Model
+from kindsl.text.facts import Fact
 
-_KEY = "inertia causes"
+_CAUSES = Fact[tuple[Context, list[tuple[str, Finding]]]]("inertia causes")
 
 
 def explained(model: Model, context: Context, code: str) -> Iterator[Finding]:
     """Yield a finding for each inertia whose most likely mistake belongs to a rule."""
-    known = model.facts.get(_KEY)
-    if not isinstance(known, tuple) or known[0] is not context:
-        known = model.facts[_KEY] = context, _findings(model, context)
+    known = model.facts.get(_CAUSES)
+    if known is None or known[0] is not context:
+        known = model.facts.keep(_CAUSES, (context, _findings(model, context)))
     for own_code, finding in known[1]:
         if own_code == code:
             yield finding

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Mapping
 
-from kindsl.rules.memory import remembered
+from kindsl.rules.memory import Memory
 from kindsl.semantics.declarations import Link
 
 _PART = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")
@@ -14,16 +14,18 @@ _SIDES = {
 _LEFT_OF = {right: left for left, right in reversed(_SIDES.items())}
 _EITHER = frozenset(_SIDES) | frozenset(_SIDES.values())
 _ENDS = frozenset(("front", "hind", "rear", "back", "middle", "mid", "fore"))
+_PARTS = Memory[str]("part")
+_TWINS = Memory[str | None]("right twin")
 
 
 def part_of(body: Link) -> str:
     """Return which part a body is, as `part_name` does; found once in its life."""
-    return remembered(body, "part", (), lambda: part_name(body.name))
+    return _PARTS.of(body, (), lambda: part_name(body.name))
 
 
 def right_twin_of(body: Link) -> str | None:
     """Return the name of a left body's twin, as `mirrored_name` does; found once in its life."""
-    return remembered(body, "right twin", (), lambda: mirrored_name(body.name))
+    return _TWINS.of(body, (), lambda: mirrored_name(body.name))
 
 
 def part_name(name: str) -> str:

@@ -1,0 +1,44 @@
+"""What is derived from a thing that never changes, kept with the thing as long as it lives."""
+
+from typing import Any, Generic, TypeVar
+
+T = TypeVar("T")
+
+
+class Fact(Generic[T]):
+    """A kind of fact: whoever derives it has one of these, and finds what it has kept by it.
+
+    Attributes:
+        name: What it is, for people.
+    """
+
+    __slots__ = ("name",)
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+
+    def __repr__(self) -> str:
+        return f"Fact({self.name!r})"
+
+
+class Facts:
+    """The facts that are known of one thing, at most one of each kind."""
+
+    __slots__ = ("_kept",)
+
+    def __init__(self) -> None:
+        self._kept: dict[Fact[Any], Any] = {}
+
+    def get(self, fact: Fact[T]) -> T | None:
+        """Return what is known, None if it is not known yet."""
+        known: T | None = self._kept.get(fact)
+        return known
+
+    def keep(self, fact: Fact[T], value: T) -> T:
+        """Keep what is known from now on; return it."""
+        self._kept[fact] = value
+        return value
+
+    def forget(self, fact: Fact[Any]) -> None:
+        """Forget what is known, if it is."""
+        self._kept.pop(fact, None)
