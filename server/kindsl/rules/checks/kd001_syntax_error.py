@@ -1,9 +1,9 @@
-"""Something stands where the language has no place for it.
+"""Text that the language does not allow at this place.
 
 ## What it does
-Reports a word, sign or number that cannot stand where it stands, or what is missing between two
-others. The message tells what was expected, or what was meant if that is plain. One mistake gives
-one message, and the rest of the document is understood as if it were mended.
+Reports a word, sign or number that is not allowed at its place, or one that is missing between two
+others. The message says what was expected, or what was probably meant. One mistake gives one
+message, and the rest of the document is read as if it were corrected.
 
 ## Why is this bad?
 Both generators stop at the first such place, often with a message about a later one.
@@ -15,7 +15,8 @@ children { upper via shoulder, lower via elbow }
 Pairs of a link and a joint follow each other without commas.
 
 ## Fix
-Where one small change makes the block whole, the fix makes it. Unsafe: it is a guess.
+Makes the small change after which the block is complete, if there is just one. Unsafe: it is a
+guess.
 """
 
 from kindsl.rules.base import Example, Rule, Severity

@@ -1,13 +1,13 @@
-"""A number is not written as the language wants it.
+"""A number in a form that the language does not support.
 
 ## What it does
-Reports a whole number where both generators want a decimal point, a decimal comma, hexadecimal
+Reports an integer where both generators require a decimal point, a decimal comma, hexadecimal
 digits, two points, digits in groups (`1 234.5`, `1'000.0`), strange characters in a number or right
-beside it, powers of ten (`1.0*10^-3`), and an `id` that is no natural number.
+beside it, powers of ten (`1.0*10^-3`), and an `id` that is not a natural number.
 
 ## Why is this bad?
-`1` for `1.0` is the commonest slip of all: one generator rejects it with "no viable alternative",
-the other dies of it later, without a place.
+`1` for `1.0` is the most common mistake of all: one generator rejects it with "no viable
+alternative", the other crashes later, without a line number.
 
 ## Example
 ```kindsl

@@ -1,11 +1,11 @@
-"""Arithmetic that neither generator can read.
+"""Arithmetic that neither generator supports.
 
 ## What it does
 Reports sums, parentheses, functions, products of two names and products that do not begin with a
-number. Nothing else is reported of them.
+number. Nothing else is reported about them.
 
 ## Why is this bad?
-The language has values of one product or one quotient at most: `PI/2.0`, `2.0 x`, `-x/2.0`.
+A value in the language is at most one product or one quotient: `PI/2.0`, `2.0 x`, `-x/2.0`.
 
 ## Example
 ```kindsl
@@ -13,8 +13,8 @@ rotation = (3.0*PI/4.0, 0.0, 0.0)
 ```
 
 ## Fix
-Writes the number, where no name is in it. Unsafe: it is rounded to 15 digits. Parentheses around
-what the language has are removed, which is safe.
+Writes the number, if the expression contains no name. Unsafe: it is rounded to 15 digits.
+Parentheses around a supported value are removed, which is safe.
 """
 
 from kindsl.rules.base import Example, Rule, Severity

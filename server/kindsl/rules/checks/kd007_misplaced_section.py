@@ -1,8 +1,8 @@
-"""A section stands at the wrong place of its block.
+"""A section is at the wrong place in its block.
 
 ## What it does
 Reports `CoM` before `mass`, `frames` before `children`, `rotation` before `translation`, a joint
-among the links, and whatever else is right but not there. Its content is understood all the same.
+among the links, and any other valid section that is out of order. Its content is still read.
 
 ## Why is this bad?
 The order of sections is part of the language, and both generators insist on it.
@@ -16,9 +16,8 @@ ref_frame {
 ```
 
 ## Fix
-Moves the section and the comments before it. Safe, since the order alone changes and what the model
-means does not. Unsafe where a comment is moved or left behind: to which section it belongs is a
-guess.
+Moves the section and the comments before it. Safe, since only the order changes, not the model.
+Unsafe if a comment is moved or left behind: the section that it belongs to is a guess.
 """
 
 from kindsl.rules.base import Example, Rule, Severity

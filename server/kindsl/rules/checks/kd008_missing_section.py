@@ -1,11 +1,11 @@
-"""A block lacks a section that it must have.
+"""A block lacks a required section.
 
 ## What it does
 Reports a link without `id` or `children`, an inertia without mass, centre of mass or one of its six
 moments, a pose without translation or rotation, a joint without `ref_frame`, a robot without base.
 
 ## Why is this bad?
-Nothing has a default: a zero must be written too.
+No section has a default: even a zero must be written.
 
 ## Example
 ```kindsl
@@ -13,7 +13,7 @@ link upper { children {} }
 ```
 
 ## Fix
-Removes a `frames` without a frame. Unsafe: a frame may be meant.
+Removes a `frames` section without a frame. Unsafe: a frame may be missing.
 """
 
 from kindsl.rules.base import Example, Rule, Severity

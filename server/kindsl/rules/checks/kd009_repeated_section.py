@@ -4,7 +4,7 @@
 Reports the second `children`, `id`, `Ix`, and so on. The first one counts.
 
 ## Why is this bad?
-Both generators reject it. Where the two differ, one of them is a left-over.
+Both generators reject it. If the two differ, one of them is a leftover.
 
 ## Example
 ```kindsl

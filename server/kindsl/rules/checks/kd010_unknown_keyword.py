@@ -1,9 +1,9 @@
-"""A word stands where a keyword must stand.
+"""An unknown word in the place of a keyword.
 
 ## What it does
-Reports a section or block whose name is not in the language, with the one that is probably meant.
-Its content is understood as if it were spelt well. Early models have `moments = a, b, c, d, e, f`
-in place of six assignments, which is one finding.
+Reports a section or block with an unknown name, and the name that is probably meant. Its content is
+read as if the name were correct. Early models have `moments = a, b, c, d, e, f` in place of six
+assignments, which is one finding.
 
 ## Why is this bad?
 Generators say "no viable alternative" or "missing EOF" instead.

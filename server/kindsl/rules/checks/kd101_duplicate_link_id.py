@@ -1,13 +1,13 @@
-"""Two links have the same number.
+"""Two links have the same id.
 
 ## What it does
-Reports a link whose `id` another link has already: the later one, unless the tree, the joints'
-numbers and the order in which all is written tell that the earlier one has it by mistake. If they
-have the same name too, that is reported instead (KD102).
+Reports a link that reuses the `id` of another link: the later one, unless the tree, the ids of the
+joints and the order of the blocks show that the earlier one is wrong. If the links have the same
+name too, that is reported instead (KD102).
 
 ## Why is this bad?
-A link's number is the index of its joint in every vector and matrix. RobCoGen accepts the document
-and generates code in which two joints share one column, without a word; RobCoGen2 stops with
+The id of a link is the index of its joint in every vector and matrix. RobCoGen accepts the document
+and generates code in which two joints share one column, without a message; RobCoGen2 stops with
 `KeyError` and names no place. Four published models carry this defect.
 
 ## Example
@@ -19,8 +19,8 @@ link LF_leg { id = 1 children {} }
 ## Fix
 Gives the link the one number that is missing; no other link changes. Where several are missing, or
 parents would not come before children, it renumbers the links: parents first, otherwise in the
-present order, without gaps. Unsafe: programs that use the generated code know joints by their
-numbers.
+present order, without gaps. Unsafe: programs that use the generated code identify joints by these
+ids.
 """
 
 from collections.abc import Iterator
@@ -35,7 +35,7 @@ from kindsl.semantics.model import Model
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
-    """Yield a finding for each link whose number is taken."""
+    """Yield a finding for each link whose id is taken."""
     same_id = repeats(model.links, lambda link: link.id)
     pairs = [(first, again) for first, again in same_id if first.name != again.name]
     copied = copied_id(model) if pairs else None

@@ -1,11 +1,11 @@
 """Two links, or a link and the base, have the same name.
 
 ## What it does
-Reports a link whose name an earlier link or the base has already.
+Reports a link with the name of an earlier link or of the base.
 
 ## Why is this bad?
-Whoever refers to that name means the first; the second link hangs on nothing. RobCoGen accepts the
-document and fails later, in its geometry: "Joint has no predecessor".
+References to that name resolve to the first one; the second link is not connected. RobCoGen accepts
+the document and fails later, in its geometry: "Joint has no predecessor".
 
 ## Example
 ```kindsl

@@ -1,11 +1,11 @@
 """Two joints have the same name.
 
 ## What it does
-Reports a joint whose name an earlier joint has already.
+Reports a joint with the name of an earlier joint.
 
 ## Why is this bad?
-Whoever refers to that name means the first; the second is not used. RobCoGen accepts the document
-and fails later: "Joint has no predecessor".
+References to that name resolve to the first one; the second is not used. RobCoGen accepts the
+document and fails later: "Joint has no predecessor".
 
 ## Example
 ```kindsl

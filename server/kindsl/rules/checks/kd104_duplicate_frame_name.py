@@ -1,12 +1,12 @@
 """Two frames have the same name.
 
 ## What it does
-Reports a frame whose name an earlier frame has already: an error in one link, a warning across
+Reports a frame with the name of an earlier frame: an error in one link, a warning across
 links.
 
 ## Why is this bad?
-Frames are known by their names alone in the lists of desired transforms and Jacobians. Of two with
-one name RobCoGen2 drops one pose without a word.
+The lists of desired transforms and Jacobians identify frames by name alone. Of two frames with the
+same name RobCoGen2 silently drops one pose.
 
 ## Example
 ```kindsl

@@ -1,10 +1,10 @@
 """A child link does not exist.
 
 ## What it does
-Reports a `link via joint` whose link is nowhere declared, and a pair written the wrong way round.
+Reports a `link via joint` whose link is not defined, and a pair written the wrong way round.
 
 ## Why is this bad?
-Whatever is meant hangs on nothing, and both generators reject the document.
+The link that is meant is not connected, and both generators reject the document.
 
 ## Example
 ```kindsl

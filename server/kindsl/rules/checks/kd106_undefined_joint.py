@@ -1,10 +1,10 @@
 """A supporting joint does not exist.
 
 ## What it does
-Reports a `link via joint` whose joint is nowhere declared.
+Reports a `link via joint` whose joint is not defined.
 
 ## Why is this bad?
-Nobody knows how the link moves, and both generators reject the document.
+The motion of the link is undefined, and both generators reject the document.
 
 ## Example
 ```kindsl

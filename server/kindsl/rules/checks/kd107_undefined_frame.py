@@ -4,7 +4,7 @@
 Reports a `ref_frame` of an inertia that names no frame of any link.
 
 ## Why is this bad?
-Centre of mass and moments are numbers without meaning, and both generators reject the document.
+Centre of mass and moments have no frame, and both generators reject the document.
 
 ## Example
 ```kindsl

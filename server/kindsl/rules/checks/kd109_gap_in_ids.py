@@ -1,11 +1,11 @@
-"""A link number is left out.
+"""The ids of the links have a gap.
 
 ## What it does
-Reports numbers that no link has though another link has a greater one. Where a link has a number
-that another has, or is missing altogether, that is reported instead (KD101, KD105).
+Reports ids that no link has although another link has a greater one. If a link reuses an id, or is
+missing altogether, that is reported instead (KD101, KD105).
 
 ## Why is this bad?
-The links must be numbered from 1 without gaps: a number is an index. RobCoGen accepts the document
+The links must be numbered from 1 without gaps: an id is an index. RobCoGen accepts the document
 and generates arrays of the wrong size; RobCoGen2 stops with `KeyError` and names no place.
 
 ## Example
@@ -16,7 +16,7 @@ link lower { id = 3 children {} }
 
 ## Fix
 Renumbers the links: parents before children, otherwise in the present order, without gaps. Unsafe:
-programs that use the generated code know joints by their numbers.
+programs that use the generated code identify joints by these ids.
 """
 
 from collections.abc import Iterator
@@ -33,7 +33,7 @@ from kindsl.semantics.model import Model
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
-    """Yield a finding for each run of missing numbers."""
+    """Yield a finding for each run of missing ids."""
     certain = [(number, link) for link in model.links if (number := _certain_id(link))]
     by_id = dict(reversed(certain))
     count = len(by_id)

@@ -1,12 +1,11 @@
-"""A child's number is not greater than its parent's.
+"""A child's id is not greater than its parent's.
 
 ## What it does
-Reports a link that has a smaller number than the link that carries it. For the target robcogen2
-this is an error.
+Reports a link with a smaller id than its parent. For the target robcogen2 this is an error.
 
 ## Why is this bad?
-Regular numbering, parents before children, is what the recursions of Newton-Euler and the
-articulated-body algorithm run along (Featherstone 2008, sec. 4.1). RobCoGen2 stops with `KeyError`
+Regular numbering, parents before children, is what the recursions of the Newton-Euler and
+articulated-body algorithms rely on (Featherstone 2008, sec. 4.1). RobCoGen2 stops with `KeyError`
 and names no place.
 
 ## Example
@@ -17,7 +16,7 @@ link lower { id = 1 children {} }
 
 ## Fix
 Renumbers the links: parents before children, otherwise in the present order. Unsafe: programs that
-use the generated code know joints by their numbers.
+use the generated code identify joints by these ids.
 """
 
 from collections.abc import Iterator

@@ -1,11 +1,11 @@
-"""Two joints have the same number.
+"""Two joints have the same id.
 
 ## What it does
-Reports a joint whose `id` an earlier joint has already.
+Reports a joint that reuses the `id` of an earlier joint.
 
 ## Why is this bad?
-It does no harm: numbers of joints are obsolete, and both generators ignore them. A joint has the
-number of the link that it moves. But who reads the number will believe it.
+It does no harm: ids of joints are obsolete, and both generators ignore them, since a joint has the
+id of the link that it moves. But a reader will trust the number.
 
 ## Example
 ```kindsl
@@ -24,7 +24,7 @@ from kindsl.semantics.model import Model
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
-    """Yield a finding for each joint whose number is taken."""
+    """Yield a finding for each joint whose id is taken."""
     for first, again in repeats(model.joints, lambda joint: joint.id):
         if first.name == again.name:
             continue

@@ -1,12 +1,12 @@
 """Things of different kinds share a name, or two names differ by case only.
 
 ## What it does
-Reports a link, joint or frame that has the name of something else, or the same name but for upper
-and lower case. A link with a joint's name is an error: RobCoGen cannot generate it, and RobCoGen2
-dies of it, unless the joint moves that very link.
+Reports a link, joint or frame with the name of something else, or a name that differs by case only.
+A link with a joint's name is an error: RobCoGen cannot generate it, and RobCoGen2 crashes, unless
+the joint moves that very link.
 
 ## Why is this bad?
-The generators make files, classes and constants of names. On a file system that ignores case
+The generators turn names into files, classes and constants. On a file system that ignores case
 `Arm.h` and `arm.h` are one file, and RobCoGen stops with "loops not allowed" where a link and a
 joint share a name.
 
@@ -26,7 +26,7 @@ from kindsl.semantics.places import Name
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each name that something else has."""
+    """Yield a finding for each name that is already used."""
     first: dict[str, tuple[str, Name]] = {}
     for what, name in _names(model):
         if not name:

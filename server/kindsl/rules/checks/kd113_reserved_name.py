@@ -1,4 +1,4 @@
-"""A name that the generated code has for something else.
+"""A name that generated code uses for something else.
 
 ## What it does
 Reports names that are keywords of C++ or of Octave, and frames called `fr_<link>`, as the
@@ -6,7 +6,7 @@ generators call the frame of a link.
 
 ## Why is this bad?
 The names of links, joints, frames and parameters become identifiers of the generated code, which
-then does not compile; and of two frames with one name one is lost.
+then does not compile; and one of two frames with the same name is lost.
 
 ## Example
 ```kindsl

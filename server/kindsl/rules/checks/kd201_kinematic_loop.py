@@ -1,10 +1,10 @@
-"""Links carry each other in a circle.
+"""The links form a kinematic loop.
 
 ## What it does
 Reports each kinematic loop once, with all its links in order; also a link that is its own child.
 
 ## Why is this bad?
-The language describes trees. RobCoGen accepts the document and dies later with a stack overflow;
+The language describes trees. RobCoGen accepts the document and crashes later with a stack overflow;
 RobCoGen2 with `KeyError`, or not at all.
 
 ## Example
@@ -14,8 +14,8 @@ link lower { id = 2 children { upper via wrist } }
 ```
 
 ## Fix
-Where a single link is carried by nothing, the pair that closes the loop probably means it: writes
-its name there. Unsafe: it is a guess.
+If exactly one link has no parent, the pair that closes the loop probably means it: writes its name
+there. Unsafe: it is a guess.
 """
 
 from collections.abc import Iterator

@@ -1,11 +1,11 @@
-"""Two bodies carry the same link.
+"""A link has two parents.
 
 ## What it does
 Reports a link that is a child of more than one body.
 
 ## Why is this bad?
-The language describes trees, in which a link has one parent: a closed linkage cannot be written
-down. RobCoGen accepts the document and fails later without a place; RobCoGen2 with "Inconsistent
+The language describes trees, in which a link has one parent: a closed linkage cannot be expressed.
+RobCoGen accepts the document and fails later without a place; RobCoGen2 with "Inconsistent
 arguments".
 
 ## Example
@@ -25,7 +25,7 @@ from kindsl.semantics.model import Model
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
-    """Yield a finding for each body that carries what another carries already."""
+    """Yield a finding for each further parent of a link."""
     for first, again in reference_defects(model).extra_parents:
         name, other = again.child.link, first.predecessor.name
         message = f"link '{name}' has two parents: '{other}' and '{again.predecessor.name}'"

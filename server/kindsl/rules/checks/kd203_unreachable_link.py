@@ -1,11 +1,11 @@
-"""Nothing carries a link.
+"""A link has no parent.
 
 ## What it does
-Reports a link that is nobody's child, once for all that it carries. It is not reported where a
-wrong name elsewhere can mean it.
+Reports a link that is not a child of any body, once for its whole subtree. It is not reported if a
+wrong name elsewhere may mean it.
 
 ## Why is this bad?
-The link is no part of the robot. RobCoGen accepts the document and fails later with a
+The link is not part of the robot. RobCoGen accepts the document and fails later with a
 `NullPointerException`; RobCoGen2 with "Inconsistent arguments"; neither names a place.
 
 ## Example

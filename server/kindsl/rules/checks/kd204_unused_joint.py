@@ -1,7 +1,7 @@
 """A joint is not used.
 
 ## What it does
-Reports a joint that no `link via joint` names. It is not reported where a wrong name elsewhere can
+Reports a joint that no `link via joint` names. It is not reported if a wrong name elsewhere may
 mean it.
 
 ## Why is this bad?
@@ -24,7 +24,7 @@ from kindsl.semantics.model import Model
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
-    """Yield a finding for each joint that nothing moves by."""
+    """Yield a finding for each unused joint."""
     for joint in reference_defects(model).unused_joints:
         yield Finding(joint.name, f"joint '{joint.name}' is not used")
 

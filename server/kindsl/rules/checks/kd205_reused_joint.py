@@ -1,7 +1,7 @@
-"""Two links move by the same joint.
+"""Two links have the same supporting joint.
 
 ## What it does
-Reports a `link via joint` whose joint another link has already.
+Reports a `link via joint` whose joint already connects another link.
 
 ## Why is this bad?
 A joint supports one link: it is the link's degree of freedom. RobCoGen accepts the document and

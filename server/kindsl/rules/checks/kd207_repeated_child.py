@@ -1,11 +1,11 @@
-"""A body carries the same link twice.
+"""A link is listed twice as a child of one body.
 
 ## What it does
-Reports a child that the same body has already, by the same joint or by another. By another joint it
-is an error for the target robcogen2.
+Reports a child that the same body already lists, with the same joint or with another. With another
+joint it is an error for the target robcogen2.
 
 ## Why is this bad?
-A link has one supporting joint. RobCoGen ignores one of the two without a word; RobCoGen2 stops
+A link has one supporting joint. RobCoGen silently ignores one of the two; RobCoGen2 stops
 with "Inconsistent arguments".
 
 ## Example
@@ -17,7 +17,7 @@ children {
 ```
 
 ## Fix
-Removes the repetition if it names the same joint. Safe: it says nothing new.
+Removes the repetition if it names the same joint. Safe: it adds nothing.
 """
 
 from collections.abc import Iterator
@@ -34,7 +34,7 @@ _BREAKS = ("\r", "\n")
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each child that its body has already."""
+    """Yield a finding for each repeated child."""
     for first, again in reference_defects(model).repeated:
         message = (
             f"link '{again.child.link}' is listed twice as a child of '{again.predecessor.name}'"

@@ -1,4 +1,4 @@
-"""An inertia with a principal moment below zero.
+"""An inertia has a negative principal moment.
 
 ## What it does
 Reports a moving link whose inertia tensor about its centre of mass has a negative eigenvalue, for
@@ -7,9 +7,9 @@ given where only zeros dropped at the end could explain it (`0.1` beside `0.012`
 Parameters are taken at their bound values, within their digits.
 
 ## Why is this bad?
-No mass, however spread, has a negative moment of inertia. The joint-space inertia matrix may then
+No distribution of mass has a negative moment of inertia. The joint-space inertia matrix may then
 be singular or indefinite: a simulation gains energy and blows up, a controller divides by zero.
-RobCoGen and RobCoGen2 accept it in silence, and published models carry it.
+RobCoGen and RobCoGen2 accept it silently, and published models have it.
 
 The test is made about the centre of mass. A tensor may be positive definite about the link frame's
 origin solely because of its parallel-axis term `m (c.c 1 - c c')`. On random bodies a test at the

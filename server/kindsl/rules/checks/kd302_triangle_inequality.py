@@ -1,4 +1,4 @@
-"""Principal moments that no body has together.
+"""Principal moments violate the triangle inequality.
 
 ## What it does
 Reports a moving link with principal moments `a + b < c` about its centre of mass: an error if that
@@ -9,7 +9,7 @@ of KD301 is not reported again.
 ## Why is this bad?
 `c = a + b` is a plate without thickness; nothing is flatter than that. Simulators such as MuJoCo
 and Drake refuse the model, estimators and optimisers that rely on possible bodies fail. Published
-models carry it.
+models have it.
 
 ## Example
 ```kindsl

@@ -1,4 +1,4 @@
-"""A mass that is negative or zero.
+"""A mass is negative or zero.
 
 ## What it does
 Reports a negative mass of a moving link as an error, and a mass of zero as a warning. The value may

@@ -1,4 +1,4 @@
-"""A body without extent in some direction.
+"""A body has no extent in some direction.
 
 ## What it does
 Says that the inertia about the centre of mass is that of a plate without thickness, a rod without

@@ -1,4 +1,4 @@
-"""An inertia was filled in to have one.
+"""An inertia is a placeholder.
 
 ## What it does
 Reports a mass of 1.0 with three moments of 1.0, and the same mass and moments in three or more

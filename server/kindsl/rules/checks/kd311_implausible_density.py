@@ -1,4 +1,4 @@
-"""Mass and moments of inertia do not belong together.
+"""Mass and moments of inertia imply an implausible density.
 
 ## What it does
 Reports a moving link whose equivalent ellipsoid, the homogeneous one with the same mass and moments

@@ -1,4 +1,4 @@
-"""The left and the right part do not weigh the same.
+"""The inertias of a left part and its right twin differ.
 
 ## What it does
 Compares links whose names are mirror images, `LF_hip` and `RF_hip`, `left_arm` and `right_arm`.
@@ -9,7 +9,7 @@ signs that are not those of any turn or reflection of the axes.
 Such parts are copied and then edited by hand. One number that was changed on one side only, or one
 sign that was forgotten, makes the robot drift to that side.
 
-A pair in which many numbers differ was measured part by part, and is left in peace, and so are
+A pair in which many numbers differ was measured part by part and is not reported, nor are
 differences below 5 % of the greatest number of their kind. Impossible inertias are left to KD301
 and KD302.
 

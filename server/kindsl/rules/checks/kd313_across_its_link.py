@@ -6,7 +6,7 @@ only frame. Reports a body that is a slender rod about as long as that way, but 
 to it, with its centre of mass between the two ends.
 
 ## Why is this bad?
-A link's mass lies along the link. Mostly the moments are those of other axes: the CAD program had
+A link's mass lies along the link. Usually the moments are about other axes: the CAD program had
 x where the link frame has z. Moments given about the wrong point often hide it (KD306); the
 totals then look whole, and the joint torques are wrong.
 

@@ -2,11 +2,11 @@
 
 ## What it does
 Reports each parameter that has neither a default in the document nor a value from outside: from
-`kindsl.toml`, from `--param`, or from the editor's settings. One that is called like a link or a
-joint, and a unit behind a number, is left to KD408.
+`kindsl.toml`, from `--param`, or from the editor's settings. A parameter with the name of a link or
+a joint, and a unit behind a number, are left to KD408.
 
 ## Why is this bad?
-The document is right, and RobCoGen generates code that asks for the value at run time. But nothing
+The document is valid, and RobCoGen generates code that asks for the value at run time. But nothing
 can be drawn or computed from it here, and an inertia with a parameter is not checked.
 
 ## Example

@@ -4,7 +4,7 @@
 Reports a default that differs from the first one of the same parameter.
 
 ## Why is this bad?
-RobCoGen2 takes the first and forgets the others without a word.
+RobCoGen2 silently takes the first and ignores the others.
 
 ## Example
 ```kindsl

@@ -6,8 +6,8 @@ in another.
 
 ## Why is this bad?
 The generators sort parameters into lengths, angles and dynamics, one structure each, and put this
-one into several: who sets one of them leaves the other as it was. Metres and radians are seldom the
-same number by intention.
+one into several: setting one of them leaves the others unchanged. Metres and radians are seldom
+meant to be the same number.
 
 ## Example
 ```kindsl

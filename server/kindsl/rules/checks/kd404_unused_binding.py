@@ -1,11 +1,11 @@
-"""A value is bound to a parameter that no document uses, or a limit to a joint that none has.
+"""A value or a limit in the configuration is not used by any document.
 
 ## What it does
 Reports, in `kindsl.toml`, a name under `[parameters]` that no document of the project uses, or
 under `[joints]` one that no document has; in `[[document]]` a name that is not in this document.
 
 ## Why is this bad?
-It is a slip in the name, or a left-over: the value does nothing.
+The name is misspelt, or a leftover: the value has no effect.
 
 ## Example
 ```toml

@@ -1,14 +1,14 @@
-"""Some numbers of an inertia are parameters, and the others hold for one value of them only.
+"""An inertia is parametric only in part.
 
 ## What it does
 Reports an inertia with a parametric mass or centre of mass whose moments are constant, or with
-parametric moments and a constant mass. Moments that are all zero are no constants in this sense,
-and a unit behind a number (KD408) is no parameter.
+parametric moments and a constant mass. Moments that are all zero do not count as constants, nor a
+unit behind a number (KD408) as a parameter.
 
 ## Why is this bad?
 Moments are proportional to mass, and those about the origin grow with the square of the CoM's
-distance. The manual warns of it (6.2): the moment the parameter leaves the value for which the
-constants were computed, they describe another body, possibly an impossible one.
+distance. The manual warns of it (6.2): for any other value of the parameter than the one that the
+constants were computed for, they describe another body, possibly an impossible one.
 
 ## Example
 ```kindsl

@@ -1,10 +1,10 @@
 """A named constant has no value.
 
 ## What it does
-Reports `<k>` where no `<k=...>` is in the document. Its place may be before or behind.
+Reports `<k>` without a `<k=...>` anywhere in the document.
 
 ## Why is this bad?
-RobCoGen2 stops without a place; nothing can be drawn or computed.
+RobCoGen2 stops without a line number; nothing can be drawn or computed.
 
 ## Example
 ```kindsl

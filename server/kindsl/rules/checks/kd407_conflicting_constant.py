@@ -4,7 +4,7 @@
 Reports a `<k=...>` whose value differs from the first one of the same name.
 
 ## Why is this bad?
-RobCoGen2 takes one of them without a word.
+RobCoGen2 silently takes one of them.
 
 ## Example
 ```kindsl

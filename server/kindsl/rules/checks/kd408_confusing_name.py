@@ -1,4 +1,4 @@
-"""A name in a value that is easily taken for something else.
+"""A name in a value is easily mistaken for something else.
 
 ## What it does
 Reports `pi`, `Pi` and `pI`, `π` where it has no value, a parameter with the name of a link or a
@@ -7,9 +7,8 @@ unit behind a number, unless that name has a value.
 
 ## Why is this bad?
 `pi` is a parameter of that name for RobCoGen and the number for RobCoGen2: one text with two
-meanings. Of `pitch` RobCoGen2 reads `pi` and stops at `tch`. `π` is a parameter like any other, so
-whoever means the number gets an angle that somebody else decides. `2.275kg` is the product of 2.275
-and a parameter `kg`.
+meanings. Of `pitch` RobCoGen2 reads `pi` and stops at `tch`. `π` is a parameter like any other, not
+the number. `2.275kg` is the product of 2.275 and a parameter `kg`.
 
 ## Example
 ```kindsl
@@ -18,7 +17,7 @@ rotation = (pi/2.0, 0.0, 0.0)
 
 ## Fix
 Writes `PI`, or the number in kilograms, metres or radians. Unsafe: for RobCoGen the parameter
-ceases to be.
+disappears.
 """
 
 from collections.abc import Iterator

@@ -5,8 +5,8 @@ Reports a parameter whose value, from the document or from outside, is below `mi
 in `kindsl.toml`.
 
 ## Why is this bad?
-Either the value or the range is wrong. The preview's sliders cannot show the one, and the checks
-over the range do not cover it.
+Either the value or the range is wrong. The preview's sliders cannot show such a value, and the
+checks over the range do not cover it.
 
 ## Example
 ```toml

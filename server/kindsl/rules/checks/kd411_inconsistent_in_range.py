@@ -2,16 +2,16 @@
 
 ## What it does
 Evaluates each parametric inertia over the ranges that `kindsl.toml` gives to its parameters, and
-reports a value at which mass is not positive or no body has these moments (KD301, KD302).
+reports a value at which mass is not positive or the moments are impossible (KD301, KD302).
 
 For up to twelve parameters of a link this is a proof where mass, `m c` and the moments are affine
 in each parameter alone: the worst body is then at a corner, and all corners are tried. Elsewhere
-the ranges are halved until interval bounds prove every part; where that takes too many steps, the
-rule says that it is not decided.
+the ranges are halved until interval bounds prove every part; if that takes too many steps, the rule
+reports that it is undecided.
 
 ## Why is this bad?
-The model is fine as long as the parameter stays where it is. An optimiser, an identification or a
-slider will not leave it there.
+The model is valid only while the parameter keeps its value. An optimiser, an identification or a
+slider will change it.
 
 ## Example
 ```toml

@@ -4,7 +4,7 @@
 Reports a rotation of more than a whole turn, 2 PI.
 
 ## Why is this bad?
-Angles are in radians. Nobody turns a frame by 90 rad; 90 rad is 14 turns and 116.6°.
+Angles are in radians. 90 rad is 14 turns and 116.6°.
 
 ## Example
 ```kindsl

@@ -1,7 +1,7 @@
 """A rotation is a fraction of pi, written as a number.
 
 ## What it does
-Points at `1.5708`, `3.14159`, `-0.785` and the like in a rotation, where the digits written are
+Reports `1.5708`, `3.14159`, `-0.785` and the like in a rotation, where the digits written are
 those of a fraction of pi.
 
 ## Why is this bad?

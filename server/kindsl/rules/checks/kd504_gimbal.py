@@ -1,7 +1,7 @@
 """The second of three rotations is a right angle.
 
 ## What it does
-Points at a rotation with `ry` of plus or minus a right angle, and `rx` and `rz` other than zero.
+Reports a rotation with `ry` of plus or minus a right angle, and `rx` and `rz` other than zero.
 
 ## Why is this bad?
 The first and the third rotation are then about the same axis: only the sum or the difference of

@@ -4,8 +4,7 @@
 Reports a joint whose frame is that of another joint of the same kind and the same predecessor.
 
 ## Why is this bad?
-Two links that start at one place and move in the same way are mostly one pose that was copied and
-not edited.
+Usually one pose was copied and not edited.
 
 ## Example
 ```kindsl

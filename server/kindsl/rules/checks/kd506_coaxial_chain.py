@@ -1,8 +1,8 @@
 """Two successive joints have the same axis.
 
 ## What it does
-Says that a revolute joint turns about the axis of the revolute joint before it, or that a prismatic
-joint slides along the direction of the prismatic joint before it.
+Reports a revolute joint about the axis of the revolute joint before it, and a prismatic joint along
+the direction of the prismatic joint before it.
 
 ## Why is this bad?
 Only the sum of the two joint variables changes the pose: the Jacobian loses a rank everywhere. It

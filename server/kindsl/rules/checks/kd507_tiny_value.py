@@ -7,7 +7,7 @@ not matter either way and is not reported.
 
 ## Why is this bad?
 RobCoGen2 rounds to five decimals to decide whether a value is zero, and then simplifies: a product
-of inertia of 0.000003 kg·m² is gone without a word.
+of inertia of 0.000003 kg·m² silently disappears.
 
 ## Example
 ```kindsl

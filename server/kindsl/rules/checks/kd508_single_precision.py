@@ -1,11 +1,11 @@
 """Numbers have more digits than RobCoGen keeps.
 
 ## What it does
-Points at the first number of a block with more than nine significant digits, unless the document is
+Reports the first number of a block with more than nine significant digits, unless the document is
 for the target robcogen2 alone.
 
 ## Why is this bad?
-RobCoGen reads numbers in single precision, which nine digits write down completely; it keeps seven.
+RobCoGen reads numbers in single precision, which nine digits determine completely; it keeps seven.
 The others are noise, and no link is measured to a billionth.
 
 ## Example

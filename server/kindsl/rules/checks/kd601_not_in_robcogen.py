@@ -1,13 +1,13 @@
-"""RobCoGen does not take this.
+"""A construct that RobCoGen does not support.
 
 ## What it does
-Reports what RobCoGen 0.x refuses though the language has it: products with `*`, defaults such as
+Reports constructs of the language that RobCoGen 0.x refuses: products with `*`, defaults such as
 `x[1.0]`, constants `<k=1.0>`, numbers with exponents, keywords as names, and so on. An error for
 the target robcogen; else it is off, and a hint if it is selected.
 
 ## Why is this bad?
-RobCoGen answers "no viable alternative" and generates nothing. A base that is someone's child it
-does not resolve, which is told here too.
+RobCoGen answers "no viable alternative" and generates nothing. A base that is listed as a child,
+which it does not resolve, is reported here too.
 
 ## Example
 ```kindsl
@@ -15,7 +15,7 @@ translation = (1.0e-3, 0.0, 0.0)
 ```
 
 ## Fix
-Writes what both generators take, where there is such a thing: `0.001`. Safe: the value stays.
+Writes an equivalent that both generators support, if there is one: `0.001`. Safe: the value stays.
 """
 
 from collections.abc import Iterator

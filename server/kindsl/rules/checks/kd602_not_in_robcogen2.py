@@ -1,11 +1,11 @@
-"""RobCoGen2 does not take this.
+"""A construct that RobCoGen2 does not support.
 
 ## What it does
-Reports what RobCoGen2 refuses though the language has it: block comments, escaped names, products
+Reports constructs of the language that RobCoGen2 refuses: block comments, escaped names, products
 without `*`, names that begin with `pi`, and so on. An error for the target robcogen2; else it is
-off, and a hint if it is selected. For the target robcogen2 it also tells the first defect of names,
-ids or the tree at which RobCoGen2 dies with `KeyError` or `Inconsistent arguments` while it loads
-the document; the defect has a rule of its own too.
+off, and a hint if it is selected. For the target robcogen2 it also reports the first defect of
+names, ids or the tree at which RobCoGen2 stops with `KeyError` or `Inconsistent arguments` while it
+loads the document; other rules report that defect too.
 
 ## Why is this bad?
 RobCoGen2 stops and generates nothing.
@@ -16,7 +16,7 @@ translation = (2.0 reach, 0.0, 0.0)
 ```
 
 ## Fix
-Writes what both generators take, where there is such a thing. Safe: the value stays.
+Writes an equivalent that both generators support, if there is one. Safe: the value stays.
 """
 
 from collections.abc import Iterator

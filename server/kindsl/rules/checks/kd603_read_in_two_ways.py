@@ -1,13 +1,13 @@
-"""A value that the generators read differently, or not as it looks.
+"""A value that the generators read differently, or not as it seems.
 
 ## What it does
-Reports `1.0e3`, which RobCoGen reads as 1.0 times a parameter `e3` and RobCoGen2 as 1000, and
-`2.0 - PI`, which RobCoGen reads as the product of 2.0 and -PI and RobCoGen2 not at all. With one
-target named it says what that target reads. `pi` has a rule of its own, KD408.
+Reports `1.0e3`, which RobCoGen reads as 1.0 times a parameter `e3` and RobCoGen2 as 1000, and `2.0
+- PI`, which RobCoGen reads as the product of 2.0 and -PI and RobCoGen2 not at all. With one target
+named it reports the reading of that target. `pi` has a rule of its own, KD408.
 
 ## Why is this bad?
-One text, two robots, and no generator says a word. Without a target `1.0e3` has no value here:
-nothing is computed from it until the target in `kindsl.toml` decides, or the text does.
+One text, two robots, and neither generator reports it. Without a target `1.0e3` has no value here:
+nothing is computed from it until `kindsl.toml` names a target or the text is changed.
 
 ## Example
 ```kindsl

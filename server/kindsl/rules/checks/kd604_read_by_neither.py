@@ -1,11 +1,11 @@
-"""Each generator refuses something else in this document, so none reads it.
+"""Each generator refuses a different part of the document, so neither reads it.
 
 ## What it does
-Reports, where no target is named, a document in which RobCoGen refuses one thing and RobCoGen2
-another. Each alone is in the language; with a target named it is KD601 or KD602.
+Reports, where no target is named, a document in which RobCoGen refuses one construct and RobCoGen2
+another. Each alone is valid; with a target named it is KD601 or KD602.
 
 ## Why is this bad?
-The document belongs to no generator: whichever is run stops.
+No generator accepts the document.
 
 ## Example
 ```kindsl

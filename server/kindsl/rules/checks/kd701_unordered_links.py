@@ -1,11 +1,11 @@
-"""The links are not written in the order of their numbers.
+"""The links are not in the order of their ids.
 
 ## What it does
-Says where a link follows one with a greater number.
+Reports a link that follows one with a greater id.
 
 ## Why is this bad?
-Everything that is generated goes by the numbers. A reader who looks for the fourth joint variable
-looks for the fourth link.
+All generated code is ordered by id. A reader who looks for the fourth joint variable looks for the
+fourth link.
 
 ## Example
 ```kindsl

@@ -1,10 +1,10 @@
 """Two keywords for the same section.
 
 ## What it does
-Points at `inertia_properties` in a document that mostly says `inertia_params`, or the reverse.
+Reports `inertia_properties` in a document that mostly says `inertia_params`, or the reverse.
 
 ## Why is this bad?
-Both mean the same. Who searches for one does not find the other.
+Both mean the same, but a search for one does not find the other.
 
 ## Example
 ```kindsl

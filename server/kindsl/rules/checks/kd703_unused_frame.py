@@ -1,12 +1,12 @@
 """A frame that adds nothing.
 
 ## What it does
-Points at a frame that coincides with the frame of its link and that no inertia is given in.
+Reports a frame that coincides with the frame of its link and that no inertia is given in.
 
 ## Why is this bad?
-The generators know the link frame already, as `fr_<link>`. Converters from URDF leave such frames
-behind for every fixed joint without an offset. Other frames are for whoever uses the robot, and
-none of them is reported.
+The generators already have the link frame, as `fr_<link>`. Converters from URDF leave such frames
+behind for every fixed joint without an offset. Other unused frames are for users of the robot and
+are not reported.
 
 ## Example
 ```kindsl

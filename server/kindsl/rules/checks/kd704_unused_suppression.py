@@ -1,11 +1,11 @@
-"""A comment that silences a finding which is not there.
+"""A comment suppresses a finding that does not exist.
 
 ## What it does
 Reports each code in a `// kindsl: ignore[...]` or `// kindsl: ignore-file[...]` comment that
-silenced nothing.
+suppressed nothing.
 
 ## Why is this bad?
-It tells the reader of a defect that is no longer there, and will hide the next one.
+It points the reader at a defect that is gone, and will hide the next one.
 
 ## Example
 ```kindsl
@@ -14,7 +14,7 @@ link upper { // kindsl: ignore[KD301]
 where the inertia of `upper` was corrected long ago.
 
 ## Fix
-Removes the code, or the comment with its last code. Safe: a comment means nothing to the robot.
+Removes the code, or the comment with its last code. Safe: comments do not affect the robot.
 """
 
 from collections.abc import Iterable, Iterator

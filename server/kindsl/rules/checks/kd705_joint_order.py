@@ -1,10 +1,10 @@
-"""The joints are not written in the order of the links that they move.
+"""The joints are not in the order of the links that they move.
 
 ## What it does
-Points at the first joint whose link has a smaller number than that of the joint before.
+Reports the first joint whose link has a smaller id than the link of the joint before it.
 
 ## Why is this bad?
-Joint i is the supporting joint of link i. A reader expects to find them in one order.
+Joint i is the supporting joint of link i. A reader expects the same order.
 
 ## Example
 ```kindsl

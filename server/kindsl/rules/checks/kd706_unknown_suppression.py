@@ -1,11 +1,11 @@
-"""A comment that was meant to suppress findings and suppresses nothing.
+"""A comment that should suppress findings has no effect.
 
 ## What it does
-Reports comments that begin with `kindsl:` and are not understood: a code that no rule has, a
-misspelled `ignore` or `ignore-file`, and one without codes.
+Reports invalid comments that begin with `kindsl:`: with an unknown code, with a misspelt `ignore`
+or `ignore-file`, or without codes.
 
 ## Why is this bad?
-Who wrote it believes that a finding is suppressed. A code is never completed or corrected silently,
+Its author believes that a finding is suppressed. A code is never completed or corrected silently,
 since `KD3O1` read as `KD3` would hide a dozen rules.
 
 ## Example
@@ -15,7 +15,7 @@ link upper { // kindsl: ignore[KD3O1]
 
 ## Fix
 Writes the code or word that was meant, and the codes of the findings there into a comment without
-codes: unsafe, since it hides findings. What can mean nothing is removed: safe.
+codes: unsafe, since it hides findings. A comment that cannot mean anything is removed: safe.
 """
 
 from collections.abc import Iterable, Iterator, Sequence

@@ -1,11 +1,11 @@
-"""A word of a transforms document does not fit.
+"""A syntax error in a transforms document.
 
 ## What it does
-Reports, in a `.dtdsl` document, each word that cannot stand where it is, a missing word or bracket
-at the word behind it, and sections that are repeated or out of order.
+Reports, in a `.dtdsl` document, each word that is not allowed at its place, a missing word or
+bracket at the next word, and sections that are repeated or out of order.
 
 ## Why is this bad?
-RobCoGen stops there.
+RobCoGen stops at the first one.
 
 ## Example
 ```

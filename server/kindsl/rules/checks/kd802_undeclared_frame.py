@@ -1,4 +1,4 @@
-"""A transform names a frame that the document does not declare.
+"""A transform uses a frame that is not listed under `Frames`.
 
 ## What it does
 Reports, in a `.dtdsl` document, frames of transforms and Jacobians that are not under `Frames`.

@@ -1,10 +1,11 @@
 """A frame, transform or Jacobian is listed twice.
 
 ## What it does
-Reports, in a `.dtdsl` document, a frame or a pair of frames that the same section has already.
+Reports, in a `.dtdsl` document, a frame or a pair of frames that is already listed in the same
+section.
 
 ## Why is this bad?
-The second one does nothing; perhaps another frame was meant.
+The second one has no effect; perhaps another frame was meant.
 
 ## Example
 ```

@@ -1,10 +1,10 @@
 """A transforms document belongs to a robot of another name.
 
 ## What it does
-Reports, in a `.dtdsl` document, a robot's name that is not the one of the model beside it.
+Reports, in a `.dtdsl` document, a robot's name other than that of the model beside it.
 
 ## Why is this bad?
-The document was copied, or the model renamed: the generator takes both names for one.
+The document was copied, or the model renamed; the generator assumes that they are the same.
 
 ## Example
 ```
