@@ -3,7 +3,9 @@
 What must not import what is import-linter's; see `pyproject.toml`.
 """
 
+import ast
 import re
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
@@ -66,6 +68,18 @@ def test_no_files_import_each_other_in_a_circle() -> None:
         "kindsl.lsp.session.view"
     ), "imports for annotations are not seen"
     assert list(circles(graph.modules, graph.find_modules_directly_imported_by)) == []
+
+
+def test_a_class_has_a_name_of_its_own() -> None:
+    """One name, one thing, wherever it is kept."""
+    names = Counter(
+        node.name
+        for path in HOUSE.rglob("*.py")
+        for node in ast.walk(ast.parse(path.read_text("utf-8")))
+        if isinstance(node, ast.ClassDef)
+    )
+    assert len(names) > 300
+    assert [name for name, count in names.items() if count > 1] == []
 
 
 @pytest.mark.parametrize(

@@ -8,13 +8,13 @@ from tests.support import robots
 
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.fixing import is_mendable, is_safe, made, mended
-from kindsl.analysis.proof import Effect, Verdict, effect
+from kindsl.analysis.proof import EditEffect, Effect, effect
 from kindsl.analysis.text_fix import TextFix, prove
 from kindsl.rules.examples import joint, link, robot
 from kindsl.syntax.document import parse
 from kindsl.text.edits import TextEdit, apply_edits
 
-KEEPS, CHANGES, CANNOT_KNOW = Verdict
+KEEPS, CHANGES, CANNOT_KNOW = EditEffect
 ARM = robots.ARM
 
 
@@ -51,7 +51,7 @@ def with_angle(angle: str) -> str:
         ("@1.0", "1.0", CANNOT_KNOW),
     ],
 )
-def test_a_number_in_other_words(old: str, new: str, verdict: Verdict) -> None:
+def test_a_number_in_other_words(old: str, new: str, verdict: EditEffect) -> None:
     assert done(with_angle(old), with_angle(new)).verdict is verdict
 
 
@@ -68,7 +68,7 @@ def test_a_number_in_other_words(old: str, new: str, verdict: Verdict) -> None:
         ("1.57079631", CHANGES),
     ],
 )
-def test_digits_that_are_rounded_or_cut_off(written: str, verdict: Verdict) -> None:
+def test_digits_that_are_rounded_or_cut_off(written: str, verdict: EditEffect) -> None:
     for sign in ("", "-"):
         old, new = with_angle(sign + written), with_angle(f"{sign}PI/2.0")
         assert done(old, new, within_digits=True).verdict is verdict
@@ -89,7 +89,7 @@ def test_digits_that_are_rounded_or_cut_off(written: str, verdict: Verdict) -> N
         ("children {  }", "children {", CANNOT_KNOW),
     ],
 )
-def test_what_else_is_said(old: str, new: str, verdict: Verdict) -> None:
+def test_what_else_is_said(old: str, new: str, verdict: EditEffect) -> None:
     links = link("arm", 1, "hand2 via joint_b"), link("hand2", 2)
     text = robot(*links, "// the wrist\n", base="arm via joint_a", joints="joint_a joint_b")
     assert old in text

@@ -15,7 +15,7 @@ from tests.support.amount import usually
 
 import kindsl
 from kindsl.analysis.diagnostics import RelatedPlace
-from kindsl.cli.outcome import Failure, LintedFile, Outcome
+from kindsl.cli.outcome import Failure, LintedFile, RunOutcome
 from kindsl.cli.output import FORMATS, renderer, sarif_format
 from kindsl.rules.base import Severity
 from kindsl.rules.registry import all_rules
@@ -156,7 +156,7 @@ def test_sarif_keeps_the_worst_of_more_findings_than_github_takes(
     worst = min(findings, key=lambda f: f.severity != "error")
     hint = worst._replace(severity=Severity.HINT)
     file = LintedFile("arm.kindsl", text, [*[hint] * 25, worst])
-    (run,) = json.loads(renderer("sarif")(Outcome([file], [])))["runs"]
+    (run,) = json.loads(renderer("sarif")(RunOutcome([file], [])))["runs"]
     assert len(run["results"]) == 25
     assert run["results"][0]["level"] == "error"
     (note,) = run["invocations"][0]["toolExecutionNotifications"]
@@ -168,7 +168,7 @@ def test_sarif_has_what_github_requires_within_its_limits() -> None:
     finding = kindsl.parse(text).findings[0]
     related = tuple(RelatedPlace(0, 5, "another") for _ in range(2000))
     file = LintedFile("arm.kindsl", text, [finding._replace(related=related, message="m" * 9000)])
-    log = json.loads(renderer("sarif")(Outcome([file], [])))
+    log = json.loads(renderer("sarif")(RunOutcome([file], [])))
     SARIF.validate(log)
     (run,) = log["runs"]
     for rule in run["tool"]["driver"]["rules"]:
@@ -194,7 +194,7 @@ def test_github_commands_are_escaped(kdsl_lint: Runner, strange_folder: Path) ->
 
 @pytest.mark.parametrize("name", FORMATS)
 def test_nothing_to_report_is_a_report_too(name: str) -> None:
-    text = renderer(name)(Outcome([], []))
+    text = renderer(name)(RunOutcome([], []))
     if name in ("json", "gitlab"):
         assert json.loads(text) == []
     elif name == "sarif":
@@ -220,7 +220,7 @@ def test_nothing_to_report_is_a_report_too(name: str) -> None:
 )
 def test_every_report_of_any_text_is_well_formed(text: str, path: str) -> None:
     file = LintedFile(path, text, kindsl.parse(text).findings)
-    outcome = Outcome([file], [Failure(path, "is odd\n", 1, 1)])
+    outcome = RunOutcome([file], [Failure(path, "is odd\n", 1, 1)])
     reports: dict[str, Any] = {name: renderer(name)(outcome) for name in FORMATS}
     for report in reports.values():
         report.encode()

@@ -8,8 +8,8 @@ from tests.cli.samples import GOOD, INTEGER, UNBOUND
 from kindsl.cli.documents.choices import Choices
 from kindsl.cli.linter import watching
 from kindsl.cli.linter.one_document import Mending
-from kindsl.cli.linter.run import Plan
-from kindsl.cli.outcome import Outcome
+from kindsl.cli.linter.run import LintPlan
+from kindsl.cli.outcome import RunOutcome
 from kindsl.config.discovery import Configurations
 
 
@@ -34,12 +34,12 @@ def test_lints_again_when_something_changes(
 
     found: list[list[str]] = []
 
-    def report(outcome: Outcome) -> int:
+    def report(outcome: RunOutcome) -> int:
         found.append([finding.code for file in outcome.files for finding in file.findings])
         return len(found)
 
     monkeypatch.setattr(watching.time, "sleep", pause)
-    plan = Plan(["."], Choices(configurations=Configurations()), is_quiet=True)
+    plan = LintPlan(["."], Choices(configurations=Configurations()), is_quiet=True)
     assert watching.watch(plan, report) == 5
     assert found == [[], ["KD005"], ["KD005", "KD401"], ["KD005"], []]
     assert capsys.readouterr().err.count("watching") == 5
@@ -63,14 +63,14 @@ def test_what_is_saved_during_a_run_is_linted_next(
     document.write_text(GOOD)
     found: list[list[str]] = []
 
-    def report(outcome: Outcome) -> int:
+    def report(outcome: RunOutcome) -> int:
         if not found:
             document.write_text(INTEGER)
         found.append([finding.code for file in outcome.files for finding in file.findings])
         return len(found)
 
     look_three_times(monkeypatch)
-    plan = Plan(["."], Choices(configurations=Configurations()), is_quiet=True)
+    plan = LintPlan(["."], Choices(configurations=Configurations()), is_quiet=True)
     assert watching.watch(plan, report) == 2
     assert found == [[], ["KD005"]]
 
@@ -82,13 +82,13 @@ def test_a_file_that_the_run_itself_mends_is_linted_once(
     document.write_text(INTEGER)
     mended: list[int] = []
 
-    def report(outcome: Outcome) -> int:
+    def report(outcome: RunOutcome) -> int:
         mended.append(sum(file.n_fixed for file in outcome.files))
         return len(mended)
 
     look_three_times(monkeypatch)
     choices = Choices(configurations=Configurations())
-    plan = Plan(["."], choices, is_quiet=True, mending=Mending.WRITTEN)
+    plan = LintPlan(["."], choices, is_quiet=True, mending=Mending.WRITTEN)
     assert watching.watch(plan, report) == 1
     assert mended == [1]
     assert document.read_text() != INTEGER

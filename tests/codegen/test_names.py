@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from tests.codegen.robots import bodies_of_seed, library
 
 from kindsl.codegen.names import RESERVED, file_name, identifier, identifiers, prefix_of
-from kindsl.dynamics.bodies import Frame
+from kindsl.dynamics.bodies import BodyFrame
 
 ODD = [*sorted(RESERVED), "a.b", "a_b"]
 NAMES = st.one_of(st.text(min_size=1, max_size=6), st.sampled_from(ODD))
@@ -41,7 +41,7 @@ def test_a_files_name_ends_no_comment() -> None:
 def test_a_frame_called_like_a_batch_is_another_function() -> None:
     bodies = bodies_of_seed(2)
     frames = tuple(
-        Frame(name, 1, bodies.frames[0].body_R_frame, bodies.frames[0].body_r_frame)
+        BodyFrame(name, 1, bodies.frames[0].body_R_frame, bodies.frames[0].body_r_frame)
         for name in ("tip", "tip_batch", "tip_in_base")
     )
     renamed = library(replace(bodies, frames=frames), ("jacobians",))

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from kindsl.dynamics.bodies import Bodies, Frame
+from kindsl.dynamics.bodies import Bodies, BodyFrame
 from kindsl.rigid.topology import JointKind
 from kindsl.spatial.arrays import Array
 from kindsl.spatial.transforms import rotation_from_intrinsic_xyz
@@ -30,7 +30,7 @@ def random_bodies(
         inertias=np.array([inertia for _, _, inertia in inertias]),
         is_floating=is_floating,
         frames=tuple(
-            Frame(
+            BodyFrame(
                 f"frame{k}",
                 int(generator.integers(n_links + 1)),
                 random_rotation(generator),

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 import pinocchio as pin
 
-from kindsl.dynamics.bodies import Bodies, Frame
+from kindsl.dynamics.bodies import Bodies, BodyFrame
 from kindsl.spatial.arrays import Array
 from kindsl.spatial.inertia import point_inertia
 
@@ -97,7 +97,9 @@ def bodies(robot: Robot) -> Bodies:
         inertias=np.array([i.inertia + point_inertia(i.mass, i.lever) for i in inertias]),
         is_floating=robot.is_floating,
         frames=tuple(
-            Frame(_frame(index, n), index, pose.placement().rotation, pose.placement().translation)
+            BodyFrame(
+                _frame(index, n), index, pose.placement().rotation, pose.placement().translation
+            )
             for index, part in enumerate(robot.parts)
             for n, pose in enumerate(part.frames)
         ),

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from tests.dynamics.random_bodies import random_bodies
 
-from kindsl.dynamics.bodies import Frame
+from kindsl.dynamics.bodies import BodyFrame
 
 GOOD = random_bodies(np.random.default_rng(0), 3, is_floating=True)
 MIRROR = np.diag([1.0, 1.0, -1.0])
@@ -31,12 +31,18 @@ MIRROR = np.diag([1.0, 1.0, -1.0])
             "joint 'joint1': the rotation matrix is not a rotation",
         ),
         ({"p_R_j": np.zeros((3, 3, 3))}, "joint 'joint1': the rotation matrix is not a rotation"),
-        ({"frames": (Frame("f", 9, np.eye(3), np.zeros(3)),)}, "frame 'f' is on body 9, of 0 to 3"),
         (
-            {"frames": (Frame("f", 0, MIRROR, np.zeros(3)),)},
+            {"frames": (BodyFrame("f", 9, np.eye(3), np.zeros(3)),)},
+            "frame 'f' is on body 9, of 0 to 3",
+        ),
+        (
+            {"frames": (BodyFrame("f", 0, MIRROR, np.zeros(3)),)},
             "frame 'f': the rotation matrix is not",
         ),
-        ({"frames": (Frame("f", 0, np.eye(3), np.zeros(2)),)}, r"position of frame 'f' has shape"),
+        (
+            {"frames": (BodyFrame("f", 0, np.eye(3), np.zeros(2)),)},
+            r"position of frame 'f' has shape",
+        ),
     ],
 )
 def test_what_is_wrong_is_named(change: dict[str, Any], message: str) -> None:

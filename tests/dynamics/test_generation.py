@@ -12,9 +12,9 @@ from tests.dynamics.random_bodies import random_bodies, random_inertia, random_r
 from kindsl.dynamics.generation.emitters.numpy_rows import batch_function, run_in_chunks
 from kindsl.dynamics.generation.emitters.scalar_python import scalar_function, scalar_source
 from kindsl.dynamics.generation.emitters.straight_line import computed
-from kindsl.dynamics.generation.expressions import Expression, Graph, cosine_and_sine
+from kindsl.dynamics.generation.expressions import Graph, Term, cosine_and_sine
 from kindsl.dynamics.generation.factorization import solve_symmetric
-from kindsl.dynamics.generation.mass_moments import MassDistribution
+from kindsl.dynamics.generation.mass_moments import MassMoments
 from kindsl.dynamics.generation.trace import Trace, trace
 from kindsl.dynamics.generation.tree import tree_of
 from kindsl.dynamics.quantities import SingularInertiaError
@@ -87,7 +87,7 @@ def test_constants_are_folded() -> None:
         x * 0.25 + x * 0.75,
         x * 3.0 - x * 2.0,
     ):
-        assert isinstance(same, Expression)
+        assert isinstance(same, Term)
         assert same.index == x.index
     assert (x / 4.0).index == (x * 0.25).index
     assert (x + y).index == (y + x).index
@@ -108,7 +108,7 @@ def test_inputs_and_what_is_known_are_not_computed() -> None:
     x, y = graph.vector(2)
     product = x * y
     total = product + 3.0
-    assert isinstance(product, Expression) and isinstance(total, Expression)
+    assert isinstance(product, Term) and isinstance(total, Term)
     assert computed(graph, [total, 2.0], []) == [product.index, total.index]
     assert computed(graph, [total], [product.index]) == [total.index]
     assert computed(graph, [total], [total.index]) == []
@@ -136,7 +136,7 @@ def test_mass_distributions_move_as_pseudo_inertias(seed: int) -> None:
     generator = np.random.default_rng(seed)
     mass, com, inertia = random_inertia(generator)
     P = pseudo_inertia(np.asarray(mass), com, inertia)
-    body = MassDistribution(P[:3, :3].tolist(), P[:3, 3].tolist(), mass)
+    body = MassMoments(P[:3, :3].tolist(), P[:3, 3].tolist(), mass)
     R, r, angle = random_rotation(generator), generator.uniform(-1.0, 1.0, 3), 0.7
     T = np.eye(4)
     T[:3, :3], T[:3, 3] = R, r

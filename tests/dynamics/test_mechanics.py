@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from tests.dynamics.random_bodies import random_bodies
 
-from kindsl.dynamics.bodies import Frame
+from kindsl.dynamics.bodies import BodyFrame
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.dynamics.quantities import SingularInertiaError
 
@@ -227,7 +227,7 @@ def test_names_never_enter_generated_code() -> None:
         base_name="\n",
         link_names=(evil, "x"),
         joint_names=(evil, "x"),
-        frames=(Frame("'", 1, np.eye(3), np.zeros(3)),),
+        frames=(BodyFrame("'", 1, np.eye(3), np.zeros(3)),),
     )
     assert set(Mechanics(named).forward_kinematics(np.zeros(2))) == {evil, "x", "'"}
     assert len(Mechanics(named).forward_kinematics(np.zeros((100, 2)))) == 3

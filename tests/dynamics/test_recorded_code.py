@@ -16,7 +16,7 @@ from tests.support.recorded import assert_as_recorded
 
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.generation.emitters.scalar_python import scalar_function
-from kindsl.dynamics.generation.expressions import Expression, Scalar
+from kindsl.dynamics.generation.expressions import Scalar, Term
 from kindsl.dynamics.generation.function import Function, Result, inputs_of
 from kindsl.dynamics.generation.functions import QUANTITIES
 from kindsl.dynamics.generation.robot import robot_of
@@ -63,7 +63,7 @@ def of_traces(bodies: Bodies) -> Iterator[str]:
 def of_functions(bodies: Bodies) -> Iterator[str]:
     robot = robot_of(bodies)
     inputs = inputs_of(robot)
-    every = [Expression(robot.graph, index) for index in robot.graph.inputs]
+    every = [Term(robot.graph, index) for index in robot.graph.inputs]
     for name, quantity in QUANTITIES.items():
         yield f"## {name}: {quantity.summary} {quantity.needs_mass} {quantity.is_derivative}"
         for function in quantity.build(robot, inputs):
@@ -73,9 +73,7 @@ def of_functions(bodies: Bodies) -> Iterator[str]:
                 yield from of_results(results, function, every)
 
 
-def of_results(
-    results: tuple[Result, ...], function: Function, every: list[Expression]
-) -> Iterator[str]:
+def of_results(results: tuple[Result, ...], function: Function, every: list[Term]) -> Iterator[str]:
     entries: list[Scalar] = [entry for result in results for entry in result.entries]
     recorded = Trace(every[0].graph, [every], entries)
     own = {x.index for argument in function.arguments for x in argument.components}

@@ -8,9 +8,9 @@ from tests.dynamics.random_bodies import random_bodies
 
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.dynamics.generation.emitters.numbers import evaluate
-from kindsl.dynamics.generation.expressions import Expression, Graph
+from kindsl.dynamics.generation.expressions import Graph, Term
 from kindsl.dynamics.generation.inverse_dynamics import actuated_base_inverse_dynamics
-from kindsl.dynamics.generation.mass_moments import MassDistribution
+from kindsl.dynamics.generation.mass_moments import MassMoments
 from kindsl.dynamics.generation.tree import (
     ROUNDING,
     Tree,
@@ -44,8 +44,8 @@ def test_what_only_rounding_left_of_a_body_is_gone(kind: JointKind) -> None:
     second = [[0.0, 0.0, 0.0]] * 3 if kind == "prismatic" else [
         [1.0, near, far], [near, 2.0, near], [far, near, 7.0]
     ]  # fmt: skip
-    body = MassDistribution([[*row] for row in second], first, 2.0)
-    none = MassDistribution([[0.0] * 3 for _ in range(3)], [0.0] * 3, 0.0)
+    body = MassMoments([[*row] for row in second], first, 2.0)
+    none = MassMoments([[0.0] * 3 for _ in range(3)], [0.0] * 3, 0.0)
     found = masses_near_base(["revolute", kind], [0, 0], [EYE, EYE], [[0.0] * 3] * 2, [none, body])
     if kind == "prismatic":
         assert found[1].first == [1.0, 0.0, far]
@@ -61,13 +61,13 @@ def test_masses_may_be_known_later(is_floating: bool) -> None:
     known, graph = tree_of(bodies), Graph()
     numbers: dict[int, float] = {}
 
-    def later(value: float) -> Expression:
+    def later(value: float) -> Term:
         unknown = graph.input()
         numbers[unknown.index] = value
         return unknown
 
     given = [
-        MassDistribution(
+        MassMoments(
             [[float(x) for x in row] for row in body.second],
             [later(body.first[0]), body.first[1], later(body.first[2])],  # type: ignore[arg-type]
             later(body.mass),  # type: ignore[arg-type]

@@ -9,7 +9,7 @@ from kindsl.analysis.settings import Settings
 from kindsl.features.definition import bound_parameter, definitions
 from kindsl.features.linked_editing import linked_ranges
 from kindsl.features.references import references, uses
-from kindsl.features.rename import Refusal, Renaming, objection, rename, rename_range
+from kindsl.features.rename import RenameRefusal, Renaming, objection, rename, rename_range
 from kindsl.features.symbol_at import EntityKind
 from kindsl.features.workspace_symbols import is_match, workspace_symbols
 from kindsl.semantics.parameters import Binding
@@ -30,7 +30,7 @@ def renamed(marked: str, name: str) -> str:
 def refused(marked: str, name: str, settings: Settings | None = None) -> str:
     analysis, offset = at_cursor(marked, settings)
     found = rename(analysis, offset, name)
-    assert isinstance(found, Refusal), found
+    assert isinstance(found, RenameRefusal), found
     return found.message
 
 
@@ -158,7 +158,7 @@ def test_what_can_be_renamed_is_the_word_at_the_cursor() -> None:
     for place in ("$0upper", "up$0per", "upper$0"):
         analysis, offset = at_cursor(ARM.replace("link upper", f"link {place}"))
         span = rename_range(analysis, offset)
-        assert not isinstance(span, Refusal)
+        assert not isinstance(span, RenameRefusal)
         assert analysis.text[span.start : span.end] == "upper"
         assert analysis.text[: span.start].endswith("link ")
 

@@ -21,7 +21,7 @@ from kindsl.features.manipulation.add_frame import add_frame
 from kindsl.features.manipulation.handles import handles
 from kindsl.features.manipulation.mirror_leg import mirror_leg
 from kindsl.features.manipulation.pose_as_zero import pose_as_zero
-from kindsl.features.manipulation.set_component import Change, set_component
+from kindsl.features.manipulation.set_component import ComponentChange, set_component
 from kindsl.features.manipulation.things import Thing, carrying_frame
 from kindsl.features.transforms_actions import transforms_actions
 from kindsl.features.transforms_completion import transforms_completions
@@ -158,7 +158,9 @@ def of_drags() -> Iterator[str]:
 
 
 def _rounded(found: object) -> object:
-    return found._replace(value=round(found.value, 9)) if isinstance(found, Change) else found
+    return (
+        found._replace(value=round(found.value, 9)) if isinstance(found, ComponentChange) else found
+    )
 
 
 def of_things() -> Iterator[str]:

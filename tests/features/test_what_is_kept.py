@@ -16,14 +16,14 @@ from tests.support.spoilt import spoilt_robot
 from tests.support.walkers import walker
 
 from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.proof import Verdict, effect
+from kindsl.analysis.proof import EditEffect, effect
 from kindsl.features.actions.code_actions import refactorings
 from kindsl.features.manipulation.add_child import add_child
 from kindsl.features.manipulation.add_frame import add_frame
 from kindsl.features.manipulation.gesture import Gesture
 from kindsl.features.manipulation.mirror_leg import mirror_leg
 from kindsl.features.manipulation.pose_as_zero import pose_as_zero
-from kindsl.features.manipulation.set_component import Change, set_component
+from kindsl.features.manipulation.set_component import ComponentChange, set_component
 from kindsl.features.manipulation.things import Thing
 from kindsl.formatting.format import FormattingRefusedError, format_document
 from kindsl.text.edits import TextEdit
@@ -83,7 +83,7 @@ def test_formatting_keeps_everything(part: int) -> None:
         except FormattingRefusedError:
             continue
         after = assert_whole(analysis, edits, "format")
-        assert effect(analysis.syntax, after.syntax).verdict is Verdict.KEEPS
+        assert effect(analysis.syntax, after.syntax).verdict is EditEffect.KEEPS
 
 
 @pytest.mark.parametrize("part", PARTS)
@@ -125,7 +125,7 @@ def test_a_drag_changes_one_number(part: int) -> None:
             continue
         joint = generator.choice(joints)
         change = set_component(analysis, Thing("joint", joint), "y", 7.125)
-        if isinstance(change, Change) and change.edits:
+        if isinstance(change, ComponentChange) and change.edits:
             after = assert_whole(analysis, change.edits, "drag")
             told = changed_at_their_values(analysis, after)
             shared = re.search(r"\w\[|<", analysis.text)

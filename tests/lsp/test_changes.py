@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from lsprotocol import types
 
-from kindsl.lsp.text.changes import Change, changed
+from kindsl.lsp.text.changes import ContentChange, changed
 from kindsl.lsp.text.lines import Lines
 from kindsl.lsp.text.row import PlainPiece, Row
 from kindsl.text.lines import LineIndex
@@ -33,7 +33,7 @@ changes = st.lists(
 @steady
 @given(texts, changes, encodings)
 def test_changes_are_made_one_after_the_other(
-    text: str, changes: Sequence[Change], encoding: str
+    text: str, changes: Sequence[ContentChange], encoding: str
 ) -> None:
     lines, (start, end) = changed(lines_of(text), changes, encoding)
     made = naively_changed(text, changes, encoding)
@@ -85,7 +85,7 @@ def lines_of(text: str) -> Lines:
     return Lines(Row([PlainPiece(text)]))
 
 
-def naively_changed(text: str, changes: Sequence[Change], encoding: str) -> str:
+def naively_changed(text: str, changes: Sequence[ContentChange], encoding: str) -> str:
     for change in changes:
         if isinstance(change, types.TextDocumentContentChangeWholeDocument):
             text = change.text

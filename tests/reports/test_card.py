@@ -12,7 +12,7 @@ from kindsl.analysis.settings import Settings
 from kindsl.cli.main import main
 from kindsl.reports.card import card_page
 from kindsl.reports.drawing.shapes import Disc, Label, Line
-from kindsl.reports.page.blocks import Heading, Matrix, Picture, Table
+from kindsl.reports.page.blocks import Figure, Heading, Matrix, Table
 from kindsl.reports.page.rendering import RENDERERS, rendered
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -48,7 +48,7 @@ def test_what_is_not_known_of_a_body_is_no_number(tmp_path: Path) -> None:
 
 
 def test_every_link_and_frame_is_drawn_within_the_sheet() -> None:
-    (picture,) = (b for b in page(QUADRUPED) if isinstance(b, Picture))
+    (picture,) = (b for b in page(QUADRUPED) if isinstance(b, Figure))
     shapes = picture.drawing.shapes
     spots = [s for x in shapes if isinstance(x, Line) for s in (x.start, x.end)]
     spots += [x.center for x in shapes if isinstance(x, Disc)]
@@ -85,7 +85,7 @@ def test_broken_documents_are_shown_as_far_as_they_go(cut: int) -> None:
 @pytest.mark.parametrize("path", published_models())
 def test_published_documents_have_a_card(path: Path) -> None:
     blocks = page(path)
-    assert any(isinstance(b, Picture) for b in blocks)
+    assert any(isinstance(b, Figure) for b in blocks)
     assert all(rendered(blocks, output_format) for output_format in RENDERERS)
 
 

@@ -7,7 +7,7 @@ from tests.cli.samples import arm
 
 import kindsl
 from kindsl.analysis.settings import Settings
-from kindsl.reports.computation import Request, Results, compute
+from kindsl.reports.computation import ComputationRequest, Results, compute
 from kindsl.reports.computed_text import computed_text
 from kindsl.reports.motions import Motion
 from kindsl.semantics.parameters import Binding
@@ -18,7 +18,7 @@ ZERO = Motion((0.0, 0.0), (0.0, 0.0), (0.0, 0.0), (0.0, 0.0), (0.0,) * 6)
 
 def computed(*motions: Motion, text: str = "", is_forward: bool = False) -> Results:
     document = kindsl.parse(text or arm(), Settings())
-    return compute(document, document.mechanism(), Request(motions, GRAVITY, is_forward))
+    return compute(document, document.mechanism(), ComputationRequest(motions, GRAVITY, is_forward))
 
 
 def row(text: str, head: str) -> list[str]:
@@ -79,7 +79,7 @@ def test_a_floating_base_has_rows_of_its_own_but_none_among_the_joints() -> None
 def test_parameters_are_told_with_their_values() -> None:
     settings = Settings(bindings={"length": Binding(0.75)})
     document = kindsl.parse(arm(reach="length"), settings)
-    results = compute(document, document.mechanism(), Request((ZERO,), GRAVITY, False))
+    results = compute(document, document.mechanism(), ComputationRequest((ZERO,), GRAVITY, False))
     assert row(computed_text(results), "length") == ["0.75"]
 
 

@@ -4,10 +4,18 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kindsl.reports.motions import BASE_KEY, KEYS, Motion, MotionError, Robot, motion, motions_from
+from kindsl.reports.motions import (
+    BASE_KEY,
+    KEYS,
+    ConfigurationSpace,
+    Motion,
+    MotionError,
+    motion,
+    motions_from,
+)
 
-FIXED = Robot(("shoulder", "elbow"), is_floating=False)
-FLOATING = Robot(("shoulder", "elbow"), is_floating=True)
+FIXED = ConfigurationSpace(("shoulder", "elbow"), is_floating=False)
+FLOATING = ConfigurationSpace(("shoulder", "elbow"), is_floating=True)
 _ZERO = (0.0, 0.0)
 _KNOWN = ", ".join(KEYS)
 numbers = st.floats(allow_nan=False, allow_infinity=False)

@@ -5,7 +5,16 @@ import pytest
 from kindsl.reports.drawing.shapes import Drawing
 from kindsl.reports.drawing.svg import svg_text
 from kindsl.reports.drawing.tikz import tikz_text
-from kindsl.reports.page.blocks import Block, Heading, Matrix, Page, Paragraph, Picture, Side, Table
+from kindsl.reports.page.blocks import (
+    Block,
+    Figure,
+    Heading,
+    Matrix,
+    Page,
+    Paragraph,
+    SideBySide,
+    Table,
+)
 from kindsl.reports.page.html import html_body, html_text
 from kindsl.reports.page.latex import latex_text
 from kindsl.reports.page.markdown import beside, embedded, markdown_text
@@ -14,7 +23,7 @@ from kindsl.reports.review.files import review_files
 
 DRAWING = Drawing(10.0, 20.0, ())
 SVG, TIKZ = svg_text(DRAWING), tikz_text(DRAWING)
-BEFORE, AFTER = Picture("before", DRAWING, "a_b & c"), Picture("after", DRAWING, "after")
+BEFORE, AFTER = Figure("before", DRAWING, "a_b & c"), Figure("after", DRAWING, "after")
 TABLE = Table(("link", "m_1"), (("  arm", "1 < 2"), ("a|b", "-")), frozenset((1,)))
 MATRIX = Matrix("j_1:", (("cos(q)", "0"), ("a<b", "1")), ((r"\cos q", "0"), (r"\mathrm{a}", "1")))
 _BEGIN = "\\begin{document}\n"
@@ -62,7 +71,7 @@ def latex_body(page: Page) -> str:
             f"\\begin{{center}}\n{TIKZ}\n\na\\_b \\& c\n\\end{{center}}",
         ),
         (
-            Side((BEFORE, AFTER)),
+            SideBySide((BEFORE, AFTER)),
             "| a\\_b & c | after |\n| --- | --- |\n"
             "| ![a\\_b & c](before.svg) | ![after](after.svg) |\n",
             f'<div class="side"><figure>{SVG}<figcaption>a_b &amp; c</figcaption></figure>'
@@ -102,7 +111,7 @@ def test_a_page_is_called_as_its_first_heading_says() -> None:
 
 def test_a_comment_has_all_but_the_pictures_their_heading_and_their_legend() -> None:
     front, back = (Heading("Numbers"), TABLE), (Heading("Tree"), Paragraph("end"))
-    shown = (Heading("Pictures"), Paragraph("legend"), Side((BEFORE, AFTER)))
+    shown = (Heading("Pictures"), Paragraph("legend"), SideBySide((BEFORE, AFTER)))
     files = review_files((*front, *shown, *back))
     assert files["comment.md"] == markdown_text((*front, *back))
     assert files["review.md"] == markdown_text((*front, *shown, *back), beside)

@@ -11,7 +11,7 @@ import kindsl
 from kindsl.analysis.settings import Settings
 from kindsl.cli.main import main
 from kindsl.reports.drawing.shapes import Label, Line
-from kindsl.reports.page.blocks import Heading, Page, Paragraph, Side, Table
+from kindsl.reports.page.blocks import Heading, Page, Paragraph, SideBySide, Table
 from kindsl.reports.review.files import review_files
 from kindsl.reports.review.page import HEAVIER, MOVED, review_page
 
@@ -57,7 +57,7 @@ def test_nothing_changed_is_said() -> None:
 
 def test_what_moved_has_a_colour_and_the_camera_stays() -> None:
     blocks = page(TEXT, TEXT.replace("mass = 0.634", "mass = 0.7", 1).replace("0.209", "0.3", 1))
-    (side,) = (block for block in blocks if isinstance(block, Side))
+    (side,) = (block for block in blocks if isinstance(block, SideBySide))
     assert [picture.name for picture in side.pictures] == ["before", "after"]
     for picture in side.pictures:
         colors = {shape.color for shape in picture.drawing.shapes if isinstance(shape, Line)}

@@ -10,7 +10,7 @@ from kindsl.mechanism.difference import Difference, difference
 from kindsl.reports.card import branches, card_page
 from kindsl.reports.columns import aligned, number
 from kindsl.reports.difference_text import change_rows
-from kindsl.reports.page.blocks import Heading, Page, Paragraph, Picture, Table
+from kindsl.reports.page.blocks import Figure, Heading, Page, Paragraph, Table
 from kindsl.reports.robot_facts import robot_facts
 from kindsl.reports.robot_health import health_facts, health_text
 from kindsl.reports.robot_text import robot_text
@@ -233,7 +233,7 @@ def test_the_card_has_a_row_for_each_thing() -> None:
     blocks = card_page(document(GOOD))
     assert blocks[0] == Heading("arm", 1)
     assert blocks[1] == Paragraph("fixed base, 2 degrees of freedom, mass 3 kg")
-    assert isinstance(blocks[2], Picture)
+    assert isinstance(blocks[2], Figure)
     assert table(blocks, "Tree") == Table(
         ("link", "id", "joint", "kind", "mass / kg", "frames"),
         (
@@ -292,7 +292,7 @@ def test_the_card_says_what_is_not_known() -> None:
 def test_the_card_of_nothing_has_no_name_and_no_picture() -> None:
     blocks = card_page(document(""))
     assert blocks[0] == Heading("(unnamed)", 1)
-    assert not any(isinstance(block, Picture) for block in blocks)
+    assert not any(isinstance(block, Figure) for block in blocks)
     titles = [block.text for block in blocks if isinstance(block, Heading)]
     assert titles[1:] == ["Tree", "Health"]
 

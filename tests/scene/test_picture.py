@@ -5,7 +5,7 @@ from tests.preview.robots import ARM, BROKEN_ARM, PARAMETRIC_ARM
 
 from kindsl.analysis.analysis import analyse
 from kindsl.mechanism.total_mass import Weight
-from kindsl.scene.picture import State, picture
+from kindsl.scene.picture import PictureState, picture
 
 
 def picture_of(text, given=None, last=None):
@@ -15,7 +15,7 @@ def picture_of(text, given=None, last=None):
 
 def test_a_good_document_is_drawn():
     drawn = picture_of(ARM)
-    assert (drawn.state, drawn.message) == (State.LIVE, "")
+    assert (drawn.state, drawn.message) == (PictureState.LIVE, "")
     assert drawn.skeleton.link_names == ("upper", "slider")
 
 
@@ -34,7 +34,7 @@ def test_the_last_complete_version_stays(broken):
     last = picture_of(ARM)
     drawn = picture_of(broken, last=last)
     assert drawn.skeleton is last.skeleton
-    assert drawn.state is State.BROKEN
+    assert drawn.state is PictureState.BROKEN
     assert drawn.is_former
     assert drawn.weight == last.weight == Weight(3.0)
     assert drawn.message.endswith("the last complete version is shown")
@@ -97,7 +97,7 @@ def test_nothing_can_be_shown_of_nothing():
 )
 def test_a_defect_of_form_does_not_stop_the_picture(edited):
     drawn = picture_of(edited, last=picture_of(ARM))
-    assert drawn.state is State.LIVE
+    assert drawn.state is PictureState.LIVE
     assert drawn.skeleton.masses[2].mass == 9.0
 
 
@@ -105,14 +105,14 @@ def test_a_defect_of_form_does_not_stop_the_picture(edited):
 def test_a_pose_that_is_not_whole_stays_where_it_was(vector):
     text = ARM.replace("(0.4, 0.0, 0.0)", vector).replace("(0.0, 0.0, 0.5)", "(0.0, 0.0, 0.7)")
     drawn = picture_of(text, last=picture_of(ARM))
-    assert drawn.state is State.LIVE
+    assert drawn.state is PictureState.LIVE
     assert _places(drawn) == [(0.0, 0.0, 0.7), (0.4, 0.0, 0.0)]
     assert drawn.message == "The pose of joint 'lift' is incomplete: drawn as far as known"
 
 
 def test_a_length_without_a_value_is_the_robots_typical_one():
     drawn = picture_of(PARAMETRIC_ARM)
-    assert drawn.state is State.GUESSED
+    assert drawn.state is PictureState.GUESSED
     assert drawn.message == "1 parameter has no value: drawn at a guess"
     assert _places(drawn)[1] == (0.5, 0.0, 0.0)
     assert (drawn.guesses.joints, drawn.guesses.frames) == ({"lift"}, frozenset())
@@ -127,7 +127,7 @@ def test_an_angle_without_a_value_is_zero():
 
 def test_a_value_binds_it():
     drawn = picture_of(PARAMETRIC_ARM, {"reach": 0.7})
-    assert drawn.state is State.LIVE
+    assert drawn.state is PictureState.LIVE
     assert _places(drawn)[1] == (0.7, 0.0, 0.0)
 
 

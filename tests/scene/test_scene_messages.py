@@ -39,7 +39,7 @@ from kindsl.scene.marks import (
 )
 from kindsl.scene.messages import Part
 from kindsl.scene.parameters import parameter_messages
-from kindsl.scene.picture import Picture, State, picture
+from kindsl.scene.picture import Picture, PictureState, picture
 from kindsl.scene.robot import ghost_messages, robot_messages
 from kindsl.scene.size import STEP, Segment, extent
 from kindsl.scene.state import Messages
@@ -385,7 +385,7 @@ class TestFindings:
 
     def test_status_counts_all(self) -> None:
         (error,) = analyse(GOOD.replace("(0.5,", "(1,")).findings
-        drawn = Picture(None, State.BROKEN, "why", weight=Weight(2.5, 1, Unknown("why not")))
+        drawn = Picture(None, PictureState.BROKEN, "why", weight=Weight(2.5, 1, Unknown("why not")))
         found = status_message(drawn, [error] * 50, "arm.kindsl")
         assert plain(found) == {
             "type": "status", "path": "/kindsl/status", "state": "broken", "message": "why",
@@ -495,7 +495,7 @@ def test_why_a_picture_is_not_the_document(edit: tuple[str, str], message: str) 
         (last, "the last complete version is shown"), (None, "showing the rest"),
     ):  # fmt: skip
         drawn = picture(analysis.model, dict(analysis.context.values), last_good)
-        assert (drawn.state, drawn.message) == (State.BROKEN, f"{message}: {consequence}")
+        assert (drawn.state, drawn.message) == (PictureState.BROKEN, f"{message}: {consequence}")
 
 
 def test_guesses_and_incomplete_poses_are_counted() -> None:
@@ -505,10 +505,10 @@ def test_guesses_and_incomplete_poses_are_counted() -> None:
 
     two = PARAMETRIC_ARM.replace("mass = 1.0", "mass = m")
     assert drawn(two).message == "2 parameters have no value: drawn at a guess"
-    assert drawn(two).state is State.GUESSED
+    assert drawn(two).state is PictureState.GUESSED
     masses = ARM.replace("mass = 1.0", "mass = m").replace("mass = 2.0", "mass = n")
     assert drawn(masses).message == "2 parameters have no value: left out of masses and inertia"
-    assert drawn(masses).state is State.GUESSED
+    assert drawn(masses).state is PictureState.GUESSED
     one = ARM.replace("(0.4, 0.0, 0.0)", "(0.4, 0.0)")
     assert drawn(one).message == "The pose of joint 'lift' is incomplete: drawn as far as known"
     both = one.replace("(0.0, 0.0, 0.5)", "(0.0, 0.5)")

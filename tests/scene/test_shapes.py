@@ -27,7 +27,7 @@ from kindsl.scene.messages import (
     SetTransform,
     StatusMessage,
 )
-from kindsl.scene.picture import State
+from kindsl.scene.picture import PictureState
 from kindsl.scene.state import Key, keyed
 
 # Radii, heights, widths: of bodies, whose radius is 1.
@@ -205,7 +205,7 @@ class TestMessages:
                 },
             ],
         }  # fmt: skip
-        status = StatusMessage(State.LIVE, "", 1, {"error": 1}, "a", math.inf, "", False)
+        status = StatusMessage(PictureState.LIVE, "", 1, {"error": 1}, "a", math.inf, "", False)
         told = json.loads(as_json(status))
         assert (told["state"], told["counts"], told["mass"]) == ("live", {"error": 1}, None)
         assert as_json(SetTransform("/a", (0.5, 1))) == (

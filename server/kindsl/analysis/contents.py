@@ -43,7 +43,7 @@ class Number(NamedTuple):
     rounding: float
 
 
-class Block(NamedTuple):
+class FoundBlock(NamedTuple):
     """A block: where it is, the last being its kind and name, and `p_joint` or `floating`."""
 
     place: Place
@@ -64,7 +64,7 @@ class Contents(NamedTuple):
 
     numbers: dict[Place, Number]
     references: frozenset[Place]
-    blocks: tuple[Block, ...]
+    blocks: tuple[FoundBlock, ...]
     remarks: Counter[str]
     unread: Counter[str]
 
@@ -74,7 +74,7 @@ class _Piece(NamedTuple):
 
     numbers: tuple[tuple[Place, Number], ...]
     references: tuple[Place, ...]
-    blocks: tuple[Block, ...]
+    blocks: tuple[FoundBlock, ...]
     remarks: Counter[str]
     unread: Counter[str]
 
@@ -97,7 +97,7 @@ def contents(islands: Sequence[Island]) -> Contents:
     return Contents(numbers, references, tuple(blocks), remarks, unread)
 
 
-def _order(block: Block) -> Place:
+def _order(block: FoundBlock) -> Place:
     is_link = len(block.place) == 2 and block.place[0] == "link"
     return ("link",) if is_link else block.place
 
@@ -105,11 +105,11 @@ def _order(block: Block) -> Place:
 def _piece(island: Island) -> _Piece:
     known = island.facts.get(_PIECE)
     if known is None:
-        known = island.facts.keep(_PIECE, _Reading(island).piece())
+        known = island.facts.keep(_PIECE, _Walk(island).piece())
     return known
 
 
-class _Reading:
+class _Walk:
     """Walks the blocks of one island."""
 
     def __init__(self, island: Island) -> None:
@@ -117,7 +117,7 @@ class _Reading:
         self.unread = sorted((token.start, token.end, token.text) for token in island.skipped)
         self.numbers: list[tuple[Place, Number]] = []
         self.references: list[Place] = []
-        self.blocks: list[Block] = []
+        self.blocks: list[FoundBlock] = []
 
     def piece(self) -> _Piece:
         for node in self.island.nodes:
@@ -131,7 +131,7 @@ class _Reading:
         kind = node.kind
         if kind in _BLOCKS:
             owner = (*owner, kind, _name(node) if kind in _NAMED else "")
-            self.blocks.append(Block(owner, _detail(node)))
+            self.blocks.append(FoundBlock(owner, _detail(node)))
         elif kind in _REFERENCES:
             self.references.append((*owner, kind, *_names(node)))
             return

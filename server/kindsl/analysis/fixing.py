@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.analysis.proof import Verdict, effect
+from kindsl.analysis.proof import EditEffect, effect
 from kindsl.analysis.text_fix import TextFix, disjoint, edits_of, prove
 from kindsl.rules.base import Severity
 from kindsl.syntax.scanner import comments, scan
@@ -98,7 +98,7 @@ def _go_together(
     """Return whether fixes that were tried do no harm, beyond the best that was made of a text."""
     within_digits = any(fix.is_within_digits for fix in fixes)
     done = effect(analysis.syntax, tried.syntax, within_digits=within_digits)
-    is_kept = done.verdict is Verdict.KEEPS or not all(fix.is_safe for fix in fixes)
+    is_kept = done.verdict is EditEffect.KEEPS or not all(fix.is_safe for fix in fixes)
     if not done.is_whole or not is_kept:
         return False
     before, after = _errors(best), _errors(tried)

@@ -17,7 +17,7 @@ from kindsl.syntax.tree import Island
 _SAME = 1e-15
 
 
-class Verdict(StrEnum):
+class EditEffect(StrEnum):
     """What an edit does to the meaning of a document."""
 
     KEEPS = "keeps"
@@ -34,7 +34,7 @@ class Effect(NamedTuple):
         lost_blocks: The kinds of the blocks that are gone.
     """
 
-    verdict: Verdict
+    verdict: EditEffect
     lost_remarks: tuple[str, ...]
     lost_blocks: tuple[str, ...]
 
@@ -59,10 +59,10 @@ def effect(before: SyntaxDocument, after: SyntaxDocument, *, within_digits: bool
     is_same = was.references == now.references and was.blocks == now.blocks
     verdicts = [
         _of_numbers(was, now, within_digits),
-        Verdict.CHANGES if remarks or unread or not is_same else Verdict.KEEPS,
+        EditEffect.CHANGES if remarks or unread or not is_same else EditEffect.KEEPS,
     ]
     if _n_problems(after, new) > _n_problems(before, old):
-        verdicts.append(Verdict.CANNOT_KNOW)
+        verdicts.append(EditEffect.CANNOT_KNOW)
     lost_blocks = _kinds(was) - _kinds(now)
     return Effect(_worst(verdicts), tuple(remarks.elements()), tuple(lost_blocks.elements()))
 
@@ -90,21 +90,21 @@ def _n_problems(document: SyntaxDocument, islands: Sequence[Island]) -> int:
     return len(document.problems) + sum(len(island.problems) for island in islands)
 
 
-def _of_numbers(was: Contents, now: Contents, within_digits: bool) -> Verdict:
+def _of_numbers(was: Contents, now: Contents, within_digits: bool) -> EditEffect:
     if was.numbers.keys() != now.numbers.keys():
-        return Verdict.CHANGES
+        return EditEffect.CHANGES
     pairs = ((number, now.numbers[place]) for place, number in was.numbers.items())
     return _worst([_of_number(*pair, within_digits) for pair in pairs])
 
 
-def _of_number(old: Number, new: Number, within_digits: bool) -> Verdict:
+def _of_number(old: Number, new: Number, within_digits: bool) -> EditEffect:
     if old.words == new.words:
-        return Verdict.KEEPS
+        return EditEffect.KEEPS
     if old.value is None or new.value is None:
-        return Verdict.CANNOT_KNOW
+        return EditEffect.CANNOT_KNOW
     is_same = abs(old.value - new.value) <= _SAME * abs(old.value)
     is_same |= old.value == new.value or (within_digits and _has_digits(new.value, old))
-    return Verdict.KEEPS if is_same else Verdict.CHANGES
+    return EditEffect.KEEPS if is_same else EditEffect.CHANGES
 
 
 def _has_digits(value: float, written: Number) -> bool:
@@ -115,5 +115,5 @@ def _has_digits(value: float, written: Number) -> bool:
     return is_rounded or 0.0 <= rest < 2.0 * written.rounding
 
 
-def _worst(verdicts: Sequence[Verdict]) -> Verdict:
-    return max(verdicts, key=list(Verdict).index, default=Verdict.KEEPS)
+def _worst(verdicts: Sequence[EditEffect]) -> EditEffect:
+    return max(verdicts, key=list(EditEffect).index, default=EditEffect.KEEPS)

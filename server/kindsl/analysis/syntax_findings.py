@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Change, Finding, Fix, Rule, Severity
+from kindsl.rules.base import Finding, Fix, Replacement, Rule, Severity
 from kindsl.rules.context import ROBCOGEN, ROBCOGEN2
 from kindsl.rules.registry import all_rules
 from kindsl.semantics.model import Model
@@ -73,5 +73,5 @@ def _finding(island: Island, problem: Problem) -> Finding:
 
 
 def _fix(island: Island, repair: Repair) -> Fix:
-    changes = tuple(Change(Place(island, e.start, e.end), e.text) for e in repair.edits)
+    changes = tuple(Replacement(Place(island, e.start, e.end), e.text) for e in repair.edits)
     return Fix(repair.title, changes, repair.is_safe)

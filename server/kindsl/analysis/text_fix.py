@@ -3,7 +3,7 @@
 from bisect import bisect_left, insort
 from collections.abc import Iterable, Sequence
 
-from kindsl.analysis.proof import Verdict, effect
+from kindsl.analysis.proof import EditEffect, effect
 from kindsl.syntax.document import SyntaxDocument
 from kindsl.text.edits import TextEdit
 
@@ -82,7 +82,7 @@ def _is_kept(fixes: Sequence[TextFix]) -> bool:
     document, within_digits = fixes[0]._document, fixes[0].is_within_digits
     assert document is not None
     after = document.edited(edits_of(fixes))
-    return effect(document, after, within_digits=within_digits).verdict is Verdict.KEEPS
+    return effect(document, after, within_digits=within_digits).verdict is EditEffect.KEEPS
 
 
 def edits_of(fixes: Iterable[TextFix]) -> list[TextEdit]:

@@ -13,7 +13,7 @@ from kindsl.text.words import counted
 _LOADING = ("KD0", "KD105", "KD106", "KD107", "KD108", "KD601", "KD602")
 
 
-class Verdict(NamedTuple):
+class TargetVerdict(NamedTuple):
     """What a generator makes of a document.
 
     Attributes:
@@ -36,16 +36,16 @@ class Verdict(NamedTuple):
         return f"{self.target} refuses it, {counted(len(self.places), 'place')}"
 
 
-def verdicts(analysis: Analysis) -> tuple[Verdict, ...]:
+def verdicts(analysis: Analysis) -> tuple[TargetVerdict, ...]:
     """Return the verdict of each generator; no decision of the user's changes it."""
     return tuple(_verdict(analysis, target) for target in TARGETS)
 
 
-def _verdict(analysis: Analysis, target: str) -> Verdict:
+def _verdict(analysis: Analysis, target: str) -> TargetVerdict:
     settings = Settings(frozenset([target]), _LOADING, bindings=analysis.settings.bindings)
     found = analysis.with_settings(settings).unsilenced()
     errors = (finding for finding in found if finding.severity is Severity.ERROR)
     places: dict[tuple[int, int], Diagnostic] = {}
     for finding in errors:
         places.setdefault((finding.start, finding.end), finding)
-    return Verdict(target, tuple(places[span] for span in sorted(places)))
+    return TargetVerdict(target, tuple(places[span] for span in sorted(places)))

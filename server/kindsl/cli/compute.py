@@ -28,7 +28,7 @@ from kindsl.cli.motion_options import motions_of
 from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import Failure, as_failures
 from kindsl.config.errors import ConfigurationError
-from kindsl.reports.motions import Motion, MotionError, Robot
+from kindsl.reports.motions import ConfigurationSpace, Motion, MotionError
 
 if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis
@@ -68,7 +68,7 @@ def run(args: argparse.Namespace) -> int:
         mechanism = _mechanism(args.file, analysis)
         note_readings(args.file, analysis)
         note_errors(args.file, analysis)
-        robot = Robot(mechanism.bodies.joint_names, mechanism.bodies.is_floating)
+        robot = ConfigurationSpace(mechanism.bodies.joint_names, mechanism.bodies.is_floating)
         return _show(args, analysis, mechanism, motions_of(args, robot))
     except CommandError as error:
         return error.tell()
@@ -100,9 +100,9 @@ def _mechanism(path: str, analysis: "Analysis") -> "Mechanism":
 def _show(
     args: argparse.Namespace, analysis: "Analysis", mechanism: "Mechanism", motions: list[Motion]
 ) -> int:
-    from kindsl.reports.computation import Request, compute
+    from kindsl.reports.computation import ComputationRequest, compute
 
-    request = Request(tuple(motions), args.gravity, args.forward)
+    request = ComputationRequest(tuple(motions), args.gravity, args.forward)
     try:
         results = compute(analysis, mechanism, request)
     except ValueError as error:

@@ -4,13 +4,20 @@ import argparse
 import json
 import sys
 
-from kindsl.reports.motions import KEYS, Motion, MotionError, Robot, motion, motions_from
+from kindsl.reports.motions import (
+    KEYS,
+    ConfigurationSpace,
+    Motion,
+    MotionError,
+    motion,
+    motions_from,
+)
 from kindsl.text.regular import require_regular
 
 STDIN = "-"
 
 
-def motions_of(args: argparse.Namespace, robot: Robot) -> list[Motion]:
+def motions_of(args: argparse.Namespace, robot: ConfigurationSpace) -> list[Motion]:
     """Return the configurations that the options ask for.
 
     Raises:

@@ -84,7 +84,7 @@ class LintedFile:
         return sum(finding.severity is severity for finding in self.findings)
 
 
-class Outcome(NamedTuple):
+class RunOutcome(NamedTuple):
     """A whole run.
 
     Attributes:

@@ -9,7 +9,7 @@ from typing import Literal, NamedTuple
 from kindsl.codegen.names import identifiers
 from kindsl.dynamics.generation.emitters.numbers import evaluate
 from kindsl.dynamics.generation.emitters.straight_line import setup_nodes
-from kindsl.dynamics.generation.expressions import Expression, Scalar, needed, operand_nodes
+from kindsl.dynamics.generation.expressions import Scalar, Term, needed, operand_nodes
 from kindsl.dynamics.generation.function import Function, Inputs, inputs_of
 from kindsl.dynamics.generation.functions import QUANTITIES
 from kindsl.dynamics.generation.masses import total_mass
@@ -141,7 +141,7 @@ class Library:
         return all(value is not None for value in self.defaults.values())
 
     @cached_property
-    def setup(self) -> list[Expression]:
+    def setup(self) -> list[Term]:
         """What depends on parameters only and is used by what does not: the model's constants."""
         graph = self.robot.graph
         values: list[Scalar] = []
@@ -151,11 +151,11 @@ class Library:
         order = needed(graph, values)
         parameters = [p.index for p in self.robot.parameters.values()]
         fixed = setup_nodes(graph, parameters, order)
-        crossing = {v.index for v in values if isinstance(v, Expression)} & fixed
+        crossing = {v.index for v in values if isinstance(v, Term)} & fixed
         for node in order:
             if node not in fixed:
                 crossing.update(fixed.intersection(operand_nodes(graph, node)))
-        return [Expression(graph, node) for node in sorted(crossing)]
+        return [Term(graph, node) for node in sorted(crossing)]
 
     @cached_property
     def setup_values(self) -> list[float]:

@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 
-class Place(NamedTuple):
+class KeyPlace(NamedTuple):
     """Where a key stands: line and column from 1, offsets from 0, all in code points."""
 
     line: int
@@ -23,7 +23,7 @@ class ConfigurationProblem(NamedTuple):
     """
 
     path: str
-    place: Place
+    place: KeyPlace
     key: str
     message: str
 

@@ -6,7 +6,7 @@ import tomllib
 from typing import Any
 
 from kindsl.config.configuration import Configuration, DocumentTable
-from kindsl.config.errors import ConfigurationError, ConfigurationProblem, Place
+from kindsl.config.errors import ConfigurationError, ConfigurationProblem, KeyPlace
 from kindsl.config.file_names import PYTHON_FILE, PYTHON_TABLE
 from kindsl.config.tables import DOCUMENT_KEYS, KEYS, Checker, bindings, decisions
 from kindsl.config.toml_places import toml_places
@@ -17,7 +17,7 @@ from kindsl.text.regular import require_regular
 _TOML_PLACE = re.compile(
     r"^(?P<what>.*) \(at (?:line (?P<line>\d+), column (?P<column>\d+)|end.*)\)$"
 )
-_START = Place(1, 1, 0, 0)
+_START = KeyPlace(1, 1, 0, 0)
 
 
 def read_configuration(path: str) -> Configuration:
@@ -43,7 +43,7 @@ def text_of(path: str) -> str:
         raise _error(path, _START, f"cannot be read: {error.strerror}") from None
     except UnicodeDecodeError as error:
         line = error.object[: error.start].count(b"\n") + 1
-        place = Place(line, 1, 0, 0)
+        place = KeyPlace(line, 1, 0, 0)
         raise _error(path, place, "is not UTF-8, as TOML has to be") from None
 
 
@@ -105,12 +105,12 @@ def _not_toml(path: str, text: str, message: str) -> ConfigurationError:
     if match and match["line"]:
         line, column = int(match["line"]), int(match["column"])
         offset = lines.offset(line - 1, column - 1)
-        place = Place(line, column, offset, offset)
+        place = KeyPlace(line, column, offset, offset)
     else:
         line, column = lines.position(len(text))
-        place = Place(line + 1, column + 1, len(text), len(text))
+        place = KeyPlace(line + 1, column + 1, len(text), len(text))
     return _error(path, place, f"not valid TOML: {what[:1].lower()}{what[1:]}")
 
 
-def _error(path: str, place: Place, message: str) -> ConfigurationError:
+def _error(path: str, place: KeyPlace, message: str) -> ConfigurationError:
     return ConfigurationError((ConfigurationProblem(path, place, "", message),))

@@ -5,7 +5,7 @@ from collections.abc import Collection, Mapping
 from typing import Any
 
 from kindsl.config.decisions import Decisions
-from kindsl.config.errors import ConfigurationError, ConfigurationProblem, Place
+from kindsl.config.errors import ConfigurationError, ConfigurationProblem, KeyPlace
 from kindsl.config.toml_places import KeyPath, Places
 from kindsl.rules.base import Severity
 from kindsl.rules.context import TARGETS
@@ -50,7 +50,7 @@ class Checker:
             known = known[:-1]
         start, end = self.places.get(known, (0, 0))
         line, column = self._lines.position(start)
-        place = Place(line + 1, column + 1, start, end)
+        place = KeyPlace(line + 1, column + 1, start, end)
         problem = ConfigurationProblem(self.path, place, dotted(keys), printable(message))
         self._problems.append(problem)
 

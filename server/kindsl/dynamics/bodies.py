@@ -12,7 +12,7 @@ ORTHONORMAL_TOLERANCE = 1e-9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Frame:
+class BodyFrame:
     """A named frame fixed to a body.
 
     Attributes:
@@ -52,7 +52,7 @@ class Bodies(Topology):
     coms: Array
     inertias: Array
     is_floating: bool
-    frames: tuple[Frame, ...] = ()
+    frames: tuple[BodyFrame, ...] = ()
 
     def __post_init__(self) -> None:
         n = self.n_links
@@ -95,13 +95,13 @@ def _check_values(bodies: Bodies) -> None:
         _check_rotation(f"joint '{name}'", R)
 
 
-def _checked_frame(frame: Frame, n: int) -> Frame:
+def _checked_frame(frame: BodyFrame, n: int) -> BodyFrame:
     if not 0 <= frame.body <= n:
         raise ValueError(f"frame '{frame.name}' is on body {frame.body}, of 0 to {n}")
     R = _frozen_array(f"rotation of frame '{frame.name}'", frame.body_R_frame, (3, 3))
     r = _frozen_array(f"position of frame '{frame.name}'", frame.body_r_frame, (3,))
     _check_rotation(f"frame '{frame.name}'", R)
-    return Frame(frame.name, frame.body, R, r)
+    return BodyFrame(frame.name, frame.body, R, r)
 
 
 def _check_rotation(owner: str, R: Array) -> None:

@@ -33,25 +33,27 @@ class Renaming(NamedTuple):
     bound_parameter: str | None
 
 
-class Refusal(NamedTuple):
+class RenameRefusal(NamedTuple):
     """Why nothing is renamed: one sentence without final period."""
 
     message: str
 
 
-def rename_range(analysis: Analysis, offset: int) -> Span | Refusal:
+def rename_range(analysis: Analysis, offset: int) -> Span | RenameRefusal:
     """Return the name at an offset that can be renamed, or why there is none."""
     symbol = symbol_at(analysis, offset)
     if symbol is None:
-        return Refusal("only links, joints, frames, parameters, constants and the robot have names")
+        return RenameRefusal(
+            "only links, joints, frames, parameters, constants and the robot have names"
+        )
     return Span(symbol.start, symbol.end)
 
 
-def rename(analysis: Analysis, offset: int, new_name: str) -> Renaming | Refusal:
+def rename(analysis: Analysis, offset: int, new_name: str) -> Renaming | RenameRefusal:
     """Return the edits that give the thing at an offset a new name, or why that cannot be."""
     symbol = symbol_at(analysis, offset)
     if symbol is None:
-        return Refusal("there is no name here")
+        return RenameRefusal("there is no name here")
     entity = symbol.entity
     new_name = new_name.strip().removeprefix("^")
     if new_name == entity.name:
@@ -59,7 +61,7 @@ def rename(analysis: Analysis, offset: int, new_name: str) -> Renaming | Refusal
     problem = objection(new_name, entity.kind, analysis.settings.targets)
     problem = problem or _clash(analysis, entity, new_name)
     if problem is not None:
-        return Refusal(problem)
+        return RenameRefusal(problem)
     edits = tuple(TextEdit(p.start, p.end, new_name) for p in _renamed_places(analysis, symbol))
     is_bound = entity.kind is EntityKind.PARAMETER and entity.name in analysis.settings.bindings
     return Renaming(edits, entity.name if is_bound else None)

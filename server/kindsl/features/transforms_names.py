@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.symbol_at import EntityKind, symbol_at
 from kindsl.semantics.transforms import LINK_PREFIX, frame_names
-from kindsl.syntax.transforms_text import TransformsDocument, Word, read_transforms
+from kindsl.syntax.transforms_text import PlacedName, TransformsDocument, read_transforms
 from kindsl.text.edits import TextEdit
 
 
@@ -39,7 +39,7 @@ def renamed_transforms(
 
 
 def _edits(document: TransformsDocument, old: str, new: str) -> Iterator[TextEdit]:
-    words: list[Word] = list(document.frames)
+    words: list[PlacedName] = list(document.frames)
     for pair in (*document.transforms, *document.jacobians):
         words += pair
     for word in words:

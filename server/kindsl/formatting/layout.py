@@ -7,7 +7,7 @@ blank line between links and joints, at most one elsewhere; comments stay where 
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
-from kindsl.formatting.pieces import Piece
+from kindsl.formatting.pieces import Lexeme
 
 _INDENT = "    "
 _BLOCKS = frozenset(("head", "base", "link", "joint"))
@@ -31,7 +31,7 @@ class Gap(NamedTuple):
     blanks: str
 
 
-def gaps(pieces: Iterable[Piece], length: int, newline: str) -> Iterator[Gap]:
+def gaps(pieces: Iterable[Lexeme], length: int, newline: str) -> Iterator[Gap]:
     """Yield every gap of a document with its proper blanks.
 
     Args:
@@ -39,7 +39,7 @@ def gaps(pieces: Iterable[Piece], length: int, newline: str) -> Iterator[Gap]:
         length: Of the text, code points.
         newline: The document's line end.
     """
-    before: Piece | None = None
+    before: Lexeme | None = None
     done = depth = 0
     for piece in pieces:
         if piece.kind == "}" and piece.parent != "end":
@@ -51,7 +51,7 @@ def gaps(pieces: Iterable[Piece], length: int, newline: str) -> Iterator[Gap]:
     yield Gap(done, length, newline)
 
 
-def _blanks(before: Piece | None, piece: Piece, depth: int, newline: str) -> str:
+def _blanks(before: Lexeme | None, piece: Lexeme, depth: int, newline: str) -> str:
     if before is None:
         return ""
     lines = _line_ends(before, piece)
@@ -61,7 +61,7 @@ def _blanks(before: Piece | None, piece: Piece, depth: int, newline: str) -> str
     return newline * lines + _INDENT * (depth + is_continuation)
 
 
-def _line_ends(before: Piece, piece: Piece) -> int:
+def _line_ends(before: Lexeme, piece: Lexeme) -> int:
     """Return how many line ends separate two pieces."""
     is_comment = piece.kind in _COMMENTS
     if not piece.lines_before and is_comment:
@@ -81,11 +81,11 @@ def _line_ends(before: Piece, piece: Piece) -> int:
     return 2 if piece.lines_before > 1 and may_be_blank else 1
 
 
-def _begins_line(piece: Piece) -> bool:
+def _begins_line(piece: Lexeme) -> bool:
     return piece.kind == "}" or not _LINES.isdisjoint(piece.path)
 
 
-def _space(before: Piece, piece: Piece) -> str:
+def _space(before: Lexeme, piece: Lexeme) -> str:
     """Return what separates two pieces on one line."""
     if piece.kind == "//":
         return "  "

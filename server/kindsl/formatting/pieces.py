@@ -10,7 +10,7 @@ from kindsl.syntax.tree import Island, Node, Token
 _LINE_END = re.compile(r"\r\n|\n|\r")
 
 
-class Piece(NamedTuple):
+class Lexeme(NamedTuple):
     """A token or a comment.
 
     Attributes:
@@ -30,14 +30,14 @@ class Piece(NamedTuple):
     lines_before: int
 
 
-def pieces(document: SyntaxDocument) -> Iterator[Piece]:
+def pieces(document: SyntaxDocument) -> Iterator[Lexeme]:
     """Yield the tokens and comments of a document without problems, in order."""
     done = 0
     text = document.text
     for island, origin in zip(document.islands, document.starts, strict=True):
         for start, end, kind, path, parent in sorted(_in_island(island)):
             start, end = start + origin, end + origin
-            yield Piece(start, end, kind, path, parent, len(_LINE_END.findall(text, done, start)))
+            yield Lexeme(start, end, kind, path, parent, len(_LINE_END.findall(text, done, start)))
             done = end
 
 

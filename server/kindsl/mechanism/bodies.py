@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from kindsl.dynamics.bodies import Bodies, Frame
+from kindsl.dynamics.bodies import Bodies, BodyFrame
 from kindsl.mechanism.skeleton import AttachedFrame, Skeleton
 from kindsl.rigid.body import MassDistribution
 from kindsl.rigid.pose import RigidPose, Vector3
@@ -23,7 +23,7 @@ def bodies_of(skeleton: Skeleton) -> Bodies:
         coms=np.array([body.com for body in skeleton.masses]),
         inertias=np.array([_tensor(body) for body in skeleton.masses]),
         is_floating=skeleton.is_floating,
-        frames=tuple(Frame(f.name, f.body, *_arrays(f.pose)) for f in skeleton.frames),
+        frames=tuple(BodyFrame(f.name, f.body, *_arrays(f.pose)) for f in skeleton.frames),
     )
 
 

@@ -3,8 +3,8 @@
 from collections.abc import Collection, Mapping
 from typing import cast
 
-from kindsl.dynamics.generation.expressions import Expression, Graph, Scalar, cosine_and_sine
-from kindsl.dynamics.generation.mass_moments import MassDistribution
+from kindsl.dynamics.generation.expressions import Graph, Scalar, Term, cosine_and_sine
+from kindsl.dynamics.generation.mass_moments import MassMoments
 from kindsl.dynamics.generation.robot import PlacedFrame, Robot, massless
 from kindsl.dynamics.generation.tree import ROUNDING, Tree, masses_near_base
 from kindsl.dynamics.generation.vectors import Matrix, Vector, scale
@@ -15,7 +15,7 @@ from kindsl.mechanism.skeleton import named_frames
 from kindsl.rigid.topology import JointKind
 from kindsl.semantics import declarations as declared
 from kindsl.semantics.declarations import MOMENTS
-from kindsl.semantics.expressions import Expression as Written
+from kindsl.semantics.expressions import Expression
 from kindsl.semantics.model import Model
 
 # Any values will do to find out whether a document is whole; these are unlikely to cancel.
@@ -36,7 +36,7 @@ def symbolic_robot(model: Model, values: Mapping[str, float], inputs: Collection
     """
     mechanism_of(model, {**values, **dict.fromkeys(inputs, PLACEHOLDER)})
     graph = Graph()
-    reader = _Reader(values, {name: graph.input() for name in inputs})
+    reader = _ScalarReader(values, {name: graph.input() for name in inputs})
     base, edges = require_base(model), numbered_by_id(model)
     links = [base, *(edge.link for edge in edges if edge.link is not None)]
     joints = [edge.joint for edge in edges if edge.joint is not None]
@@ -70,19 +70,19 @@ def symbolic_robot(model: Model, values: Mapping[str, float], inputs: Collection
     )
 
 
-class _Reader:
+class _ScalarReader:
     """Reads values as scalars.
 
     Attributes:
         inputs: The parameters that stay inputs.
     """
 
-    def __init__(self, values: Mapping[str, float], inputs: dict[str, Expression]) -> None:
+    def __init__(self, values: Mapping[str, float], inputs: dict[str, Term]) -> None:
         self.inputs = inputs
         # The arithmetic of values is that of their operands.
         self._values = cast(Mapping[str, float], {**values, **inputs})
 
-    def number(self, value: Written | None) -> Scalar:
+    def number(self, value: Expression | None) -> Scalar:
         number = value.value(self._values) if value is not None else None
         if number is None:
             text = value.text if value is not None else ""
@@ -103,7 +103,7 @@ class _Reader:
             [sx * sz - cx * sy * cz, sx * cz + cx * sy * sz, cx * cy],
         ]
 
-    def body(self, link: declared.Link) -> MassDistribution:
+    def body(self, link: declared.Link) -> MassMoments:
         """Return a body's moments of mass; a fixed base's do not matter."""
         inertia = link.inertia
         if inertia is None or (link.is_base and not link.is_floating):
@@ -112,7 +112,7 @@ class _Reader:
         xx, yy, zz, xy, xz, yz = (self.number(inertia.moments.get(name)) for name in MOMENTS)
         half = 0.5 * (xx + yy + zz)
         second: Matrix = [[half - xx, xy, xz], [xy, half - yy, yz], [xz, yz, half - zz]]
-        body = MassDistribution(second, scale(mass, com), mass)
+        body = MassMoments(second, scale(mass, com), mass)
         if inertia.frame is None:
             return body
         frame = next(f for f in link.frames if f.name == inertia.frame)

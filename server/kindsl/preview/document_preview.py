@@ -13,7 +13,7 @@ from kindsl.preview.channel import Channel, Tab
 from kindsl.preview.findings import finding_messages, lost_message, status_message
 from kindsl.scene.messages import HighlightMessage, ValueMessage
 from kindsl.scene.parameters import parameter_messages
-from kindsl.scene.picture import Picture, State, picture
+from kindsl.scene.picture import Picture, PictureState, picture
 from kindsl.scene.robot import ghost_messages, robot_messages
 from kindsl.scene.state import Messages, keyed, path_of
 
@@ -21,7 +21,7 @@ from kindsl.scene.state import Messages, keyed, path_of
 MOST_VALUES = 10_000
 
 
-class Drawing(NamedTuple):
+class ShownVersion(NamedTuple):
     """What there is to show of a version.
 
     Attributes:
@@ -69,7 +69,7 @@ class DocumentPreview:
         self.put(analysis, self.drawing(analysis))
         self.tell(findings)
 
-    def drawing(self, analysis: Analysis) -> Drawing:
+    def drawing(self, analysis: Analysis) -> ShownVersion:
         """Return what there is to show of a version; changes nothing, so any thread may ask."""
         given = {**analysis.context.values, **self._parameters}
         drawn = picture(analysis.model, given, self._last_good)
@@ -80,9 +80,9 @@ class DocumentPreview:
             if skeleton
             else None
         )
-        return Drawing(given, drawn, robot)
+        return ShownVersion(given, drawn, robot)
 
-    def put(self, analysis: Analysis, drawing: Drawing) -> None:
+    def put(self, analysis: Analysis, drawing: ShownVersion) -> None:
         """Show a version of which a drawing was made; what was found before stays listed."""
         self.analysis = analysis
         if drawing.given != {**analysis.context.values, **self._parameters}:
@@ -124,7 +124,7 @@ class DocumentPreview:
         self._ghost = self._last_skeleton
         if self._parameters and self.analysis is not None:
             own = picture(self.analysis.model, {**self.analysis.context.values}, self._last_good)
-            self._ghost = self._last_skeleton if own.state is State.BROKEN else own.skeleton
+            self._ghost = self._last_skeleton if own.state is PictureState.BROKEN else own.skeleton
         self._draw_ghost()
 
     def lose(self, message: str) -> None:
@@ -180,8 +180,8 @@ class DocumentPreview:
         if self.analysis is not None:
             self._put(self.analysis, self.drawing(self.analysis))
 
-    def _put(self, analysis: Analysis, drawing: Drawing) -> None:
-        if drawing.picture.state is not State.BROKEN:
+    def _put(self, analysis: Analysis, drawing: ShownVersion) -> None:
+        if drawing.picture.state is not PictureState.BROKEN:
             self._last_good = drawing.picture
         if drawing.robot is not None:
             self.channel.replace("robot", drawing.robot)

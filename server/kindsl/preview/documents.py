@@ -10,7 +10,7 @@ from typing import Any
 from kindsl.analysis.analysis import Analysis
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.preview.channel import Tab
-from kindsl.preview.document_preview import DocumentPreview, Drawing
+from kindsl.preview.document_preview import DocumentPreview, ShownVersion
 from kindsl.preview.dragging import Dragging, Writing
 from kindsl.preview.gesture_requests import Drag, GestureRequest
 from kindsl.preview.requests import (
@@ -232,11 +232,11 @@ class DocumentPreviews(ABC):
                 self._dragging[key] = Dragging(document, partial(self._on_edit, key))
         return self._documents[key]
 
-    async def _drawing(self, document: DocumentPreview, analysis: Analysis) -> Drawing:
+    async def _drawing(self, document: DocumentPreview, analysis: Analysis) -> ShownVersion:
         """Return what there is to show of a version."""
         if len(analysis.model.links) <= FEW_LINKS:
             return document.drawing(analysis)
-        drawing: Drawing = await self._beside(document.drawing, analysis)
+        drawing: ShownVersion = await self._beside(document.drawing, analysis)
         return drawing
 
 

@@ -18,7 +18,7 @@ from kindsl.features.manipulation.gesture import Gesture, Refusal
 from kindsl.features.manipulation.handles import handles
 from kindsl.features.manipulation.mirror_leg import mirror_leg
 from kindsl.features.manipulation.pose_as_zero import pose_as_zero
-from kindsl.features.manipulation.set_component import Change, set_component
+from kindsl.features.manipulation.set_component import ComponentChange, set_component
 from kindsl.features.manipulation.things import Thing, carrying_frame
 from kindsl.preview.document_preview import DocumentPreview
 from kindsl.preview.gesture_requests import Drag, GestureRequest, Grasp, Plan
@@ -146,12 +146,12 @@ class Dragging:
             self._preview.show_plan(analysis.edited(gesture.edits))
             self._preview.channel.announce(PlanMessage(request.gesture, gesture.title, ""))
 
-    def _try(self, analysis: Analysis, request: Drag, change: Change) -> None:
+    def _try(self, analysis: Analysis, request: Drag, change: ComponentChange) -> None:
         self._preview.set_parameters(dict(change.preview))
         self._preview.try_out(_changed(analysis, change))
         self._answer(request, change.text, change.value, "")
 
-    async def _drop(self, analysis: Analysis, request: Drag, change: Change) -> None:
+    async def _drop(self, analysis: Analysis, request: Drag, change: ComponentChange) -> None:
         self._preview.set_parameters(dict(change.preview))
         reason = ""
         if change.edits or change.bindings:
@@ -232,7 +232,7 @@ class Dragging:
         self._preview.channel.replace("handles", keyed([message]))
 
 
-def _changed(analysis: Analysis, change: Change) -> Analysis:
+def _changed(analysis: Analysis, change: ComponentChange) -> Analysis:
     """Return the document as it would be."""
     trial = analysis.edited(change.edits) if change.edits else analysis
     if not change.bindings:

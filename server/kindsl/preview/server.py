@@ -11,7 +11,7 @@ from kindsl.preview.access import ADDRESS, Access, new_token
 from kindsl.preview.assets import assets
 from kindsl.preview.documents import DocumentPreviews, OnEdit, OnReveal, OnWrite, identifier
 from kindsl.preview.handlers import LiveHandler, application
-from kindsl.preview.session import Session, last_session, remember
+from kindsl.preview.session import PreviewSession, last_session, remember
 from kindsl.preview.viewer import PreviewUnavailableError
 
 GOING_AWAY = 1001
@@ -85,7 +85,7 @@ class PreviewServer(DocumentPreviews):
                 return self._listen(Access(last.token, last.port))
         address = self._listen(self._access)
         if self._session:
-            remember(self._session, Session(self.port, self.token))
+            remember(self._session, PreviewSession(self.port, self.token))
         return address
 
     async def stop(self) -> None:

@@ -13,25 +13,25 @@ from pathlib import Path
 from typing import NamedTuple
 
 
-class Session(NamedTuple):
+class PreviewSession(NamedTuple):
     """Where a server listens and what it asks for."""
 
     port: int
     token: str
 
 
-def last_session(name: str) -> Session | None:
+def last_session(name: str) -> PreviewSession | None:
     """Return the last server's session of a name, None if there is none to be trusted."""
     folder = _folder()
     if folder is None:
         return None
     with suppress(OSError, ValueError, KeyError, TypeError):
         data = json.loads(_file(folder, name).read_text(encoding="utf-8"))
-        return Session(int(data["port"]), str(data["token"]))
+        return PreviewSession(int(data["port"]), str(data["token"]))
     return None
 
 
-def remember(name: str, session: Session) -> None:
+def remember(name: str, session: PreviewSession) -> None:
     """Keep a session for the next server; without a safe folder it is not kept."""
     folder = _folder()
     if folder is None:

@@ -10,12 +10,11 @@ from kindsl.mechanism.total_mass import unknown_bodies
 from kindsl.reports.columns import number
 from kindsl.reports.drawing.robot import robot_drawing
 from kindsl.reports.joint_transforms import joint_transform
-from kindsl.reports.page.blocks import Block, Heading, Matrix, Page, Paragraph, Picture, Table
+from kindsl.reports.page.blocks import Block, Figure, Heading, Matrix, Page, Paragraph, Table
 from kindsl.reports.robot_facts import mass_text, robot_facts
 from kindsl.rigid.body import principal_moments_about_com
 from kindsl.rigid.pose import PLAIN, RigidPose, angles
-from kindsl.scene.picture import Picture as Shown
-from kindsl.scene.picture import picture
+from kindsl.scene.picture import Picture, picture
 from kindsl.text.words import counted
 
 _UNITS = {"length": "m", "angle": "rad", "dynamics": ""}
@@ -37,7 +36,7 @@ def shown_skeleton(analysis: Analysis) -> Skeleton | None:
     return picture(analysis.model, dict(analysis.context.values), None).skeleton
 
 
-def _heading(facts: dict[str, Any], shown: Shown) -> Iterator[Block]:
+def _heading(facts: dict[str, Any], shown: Picture) -> Iterator[Block]:
     yield Heading(facts["robot"] or "(unnamed)", 1)
     base = "floating" if facts["floating"] else "fixed"
     dof = counted(facts["dof"], "degree")
@@ -46,7 +45,7 @@ def _heading(facts: dict[str, Any], shown: Shown) -> Iterator[Block]:
         yield Paragraph(shown.message)
     if shown.skeleton is not None:
         caption = "At zero: bodies, joints with their axes, frames (green), centres of mass (gold)"
-        yield Picture("robot", robot_drawing(shown.skeleton), caption)
+        yield Figure("robot", robot_drawing(shown.skeleton), caption)
 
 
 def _tree(facts: dict[str, Any]) -> Iterator[Block]:

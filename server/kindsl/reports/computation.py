@@ -13,7 +13,7 @@ from kindsl.reports.robot_facts import missing_facts
 from kindsl.spatial.arrays import Array
 
 
-class Request(NamedTuple):
+class ComputationRequest(NamedTuple):
     """What to compute.
 
     Attributes:
@@ -106,7 +106,7 @@ class Results(NamedTuple):
             }
 
 
-def compute(analysis: Analysis, mechanism: Mechanism, request: Request) -> Results:
+def compute(analysis: Analysis, mechanism: Mechanism, request: ComputationRequest) -> Results:
     """Return all quantities for all configurations.
 
     Raises:
@@ -126,7 +126,7 @@ def compute(analysis: Analysis, mechanism: Mechanism, request: Request) -> Resul
 
 
 def _quantities(
-    mechanism: Mechanism, inputs: dict[str, Array], request: Request
+    mechanism: Mechanism, inputs: dict[str, Array], request: ComputationRequest
 ) -> dict[str, Array]:
     q, qd, gravity = inputs["q"], inputs["qd"], request.gravity
     base_velocity = inputs.get("base_velocity")

@@ -34,14 +34,14 @@ class Motion(NamedTuple):
     base_velocity: tuple[float, ...]
 
 
-class Robot(NamedTuple):
+class ConfigurationSpace(NamedTuple):
     """What configurations have to fit."""
 
     joints: Sequence[str]
     is_floating: bool
 
 
-def motions_from(content: object, robot: Robot, where: str = "") -> list[Motion]:
+def motions_from(content: object, robot: ConfigurationSpace, where: str = "") -> list[Motion]:
     """Return the configurations of an object with `q`, `qd`, ..., or of an array of them.
 
     Args:
@@ -63,7 +63,7 @@ def motions_from(content: object, robot: Robot, where: str = "") -> list[Motion]
     ]
 
 
-def motion(given: Mapping[str, Any], robot: Robot, names: Mapping[str, str]) -> Motion:
+def motion(given: Mapping[str, Any], robot: ConfigurationSpace, names: Mapping[str, str]) -> Motion:
     """Return one configuration; what is not given is zero.
 
     Args:
@@ -85,7 +85,7 @@ def motion(given: Mapping[str, Any], robot: Robot, names: Mapping[str, str]) -> 
     return Motion(joints[0], joints[1], joints[2], joints[3], velocity)
 
 
-def _entry(prefix: str, entry: object, robot: Robot) -> Motion:
+def _entry(prefix: str, entry: object, robot: ConfigurationSpace) -> Motion:
     if not isinstance(entry, dict):
         raise MotionError(f"{prefix}must be an object with 'q', not {_kind(entry)}")
     for key in entry:

@@ -10,7 +10,7 @@ from kindsl.preview.viewer import PreviewUnavailableError
 from kindsl.reports.card import card_page
 from kindsl.reports.drawing.robot import robot_drawing
 from kindsl.reports.drawing.svg import svg_text
-from kindsl.reports.page.blocks import Picture
+from kindsl.reports.page.blocks import Figure
 from kindsl.scene.formulas import formula_messages
 from kindsl.text.lines import LineIndex
 from kindsl.text.words import counted, listed
@@ -55,7 +55,7 @@ def _preview(analysis: Analysis) -> str:
 
 
 def _picture(analysis: Analysis) -> str:
-    pictures = (block for block in card_page(analysis) if isinstance(block, Picture))
+    pictures = (block for block in card_page(analysis) if isinstance(block, Figure))
     return next((svg_text(picture.drawing) for picture in pictures), "")
 
 

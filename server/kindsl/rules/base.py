@@ -33,7 +33,7 @@ class Related(NamedTuple):
     message: str
 
 
-class Change(NamedTuple):
+class Replacement(NamedTuple):
     """Replace the text at a place; an empty place inserts."""
 
     at: Located
@@ -52,7 +52,7 @@ class Fix(NamedTuple):
     """
 
     title: str
-    changes: tuple[Change, ...]
+    changes: tuple[Replacement, ...]
     is_safe: bool = False
     is_within_digits: bool = False
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
-from kindsl.rules.base import Change, Finding, Fix
+from kindsl.rules.base import Finding, Fix, Replacement
 from kindsl.rules.reference_defects import suggestions
 from kindsl.semantics.declarations import Joint, Link
 from kindsl.semantics.places import Name
@@ -43,4 +43,4 @@ def missing_names(
 
 
 def _replacement(name: Name, meant: str) -> Fix:
-    return Fix(f"Replace '{name}' with '{meant}'", (Change(name, meant),))
+    return Fix(f"Replace '{name}' with '{meant}'", (Replacement(name, meant),))

@@ -1,6 +1,6 @@
 """Fixes that write a new block behind the blocks of its kind."""
 
-from kindsl.rules.base import Change, Fix
+from kindsl.rules.base import Fix, Replacement
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Place
 from kindsl.syntax.tree import Island
@@ -44,5 +44,5 @@ def _next_id(model: Model) -> int:
     return known
 
 
-def _behind(island: Island, end: int, text: str) -> Change:
-    return Change(Place(island, end, end), text)
+def _behind(island: Island, end: int, text: str) -> Replacement:
+    return Replacement(Place(island, end, end), text)

@@ -3,14 +3,14 @@
 from collections.abc import Sequence
 from math import isfinite, pi
 
-from kindsl.rules.base import Change
+from kindsl.rules.base import Replacement
 from kindsl.semantics.expressions import Expression
 from kindsl.text.decimals import fixed_decimal, significant_decimal
 
 _DIVISORS = ("", "2.0", "4.0", "3.0", "6.0", "1.5", "0.5", "8.0", "12.0")
 
 
-def rewritten(group: Sequence[Expression], values: Sequence[float]) -> list[Change] | None:
+def rewritten(group: Sequence[Expression], values: Sequence[float]) -> list[Replacement] | None:
     """Return the changes that give literal numbers new values, None where one is no literal.
 
     A group is written with the greatest number of decimals in it; where its numbers differ in that,
@@ -29,11 +29,11 @@ def rewritten(group: Sequence[Expression], values: Sequence[float]) -> list[Chan
                 text = fixed_decimal(value, max(counts))
             else:
                 text = f"{value:z.{max(counts)}f}"
-            changes.append(Change(expression, text))
+            changes.append(Replacement(expression, text))
     return changes
 
 
-def rescaled(group: Sequence[Expression], values: Sequence[float]) -> list[Change] | None:
+def rescaled(group: Sequence[Expression], values: Sequence[float]) -> list[Replacement] | None:
     """Return the changes that give literal numbers values of another order of magnitude.
 
     They keep as many significant digits as the group has. None where one is no literal.
@@ -43,7 +43,7 @@ def rescaled(group: Sequence[Expression], values: Sequence[float]) -> list[Chang
     digits = max(significant_digits(expression.text) for expression in group)
     pairs = zip(group, values, strict=True)
     return [
-        Change(expression, significant_decimal(value, digits))
+        Replacement(expression, significant_decimal(value, digits))
         for expression, value in pairs
         if value
     ]

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Change, Finding, Fix, Severity
+from kindsl.rules.base import Finding, Fix, Replacement, Severity
 from kindsl.rules.context import ROBCOGEN, ROBCOGEN2, Context
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Place
@@ -97,6 +97,8 @@ def _constructs(target: str, model: Model) -> Iterator[Finding]:
 def _finding(island: Island, note: PortabilityNote) -> Finding:
     fix = None
     if note.repair is not None:
-        changes = tuple(Change(Place(island, e.start, e.end), e.text) for e in note.repair.edits)
+        changes = tuple(
+            Replacement(Place(island, e.start, e.end), e.text) for e in note.repair.edits
+        )
         fix = Fix(note.repair.title, changes, note.repair.is_safe)
     return Finding(Place(island, note.start, note.end), note.message, fix=fix)

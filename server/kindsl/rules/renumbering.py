@@ -4,7 +4,7 @@ from heapq import heapify, heappop, heappush
 from itertools import pairwise
 from typing import NamedTuple
 
-from kindsl.rules.base import Change, Fix
+from kindsl.rules.base import Fix, Replacement
 from kindsl.rules.duplicates import repeats
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
@@ -122,7 +122,7 @@ def _renumbering(model: Model) -> Fix | None:
     if order is None or any(link.id_place is None for link in order):
         return None
     changes = tuple(
-        Change(link.id_place, str(number))
+        Replacement(link.id_place, str(number))
         for number, link in enumerate(order, 1)
         if link.id != number and link.id_place is not None
     )

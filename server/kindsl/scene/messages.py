@@ -16,7 +16,7 @@ from typing import ClassVar, Literal, TypeAlias
 from kindsl.rigid.pose import Vector3
 from kindsl.rigid.topology import JointKind
 from kindsl.scene.geometry import Shape
-from kindsl.scene.picture import State
+from kindsl.scene.picture import PictureState
 from kindsl.semantics.declarations import ValueKind
 
 # A value with all parameters zero, and the factor of each parameter by name.
@@ -297,7 +297,7 @@ class StatusMessage:
     """
 
     type: ClassVar[Literal["status"]] = "status"
-    state: State | Literal["gone"]
+    state: PictureState | Literal["gone"]
     message: str
     total: int
     counts: Mapping[str, int]

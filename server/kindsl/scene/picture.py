@@ -18,7 +18,7 @@ from kindsl.semantics.parameters import values_of
 from kindsl.text.words import counted
 
 
-class State(StrEnum):
+class PictureState(StrEnum):
     """How what is drawn stands to the document."""
 
     LIVE = "live"
@@ -44,7 +44,7 @@ class Picture:
     """
 
     skeleton: Skeleton | None
-    state: State
+    state: PictureState
     message: str = ""
     guesses: Guesses = NO_GUESSES
     weight: Weight = NO_MASS
@@ -69,14 +69,16 @@ def picture(model: Model, given: dict[str, float], last: Picture | None) -> Pict
     defect = _defect(model) or (_refusal(model, values) if skeleton is None else "")
     if defect and last is not None and former is not None:
         sentence = _sentence(defect, "the last complete version is shown")
-        return replace(last, state=State.BROKEN, message=sentence, guesses=guessed, is_former=True)
+        return replace(
+            last, state=PictureState.BROKEN, message=sentence, guesses=guessed, is_former=True
+        )
     weight = total_mass(model, values)
     unknown = {name: why.plain for name, why in unknown_bodies(model, values).items()}
     if defect:
         sentence = _sentence(defect, "showing the rest" if skeleton else "nothing can be shown yet")
-        return Picture(skeleton, State.BROKEN, sentence, guessed, weight, unknown)
+        return Picture(skeleton, PictureState.BROKEN, sentence, guessed, weight, unknown)
     message = _message(guessed) or _incomplete(model, values)
-    state = State.GUESSED if guessed.values or guessed.left_out else State.LIVE
+    state = PictureState.GUESSED if guessed.values or guessed.left_out else PictureState.LIVE
     return Picture(skeleton, state, message, guessed, weight, unknown)
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from kindsl.semantics.model import Model
-from kindsl.syntax.transforms_text import Defect, Pair, TransformsDocument, Word
+from kindsl.syntax.transforms_text import Defect, Pair, PlacedName, TransformsDocument
 from kindsl.text.nearest import hint, nearest_name
 
 LINK_PREFIX = "fr_"
@@ -63,11 +63,11 @@ def other_robot(document: TransformsDocument, model: Model) -> Iterator[Defect]:
         yield Defect(f"the robot is '{model.name}', not '{word.text}'", word.start, word.end)
 
 
-def _all_words(document: TransformsDocument) -> Iterator[Word]:
+def _all_words(document: TransformsDocument) -> Iterator[PlacedName]:
     yield from document.frames
     for pair in (*document.transforms, *document.jacobians):
         yield from _both(pair)
 
 
-def _both(pair: Pair) -> tuple[Word, Word]:
+def _both(pair: Pair) -> tuple[PlacedName, PlacedName]:
     return pair.base, pair.target

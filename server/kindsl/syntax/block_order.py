@@ -31,7 +31,7 @@ class PlacedProblem:
         self.problem = problem
 
 
-class Block(NamedTuple):
+class OrderedBlock(NamedTuple):
     """A block with its island, the island's number and absolute start."""
 
     number: int
@@ -48,7 +48,7 @@ def order_problems(islands: Sequence[Island], starts: Sequence[int]) -> tuple[Pl
         starts: Their absolute offsets.
     """
     blocks = [
-        Block(index, island, starts[index], node)
+        OrderedBlock(index, island, starts[index], node)
         for index, island in enumerate(islands)
         for node in island.nodes
     ]
@@ -63,7 +63,9 @@ def order_problems(islands: Sequence[Island], starts: Sequence[int]) -> tuple[Pl
     return tuple(sorted(problems, key=lambda p: (p.index, p.problem.start)))
 
 
-def _first_robot(blocks: Sequence[Block]) -> tuple[Sequence[Block], list[PlacedProblem]]:
+def _first_robot(
+    blocks: Sequence[OrderedBlock],
+) -> tuple[Sequence[OrderedBlock], list[PlacedProblem]]:
     """Return the blocks of the first robot, and the problem of a second one."""
     heads = [i for i, block in enumerate(blocks) if block.node.kind == "head"]
     if len(heads) < 2 or heads[1] == heads[0] + 1:
@@ -79,10 +81,10 @@ def _empty(islands: Sequence[Island]) -> PlacedProblem:
     return PlacedProblem(0, islands[0], Problem("KD008", "document has no robot", 0, 0))
 
 
-def _surplus(blocks: Sequence[Block]) -> list[PlacedProblem]:
+def _surplus(blocks: Sequence[OrderedBlock]) -> list[PlacedProblem]:
     """Return the problems of a second head, a second base, and braces that close nothing."""
     problems: list[PlacedProblem] = []
-    seen: dict[str, Block] = {}
+    seen: dict[str, OrderedBlock] = {}
     for position, block in enumerate(blocks):
         kind = block.node.kind
         if kind in ("head", "base"):
@@ -100,7 +102,7 @@ def _surplus(blocks: Sequence[Block]) -> list[PlacedProblem]:
     return problems
 
 
-def _early_end(blocks: Sequence[Block], position: int) -> list[PlacedProblem]:
+def _early_end(blocks: Sequence[OrderedBlock], position: int) -> list[PlacedProblem]:
     """Return the problem of a `}` with blocks behind it."""
     block = blocks[position]
     is_last_island = block.number == blocks[-1].number
@@ -115,7 +117,7 @@ def _early_end(blocks: Sequence[Block], position: int) -> list[PlacedProblem]:
     return [_placed(block, Problem("KD001", "unexpected '}'", start, end, repair))]
 
 
-def _surplus_brace(block: Block) -> tuple[int, int]:
+def _surplus_brace(block: OrderedBlock) -> tuple[int, int]:
     """Return the span of the `}` that the layout shows to be too much."""
     tokens = block.island.tokens
     index = surplus_closing(block.island.text, tokens)
@@ -123,7 +125,7 @@ def _surplus_brace(block: Block) -> tuple[int, int]:
     return token.start, token.end
 
 
-def _wrong_order(blocks: Sequence[Block]) -> list[PlacedProblem]:
+def _wrong_order(blocks: Sequence[OrderedBlock]) -> list[PlacedProblem]:
     """Return one problem for each run of blocks that stand where others belong."""
     known = [block for block in _first_ones(blocks) if block.node.kind != "end"]
     ranks = [_RANKS[block.node.kind] for block in known]
@@ -139,7 +141,7 @@ def _wrong_order(blocks: Sequence[Block]) -> list[PlacedProblem]:
     return problems
 
 
-def _first_ones(blocks: Sequence[Block]) -> list[Block]:
+def _first_ones(blocks: Sequence[OrderedBlock]) -> list[OrderedBlock]:
     """Return the blocks without a second head or base."""
     seen: set[str] = set()
     first_ones = []
@@ -152,7 +154,7 @@ def _first_ones(blocks: Sequence[Block]) -> list[Block]:
 
 
 def _misplaced_run(
-    known: Sequence[Block], ranks: Sequence[int], run: Sequence[int]
+    known: Sequence[OrderedBlock], ranks: Sequence[int], run: Sequence[int]
 ) -> PlacedProblem:
     first = known[run[0]]
     others = [i for i in range(len(known)) if i not in set(run)]
@@ -171,12 +173,12 @@ def _misplaced_run(
     return _placed(first, problem)
 
 
-def _listed(known: Sequence[Block], run: Sequence[int]) -> str:
+def _listed(known: Sequence[OrderedBlock], run: Sequence[int]) -> str:
     names = [f"'{_name(known[i].node)}'" for i in run]
     return ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
 
 
-def _move(known: Sequence[Block], run: Sequence[int], anchor: int) -> Repair:
+def _move(known: Sequence[OrderedBlock], run: Sequence[int], anchor: int) -> Repair:
     """Return the repair that moves blocks behind another one."""
     origin = known[run[0]].start
     edits = []
@@ -193,7 +195,7 @@ def _move(known: Sequence[Block], run: Sequence[int], anchor: int) -> Repair:
 
 
 def _lacking(
-    islands: Sequence[Island], blocks: Sequence[Block], told: set[int]
+    islands: Sequence[Island], blocks: Sequence[OrderedBlock], told: set[int]
 ) -> list[PlacedProblem]:
     """Return the problems of blocks that are not there."""
     kinds = {block.node.kind for block in blocks}
@@ -229,7 +231,7 @@ def _explains_end(islands: Sequence[Island]) -> bool:
     return any(problem.end >= inner[-1] for problem in last.problems) if inner else False
 
 
-def _unclosed(blocks: Sequence[Block]) -> Problem:
+def _unclosed(blocks: Sequence[OrderedBlock]) -> Problem:
     """Return the problem of a lost `}`, at the place that the layout shows."""
     last = blocks[-1]
     tokens = [token for token in last.island.tokens if token not in last.island.skipped]
@@ -254,5 +256,5 @@ def _name(node: Node) -> str:
     return name.text if isinstance(name, Token) else ""
 
 
-def _placed(block: Block, problem: Problem) -> PlacedProblem:
+def _placed(block: OrderedBlock, problem: Problem) -> PlacedProblem:
     return PlacedProblem(block.number, block.island, problem)

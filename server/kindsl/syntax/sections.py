@@ -20,16 +20,16 @@ _TITLES = {"base": "base", "link": "link", "joint": "joint", "frame": "frame"}
 _fine: set[tuple[str, ...]] = set()
 
 
-class Place(NamedTuple):
+class SectionPlace(NamedTuple):
     """Where a section stands in the order, and whether it must be there."""
 
     rank: int
     is_needed: bool
 
 
-ORDER: dict[str, dict[str, Place]] = {
+ORDER: dict[str, dict[str, SectionPlace]] = {
     kind: {
-        section.rstrip("?+"): Place(rank, not section.endswith("?"))
+        section.rstrip("?+"): SectionPlace(rank, not section.endswith("?"))
         for rank, section in enumerate(order)
     }
     for kind, order in ORDERS.items()

@@ -22,7 +22,7 @@ _N_AHEAD = 8
 _WORD_END = r"(?!\w)"
 
 
-class Word(NamedTuple):
+class PlacedName(NamedTuple):
     """A name where it stands; offsets in code points."""
 
     text: str
@@ -33,8 +33,8 @@ class Word(NamedTuple):
 class Pair(NamedTuple):
     """A transform or Jacobian that is wanted: of `target`, seen from `base`."""
 
-    base: Word
-    target: Word
+    base: PlacedName
+    target: PlacedName
 
 
 class Defect(NamedTuple):
@@ -57,8 +57,8 @@ class TransformsDocument(NamedTuple):
         expected: The words that may come next where the text ends too early: `'{'`, `a frame`.
     """
 
-    robot: Word | None
-    frames: tuple[Word, ...]
+    robot: PlacedName | None
+    frames: tuple[PlacedName, ...]
     transforms: tuple[Pair, ...]
     jacobians: tuple[Pair, ...]
     defects: tuple[Defect, ...]
@@ -94,9 +94,9 @@ def _pairs(tree: "Tree[Token]", section: str) -> Iterator[Pair]:
                 yield Pair(*names)
 
 
-def _names(tree: "Tree[Token]", kind: str) -> list[Word]:
+def _names(tree: "Tree[Token]", kind: str) -> list[PlacedName]:
     tokens = [child for child in tree.children if isinstance(child, str) and child.type == kind]
-    return [Word(str(token), *_ends(token)) for token in tokens if token]
+    return [PlacedName(str(token), *_ends(token)) for token in tokens if token]
 
 
 def _ends(token: "Token") -> tuple[int, int]:

@@ -7,7 +7,7 @@ import pytest
 from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.analysis.settings import Settings
 from kindsl.features.manipulation.gesture import Refusal
-from kindsl.features.manipulation.set_component import Change, set_component
+from kindsl.features.manipulation.set_component import ComponentChange, set_component
 from kindsl.features.manipulation.things import Thing
 from kindsl.features.manipulation.written_value import fraction_of_pi, written_number
 from kindsl.semantics.parameters import Binding
@@ -56,7 +56,7 @@ def test_a_value_that_is_there_already_is_not_written(
     old: str, value: float, is_written: bool
 ) -> None:
     change = set_component(robot(old), J, "x", value)
-    assert isinstance(change, Change)
+    assert isinstance(change, ComponentChange)
     assert bool(change.edits) == is_written
     if not is_written:
         assert (change.text, change.value) == (old, float(old))
@@ -89,13 +89,13 @@ def test_a_number_keeps_its_decimals(value: float, old: str, text: str) -> None:
 )  # fmt: skip
 def test_an_angle_is_a_fraction_of_pi_where_it_was_one(old: str, degrees: int, new: str) -> None:
     change = set_component(robot(rx=old), J, "rx", pi * degrees / 180.0)
-    assert isinstance(change, Change)
+    assert isinstance(change, ComponentChange)
     assert change.text == new
 
 
 def test_a_length_is_no_fraction_of_pi() -> None:
     change = set_component(robot(), J, "x", pi / 2.0)
-    assert isinstance(change, Change)
+    assert isinstance(change, ComponentChange)
     assert change.text == "1.5707963268"
 
 
@@ -133,7 +133,7 @@ def test_a_bound_parameter_stays_in_its_bounds(
 ) -> None:
     change = set_component(bound("-2.0*x", minimum, maximum), J, "x", -2.0 * value)
     if is_taken:
-        assert change == Change(change.text, -2.0 * value, bindings=(("x", value),))
+        assert change == ComponentChange(change.text, -2.0 * value, bindings=(("x", value),))
     else:
         assert change == Refusal(f"parameter 'x' would be out of bounds at {value}")
 
@@ -142,7 +142,7 @@ def test_a_typed_value_wins_over_a_binding_and_a_default() -> None:
     """What the preview's own field holds is changed there, and no file."""
     for analysis in (bound("2.0*x", 0.0, 1.0), robot("2.0*x[1.0]")):
         change = set_component(analysis, J, "x", 5.0, typed={"x": 1.0})
-        assert change == Change("2.5", 5.0, preview=(("x", 2.5),))
+        assert change == ComponentChange("2.5", 5.0, preview=(("x", 2.5),))
 
 
 def test_only_defaults_of_the_value_in_force_are_rewritten() -> None:
@@ -170,4 +170,4 @@ def test_what_cannot_be_solved_is_refused() -> None:
 def test_a_new_form_of_the_same_text_edits_nothing() -> None:
     """The value changes by less than is written."""
     change = set_component(robot("0.5"), J, "x", 0.5 + 2e-12)
-    assert change == Change("0.5", 0.5)
+    assert change == ComponentChange("0.5", 0.5)

@@ -12,7 +12,7 @@ from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.analysis.settings import Settings
 from kindsl.features.manipulation.gesture import Refusal
 from kindsl.features.manipulation.handles import handles
-from kindsl.features.manipulation.set_component import Change, set_component
+from kindsl.features.manipulation.set_component import ComponentChange, set_component
 from kindsl.features.manipulation.things import Thing
 from kindsl.mechanism.skeleton import named_frames
 from kindsl.semantics.parameters import Binding
@@ -187,7 +187,7 @@ def test_a_bound_parameter_is_bound_anew():
     settings = Settings(bindings={"x": Binding(0.3, 0.2, 0.5, "kindsl.toml")})
     analysis = analyse(JOINT.format(x="-x/2.0", rx="0.0"), settings)
     change = set_component(analysis, Thing("joint", "j"), "x", -0.2, 0.01)
-    assert change == Change("0.4", -0.2, bindings=(("x", 0.4),))
+    assert change == ComponentChange("0.4", -0.2, bindings=(("x", 0.4),))
     refused = set_component(analysis, Thing("joint", "j"), "x", -0.3)
     assert refused == Refusal("parameter 'x' would be out of bounds at 0.6")
 
@@ -195,7 +195,7 @@ def test_a_bound_parameter_is_bound_anew():
 def test_an_unbound_parameter_moves_in_the_preview_only():
     analysis = analyse(JOINT.format(x="x", rx="0.0"))
     change = set_component(analysis, Thing("joint", "j"), "x", 0.25)
-    assert change == Change("0.25", 0.25, preview=(("x", 0.25),))
+    assert change == ComponentChange("0.25", 0.25, preview=(("x", 0.25),))
 
 
 def test_a_card_says_what_moves_along():
@@ -224,4 +224,4 @@ def test_refusals(thing, name, value, reason):
 def test_broken_numbers_are_locked():
     analysis = analyse(JOINT.format(x="0.1.2", rx=f"{pi:.15f}"))
     assert isinstance(set_component(analysis, Thing("joint", "j"), "x", 0.5), Refusal)
-    assert isinstance(set_component(analysis, Thing("joint", "j"), "rx", 0.5), Change)
+    assert isinstance(set_component(analysis, Thing("joint", "j"), "rx", 0.5), ComponentChange)

@@ -11,7 +11,7 @@ from tests.support.bodies import document_of_bodies
 from kindsl.analysis.analysis import analyse
 from kindsl.rigid.body import MassDistribution
 from kindsl.rules.inertia.digits import (
-    Written,
+    WrittenDigits,
     all_written_as,
     bounds_by_digits,
     likely_half_widths,
@@ -187,4 +187,4 @@ def test_numbers_are_in_the_order_of_a_mass_distribution() -> None:
 
 
 def test_a_number_that_is_to_be_written_is_known_to_half_its_last_digit() -> None:
-    assert rewritten_number("0.0250") == Written("0.0250", 0.025, pytest.approx(0.00005))
+    assert rewritten_number("0.0250") == WrittenDigits("0.0250", 0.025, pytest.approx(0.00005))

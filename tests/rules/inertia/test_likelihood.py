@@ -13,7 +13,7 @@ from kindsl.rigid.body import (
     second_moments_about_com,
 )
 from kindsl.rules.inertia.likelihood import (
-    Shape,
+    MassShape,
     density,
     log_likelihood,
     shape_of,
@@ -27,8 +27,8 @@ halves = st.floats(0.0, 0.5)
 WORTHLESS = log(1e-9)
 
 
-def shape(*matrix: float, errors: Symmetric = EXACT) -> Shape:
-    return Shape(matrix, errors, eigensystem(matrix))  # type: ignore[arg-type]
+def shape(*matrix: float, errors: Symmetric = EXACT) -> MassShape:
+    return MassShape(matrix, errors, eigensystem(matrix))  # type: ignore[arg-type]
 
 
 def log_normal(z: float, spread: float) -> float:
@@ -84,7 +84,7 @@ def test_a_density_beyond_all_floats_is_worth_next_to_nothing(mass: float) -> No
     assert told == pytest.approx(WORTHLESS - log_normal(0.0, 1.2))
 
 
-def of_orientation(of: Shape) -> float:
+def of_orientation(of: MassShape) -> float:
     """Return what is left of the likelihood besides density and the volume of the eigenvalues."""
     values = [max(pair.value, max(of.errors[:3])) for pair in of.pairs]
     mass = mass_of(1500.0, *values)
@@ -271,7 +271,7 @@ def test_a_point_is_taken_to_have_next_to_no_extent() -> None:
         shape(0.2, 0.5, 1.0, 0.06, -0.1, 0.0, errors=(0.1, 0.1, 0.1, 0.04, 0.04, 0.04)),
     ],
 )
-def test_the_unit_does_not_matter(of: Shape) -> None:
+def test_the_unit_does_not_matter(of: MassShape) -> None:
     """A density over three products and three differences, less those of the eigenvalues."""
     matrix, errors = (tuple(4.0 * entry for entry in group) for group in (of.matrix, of.errors))
     fourfold = shape(*matrix, errors=errors)  # type: ignore[arg-type]

@@ -14,7 +14,7 @@ from kindsl.rules.inertia import repairs
 from kindsl.rules.inertia.causes import Cause
 from kindsl.rules.inertia.explanations import Explained
 from kindsl.rules.inertia.judgements import Judgement
-from kindsl.rules.inertia.likelihood import Shape, shape_of
+from kindsl.rules.inertia.likelihood import MassShape, shape_of
 from kindsl.rules.inertia.slips import Hypothesis, Slip, hypotheses
 from kindsl.rules.inertia.suspects import suspects_of
 from kindsl.semantics.parameters import Binding
@@ -61,7 +61,7 @@ SWAP, MASS = Chosen((Slip.SWAP,)), Chosen((Slip.MASS,))
 
 
 def cause(found: Judgement, h: Hypothesis, probability: float = 0.9) -> Cause:
-    shape = shape_of(h.body, h.half) or Shape((1.0,) * 6, (0.0,) * 6, found.second_moments)
+    shape = shape_of(h.body, h.half) or MassShape((1.0,) * 6, (0.0,) * 6, found.second_moments)
     return Cause(h, shape, (), 0.0, 0.0, probability)
 
 

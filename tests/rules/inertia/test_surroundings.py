@@ -9,11 +9,11 @@ from kindsl.analysis.analysis import analyse
 from kindsl.analysis.settings import Settings
 from kindsl.rigid.body import MassDistribution, Symmetric, eigensystem
 from kindsl.rigid.pose import Vector3
-from kindsl.rules.inertia.likelihood import Shape
+from kindsl.rules.inertia.likelihood import MassShape
 from kindsl.rules.inertia.slips import Hypothesis, Slip
 from kindsl.rules.inertia.surroundings import (
     Evidence,
-    Surroundings,
+    LinkSurroundings,
     is_mirror_image,
     is_same_body,
     of_points,
@@ -34,9 +34,9 @@ def said(
 ) -> Evidence:
     """Return what points say of a body with these second moments along its axes."""
     matrix = (*second_moments, 0.0, 0.0, 0.0)
-    shape = Shape(matrix, EXACT, eigensystem(matrix))
+    shape = MassShape(matrix, EXACT, eigensystem(matrix))
     h = Hypothesis((slip,), BODY._replace(com=com), BODY, 1.0)
-    return of_points(h, shape, Surroundings(points=points, twins=(), share=0.0, mirror=None))
+    return of_points(h, shape, LinkSurroundings(points=points, twins=(), share=0.0, mirror=None))
 
 
 LONG = "long towards its next joint"
@@ -140,7 +140,7 @@ def negated(ten: list[float], place: int) -> MassDistribution:
     return MassDistribution(mass, (x, y, z), tuple(moments))  # type: ignore[arg-type]
 
 
-def around(text: str, **values: float) -> Surroundings:
+def around(text: str, **values: float) -> LinkSurroundings:
     """Return what is known of the first link that needs an explanation."""
     bindings = {name: Binding(value) for name, value in values.items()}
     analysis = analyse(text, Settings(bindings=bindings))

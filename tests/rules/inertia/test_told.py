@@ -9,7 +9,7 @@ import pytest
 from kindsl.rigid.body import MassDistribution, eigensystem
 from kindsl.rigid.pose import Vector3
 from kindsl.rules.inertia.causes import Cause
-from kindsl.rules.inertia.likelihood import Shape
+from kindsl.rules.inertia.likelihood import MassShape
 from kindsl.rules.inertia.slips import Hypothesis, Slip
 from kindsl.rules.inertia.told import clause, likely_cause, several_causes, shared_cause, title
 from kindsl.rules.inertia.wording import sum_below, with_unit
@@ -93,7 +93,7 @@ def ball(com: Vector3, *reasons: str, slip: Slip = Slip.REFERENCE, tilt: float =
     mass = 1000.0 * 4.0 / 3.0 * pi
     matrix = (mass / 5.0, mass / 5.0, mass / 5.0, tilt, 0.0, 0.0)
     h = of(slip, names=("Ixy",))._replace(body=BODY._replace(mass=mass, com=com))
-    return Cause(h, Shape(matrix, (0.0,) * 6, eigensystem(matrix)), reasons, 0.0, 0.0)
+    return Cause(h, MassShape(matrix, (0.0,) * 6, eigensystem(matrix)), reasons, 0.0, 0.0)
 
 
 REFERENCE = "the moments were taken about the CoM rather than the frame origin"

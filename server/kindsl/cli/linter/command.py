@@ -8,8 +8,8 @@ from kindsl.cli.console import write
 from kindsl.cli.documents.choices import choices_of
 from kindsl.cli.documents.sources import STDIN, UNNAMED
 from kindsl.cli.linter.one_document import Mending
-from kindsl.cli.linter.run import Plan, lint
-from kindsl.cli.outcome import Failure, Outcome, as_failures
+from kindsl.cli.linter.run import LintPlan, lint
+from kindsl.cli.outcome import Failure, RunOutcome, as_failures
 from kindsl.cli.output import renderer
 from kindsl.config.errors import ConfigurationError
 from kindsl.config.robots import TOOLS_FOLDERS
@@ -57,7 +57,7 @@ def run_lint(args: Any) -> int:
         return INTERRUPTED
 
 
-def exit_status(outcome: Outcome, max_warnings: int | None, is_lenient: bool) -> int:
+def exit_status(outcome: RunOutcome, max_warnings: int | None, is_lenient: bool) -> int:
     """Return the status to leave with; `is_lenient` forgives findings, not failures."""
     if outcome.failures:
         return UNUSABLE
@@ -65,7 +65,7 @@ def exit_status(outcome: Outcome, max_warnings: int | None, is_lenient: bool) ->
     return FINDINGS if any(map(outcome.count, failing)) and not is_lenient else OK
 
 
-def failing_severities(outcome: Outcome, max_warnings: int | None) -> frozenset[Severity]:
+def failing_severities(outcome: RunOutcome, max_warnings: int | None) -> frozenset[Severity]:
     """Return the severities that make a run fail: warnings only where there are too many."""
     is_over = max_warnings is not None and outcome.count(Severity.WARNING) > max_warnings
     return frozenset((Severity.ERROR, Severity.WARNING) if is_over else (Severity.ERROR,))
@@ -81,9 +81,9 @@ def _wrong_usage(args: Any) -> str:
     return ""
 
 
-def _plan(args: Any) -> Plan:
+def _plan(args: Any) -> LintPlan:
     mending = Mending.SHOWN if args.diff else Mending.WRITTEN if args.fix else Mending.NONE
-    return Plan(
+    return LintPlan(
         args.paths or ["."],
         choices_of(args),
         args.stdin_filename or UNNAMED,
@@ -95,7 +95,7 @@ def _plan(args: Any) -> Plan:
     )
 
 
-def _report(outcome: Outcome, args: Any) -> int:
+def _report(outcome: RunOutcome, args: Any) -> int:
     _tell_failures(outcome.failures)
     failing = failing_severities(outcome, args.max_warnings)
     outcome = outcome._replace(failing=frozenset() if args.exit_zero else failing)
@@ -117,7 +117,7 @@ def _report(outcome: Outcome, args: Any) -> int:
     return exit_status(outcome, args.max_warnings, args.exit_zero)
 
 
-def _rendered(outcome: Outcome, args: Any) -> str:
+def _rendered(outcome: RunOutcome, args: Any) -> str:
     if args.statistics:
         from kindsl.cli.linter import statistics
 
@@ -126,7 +126,7 @@ def _rendered(outcome: Outcome, args: Any) -> str:
     return renderer(args.output_format)(outcome)
 
 
-def _report_diff(outcome: Outcome, args: Any) -> int:
+def _report_diff(outcome: RunOutcome, args: Any) -> int:
     from kindsl.cli.output.unified_diff import unified_diff
 
     diffs = [unified_diff(file.path, file.original, file.text) for file in outcome.files]

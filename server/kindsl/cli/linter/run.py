@@ -11,7 +11,7 @@ from kindsl.cli.documents.sources import STDIN, UNNAMED
 from kindsl.cli.documents.walking import documents
 from kindsl.cli.linter.one_document import Checked, Mending, Task
 from kindsl.cli.linter.parallel import check_all
-from kindsl.cli.outcome import Failure, LintedFile, Outcome, as_failures
+from kindsl.cli.outcome import Failure, LintedFile, RunOutcome, as_failures
 from kindsl.config.errors import ConfigurationError
 from kindsl.config.file_names import TRANSFORMS_SUFFIX
 from kindsl.config.robots import SUFFIX, TOOLS_FOLDERS
@@ -26,7 +26,7 @@ _FEW = 200
 _FEW_TO_COLLECT = 16
 
 
-class Plan(NamedTuple):
+class LintPlan(NamedTuple):
     """What to lint and how.
 
     Attributes:
@@ -50,7 +50,7 @@ class Plan(NamedTuple):
     excluded: Collection[str] = TOOLS_FOLDERS
 
 
-def lint(plan: Plan) -> Outcome:
+def lint(plan: LintPlan) -> RunOutcome:
     """Lint all documents of a plan, whatever some of them hold."""
     tasks, failures, configurations = _prepared(plan)
     if len(tasks) > _FEW_TO_COLLECT:
@@ -59,11 +59,11 @@ def lint(plan: Plan) -> Outcome:
     for checked in _with_progress(check_all(tasks, plan.jobs), len(tasks), plan.is_quiet):
         files += [checked.file] if checked.file is not None else []
         failures += [checked.failure] if checked.failure is not None else []
-    return Outcome([*files, *_unused(files, configurations, plan)], failures)
+    return RunOutcome([*files, *_unused(files, configurations, plan)], failures)
 
 
 def _prepared(
-    plan: Plan,
+    plan: LintPlan,
 ) -> "tuple[list[Task], list[Failure], dict[str, Configuration]]":
     """Return what can be linted, why the rest cannot, and configurations by the path shown."""
     tasks: list[Task] = []
@@ -87,7 +87,7 @@ def _prepared(
 
 
 def _unused(
-    files: list[LintedFile], configurations: "dict[str, Configuration]", plan: Plan
+    files: list[LintedFile], configurations: "dict[str, Configuration]", plan: LintPlan
 ) -> list[LintedFile]:
     """Return the configuration files with the bindings in them that nothing uses."""
     if STDIN in plan.paths or not any(

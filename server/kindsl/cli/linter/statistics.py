@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.cli.outcome import Outcome
+from kindsl.cli.outcome import RunOutcome
 from kindsl.rules.base import Severity
 
 
@@ -17,7 +17,7 @@ class RuleCount(NamedTuple):
     n_fixable: int
 
 
-def rule_counts(outcome: Outcome) -> list[RuleCount]:
+def rule_counts(outcome: RunOutcome) -> list[RuleCount]:
     """Return the rules that found something, the most frequent first."""
     by_rule: dict[str, list[Diagnostic]] = {}
     for file in outcome.files:
@@ -34,7 +34,7 @@ def _rule_count(code: str, findings: list[Diagnostic]) -> RuleCount:
     return RuleCount(code, findings[0].name, worst.value, len(findings), n_fixable)
 
 
-def render_text(outcome: Outcome) -> str:
+def render_text(outcome: RunOutcome) -> str:
     """Return a table; a star marks what `--fix` would mend."""
     rows = rule_counts(outcome)
     width = max((len(str(row.n_found)) for row in rows), default=0)
@@ -44,7 +44,7 @@ def render_text(outcome: Outcome) -> str:
     )
 
 
-def render_json(outcome: Outcome) -> str:
+def render_json(outcome: RunOutcome) -> str:
     """Return a JSON array."""
     import json
 

@@ -1,11 +1,11 @@
 """The summary line of a run."""
 
-from kindsl.cli.outcome import Outcome
+from kindsl.cli.outcome import RunOutcome
 from kindsl.rules.base import Severity
 from kindsl.text.words import counted
 
 
-def summary(outcome: Outcome) -> str:
+def summary(outcome: RunOutcome) -> str:
     """Return the line that counts documents, findings and safe fixes."""
     n_files = len(outcome.files)
     if not n_files and not outcome.failures:
@@ -23,6 +23,6 @@ def summary(outcome: Outcome) -> str:
     return line + (f"; {n_fixable} fixable with --fix\n" if n_fixable else "\n")
 
 
-def _counts(outcome: Outcome) -> str:
+def _counts(outcome: RunOutcome) -> str:
     counts = ((severity, outcome.count(severity)) for severity in Severity)
     return ", ".join(counted(number, severity) for severity, number in counts if number)

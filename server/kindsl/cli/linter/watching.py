@@ -7,8 +7,8 @@ import time
 from collections.abc import Callable
 
 from kindsl.cli.documents.walking import documents
-from kindsl.cli.linter.run import LINTED, Plan, lint
-from kindsl.cli.outcome import Failure, Outcome
+from kindsl.cli.linter.run import LINTED, LintPlan, lint
+from kindsl.cli.outcome import Failure, RunOutcome
 from kindsl.config.discovery import Configurations, nearest_configuration
 from kindsl.text.saves import Stamp, stamp
 
@@ -16,7 +16,7 @@ _PAUSE = 0.3
 _CLEAR = "\x1b[2J\x1b[3J\x1b[H"
 
 
-def watch(plan: Plan, report: Callable[[Outcome], int]) -> int:
+def watch(plan: LintPlan, report: Callable[[RunOutcome], int]) -> int:
     """Lint and report until interrupted; return the last report's status."""
     gc.enable()
     status = 0
@@ -40,7 +40,7 @@ def watch(plan: Plan, report: Callable[[Outcome], int]) -> int:
         return status
 
 
-def stamps(plan: Plan) -> dict[str, Stamp | None]:
+def stamps(plan: LintPlan) -> dict[str, Stamp | None]:
     """Return for each file that the outcome depends on what changes when the file does."""
     found: dict[str, Stamp | None] = {}
     for document in documents(plan.paths, plan.excluded, LINTED):
@@ -54,7 +54,7 @@ def stamps(plan: Plan) -> dict[str, Stamp | None]:
     return found
 
 
-def _afresh(plan: Plan) -> Plan:
+def _afresh(plan: LintPlan) -> LintPlan:
     """Return the plan with configuration files to be read again."""
     known = plan.choices.configurations
     if known is None:

@@ -6,12 +6,12 @@ Must not know where the findings come from.
 from collections.abc import Callable
 from importlib import import_module
 
-from kindsl.cli.outcome import Outcome
+from kindsl.cli.outcome import RunOutcome
 
 FORMATS = ("text", "json", "sarif", "github", "gitlab", "junit")
 
 
-def renderer(name: str) -> Callable[[Outcome], str]:
+def renderer(name: str) -> Callable[[RunOutcome], str]:
     """Return the function that writes an outcome in a format."""
-    render: Callable[[Outcome], str] = import_module(f"{__name__}.{name}_format").render
+    render: Callable[[RunOutcome], str] = import_module(f"{__name__}.{name}_format").render
     return render

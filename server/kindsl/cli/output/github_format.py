@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.cli.outcome import LintedFile, Outcome
+from kindsl.cli.outcome import LintedFile, RunOutcome
 from kindsl.cli.output.project_paths import project_path
 from kindsl.rules.base import Severity
 from kindsl.text.printable import printable
@@ -16,12 +16,12 @@ _COMMANDS = {
 }
 
 
-def render(outcome: Outcome) -> str:
+def render(outcome: RunOutcome) -> str:
     """Return one command a line."""
     return "".join(_commands(outcome))
 
 
-def _commands(outcome: Outcome) -> Iterator[str]:
+def _commands(outcome: RunOutcome) -> Iterator[str]:
     for file in outcome.files:
         path = project_path(file.path)
         for finding in file.findings:

@@ -2,7 +2,7 @@
 
 import json
 
-from kindsl.cli.outcome import Outcome
+from kindsl.cli.outcome import RunOutcome
 from kindsl.cli.output.project_paths import fingerprints, project_path
 from kindsl.rules.base import Severity
 from kindsl.text.printable import printable
@@ -15,7 +15,7 @@ _SEVERITIES = {
 }
 
 
-def render(outcome: Outcome) -> str:
+def render(outcome: RunOutcome) -> str:
     """Return a JSON array with one issue a finding."""
     issues = []
     for file, finding, fingerprint in fingerprints(outcome):

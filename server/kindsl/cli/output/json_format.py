@@ -5,11 +5,11 @@ from typing import Any
 
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.analysis.text_fix import TextFix
-from kindsl.cli.outcome import LintedFile, Outcome
+from kindsl.cli.outcome import LintedFile, RunOutcome
 from kindsl.text.printable import printable
 
 
-def render(outcome: Outcome) -> str:
+def render(outcome: RunOutcome) -> str:
     """Return a JSON array with one object a finding."""
     findings = [
         finding_object(file, finding) for file in outcome.files for finding in file.findings

@@ -6,13 +6,13 @@ Only what makes the run fail is a failure; another warning is a skipped test, th
 import xml.etree.ElementTree as ET
 
 from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.cli.outcome import Failure, LintedFile, Outcome
+from kindsl.cli.outcome import Failure, LintedFile, RunOutcome
 from kindsl.cli.output.project_paths import project_path
 from kindsl.rules.base import Severity
 from kindsl.text.printable import printable
 
 
-def render(outcome: Outcome) -> str:
+def render(outcome: RunOutcome) -> str:
     """Return an XML document."""
     suites = [_suite(file, outcome.failing) for file in outcome.files]
     suites += [_failed_suite(failure) for failure in outcome.failures]

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from hashlib import sha256
 
 from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.cli.outcome import LintedFile, Outcome
+from kindsl.cli.outcome import LintedFile, RunOutcome
 from kindsl.text.printable import printable
 
 _ROOTS = ("CI_PROJECT_DIR", "GITHUB_WORKSPACE")
@@ -19,7 +19,7 @@ def project_path(path: str) -> str:
     return printable(absolute if relative.startswith("..") else relative).replace(os.sep, "/")
 
 
-def fingerprints(outcome: Outcome) -> Iterator[tuple[LintedFile, Diagnostic, str]]:
+def fingerprints(outcome: RunOutcome) -> Iterator[tuple[LintedFile, Diagnostic, str]]:
     """Yield each finding with an identity that does not change when lines move."""
     for file in outcome.files:
         counts: dict[str, int] = {}

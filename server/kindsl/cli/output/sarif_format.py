@@ -12,7 +12,7 @@ from urllib.parse import quote
 from kindsl import __version__
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.analysis.text_fix import TextFix
-from kindsl.cli.outcome import Failure, LintedFile, Outcome
+from kindsl.cli.outcome import Failure, LintedFile, RunOutcome
 from kindsl.cli.output.project_paths import fingerprints
 from kindsl.cli.output.rule_pages import summary_of
 from kindsl.rules.base import Rule, Severity
@@ -36,7 +36,7 @@ _MOST_PLACES = 100
 _LONGEST_TEXT = 1024
 
 
-def render(outcome: Outcome) -> str:
+def render(outcome: RunOutcome) -> str:
     """Return a SARIF log with one run."""
     found = list(fingerprints(outcome))
     n_found = len(found)
@@ -82,7 +82,7 @@ def _shortened(text: str) -> str:
     return text if len(text) <= _LONGEST_TEXT else text[: _LONGEST_TEXT - 3] + "..."
 
 
-def _invocation(outcome: Outcome, n_left_out: int) -> dict[str, Any]:
+def _invocation(outcome: RunOutcome, n_left_out: int) -> dict[str, Any]:
     notifications = [_notification(failure) for failure in outcome.failures]
     if n_left_out:
         text = f"{counted(n_left_out, 'further finding')} left out: GitHub takes {_MOST_RESULTS}"

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator
 
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.cli.console import coloured, plain, wants_colour
-from kindsl.cli.outcome import LintedFile, Outcome
+from kindsl.cli.outcome import LintedFile, RunOutcome
 from kindsl.text.printable import printable
 
 _WIDEST_EXCERPT = 120
@@ -15,7 +15,7 @@ _TAB = 4
 Paint = Callable[[str, str], str]
 
 
-def render(outcome: Outcome) -> str:
+def render(outcome: RunOutcome) -> str:
     """Return all findings, coloured if stdout wants it."""
     paint = coloured if wants_colour(sys.stdout) else plain
     return "".join(

@@ -29,7 +29,7 @@ from kindsl.spatial.transforms import homogeneous, rotation_about_z
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class State:
+class Posture:
     """Where all bodies are, in base coordinates; the base first.
 
     Attributes:
@@ -116,7 +116,7 @@ class PathForm:
         named = np.concatenate((links, np.stack(frames, axis=-3)), axis=-3) if frames else links
         return named.reshape((len(poses), 16 * named.shape[-3]))
 
-    def _state(self, q: Array) -> State:
+    def _state(self, q: Array) -> Posture:
         poses = self._poses(q)
         R, r, axis = poses[..., :3, :3], poses[..., :3, 3], poses[..., :3, 2]
         is_revolute = np.array([[kind == "revolute"] for kind in self.bodies.joint_kinds])
@@ -125,10 +125,10 @@ class PathForm:
         S[..., 1:, 3:] = np.where(is_revolute, cross(r, axis)[..., 1:, :], axis[..., 1:, :])
         masses = self.bodies.masses
         com, inertia = move_inertia(masses, self.bodies.coms, self.bodies.inertias, R, r)
-        return State(poses, S, spatial_inertia(masses, com, inertia))
+        return Posture(poses, S, spatial_inertia(masses, com, inertia))
 
     def _forces(
-        self, state: State, qd: Array, qdd: Array, base_velocity: Array, base_acceleration: Array
+        self, state: Posture, qd: Array, qdd: Array, base_velocity: Array, base_acceleration: Array
     ) -> Array:
         """Return the forces of a motion, shape (..., nv); accelerations are less gravity's."""
         v_joint, a_joint = np.zeros_like(state.S), np.zeros_like(state.S)
@@ -143,7 +143,7 @@ class PathForm:
             return np.asarray(tau)
         return np.concatenate((f[..., 0, :], tau), axis=-1)
 
-    def _joint_space_inertia(self, state: State) -> Array:
+    def _joint_space_inertia(self, state: Posture) -> Array:
         shape = state.inertias.shape
         composite = (self.path.T @ state.inertias.reshape((*shape[:-2], 36))).reshape(shape)
         f = apply(composite, state.S)
@@ -156,7 +156,7 @@ class PathForm:
         return np.concatenate((upper, np.concatenate((base, between_joints), axis=-1)), axis=-2)
 
     def _forward_dynamics(
-        self, state: State, qd: Array, tau: Array, base_velocity: Array, weight: Array
+        self, state: Posture, qd: Array, tau: Array, base_velocity: Array, weight: Array
     ) -> Array:
         M, rest = self._joint_space_inertia(state), np.zeros_like(qd)
         if not self.bodies.is_floating:

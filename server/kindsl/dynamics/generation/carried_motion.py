@@ -12,7 +12,7 @@ takes follows from the carried bodies' moments of mass and two integrals of V.
 from typing import NamedTuple
 
 from kindsl.dynamics.generation.expressions import Scalar
-from kindsl.dynamics.generation.mass_moments import MassDistribution
+from kindsl.dynamics.generation.mass_moments import MassMoments
 from kindsl.dynamics.generation.tree import JointMotion, Tree
 from kindsl.dynamics.generation.vectors import (
     Matrix,
@@ -59,7 +59,7 @@ def flows(
     joints: list[JointMotion],
     w: list[Vector],
     steps: list[Vector],
-    carried: list[MassDistribution],
+    carried: list[MassMoments],
 ) -> list[Flow]:
     """Return the flow of each body with all that it carries, base first.
 
@@ -82,7 +82,7 @@ def flows(
     return found
 
 
-def _in_parent(joint: JointMotion, flow: Flow, body: MassDistribution, step: Vector) -> Flow:
+def _in_parent(joint: JointMotion, flow: Flow, body: MassMoments, step: Vector) -> Flow:
     """Return the flow about the parent's origin, in its coordinates."""
     columns = transpose([joint.to_parent(row) for row in flow.mixed])
     turned = transpose([joint.to_parent(column) for column in columns])
@@ -98,7 +98,7 @@ def _in_parent(joint: JointMotion, flow: Flow, body: MassDistribution, step: Vec
     return Flow(first, mixed)
 
 
-def wrench_of(field: Field, body: MassDistribution, flow: Flow) -> Wrench:
+def wrench_of(field: Field, body: MassMoments, flow: Flow) -> Wrench:
     """Return what a field takes, by a body's moments of mass and its flow."""
     a, b, o = field
     (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = flow.mixed

@@ -1,11 +1,11 @@
 """Composite bodies and the joint-space inertia, for tracing."""
 
-from kindsl.dynamics.generation.mass_moments import MassDistribution
+from kindsl.dynamics.generation.mass_moments import MassMoments
 from kindsl.dynamics.generation.tree import JointMotion, Tree, joint_motions
 from kindsl.dynamics.generation.vectors import Matrix, Vector, add, cross
 
 
-def composites(tree: Tree, q: Vector) -> list[MassDistribution]:
+def composites(tree: Tree, q: Vector) -> list[MassMoments]:
     """Return each body with all that it carries, as if rigid."""
     joints, composite = joint_motions(tree, q), list(tree.masses)
     for i in tree.links_leaves_first():
@@ -13,7 +13,7 @@ def composites(tree: Tree, q: Vector) -> list[MassDistribution]:
     return composite
 
 
-def joint_reaction(kind: str, body: MassDistribution) -> tuple[Vector, Vector]:
+def joint_reaction(kind: str, body: MassMoments) -> tuple[Vector, Vector]:
     """Return the moment and the force of a body that its joint accelerates by one."""
     (xx, _, xz), (_, yy, yz), _ = body.second
     x, y, _ = body.first
@@ -55,7 +55,7 @@ def _in_parent(joint: JointMotion, moment: Vector, force: Vector) -> tuple[Vecto
     return add(joint.to_parent(moment), cross(joint.offset, force)), force
 
 
-def rigid_body_inertia(body: MassDistribution) -> Matrix:
+def rigid_body_inertia(body: MassMoments) -> Matrix:
     """Return the 6x6 inertia of a body, angular part first."""
     inertia, (x, y, z), m = body.inertia(), body.first, body.mass
     return [

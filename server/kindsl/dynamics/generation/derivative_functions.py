@@ -13,7 +13,7 @@ from kindsl.dynamics.generation.factorization import Factorization, factorize, s
 from kindsl.dynamics.generation.force_derivatives import force_derivatives
 from kindsl.dynamics.generation.function import Function, Inputs, Result, flat
 from kindsl.dynamics.generation.inverse_dynamics import actuated_base_inverse_dynamics
-from kindsl.dynamics.generation.mass_moments import MassDistribution
+from kindsl.dynamics.generation.mass_moments import MassMoments
 from kindsl.dynamics.generation.robot import Robot, massless
 from kindsl.dynamics.generation.vectors import (
     EYE,
@@ -99,7 +99,7 @@ def regressor(robot: Robot, inputs: Inputs) -> list[Function]:
     return [Function("regressor", summary, inputs.motion("qdd", "a0"), (Y,))]
 
 
-def unit_bodies() -> list[MassDistribution]:
+def unit_bodies() -> list[MassMoments]:
     """Return bodies with one inertial parameter of one each, in the regressor's order."""
     none = massless()
     units = [replace(none, mass=1.0)]

@@ -1,6 +1,6 @@
 """Expressions that record the arithmetic done on them.
 
-An algorithm that is run on `Expression` inputs leaves a graph of what it computed. Operations on
+An algorithm that is run on `Term` inputs leaves a graph of what it computed. Operations on
 constants are folded, zeros and ones drop out, multiples of one value become one, negations move
 outwards, and equal operations are recorded once. The graph's nodes are tuples
 `(operation, operand, ...)`; an operand is the index of an earlier node, or a float.
@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterable
 from typing import TypeAlias, Union
 
-Scalar: TypeAlias = Union["Expression", float]
+Scalar: TypeAlias = Union["Term", float]
 Operand: TypeAlias = int | float
 Node: TypeAlias = tuple[str, *tuple[Operand, ...]]
 
@@ -30,18 +30,18 @@ class Graph:
         self.inputs: list[int] = []
         self._indices: dict[tuple[object, ...], int] = {}
 
-    def input(self) -> "Expression":
+    def input(self) -> "Term":
         """Add an input value; inputs are numbered in the order in which they are added."""
         index = len(self.nodes)
         self.nodes.append(("input", len(self.inputs)))
         self.inputs.append(index)
-        return Expression(self, index)
+        return Term(self, index)
 
-    def vector(self, length: int) -> "list[Expression]":
+    def vector(self, length: int) -> "list[Term]":
         """Add several input values."""
         return [self.input() for _ in range(length)]
 
-    def record(self, *node: Operand | str) -> "Expression":
+    def record(self, *node: Operand | str) -> "Term":
         """Return the expression of an operation, which is recorded if it is a new one."""
         # 1.0 == 1 as a key, so an operand's type belongs to it.
         key = (*node, *map(type, node))
@@ -49,10 +49,10 @@ class Graph:
         if index is None:
             index = self._indices[key] = len(self.nodes)
             self.nodes.append(node)  # type: ignore[arg-type]
-        return Expression(self, index)
+        return Term(self, index)
 
 
-class Expression:
+class Term:
     """A value that is known only when the generated code runs."""
 
     __slots__ = ("graph", "index")
@@ -114,7 +114,7 @@ class Expression:
     def __rtruediv__(self, other: float) -> Scalar:
         return self.graph.record("/", other, self.index)
 
-    def __neg__(self) -> "Expression":
+    def __neg__(self) -> "Term":
         operation, *operands = self.graph.nodes[self.index]
         if operation == "neg":
             return self._operand(operands[0])
@@ -145,19 +145,19 @@ class Expression:
             return int(operands[0]), operands[1]
         return self.index, 1.0
 
-    def _negated(self) -> "Expression | None":
+    def _negated(self) -> "Term | None":
         """Return what this is the negative of, if it is recorded so."""
         operation, *operands = self.graph.nodes[self.index]
         return self._operand(operands[0]) if operation == "neg" else None
 
-    def _operand(self, operand: Operand) -> "Expression":
-        return Expression(self.graph, int(operand))
+    def _operand(self, operand: Operand) -> "Term":
+        return Term(self.graph, int(operand))
 
 
 def needed(graph: Graph, values: Iterable[Scalar]) -> list[int]:
     """Return the nodes that values depend on, operands first."""
     found: set[int] = set()
-    waiting = [value.index for value in values if isinstance(value, Expression)]
+    waiting = [value.index for value in values if isinstance(value, Term)]
     while waiting:
         index = waiting.pop()
         if index not in found:

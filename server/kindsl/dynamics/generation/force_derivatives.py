@@ -25,7 +25,7 @@ from kindsl.dynamics.generation.composite_bodies import (
 from kindsl.dynamics.generation.expressions import Scalar
 from kindsl.dynamics.generation.function import Inputs
 from kindsl.dynamics.generation.inverse_dynamics import BodyMotions, body_motions, carried_wrenches
-from kindsl.dynamics.generation.mass_moments import MassDistribution
+from kindsl.dynamics.generation.mass_moments import MassMoments
 from kindsl.dynamics.generation.tree import JointMotion, Tree, joint_motions
 from kindsl.dynamics.generation.vectors import (
     EYE,
@@ -71,7 +71,7 @@ class _Mechanism(NamedTuple):
     tree: Tree
     joints: list[JointMotion]
     steps: list[Vector]
-    bodies: list[MassDistribution]
+    bodies: list[MassMoments]
     flows: list[Flow]
     wrenches: list[Wrench]
     by_position: list[Field]

@@ -1,12 +1,12 @@
 """Forward kinematics, for tracing."""
 
-from kindsl.dynamics.bodies import Frame
+from kindsl.dynamics.bodies import BodyFrame
 from kindsl.dynamics.generation.expressions import Scalar
 from kindsl.dynamics.generation.tree import Tree, joint_motions
 from kindsl.dynamics.generation.vectors import Matrix, Vector, add, multiply, transform
 
 
-def poses(tree: Tree, frames: tuple[Frame, ...], q: Vector) -> list[Scalar]:
+def poses(tree: Tree, frames: tuple[BodyFrame, ...], q: Vector) -> list[Scalar]:
     """Return `base_T_link` of all links, then of the frames, row by row: 16 scalars each."""
     joints = joint_motions(tree, q)
     rotations: list[Matrix] = [[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]]

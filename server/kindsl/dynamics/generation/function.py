@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from kindsl.dynamics.generation.expressions import Expression, Scalar
+from kindsl.dynamics.generation.expressions import Scalar, Term
 from kindsl.dynamics.generation.robot import Robot
 from kindsl.dynamics.generation.vectors import Matrix, Vector
 
@@ -12,7 +12,7 @@ class Argument(NamedTuple):
     """A vector that a function takes."""
 
     name: str
-    components: list[Expression]
+    components: list[Term]
 
 
 class Result(NamedTuple):
@@ -76,7 +76,7 @@ class Inputs:
     def motion(self, *further: str) -> tuple[Argument, ...]:
         """Return q, qd, a further joint vector, a floating base's motion, and gravity."""
         names = ["q", "qd", *(name for name in further if name != "a0")]
-        if isinstance(self.v0[0], Expression):
+        if isinstance(self.v0[0], Term):
             names += ["v0", *(name for name in further if name == "a0")]
         return tuple(argument(name, getattr(self, name)) for name in (*names, "g"))
 
@@ -96,7 +96,7 @@ def inputs_of(robot: Robot) -> Inputs:
 
 def argument(name: str, vector: Vector) -> Argument:
     """Return an argument from input values."""
-    return Argument(name, [x for x in vector if isinstance(x, Expression)])
+    return Argument(name, [x for x in vector if isinstance(x, Term)])
 
 
 def flat(matrix: Matrix) -> list[Scalar]:

@@ -23,7 +23,7 @@ from kindsl.dynamics.generation.vectors import (
 
 
 @dataclass(frozen=True, slots=True)
-class MassDistribution:
+class MassMoments:
     """Moments of a body's mass about its frame's origin.
 
     Attributes:
@@ -36,20 +36,18 @@ class MassDistribution:
     first: Vector
     mass: Scalar
 
-    def __add__(self, other: "MassDistribution") -> "MassDistribution":
-        return MassDistribution(
+    def __add__(self, other: "MassMoments") -> "MassMoments":
+        return MassMoments(
             add_matrices(self.second, other.second),
             add(self.first, other.first),
             self.mass + other.mass,
         )
 
-    def rotated(self, R: Matrix) -> "MassDistribution":
+    def rotated(self, R: Matrix) -> "MassMoments":
         """Return the moments in a frame with the same origin; `R` rotates coordinates to it."""
-        return MassDistribution(
-            rotate_symmetric(R, self.second), transform(R, self.first), self.mass
-        )
+        return MassMoments(rotate_symmetric(R, self.second), transform(R, self.first), self.mass)
 
-    def rotated_about_z(self, cosine: Scalar, sine: Scalar) -> "MassDistribution":
+    def rotated_about_z(self, cosine: Scalar, sine: Scalar) -> "MassMoments":
         """Return the moments in a frame from which this one is turned about z."""
         (xx, xy, xz), (_, yy, yz), (_, _, zz) = self.second
         x, y, z = self.first
@@ -62,9 +60,9 @@ class MassDistribution:
             [new_xz, new_yz, zz],
         ]
         first = [cosine * x - sine * y, sine * x + cosine * y, z]
-        return MassDistribution(second, first, self.mass)
+        return MassMoments(second, first, self.mass)
 
-    def displaced(self, r: Vector) -> "MassDistribution":
+    def displaced(self, r: Vector) -> "MassMoments":
         """Return the moments about an origin from which this one's is displaced by `r`."""
         first = add(self.first, scale(self.mass, r))
         second: Matrix = [[0.0] * 3 for _ in range(3)]
@@ -72,7 +70,7 @@ class MassDistribution:
             for j in range(i, 3):
                 moved = self.second[i][j] + (self.first[i] * r[j] + r[i] * first[j])
                 second[i][j] = second[j][i] = moved
-        return MassDistribution(second, first, self.mass)
+        return MassMoments(second, first, self.mass)
 
     def inertia(self) -> Matrix:
         """Return the inertia tensor `tr(second) 1 - second`."""
@@ -109,7 +107,7 @@ def acceleration_field(w: Vector, wd: Vector) -> Matrix:
     ]
 
 
-def carried_by_predecessor(kind: str, body: MassDistribution) -> MassDistribution:
+def carried_by_predecessor(kind: str, body: MassMoments) -> MassMoments:
     """Return the part of a body, in its joint frame, that could as well sit on the predecessor.
 
     It takes no force to move that part along the joint, and the joint does not change it: of a
@@ -118,12 +116,12 @@ def carried_by_predecessor(kind: str, body: MassDistribution) -> MassDistributio
     Source: Gautier and Khalil 1990, the base inertial parameters.
     """
     if kind == "prismatic":
-        return MassDistribution(body.second, ZERO, 0.0)
+        return MassMoments(body.second, ZERO, 0.0)
     second = [ZERO, ZERO, [0.0, 0.0, body.second[2][2]]]
-    return MassDistribution(second, [0.0, 0.0, body.first[2]], body.mass)
+    return MassMoments(second, [0.0, 0.0, body.first[2]], body.mass)
 
 
-def without(body: MassDistribution, part: MassDistribution) -> MassDistribution:
+def without(body: MassMoments, part: MassMoments) -> MassMoments:
     """Return a body less one of its parts."""
     second = [subtract(a, b) for a, b in zip(body.second, part.second, strict=True)]
-    return MassDistribution(second, subtract(body.first, part.first), body.mass - part.mass)
+    return MassMoments(second, subtract(body.first, part.first), body.mass - part.mass)

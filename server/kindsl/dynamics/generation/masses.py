@@ -2,7 +2,7 @@
 
 from kindsl.dynamics.generation.expressions import Scalar
 from kindsl.dynamics.generation.jacobians import BodyPoses
-from kindsl.dynamics.generation.mass_moments import MassDistribution
+from kindsl.dynamics.generation.mass_moments import MassMoments
 from kindsl.dynamics.generation.robot import Robot
 from kindsl.dynamics.generation.tree import joint_motions
 from kindsl.dynamics.generation.vectors import (
@@ -83,6 +83,6 @@ def kinetic_energy(robot: Robot, q: Vector, qd: Vector, base_velocity: Vector) -
     return energy
 
 
-def _energy(body: MassDistribution, w: Vector, v: Vector) -> Scalar:
+def _energy(body: MassMoments, w: Vector, v: Vector) -> Scalar:
     about_origin = dot(w, transform(body.inertia(), w)) + body.mass * dot(v, v)
     return 0.5 * about_origin + dot(v, cross(w, body.first))

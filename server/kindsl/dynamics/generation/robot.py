@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 from kindsl.dynamics.bodies import Bodies
-from kindsl.dynamics.generation.expressions import Expression, Graph
-from kindsl.dynamics.generation.mass_moments import MassDistribution
+from kindsl.dynamics.generation.expressions import Graph, Term
+from kindsl.dynamics.generation.mass_moments import MassMoments
 from kindsl.dynamics.generation.tree import Tree, mass_distributions, tree_of
 from kindsl.dynamics.generation.vectors import EYE, Matrix, Vector
 
@@ -43,12 +43,12 @@ class Robot:
 
     graph: Graph
     tree: Tree
-    bodies: list[MassDistribution]
+    bodies: list[MassMoments]
     base_name: str
     link_names: tuple[str, ...]
     joint_names: tuple[str, ...]
     frames: tuple[PlacedFrame, ...]
-    parameters: dict[str, Expression]
+    parameters: dict[str, Term]
 
     @property
     def n_velocities(self) -> int:
@@ -79,6 +79,6 @@ def robot_of(bodies: Bodies) -> Robot:
     )
 
 
-def massless() -> MassDistribution:
+def massless() -> MassMoments:
     """Return no body at all."""
-    return MassDistribution([[0.0] * 3 for _ in range(3)], [0.0] * 3, 0.0)
+    return MassMoments([[0.0] * 3 for _ in range(3)], [0.0] * 3, 0.0)

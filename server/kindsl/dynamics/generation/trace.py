@@ -3,12 +3,12 @@
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
-from kindsl.dynamics.bodies import Frame
+from kindsl.dynamics.bodies import BodyFrame
 from kindsl.dynamics.generation.composite_bodies import joint_space_inertia
 from kindsl.dynamics.generation.expressions import (
-    Expression,
     Graph,
     Scalar,
+    Term,
     needed,
     operand_nodes,
 )
@@ -38,7 +38,7 @@ class Trace:
     """
 
     graph: Graph
-    arguments: list[list[Expression]]
+    arguments: list[list[Term]]
     outputs: list[Scalar]
 
     def needed(self) -> list[int]:
@@ -51,7 +51,7 @@ class Trace:
 
 
 def trace(
-    tree: Tree, frames: tuple[Frame, ...], quantity: Quantity, conditions: Conditions
+    tree: Tree, frames: tuple[BodyFrame, ...], quantity: Quantity, conditions: Conditions
 ) -> Trace:
     """Trace a quantity.
 
@@ -81,7 +81,7 @@ def trace(
 
 def _outputs(
     tree: Tree,
-    frames: tuple[Frame, ...],
+    frames: tuple[BodyFrame, ...],
     quantity: Quantity,
     joint_vectors: list[Vector],
     base_velocity: Vector,

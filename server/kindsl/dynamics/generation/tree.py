@@ -7,7 +7,7 @@ import numpy as np
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.generation.expressions import Scalar, cosine_and_sine
 from kindsl.dynamics.generation.mass_moments import (
-    MassDistribution,
+    MassMoments,
     carried_by_predecessor,
     without,
 )
@@ -37,7 +37,7 @@ class Tree:
     kinds: list[JointKind]
     rotations: list[Matrix]
     positions: list[Vector]
-    masses: list[MassDistribution]
+    masses: list[MassMoments]
     is_floating: bool
 
     def links(self) -> range:
@@ -91,7 +91,7 @@ class JointMotion:
         turned = [self._cosine * x - self._sine * y, self._sine * x + self._cosine * y, z]
         return transform(self._R, turned)
 
-    def mass_in_parent(self, body: MassDistribution) -> MassDistribution:
+    def mass_in_parent(self, body: MassMoments) -> MassMoments:
         """Express a mass distribution, given in the link, in the parent."""
         turned = body.rotated_about_z(self._cosine, self._sine)
         return turned.rotated(self._R).displaced(self.offset)
@@ -109,13 +109,12 @@ def joint_motions(tree: Tree, q: Vector) -> list[JointMotion]:
     return [links[0], *links]
 
 
-def mass_distributions(bodies: Bodies) -> list[MassDistribution]:
+def mass_distributions(bodies: Bodies) -> list[MassMoments]:
     """Return each body's moments of mass about its own origin, base first."""
     firsts = bodies.masses[:, None] * bodies.coms
     rows = zip(second_moment(bodies.inertias), firsts, bodies.masses, strict=True)
     return [
-        MassDistribution(second.tolist(), first.tolist(), float(mass))
-        for second, first, mass in rows
+        MassMoments(second.tolist(), first.tolist(), float(mass)) for second, first, mass in rows
     ]
 
 
@@ -124,8 +123,8 @@ def masses_near_base(
     parents: list[int],
     rotations: list[Matrix],
     positions: list[Vector],
-    bodies: list[MassDistribution],
-) -> list[MassDistribution]:
+    bodies: list[MassMoments],
+) -> list[MassMoments]:
     """Return bodies that take the same forces, with all that can moved towards the base.
 
     All lists are by body, base first; see `Tree`.
@@ -138,10 +137,10 @@ def masses_near_base(
     return masses
 
 
-def _without_rounding(body: MassDistribution) -> MassDistribution:
+def _without_rounding(body: MassMoments) -> MassMoments:
     """Return a body without the constants that only rounding left."""
     second, (first,) = _cleared(body.second), _cleared([body.first])
-    return MassDistribution(second, first, body.mass)
+    return MassMoments(second, first, body.mass)
 
 
 def _cleared(rows: Matrix) -> Matrix:

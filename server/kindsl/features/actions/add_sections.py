@@ -22,7 +22,7 @@ _ZEROS = "(0.0, 0.0, 0.0)"
 _TITLES = {"inertia": "Add an inertia section", "frames": "Add a frames section"}
 
 
-class _Section(NamedTuple):
+class _AddedSection(NamedTuple):
     kind: str
     lines: tuple[str, ...]
 
@@ -56,7 +56,7 @@ def _innermost_block(place: PlacedIsland, offset: int) -> Node | None:
     return next((node for node in reversed(path) if node.kind in _BLOCKS), None)
 
 
-def _missing(analysis: Analysis, block: Node) -> Iterator[_Section]:
+def _missing(analysis: Analysis, block: Node) -> Iterator[_AddedSection]:
     """Yield the sections that are not there, in the order of the grammar."""
     there = {child.kind for child in block.children}
     for kind in ORDER[block.kind]:
@@ -64,11 +64,11 @@ def _missing(analysis: Analysis, block: Node) -> Iterator[_Section]:
             present = {next(node.tokens()).text for node in block.nodes("moment")}
             for name, default in snippets.MOMENT_DEFAULTS.items():
                 if name not in present:
-                    yield _Section(kind, (f"{name} = {default}",))
+                    yield _AddedSection(kind, (f"{name} = {default}",))
         elif kind not in there and kind in _LINES:
-            yield _Section(kind, _LINES[kind])
+            yield _AddedSection(kind, _LINES[kind])
         elif kind not in there and kind == "id":
-            yield _Section(kind, (f"id = {next_id(analysis)}",))
+            yield _AddedSection(kind, (f"id = {next_id(analysis)}",))
 
 
 _LINES = {
@@ -84,7 +84,7 @@ _LINES = {
 
 
 def _action(
-    title: str, place: PlacedIsland, block: Node, sections: Sequence[_Section]
+    title: str, place: PlacedIsland, block: Node, sections: Sequence[_AddedSection]
 ) -> Iterator[CodeAction]:
     """Yield the action that inserts sections; those for one place become one edit."""
     edits: dict[int, TextEdit] = {}

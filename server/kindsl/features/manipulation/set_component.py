@@ -17,7 +17,7 @@ _NO_VALUES: Mapping[str, float] = {}
 _UNCHANGED = 1e-12
 
 
-class Change(NamedTuple):
+class ComponentChange(NamedTuple):
     """What a new value of a component changes; nothing where it has the value already.
 
     Attributes:
@@ -42,7 +42,7 @@ def set_component(
     value: float,
     step: float | None = None,
     typed: Mapping[str, float] = _NO_VALUES,
-) -> Change | Refusal:
+) -> ComponentChange | Refusal:
     """Return what to write so that a component has a value.
 
     Args:
@@ -61,7 +61,7 @@ def set_component(
     value = value if step is None else round(value / step) * step
     now = expression.value({**analysis.context.values, **typed})
     if now is not None and isclose(now, value, rel_tol=_UNCHANGED, abs_tol=_UNCHANGED):
-        return Change(expression.text, now)
+        return ComponentChange(expression.text, now)
     carrier = carrier_of(expression)
     if carrier is not None:
         return _of_symbol(analysis, carrier, value / carrier.factor, typed)
@@ -74,7 +74,7 @@ def set_component(
 
 def _of_symbol(
     analysis: Analysis, carrier: Carrier, value: float, typed: Mapping[str, float]
-) -> Change | Refusal:
+) -> ComponentChange | Refusal:
     """Return the change of what carries a component, where it has its value from."""
     name = str(carrier.use.name)
     binding = analysis.settings.bindings.get(name)
@@ -84,11 +84,11 @@ def _of_symbol(
     if given:
         new = written_number(value, given[0].text)
         edits = [edit for at in given for edit in _edits(analysis, at, new)]
-        return Change(new.text, new.value * carrier.factor, tuple(sorted(edits)))
+        return ComponentChange(new.text, new.value * carrier.factor, tuple(sorted(edits)))
     if isinstance(carrier.use, ConstantUse):
         return Refusal(f"constant '{name}' is not defined")
     new = written_number(value, "")
-    return Change(new.text, new.value * carrier.factor, preview=((name, new.value),))
+    return ComponentChange(new.text, new.value * carrier.factor, preview=((name, new.value),))
 
 
 def _given(analysis: Analysis, use: ParameterUse | ConstantUse) -> list[Expression]:
@@ -106,18 +106,18 @@ def _given(analysis: Analysis, use: ParameterUse | ConstantUse) -> list[Expressi
     return [each for each in given if each.value({}) == value]
 
 
-def _bound(name: str, binding: Binding, value: float, factor: float) -> Change | Refusal:
+def _bound(name: str, binding: Binding, value: float, factor: float) -> ComponentChange | Refusal:
     """Return the change of a parameter that has its value from outside the document."""
     new = written_number(value, "")
     least = -inf if binding.minimum is None else binding.minimum
     most = inf if binding.maximum is None else binding.maximum
     if not least <= new.value <= most:
         return Refusal(f"parameter '{name}' would be out of bounds at {new.text}")
-    return Change(new.text, new.value * factor, bindings=((name, new.value),))
+    return ComponentChange(new.text, new.value * factor, bindings=((name, new.value),))
 
 
-def _written(analysis: Analysis, at: Expression, new: Written) -> Change:
-    return Change(new.text, new.value, _edits(analysis, at, new))
+def _written(analysis: Analysis, at: Expression, new: Written) -> ComponentChange:
+    return ComponentChange(new.text, new.value, _edits(analysis, at, new))
 
 
 def _edits(analysis: Analysis, at: Expression, new: Written) -> tuple[TextEdit, ...]:

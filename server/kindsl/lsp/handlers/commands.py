@@ -17,7 +17,7 @@ from kindsl.lsp.wire.protocol import PackagesMissing, RequestFailed
 
 if TYPE_CHECKING:
     from kindsl.mechanism.build import Mechanism
-    from kindsl.reports.computation import Request
+    from kindsl.reports.computation import ComputationRequest
 
 
 handlers = Handlers()
@@ -135,17 +135,17 @@ def _computed(view: View, options: object) -> dict[str, Any]:
         raise RequestFailed(str(error)) from None
 
 
-def _request(mechanism: "Mechanism", options: object) -> "Request":
-    from kindsl.reports.computation import Request
-    from kindsl.reports.motions import Robot, motions_from
+def _request(mechanism: "Mechanism", options: object) -> "ComputationRequest":
+    from kindsl.reports.computation import ComputationRequest
+    from kindsl.reports.motions import ConfigurationSpace, motions_from
 
     gravity = _own(options, "gravity", _GRAVITY)
     if not isinstance(gravity, list) or len(gravity) != 3:
         raise ValueError("'gravity' must be three numbers")
-    robot = Robot(mechanism.bodies.joint_names, mechanism.bodies.is_floating)
+    robot = ConfigurationSpace(mechanism.bodies.joint_names, mechanism.bodies.is_floating)
     motions = tuple(motions_from(_configurations(options), robot))
     x, y, z = map(float, gravity)
-    return Request(motions, (x, y, z), bool(_own(options, "forward", False)))
+    return ComputationRequest(motions, (x, y, z), bool(_own(options, "forward", False)))
 
 
 def _configurations(options: object) -> object:

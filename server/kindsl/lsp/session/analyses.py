@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 logger = logging.getLogger(__name__)
 
 T = TypeVar("T")
-_JOBS: "Fact[tuple[Settings, dict[str, _Job[Any]]]]" = Fact("jobs")
+_JOBS: "Fact[tuple[Settings, dict[str, _SharedJob[Any]]]]" = Fact("jobs")
 
 
 class Analyses:
@@ -68,12 +68,12 @@ class Analyses:
         return findings
 
     async def _shared(
-        self, jobs: "dict[str, _Job[Any]]", name: str, work: Callable[[], T], urgency: Urgency
+        self, jobs: "dict[str, _SharedJob[Any]]", name: str, work: Callable[[], T], urgency: Urgency
     ) -> T:
         """Await a job that others may wait for, too."""
         job = jobs.get(name)
         if job is None:
-            job = jobs[name] = _Job(asyncio.ensure_future(self._worker.run(work, urgency)))
+            job = jobs[name] = _SharedJob(asyncio.ensure_future(self._worker.run(work, urgency)))
         elif job.future.done():
             return cast(T, job.future.result())
         job.waiters += 1
@@ -86,7 +86,7 @@ class Analyses:
                 jobs.pop(name, None)
 
 
-class _Job(Generic[T]):
+class _SharedJob(Generic[T]):
     """Work under way, and how many wait for it."""
 
     __slots__ = ("future", "waiters")
@@ -96,7 +96,7 @@ class _Job(Generic[T]):
         self.waiters = 0
 
 
-def _jobs(document: Document, settings: "Settings") -> "dict[str, _Job[Any]]":
+def _jobs(document: Document, settings: "Settings") -> "dict[str, _SharedJob[Any]]":
     """Return what has been asked of a version under these settings; other settings start anew."""
     known = document.facts.get(_JOBS)
     if known is None or known[0] != settings:

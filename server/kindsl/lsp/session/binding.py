@@ -11,7 +11,7 @@ from kindsl.lsp.text.document import Document, document
 from kindsl.text.edits import TextEdit
 
 
-class Binding(NamedTuple):
+class ConfigurationEdit(NamedTuple):
     """An edit of a configuration file.
 
     Attributes:
@@ -25,7 +25,9 @@ class Binding(NamedTuple):
     edit: TextEdit
 
 
-def bound(state: State, shown: Document, values: Iterable[tuple[str, float]]) -> Binding | None:
+def bound(
+    state: State, shown: Document, values: Iterable[tuple[str, float]]
+) -> ConfigurationEdit | None:
     """Return the edit that binds parameters of a document; None if there is no place for one."""
     file = state.workspace.configuration_file(shown)
     if file is None:
@@ -36,10 +38,10 @@ def bound(state: State, shown: Document, values: Iterable[tuple[str, float]]) ->
     from kindsl.config.toml_edits import binding_edit
 
     edit = binding_edit(str(file), found.text, str(uris.path(shown.uri)), values)
-    return None if edit is None else Binding(found, False, edit)
+    return None if edit is None else ConfigurationEdit(found, False, edit)
 
 
-def _new_file(state: State, shown: Document, lines: list[str]) -> Binding | None:
+def _new_file(state: State, shown: Document, lines: list[str]) -> ConfigurationEdit | None:
     """Return a new file beside the document, in the innermost workspace folder if there is one."""
     from kindsl.config.discovery import nearest_configuration
 
@@ -49,4 +51,4 @@ def _new_file(state: State, shown: Document, lines: list[str]) -> Binding | None
     around = [folder for folder in state.workspace.paths() if path.is_relative_to(folder)]
     file = max(around, key=lambda folder: len(folder.parts), default=path.parent) / OWN_FILE
     empty = document(uris.uri(file), None, "", shown.encoding)
-    return Binding(empty, True, TextEdit(0, 0, "\n".join(("[parameters]", *lines, ""))))
+    return ConfigurationEdit(empty, True, TextEdit(0, 0, "\n".join(("[parameters]", *lines, ""))))

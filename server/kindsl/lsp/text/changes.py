@@ -7,10 +7,12 @@ from lsprotocol import types
 from kindsl.lsp.text.lines import Lines
 from kindsl.text.span import Span
 
-Change = types.TextDocumentContentChangePartial | types.TextDocumentContentChangeWholeDocument
+ContentChange = (
+    types.TextDocumentContentChangePartial | types.TextDocumentContentChangeWholeDocument
+)
 
 
-def changed(lines: Lines, changes: Sequence[Change], encoding: str) -> tuple[Lines, Span]:
+def changed(lines: Lines, changes: Sequence[ContentChange], encoding: str) -> tuple[Lines, Span]:
     """Return the lines after some changes, and the stretch of them that is not as it was."""
     row = lines.row.copy()
     before = after = row.length
@@ -21,7 +23,7 @@ def changed(lines: Lines, changes: Sequence[Change], encoding: str) -> tuple[Lin
     return Lines(row), Span(before, row.length - after)
 
 
-def _place(lines: Lines, change: Change, encoding: str) -> tuple[int, int]:
+def _place(lines: Lines, change: ContentChange, encoding: str) -> tuple[int, int]:
     """Return what a change replaces; the places of a range may come in either order."""
     if isinstance(change, types.TextDocumentContentChangeWholeDocument):
         return 0, lines.length

@@ -7,7 +7,7 @@ from lsprotocol import types
 
 from kindsl.config.file_names import TRANSFORMS_SUFFIX
 from kindsl.lsp.text import uris
-from kindsl.lsp.text.changes import Change, changed
+from kindsl.lsp.text.changes import ContentChange, changed
 from kindsl.lsp.text.differences import edits_between
 from kindsl.lsp.text.lines import Lines
 from kindsl.lsp.text.row import PlainPiece, Row
@@ -92,7 +92,7 @@ class Document:
         self.lines = _plain(self.text)
         self._tree = self._basis = None
 
-    def changed(self, changes: Sequence[Change], version: int) -> "Document":
+    def changed(self, changes: Sequence[ContentChange], version: int) -> "Document":
         """Return the next version."""
         basis = self._basis  # before the tree, which the worker puts in its place
         basis = basis if self._tree is None else self._tree

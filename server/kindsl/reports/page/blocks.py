@@ -32,7 +32,7 @@ class Table(NamedTuple):
     right: frozenset[int] = frozenset()
 
 
-class Picture(NamedTuple):
+class Figure(NamedTuple):
     """A drawing.
 
     Attributes:
@@ -60,11 +60,11 @@ class Matrix(NamedTuple):
     latex: tuple[tuple[str, ...], ...]
 
 
-class Side(NamedTuple):
+class SideBySide(NamedTuple):
     """Pictures beside each other."""
 
-    pictures: tuple[Picture, ...]
+    pictures: tuple[Figure, ...]
 
 
-Block = Heading | Paragraph | Table | Picture | Matrix | Side
+Block = Heading | Paragraph | Table | Figure | Matrix | SideBySide
 Page = tuple[Block, ...]

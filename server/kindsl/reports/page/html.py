@@ -4,7 +4,16 @@ from collections.abc import Iterator
 from html import escape
 
 from kindsl.reports.drawing.svg import svg_text
-from kindsl.reports.page.blocks import Block, Heading, Matrix, Page, Paragraph, Picture, Side, Table
+from kindsl.reports.page.blocks import (
+    Block,
+    Figure,
+    Heading,
+    Matrix,
+    Page,
+    Paragraph,
+    SideBySide,
+    Table,
+)
 
 _STYLE = """
 :root { color-scheme: light dark; }
@@ -43,9 +52,9 @@ def _block(block: Block) -> Iterator[str]:
         yield f"<h{block.level}>{escape(block.text)}</h{block.level}>"
     elif isinstance(block, Paragraph):
         yield f"<p>{escape(block.text)}</p>"
-    elif isinstance(block, Picture):
+    elif isinstance(block, Figure):
         yield _figure(block)
-    elif isinstance(block, Side):
+    elif isinstance(block, SideBySide):
         yield f'<div class="side">{"".join(map(_figure, block.pictures))}</div>'
     elif isinstance(block, Matrix):
         yield f"<p>{escape(block.label)}</p>"
@@ -55,7 +64,7 @@ def _block(block: Block) -> Iterator[str]:
         yield _table(block)
 
 
-def _figure(picture: Picture) -> str:
+def _figure(picture: Figure) -> str:
     caption = f"<figcaption>{escape(picture.caption)}</figcaption>"
     return f"<figure>{svg_text(picture.drawing)}{caption}</figure>"
 

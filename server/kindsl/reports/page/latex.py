@@ -3,7 +3,16 @@
 from collections.abc import Iterator
 
 from kindsl.reports.drawing.tikz import tikz_text
-from kindsl.reports.page.blocks import Block, Heading, Matrix, Page, Paragraph, Picture, Side, Table
+from kindsl.reports.page.blocks import (
+    Block,
+    Figure,
+    Heading,
+    Matrix,
+    Page,
+    Paragraph,
+    SideBySide,
+    Table,
+)
 from kindsl.reports.page.markdown import bracketed
 
 _SPECIAL = {
@@ -31,9 +40,9 @@ def _block(block: Block) -> Iterator[str]:
         yield f"\\{_LEVELS[block.level]}{{{escaped(block.text)}}}"
     elif isinstance(block, Paragraph):
         yield f"{escaped(block.text)}\n"
-    elif isinstance(block, Picture):
+    elif isinstance(block, Figure):
         yield from _figure(block)
-    elif isinstance(block, Side):
+    elif isinstance(block, SideBySide):
         for picture in block.pictures:
             yield from _figure(picture)
     elif isinstance(block, Matrix):
@@ -42,7 +51,7 @@ def _block(block: Block) -> Iterator[str]:
         yield from _table(block)
 
 
-def _figure(picture: Picture) -> Iterator[str]:
+def _figure(picture: Figure) -> Iterator[str]:
     yield f"\\begin{{center}}\n{tikz_text(picture.drawing)}\n\n{escaped(picture.caption)}"
     yield "\\end{center}"
 

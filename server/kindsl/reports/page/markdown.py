@@ -5,19 +5,28 @@ import re
 from collections.abc import Callable, Iterator
 
 from kindsl.reports.drawing.svg import svg_text
-from kindsl.reports.page.blocks import Block, Heading, Matrix, Page, Paragraph, Picture, Side, Table
+from kindsl.reports.page.blocks import (
+    Block,
+    Figure,
+    Heading,
+    Matrix,
+    Page,
+    Paragraph,
+    SideBySide,
+    Table,
+)
 
 _SPECIAL = re.compile(r"([\\`*_{}\[\]<#|~])")
-Address = Callable[[Picture], str]
+Address = Callable[[Figure], str]
 
 
-def embedded(picture: Picture) -> str:
+def embedded(picture: Figure) -> str:
     """Return an address that is the picture itself."""
     data = base64.b64encode(svg_text(picture.drawing).encode()).decode()
     return f"data:image/svg+xml;base64,{data}"
 
 
-def beside(picture: Picture) -> str:
+def beside(picture: Figure) -> str:
     """Return the address of a file in the page's folder."""
     return f"{picture.name}.svg"
 
@@ -37,9 +46,9 @@ def _block(block: Block, address: Address) -> Iterator[str]:
         yield f"{'#' * block.level} {escaped(block.text)}\n"
     elif isinstance(block, Paragraph):
         yield f"{escaped(block.text)}\n"
-    elif isinstance(block, Picture):
+    elif isinstance(block, Figure):
         yield f"![{escaped(block.caption)}]({address(block)})\n"
-    elif isinstance(block, Side):
+    elif isinstance(block, SideBySide):
         titles = tuple(picture.caption for picture in block.pictures)
         yield _row(map(escaped, titles))
         yield _row("---" for _ in titles)

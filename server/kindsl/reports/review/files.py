@@ -1,7 +1,7 @@
 """The files of a review: Markdown with pictures beside it, one HTML page, a comment without."""
 
 from kindsl.reports.drawing.svg import svg_text
-from kindsl.reports.page.blocks import Block, Page, Picture, Side
+from kindsl.reports.page.blocks import Block, Figure, Page, SideBySide
 from kindsl.reports.page.html import html_text
 from kindsl.reports.page.markdown import beside, markdown_text
 
@@ -23,5 +23,5 @@ def _without_pictures(page: Page) -> Page:
     return page if first is None else (*page[: first - 2], *page[first + 1 :])
 
 
-def _pictures(block: Block) -> tuple[Picture, ...]:
-    return block.pictures if isinstance(block, Side) else ()
+def _pictures(block: Block) -> tuple[Figure, ...]:
+    return block.pictures if isinstance(block, SideBySide) else ()

@@ -12,10 +12,9 @@ from kindsl.reports.comparison import Comparison, compared
 from kindsl.reports.difference_text import ChangeRow, change_rows
 from kindsl.reports.drawing.camera import camera_for
 from kindsl.reports.drawing.robot import points_of, robot_drawing
-from kindsl.reports.page.blocks import Block, Heading, Page, Paragraph, Picture, Side, Table
+from kindsl.reports.page.blocks import Block, Figure, Heading, Page, Paragraph, SideBySide, Table
 from kindsl.reports.review.finding_changes import ToldFinding, finding_changes
-from kindsl.reports.review.written_numbers import Side as Written
-from kindsl.reports.review.written_numbers import WrittenChange, written_changes
+from kindsl.reports.review.written_numbers import Side, WrittenChange, written_changes
 from kindsl.reports.robot_facts import robot_facts
 from kindsl.rules.base import Severity
 from kindsl.text.words import counted
@@ -108,7 +107,7 @@ def _is_half_of_a_renaming(row: ChangeRow, joints: Mapping[str, str]) -> bool:
 def _numbers(
     old: Analysis, new: Analysis, found: Difference | None, joints: Mapping[str, str]
 ) -> Iterator[Block]:
-    sides = (Written(a.model, a.context.values) for a in (old, new))
+    sides = (Side(a.model, a.context.values) for a in (old, new))
     before, after = sides
     changes = list(written_changes(before, after, _renamed_links(found), joints))
     if changes:
@@ -128,13 +127,13 @@ def _pictures(old: Analysis, new: Analysis, found: Difference | None) -> Iterato
         return
     camera = camera_for([point for skeleton in shown for point in points_of(skeleton)])
     pictures = tuple(
-        Picture(name, robot_drawing(skeleton, camera, colors), name.capitalize())
+        Figure(name, robot_drawing(skeleton, camera, colors), name.capitalize())
         for name, skeleton, colors in zip(("before", "after"), sides, _colors(found), strict=True)
         if skeleton is not None
     )
     yield Heading("Pictures")
     yield Paragraph(_LEGEND)
-    yield Side(pictures)
+    yield SideBySide(pictures)
 
 
 def _colors(found: Difference | None) -> tuple[dict[str, str], dict[str, str]]:

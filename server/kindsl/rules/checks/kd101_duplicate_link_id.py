@@ -25,7 +25,7 @@ ids.
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Change, Example, Finding, Fix, Related, Rule, Severity
+from kindsl.rules.base import Example, Finding, Fix, Related, Replacement, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.duplicates import repeats
 from kindsl.rules.examples import link, robot
@@ -61,7 +61,7 @@ def _written(copied: CopiedId) -> Fix | None:
     if place is None or not copied.copy.name:
         return None
     title = f"Change id of '{copied.copy.name}' to {copied.missing}"
-    return Fix(title, (Change(place, str(copied.missing)),))
+    return Fix(title, (Replacement(place, str(copied.missing)),))
 
 
 def _arm(second: int) -> str:

@@ -20,7 +20,7 @@ chosen), turns the pair round, or else adds a link of that name. Unsafe: each is
 from collections.abc import Iterator
 from functools import partial
 
-from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
+from kindsl.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.missing_names import missing_names
@@ -42,7 +42,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
 
 
 def _swap(child: Child) -> Fix:
-    changes = Change(child.link, str(child.joint)), Change(child.joint, str(child.link))
+    changes = Replacement(child.link, str(child.joint)), Replacement(child.joint, str(child.link))
     return Fix("Exchange link and joint", changes)
 
 

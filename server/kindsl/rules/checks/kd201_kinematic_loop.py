@@ -20,7 +20,7 @@ there. Unsafe: it is a guess.
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Change, Example, Finding, Fix, Related, Rule, Severity
+from kindsl.rules.base import Example, Finding, Fix, Related, Replacement, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.reference_defects import reference_defects
@@ -48,7 +48,7 @@ def _to_idle_link(model: Model, edge: Edge) -> Fix | None:
     if edge.predecessor in (idle, *model.tree.in_topological_order(idle)):
         return None
     name = edge.child.link
-    return Fix(f"Replace '{name}' with '{idle.name}'", (Change(name, str(idle.name)),))
+    return Fix(f"Replace '{name}' with '{idle.name}'", (Replacement(name, str(idle.name)),))
 
 
 def _arm(last: str, *more: str) -> str:

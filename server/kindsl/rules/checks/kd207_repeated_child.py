@@ -22,7 +22,7 @@ Removes the repetition if it names the same joint. Safe: it adds nothing.
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Change, Example, Finding, Fix, Related, Rule, Severity, Tag
+from kindsl.rules.base import Example, Finding, Fix, Related, Replacement, Rule, Severity, Tag
 from kindsl.rules.context import ROBCOGEN2, Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.reference_defects import reference_defects
@@ -70,12 +70,12 @@ RULE = Rule(
 )
 
 
-def removal(at: Located) -> Change:
+def removal(at: Located) -> Replacement:
     """Return the change that removes a piece, with its lines if nothing else is on them."""
     text = at.island.text
     start = len(text[: at.start].rstrip(" \t"))
     end = len(text) - len(text[at.end :].lstrip(" \t"))
     if text[:start].endswith(_BREAKS) and text.startswith(_BREAKS, end):
         end += 2 if text.startswith("\r\n", end) else 1
-        return Change(Place(at.island, start, end), "")
-    return Change(Place(at.island, at.start, end), "")
+        return Replacement(Place(at.island, start, end), "")
+    return Replacement(Place(at.island, at.start, end), "")

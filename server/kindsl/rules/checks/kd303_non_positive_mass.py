@@ -21,7 +21,7 @@ guess.
 from collections.abc import Iterator, Mapping
 
 from kindsl.rigid.body import eigensystem, second_moments_about_com
-from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
+from kindsl.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
 from kindsl.rules.broken_text import has_problem_within
 from kindsl.rules.context import Context
 from kindsl.rules.examples import STEEL_BALL, link
@@ -62,7 +62,7 @@ def _without_sign(inertia: Inertia, mass: Expression, values: Mapping[str, float
     if verdict_of(body, half, pairs) is not Verdict.POSSIBLE:
         return None
     text = mass.text.removeprefix("-")
-    return Fix(f"Write {text}", (Change(mass, text),))
+    return Fix(f"Write {text}", (Replacement(mass, text),))
 
 
 def _ball(mass: str) -> str:

@@ -27,7 +27,7 @@ number is to be replaced by the right one.
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
+from kindsl.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
 from kindsl.rules.broken_text import is_doubtful, is_greek_pi
 from kindsl.rules.context import ROBCOGEN2, Context
 from kindsl.rules.examples import joint
@@ -52,7 +52,7 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
 def _default(parameter: Parameter) -> Fix:
     name = parameter.name
     behind = Place(name.island, name.end, name.end)
-    return Fix(f"Give '{name}' a default", (Change(behind, "[0.0]"),))
+    return Fix(f"Give '{name}' a default", (Replacement(behind, "[0.0]"),))
 
 
 _JOINT = joint("elbow").replace("0.3", "length")

@@ -17,7 +17,7 @@ Writes the name of the constant that is probably meant. Unsafe: it is a guess.
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
+from kindsl.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint
 from kindsl.semantics.model import Model
@@ -38,7 +38,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
 
 
 def _replacement(constant: Constant, meant: str) -> Fix:
-    changes = tuple(Change(use.name, meant) for use in constant.uses)
+    changes = tuple(Replacement(use.name, meant) for use in constant.uses)
     return Fix(f"Replace '{constant.name}' with '{meant}'", changes)
 
 

@@ -22,7 +22,7 @@ disappears.
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Change, Example, Finding, Fix, Related, Rule, Severity
+from kindsl.rules.base import Example, Finding, Fix, Related, Replacement, Rule, Severity
 from kindsl.rules.broken_text import is_doubtful, is_greek_pi
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint
@@ -77,11 +77,11 @@ def _ambiguous(place: Place, text: str) -> Finding:
 
 
 def _in_si(found: NumberWithUnit) -> Fix:
-    return Fix(f"Write {found.in_si}", (Change(found.place, found.in_si),))
+    return Fix(f"Write {found.in_si}", (Replacement(found.place, found.in_si),))
 
 
 def _replacement(place: Located, text: str) -> Fix:
-    return Fix(f"Replace '{text}' with 'PI'", (Change(place, "PI"),))
+    return Fix(f"Replace '{text}' with 'PI'", (Replacement(place, "PI"),))
 
 
 RULE = Rule(

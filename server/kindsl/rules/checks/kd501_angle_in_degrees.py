@@ -18,7 +18,7 @@ Writes the angle in radians, as a fraction of `PI` where it is one. Unsafe: degr
 from collections.abc import Iterator
 from math import inf, pi, radians
 
-from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
+from kindsl.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint, pitched_joint
 from kindsl.rules.geometry import rotations
@@ -42,7 +42,7 @@ def check_island(declared: Declarations, _: Context) -> Iterator[Finding]:
 def _fix(angle: Expression, degrees: float) -> Fix:
     value = radians(degrees)
     text = as_fraction_of_pi(value, 1e-9) or significant_decimal(value, 8)
-    return Fix(f"Write {text}", (Change(angle, text),))
+    return Fix(f"Write {text}", (Replacement(angle, text),))
 
 
 RULE = Rule(

@@ -20,7 +20,7 @@ fraction, rounded or cut off; otherwise unsafe.
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
+from kindsl.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint, pitched_joint
 from kindsl.rules.geometry import rotations
@@ -41,7 +41,7 @@ def check_island(declared: Declarations, _: Context) -> Iterator[Finding]:
                 tolerance = max(2.0 * half_unit(angle.text), 1e-15)
                 fraction = as_fraction_of_pi(angle.literal, tolerance)
                 if fraction is not None:
-                    change, is_sure = Change(angle, fraction), digits >= _SAFE_DIGITS
+                    change, is_sure = Replacement(angle, fraction), digits >= _SAFE_DIGITS
                     fix = Fix(f"Write {fraction}", (change,), is_sure, is_within_digits=True)
                     yield Finding(angle, f"angle {angle.text} is {fraction}", fix=fix)
 

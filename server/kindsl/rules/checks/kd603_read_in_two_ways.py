@@ -20,7 +20,7 @@ Writes the number that RobCoGen2 reads. Safe where that is the only target, else
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
+from kindsl.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
 from kindsl.rules.context import ROBCOGEN, ROBCOGEN2, Context
 from kindsl.rules.examples import joint
 from kindsl.semantics.model import Model
@@ -44,7 +44,7 @@ def _finding(island: Island, found: TwoReadings, targets: frozenset[str]) -> Fin
     if found.kind == "product":
         return Finding(place, f"robcogen reads '{found.text}' as {found.robcogen}")
     number = exact_decimal(float(found.text))
-    fix = Fix(f"Write {number}", (Change(place, number),), targets == {ROBCOGEN2})
+    fix = Fix(f"Write {number}", (Replacement(place, number),), targets == {ROBCOGEN2})
     if targets == {ROBCOGEN}:
         return Finding(place, f"robcogen reads '{found.text}' as {found.robcogen}", fix=fix)
     message = f"robcogen2 reads '{found.text}' as {found.other}"

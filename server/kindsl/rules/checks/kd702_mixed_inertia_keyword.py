@@ -18,7 +18,7 @@ Writes the keyword that the document uses more often, at all places. Safe: they 
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
+from kindsl.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import STEEL_BALL, link, robot
 from kindsl.rules.inertia.judgements import keyword
@@ -38,7 +38,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
                 places.setdefault(text, []).append(keyword(body.inertia))
     if len(places) == 2:
         usual, rare = sorted(places, key=lambda text: -len(places[text]))
-        changes = tuple(Change(place, usual) for place in places[rare])
+        changes = tuple(Replacement(place, usual) for place in places[rare])
         fix = Fix(f"Write '{usual}' everywhere", changes, is_safe=True)
         message = f"'{rare}' here, '{usual}' in most of the document"
         yield Finding(places[rare][0], message, fix=fix)

@@ -19,7 +19,7 @@ Removes the code, or the comment with its last code. Safe: comments do not affec
 
 from collections.abc import Iterable, Iterator
 
-from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity, Tag
+from kindsl.rules.base import Example, Finding, Fix, Replacement, Rule, Severity, Tag
 from kindsl.rules.examples import link
 from kindsl.rules.suppression import Suppression
 from kindsl.semantics.places import Place
@@ -58,7 +58,7 @@ def without_code(comment: Place, at: Place) -> Fix:
     if text[end] == "]":
         while text[start - 1] in ", ":
             start -= 1
-    return Fix(_TITLE, (Change(Place(at.island, start, end), ""),), is_safe=True)
+    return Fix(_TITLE, (Replacement(Place(at.island, start, end), ""),), is_safe=True)
 
 
 def without_comment(comment: Place) -> Fix:
@@ -66,7 +66,7 @@ def without_comment(comment: Place) -> Fix:
     text, start = comment.island.text, comment.start
     while start and text[start - 1] in " \t":
         start -= 1
-    return Fix(_TITLE, (Change(Place(comment.island, start, comment.end), ""),), is_safe=True)
+    return Fix(_TITLE, (Replacement(Place(comment.island, start, comment.end), ""),), is_safe=True)
 
 
 _LINK = link("upper", 1, inertia="").replace("{", "{ // kindsl: ignore[%s]", 1)

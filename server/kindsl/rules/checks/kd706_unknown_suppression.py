@@ -21,7 +21,7 @@ codes: unsafe, since it hides findings. A comment that cannot mean anything is r
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import takewhile
 
-from kindsl.rules.base import Change, Example, Finding, Fix, Rule, Severity
+from kindsl.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
 from kindsl.rules.checks.kd704_unused_suppression import without_code, without_comment
 from kindsl.rules.examples import link
 from kindsl.rules.registry import all_codes, rule_named
@@ -61,7 +61,7 @@ def _of_word(directive: Directive) -> Finding:
     at = Place(directive.comment.island, directive.at.start, end)
     if meant is None:
         return Finding(at, message, fix=without_comment(directive.comment))
-    change = Change(Place(at.island, start, end), meant)
+    change = Replacement(Place(at.island, start, end), meant)
     return Finding(at, message, fix=Fix(f"Replace '{word}' with '{meant}'", (change,)))
 
 
@@ -75,7 +75,7 @@ def _of_codes(directive: Directive, codes: Sequence[tuple[str, Place]]) -> Itera
             meant = _meant(code)
             fix = without_code(directive.comment, at)
             if meant:
-                fix = Fix(f"Replace '{code}' with '{meant}'", (Change(at, meant),))
+                fix = Fix(f"Replace '{code}' with '{meant}'", (Replacement(at, meant),))
             yield Finding(at, f"no rule has the code '{code}'{hint(meant)}", fix=fix)
 
 
@@ -97,7 +97,7 @@ def _with_codes(directive: Directive, codes: Sequence[str]) -> Fix:
     if not codes:
         return without_comment(directive.comment)
     text = f"kindsl: {directive.word}[{', '.join(dict.fromkeys(codes))}]"
-    return Fix(f"Replace with '{text}'", (Change(directive.at, text),))
+    return Fix(f"Replace with '{text}'", (Replacement(directive.at, text),))
 
 
 _LINK = link("upper", 1, inertia="").replace("{", "{ // %s", 1)

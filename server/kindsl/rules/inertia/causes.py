@@ -21,10 +21,10 @@ from kindsl.rules.inertia.judgements import (
     can_be_of_matter,
     verdict_of,
 )
-from kindsl.rules.inertia.likelihood import Shape, log_likelihood, shape_of
+from kindsl.rules.inertia.likelihood import MassShape, log_likelihood, shape_of
 from kindsl.rules.inertia.plausibility import density_of
 from kindsl.rules.inertia.slips import Hypothesis, Kind, Slip, hypotheses
-from kindsl.rules.inertia.surroundings import Surroundings, of_points, of_twins
+from kindsl.rules.inertia.surroundings import LinkSurroundings, of_points, of_twins
 
 _NEGLIGIBLE = 0.1
 _MOST = 4
@@ -49,14 +49,14 @@ class Cause(NamedTuple):
     """
 
     hypothesis: Hypothesis
-    shape: Shape
+    shape: MassShape
     reasons: tuple[str, ...]
     log_likelihood: float
     log_alone: float
     probability: float = 0.0
 
 
-def candidates(found: Judgement, around: Surroundings) -> list[Cause]:
+def candidates(found: Judgement, around: LinkSurroundings) -> list[Cause]:
     """Return all mistakes that explain an inertia, in no order."""
     explained: list[Cause] = []
     for h in hypotheses(found.body, found.half):
@@ -70,7 +70,7 @@ def candidates(found: Judgement, around: Surroundings) -> list[Cause]:
     return _merged(common if common and found.is_impossible else explained)
 
 
-def likelihood_as_written(found: Judgement, around: Surroundings) -> float:
+def likelihood_as_written(found: Judgement, around: LinkSurroundings) -> float:
     """Return the logarithm of how likely numbers are that may be right, minus infinity if not."""
     shape = shape_of(found.body, found.half)
     if shape is None or found.is_impossible:
@@ -102,7 +102,7 @@ def ranked(
     return [c for c in kept if c.probability >= _NEGLIGIBLE * kept[0].probability]
 
 
-def _weighed(h: Hypothesis, shape: Shape, around: Surroundings) -> Cause:
+def _weighed(h: Hypothesis, shape: MassShape, around: LinkSurroundings) -> Cause:
     here, twins = of_points(h, shape, around), of_twins(h, around)
     alone = log_likelihood(h.body.mass, shape, around.reach(h.body.com)) + here.log_weight
     if Slip.SCALE in h.slips:
@@ -110,7 +110,7 @@ def _weighed(h: Hypothesis, shape: Shape, around: Surroundings) -> Cause:
     return Cause(h, shape, here.reasons + twins.reasons, alone + twins.log_weight, alone)
 
 
-def _fits(h: Hypothesis, shape: Shape) -> bool:
+def _fits(h: Hypothesis, shape: MassShape) -> bool:
     """Return whether the body is possible and plausible; a single slip may leave it a bit odd."""
     if verdict_of(h.body, h.half, shape.pairs) in IMPOSSIBLE:
         return False

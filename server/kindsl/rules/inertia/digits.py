@@ -27,7 +27,7 @@ _MOST_OF_A_ROUND_NUMBER = 3
 _GREATEST_WHOLE = 1e15
 
 
-class Written(NamedTuple):
+class WrittenDigits(NamedTuple):
     """A number as written.
 
     Attributes:
@@ -77,20 +77,20 @@ def all_written_as(text: str) -> Interval:
     return (near, far) if value > 0.0 else (-far, -near)
 
 
-def likely_half_widths(numbers: Sequence[Written]) -> MassDistribution:
+def likely_half_widths(numbers: Sequence[WrittenDigits]) -> MassDistribution:
     """Return the same if all ten numbers were written in the same manner."""
     halves = _halves(numbers, numbers[1:])
     return _ten(halves)
 
 
-def numbers_written(inertia: Inertia, values: Mapping[str, float]) -> list[Written]:
+def numbers_written(inertia: Inertia, values: Mapping[str, float]) -> list[WrittenDigits]:
     """Return the ten numbers of a complete inertia: mass, centre of mass, moments."""
     return [_written(value, values) for value in _ten_values(inertia)]
 
 
-def rewritten_number(text: str) -> Written:
+def rewritten_number(text: str) -> WrittenDigits:
     """Return a plain number that is to be written."""
-    return Written(text, float(text), half_unit(text))
+    return WrittenDigits(text, float(text), half_unit(text))
 
 
 def _ten_values(inertia: Inertia) -> list[Expression]:
@@ -103,11 +103,11 @@ def _ten(numbers: Sequence[float]) -> MassDistribution:
     return MassDistribution(numbers[0], tuple(numbers[1:4]), tuple(numbers[4:]))  # type: ignore[arg-type]
 
 
-def _written(value: Expression, values: Mapping[str, float]) -> Written:
-    return Written(value.text, value.literal, value.rounding(values))
+def _written(value: Expression, values: Mapping[str, float]) -> WrittenDigits:
+    return WrittenDigits(value.text, value.literal, value.rounding(values))
 
 
-def _halves(group: Sequence[Written], manner: Sequence[Written]) -> list[float]:
+def _halves(group: Sequence[WrittenDigits], manner: Sequence[WrittenDigits]) -> list[float]:
     """Return the half-widths of a group that is written in the manner of some numbers."""
     numbers = [number for number in manner if number.literal]
     finest = min((half_unit(number.text) for number in numbers), default=float("inf"))
@@ -115,7 +115,7 @@ def _halves(group: Sequence[Written], manner: Sequence[Written]) -> list[float]:
     return [_half(number, finest, digits) for number in group]
 
 
-def _half(number: Written, finest: float, digits: int) -> float:
+def _half(number: WrittenDigits, finest: float, digits: int) -> float:
     if number.literal is None:
         return number.rounding
     if number.literal == 0.0:
@@ -137,7 +137,7 @@ def _own_half(text: str) -> float:
     return 0.5 * unit
 
 
-def _believed_digits(number: Written) -> int:
+def _believed_digits(number: WrittenDigits) -> int:
     whole = _whole(number.text)
     return significant_digits(number.text) if whole is None else len(str(whole).rstrip("0"))
 

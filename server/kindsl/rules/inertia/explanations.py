@@ -12,7 +12,7 @@ from kindsl.rules.context import Context
 from kindsl.rules.inertia.causes import Cause, candidates, likelihood_as_written, ranked, said_by
 from kindsl.rules.inertia.judgements import Judgement
 from kindsl.rules.inertia.slips import Kind
-from kindsl.rules.inertia.surroundings import Surroundings, surroundings
+from kindsl.rules.inertia.surroundings import LinkSurroundings, surroundings
 from kindsl.rules.memory import Memory
 from kindsl.semantics.model import Model
 
@@ -56,7 +56,7 @@ def explanations(suspects: Sequence[Judgement], model: Model, context: Context) 
     ]
 
 
-def _tried(found: Judgement, around: Surroundings, alike: dict[object, _Tried]) -> _Tried:
+def _tried(found: Judgement, around: LinkSurroundings, alike: dict[object, _Tried]) -> _Tried:
     def trial() -> _Tried:
         key = found.body, found.half, found.verdict, around
         if key not in alike:

@@ -32,7 +32,7 @@ _SURE = 2.0
 _ZERO = 1e-3
 
 
-class Shape(NamedTuple):
+class MassShape(NamedTuple):
     """The second moments of a body about its CoM.
 
     Attributes:
@@ -46,16 +46,16 @@ class Shape(NamedTuple):
     pairs: tuple[Eigenpair, Eigenpair, Eigenpair]
 
 
-def shape_of(body: MassDistribution, half: MassDistribution) -> Shape | None:
+def shape_of(body: MassDistribution, half: MassDistribution) -> MassShape | None:
     """Return the second moments about the CoM, None where one is negative beyond the digits."""
     matrix = second_moments_about_com(body)
     errors = _errors(body, half)
     if any(matrix[i] < -errors[i] for i in range(3)):
         return None
-    return Shape(matrix, errors, eigensystem(matrix))
+    return MassShape(matrix, errors, eigensystem(matrix))
 
 
-def log_likelihood(mass: float, shape: Shape, reach: float) -> float:
+def log_likelihood(mass: float, shape: MassShape, reach: float) -> float:
     """Return the logarithm of the density of a body's second moments, up to a constant.
 
     Args:
@@ -71,14 +71,14 @@ def log_likelihood(mass: float, shape: Shape, reach: float) -> float:
     return total + _of_orientation(shape, (small, middle, large), error)
 
 
-def density(mass: float, shape: Shape) -> float:
+def density(mass: float, shape: MassShape) -> float:
     """Return the density of the equivalent ellipsoid, kg/m³, no thinner than the digits tell."""
     error = max(shape.errors[:3])
     small, middle, large = (max(pair.value, error, 1e-30) for pair in shape.pairs)
     return _density(mass, (small, middle, large))
 
 
-def vanishing_products(shape: Shape) -> tuple[bool, bool, bool]:
+def vanishing_products(shape: MassShape) -> tuple[bool, bool, bool]:
     """Return which products about the CoM are zero within the digits."""
     xy, xz, yz = (abs(shape.matrix[i]) <= _SURE * shape.errors[i] for i in (3, 4, 5))
     return xy, xz, yz
@@ -91,7 +91,7 @@ def _density(mass: float, eigenvalues: Vector3) -> float:
     return mass / volume if volume else inf
 
 
-def _of_density(mass: float, shape: Shape) -> float:
+def _of_density(mass: float, shape: MassShape) -> float:
     """Return the log density; a body thinner than its digits tell may be denser than it seems."""
     seeming = density(mass, shape)
     is_thin = shape.pairs[0].value <= max(shape.errors[:3])
@@ -107,7 +107,7 @@ def _of_ratio(value: float, middle: float, spread: float) -> float:
     return log((1.0 - _BACKGROUND) * normal + _BACKGROUND / _BACKGROUND_WIDTH * exp(-0.05 * z * z))
 
 
-def _of_orientation(shape: Shape, values: Vector3, error: float) -> float:
+def _of_orientation(shape: MassShape, values: Vector3, error: float) -> float:
     """Return the log density of the products and of the differences on the diagonal."""
     a, b, c = values
     least = max(error, 0.02 * c)

@@ -3,11 +3,11 @@
 from collections.abc import Iterator, Sequence
 
 from kindsl.rigid.body import MassDistribution, eigensystem, second_moments_about_com
-from kindsl.rules.base import Change, Finding, Fix, Related, Severity
+from kindsl.rules.base import Finding, Fix, Related, Replacement, Severity
 from kindsl.rules.context import ROBCOGEN, ROBCOGEN2, Context
 from kindsl.rules.inertia.causes import Cause
 from kindsl.rules.inertia.digits import (
-    Written,
+    WrittenDigits,
     likely_half_widths,
     numbers_written,
     rewritten_number,
@@ -111,7 +111,7 @@ def _fix(found: Judgement, cause: Cause, context: Context) -> Fix | None:
     return Fix(title(cause.hypothesis), tuple(changes))
 
 
-def _changes(found: Judgement, cause: Cause) -> list[Change] | None:
+def _changes(found: Judgement, cause: Cause) -> list[Replacement] | None:
     """Return the changes that write the numbers as they were meant."""
     h, (_, *others) = cause.hypothesis, _ten_values(found)
     if Slip.COM_SIGN in h.slips:
@@ -119,7 +119,7 @@ def _changes(found: Judgement, cause: Cause) -> list[Change] | None:
     return (rescaled if h.power else rewritten)(others[3:], h.body.moments)
 
 
-def _holds(found: Judgement, changes: Sequence[Change], context: Context) -> bool:
+def _holds(found: Judgement, changes: Sequence[Replacement], context: Context) -> bool:
     """Return whether no rule finds anything in the numbers as they would stand there."""
     texts = {change.at.start: change.text for change in changes}
     written = numbers_written(found.inertia, context.values)
@@ -144,7 +144,7 @@ def _holds(found: Judgement, changes: Sequence[Change], context: Context) -> boo
     return can_be_of_matter(body, half, pairs)
 
 
-def _literals(numbers: Sequence[Written]) -> list[float]:
+def _literals(numbers: Sequence[WrittenDigits]) -> list[float]:
     return [number.literal for number in numbers if number.literal is not None]
 
 

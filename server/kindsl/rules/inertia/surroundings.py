@@ -8,7 +8,7 @@ from kindsl.rigid.body import MassDistribution
 from kindsl.rigid.pose import Vector3
 from kindsl.rules.context import Context
 from kindsl.rules.inertia.judgements import Judgement, is_impossible
-from kindsl.rules.inertia.likelihood import Shape
+from kindsl.rules.inertia.likelihood import MassShape
 from kindsl.rules.inertia.slips import Hypothesis, Slip
 from kindsl.rules.inertia.symmetry import SIGNS, twin_signs, with_signs
 from kindsl.rules.inertia.twins import part_of, right_twin_of
@@ -44,7 +44,7 @@ class Twin(NamedTuple):
     expected: MassDistribution | None
 
 
-class Surroundings(NamedTuple):
+class LinkSurroundings(NamedTuple):
     """What is known of a link besides its inertia.
 
     Attributes:
@@ -71,7 +71,7 @@ class Evidence(NamedTuple):
     reasons: tuple[str, ...] = ()
 
 
-def surroundings(model: Model, context: Context, found: Judgement) -> Surroundings:
+def surroundings(model: Model, context: Context, found: Judgement) -> LinkSurroundings:
     """Return what is known of a link besides its inertia."""
     link = found.link
     points: list[Vector3] = []
@@ -83,7 +83,7 @@ def surroundings(model: Model, context: Context, found: Judgement) -> Surroundin
         points = [place.translation for place in placed if place is not None]
     alike = list(_alike(model, context, link, found.body.mass))
     twins = _twins(model, context, link, alike)
-    return Surroundings(
+    return LinkSurroundings(
         tuple(point for point in points if hypot(*point) > _NEAR),
         twins,
         len(twins) / len(alike) if twins else 0.0,
@@ -91,7 +91,7 @@ def surroundings(model: Model, context: Context, found: Judgement) -> Surroundin
     )
 
 
-def of_points(h: Hypothesis, shape: Shape, around: Surroundings) -> Evidence:
+def of_points(h: Hypothesis, shape: MassShape, around: LinkSurroundings) -> Evidence:
     """Return what the places of the next joints and of the frames say of a hypothesis."""
     if not around.points:
         return Evidence(0.0)
@@ -110,7 +110,7 @@ def of_points(h: Hypothesis, shape: Shape, around: Surroundings) -> Evidence:
     return Evidence(total, tuple(reasons))
 
 
-def of_twins(h: Hypothesis, around: Surroundings) -> Evidence:
+def of_twins(h: Hypothesis, around: LinkSurroundings) -> Evidence:
     """Return what the twin that says most says of a hypothesis."""
     nearest_first = sorted(around.twins, key=lambda twin: twin.name != around.mirror)
     said = [_of_twin(h, twin, around.share) for twin in nearest_first]

@@ -14,8 +14,8 @@ from kindsl.syntax.recovery.dialect import goes_on, unglued
 from kindsl.syntax.recovery.lost_heads import lost_head
 from kindsl.syntax.recovery.messages import closing_problem, repair_problem
 from kindsl.syntax.recovery.preferences import moments_around, preferences
-from kindsl.syntax.recovery.progress import Progress
-from kindsl.syntax.recovery.repair import Change, Found, completion, search
+from kindsl.syntax.recovery.progress import RepairProgress
+from kindsl.syntax.recovery.repair import Found, RepairStep, completion, search
 from kindsl.syntax.recovery.repair_words import fitting_words, is_alike, repair_words
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Token
@@ -25,10 +25,10 @@ _BACK = 4
 _GOES_ON = 3
 
 
-class Block:
+class BlockProgress:
     """How far a block is read."""
 
-    def __init__(self, island: Progress, start: str) -> None:
+    def __init__(self, island: RepairProgress, start: str) -> None:
         self.island = island
         self.start = start
         self.stack = initial(start)
@@ -152,7 +152,7 @@ class Block:
             del self.island.written[-count:]
             self.island.index = index
 
-    def _change(self, change: Change, word: str) -> None:
+    def _change(self, change: RepairStep, word: str) -> None:
         island = self.island
         token = island.tokens[change.at] if change.action != "insert" else None
         if token is not None:

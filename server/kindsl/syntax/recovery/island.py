@@ -3,9 +3,9 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from kindsl.syntax.recovery.block import Block
+from kindsl.syntax.recovery.block import BlockProgress
 from kindsl.syntax.recovery.block_kinds import opening
-from kindsl.syntax.recovery.progress import Progress
+from kindsl.syntax.recovery.progress import RepairProgress
 from kindsl.syntax.tree import Node, Problem, Token
 
 
@@ -35,7 +35,7 @@ def recover(text: str, tokens: Sequence[Token], *, is_cut: bool) -> Recovered:
         tokens: Its tokens.
         is_cut: Whether a comment without an end hides the rest of it.
     """
-    island = Progress(text, list(tokens), is_cut)
+    island = RepairProgress(text, list(tokens), is_cut)
     while island.index < len(island.tokens):
         previous = island.nodes[-1].kind if island.nodes else ""
         block = island.lost or opening(island.tokens, island.index, previous)
@@ -46,7 +46,7 @@ def recover(text: str, tokens: Sequence[Token], *, is_cut: bool) -> Recovered:
             island.skip_to_block()
         else:
             island.open(block)
-            Block(island, block.start).read()
+            BlockProgress(island, block.start).read()
     return Recovered(
         tuple(island.nodes),
         tuple(island.written),

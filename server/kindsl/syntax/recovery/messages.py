@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from kindsl.syntax.indentation import indentation
-from kindsl.syntax.recovery.repair import Change
+from kindsl.syntax.recovery.repair import RepairStep
 from kindsl.syntax.recovery.repair_words import Word
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
@@ -26,7 +26,7 @@ def repair_problem(
     text: str,
     read: Sequence[Token],
     tokens: Sequence[Token],
-    changes: Sequence[Change],
+    changes: Sequence[RepairStep],
     words: Sequence[Word],
     wanted: Sequence[str],
 ) -> Problem:
@@ -89,7 +89,7 @@ def leftover_problem(
     return Problem("KD001", message, start, end)
 
 
-def _first_group(changes: Sequence[Change]) -> list[Change]:
+def _first_group(changes: Sequence[RepairStep]) -> list[RepairStep]:
     """Return the changes that are made in one place with the first."""
     group = [changes[0]]
     for change in changes[1:]:
@@ -99,7 +99,7 @@ def _first_group(changes: Sequence[Change]) -> list[Change]:
     return group
 
 
-def _span(tokens: Sequence[Token], group: Sequence[Change]) -> tuple[int, int]:
+def _span(tokens: Sequence[Token], group: Sequence[RepairStep]) -> tuple[int, int]:
     gone = [tokens[change.at] for change in group if change.action != "insert"]
     if gone:
         return gone[0].start, gone[-1].end
@@ -107,7 +107,7 @@ def _span(tokens: Sequence[Token], group: Sequence[Change]) -> tuple[int, int]:
     return place, place
 
 
-def _is_function(tokens: Sequence[Token], group: Sequence[Change]) -> bool:
+def _is_function(tokens: Sequence[Token], group: Sequence[RepairStep]) -> bool:
     """Return whether what is left out is a name right before an opening parenthesis."""
     name, behind = tokens[group[0].at], tokens[group[-1].at + 1 : group[-1].at + 2]
     is_called = bool(behind) and behind[0].text == "(" and behind[0].start == name.end
@@ -153,7 +153,7 @@ def _half_keyword(
     return nearest_words(gone[0].text, wanted) if is_first and is_last and is_word else ()
 
 
-def insertion_place(tokens: Sequence[Token], change: Change) -> int:
+def insertion_place(tokens: Sequence[Token], change: RepairStep) -> int:
     """Return where something lacks: a keyword before its `{` or `=`, all else behind what is."""
     index = change.at
     if change.kind in SPELLINGS and index < len(tokens) and tokens[index].kind in ("{", "="):
@@ -161,7 +161,7 @@ def insertion_place(tokens: Sequence[Token], change: Change) -> int:
     return tokens[index - 1].end if index > 0 else 0
 
 
-def _instead(change: Change, word: Word, gone: Sequence[Token], text: str) -> tuple[str, str]:
+def _instead(change: RepairStep, word: Word, gone: Sequence[Token], text: str) -> tuple[str, str]:
     written = gone[0].text
     if change.kind == "INT":
         return "KD005", f"id '{shown(written)}' is not a natural number"
@@ -171,7 +171,7 @@ def _instead(change: Change, word: Word, gone: Sequence[Token], text: str) -> tu
 
 
 def _lost(
-    read: Sequence[Token], tokens: Sequence[Token], change: Change, word: Word
+    read: Sequence[Token], tokens: Sequence[Token], change: RepairStep, word: Word
 ) -> tuple[str, str]:
     if change.kind == "}":
         return "KD002", f"expected '}}' to close {opened_block(read)}"
@@ -189,7 +189,7 @@ def _repairs(
     text: str,
     read: Sequence[Token],
     tokens: Sequence[Token],
-    changes: Sequence[Change],
+    changes: Sequence[RepairStep],
     words: Sequence[Word],
 ) -> tuple[Repair, ...]:
     """Return the changes of the text to choose from, none where what to insert is not known."""
@@ -204,7 +204,7 @@ def _repair(
     text: str,
     read: Sequence[Token],
     tokens: Sequence[Token],
-    changes: Sequence[Change],
+    changes: Sequence[RepairStep],
     words: Sequence[Word],
 ) -> Repair | None:
     """Return the change of the text, None where what to insert is not known."""
@@ -241,7 +241,7 @@ def _told(pieces: Sequence[str]) -> str:
 
 
 def _edit(
-    text: str, read: Sequence[Token], tokens: Sequence[Token], change: Change, new: str
+    text: str, read: Sequence[Token], tokens: Sequence[Token], change: RepairStep, new: str
 ) -> Edit | None:
     if change.action == "delete":
         token = tokens[change.at]

@@ -10,7 +10,7 @@ from kindsl.syntax.words import BLOCK_STARTS
 _MOST_PROBLEMS = 12
 
 
-class Progress:
+class RepairProgress:
     """The tokens of an island, and what is made of them.
 
     Attributes:

@@ -28,7 +28,7 @@ _RUN = 14
 _IN_A_RUN = 0.6
 
 
-class Change(NamedTuple):
+class RepairStep(NamedTuple):
     """One step of a repair.
 
     Attributes:
@@ -46,7 +46,7 @@ class Found(NamedTuple):
     """A repair: from which token on, what, and where reading goes on."""
 
     first: int
-    changes: tuple[Change, ...]
+    changes: tuple[RepairStep, ...]
     stack: Stack
     next: int
 
@@ -56,7 +56,7 @@ class _Candidate(NamedTuple):
     order: int
     stack: Stack
     at: int
-    changes: tuple[Change, ...]
+    changes: tuple[RepairStep, ...]
     shifts: int
     first: int
 
@@ -192,7 +192,7 @@ def _following(
     cost, _, stack, index, changes, shifts, first = candidate
     followers: list[_Candidate] = []
 
-    def follow(extra: float, after: Stack, at: int, change: Change | None) -> None:
+    def follow(extra: float, after: Stack, at: int, change: RepairStep | None) -> None:
         done = (*changes, change) if change else changes
         kept = 0 if change else shifts + 1
         followers.append(_Candidate(cost + extra, 0, after, at, done, kept, first))
@@ -206,7 +206,7 @@ def _following(
         is_continued = bool(changes) and changes[-1][:2] == ("delete", index - 1)
         price = 0.35 if is_continued else _deletion_cost(kind)
         price += preferences.deletion(index)
-        follow(price, stack, index + 1, Change("delete", index, kind))
+        follow(price, stack, index + 1, RepairStep("delete", index, kind))
     for new in ROWS[stack.state]:
         if new not in INSERTABLE:
             continue
@@ -216,10 +216,10 @@ def _following(
         price = insertion_cost(new) + preferences.insertion(new, index)
         if changes and changes[-1][:2] == ("insert", index):
             price *= _IN_A_RUN
-        follow(price, after, index, Change("insert", index, new))
+        follow(price, after, index, RepairStep("insert", index, new))
         if not at_end and new != kind:
             price = _replacement_cost(kind, new) + preferences.replacement(new, index)
-            follow(price, after, index + 1, Change("replace", index, new))
+            follow(price, after, index + 1, RepairStep("replace", index, new))
     return followers
 
 

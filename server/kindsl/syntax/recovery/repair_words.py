@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from kindsl.syntax.automaton import ROWS, Stack, step
-from kindsl.syntax.recovery.repair import Change
+from kindsl.syntax.recovery.repair import RepairStep
 from kindsl.syntax.tree import Token
 from kindsl.syntax.words import SPELLINGS, spelled
 from kindsl.text.nearest import nearest_words
@@ -25,7 +25,7 @@ class Word(NamedTuple):
 
 
 def repair_words(
-    changes: Iterable[Change], tokens: Sequence[Token], present: Iterable[str]
+    changes: Iterable[RepairStep], tokens: Sequence[Token], present: Iterable[str]
 ) -> tuple[Word, ...]:
     """Return what each change of a repair writes.
 
@@ -59,7 +59,7 @@ def fitting_words(stack: Stack) -> tuple[str, ...]:
     return tuple(word for kind in kinds if step(stack, kind) for word in SPELLINGS[kind])
 
 
-def _word(change: Change, tokens: Sequence[Token], lacking: Sequence[str]) -> Word:
+def _word(change: RepairStep, tokens: Sequence[Token], lacking: Sequence[str]) -> Word:
     if change.action == "delete":
         return Word("")
     is_moment = change.kind == "MOMENT"

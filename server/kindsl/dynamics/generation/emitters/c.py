@@ -11,7 +11,7 @@ from itertools import groupby
 from typing import NamedTuple
 
 from kindsl.dynamics.generation.emitters.straight_line import OPERATORS, Part, computed, cut
-from kindsl.dynamics.generation.expressions import Expression, Graph, Operand, Scalar
+from kindsl.dynamics.generation.expressions import Graph, Operand, Scalar, Term
 
 OPERATIONS_PER_PART = 500
 # So many equal constants one after the other are written in a loop; a regressor has thousands.
@@ -142,14 +142,14 @@ class _Writer:
         self.given = {node: (context, text) for node, text in body.known.items()}
         for array in body.takes:
             for number, entry in enumerate(array.entries):
-                if isinstance(entry, Expression):
+                if isinstance(entry, Term):
                     self.given[entry.index] = (array.name, f"{array.name}[{number}]")
         self._kept: dict[int, str] = {}
         self._computed: dict[int, list[tuple[str, str]]] = {}
         self._rest: list[tuple[str, int, Scalar]] = []
         for array in body.gives:
             for number, entry in enumerate(array.entries):
-                if isinstance(entry, Expression) and entry.index not in self.given:
+                if isinstance(entry, Term) and entry.index not in self.given:
                     place = f"{array.name}[{number}]"
                     self._computed.setdefault(entry.index, []).append((array.name, place))
                 elif entry is not None:
@@ -188,7 +188,7 @@ class _Writer:
         rest = []
         for array, number, entry in self._rest:
             text = self._operand(entry, set(), uses)
-            if not isinstance(entry, Expression):
+            if not isinstance(entry, Term):
                 text = self._dialect.constant.format(text)
             rest.append((array, number, text))
         runs = groupby(enumerate(rest), lambda pair: (pair[1][0], pair[1][2], pair[1][1] - pair[0]))
@@ -204,8 +204,8 @@ class _Writer:
             return f"{operation}{self._dialect.suffix}({words[0]})"
         return f"-{words[0]}"
 
-    def _operand(self, operand: Operand | Expression, local: set[int], uses: set[str]) -> str:
-        node = operand.index if isinstance(operand, Expression) else operand
+    def _operand(self, operand: Operand | Term, local: set[int], uses: set[str]) -> str:
+        node = operand.index if isinstance(operand, Term) else operand
         if not isinstance(node, int):
             return literal(node, self._dialect)
         if node in local:

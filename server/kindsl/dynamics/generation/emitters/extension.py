@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from kindsl.dynamics.generation.emitters.c import CArray, CBody, Dialect, c_definition
-from kindsl.dynamics.generation.expressions import Expression, Graph, Scalar
+from kindsl.dynamics.generation.expressions import Graph, Scalar, Term
 
 MODULE = "compiled_mechanism"
 RUNTIME = Path(__file__).with_name("extension_runtime.c")
@@ -132,7 +132,7 @@ def _many(number: int, kernel: Kernel) -> str:
 
 
 def _wide(graph: Graph, number: int, kernel: Kernel) -> str:
-    angles = [x for x in kernel.arguments[0].components if isinstance(x, Expression)]
+    angles = [x for x in kernel.arguments[0].components if isinstance(x, Term)]
     cosines = [graph.record("cos", x.index) for x in angles]
     sines = [graph.record("sin", x.index) for x in angles]
     takes = [(f"a{i}", a.components) for i, a in _given(kernel)]
@@ -142,7 +142,7 @@ def _wide(graph: Graph, number: int, kernel: Kernel) -> str:
     varying, constant = [], []
     for i, result in enumerate(kernel.results):
         array = CArray(f"o{i}", f"lanes *restrict o{i}", result.entries)
-        entries = [(e, None) if isinstance(e, Expression) else (None, e) for e in result.entries]
+        entries = [(e, None) if isinstance(e, Term) else (None, e) for e in result.entries]
         varying.append(array._replace(entries=[entry for entry, _ in entries]))
         constant.append(array._replace(entries=[entry for _, entry in entries]))
     bodies = (

@@ -5,7 +5,7 @@ import operator
 from collections.abc import Callable, Mapping, Sequence
 
 from kindsl.dynamics.generation.emitters.straight_line import computed
-from kindsl.dynamics.generation.expressions import Expression, Graph, Scalar
+from kindsl.dynamics.generation.expressions import Graph, Scalar, Term
 
 OPERATIONS: dict[str, Callable[..., float]] = {
     "+": operator.add,
@@ -29,4 +29,4 @@ def evaluate(graph: Graph, inputs: Mapping[int, float], values: Sequence[Scalar]
         operation, *operands = graph.nodes[index]
         words = [numbers[o] if isinstance(o, int) else o for o in operands]
         numbers[index] = OPERATIONS[operation](*words)
-    return [numbers[v.index] if isinstance(v, Expression) else v for v in values]
+    return [numbers[v.index] if isinstance(v, Term) else v for v in values]

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from kindsl.dynamics.generation.expressions import Expression, Operand
+from kindsl.dynamics.generation.expressions import Operand, Term
 from kindsl.dynamics.generation.trace import Trace
 from kindsl.spatial.arrays import Array
 
@@ -53,7 +53,7 @@ def batch_function(trace: Trace) -> BatchFunction:
     namespace |= {name: np.array(value) for value, name in rows.constants.items()}
     exec(compile(source, "<generated mechanics>", "exec"), namespace)
     evaluate: Callable[..., None] = namespace["evaluate"]  # type: ignore[assignment]
-    constants = {n: o for n, o in enumerate(trace.outputs) if not isinstance(o, Expression)}
+    constants = {n: o for n, o in enumerate(trace.outputs) if not isinstance(o, Term)}
     return BatchFunction(
         evaluate,
         rows.n_scratch,
@@ -145,7 +145,7 @@ class Rows:
             self._names.update((node, f"{block}_{row}") for row, node in enumerate(indices))
         self._outputs: dict[int, int] = {}
         for number, output in enumerate(trace.outputs):
-            if isinstance(output, Expression) and output.index not in self._names:
+            if isinstance(output, Term) and output.index not in self._names:
                 self._outputs.setdefault(output.index, number)
         self._last_use = {
             operand: index for index in trace.needed() for operand in trace.operands(index)
@@ -197,7 +197,7 @@ class Rows:
         return [
             f"copy({self._names[output.index]},o{number})"
             for number, output in enumerate(self._trace.outputs)
-            if isinstance(output, Expression) and self._outputs.get(output.index) != number
+            if isinstance(output, Term) and self._outputs.get(output.index) != number
         ]
 
 

@@ -7,7 +7,7 @@ CasADi. The names `sin` and `cos` are to be there.
 from collections.abc import Mapping, Sequence
 
 from kindsl.dynamics.generation.emitters.straight_line import OPERATORS, computed
-from kindsl.dynamics.generation.expressions import Expression, Graph, Operand, Scalar
+from kindsl.dynamics.generation.expressions import Graph, Operand, Scalar, Term
 
 
 def python_function(
@@ -25,7 +25,7 @@ def python_function(
         texts.update(
             (x.index, text)
             for x, text in zip(components, names, strict=True)
-            if isinstance(x, Expression)
+            if isinstance(x, Term)
         )
     for node in computed(graph, [entry for result in results for entry in result], texts):
         lines.append(f"x{node} = {_operation(graph, node, texts)}")
@@ -46,7 +46,7 @@ def _operation(graph: Graph, node: int, texts: Mapping[int, str]) -> str:
 
 
 def _text(entry: Scalar, texts: Mapping[int, str]) -> str:
-    return _operand(entry.index if isinstance(entry, Expression) else entry, texts)
+    return _operand(entry.index if isinstance(entry, Term) else entry, texts)
 
 
 def _operand(operand: Operand, texts: Mapping[int, str]) -> str:

@@ -9,7 +9,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from kindsl.dynamics.generation.expressions import Expression, Operand
+from kindsl.dynamics.generation.expressions import Operand, Term
 from kindsl.dynamics.generation.factorization import is_zero
 from kindsl.dynamics.generation.trace import Trace
 from kindsl.spatial.arrays import Array
@@ -77,7 +77,7 @@ def _source(trace: Trace, returned: Callable[[list[str]], list[str]]) -> str:
             texts[index] = f"v{index}"
             lines.append(f"v{index}={text}")
     outputs = [
-        texts[output.index] if isinstance(output, Expression) else repr(output)
+        texts[output.index] if isinstance(output, Term) else repr(output)
         for output in trace.outputs
     ]
     names = ",".join(f"a{number}" for number in range(len(trace.arguments)))
@@ -99,7 +99,7 @@ def _unpacked_arguments(trace: Trace, texts: dict[int, str]) -> list[str]:
 
 def _uses(trace: Trace) -> Counter[int]:
     uses = Counter(operand for index in trace.needed() for operand in trace.operands(index))
-    uses.update(output.index for output in trace.outputs if isinstance(output, Expression))
+    uses.update(output.index for output in trace.outputs if isinstance(output, Term))
     return uses
 
 

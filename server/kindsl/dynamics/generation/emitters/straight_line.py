@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 from itertools import count
 from typing import NamedTuple
 
-from kindsl.dynamics.generation.expressions import Expression, Graph, Scalar, needed, operand_nodes
+from kindsl.dynamics.generation.expressions import Graph, Scalar, Term, needed, operand_nodes
 
 OPERATORS = ("+", "-", "*", "/")
 
@@ -38,7 +38,7 @@ def computed(graph: Graph, values: Iterable[Scalar | None], known: Iterable[int]
     """Return the nodes to compute for values, operands first, when some nodes are known."""
     found: set[int] = set(known)
     given = frozenset(found)
-    waiting = [value.index for value in values if isinstance(value, Expression)]
+    waiting = [value.index for value in values if isinstance(value, Term)]
     while waiting:
         index = waiting.pop()
         if index not in found:
