@@ -213,7 +213,7 @@ def test_info_draws_the_tree() -> None:
 def test_info_shows_constants() -> None:
     facts = robot_facts(document(GOOD))
     facts["constants"] = [{"name": "half", "value": 0.5}, {"name": "x", "value": None}]
-    assert "\nconstants\n  half     0.5\n  x          -\n\nhealth" in robot_text(facts)
+    assert "\nconstants\n  half     0.5\n  x          -\n\nrobcogen" in robot_text(facts)
 
 
 def test_a_floating_base_weighs_and_moves() -> None:

@@ -21,6 +21,8 @@ EXAMPLES = [
 ]
 SOURCES = [path.read_text() for path in FIXTURES] + EXAMPLES
 DOCUMENTS = [document.text for source in SOURCES for document in marked_files(source)]
+# That no generator reads a document is told only where no other error is: a fix may uncover it.
+BESIDE_NO_ERROR = {"KD604"}
 NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?")
 
 
@@ -43,7 +45,9 @@ def errors(analysis):
     return Counter(
         finding.code
         for finding in analysis.findings
-        if finding.severity is Severity.ERROR and not (is_fragment and finding.code == "KD008")
+        if finding.severity is Severity.ERROR
+        and not (is_fragment and finding.code == "KD008")
+        and finding.code not in BESIDE_NO_ERROR
     )
 
 
@@ -77,7 +81,7 @@ def test_a_fix_of_meaning_leads_into_no_other_rule(text):
             after = analyse(apply_edits(text, action.edits))
             # A link that is added has no inertia yet, which only its author knows.
             new = warnings(after) - warnings(before)
-            assert not new.keys() - {"KD304"}, action.title
+            assert not new.keys() - {"KD304", *BESIDE_NO_ERROR}, action.title
 
 
 @pytest.mark.parametrize("text", DOCUMENTS)
