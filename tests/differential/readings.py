@@ -7,8 +7,9 @@ from typing import Any
 
 from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.analysis.settings import Settings
-from kindsl.semantics.declarations import MOMENTS, Pose, Vector
+from kindsl.semantics.declarations import Pose, Vector
 from kindsl.semantics.expressions import Expression
+from kindsl.syntax.vocabulary import MOMENTS
 
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _FORM = re.compile(rf"(?:({_NUMBER})\*)?(-?)(?:({_NUMBER})\*)?(\S+?)(?:/({_NUMBER}))?")

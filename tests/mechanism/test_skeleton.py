@@ -14,9 +14,9 @@ from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.mechanism.drawable import drawable_skeleton
 from kindsl.mechanism.errors import ModelError
 from kindsl.mechanism.fragments import skeleton_as_far_as_known
-from kindsl.semantics.declarations import MOMENTS
 from kindsl.spatial.inertia import move_inertia
 from kindsl.spatial.transforms import rotation_from_intrinsic_xyz
+from kindsl.syntax.vocabulary import MOMENTS
 
 WITHOUT_NUMPY = """
 import sys

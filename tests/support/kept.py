@@ -7,9 +7,10 @@ from typing import NamedTuple, TypeAlias
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.rules.base import Severity
-from kindsl.semantics.declarations import MOMENTS, Inertia, Link, Pose
+from kindsl.semantics.declarations import Inertia, Link, Pose
 from kindsl.semantics.expressions import Expression
 from kindsl.syntax.scanner import comments
+from kindsl.syntax.vocabulary import MOMENTS
 
 Place: TypeAlias = tuple[object, ...]
 

@@ -7,16 +7,15 @@ from kindsl.features.quantity_text import INERTIA, KILOGRAMS, METRES
 from kindsl.features.wording import code
 from kindsl.semantics.declarations import ValueKind
 from kindsl.semantics.expressions import Expression, name_of
+from kindsl.syntax.tables import FORMS
 from kindsl.syntax.tree import Island, Node
+from kindsl.syntax.vocabulary import of_kind
 
-_SECTIONS = frozenset(("mass", "com", "moment", "translation", "rotation"))
+_SECTIONS = of_kind("scalar", "moments", "vector")
 _OWNERS = frozenset(("frame", "link", "base", "joint"))
 _AXES = ("x", "y", "z")
 _TURNS = ("about x", "about the new y", "about the new z")
-VALUE_NODES = frozenset((
-    "number", "pi", "parameter", "defaulted", "juxtaposed_pi", "juxtaposed_parameter", "constant",
-    "constant_use", "group", "add", "subtract", "multiply", "divide", "negate", "plus",
-))  # fmt: skip
+VALUE_NODES = frozenset(FORMS)
 
 
 class ValuePlace(NamedTuple):

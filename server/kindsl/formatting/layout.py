@@ -8,19 +8,15 @@ from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from kindsl.formatting.pieces import Lexeme
+from kindsl.syntax.tables import KINDS
+from kindsl.syntax.vocabulary import BLOCKS, NUMBERS, of_kind
 
 _INDENT = "    "
-_BLOCKS = frozenset(("head", "base", "link", "joint"))
-_LINES = frozenset(
-    (
-        *_BLOCKS, "end", "id", "inertia", "children", "frames", "frame", "joint_frame", "mass",
-        "com", "moment", "inertia_frame", "child", "translation", "rotation",
-    )
-)  # fmt: skip
+_BLOCKS = frozenset(("head", *BLOCKS))
+_LINES = KINDS.keys() - of_kind("group")
 _GLUED_AFTER = frozenset("(<[")
 _GLUED_BEFORE = frozenset(",)>]")
 _COMMENTS = frozenset(("//", "/*"))
-_NUMBERS = frozenset(("FLOAT", "INT", "SCIENTIFIC", "POWER_FLOAT"))
 
 
 class Gap(NamedTuple):
@@ -102,5 +98,5 @@ def _space(before: Lexeme, piece: Lexeme) -> str:
     if before.parent == "constant" and before.kind == "=":
         return ""
     if before.parent == "negate":
-        return " " if piece.kind in _NUMBERS else ""
+        return " " if piece.kind in NUMBERS else ""
     return " "

@@ -13,6 +13,7 @@ from kindsl.interchange.robot_description import (
 )
 from kindsl.rigid.body import MassDistribution
 from kindsl.rigid.pose import RigidPose, angles
+from kindsl.syntax.vocabulary import MOMENTS
 from kindsl.text.decimals import digits_after_point, fixed_decimal, significant_decimal
 
 # Of lengths and angles; masses and moments have so many digits.
@@ -20,7 +21,6 @@ _DECIMALS = 15
 _DIGITS = 15
 _ANGLE_TOLERANCE = 1e-14
 _QUARTER_TURNS = {0: "0.0", 1: "PI/2.0", -1: "-PI/2.0", 2: "PI", -2: "-PI"}
-_MOMENTS = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,7 +107,7 @@ def _inertia(body: MassDistribution) -> list[str]:
         "    inertia_params {",
         f"        mass = {significant_decimal(body.mass, _DIGITS)}",
         f"        CoM = {_vector(map(_number, body.com))}",
-        *(f"        {name} = {moment}" for name, moment in zip(_MOMENTS, moments, strict=True)),
+        *(f"        {name} = {moment}" for name, moment in zip(MOMENTS, moments, strict=True)),
         "    }",
     ]
 

@@ -9,9 +9,10 @@ from kindsl.mechanism.numbering import numbered_by_tree
 from kindsl.mechanism.skeleton import Skeleton, skeleton_of
 from kindsl.rigid.body import NO_BODY, MassDistribution, seen_from
 from kindsl.rigid.pose import RigidPose, Vector3, pose_from
-from kindsl.semantics.declarations import MOMENTS, Frame, Joint, Link, Pose, Vector
+from kindsl.semantics.declarations import Frame, Joint, Link, Pose, Vector
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.model import Model
+from kindsl.syntax.vocabulary import MOMENTS
 
 # Nothing is known of earlier versions.
 NOTHING: Mapping[str, RigidPose] = MappingProxyType({})

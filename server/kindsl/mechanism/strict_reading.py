@@ -9,10 +9,11 @@ from kindsl.mechanism.numbering import numbered_by_id, require_base
 from kindsl.mechanism.skeleton import Skeleton, skeleton_of
 from kindsl.rigid.body import NO_BODY, MassDistribution, seen_from
 from kindsl.rigid.pose import RigidPose, Vector3, pose_from
-from kindsl.semantics.declarations import MOMENTS, Frame, Inertia, Joint, Link, Pose, Vector
+from kindsl.semantics.declarations import Frame, Inertia, Joint, Link, Pose, Vector
 from kindsl.semantics.expressions import ConstantUse, Expression, symbols
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Located
+from kindsl.syntax.vocabulary import MOMENTS
 
 
 def strict_skeleton(model: Model, values: Mapping[str, float]) -> Skeleton:

@@ -14,9 +14,9 @@ from kindsl.mechanism.numbering import numbered_by_id, require_base
 from kindsl.mechanism.skeleton import named_frames
 from kindsl.rigid.topology import JointKind
 from kindsl.semantics import declarations as declared
-from kindsl.semantics.declarations import MOMENTS
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.model import Model
+from kindsl.syntax.vocabulary import MOMENTS
 
 # Any values will do to find out whether a document is whole; these are unlikely to cancel.
 PLACEHOLDER = 0.731

@@ -9,8 +9,6 @@ from kindsl.semantics.expressions import Expression
 from kindsl.semantics.places import Construct, Name, Place
 from kindsl.syntax.tree import Island, Node
 
-MOMENTS = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")
-
 
 class ValueKind(StrEnum):
     """The class of a value, which is the class of the parameters in it."""

@@ -8,10 +8,11 @@ from math import isfinite
 
 from kindsl.rigid.body import MassDistribution
 from kindsl.rigid.pose import RigidPose, Vector3, pose_from
-from kindsl.semantics.declarations import MOMENTS, Inertia, Pose, Vector
+from kindsl.semantics.declarations import Inertia, Pose, Vector
 from kindsl.semantics.lowering import declarations
 from kindsl.semantics.parameters import island_symbols
 from kindsl.syntax.tree import Island
+from kindsl.syntax.vocabulary import MOMENTS
 from kindsl.text.facts import Fact
 
 POSES = Fact[dict[Vector, RigidPose]]("poses")

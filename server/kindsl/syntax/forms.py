@@ -62,7 +62,7 @@ def _run(kinds: tuple[str, ...]) -> frozenset[str]:
     states = [state]
     targets = TARGETS_OF_ALL
     for kind in (*kinds, "$END"):
-        targets &= _targets_of(kind)
+        targets &= targets_of(kind)
         while True:
             action = ROWS[states[-1]].get(kind)
             if action is None:
@@ -71,7 +71,7 @@ def _run(kinds: tuple[str, ...]) -> frozenset[str]:
                 states.append(action)
                 break
             size, name, _, alias = RULES[~action]
-            targets &= _targets_of(alias)
+            targets &= targets_of(alias)
             del states[-size:]
             state = TARGETS[states[-1]][name]
             if state == end:
@@ -80,7 +80,8 @@ def _run(kinds: tuple[str, ...]) -> frozenset[str]:
     return frozenset()
 
 
-def _targets_of(name: str) -> frozenset[str]:
+def targets_of(name: str) -> frozenset[str]:
+    """Return the targets that take a construct, a form of a value or a terminal as such."""
     if name in NEITHER:
         return frozenset()
     return frozenset({ONLY[name]}) if name in ONLY else TARGETS_OF_ALL

@@ -41,6 +41,7 @@ _TYPES = {
     "WORDS": "dict[str, tuple[str, ...]]",
     "KINDS": "dict[str, str]",
     "CLASSES": "dict[str, tuple[str, ...]]",
+    "FORMS": "tuple[str, ...]",
     "ORDERS": "dict[str, tuple[str, ...]]",
     "ONLY": "dict[str, str]",
     "NEITHER": "dict[str, str]",

@@ -10,6 +10,7 @@ from typing import NamedTuple
 from kindsl.syntax.forms import TARGETS_OF_ALL, accepted_by
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Edit, Island, Node, Repair, Token
+from kindsl.syntax.vocabulary import BLOCKS, VALUE_HOLDERS
 from kindsl.syntax.words import shown
 from kindsl.text.facts import Fact
 
@@ -17,7 +18,7 @@ ROBCOGEN, ROBCOGEN2 = "robcogen", "robcogen2"
 
 _LARGEST = 2**31 - 1
 _PLAIN_ID = re.compile(r"[1-9][0-9]*")
-_BLOCKS = frozenset({"head", "base", "link", "joint"})
+_BLOCKS = frozenset({"head", *BLOCKS})
 _REASONS = {
     ROBCOGEN: "robcogen does not take the form of '{}'",
     ROBCOGEN2: "robcogen2 does not take the form of '{}'",
@@ -166,7 +167,7 @@ def _expressions(block: Node) -> Iterator[Node]:
     while pending:
         node = pending.pop()
         nodes = [child for child in node.children if isinstance(child, Node)]
-        if node.kind in ("vector", "mass", "moment"):
+        if node.kind in VALUE_HOLDERS:
             yield from nodes
         else:
             pending += nodes

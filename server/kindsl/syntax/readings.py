@@ -13,11 +13,11 @@ from kindsl.syntax.document import Chunk, SyntaxDocument
 from kindsl.syntax.forms import is_signed_product
 from kindsl.syntax.portability import ROBCOGEN, ROBCOGEN2
 from kindsl.syntax.tree import Island, Node, Token
+from kindsl.syntax.vocabulary import VALUE_HOLDERS
 from kindsl.text.facts import Fact
 
 _POWER = re.compile(r"([-+]?[0-9]*\.[0-9]+)([eE][0-9]+)")
 _READINGS = Fact["tuple[TwoReadings, ...]"]("two readings")
-_VALUES = frozenset({"vector", "mass", "moment"})
 _Rewrite = Callable[[Node], Node | None]
 _AS_READ: "Fact[dict[_Rewrite, Island]]" = Fact("as read")
 
@@ -175,7 +175,7 @@ def _values(block: Node) -> Sequence[Node]:
     while pending:
         node = pending.pop()
         nodes = [child for child in node.children if isinstance(child, Node)]
-        if node.kind in _VALUES:
+        if node.kind in VALUE_HOLDERS:
             found += nodes
         else:
             pending += nodes

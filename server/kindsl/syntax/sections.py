@@ -5,18 +5,11 @@ from typing import NamedTuple
 
 from kindsl.syntax.moving import moved_behind, removed
 from kindsl.syntax.scanner import comments
-from kindsl.syntax.tables import ORDERS
+from kindsl.syntax.tables import HOLDS, ORDERS, WORDS
 from kindsl.syntax.tree import Edit, Node, Problem, Repair, Token
+from kindsl.syntax.vocabulary import BLOCKS, POSE, of_kind
 
-_MOMENTS = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")
-_WORDS = {
-    "inertia": "inertia_params",
-    "com": "CoM",
-    "inertia_frame": "ref_frame",
-    "joint_frame": "ref_frame",
-}
-_POSE = ["translation", "rotation"]
-_TITLES = {"base": "base", "link": "link", "joint": "joint", "frame": "frame"}
+_MANY = of_kind("moments")
 _fine: set[tuple[str, ...]] = set()
 
 
@@ -85,20 +78,18 @@ def misplaced(ranks: Sequence[int]) -> list[int]:
 
 def title(node: Node) -> str:
     """Return how a message names a block."""
-    word = _TITLES.get(node.kind)
     head = [child for child in node.children[:2] if isinstance(child, Token)]
-    if word == "frame":
-        return f"frame '{head[0].text}'"
-    return f"{word} '{head[1].text}'" if word else f"'{head[0].text}'"
+    if node.kind in BLOCKS:
+        return f"{node.kind} '{head[1].text}'"
+    return f"'{head[0].text}'" if WORDS[node.kind] else f"{node.kind} '{head[0].text}'"
 
 
 def _blocks(block: Node) -> Iterator[Node]:
-    for node in (block, *(child for child in block.children if isinstance(child, Node))):
-        if node.kind in ORDER:
-            yield node
-        elif node.kind == "frames":
-            for group in node.nodes("frame_group"):
-                yield from group.nodes("frame")
+    if block.kind in ORDER:
+        yield block
+    for child in block.children:
+        if child.kind in HOLDS and isinstance(child, Node):
+            yield from _blocks(child)
 
 
 def _empty_frames(block: Node, touched: frozenset[int]) -> Iterator[Problem]:
@@ -114,7 +105,7 @@ def _empty_frames(block: Node, touched: frozenset[int]) -> Iterator[Problem]:
 def _name(section: Node) -> str:
     """Return what tells a section apart from its neighbours."""
     first = section.children[0]
-    return first.text if section.kind == "moment" and isinstance(first, Token) else section.kind
+    return first.text if section.kind in _MANY and isinstance(first, Token) else section.kind
 
 
 def _problems(text: str, node: Node) -> list[Problem]:
@@ -133,7 +124,7 @@ def _problems(text: str, node: Node) -> list[Problem]:
     missing = _missing(node, seen)
     if len(repeated) == 1 and len(missing) == 1:
         return [*problems, _in_place_of(node, known, repeated[0], missing[0])]
-    if [section.kind for section in repeated] == _POSE:
+    if tuple(section.kind for section in repeated) == POSE:
         problems.append(_second_pose(node, *repeated))
     else:
         problems += [_repeated(text, node, section) for section in repeated]
@@ -225,10 +216,10 @@ def _body_start(node: Node) -> int:
 def _missing(node: Node, seen: set[str]) -> list[str]:
     missing = []
     for section, place in ORDER[node.kind].items():
-        if section == "moment":
-            missing += [name for name in _MOMENTS if name not in seen]
+        if section in _MANY:
+            missing += [name for name in WORDS[section] if name not in seen]
         elif place.is_needed and section not in seen:
-            missing.append(_WORDS.get(section, section))
+            missing.append(WORDS[section][0])
     return missing
 
 

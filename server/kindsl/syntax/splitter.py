@@ -8,18 +8,19 @@ not counted: a lost one would move every island behind it.
 import re
 from typing import NamedTuple
 
-from kindsl.syntax.tables import KEYWORDS
+from kindsl.syntax.tables import HOLDS, KEYWORDS
+from kindsl.syntax.vocabulary import BLOCKS, POSE, words_of
 from kindsl.text.lines import is_first_on_line
 
-BLOCK_KEYWORDS = frozenset({"RobotBase", "link", "r_joint", "p_joint"})
+BLOCK_KEYWORDS = frozenset(words_of(*BLOCKS))
 
-_OTHER_KEYWORDS = frozenset(KEYWORDS) - BLOCK_KEYWORDS - {"Robot"}
-_FIRST_SECTIONS = frozenset(
-    ["id", "inertia_params", "inertia_properties", "children", "frames", "ref_frame"]
-)
-_POSE = frozenset({"translation", "rotation"})
-_CANDIDATE = re.compile(r"//[^\r\n]*|/\*|(?<![\w^])(RobotBase|Robot|link|r_joint|p_joint)(\w*)")
-_BLOCK_LINE = re.compile(r"(?:^|(?<=\r))[ \t]*(?:RobotBase|link|r_joint|p_joint)\b", re.M)
+_HEADS = frozenset(words_of("head"))
+_OTHER_KEYWORDS = frozenset(KEYWORDS) - BLOCK_KEYWORDS - _HEADS
+_FIRST_SECTIONS = frozenset(words_of(*(part for block in BLOCKS for part in HOLDS[block])))
+_POSE = frozenset(words_of(*POSE))
+_LONGEST_FIRST = "|".join(sorted(BLOCK_KEYWORDS | _HEADS, key=len, reverse=True))
+_CANDIDATE = re.compile(rf"//[^\r\n]*|/\*|(?<![\w^])({_LONGEST_FIRST})(\w*)")
+_BLOCK_LINE = re.compile(rf"(?:^|(?<=\r))[ \t]*(?:{'|'.join(sorted(BLOCK_KEYWORDS))})\b", re.M)
 _AHEAD = re.compile(r"[ \t\r\n]*+(?://[^\r\n]*+[ \t\r\n]*+)*+(\^?\w+|/\*|(?s:.))?")
 _WORD = re.compile(r"\^?[^\W\d]\w*")
 LOOKAHEAD = 6
@@ -66,7 +67,7 @@ def _begins_block(
     if ahead[0] == "floating" and text[: match.start()].rstrip().endswith("RobotBase"):
         return False
     is_first = before in "{}" or is_first_on_line(text, match.start())
-    if match[1] == "Robot":
+    if match[1] in _HEADS:
         return ahead[1] == "{" and (is_first or ahead[2] in BLOCK_KEYWORDS)
     if _WORD.fullmatch(ahead[0]):
         is_same_line = "\n" not in text[match.end() : match.end() + 80].split(ahead[0])[0]
@@ -94,7 +95,7 @@ def _begins_named_block(ahead: list[str], is_first: bool, is_same_line: bool) ->
 def _is_glued_block(keyword: str, ahead: list[str]) -> bool:
     """Return whether `linkl1 {` is to be read as `link l1 {`."""
     sign, inner = (ahead[1], ahead[2]) if ahead[0] == "floating" else (ahead[0], ahead[1])
-    if keyword == "Robot":
+    if keyword in _HEADS:
         return sign == "{" and inner.startswith("RobotBase")
     return sign == "{" and inner in _FIRST_SECTIONS
 

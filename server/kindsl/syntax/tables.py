@@ -1004,7 +1004,7 @@ KINDS: dict[str, str] = {
     'id': 'whole',
     'inertia': 'block',
     'children': 'list',
-    'frames': 'list',
+    'frames': 'groups',
     'joint_frame': 'pose',
     'mass': 'scalar',
     'com': 'vector',
@@ -1023,6 +1023,24 @@ CLASSES: dict[str, tuple[str, ...]] = {
     '_parameter': ('NAME', 'PI_PREFIXED', 'UNICODE_NAME', 'ESCAPED_NAME', 'KEYWORD_NAME'),
     '_name': ('NAME', 'PI_PREFIXED', 'UNICODE_NAME', 'ESCAPED_NAME', 'KEYWORD_NAME', 'LOWER_PI'),
 }
+
+FORMS: tuple[str, ...] = (
+    'add',
+    'subtract',
+    'multiply',
+    'divide',
+    'negate',
+    'plus',
+    'number',
+    'pi',
+    'parameter',
+    'defaulted',
+    'juxtaposed_pi',
+    'juxtaposed_parameter',
+    'constant',
+    'constant_use',
+    'group',
+)
 
 ORDERS: dict[str, tuple[str, ...]] = {
     'document': ('head', 'base', 'link+', 'joint+', 'end'),

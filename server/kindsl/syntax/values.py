@@ -6,14 +6,14 @@ from collections.abc import Iterator, Sequence
 from kindsl.syntax.forms import accepted_by, form_kind, kinds_accepted_by
 from kindsl.syntax.malformed import UNDECODABLE, meant_numbers
 from kindsl.syntax.tree import Edit, Node, Problem, Repair, Token
+from kindsl.syntax.vocabulary import SCALARS, VALUE_HOLDERS, of_kind
 from kindsl.syntax.words import shown
 from kindsl.text.decimals import exact_decimal, significant_decimal
 
 DEEPEST = 60
 
 _LARGEST_ID = 2**31 - 1
-_SCALARS = frozenset({"mass", "moment"})
-_HOLDERS = frozenset({"mass", "moment", "vector", "id"})
+_HOLDERS = VALUE_HOLDERS | of_kind("whole")
 _MOST_PARTS = 1000.0
 _SUMS = frozenset({"add", "subtract"})
 
@@ -32,7 +32,7 @@ def value_problems(text: str, block: Node, touched: frozenset[int]) -> Iterator[
         if node.kind == "vector":
             for place in (1, 3, 5):
                 yield from _expression_problems(text, node, place)
-        elif node.kind in _SCALARS:
+        elif node.kind in SCALARS:
             yield from _expression_problems(text, node, 2)
         elif node.kind == "id":
             yield from _id_problems(node, block.kind)

@@ -2,7 +2,7 @@
 
 `KINDS` tells of each construct what it is: a `vector`, a `scalar`, one of the `moments`, a `whole`
 number, a `name`, a `pose` (a block of vectors), another `block` whose sections have an order, a
-`list`, one of a list's `group`s, or a `row` of words.
+`list` in braces, some `groups` of them, one such `group`, or a `row` of words.
 """
 
 from kindsl.syntax.tables import CLASSES, HOLDS, KEYWORDS, KINDS, ORDERS, WORDS

@@ -2,16 +2,11 @@
 
 from collections.abc import Sequence
 
-from kindsl.syntax.tables import KEYWORDS
+from kindsl.syntax.tables import HOLDS, KEYWORDS
 from kindsl.syntax.tree import Token
+from kindsl.syntax.vocabulary import token_kind
 
-BLOCK_STARTS = {
-    "Robot": "head",
-    "RobotBase": "base",
-    "link": "link",
-    "JOINT_KIND": "joint",
-    "}": "end",
-}
+BLOCK_STARTS = {token_kind(start): start for start in HOLDS["document"]}
 BLOCK_KINDS = {start: kind for kind, start in BLOCK_STARTS.items()}
 
 SPELLINGS: dict[str, tuple[str, ...]] = {}

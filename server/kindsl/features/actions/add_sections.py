@@ -17,7 +17,7 @@ from kindsl.text.edits import TextEdit
 from kindsl.text.words import listed
 
 _KIND = "refactor.rewrite"
-_BLOCKS = ("base", "link", "joint", "inertia", "frame", "joint_frame")
+_BLOCKS = ORDER.keys() - {"document"}
 _ZEROS = "(0.0, 0.0, 0.0)"
 _TITLES = {"inertia": "Add an inertia section", "frames": "Add a frames section"}
 

@@ -18,12 +18,13 @@ from kindsl.rigid.body import MassDistribution, seen_from
 from kindsl.rigid.pose import IDENTITY, RigidPose
 from kindsl.rules.context import ROBCOGEN2
 from kindsl.rules.inertia.judgements import is_plain
-from kindsl.semantics.declarations import MOMENTS, Frame, Inertia, Link
+from kindsl.semantics.declarations import Frame, Inertia, Link
 from kindsl.semantics.expressions import symbols
 from kindsl.semantics.lowering import declarations
 from kindsl.semantics.numbers import written_pose
 from kindsl.semantics.unknown import Unknown, pose_expressions
 from kindsl.syntax.tree import Node
+from kindsl.syntax.vocabulary import MOMENTS
 from kindsl.text.decimals import rounded_decimal
 from kindsl.text.edits import TextEdit
 

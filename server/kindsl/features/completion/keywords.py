@@ -16,22 +16,12 @@ from kindsl.features.completion.names import (
 from kindsl.features.completion.tree_names import first_child
 from kindsl.features.tree_path import path_at
 from kindsl.syntax.sections import ORDER
+from kindsl.syntax.tables import WORDS
 from kindsl.syntax.tree import Node
+from kindsl.syntax.vocabulary import of_kind, token_kind
 
-_WORD = {
-    "id": "id",
-    "inertia": "inertia_params",
-    "children": "children",
-    "frames": "frames",
-    "joint_frame": "ref_frame",
-    "mass": "mass",
-    "com": "CoM",
-    "inertia_frame": "ref_frame",
-    "translation": "translation",
-    "rotation": "rotation",
-}
 _BLOCKS = ORDER.keys() - {"document"}
-_KIND = {"inertia_params": "INERTIA"}
+_MANY = of_kind("moments")
 _BLOCK_WORDS = frozenset(("Robot", "RobotBase", "link", "JOINT_KIND"))
 
 
@@ -67,7 +57,7 @@ def section_items(analysis: Analysis, context: CompletionContext) -> Iterator[Co
         # The number of a joint is optional and ignored.
         sections.reverse()
     for kind, (rank, _) in sections:
-        alike = {rank} if kind == "moment" else set()
+        alike = {rank} if kind in _MANY else set()
         is_behind = all(other < rank for other in before - alike)
         if is_behind and all(rank < other for other in behind - alike):
             yield from _moments(context) if alike else _section(analysis, context, kind)
@@ -82,8 +72,8 @@ def keyword_items(context: CompletionContext) -> Iterator[CompletionItem]:
 
 
 def _section(analysis: Analysis, context: CompletionContext, kind: str) -> Iterator[CompletionItem]:
-    word = _WORD[kind]
-    if _KIND.get(word, word) not in context.expected:
+    word = WORDS[kind][0]
+    if token_kind(kind) not in context.expected:
         return
     if context.block == "joint" and kind == "id":
         text = f"id = ${{1:{joint_id(analysis, context)}}}"

@@ -4,9 +4,10 @@ from collections.abc import Iterator, Mapping
 from math import isclose, radians
 from typing import NamedTuple
 
-from kindsl.semantics.declarations import MOMENTS, Inertia, Pose, Vector
+from kindsl.semantics.declarations import Inertia, Pose, Vector
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.model import Model
+from kindsl.syntax.vocabulary import MOMENTS
 
 _AXES = "xyz"
 _ROUNDING = 1e-12

@@ -27,8 +27,9 @@ from kindsl.rules.examples import link, robot
 from kindsl.rules.inertia.judgements import is_moving, keyword
 from kindsl.rules.inertia.twins import part_of
 from kindsl.rules.memory import Memory
-from kindsl.semantics.declarations import MOMENTS, Inertia, Link
+from kindsl.semantics.declarations import Inertia, Link
 from kindsl.semantics.model import Model
+from kindsl.syntax.vocabulary import MOMENTS
 
 _ENOUGH = 3
 _MOST_RELATED = 20

@@ -28,8 +28,9 @@ from kindsl.rules.examples import link, robot
 from kindsl.rules.inertia.judgements import is_impossible, keyword
 from kindsl.rules.inertia.symmetry import SIGNS
 from kindsl.rules.inertia.twins import right_twin_of
-from kindsl.semantics.declarations import MOMENTS, Inertia, Link
+from kindsl.semantics.declarations import Inertia, Link
 from kindsl.semantics.model import Model
+from kindsl.syntax.vocabulary import MOMENTS
 
 _NAMES = ("mass", "x of the CoM", "y of the CoM", "z of the CoM", *MOMENTS)
 _SIGNIFICANT = 0.05

@@ -21,8 +21,9 @@ from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.context import ROBCOGEN, Context
 from kindsl.rules.examples import STEEL_BALL, link
 from kindsl.rules.tiny_values import is_negligible, is_tiny
-from kindsl.semantics.declarations import MOMENTS, Declarations, Link, link_values, pose_values
+from kindsl.semantics.declarations import Declarations, Link, link_values, pose_values
 from kindsl.semantics.expressions import Expression
+from kindsl.syntax.vocabulary import MOMENTS
 from kindsl.text.words import counted
 
 

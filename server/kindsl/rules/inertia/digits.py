@@ -18,9 +18,10 @@ from typing import NamedTuple
 
 from kindsl.rigid.body import MassDistribution
 from kindsl.rules.number_writing import significant_digits
-from kindsl.semantics.declarations import MOMENTS, Inertia
+from kindsl.semantics.declarations import Inertia
 from kindsl.semantics.expressions import Expression, half_unit
 from kindsl.semantics.ranges import Interval, bounds_of
+from kindsl.syntax.vocabulary import MOMENTS
 
 _FEWEST_DIGITS = 2
 _MOST_OF_A_ROUND_NUMBER = 3

@@ -17,9 +17,10 @@ from typing import NamedTuple
 from kindsl.rigid.body import eigensystem, second_moments_about_com
 from kindsl.rules.inertia.digits import likely_half_widths, numbers_written
 from kindsl.rules.inertia.judgements import IMPOSSIBLE, verdict_of
-from kindsl.semantics.declarations import MOMENTS, Inertia
+from kindsl.semantics.declarations import Inertia
 from kindsl.semantics.numbers import mass_distribution
 from kindsl.semantics.ranges import Interval, bounds_of, degrees_of, product_degrees
+from kindsl.syntax.vocabulary import MOMENTS
 
 _MOST_AT_CORNERS = 12
 _MOST_PARTS = 2000

@@ -27,9 +27,9 @@ from kindsl.rules.inertia.told import likely_cause, several_causes, shared_cause
 from kindsl.rules.memory import Memory
 from kindsl.rules.number_writing import rescaled, rewritten
 from kindsl.rules.tiny_values import is_negligible, is_tiny
-from kindsl.semantics.declarations import MOMENTS
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.model import Model
+from kindsl.syntax.vocabulary import MOMENTS
 
 _SURE = 0.85
 _MOST_RELATED = 20

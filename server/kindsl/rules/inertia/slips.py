@@ -7,7 +7,7 @@ from typing import NamedTuple, TypeVar
 
 from kindsl.rigid.body import MassDistribution, Symmetric, shifted
 from kindsl.rigid.pose import Vector3
-from kindsl.semantics.declarations import MOMENTS
+from kindsl.syntax.vocabulary import MOMENTS
 
 _Values = TypeVar("_Values", Symmetric, Vector3)
 

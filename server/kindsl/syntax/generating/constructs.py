@@ -35,6 +35,9 @@ class Constructs:
         for rule in lark.rules:
             symbols = [str(symbol.name) for symbol in rule.expansion]
             self.expansions.setdefault(str(rule.origin.name), []).append(symbols)
+        within = self.within("_expression")
+        expressions = [rule for rule in lark.rules if str(rule.origin.name) in within]
+        self.aliases = [str(rule.alias) for rule in expressions if rule.alias]
         self.holds = {"document": tuple(name.rstrip("?+") for name in orders["document"])}
         pending = list(self.holds["document"])
         for name in pending:
@@ -49,6 +52,7 @@ class Constructs:
             "WORDS": {name: self._words(name) for name in names},
             "KINDS": {name: self._kind(name) for name in names},
             "CLASSES": dict(self._classes()),
+            "FORMS": tuple(dict.fromkeys(self.aliases)),
         }
 
     def within(self, start: str) -> set[str]:
@@ -89,7 +93,9 @@ class Constructs:
             return "pose" if is_pose else "block"
         if symbols[0] == "{":
             return "group"
-        return "list" if self.holds[name] else "row"
+        if not self.holds[name]:
+            return "row"
+        return "list" if "{" in symbols else "groups"
 
     def _classes(self) -> Iterator[tuple[str, tuple[str, ...]]]:
         """Yield the rules that stand for one of several terminals, with these."""

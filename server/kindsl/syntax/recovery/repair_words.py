@@ -6,10 +6,9 @@ from typing import NamedTuple
 from kindsl.syntax.automaton import ROWS, Stack, step
 from kindsl.syntax.recovery.repair import RepairStep
 from kindsl.syntax.tree import Token
+from kindsl.syntax.vocabulary import MOMENTS
 from kindsl.syntax.words import SPELLINGS, spelled
 from kindsl.text.nearest import nearest_words
-
-_MOMENTS = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")
 
 
 class Word(NamedTuple):
@@ -34,7 +33,7 @@ def repair_words(
         tokens: The tokens that it counts.
         present: The moments that the inertia has already.
     """
-    lacking = [moment for moment in _MOMENTS if moment not in present] or list(_MOMENTS)
+    lacking = [moment for moment in MOMENTS if moment not in present] or list(MOMENTS)
     words = []
     for change in changes:
         word = _word(change, tokens, lacking)
