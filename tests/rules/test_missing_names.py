@@ -3,6 +3,7 @@
 import pytest
 
 from kindsl.analysis.analysis import analyse
+from kindsl.analysis.fixing import is_mendable, mended
 from kindsl.rules.base import Fix
 from kindsl.rules.examples import link, robot
 from kindsl.rules.missing_names import missing_names
@@ -62,18 +63,42 @@ def test_what_is_offered(base: str, joints: str, expected: list[tuple[str, ...]]
 
 
 @pytest.mark.parametrize(
-    ("ids", "number"), [((), 1), ((1,), 2), ((1, 7, 3), 8), ((None,), 1), ((None, 4), 5)]
+    ("ids", "parent", "number"),
+    [
+        ((), 0, 1),
+        ((1,), 1, 2),
+        ((1, 7, 3), 0, 2),
+        ((1, 7, 3), 1, 2),
+        ((1, 7, 3), 3, 8),
+        ((4, 1, 2), 2, 3),
+        ((2, 2), 2, 3),
+        ((None,), 0, 1),
+        ((None, 4), 4, 5),
+    ],
 )
-def test_a_new_link_has_the_next_number(ids: tuple[int | None, ...], number: int) -> None:
+def test_a_new_link_has_a_number_that_is_missing_above_its_parents(
+    ids: tuple[int | None, ...], parent: int, number: int
+) -> None:
     links = [link(f"part{n}", given or 0).replace("id = 0\n", "\n") for n, given in enumerate(ids)]
     model = analyse(robot(*links)).model
-    fix = new_link(model, "hand")
+    fix = new_link(model, "hand", parent_id=parent)
     assert fix is not None
     assert fix.title == "Add a link 'hand'"
     assert f"link hand {{\n    id = {number}\n" in fix.changes[0].text
     after = (model.links or model.bases)[-1]
     at = fix.changes[0].at
     assert (at.island, at.start, at.end) == (after.island, after.end, after.end)
+
+
+def test_the_link_that_is_missing_leaves_no_gap() -> None:
+    text = robot(
+        link("upper", 1, "hand via wrist tool via pan"), link("tool", 3),
+        base="upper via shoulder", joints="shoulder wrist pan",
+    )  # fmt: skip
+    after = mended(analyse(text), is_mendable).analysis
+    assert [(str(each.name), each.id) for each in after.model.links] == [
+        ("upper", 1), ("tool", 3), ("hand", 2),
+    ]  # fmt: skip
 
 
 def test_a_new_block_needs_a_name_and_a_place() -> None:

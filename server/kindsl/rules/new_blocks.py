@@ -1,12 +1,14 @@
 """Fixes that write a new block behind the blocks of its kind."""
 
+from bisect import bisect_right
+
 from kindsl.rules.base import Fix, Replacement
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Place
 from kindsl.syntax.tree import Island
 from kindsl.text.facts import Fact
 
-_NEXT_ID = Fact[int]("next id")
+_FREE_IDS = Fact[tuple[int, ...]]("free ids")
 _LINK = "\n\nlink {name} {{\n    id = {number}\n    children {{}}\n}}"
 _JOINT = """
 
@@ -18,12 +20,15 @@ r_joint {name} {{
 }}"""
 
 
-def new_link(model: Model, name: str) -> Fix | None:
-    """Return the fix that adds a link with the next number, None where no block is before it."""
+def new_link(model: Model, name: str, *, parent_id: int = 0) -> Fix | None:
+    """Return the fix that adds a link, None where no block is before it.
+
+    It gets the least number that is missing, if its parent's is less, else the next number.
+    """
     blocks = model.links or model.bases
     if not blocks or not name.isidentifier():
         return None
-    text = _LINK.format(name=name, number=_next_id(model))
+    text = _LINK.format(name=name, number=_free_id(model, parent_id))
     return Fix(f"Add a link '{name}'", (_behind(blocks[-1].island, blocks[-1].end, text),))
 
 
@@ -36,12 +41,13 @@ def new_joint(model: Model, name: str) -> Fix | None:
     return Fix(f"Add a joint '{name}'", (_behind(blocks[-1].island, blocks[-1].end, text),))
 
 
-def _next_id(model: Model) -> int:
-    known = model.facts.get(_NEXT_ID)
-    if known is None:
-        highest = max((link.id or 0 for link in model.links), default=0)
-        known = model.facts.keep(_NEXT_ID, 1 + highest)
-    return known
+def _free_id(model: Model, parent_id: int) -> int:
+    free = model.facts.get(_FREE_IDS)
+    if free is None:
+        taken = {link.id or 0 for link in model.links}
+        missing = (number for number in range(1, len(taken) + 1) if number not in taken)
+        free = model.facts.keep(_FREE_IDS, (*missing, 1 + max(taken, default=0)))
+    return free[bisect_right(free, parent_id)]
 
 
 def _behind(island: Island, end: int, text: str) -> Replacement:

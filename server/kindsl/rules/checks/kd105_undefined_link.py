@@ -14,11 +14,11 @@ where the link is called `forearm`.
 
 ## Fix
 Writes the name that is probably meant if no other pair has it (of equally near names one is to be
-chosen), turns the pair round, or else adds a link of that name. Unsafe: each is a guess.
+chosen), turns the pair round, or else adds a link of that name, with the number that is missing if
+its parent's is less. Unsafe: each is a guess.
 """
 
 from collections.abc import Iterator
-from functools import partial
 
 from kindsl.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
 from kindsl.rules.context import Context
@@ -33,8 +33,12 @@ from kindsl.semantics.model import Model
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each reference to a link that does not exist."""
     defects = reference_defects(model)
-    names = (edge.child.link for edge in defects.undefined_links)
-    add = partial(new_link, model)
+    names = [edge.child.link for edge in defects.undefined_links]
+    parents = {str(e.child.link): e.predecessor.id or 0 for e in defects.undefined_links}
+
+    def add(name: str) -> Fix | None:
+        return new_link(model, name, parent_id=parents[name])
+
     yield from missing_names(names, "link", defects.idle_links, model.links, add)
     for edge in defects.swapped:
         message = f"'{edge.child.link}' is a joint and '{edge.child.joint}' is a link"
