@@ -1,6 +1,7 @@
 """`--fix` and `--diff`."""
 
 import os
+import re
 import stat
 import subprocess
 from pathlib import Path
@@ -10,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.cli.conftest import Runner
 from tests.cli.samples import GOOD, INTEGER, arm
+from tests.support import robots
 from tests.support.amount import usually
 
 from kindsl.analysis.analysis import analyse
@@ -17,6 +19,7 @@ from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.analysis.fixing import disjoint_fixes, in_line_style, is_mendable, mended
 from kindsl.analysis.text_fix import TextFix
 from kindsl.rules.base import Severity
+from kindsl.rules.examples import link, robot
 from kindsl.text.edits import TextEdit, apply_edits
 
 FIXED = arm(reach="1.0")
@@ -121,6 +124,33 @@ def test_unsafe_fixes_only_when_wanted(kdsl_lint: Runner, folder: Path) -> None:
     assert (folder / "a.kindsl").read_text() == text
     kdsl_lint("--fix", "--unsafe-fixes", "a.kindsl")
     assert (folder / "a.kindsl").read_text() == GOOD
+
+
+def test_a_link_is_added_and_the_others_renumbered_to_different_numbers(
+    kdsl_lint: Runner, folder: Path
+) -> None:
+    links = link("upper", 4, "lower via elbow"), link("lower", 5)
+    base = "upper via shoulder hand via wrist"
+    (folder / "a.kindsl").write_text(robot(*links, base=base, joints="shoulder elbow wrist"))
+    assert kdsl_lint("--fix", "--unsafe-fixes", "a.kindsl").status == 0
+    ids = re.findall(r"id = (\d)", (folder / "a.kindsl").read_text())
+    assert sorted(ids) == ["1", "2", "3"]
+
+
+def test_a_section_with_a_remark_in_it_stays_and_is_not_announced(
+    kdsl_lint: Runner, folder: Path
+) -> None:
+    frame = "ref_frame { translation = (0.0, 0.0, 0.0) /* drawn */ rotation = (0.0, 0.0, 0.0) }\n"
+    text = robots.STUB.replace("children", frame + "    children", 1)
+    (folder / "a.kindsl").write_text(text)
+    told = kdsl_lint("--fix", "--unsafe-fixes", "a.kindsl")
+    assert (folder / "a.kindsl").read_text() == text
+    assert "KD001" in told.out
+    assert "Remove 'ref_frame'" not in told.out
+    (folder / "a.kindsl").write_text(text.replace("/* drawn */", ""))
+    assert "Remove 'ref_frame' (--fix --unsafe-fixes)" in kdsl_lint("a.kindsl").out
+    kdsl_lint("--fix", "--unsafe-fixes", "a.kindsl")
+    assert (folder / "a.kindsl").read_text().count("ref_frame") == text.count("ref_frame") - 1
 
 
 def finding(*edits: TextEdit, safe: bool = True) -> Diagnostic:

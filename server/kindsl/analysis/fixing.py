@@ -1,7 +1,7 @@
 """Applies the fixes of findings until nothing changes any more."""
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
@@ -84,6 +84,48 @@ def made(analysis: Analysis, findings: Iterable[Diagnostic]) -> Made | None:
         elif len(some) > 1:
             pending += [some[len(some) // 2 :], some[: len(some) // 2]]
     return Made(best, len(taken), _edits(taken, analysis.text)) if taken else None
+
+
+def announced(analysis: Analysis) -> tuple[Diagnostic, ...]:
+    """Return the findings; a fix that is never made, since it does harm, is but a choice."""
+    refused = _refused(analysis)
+    return tuple(
+        finding._replace(fix=None, choices=(finding.fix,))
+        if finding.fix is not None and finding.fix in refused
+        else finding
+        for finding in analysis.findings
+    )
+
+
+def _refused(analysis: Analysis) -> set[TextFix]:
+    """Return the fixes that are not made even alone; after many tries the rest is believed."""
+    refused, pending = set[TextFix](), list(_alike(analysis.findings))
+    for _ in range(_MOST_TRIES):
+        if not pending:
+            break
+        some = pending.pop()
+        tried = analysis.edited(_edits(some, analysis.text))
+        if _go_together(some, analysis, analysis, tried):
+            continue
+        if len(some) > 1:
+            pending += [some[len(some) // 2 :], some[: len(some) // 2]]
+        else:
+            refused.update(some)
+    return refused
+
+
+def _alike(findings: Iterable[Diagnostic]) -> Iterator[list[TextFix]]:
+    """Yield disjoint fixes that are all safe or not, all of syntax or not: each fix once."""
+    kinds: dict[tuple[bool, bool], dict[TextFix, None]] = {}
+    for finding in findings:
+        if finding.fix is not None:
+            kind = finding.fix.is_safe, finding.code.startswith(_SYNTAX)
+            kinds.setdefault(kind, {})[finding.fix] = None
+    for fixes in kinds.values():
+        while some := disjoint(fixes):
+            yield some
+            for fix in some:
+                del fixes[fix]
 
 
 def _round(analysis: Analysis, findings: list[Diagnostic]) -> Made | None:

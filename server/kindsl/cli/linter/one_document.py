@@ -1,6 +1,7 @@
 """Lints one document, mending it if that is wanted."""
 
 import os
+from collections.abc import Sequence
 from enum import Enum
 from typing import NamedTuple
 
@@ -123,8 +124,12 @@ def _file(
     task: Task, analysis: Analysis, original: str | None = None, n_fixed: int = 0
 ) -> LintedFile:
     parameters = frozenset(str(parameter.name) for parameter in analysis.model.parameters)
-    found = analysis.findings
-    prove(finding.fix for finding in found if finding.fix is not None)
+    found: Sequence[Diagnostic] = analysis.findings
+    if any(finding.fix is not None for finding in found):
+        from kindsl.analysis.fixing import announced
+
+        prove(finding.fix for finding in found if finding.fix is not None)
+        found = announced(analysis)
     file = LintedFile(task.shown, analysis.text, found, parameters, original, n_fixed)
     file.joints = frozenset(str(joint.name) for joint in analysis.model.joints)
     return file

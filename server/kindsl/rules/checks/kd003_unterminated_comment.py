@@ -14,8 +14,8 @@ link RF_hip { id = 4 children {} }
 ```
 
 ## Fix
-Writes the `*/`. Unsafe: the comment may be meant to end elsewhere. `--unsafe-fixes` does so only
-where no word of the comment becomes code.
+Writes the `*/`. Unsafe: the comment may be meant to end elsewhere. Where a word of the
+comment becomes code, only editors offer it.
 """
 
 from kindsl.rules.base import Example, Rule, Severity

@@ -17,7 +17,7 @@ link upper {
 
 ## Fix
 Removes the second one, or gives it the keyword of the section that is missing. Unsafe: each is a
-guess. `--unsafe-fixes` removes no whole block.
+guess. No whole block is removed but in an editor, by hand.
 """
 
 from kindsl.rules.base import Example, Rule, Severity
