@@ -12,7 +12,7 @@ from tests.lsp.sessions import REFUSAL, Told, folder_of, of_versions, opened, se
 from kindsl.config.parameter_lines import parameter_table
 from kindsl.lsp.session.session import Session
 from kindsl.lsp.wire.protocol import RequestFailed
-from kindsl.preview.dragging import Writing
+from kindsl.preview.outcomes import Writing
 from kindsl.text.edits import TextEdit
 from kindsl.text.span import Span
 

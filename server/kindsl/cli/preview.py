@@ -17,7 +17,7 @@ from kindsl.text.writing import encoded, write_file
 if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis
     from kindsl.preview.document_preview import DocumentPreview
-    from kindsl.preview.dragging import Writing
+    from kindsl.preview.outcomes import Writing
 
 SUMMARY = "show the robot in 3D while its document is edited"
 RUNS_LONG = True

@@ -12,7 +12,7 @@ from functools import partial
 from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
-from kindsl.preview.dragging import Writing
+from kindsl.preview.outcomes import Writing
 from kindsl.preview.requests import Reveal
 from kindsl.preview.server import PreviewServer
 from kindsl.preview.watch import Fingerprint, saves

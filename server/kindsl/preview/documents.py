@@ -11,8 +11,9 @@ from kindsl.analysis.analysis import Analysis
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.preview.channel import Tab
 from kindsl.preview.document_preview import DocumentPreview, ShownVersion
-from kindsl.preview.dragging import Dragging, Writing
+from kindsl.preview.dragging import Dragging
 from kindsl.preview.gesture_requests import Drag, GestureRequest
+from kindsl.preview.outcomes import Writing
 from kindsl.preview.requests import (
     Hello,
     Request,

@@ -8,20 +8,14 @@ import asyncio
 import sys
 from collections.abc import Awaitable, Callable
 from contextlib import suppress
-from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
-from kindsl.analysis.settings import Settings
-from kindsl.features.manipulation.add_child import add_child
-from kindsl.features.manipulation.add_frame import add_frame
-from kindsl.features.manipulation.gesture import Gesture, Refusal
+from kindsl.features.manipulation.gesture import Refusal
 from kindsl.features.manipulation.handles import handles
-from kindsl.features.manipulation.mirror_leg import mirror_leg
-from kindsl.features.manipulation.pose_as_zero import pose_as_zero
-from kindsl.features.manipulation.set_component import ComponentChange, set_component
 from kindsl.features.manipulation.things import Thing, carrying_frame
 from kindsl.preview.document_preview import DocumentPreview
 from kindsl.preview.gesture_requests import Drag, GestureRequest, Grasp, Plan
+from kindsl.preview.outcomes import Outcome, Writing, drag_outcome, plan_outcome
 from kindsl.preview.steps import Steps, difference
 from kindsl.scene.messages import (
     DraggedMessage,
@@ -32,28 +26,9 @@ from kindsl.scene.messages import (
     WrittenMessage,
 )
 from kindsl.scene.state import keyed
-from kindsl.semantics.parameters import Binding
-from kindsl.text.edits import TextEdit
 
 PATIENCE = 2.0  # seconds, for what was written to be shown
 _OUTDATED = "the document has changed meanwhile"
-
-
-class Writing(NamedTuple):
-    """What is to be written, as one step of undo.
-
-    Attributes:
-        label: What it does, in the imperative.
-        text: The document that it was made for.
-        edits: Of that text.
-        bindings: Parameters to bind anew in the configuration file.
-    """
-
-    label: str
-    text: str
-    edits: tuple[TextEdit, ...]
-    bindings: tuple[tuple[str, float], ...] = ()
-
 
 # Returns why nothing was written, or an empty text.
 Write = Callable[[Writing], Awaitable[str]]
@@ -78,91 +53,79 @@ class Dragging:
             await self._do(request)
         except Exception as error:
             print(f"internal error in the preview: {error!r}", file=sys.stderr)
-            if isinstance(request, Drag):
-                self._refuse(request, "internal error")
-            elif isinstance(request, Plan):
-                self._preview.channel.announce(PlanMessage(request.gesture, "", "internal error"))
+            self._refuse(request, "internal error")
 
     async def _do(self, request: GestureRequest) -> None:
+        """Decide first what a request does, then show or write it."""
+        analysis = self._preview.analysis
         if isinstance(request, Grasp):
-            self._grasp(request)
+            self._held = Thing(request.kind, request.name) if request.name else None
+            self._tell_handles()
+        elif analysis is None or request.revision != self._preview.revision:
+            self._refuse(request, _OUTDATED)
         elif isinstance(request, Drag):
-            await self._drag(request)
+            await self._drag(analysis, request)
         else:
-            await self._plan(request)
+            await self._plan(analysis, request)
 
-    def _grasp(self, request: Grasp) -> None:
-        """Show the handles of a thing; of none for an empty name."""
-        self._held = Thing(request.kind, request.name) if request.name else None
+    async def _drag(self, analysis: Analysis, request: Drag) -> None:
+        """Try a new value out, or write it, or leave all as it was."""
+        if request.phase == "cancel":
+            self._refuse(request, "")
+            return
+        outcome = drag_outcome(analysis, request, self._preview.typed)
+        if isinstance(outcome, Refusal):
+            self._refuse(request, outcome.reason)
+            return
+        self._preview.set_parameters(outcome.parameters)
+        if outcome.document is None:
+            await self._drop(request, outcome)
+        else:
+            self._preview.try_out(outcome.document)
+            self._answer(request, outcome.text, outcome.value, "")
+
+    async def _drop(self, request: Drag, outcome: Outcome) -> None:
+        writing, reason = outcome.writing, ""
+        if writing.edits or writing.bindings:
+            reason = await self._written(writing)
+        if reason:
+            self._preview.put_back()
+        is_written = bool(writing.edits) and not reason
+        self._answer(request, outcome.text, outcome.value, reason, is_written=is_written)
         self._tell_handles()
 
-    async def _drag(self, request: Drag) -> None:
-        """Try a new value out, or write it, or leave all as it was."""
-        analysis = self._preview.analysis
-        if analysis is None or request.revision != self._preview.revision:
-            self._refuse(request, _OUTDATED)
-            return
-        if request.phase == "cancel":
-            self._preview.put_back()
-            self._answer(request, "", request.value, "")
-            self._tell_handles()
-            return
-        change = set_component(
-            analysis,
-            Thing(request.kind, request.name),
-            request.component,
-            request.value,
-            request.step,
-            self._preview.typed,
-        )
-        if isinstance(change, Refusal):
-            self._refuse(request, change.reason)
-        elif request.phase == "move":
-            self._try(analysis, request, change)
-        else:
-            await self._drop(analysis, request, change)
-
-    async def _plan(self, request: Plan) -> None:
+    async def _plan(self, analysis: Analysis, request: Plan) -> None:
         """Show a gesture as a ghost, or write it when it is accepted."""
-        analysis = self._preview.analysis
-        if analysis is None or request.revision != self._preview.revision:
-            self._preview.channel.announce(PlanMessage(request.gesture, "", _OUTDATED))
-            return
         if request.gesture == "discard":
             self._preview.show_plan(None)
             return
         if request.gesture in ("undo", "redo"):
-            await self._step(analysis.text, request.gesture)
+            await self._step(analysis.text, request)
             return
-        gesture = _gesture(analysis, request)
-        if isinstance(gesture, Refusal):
-            self._preview.channel.announce(PlanMessage(request.gesture, "", gesture.reason))
-        elif request.is_accepted:
-            self._preview.show_plan(None)
-            writing = Writing(gesture.title, analysis.text, gesture.edits)
-            reason = await self._written(writing)
-            self._preview.channel.announce(WrittenMessage(request.gesture, gesture.title, reason))
+        outcome = plan_outcome(analysis, request)
+        if isinstance(outcome, Refusal):
+            self._refuse(request, outcome.reason)
+            return
+        title = outcome.writing.label
+        self._preview.show_plan(outcome.document)
+        if outcome.document is None:
+            reason = await self._written(outcome.writing)
+            self._preview.channel.announce(WrittenMessage(request.gesture, title, reason))
         else:
-            self._preview.show_plan(analysis.edited(gesture.edits))
-            self._preview.channel.announce(PlanMessage(request.gesture, gesture.title, ""))
+            self._preview.channel.announce(PlanMessage(request.gesture, title, ""))
 
-    def _try(self, analysis: Analysis, request: Drag, change: ComponentChange) -> None:
-        self._preview.set_parameters(dict(change.preview))
-        self._preview.try_out(_changed(analysis, change))
-        self._answer(request, change.text, change.value, "")
-
-    async def _drop(self, analysis: Analysis, request: Drag, change: ComponentChange) -> None:
-        self._preview.set_parameters(dict(change.preview))
-        reason = ""
-        if change.edits or change.bindings:
-            label = f"Set {request.component} of {request.kind} '{request.name}'"
-            writing = Writing(label, analysis.text, change.edits, change.bindings)
-            reason = await self._written(writing)
-        if reason:
-            self._preview.put_back()
-        is_written = bool(change.edits) and not reason
-        self._answer(request, change.text, change.value, reason, is_written=is_written)
-        self._tell_handles()
+    async def _step(self, text: str, request: Plan) -> None:
+        """Take back what was written last, or make it again."""
+        steps, is_undo = self._steps, request.gesture == "undo"
+        step = steps.to_undo(text) if is_undo else steps.to_redo(text)
+        if isinstance(step, str):
+            self._refuse(request, step)
+            return
+        label = f"Undo: {step.label}" if is_undo else step.label
+        reason = await self._write_and_wait(Writing(label, text, (difference(step),)))
+        if not reason:
+            (steps.undone if is_undo else steps.redone)()
+        self._preview.channel.announce(WrittenMessage(request.gesture, label, reason))
 
     async def _written(self, writing: Writing) -> str:
         """Have something written and shown; return why it was not, or an empty text."""
@@ -188,23 +151,14 @@ class Dragging:
         self._is_new.set()
         self._tell_handles()
 
-    async def _step(self, text: str, gesture: str) -> None:
-        """Take back what was written last, or make it again."""
-        steps, is_undo = self._steps, gesture == "undo"
-        step = steps.to_undo(text) if is_undo else steps.to_redo(text)
-        if isinstance(step, str):
-            self._preview.channel.announce(PlanMessage(gesture, "", step))
-            return
-        label = f"Undo: {step.label}" if is_undo else step.label
-        reason = await self._write_and_wait(Writing(label, text, (difference(step),)))
-        if not reason:
-            (steps.undone if is_undo else steps.redone)()
-        self._preview.channel.announce(WrittenMessage(gesture, label, reason))
-
-    def _refuse(self, request: Drag, reason: str) -> None:
-        self._preview.put_back()
-        self._answer(request, "", request.value, reason)
-        self._tell_handles()
+    def _refuse(self, request: GestureRequest, reason: str) -> None:
+        """Leave all as it was, and say why; a handle that is let go goes back without a reason."""
+        if isinstance(request, Plan):
+            self._preview.channel.announce(PlanMessage(request.gesture, "", reason))
+        elif isinstance(request, Drag):
+            self._preview.put_back()
+            self._answer(request, "", request.value, reason)
+            self._tell_handles()
 
     def _answer(
         self, request: Drag, text: str, value: float, reason: str, *, is_written: bool = False
@@ -230,27 +184,3 @@ class Dragging:
             components=tuple(HandleRow(**handle._asdict()) for handle in found),
         )
         self._preview.channel.replace("handles", keyed([message]))
-
-
-def _changed(analysis: Analysis, change: ComponentChange) -> Analysis:
-    """Return the document as it would be."""
-    trial = analysis.edited(change.edits) if change.edits else analysis
-    if not change.bindings:
-        return trial
-    return trial.with_settings(_rebound(analysis.settings, dict(change.bindings)))
-
-
-def _rebound(settings: Settings, values: dict[str, float]) -> Settings:
-    known = settings.bindings
-    new = {name: known.get(name, Binding(v))._replace(value=v) for name, v in values.items()}
-    return settings._replace(bindings={**known, **new})
-
-
-def _gesture(analysis: Analysis, request: Plan) -> Gesture | Refusal:
-    if request.gesture == "add-frame":
-        return add_frame(analysis, request.name, request.point)
-    if request.gesture == "add-child":
-        return add_child(analysis, request.name, request.point)
-    if request.gesture == "mirror-leg":
-        return mirror_leg(analysis, request.name)
-    return pose_as_zero(analysis, request.joints)

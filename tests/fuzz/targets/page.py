@@ -12,7 +12,7 @@ from tests.support import robots
 from kindsl.analysis.analysis import analyse
 from kindsl.preview.channel import Tab
 from kindsl.preview.documents import DocumentPreviews
-from kindsl.preview.dragging import Writing
+from kindsl.preview.outcomes import Writing
 from kindsl.preview.requests import parse_request
 from kindsl.scene.encoding import as_json, encode
 from kindsl.scene.messages import Change, Part

@@ -27,7 +27,7 @@ from kindsl.lsp.wire.protocol import RequestFailed
 if TYPE_CHECKING:
     from kindsl.analysis.diagnostics import Diagnostic
     from kindsl.preview.documents import DocumentPreviews
-    from kindsl.preview.dragging import Writing
+    from kindsl.preview.outcomes import Writing
     from kindsl.text.span import Span
 
 _FRAME = 0.03

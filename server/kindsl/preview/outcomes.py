@@ -1,0 +1,106 @@
+"""What a page's request would do to a document, decided before anything is shown or written."""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from kindsl.analysis.analysis import Analysis
+from kindsl.analysis.settings import Settings
+from kindsl.features.manipulation.add_child import add_child
+from kindsl.features.manipulation.add_frame import add_frame
+from kindsl.features.manipulation.gesture import Gesture, Refusal
+from kindsl.features.manipulation.mirror_leg import mirror_leg
+from kindsl.features.manipulation.pose_as_zero import pose_as_zero
+from kindsl.features.manipulation.set_component import set_component
+from kindsl.features.manipulation.things import Thing
+from kindsl.preview.gesture_requests import Drag, Plan
+from kindsl.semantics.parameters import Binding
+from kindsl.text.edits import TextEdit
+
+Bindings = tuple[tuple[str, float], ...]
+
+
+class Writing(NamedTuple):
+    """What is to be written, as one step of undo.
+
+    Attributes:
+        label: What it does, in the imperative.
+        text: The document that it was made for.
+        edits: Of that text.
+        bindings: Parameters to bind anew in the configuration file.
+    """
+
+    label: str
+    text: str
+    edits: tuple[TextEdit, ...]
+    bindings: Bindings = ()
+
+
+class Outcome(NamedTuple):
+    """What a request would do.
+
+    Attributes:
+        writing: What would be written; nothing where all is so already.
+        document: The document as it would be; None where it is written at once.
+        text: The component that was dragged, or what carries it, as it would be written.
+        value: Its value then, metres or radians; 0 of a gesture.
+        parameters: To be set in the preview only, by name.
+    """
+
+    writing: Writing
+    document: Analysis | None
+    text: str = ""
+    value: float = 0.0
+    parameters: Mapping[str, float] = {}
+
+
+def drag_outcome(
+    analysis: Analysis, request: Drag, typed: Mapping[str, float]
+) -> Outcome | Refusal:
+    """Return what moving or dropping a handle would do.
+
+    Args:
+        analysis: The document that is shown.
+        request: What the page asks for.
+        typed: Values of parameters that the preview shows instead of the document's.
+    """
+    thing = Thing(request.kind, request.name)
+    change = set_component(analysis, thing, request.component, request.value, request.step, typed)
+    if isinstance(change, Refusal):
+        return change
+    label = f"Set {request.component} of {request.kind} '{request.name}'"
+    writing = Writing(label, analysis.text, change.edits, change.bindings)
+    document = _written(analysis, writing) if request.phase == "move" else None
+    return Outcome(writing, document, change.text, change.value, dict(change.preview))
+
+
+def plan_outcome(analysis: Analysis, request: Plan) -> Outcome | Refusal:
+    """Return what adding or rewriting something as a whole would do."""
+    gesture = _gesture(analysis, request)
+    if isinstance(gesture, Refusal):
+        return gesture
+    writing = Writing(gesture.title, analysis.text, gesture.edits)
+    return Outcome(writing, None if request.is_accepted else _written(analysis, writing))
+
+
+def _gesture(analysis: Analysis, request: Plan) -> Gesture | Refusal:
+    if request.gesture == "add-frame":
+        return add_frame(analysis, request.name, request.point)
+    if request.gesture == "add-child":
+        return add_child(analysis, request.name, request.point)
+    if request.gesture == "mirror-leg":
+        return mirror_leg(analysis, request.name)
+    return pose_as_zero(analysis, request.joints)
+
+
+def _written(analysis: Analysis, writing: Writing) -> Analysis:
+    """Return the document as it would be."""
+    document = analysis.edited(writing.edits) if writing.edits else analysis
+    if not writing.bindings:
+        return document
+    return document.with_settings(_rebound(analysis.settings, dict(writing.bindings)))
+
+
+def _rebound(settings: Settings, values: dict[str, float]) -> Settings:
+    known = settings.bindings
+    new = {name: known.get(name, Binding(v))._replace(value=v) for name, v in values.items()}
+    return settings._replace(bindings={**known, **new})
