@@ -102,6 +102,13 @@ class Analysis:
         """Return the analysis of the edited text; what no edit touches is not computed again."""
         return Analysis(self._written.edited(edits), self.settings)
 
+    def changed(self, edits: Sequence[TextEdit], values: Mapping[str, float]) -> Analysis:
+        """Return the analysis of the edited text with parameters bound to these values."""
+        document = self.edited(edits) if edits else self
+        if not values:
+            return document
+        return document.with_settings(self.settings.rebound(values))
+
     def with_settings(self, settings: Settings) -> Analysis:
         """Return the analysis of the same text under other decisions."""
         return Analysis(self._written, settings)

@@ -28,6 +28,12 @@ class Settings(NamedTuple):
     bindings: Mapping[str, Binding] = {}
     joints: Mapping[str, JointLimits] = {}
 
+    def rebound(self, values: Mapping[str, float]) -> "Settings":
+        """Return these settings with parameters bound to other values, in their former ranges."""
+        known = self.bindings
+        new = {name: known.get(name, Binding(v))._replace(value=v) for name, v in values.items()}
+        return self._replace(bindings={**known, **new})
+
 
 def is_enabled(rule: Rule, settings: Settings) -> bool:
     """Return whether a rule is to report; the syntax rules always are."""

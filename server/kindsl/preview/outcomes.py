@@ -4,7 +4,6 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
-from kindsl.analysis.settings import Settings
 from kindsl.features.manipulation.add_child import add_child
 from kindsl.features.manipulation.add_frame import add_frame
 from kindsl.features.manipulation.gesture import Gesture, Refusal
@@ -13,7 +12,6 @@ from kindsl.features.manipulation.pose_as_zero import pose_as_zero
 from kindsl.features.manipulation.set_component import set_component
 from kindsl.features.manipulation.things import Thing
 from kindsl.preview.gesture_requests import Drag, Plan
-from kindsl.semantics.parameters import Binding
 from kindsl.text.edits import TextEdit
 
 Bindings = tuple[tuple[str, float], ...]
@@ -69,7 +67,8 @@ def drag_outcome(
         return change
     label = f"Set {request.component} of {request.kind} '{request.name}'"
     writing = Writing(label, analysis.text, change.edits, change.bindings)
-    document = _written(analysis, writing) if request.phase == "move" else None
+    is_tried = request.phase == "move"
+    document = analysis.changed(change.edits, dict(change.bindings)) if is_tried else None
     return Outcome(writing, document, change.text, change.value, dict(change.preview))
 
 
@@ -79,7 +78,7 @@ def plan_outcome(analysis: Analysis, request: Plan) -> Outcome | Refusal:
     if isinstance(gesture, Refusal):
         return gesture
     writing = Writing(gesture.title, analysis.text, gesture.edits)
-    return Outcome(writing, None if request.is_accepted else _written(analysis, writing))
+    return Outcome(writing, None if request.is_accepted else analysis.edited(gesture.edits))
 
 
 def _gesture(analysis: Analysis, request: Plan) -> Gesture | Refusal:
@@ -90,17 +89,3 @@ def _gesture(analysis: Analysis, request: Plan) -> Gesture | Refusal:
     if request.gesture == "mirror-leg":
         return mirror_leg(analysis, request.name)
     return pose_as_zero(analysis, request.joints)
-
-
-def _written(analysis: Analysis, writing: Writing) -> Analysis:
-    """Return the document as it would be."""
-    document = analysis.edited(writing.edits) if writing.edits else analysis
-    if not writing.bindings:
-        return document
-    return document.with_settings(_rebound(analysis.settings, dict(writing.bindings)))
-
-
-def _rebound(settings: Settings, values: dict[str, float]) -> Settings:
-    known = settings.bindings
-    new = {name: known.get(name, Binding(v))._replace(value=v) for name, v in values.items()}
-    return settings._replace(bindings={**known, **new})

@@ -2,6 +2,7 @@
 
 from typing import NamedTuple
 
+from kindsl.features.manipulation.gesture import Refusal
 from kindsl.semantics.expressions import ConstantUse, Expression, ParameterUse, number_of, symbols
 from kindsl.syntax.tree import Node
 
@@ -26,21 +27,15 @@ class Carrier(NamedTuple):
         return name if isinstance(self.use, ParameterUse) else f"<{name}>"
 
 
-def carrier_of(expression: Expression) -> Carrier | None:
-    """Return what carries a value, None where no name does, or it cannot be solved for."""
+def carrier_of(expression: Expression) -> Carrier | Refusal | None:
+    """Return what carries a value, why it cannot be solved for, None where it has no names."""
     use = next(symbols(expression), None)
+    if use is None:
+        return None
     factor = _factor(expression.node)
-    return Carrier(use, factor) if use is not None and factor else None
-
-
-def has_names(expression: Expression) -> bool:
-    """Return whether a value has parameters or constants in it."""
-    return any(True for _ in symbols(expression))
-
-
-def unsolvable(expression: Expression) -> str:
-    """Return why a value with names in it cannot be changed."""
-    return f"'{expression.text}' cannot be solved for one name"
+    if not factor:
+        return Refusal(f"'{expression.text}' cannot be solved for one name")
+    return Carrier(use, factor)
 
 
 def _factor(node: Node) -> float:

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
-from kindsl.features.manipulation.carrier import carrier_of, has_names, unsolvable
+from kindsl.features.manipulation.carrier import Carrier, carrier_of
 from kindsl.features.manipulation.places import places_moved_by
 from kindsl.features.manipulation.things import ANGLES, LENGTHS, Missing, Thing, component
 from kindsl.semantics.expressions import Expression
@@ -56,8 +56,7 @@ def _handle(
 ) -> Handle:
     value, text = expression.value(values), expression.text
     carrier = carrier_of(expression)
-    if carrier is not None:
+    if isinstance(carrier, Carrier):
         along = places_moved_by(analysis, carrier.use, expression)
         return Handle(name, value, text, str(carrier.use.name), along)
-    locked = unsolvable(expression) if has_names(expression) else ""
-    return Handle(name, value, text, locked=locked)
+    return Handle(name, value, text, locked=carrier.reason if carrier is not None else "")

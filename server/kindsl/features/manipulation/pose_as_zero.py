@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from math import isclose
 
 from kindsl.analysis.analysis import Analysis
-from kindsl.features.manipulation.carrier import has_names
+from kindsl.features.manipulation.carrier import carrier_of
 from kindsl.features.manipulation.gesture import Gesture, Refusal
 from kindsl.features.manipulation.things import Missing, Thing, component
 from kindsl.features.manipulation.written_value import exact_angle
@@ -36,7 +36,7 @@ def pose_as_zero(analysis: Analysis, q: Mapping[str, float]) -> Gesture | Refusa
         for expression, text in _texts(analysis, joint, position) if position else ():
             if isinstance(expression, Missing):
                 return Refusal(expression.reason)
-            if has_names(expression):
+            if carrier_of(expression) is not None:
                 return Refusal(f"'{expression.text}' of joint '{name}' is not a plain number")
             edits.append(TextEdit(*analysis.resolver.span(expression), text))
     return Gesture("Write this pose as the new zero", tuple(sorted(edits)))

@@ -5,7 +5,7 @@ from math import inf, isclose, isfinite
 from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
-from kindsl.features.manipulation.carrier import Carrier, carrier_of, has_names, unsolvable
+from kindsl.features.manipulation.carrier import Carrier, carrier_of
 from kindsl.features.manipulation.gesture import Refusal
 from kindsl.features.manipulation.things import ANGLES, Missing, Thing, component
 from kindsl.features.manipulation.written_value import Written, written_angle, written_number
@@ -63,10 +63,10 @@ def set_component(
     if now is not None and isclose(now, value, rel_tol=_UNCHANGED, abs_tol=_UNCHANGED):
         return ComponentChange(expression.text, now)
     carrier = carrier_of(expression)
+    if isinstance(carrier, Refusal):
+        return carrier
     if carrier is not None:
         return _of_symbol(analysis, carrier, value / carrier.factor, typed)
-    if has_names(expression):
-        return Refusal(unsolvable(expression))
     if name in ANGLES:
         return _written(analysis, expression, written_angle(value, expression))
     return _written(analysis, expression, written_number(value, expression.text))

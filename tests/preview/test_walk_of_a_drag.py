@@ -1,0 +1,126 @@
+"""A drag goes down through the house: what a page asks for is decided below, then shown above.
+
+The request is followed through the calls that pass it on, or what was made of it, each function
+once. A climb is a step of this walk to a file of a higher layer.
+"""
+
+import asyncio
+import sys
+import tomllib
+from collections.abc import Iterator
+from itertools import pairwise
+from pathlib import Path
+from types import FrameType
+from typing import Any
+
+from tests.preview.robots import ARM
+
+import kindsl
+from kindsl.analysis.analysis import analyse
+from kindsl.preview.channel import Tab
+from kindsl.preview.document_preview import DocumentPreview
+from kindsl.preview.dragging import Dragging
+from kindsl.preview.outcomes import Writing
+from kindsl.preview.requests import request_of
+from kindsl.text.edits import apply_edits
+
+HOUSE = Path(kindsl.__file__).parent
+MOST_CLIMBS = 7
+GRASP = {"type": "grasp", "kind": "joint", "name": "lift"}
+DRAG = {"type": "drag", "kind": "joint", "name": "lift", "component": "x", "step": None}
+STORY = (
+    GRASP, {**DRAG, "value": 0.55, "phase": "move"}, {**DRAG, "value": 0.57, "phase": "drop"},
+)  # fmt: skip
+
+
+def layers() -> dict[str, int]:
+    """Return the height of each part of the house, as the import contract has it."""
+    text = (HOUSE.parents[1] / "pyproject.toml").read_text(encoding="utf-8")
+    contracts = tomllib.loads(text)["tool"]["importlinter"]["contracts"]
+    (rows,) = (contract["layers"] for contract in contracts if contract["id"] == "layers")
+    return {name: -depth for depth, row in enumerate(rows) for name in row.split(" | ")}
+
+
+class Walk:
+    """The functions that are given what came of a request, in the order in which they begin."""
+
+    def __init__(self) -> None:
+        self.functions: dict[tuple[str, str], None] = {}
+        self._passed: dict[int, Any] = {}
+        self._inside: dict[int, FrameType] = {}
+
+    def follow(self, thing: Any) -> None:
+        if not isinstance(thing, bool | int | None) and thing != "":
+            self._passed[id(thing)] = thing
+
+    def see(self, frame: FrameType, event: str, result: Any) -> None:
+        """Be the profile function of a thread."""
+        code = frame.f_code
+        if not code.co_filename.startswith(str(HOUSE)) or code.co_name.startswith("<"):
+            return
+        if event == "call":
+            names = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
+            if any(self._holds(frame.f_locals.get(name)) for name in names if name != "self"):
+                self._inside[id(frame)] = frame
+                self.functions[code.co_filename, code.co_qualname] = None
+        elif event == "return" and id(frame) in self._inside and not asyncio.iscoroutine(result):
+            self.follow(result)
+
+    def _holds(self, thing: Any, depth: int = 2) -> bool:
+        if id(thing) in self._passed:
+            return True
+        items = thing.values() if isinstance(thing, dict) else thing
+        is_small = isinstance(thing, tuple | list | dict) and len(thing) < 30
+        return bool(depth and is_small and any(self._holds(item, depth - 1) for item in items))
+
+    def climbs(self) -> Iterator[tuple[str, str]]:
+        heights = layers()
+        files = [Path(file).relative_to(HOUSE) for file, _ in self.functions]
+        for before, after in pairwise(files):
+            if heights[after.parts[0]] > heights[before.parts[0]]:
+                yield before.as_posix(), after.as_posix()
+
+
+async def walk_of(*requests: dict[str, Any]) -> Walk:
+    preview, walk = DocumentPreview("arm"), Walk()
+
+    async def write(writing: Writing) -> str:
+        preview.show(analyse(apply_edits(writing.text, writing.edits)), ())
+        return ""
+
+    async def nowhere(_: object) -> None:
+        """Take what a page is told."""
+
+    dragging = Dragging(preview, write)
+    preview.show(analyse(ARM), ())
+    preview.channel.join(Tab(nowhere))
+    former = sys.getprofile()
+    for data in requests:
+        request = request_of({**data, "revision": preview.revision})
+        assert request is not None
+        for thing in (request, *request):
+            walk.follow(thing)
+        sys.setprofile(walk.see)
+        try:
+            await dragging.receive(request)  # type: ignore[arg-type]
+        finally:
+            sys.setprofile(former)
+    return walk
+
+
+async def test_a_drag_goes_down():
+    walk = await walk_of(*STORY)
+    files = {Path(file).relative_to(HOUSE).as_posix() for file, _ in walk.functions}
+    assert {
+        "preview/outcomes.py", "features/manipulation/set_component.py", "analysis/analysis.py",
+        "syntax/document.py", "text/edits.py",
+    } <= files  # fmt: skip
+    climbs = list(walk.climbs())
+    assert len(climbs) <= MOST_CLIMBS, climbs
+
+
+async def test_a_climb_is_seen():
+    walk = Walk()
+    files = ("preview/dragging.py", "text/edits.py", "analysis/analysis.py", "text/edits.py")
+    walk.functions = {(str(HOUSE / file), str(i)): None for i, file in enumerate(files)}
+    assert list(walk.climbs()) == [("text/edits.py", "analysis/analysis.py")]
