@@ -9,7 +9,7 @@ from tests.support import robots
 from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.analysis.fixing import Made, announced, is_mendable, is_safe, made, mended
-from kindsl.analysis.proof import Verdict, effect
+from kindsl.analysis.proof import EditEffect, effect
 from kindsl.analysis.text_fix import TextFix
 from kindsl.rules.base import Severity
 from kindsl.rules.examples import joint, link, robot
@@ -41,9 +41,9 @@ def fixed(text: str, *findings: Diagnostic) -> Made | None:
 
 def test_words_that_nothing_reads_are_not_removed_unasked() -> None:
     text = link("upper", 1).replace("children", "gearing of hook children")
-    assert effect(parse(text), parse(text.replace("gearing", ""))).verdict is Verdict.CHANGES
+    assert effect(parse(text), parse(text.replace("gearing", ""))).verdict is EditEffect.CHANGES
     as_remark = text.replace("gearing of hook", "// gearing of hook\n")
-    assert effect(parse(text), parse(as_remark)).verdict is Verdict.KEEPS
+    assert effect(parse(text), parse(as_remark)).verdict is EditEffect.KEEPS
 
 
 def test_safe_fixes_must_keep_all_together() -> None:
