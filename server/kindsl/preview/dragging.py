@@ -15,7 +15,7 @@ from kindsl.features.manipulation.handles import handles
 from kindsl.features.manipulation.things import Thing, carrying_frame
 from kindsl.preview.document_preview import DocumentPreview
 from kindsl.preview.gesture_requests import Drag, GestureRequest, Grasp, Plan
-from kindsl.preview.outcomes import Outcome, Writing, drag_outcome, plan_outcome
+from kindsl.preview.outcomes import RequestOutcome, Writing, drag_outcome, plan_outcome
 from kindsl.preview.steps import Steps, difference
 from kindsl.scene.messages import (
     DraggedMessage,
@@ -84,7 +84,7 @@ class Dragging:
             self._preview.try_out(outcome.document)
             self._answer(request, outcome.text, outcome.value, "")
 
-    async def _drop(self, request: Drag, outcome: Outcome) -> None:
+    async def _drop(self, request: Drag, outcome: RequestOutcome) -> None:
         writing, reason = outcome.writing, ""
         if writing.edits or writing.bindings:
             reason = await self._written(writing)

@@ -33,7 +33,7 @@ class Writing(NamedTuple):
     bindings: Bindings = ()
 
 
-class Outcome(NamedTuple):
+class RequestOutcome(NamedTuple):
     """What a request would do.
 
     Attributes:
@@ -53,7 +53,7 @@ class Outcome(NamedTuple):
 
 def drag_outcome(
     analysis: Analysis, request: Drag, typed: Mapping[str, float]
-) -> Outcome | Refusal:
+) -> RequestOutcome | Refusal:
     """Return what moving or dropping a handle would do.
 
     Args:
@@ -69,16 +69,16 @@ def drag_outcome(
     writing = Writing(label, analysis.text, change.edits, change.bindings)
     is_tried = request.phase == "move"
     document = analysis.changed(change.edits, dict(change.bindings)) if is_tried else None
-    return Outcome(writing, document, change.text, change.value, dict(change.preview))
+    return RequestOutcome(writing, document, change.text, change.value, dict(change.preview))
 
 
-def plan_outcome(analysis: Analysis, request: Plan) -> Outcome | Refusal:
+def plan_outcome(analysis: Analysis, request: Plan) -> RequestOutcome | Refusal:
     """Return what adding or rewriting something as a whole would do."""
     gesture = _gesture(analysis, request)
     if isinstance(gesture, Refusal):
         return gesture
     writing = Writing(gesture.title, analysis.text, gesture.edits)
-    return Outcome(writing, None if request.is_accepted else analysis.edited(gesture.edits))
+    return RequestOutcome(writing, None if request.is_accepted else analysis.edited(gesture.edits))
 
 
 def _gesture(analysis: Analysis, request: Plan) -> Gesture | Refusal:
