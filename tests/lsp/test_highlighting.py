@@ -8,7 +8,6 @@ from hypothesis import strategies as st
 
 from kindsl.analysis.analysis import analyse
 from kindsl.features import semantic_tokens
-from kindsl.features.token_legend import TYPES
 from kindsl.lsp.handlers import highlighting
 from kindsl.lsp.session.tokens import TokenMemory
 from kindsl.lsp.text.document import document
@@ -49,6 +48,6 @@ def test_tokens_are_found_again_where_they_stand(encoding: str, more: str) -> No
         step, columns, length, kind, _ = data[5 * number : 5 * number + 5]
         line, column = line + step, columns + (0 if step else column)
         assert shown.lines.offset(line, column, encoding) == token.start
-        assert TYPES[kind] == token.type
+        assert highlighting.TYPES[kind] == token.type
         if token.end <= shown.lines.start(line + 1):
             assert shown.lines.offset(line, column + length, encoding) == token.end

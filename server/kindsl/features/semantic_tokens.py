@@ -23,7 +23,7 @@ _TOKENS = Fact["tuple[SemanticToken, ...]"]("semantic tokens")
 
 
 class SemanticToken(NamedTuple):
-    """A stretch of one line; the type is one of the legend's, the modifiers some of them."""
+    """A stretch of one line; type and modifiers are named as in the protocol."""
 
     start: int
     end: int

@@ -8,7 +8,7 @@ from tests.support.bodies import document_of_bodies
 
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.settings import Settings
-from kindsl.rules.inertia.over_ranges import Outcome, _is_proved, is_possible, over_ranges
+from kindsl.rules.inertia.over_ranges import Conclusion, _is_proved, is_possible, over_ranges
 from kindsl.semantics.declarations import Inertia
 from kindsl.semantics.model import Model
 from kindsl.semantics.parameters import Binding
@@ -38,30 +38,30 @@ def test_affine_parameters_are_decided_at_the_corners() -> None:
         outcomes.add(proof.outcome)
         grid = product(*((low, 0.5 * (low + high), high) for low, high in ranges.values()))
         all_possible = all(is_possible(inertia, dict(zip(ranges, v, strict=True))) for v in grid)
-        assert (proof.outcome is Outcome.IMPOSSIBLE) != all_possible
+        assert (proof.outcome is Conclusion.IMPOSSIBLE) != all_possible
         if proof.where is not None:
             assert not is_possible(inertia, proof.where)
-    assert outcomes == {Outcome.POSSIBLE, Outcome.IMPOSSIBLE}
+    assert outcomes == {Conclusion.POSSIBLE, Conclusion.IMPOSSIBLE}
 
 
 def test_what_is_impossible_inside_alone_is_found_by_halving() -> None:
     section = SECTION % ("1.0", "0.0", "0.0", "c", "1.0/10.0-c*c*0.0", "0.1", "0.1", "0.0")
     inertia = inertia_of(section)
-    assert over_ranges(inertia, {"c": (-0.1, 0.1)}, {"c": 0.0}).outcome is Outcome.POSSIBLE
+    assert over_ranges(inertia, {"c": (-0.1, 0.1)}, {"c": 0.0}).outcome is Conclusion.POSSIBLE
 
 
 @pytest.mark.parametrize(
     ("iz", "outcome", "where"),
     [
-        ("0.25-c*c", Outcome.IMPOSSIBLE, {"d": 1.0, "c": -0.05}),
-        ("0.25-c*c*d", Outcome.IMPOSSIBLE, {"d": 1.0, "c": -0.05}),
-        ("0.201-c*c", Outcome.UNDECIDED, None),
-        ("0.19-c*c*d", Outcome.POSSIBLE, None),
-        ("0.4-c*c", Outcome.IMPOSSIBLE, {"d": 1.0, "c": 0.3}),
+        ("0.25-c*c", Conclusion.IMPOSSIBLE, {"d": 1.0, "c": -0.05}),
+        ("0.25-c*c*d", Conclusion.IMPOSSIBLE, {"d": 1.0, "c": -0.05}),
+        ("0.201-c*c", Conclusion.UNDECIDED, None),
+        ("0.19-c*c*d", Conclusion.POSSIBLE, None),
+        ("0.4-c*c", Conclusion.IMPOSSIBLE, {"d": 1.0, "c": 0.3}),
     ],
 )
 def test_a_range_without_extent_is_not_halved(
-    iz: str, outcome: Outcome, where: dict[str, float] | None
+    iz: str, outcome: Conclusion, where: dict[str, float] | None
 ) -> None:
     inertia = inertia_of(SECTION % ("1.000", "0.0", "0.0", "0.0", "0.100", "0.100", iz, "0.0"))
     proof = over_ranges(inertia, {"d": (1.0, 1.0), "c": (-0.4, 0.3)}, {})
@@ -84,8 +84,8 @@ def test_what_is_proved_possible_is_so_everywhere(place: int) -> None:
         outcomes.add(proof.outcome)
         grid = [width * (k / 50.0 - 1.0) for k in range(101)]
         wrong = [c for c in grid if not is_possible(inertia, {"c": c})]
-        assert not wrong or proof.outcome is Outcome.IMPOSSIBLE
-    assert outcomes == {Outcome.POSSIBLE, Outcome.IMPOSSIBLE}
+        assert not wrong or proof.outcome is Conclusion.IMPOSSIBLE
+    assert outcomes == {Conclusion.POSSIBLE, Conclusion.IMPOSSIBLE}
 
 
 def test_ten_ranges_are_no_hindrance() -> None:
@@ -104,7 +104,7 @@ def test_what_is_not_known_is_not_called_impossible() -> None:
         written[place] = "unbound"
         inertia = inertia_of(SECTION % tuple(written))
         assert is_possible(inertia, {})
-        assert over_ranges(inertia, {"other": (0.0, 1.0)}, {}).outcome is Outcome.POSSIBLE
+        assert over_ranges(inertia, {"other": (0.0, 1.0)}, {}).outcome is Conclusion.POSSIBLE
 
 
 def test_a_body_without_mass_is_impossible() -> None:
@@ -133,15 +133,17 @@ def test_the_corners_alone_do_not_decide_on_what_is_no_polynomial(numbers: tuple
     inertia = inertia_of(SECTION % numbers)
     assert is_possible(inertia, {"m": 0.5}) and is_possible(inertia, {"m": 2.0})
     proof = over_ranges(inertia, {"m": (0.5, 2.0)}, {})
-    assert proof == (Outcome.IMPOSSIBLE, {"m": 1.25})
+    assert proof == (Conclusion.IMPOSSIBLE, {"m": 1.25})
 
 
 PLATE = SECTION % ("1.0", "0.0", "0.0", "0.0", "a", "a", "2.0*a", "0.0")
 
 
-@pytest.mark.parametrize(("count", "outcome"), [(12, Outcome.POSSIBLE), (13, Outcome.UNDECIDED)])
+@pytest.mark.parametrize(
+    ("count", "outcome"), [(12, Conclusion.POSSIBLE), (13, Conclusion.UNDECIDED)]
+)
 def test_of_more_than_twelve_parameters_not_all_corners_are_tried(
-    count: int, outcome: Outcome
+    count: int, outcome: Conclusion
 ) -> None:
     """A plate of any size has no extent in one direction: no bounds prove it, corners do."""
     others = {f"p{n}": (0.0, 1.0) for n in range(count - 1)}
@@ -152,20 +154,20 @@ def test_without_corners_no_mass_is_taken_to_be_possible() -> None:
     ball = SECTION % ("a", "0.0", "0.0", "0.0", "0.1", "0.1", "0.1", "0.0")
     others = {f"p{n}": (0.0, 1.0) for n in range(12)}
     proof = over_ranges(inertia_of(ball), {"a": (0.0, 1.0), **others}, {})
-    assert proof.outcome is Outcome.UNDECIDED
+    assert proof.outcome is Conclusion.UNDECIDED
 
 
 def test_a_mass_that_is_negative_between_is_found() -> None:
     """`(m - 0.3)^2 - 0.001` is negative within 0.032 of 0.3; halves of halves come to 0.3125."""
     ball = SECTION % ("m*m - 0.6*m + 0.089", "0.0", "0.0", "0.0", "0.1", "0.1", "0.1", "0.0")
     proof = over_ranges(inertia_of(ball), {"m": (-1.0, 1.0)}, {})
-    assert proof == (Outcome.IMPOSSIBLE, {"m": 0.3125})
+    assert proof == (Conclusion.IMPOSSIBLE, {"m": 0.3125})
 
 
 def test_what_may_be_divided_by_zero_is_not_proved() -> None:
     ball = SECTION % ("1.0", "0.0", "0.0", "0.0", "0.1", "0.1", "0.1", "0.0*1.0/m")
-    assert over_ranges(inertia_of(ball), {"m": (-0.3, 0.2)}, {}).outcome is Outcome.UNDECIDED
-    assert over_ranges(inertia_of(ball), {"m": (0.1, 0.2)}, {}).outcome is Outcome.POSSIBLE
+    assert over_ranges(inertia_of(ball), {"m": (-0.3, 0.2)}, {}).outcome is Conclusion.UNDECIDED
+    assert over_ranges(inertia_of(ball), {"m": (0.1, 0.2)}, {}).outcome is Conclusion.POSSIBLE
 
 
 def test_the_range_that_is_halved_is_the_widest_for_what_it_was() -> None:
@@ -173,7 +175,7 @@ def test_the_range_that_is_halved_is_the_widest_for_what_it_was() -> None:
     iz = "0.050 + 875000.0*d*d + 0.0*c"
     inertia = inertia_of(SECTION % ("1.0", "0.0", "0.0", "0.0", "0.100", "0.100", iz, "0.0"))
     ranges = {"c": (-1.0, 1.0), "d": (-0.0004, 0.0003)}
-    assert over_ranges(inertia, ranges, {}).outcome is Outcome.POSSIBLE
+    assert over_ranges(inertia, ranges, {}).outcome is Conclusion.POSSIBLE
 
 
 FULL = "inertia_params {{ mass = n CoM = ({com}) Ix={} Iy={} Iz={} Ixy={} Ixz={} Iyz={} }}"

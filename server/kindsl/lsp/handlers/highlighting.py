@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types
 
-from kindsl.features.token_legend import MODIFIERS, TYPES
 from kindsl.lsp.handlers.table import Handlers
 from kindsl.lsp.session.view import View
 from kindsl.lsp.text.document import Document
@@ -15,6 +14,12 @@ if TYPE_CHECKING:
     from kindsl.features.semantic_tokens import SemanticToken
 
 handlers = Handlers()
+
+TYPES = (
+    "namespace", "class", "method", "property", "parameter", "variable", "keyword", "number",
+    "comment", "operator",
+)  # fmt: skip
+MODIFIERS = ("declaration", "readonly", "modification", "defaultLibrary", "deprecated")
 
 _LEGEND = types.SemanticTokensLegend(TYPES, MODIFIERS)
 _OPTIONS = types.SemanticTokensRegistrationOptions(

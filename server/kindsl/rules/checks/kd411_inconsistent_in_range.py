@@ -29,7 +29,7 @@ from kindsl.rules.base import Example, Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link
 from kindsl.rules.inertia.judgements import is_moving, is_plain, keyword
-from kindsl.rules.inertia.over_ranges import Outcome, is_possible, over_ranges
+from kindsl.rules.inertia.over_ranges import Conclusion, is_possible, over_ranges
 from kindsl.semantics.declarations import Declarations, Inertia, Link, inertia_values
 from kindsl.semantics.expressions import ParameterUse, symbols
 from kindsl.semantics.numbers import mass_distribution
@@ -54,7 +54,7 @@ def _findings(body: Link, inertia: Inertia, context: Context) -> Iterator[Findin
         where = ", ".join(f"{name} = {value:g}" for name, value in proof.where.items())
         message = f"inertia of '{body.name}' is physically impossible at {where}"
         yield Finding(keyword(inertia), message)
-    elif proof.outcome is Outcome.UNDECIDED:
+    elif proof.outcome is Conclusion.UNDECIDED:
         message = f"inertia of '{body.name}' could not be proved possible in all of its ranges"
         yield Finding(keyword(inertia), message, severity=Severity.INFORMATION)
 

@@ -29,7 +29,7 @@ Ranges = Mapping[str, Interval]
 Values = Mapping[str, float]
 
 
-class Outcome(Enum):
+class Conclusion(Enum):
     """What is known of an inertia over ranges."""
 
     POSSIBLE = "possible everywhere"
@@ -40,7 +40,7 @@ class Outcome(Enum):
 class Proof(NamedTuple):
     """What was proved, and where the inertia is impossible."""
 
-    outcome: Outcome
+    outcome: Conclusion
     where: Values | None = None
 
 
@@ -68,9 +68,9 @@ def over_ranges(inertia: Inertia, ranges: Ranges, values: Values) -> Proof:
             (c for c in _corners(ranges) if not is_possible(inertia, {**values, **c})), None
         )
         if wrong is not None:
-            return Proof(Outcome.IMPOSSIBLE, {name: wrong[name] for name in ranges})
+            return Proof(Conclusion.IMPOSSIBLE, {name: wrong[name] for name in ranges})
         if _is_affine(inertia, frozenset(ranges)):
-            return Proof(Outcome.POSSIBLE)
+            return Proof(Conclusion.POSSIBLE)
     return _by_halving(inertia, ranges, values)
 
 
@@ -96,14 +96,14 @@ def _by_halving(inertia: Inertia, ranges: Ranges, values: Values) -> Proof:
     pending = [dict(ranges)]
     for _ in range(_MOST_PARTS):
         if not pending:
-            return Proof(Outcome.POSSIBLE)
+            return Proof(Conclusion.POSSIBLE)
         part = pending.pop()
         middle = {name: 0.5 * (low + high) for name, (low, high) in part.items()}
         if not is_possible(inertia, {**values, **middle}):
-            return Proof(Outcome.IMPOSSIBLE, middle)
+            return Proof(Conclusion.IMPOSSIBLE, middle)
         if not _is_proved(inertia, part, values):
             pending += _halves(part, ranges)
-    return Proof(Outcome.UNDECIDED)
+    return Proof(Conclusion.UNDECIDED)
 
 
 def _halves(part: dict[str, Interval], ranges: Ranges) -> list[dict[str, Interval]]:
