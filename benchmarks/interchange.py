@@ -131,7 +131,7 @@ def against_pinocchio(path: Path) -> Gap:
 
 def _like(name: str, ours: Mechanics) -> int:
     """Return the index of the joint whose name a URDF's joint has got."""
-    from kindsl.interchange.names import valid_name
+    from kindsl.interchange.portable_names import valid_name
 
     wanted = valid_name(name)
     return next(i for i, own in enumerate(ours.joint_names) if own in (wanted, f"{wanted}_joint"))

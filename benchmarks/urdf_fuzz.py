@@ -22,7 +22,7 @@ from tests.support.urdf_mutants import mutant
 
 import kindsl
 from kindsl.interchange.kindsl_writing import kindsl_text
-from kindsl.interchange.urdf.reading import UrdfError, read_urdf
+from kindsl.interchange.urdf.urdf_reading import UrdfError, read_urdf
 from kindsl.interchange.urdf.writing import written_urdf
 
 NO_NUMBER = re.compile(r"[=(,] *-?(nan|inf)\b")

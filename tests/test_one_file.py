@@ -144,7 +144,7 @@ def test_a_handler(add: Add) -> None:
 EMITTER = '''\
 """Writes a value in prefix notation."""
 
-from kindsl.dynamics.generation.expressions import Expression
+from kindsl.dynamics.generation.terms import Expression
 
 
 def prefix_notation(graph, value):

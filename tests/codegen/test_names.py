@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.codegen.robots import bodies_of_seed, library
 
-from kindsl.codegen.names import RESERVED, file_name, identifier, identifiers, prefix_of
+from kindsl.codegen.names_in_code import RESERVED, file_name, identifier, identifiers, prefix_of
 from kindsl.dynamics.bodies import BodyFrame
 
 ODD = [*sorted(RESERVED), "a.b", "a_b"]

@@ -3,7 +3,7 @@
 import re
 from pathlib import Path
 
-from kindsl.config.reading import configuration_of
+from kindsl.config.configuration_reading import configuration_of
 from kindsl.config.tables import DOCUMENT_KEYS, KEYS
 
 PAGE = (Path(__file__).parents[2] / "docs" / "configuration.md").read_text()

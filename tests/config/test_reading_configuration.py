@@ -9,9 +9,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from kindsl.config.configuration_reading import (
+    configuration_of,
+    read_configuration,
+    read_parameters,
+)
 from kindsl.config.discovery import Configurations, has_python_table, nearest_configuration
 from kindsl.config.errors import ConfigurationError
-from kindsl.config.reading import configuration_of, read_configuration, read_parameters
 from kindsl.config.toml_places import toml_places
 from kindsl.rules.base import Severity
 from kindsl.semantics.parameters import Binding

@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 from tests.config.toml_layouts import DOCUMENT, NAMES, Layout, layouts
 
 from kindsl.config.configuration import Configuration
+from kindsl.config.configuration_reading import configuration_of
 from kindsl.config.errors import ConfigurationError
-from kindsl.config.reading import configuration_of
 from kindsl.config.toml_edits import binding_edit, renaming_edits
 from kindsl.text.edits import apply_edits
 

@@ -12,7 +12,7 @@ from kindsl.dynamics.generation.emitters.c import (
     Dialect,
     c_definition,
 )
-from kindsl.dynamics.generation.expressions import Graph, Scalar
+from kindsl.dynamics.generation.terms import Graph, Scalar
 
 DOUBLE = Dialect("double", "")
 FUNCTION = re.compile(r"void (\w+)\((.*)\)\n\{\n((?: {4}.*\n)*)\}")

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from tests.dynamics.random_bodies import random_bodies
 
-from kindsl.dynamics.evaluation import forms, generated_form
+from kindsl.dynamics.evaluation import choice_of_form, generated_form
 from kindsl.dynamics.evaluation import readable_form as readable
-from kindsl.dynamics.evaluation.forms import (
+from kindsl.dynamics.evaluation.choice_of_form import (
     LINEAR,
     MOST_LINKS_TO_GENERATE_FOR,
     WORTH_GENERATING,
@@ -47,8 +47,10 @@ def asked(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
     monkeypatch.setattr(GeneratedForm, "evaluate", telling("code"))
     monkeypatch.setattr(PathForm, "evaluate", telling("path"))
     monkeypatch.setattr(readable, "evaluate", telling("readable"))
-    make = forms.PathForm
-    monkeypatch.setattr(forms, "PathForm", lambda b: counts.update(["path made"]) or make(b))
+    make = choice_of_form.PathForm
+    monkeypatch.setattr(
+        choice_of_form, "PathForm", lambda b: counts.update(["path made"]) or make(b)
+    )
     return counts
 
 

@@ -8,7 +8,7 @@ from tests.dynamics.random_bodies import random_bodies
 
 from kindsl.dynamics.evaluation import generated_form as generated
 from kindsl.dynamics.evaluation import readable_form as readable
-from kindsl.dynamics.evaluation.forms import (
+from kindsl.dynamics.evaluation.choice_of_form import (
     MOST_LINKS_TO_GENERATE_FOR,
     WORTH_GENERATING,
     WORTH_READABLE,

@@ -12,9 +12,9 @@ from tests.dynamics.random_bodies import random_bodies, random_inertia, random_r
 from kindsl.dynamics.generation.emitters.numpy_rows import batch_function, run_in_chunks
 from kindsl.dynamics.generation.emitters.scalar_python import scalar_function, scalar_source
 from kindsl.dynamics.generation.emitters.straight_line import computed
-from kindsl.dynamics.generation.expressions import Graph, Term, cosine_and_sine
 from kindsl.dynamics.generation.factorization import solve_symmetric
 from kindsl.dynamics.generation.mass_moments import MassMoments
+from kindsl.dynamics.generation.terms import Graph, Term, cosine_and_sine
 from kindsl.dynamics.generation.trace import Trace, trace
 from kindsl.dynamics.generation.tree import tree_of
 from kindsl.dynamics.quantities import SingularInertiaError

@@ -16,10 +16,10 @@ from tests.support.recorded import assert_as_recorded
 
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.generation.emitters.scalar_python import scalar_function
-from kindsl.dynamics.generation.expressions import Scalar, Term
 from kindsl.dynamics.generation.function import Function, Result, inputs_of
 from kindsl.dynamics.generation.functions import QUANTITIES
 from kindsl.dynamics.generation.robot import robot_of
+from kindsl.dynamics.generation.terms import Scalar, Term
 from kindsl.dynamics.generation.trace import Conditions, Trace, trace
 from kindsl.dynamics.generation.tree import tree_of
 from kindsl.dynamics.quantities import Quantity

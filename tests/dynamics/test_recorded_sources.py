@@ -20,7 +20,7 @@ from kindsl.dynamics.generation.emitters.straight_line import (
     operations,
     setup_nodes,
 )
-from kindsl.dynamics.generation.expressions import Graph, Scalar, cosine_and_sine
+from kindsl.dynamics.generation.terms import Graph, Scalar, cosine_and_sine
 from kindsl.dynamics.generation.trace import Trace
 
 RECORDED = Path(__file__).parent / "recorded" / "sources.txt"

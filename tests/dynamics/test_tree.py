@@ -8,9 +8,9 @@ from tests.dynamics.random_bodies import random_bodies
 
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.dynamics.generation.emitters.numbers import evaluate
-from kindsl.dynamics.generation.expressions import Graph, Term
 from kindsl.dynamics.generation.inverse_dynamics import actuated_base_inverse_dynamics
 from kindsl.dynamics.generation.mass_moments import MassMoments
+from kindsl.dynamics.generation.terms import Graph, Term
 from kindsl.dynamics.generation.tree import (
     ROUNDING,
     Tree,

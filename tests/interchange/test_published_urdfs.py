@@ -11,7 +11,7 @@ from tests.interchange.configurations import configuration, velocity_order
 import kindsl
 from kindsl.analysis.settings import Settings
 from kindsl.interchange.kindsl_writing import kindsl_text
-from kindsl.interchange.urdf.reading import UrdfError, read_urdf
+from kindsl.interchange.urdf.urdf_reading import UrdfError, read_urdf
 
 URDFS = sorted(
     Path(str(file.locate())) for file in files("example-robot-data") or () if file.suffix == ".urdf"

@@ -15,7 +15,7 @@ from kindsl.analysis.settings import Settings
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.interchange.kindsl_writing import kindsl_text
 from kindsl.interchange.registry import format_named
-from kindsl.interchange.urdf.reading import UrdfError, read_urdf
+from kindsl.interchange.urdf.urdf_reading import UrdfError, read_urdf
 from kindsl.spatial.arrays import Array
 
 TOLERANCE = 1e-9  # what the issue of a round trip promises, absolute, at dimensions near one

@@ -11,7 +11,7 @@ from kindsl.cli.main import main
 from kindsl.interchange.format import FormatError
 from kindsl.interchange.kindsl_writing import kindsl_text
 from kindsl.interchange.registry import format_named
-from kindsl.interchange.urdf.reading import robot_of_urdf
+from kindsl.interchange.urdf.urdf_reading import robot_of_urdf
 from kindsl.interchange.xacro.expansion import expanded
 
 HEAD = '<?xml version="1.0"?>\n<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="leg">'

@@ -2,7 +2,7 @@
 
 import pytest
 
-from kindsl.interchange.urdf.reading import UrdfError, robot_of_urdf
+from kindsl.interchange.urdf.urdf_reading import UrdfError, robot_of_urdf
 from kindsl.interchange.xml_reading import XmlError, parsed_xml
 
 ROBOT = '<robot name="é">\n<link name="a"/><!-- a\n b --><link\n name="b"/>\n</robot>'

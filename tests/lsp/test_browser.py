@@ -199,7 +199,7 @@ def test_it_needs_nothing_that_a_browser_lacks():
     missing = ("numpy", "lxml", "tornado", "umsgpack", "ssl")
     code = f"import sys; sys.modules.update(dict.fromkeys({missing}));"
     code += "import kindsl.lsp.browser, kindsl.preview.posted, kindsl.scene.robot;"
-    code += "import kindsl.interchange.urdf.reading, kindsl.interchange.urdf.writing"
+    code += "import kindsl.interchange.urdf.urdf_reading, kindsl.interchange.urdf.writing"
     subprocess.run([sys.executable, "-c", code], check=True)
 
 

@@ -13,7 +13,7 @@ from tests.web.tab import PLACE_CURSOR, Tab, fragment
 
 import kindsl
 from kindsl.interchange.kindsl_writing import written_kindsl
-from kindsl.interchange.urdf.reading import read_urdf
+from kindsl.interchange.urdf.urdf_reading import read_urdf
 from kindsl.reports.comparison import compared
 from kindsl.text.lines import LineIndex
 

@@ -25,7 +25,7 @@ from kindsl.syntax.document import SyntaxDocument, parse, paused_collector
 from kindsl.syntax.readings import as_read_for
 from kindsl.text.display import html_of
 from kindsl.text.edits import TextEdit
-from kindsl.text.words import counted
+from kindsl.text.phrases import counted
 
 if TYPE_CHECKING:
     from kindsl.mechanism.build import Mechanism

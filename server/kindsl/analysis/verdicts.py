@@ -7,7 +7,7 @@ from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.analysis.settings import Settings
 from kindsl.rules.base import Severity
 from kindsl.rules.context import TARGETS
-from kindsl.text.words import counted
+from kindsl.text.phrases import counted
 
 # The rules that tell why a generator stops while it loads a document.
 _LOADING = ("KD0", "KD105", "KD106", "KD107", "KD108", "KD601", "KD602")

@@ -7,7 +7,7 @@ form, and the document's health. Broken documents are shown as far as they go.
 import argparse
 
 from kindsl.cli.documents.choices import choices_of
-from kindsl.cli.documents.reading import (
+from kindsl.cli.documents.document_reading import (
     CommandError,
     note_errors,
     read_document,

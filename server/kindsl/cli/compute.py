@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from kindsl.cli.console import is_terminal, write
 from kindsl.cli.documents.choices import choices_of
-from kindsl.cli.documents.reading import (
+from kindsl.cli.documents.document_reading import (
     CommandError,
     defect,
     note_errors,

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from kindsl.cli.console import write
 from kindsl.cli.documents.choices import choices_of
-from kindsl.cli.documents.reading import (
+from kindsl.cli.documents.document_reading import (
     CommandError,
     missing_module,
     read_document,
@@ -26,9 +26,9 @@ from kindsl.cli.outcome import Failure, as_failures
 from kindsl.config.configuration import ConfigurationError
 from kindsl.interchange.format import Format, FormatError, ReadRobot, WritingChoices, WrittenRobot
 from kindsl.interchange.registry import all_formats, format_named, format_of_suffix
+from kindsl.text.phrases import alternatives
 from kindsl.text.printable import printable
 from kindsl.text.regular import require_regular
-from kindsl.text.words import alternatives
 
 if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from kindsl.cli.console import write
 from kindsl.cli.documents.choices import choices_of
-from kindsl.cli.documents.reading import (
+from kindsl.cli.documents.document_reading import (
     CommandError,
     shown_name,
     skeleton_of_document,

@@ -17,8 +17,8 @@ from kindsl.formatting.format import FormattingRefusedError, format_document
 from kindsl.syntax.document import SyntaxDocument, parse
 from kindsl.text.edits import apply_edits
 from kindsl.text.lines import LineIndex
+from kindsl.text.phrases import counted
 from kindsl.text.printable import printable
-from kindsl.text.words import counted
 
 SUMMARY = "format documents; changes whitespace only"
 OK = 0

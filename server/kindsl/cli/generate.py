@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from kindsl.cli.console import write
 from kindsl.cli.documents.choices import choices_of
-from kindsl.cli.documents.reading import (
+from kindsl.cli.documents.document_reading import (
     CommandError,
     defect,
     missing_module,
@@ -31,8 +31,8 @@ from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import Failure, as_failures
 from kindsl.codegen.language import language_named, language_names
 from kindsl.config.errors import ConfigurationError
+from kindsl.text.phrases import counted
 from kindsl.text.printable import printable
-from kindsl.text.words import counted
 
 if TYPE_CHECKING:
     from kindsl.codegen.generating import Source
@@ -204,7 +204,7 @@ def _told(args: argparse.Namespace, source: "Source") -> Iterator[None]:
 
 def _options(args: argparse.Namespace, source: "Source") -> "Options":
     from kindsl.codegen.library import Options
-    from kindsl.codegen.names import UnusableNameError, prefix_of
+    from kindsl.codegen.names_in_code import UnusableNameError, prefix_of
 
     try:
         prefix = prefix_of(str(source.analysis.model.name or ""), args.name)

@@ -5,7 +5,7 @@ import sys
 
 from kindsl.cli.console import write
 from kindsl.cli.documents.choices import choices_of
-from kindsl.cli.documents.reading import (
+from kindsl.cli.documents.document_reading import (
     CommandError,
     note_errors,
     read_document,

@@ -9,12 +9,12 @@ import os
 from typing import TYPE_CHECKING
 
 from kindsl.cli.documents.choices import Choices, choices_of
-from kindsl.cli.documents.git_texts import commits_of, short, versions_of
-from kindsl.cli.documents.reading import (
+from kindsl.cli.documents.document_reading import (
     CommandError,
     missing_module,
     shown_name,
 )
+from kindsl.cli.documents.git_texts import commits_of, short, versions_of
 from kindsl.cli.documents.versions import analysed_versions, read_versions
 from kindsl.cli.documents.writing import unwritable
 from kindsl.cli.options import add_parameter_arguments

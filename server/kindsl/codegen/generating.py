@@ -15,7 +15,7 @@ from kindsl.codegen.library import (
     library_of,
 )
 from kindsl.codegen.manifest import NAME, digest, manifest_text
-from kindsl.codegen.names import command_line, file_name
+from kindsl.codegen.names_in_code import command_line, file_name
 from kindsl.codegen.reference import Reference, sample
 from kindsl.codegen.resistance import refuse_unresisted
 from kindsl.codegen.wanted import wanted_pairs

@@ -6,10 +6,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal, NamedTuple
 
-from kindsl.codegen.names import identifiers
+from kindsl.codegen.names_in_code import identifiers
 from kindsl.dynamics.generation.emitters.numbers import evaluate
 from kindsl.dynamics.generation.emitters.straight_line import setup_nodes
-from kindsl.dynamics.generation.expressions import Scalar, Term, needed, operand_nodes
 from kindsl.dynamics.generation.function import Function, Inputs, inputs_of
 from kindsl.dynamics.generation.functions import QUANTITIES
 from kindsl.dynamics.generation.masses import total_mass
@@ -19,6 +18,7 @@ from kindsl.dynamics.generation.relative_frames import (
     relative_poses,
 )
 from kindsl.dynamics.generation.robot import Robot
+from kindsl.dynamics.generation.terms import Scalar, Term, needed, operand_nodes
 from kindsl.dynamics.quantities import SingularInertiaError
 
 Real = Literal["double", "float"]

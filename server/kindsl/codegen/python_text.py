@@ -4,8 +4,8 @@ from collections.abc import Iterator
 
 from kindsl.codegen.library import Library
 from kindsl.dynamics.generation.emitters.python_lines import python_function
-from kindsl.dynamics.generation.expressions import Scalar
 from kindsl.dynamics.generation.function import Function
+from kindsl.dynamics.generation.terms import Scalar
 from kindsl.dynamics.quantities import STANDARD_GRAVITY
 
 # Names of arguments as in kindsl's own interface, and their defaults.

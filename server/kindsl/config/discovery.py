@@ -87,7 +87,7 @@ def has_python_table(path: str) -> bool:
 
 
 def _read(path: str) -> "Configuration | ConfigurationError":
-    from kindsl.config.reading import read_configuration
+    from kindsl.config.configuration_reading import read_configuration
 
     try:
         return read_configuration(path)

@@ -13,9 +13,9 @@ from tomlkit.items import KeyType, SingleKey
 
 from kindsl.analysis.fixing import in_line_style
 from kindsl.config.configuration import Configuration, DocumentTable
+from kindsl.config.configuration_reading import configuration_of
 from kindsl.config.errors import ConfigurationError
 from kindsl.config.patterns import is_match
-from kindsl.config.reading import configuration_of
 from kindsl.config.toml_places import KeyPath, spans_of
 from kindsl.text.edits import TextEdit, apply_edits
 from kindsl.text.lines import LineIndex

@@ -9,8 +9,8 @@ from kindsl.features.subtree import Subtree, subtree_of
 from kindsl.mechanism.total_mass import UNKNOWN
 from kindsl.semantics.declarations import Joint, Link
 from kindsl.semantics.places import Name
+from kindsl.text.phrases import counted
 from kindsl.text.span import Span
-from kindsl.text.words import counted
 
 
 class CodeLens(NamedTuple):

@@ -7,7 +7,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
 from kindsl.dynamics.quantities import STANDARD_GRAVITY
-from kindsl.text.words import counted
+from kindsl.text.phrases import counted
 
 if TYPE_CHECKING:
     from kindsl.interchange.robot_description import RobotDescription

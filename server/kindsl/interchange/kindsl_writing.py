@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from math import pi
 
 from kindsl.interchange.format import ReadRobot, WrittenRobot
-from kindsl.interchange.names import valid_names
+from kindsl.interchange.portable_names import valid_names
 from kindsl.interchange.robot_description import (
     DescribedFrame,
     DescribedLink,

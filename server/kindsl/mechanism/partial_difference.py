@@ -14,7 +14,7 @@ from kindsl.mechanism.skeleton import Skeleton
 from kindsl.mechanism.total_mass import total_mass, unknown_bodies
 from kindsl.semantics.declarations import Frame, Joint, Link
 from kindsl.semantics.model import Model
-from kindsl.text.words import listed
+from kindsl.text.phrases import listed
 
 _STAND_INS = (0.7315, 0.4127)
 

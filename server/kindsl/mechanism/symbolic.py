@@ -3,9 +3,9 @@
 from collections.abc import Collection, Mapping
 from typing import cast
 
-from kindsl.dynamics.generation.expressions import Graph, Scalar, Term, cosine_and_sine
 from kindsl.dynamics.generation.mass_moments import MassMoments
 from kindsl.dynamics.generation.robot import PlacedFrame, Robot, massless
+from kindsl.dynamics.generation.terms import Graph, Scalar, Term, cosine_and_sine
 from kindsl.dynamics.generation.tree import ROUNDING, Tree, masses_near_base
 from kindsl.dynamics.generation.vectors import Matrix, Vector, scale
 from kindsl.mechanism.build import mechanism_of

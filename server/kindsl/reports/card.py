@@ -15,7 +15,7 @@ from kindsl.reports.robot_facts import mass_text, robot_facts
 from kindsl.rigid.body import principal_moments_about_com
 from kindsl.rigid.pose import PLAIN, RigidPose, angles
 from kindsl.scene.picture import Picture, picture
-from kindsl.text.words import counted
+from kindsl.text.phrases import counted
 
 _UNITS = {"length": "m", "angle": "rad", "dynamics": ""}
 

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 from kindsl.text.nearest import hint, nearest_name
-from kindsl.text.words import counted
+from kindsl.text.phrases import counted
 
 JOINT_KEYS = ("q", "qd", "qdd", "tau")
 BASE_KEY = "base_velocity"

@@ -13,7 +13,7 @@ from kindsl.reports.drawing.svg import svg_text
 from kindsl.reports.page.blocks import Figure
 from kindsl.scene.formulas import formula_messages
 from kindsl.text.lines import LineIndex
-from kindsl.text.words import counted, listed
+from kindsl.text.phrases import counted, listed
 
 _HEIGHT = 480  # pixels
 _MOST = 50  # findings

@@ -6,7 +6,7 @@ from typing import Any
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.reports.columns import aligned
 from kindsl.rules.base import Severity
-from kindsl.text.words import counted
+from kindsl.text.phrases import counted
 
 _SUBJECTS = {
     "KD0": "syntax",

@@ -7,8 +7,8 @@ from kindsl.mechanism.total_mass import UNKNOWN
 from kindsl.reports.columns import aligned, number
 from kindsl.reports.robot_facts import mass_text
 from kindsl.reports.robot_health import health_text
+from kindsl.text.phrases import counted
 from kindsl.text.printable import printable
-from kindsl.text.words import counted
 
 _UNITS = {"length": "m", "angle": "rad", "dynamics": ""}
 

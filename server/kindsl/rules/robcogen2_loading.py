@@ -18,7 +18,7 @@ from kindsl.syntax.parser import island_of_robcogen2
 from kindsl.syntax.strict_robcogen2 import stop_of_robcogen2
 from kindsl.syntax.tree import Node, Token
 from kindsl.text.facts import Fact
-from kindsl.text.words import counted
+from kindsl.text.phrases import counted
 
 _NUMBERS = Fact[tuple[Finding, ...]]("values that robcogen2 cannot convert")
 

@@ -15,7 +15,7 @@ from kindsl.mechanism.total_mass import NO_MASS, Weight, total_mass, unknown_bod
 from kindsl.scene.guesses import NO_GUESSES, Guesses, guesses
 from kindsl.semantics.model import Model
 from kindsl.semantics.parameters import values_of
-from kindsl.text.words import counted
+from kindsl.text.phrases import counted
 
 
 class PictureState(StrEnum):

@@ -13,7 +13,7 @@ from kindsl.syntax.scanner import COMMENT
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
 from kindsl.syntax.words import shown
 from kindsl.text.decimals import plain_decimal
-from kindsl.text.words import listed
+from kindsl.text.phrases import listed
 
 _SIGNS = frozenset("+-")
 _FACTORS = frozenset("*/")

@@ -13,7 +13,7 @@ from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
 from kindsl.syntax.words import shown, supplied
 from kindsl.text.lines import is_first_on_line
-from kindsl.text.words import counted
+from kindsl.text.phrases import counted
 
 _MOMENTS = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")
 _MOST_TOKENS = 60

@@ -8,8 +8,8 @@ import re
 from collections.abc import Iterator
 
 from kindsl.config.configuration import Configuration
+from kindsl.config.configuration_reading import configuration_of
 from kindsl.config.errors import ConfigurationError
-from kindsl.config.reading import configuration_of
 
 _LONGEST = 1000
 _NAMES = ("kindsl.toml", "pyproject.toml")

@@ -9,7 +9,7 @@ from pathlib import Path
 from kindsl.analysis.analysis import analyse
 from kindsl.interchange.kindsl_writing import kindsl_text
 from kindsl.interchange.urdf.checking import UrdfError
-from kindsl.interchange.urdf.reading import read_urdf
+from kindsl.interchange.urdf.urdf_reading import read_urdf
 
 
 def one_input(data: bytes) -> None:

@@ -74,7 +74,7 @@ def choices_of(args: Any) -> Choices:
 def _bindings(args: Any) -> dict[str, Binding]:
     found: dict[str, Binding] = {}
     if args.params is not None:
-        from kindsl.config.reading import read_parameters
+        from kindsl.config.configuration_reading import read_parameters
 
         found = read_parameters(args.params)
     found.update({name: Binding(value, origin="--param") for name, value in args.param})

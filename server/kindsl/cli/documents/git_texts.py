@@ -4,7 +4,7 @@ import os
 import subprocess
 from typing import NamedTuple
 
-from kindsl.cli.documents.reading import CommandError
+from kindsl.cli.documents.document_reading import CommandError
 from kindsl.cli.outcome import Failure
 
 _PATIENCE = 60  # seconds

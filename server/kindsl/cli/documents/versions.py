@@ -4,7 +4,7 @@ import os
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from kindsl.cli.documents.reading import CommandError, require_parameters, shown_name
+from kindsl.cli.documents.document_reading import CommandError, require_parameters, shown_name
 from kindsl.cli.documents.sources import read_source
 from kindsl.cli.outcome import Failure, as_failures
 from kindsl.config.errors import ConfigurationError

@@ -4,7 +4,7 @@ import os
 import sys
 
 from kindsl.cli.console import write
-from kindsl.cli.documents.reading import CommandError
+from kindsl.cli.documents.document_reading import CommandError
 from kindsl.cli.documents.sources import STDIN, reason
 from kindsl.cli.outcome import Failure
 from kindsl.text.writing import encoded, write_file

@@ -2,7 +2,7 @@
 
 from kindsl.cli.outcome import RunOutcome
 from kindsl.rules.base import Severity
-from kindsl.text.words import counted
+from kindsl.text.phrases import counted
 
 
 def summary(outcome: RunOutcome) -> str:

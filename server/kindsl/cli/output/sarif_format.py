@@ -17,8 +17,8 @@ from kindsl.cli.output.project_paths import fingerprints
 from kindsl.cli.output.rule_pages import summary_of
 from kindsl.rules.base import Rule, Severity
 from kindsl.rules.registry import all_rules, page_of
+from kindsl.text.phrases import counted
 from kindsl.text.printable import printable
-from kindsl.text.words import counted
 
 _SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
 _LEVELS = {

@@ -4,7 +4,7 @@ from kindsl.codegen.c_library import OPTIONS, Wrapper, c_files
 from kindsl.codegen.c_text import EXTERNAL, macro, stamp_comment
 from kindsl.codegen.language import Language
 from kindsl.codegen.library import Library
-from kindsl.codegen.names import RESERVED, identifier
+from kindsl.codegen.names_in_code import RESERVED, identifier
 from kindsl.codegen.reference import Reference
 from kindsl.dynamics.generation.function import Function, Result
 

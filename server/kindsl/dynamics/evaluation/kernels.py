@@ -5,11 +5,11 @@ from collections.abc import Sequence
 from kindsl.dynamics.evaluation.results import FreeMotion, FreeMotionTorque
 from kindsl.dynamics.forward_dynamics_derivatives import ForwardDynamicsDerivatives
 from kindsl.dynamics.generation.emitters.extension import Kernel, KernelArgument, KernelResult
-from kindsl.dynamics.generation.expressions import Scalar
 from kindsl.dynamics.generation.function import Function, inputs_of
 from kindsl.dynamics.generation.functions import QUANTITIES
 from kindsl.dynamics.generation.masses import total_mass
 from kindsl.dynamics.generation.robot import Robot
+from kindsl.dynamics.generation.terms import Scalar
 from kindsl.dynamics.inverse_dynamics_derivatives import InverseDynamicsDerivatives
 from kindsl.dynamics.quantities import SingularInertiaError
 

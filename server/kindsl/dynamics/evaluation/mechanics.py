@@ -15,8 +15,8 @@ from kindsl.dynamics.evaluation.arguments import (
     unknown_name,
     vectors,
 )
+from kindsl.dynamics.evaluation.choice_of_form import Forms
 from kindsl.dynamics.evaluation.differentiable import AT_REST, Differentiable
-from kindsl.dynamics.evaluation.forms import Forms
 from kindsl.dynamics.evaluation.request import Request
 from kindsl.dynamics.evaluation.results import FreeMotion, FreeMotionTorque, Poses
 from kindsl.dynamics.evaluation.singular import not_finite, too_large

@@ -11,8 +11,8 @@ takes follows from the carried bodies' moments of mass and two integrals of V.
 
 from typing import NamedTuple
 
-from kindsl.dynamics.generation.expressions import Scalar
 from kindsl.dynamics.generation.mass_moments import MassMoments
+from kindsl.dynamics.generation.terms import Scalar
 from kindsl.dynamics.generation.tree import JointMotion, Tree
 from kindsl.dynamics.generation.vectors import (
     Matrix,

@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from kindsl.dynamics.generation.expressions import Scalar
+from kindsl.dynamics.generation.terms import Scalar
 from kindsl.dynamics.generation.vectors import Matrix, Vector
 from kindsl.dynamics.quantities import SingularInertiaError
 

@@ -22,10 +22,10 @@ from kindsl.dynamics.generation.composite_bodies import (
     joint_reaction,
     joint_space_inertia,
 )
-from kindsl.dynamics.generation.expressions import Scalar
 from kindsl.dynamics.generation.function import Inputs
 from kindsl.dynamics.generation.inverse_dynamics import BodyMotions, body_motions, carried_wrenches
 from kindsl.dynamics.generation.mass_moments import MassMoments
+from kindsl.dynamics.generation.terms import Scalar
 from kindsl.dynamics.generation.tree import JointMotion, Tree, joint_motions
 from kindsl.dynamics.generation.vectors import (
     EYE,

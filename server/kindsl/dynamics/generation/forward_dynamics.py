@@ -3,9 +3,9 @@
 from collections.abc import Sequence
 
 from kindsl.dynamics.generation.composite_bodies import joint_space_inertia
-from kindsl.dynamics.generation.expressions import Scalar
 from kindsl.dynamics.generation.factorization import solve_symmetric
 from kindsl.dynamics.generation.inverse_dynamics import newton_euler, spatial_acceleration
+from kindsl.dynamics.generation.terms import Scalar
 from kindsl.dynamics.generation.tree import Tree
 from kindsl.dynamics.generation.vectors import ZERO, Vector, subtract
 

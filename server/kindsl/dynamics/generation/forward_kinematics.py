@@ -1,7 +1,7 @@
 """Forward kinematics, for tracing."""
 
 from kindsl.dynamics.bodies import BodyFrame
-from kindsl.dynamics.generation.expressions import Scalar
+from kindsl.dynamics.generation.terms import Scalar
 from kindsl.dynamics.generation.tree import Tree, joint_motions
 from kindsl.dynamics.generation.vectors import Matrix, Vector, add, multiply, transform
 

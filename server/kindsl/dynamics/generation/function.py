@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from kindsl.dynamics.generation.expressions import Scalar, Term
 from kindsl.dynamics.generation.robot import Robot
+from kindsl.dynamics.generation.terms import Scalar, Term
 from kindsl.dynamics.generation.vectors import Matrix, Vector
 
 

@@ -13,7 +13,6 @@ from kindsl.dynamics.generation.derivative_functions import (
     inverse_dynamics_derivatives,
     regressor,
 )
-from kindsl.dynamics.generation.expressions import Scalar
 from kindsl.dynamics.generation.factorization import factorize
 from kindsl.dynamics.generation.forward_dynamics import forward_dynamics
 from kindsl.dynamics.generation.function import Function, Inputs, Result, argument, flat
@@ -31,6 +30,7 @@ from kindsl.dynamics.generation.jacobians import (
     jacobian_relative_to_base,
 )
 from kindsl.dynamics.generation.robot import Robot
+from kindsl.dynamics.generation.terms import Scalar
 from kindsl.dynamics.generation.vectors import EYE, Vector
 
 Builder = Callable[[Robot, Inputs], list[Function]]

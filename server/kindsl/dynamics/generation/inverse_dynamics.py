@@ -13,9 +13,9 @@ from kindsl.dynamics.generation.composite_bodies import (
     joint_reaction,
     rigid_body_inertia,
 )
-from kindsl.dynamics.generation.expressions import Scalar
 from kindsl.dynamics.generation.factorization import solve_symmetric
 from kindsl.dynamics.generation.mass_moments import acceleration_field
+from kindsl.dynamics.generation.terms import Scalar
 from kindsl.dynamics.generation.tree import JointMotion, Tree, joint_motions
 from kindsl.dynamics.generation.vectors import (
     ZERO,

@@ -7,7 +7,7 @@ and rotating, and parts of them can be carried by the predecessor without any ef
 
 from dataclasses import dataclass
 
-from kindsl.dynamics.generation.expressions import Scalar
+from kindsl.dynamics.generation.terms import Scalar
 from kindsl.dynamics.generation.vectors import (
     ZERO,
     Matrix,

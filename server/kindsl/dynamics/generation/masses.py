@@ -1,9 +1,9 @@
 """Centre of mass, its Jacobian, and energies, for tracing; with the bodies as they are given."""
 
-from kindsl.dynamics.generation.expressions import Scalar
 from kindsl.dynamics.generation.jacobians import BodyPoses
 from kindsl.dynamics.generation.mass_moments import MassMoments
 from kindsl.dynamics.generation.robot import Robot
+from kindsl.dynamics.generation.terms import Scalar
 from kindsl.dynamics.generation.tree import joint_motions
 from kindsl.dynamics.generation.vectors import (
     EYE,

@@ -2,10 +2,10 @@
 
 from collections.abc import Sequence
 
-from kindsl.dynamics.generation.expressions import Scalar
 from kindsl.dynamics.generation.function import Function, Inputs, Result, argument, flat
 from kindsl.dynamics.generation.jacobians import body_poses, frame_pose, joint_columns, support
 from kindsl.dynamics.generation.robot import PlacedFrame, Robot
+from kindsl.dynamics.generation.terms import Scalar
 from kindsl.dynamics.generation.vectors import (
     Vector,
     multiply,

@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 from kindsl.dynamics.bodies import Bodies
-from kindsl.dynamics.generation.expressions import Graph, Term
 from kindsl.dynamics.generation.mass_moments import MassMoments
+from kindsl.dynamics.generation.terms import Graph, Term
 from kindsl.dynamics.generation.tree import Tree, mass_distributions, tree_of
 from kindsl.dynamics.generation.vectors import EYE, Matrix, Vector
 

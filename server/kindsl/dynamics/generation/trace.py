@@ -5,19 +5,19 @@ from typing import Literal, TypeAlias
 
 from kindsl.dynamics.bodies import BodyFrame
 from kindsl.dynamics.generation.composite_bodies import joint_space_inertia
-from kindsl.dynamics.generation.expressions import (
-    Graph,
-    Scalar,
-    Term,
-    needed,
-    operand_nodes,
-)
 from kindsl.dynamics.generation.forward_dynamics import forward_dynamics
 from kindsl.dynamics.generation.forward_kinematics import poses
 from kindsl.dynamics.generation.inverse_dynamics import (
     bias_torque,
     floating_base_inverse_dynamics,
     inverse_dynamics,
+)
+from kindsl.dynamics.generation.terms import (
+    Graph,
+    Scalar,
+    Term,
+    needed,
+    operand_nodes,
 )
 from kindsl.dynamics.generation.tree import Tree
 from kindsl.dynamics.generation.vectors import Vector

@@ -5,12 +5,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from kindsl.dynamics.bodies import Bodies
-from kindsl.dynamics.generation.expressions import Scalar, cosine_and_sine
 from kindsl.dynamics.generation.mass_moments import (
     MassMoments,
     carried_by_predecessor,
     without,
 )
+from kindsl.dynamics.generation.terms import Scalar, cosine_and_sine
 from kindsl.dynamics.generation.vectors import EYE, ZERO, Matrix, Vector, add, scale, transform
 from kindsl.rigid.topology import JointKind
 from kindsl.spatial.arrays import Array

@@ -2,7 +2,7 @@
 
 from typing import TypeAlias
 
-from kindsl.dynamics.generation.expressions import Scalar
+from kindsl.dynamics.generation.terms import Scalar
 
 Vector: TypeAlias = list[Scalar]
 Matrix: TypeAlias = list[list[Scalar]]

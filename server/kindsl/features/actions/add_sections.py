@@ -14,7 +14,7 @@ from kindsl.syntax.document import PlacedIsland
 from kindsl.syntax.sections import ORDER
 from kindsl.syntax.tree import Node
 from kindsl.text.edits import TextEdit
-from kindsl.text.words import listed
+from kindsl.text.phrases import listed
 
 _KIND = "refactor.rewrite"
 _BLOCKS = ORDER.keys() - {"document"}

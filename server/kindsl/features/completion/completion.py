@@ -6,15 +6,15 @@ from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.completion.context import CompletionContext, completion_context
-from kindsl.features.completion.item import CompletionItem
-from kindsl.features.completion.keywords import block_items, keyword_items, section_items
-from kindsl.features.completion.names import (
+from kindsl.features.completion.fitting_names import (
     id_items,
     new_frame_items,
     new_joint_items,
     new_link_items,
     own_frame_items,
 )
+from kindsl.features.completion.item import CompletionItem
+from kindsl.features.completion.keywords import block_items, keyword_items, section_items
 from kindsl.features.completion.tree_names import child_items, joint_items
 from kindsl.features.completion.values import constant_items, value_items
 from kindsl.features.hover.joint import joint_hover

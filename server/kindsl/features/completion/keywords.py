@@ -5,14 +5,14 @@ from collections.abc import Iterator
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.completion import snippets
 from kindsl.features.completion.context import CompletionContext, sections_of
-from kindsl.features.completion.fresh_names import fresh_joint, fresh_link, next_id
-from kindsl.features.completion.item import CompletionItem
-from kindsl.features.completion.names import (
+from kindsl.features.completion.fitting_names import (
     bodies_at,
     joint_id,
     undeclared_joints,
     undeclared_links,
 )
+from kindsl.features.completion.fresh_names import fresh_joint, fresh_link, next_id
+from kindsl.features.completion.item import CompletionItem
 from kindsl.features.completion.tree_names import first_child
 from kindsl.features.tree_path import path_at
 from kindsl.syntax.sections import ORDER

@@ -5,9 +5,9 @@ from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.completion.context import CompletionContext
+from kindsl.features.completion.fitting_names import bodies_at
 from kindsl.features.completion.fresh_names import fresh_joint, fresh_link
 from kindsl.features.completion.item import CompletionItem
-from kindsl.features.completion.names import bodies_at
 
 
 class _Uses(NamedTuple):

@@ -15,7 +15,7 @@ from kindsl.rules.registry import all_rules
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.lowering import declarations
 from kindsl.semantics.unknown import Unknown
-from kindsl.text.words import counted, listed
+from kindsl.text.phrases import counted, listed
 
 _CODES = ("KD301", "KD302", "KD303", "KD305")
 _MARKS = {Severity.ERROR: "✗ ", Severity.WARNING: "⚠ "}

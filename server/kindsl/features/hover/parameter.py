@@ -11,7 +11,7 @@ from kindsl.semantics.declarations import ValueKind
 from kindsl.semantics.parameters import Constant, Parameter
 from kindsl.semantics.places import Name
 from kindsl.semantics.unknown import Unknown, why_unknown
-from kindsl.text.words import counted, listed
+from kindsl.text.phrases import counted, listed
 
 _CLASS = {
     ValueKind.LENGTH: "kinematics parameter, a length",

@@ -6,7 +6,7 @@ from kindsl.analysis.analysis import Analysis
 from kindsl.features.quantity_text import KILOGRAMS, number
 from kindsl.features.wording import paragraph
 from kindsl.mechanism.total_mass import Weight, total_mass
-from kindsl.text.words import counted, listed
+from kindsl.text.phrases import counted, listed
 
 
 def robot_hover(analysis: Analysis, name: str) -> str:

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def _read(path: Path, floating: bool) -> ReadRobot:
-    from kindsl.interchange.mjcf.reading import read_mjcf
+    from kindsl.interchange.mjcf.mjcf_reading import read_mjcf
 
     return read_mjcf(path, floating=floating)
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from kindsl.dynamics.quantities import STANDARD_GRAVITY
 from kindsl.interchange.format import FormatError, gravity_dropped, limits_dropped
-from kindsl.text.words import counted
+from kindsl.text.phrases import counted
 
 # What is counted and taken away before the model is compiled, in an order that leaves no reference.
 _DROPPED = (

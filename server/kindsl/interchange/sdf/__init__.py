@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def _parse(text: bytes | str, name: str, floating: bool) -> ReadRobot:
-    from kindsl.interchange.sdf.reading import robot_of_sdf
+    from kindsl.interchange.sdf.sdf_reading import robot_of_sdf
 
     return robot_of_sdf(text, name, floating=floating)
 

@@ -6,7 +6,7 @@ from typing import Any
 from kindsl.dynamics.quantities import STANDARD_GRAVITY
 from kindsl.interchange.format import gravity_dropped, limits_dropped
 from kindsl.interchange.sdf.elements import is_true, name_of, numbers_in
-from kindsl.text.words import counted
+from kindsl.text.phrases import counted
 
 _ELSEWHERE = (
     ("plugin", "plugin"),

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def _parse(text: bytes | str, name: str, floating: bool) -> ReadRobot:
-    from kindsl.interchange.urdf.reading import robot_of_urdf
+    from kindsl.interchange.urdf.urdf_reading import robot_of_urdf
 
     return robot_of_urdf(text, name, floating=floating)
 

@@ -9,7 +9,7 @@ from kindsl.interchange.xml_writing import added, document_text
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.rigid.body import MassDistribution, shifted
 from kindsl.rigid.pose import IDENTITY, RigidPose, fixed_axis_angles
-from kindsl.text.words import counted
+from kindsl.text.phrases import counted
 
 # URDF wants limits of every joint but an endless one, and the configuration may give none.
 _LIMITS = {

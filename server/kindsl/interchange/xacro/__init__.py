@@ -13,7 +13,7 @@ _EVALUATED = "its Python expressions were evaluated: convert only xacro files th
 
 
 def _read(path: Path, floating: bool) -> ReadRobot:
-    from kindsl.interchange.urdf.reading import robot_of_urdf
+    from kindsl.interchange.urdf.urdf_reading import robot_of_urdf
     from kindsl.interchange.xacro.expansion import expanded
 
     robot, remarks = robot_of_urdf(expanded(path), path.stem, floating=floating)

@@ -57,7 +57,7 @@ def _document(name: PurePath, text: str) -> tuple[str, tuple[str, ...]]:
     from kindsl.interchange.format import FormatError
     from kindsl.interchange.kindsl_writing import written_kindsl
     from kindsl.interchange.registry import all_formats, format_of_suffix
-    from kindsl.text.words import alternatives
+    from kindsl.text.phrases import alternatives
 
     format = format_of_suffix(name.suffix)
     if format is None or format.parse is None:

@@ -66,8 +66,8 @@ class ClosedConfigurations:
 
     def _on_disk(self, uri: str, path: Path) -> Problems:
         from kindsl.config.configuration import ConfigurationError
+        from kindsl.config.configuration_reading import configuration_of, text_of
         from kindsl.config.discovery import is_configuration
-        from kindsl.config.reading import configuration_of, text_of
 
         if not is_configuration(str(path)):
             return []

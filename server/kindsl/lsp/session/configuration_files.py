@@ -34,12 +34,12 @@ def configuration_of(document: Document) -> "Configuration | None":
     Raises:
         ConfigurationError: It says something wrong.
     """
-    from kindsl.config import reading
+    from kindsl.config import configuration_reading
 
     path = uris.path(document.uri)
     name = str(path) if path else uris.basename(document.uri)
     is_ours = uris.basename(document.uri) in CONFIGURATION_FILES
-    return reading.configuration_of(name, document.text) if is_ours else None
+    return configuration_reading.configuration_of(name, document.text) if is_ours else None
 
 
 def configuration_links(document: Document) -> list[types.DocumentLink]:

@@ -17,7 +17,7 @@ from kindsl.reports.review.finding_changes import ToldFinding, finding_changes
 from kindsl.reports.review.written_numbers import Side, WrittenChange, written_changes
 from kindsl.reports.robot_facts import robot_facts
 from kindsl.rules.base import Severity
-from kindsl.text.words import counted
+from kindsl.text.phrases import counted
 
 MOVED, HEAVIER, ADDED, REMOVED = "d9730d", "8e44ad", "2e8b57", "c0392b"
 _LEGEND = "Same camera. Orange: moved; violet: other mass; green: new; red: gone."

@@ -23,7 +23,7 @@ from kindsl.rules.examples import link, robot
 from kindsl.rules.reference_defects import reference_defects
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
-from kindsl.text.words import counted
+from kindsl.text.phrases import counted
 
 _MOST_RELATED = 20
 

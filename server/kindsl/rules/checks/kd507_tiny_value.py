@@ -24,7 +24,7 @@ from kindsl.rules.tiny_values import is_negligible, is_tiny
 from kindsl.semantics.declarations import Declarations, Link, link_values, pose_values
 from kindsl.semantics.expressions import Expression
 from kindsl.syntax.vocabulary import MOMENTS
-from kindsl.text.words import counted
+from kindsl.text.phrases import counted
 
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:

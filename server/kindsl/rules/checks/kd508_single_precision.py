@@ -22,7 +22,7 @@ from kindsl.rules.examples import STEEL_BALL, link
 from kindsl.rules.number_writing import significant_digits
 from kindsl.semantics.declarations import Declarations, link_values, pose_values
 from kindsl.semantics.expressions import Expression
-from kindsl.text.words import counted
+from kindsl.text.phrases import counted
 
 _KEPT = 9
 

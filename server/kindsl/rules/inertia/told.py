@@ -6,7 +6,7 @@ from kindsl.rules.inertia.causes import Cause
 from kindsl.rules.inertia.likelihood import density, vanishing_products
 from kindsl.rules.inertia.slips import Hypothesis, Slip
 from kindsl.rules.inertia.wording import with_unit
-from kindsl.text.words import listed
+from kindsl.text.phrases import listed
 
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _GRAMS = -3

@@ -11,7 +11,7 @@ from itertools import groupby
 from typing import NamedTuple
 
 from kindsl.dynamics.generation.emitters.straight_line import OPERATORS, Part, computed, cut
-from kindsl.dynamics.generation.expressions import Graph, Operand, Scalar, Term
+from kindsl.dynamics.generation.terms import Graph, Operand, Scalar, Term
 
 OPERATIONS_PER_PART = 500
 # So many equal constants one after the other are written in a loop; a regressor has thousands.

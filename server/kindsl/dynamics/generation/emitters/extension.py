@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from kindsl.dynamics.generation.emitters.c import CArray, CBody, Dialect, c_definition
-from kindsl.dynamics.generation.expressions import Graph, Scalar, Term
+from kindsl.dynamics.generation.terms import Graph, Scalar, Term
 
 MODULE = "compiled_mechanism"
 RUNTIME = Path(__file__).with_name("extension_runtime.c")

@@ -5,7 +5,7 @@ import operator
 from collections.abc import Callable, Mapping, Sequence
 
 from kindsl.dynamics.generation.emitters.straight_line import computed
-from kindsl.dynamics.generation.expressions import Graph, Scalar, Term
+from kindsl.dynamics.generation.terms import Graph, Scalar, Term
 
 OPERATIONS: dict[str, Callable[..., float]] = {
     "+": operator.add,

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from kindsl.dynamics.generation.expressions import Operand, Term
+from kindsl.dynamics.generation.terms import Operand, Term
 from kindsl.dynamics.generation.trace import Trace
 from kindsl.spatial.arrays import Array
 

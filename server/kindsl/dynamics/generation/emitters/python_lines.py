@@ -7,7 +7,7 @@ CasADi. The names `sin` and `cos` are to be there.
 from collections.abc import Mapping, Sequence
 
 from kindsl.dynamics.generation.emitters.straight_line import OPERATORS, computed
-from kindsl.dynamics.generation.expressions import Graph, Operand, Scalar, Term
+from kindsl.dynamics.generation.terms import Graph, Operand, Scalar, Term
 
 
 def python_function(

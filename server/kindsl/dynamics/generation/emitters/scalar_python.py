@@ -9,8 +9,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from kindsl.dynamics.generation.expressions import Operand, Term
 from kindsl.dynamics.generation.factorization import is_zero
+from kindsl.dynamics.generation.terms import Operand, Term
 from kindsl.dynamics.generation.trace import Trace
 from kindsl.spatial.arrays import Array
 

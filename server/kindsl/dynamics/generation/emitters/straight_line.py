@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 from itertools import count
 from typing import NamedTuple
 
-from kindsl.dynamics.generation.expressions import Graph, Scalar, Term, needed, operand_nodes
+from kindsl.dynamics.generation.terms import Graph, Scalar, Term, needed, operand_nodes
 
 OPERATORS = ("+", "-", "*", "/")
 

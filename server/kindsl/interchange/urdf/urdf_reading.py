@@ -17,7 +17,7 @@ from kindsl.interchange.rigid_links import (
 from kindsl.interchange.urdf.checking import Remarkable, UrdfError, checked, numbers_of, rotation_of
 from kindsl.rigid.body import MassDistribution, Symmetric
 from kindsl.rigid.pose import IDENTITY, RigidPose, Vector3, pose_from_fixed_axes
-from kindsl.text.words import counted
+from kindsl.text.phrases import counted
 
 __all__ = ["UrdfError", "read_urdf", "robot_of_urdf"]
 

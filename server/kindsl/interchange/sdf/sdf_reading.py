@@ -29,7 +29,7 @@ from kindsl.interchange.sdf.frame_graph import MODEL, WORLD, FrameGraph
 from kindsl.interchange.sdf.losses import losses, world_losses
 from kindsl.rigid.body import MassDistribution, Symmetric
 from kindsl.rigid.pose import IDENTITY, Vector3
-from kindsl.text.words import listed
+from kindsl.text.phrases import listed
 
 _KINDS: dict[str, LinkJoint] = {
     "revolute": "revolute",

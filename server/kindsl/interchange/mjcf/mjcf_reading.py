@@ -21,7 +21,7 @@ from kindsl.interchange.rigid_links import (
 from kindsl.interchange.robot_description import DescribedFrame
 from kindsl.rigid.body import MassDistribution
 from kindsl.rigid.pose import IDENTITY, RigidPose, Vector3
-from kindsl.text.words import listed
+from kindsl.text.phrases import listed
 
 _WORLD = 0
 _FREE, _SLIDE = 0, 2
