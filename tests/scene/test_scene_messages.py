@@ -5,20 +5,10 @@ from math import hypot, log, pi
 
 import numpy as np
 import pytest
-from tests.cli.samples import GOOD
 from tests.preview.robots import ARM, PARAMETRIC_ARM, skeleton_of
 
 from kindsl.analysis.analysis import analyse
-from kindsl.mechanism.total_mass import Weight
-from kindsl.preview.findings import (
-    MOST_LISTED,
-    finding_messages,
-    listed,
-    lost_message,
-    status_message,
-)
 from kindsl.rigid.body import MassDistribution
-from kindsl.rules.base import Severity
 from kindsl.scene.ellipsoids import inertia_ellipsoid
 from kindsl.scene.encoding import plain
 from kindsl.scene.formulas import affine_component, formula_messages
@@ -44,7 +34,6 @@ from kindsl.scene.robot import ghost_messages, robot_messages
 from kindsl.scene.size import STEP, Segment, extent
 from kindsl.scene.state import Messages
 from kindsl.semantics.parameters import Binding, JointLimits
-from kindsl.semantics.unknown import Unknown
 
 
 def of_type(messages: Messages, kind: str) -> list[Part]:
@@ -362,42 +351,6 @@ class TestParameters:
         assert (found["tilt"].minimum, found["tilt"].maximum) == (-pi, pi)
         assert (found["m"].minimum, found["m"].maximum, found["m"].value) == (0.0, 10.0, 0.0)
         assert sorted(row.index for row in found.values()) == [0, 1]
-
-
-class TestFindings:
-    """What is listed over the picture."""
-
-    def test_the_worst_are_listed_first_and_not_more_than_help(self) -> None:
-        text = GOOD.replace("(0.5,", "(1,")
-        (error,) = analyse(text).findings
-        hint = error._replace(severity=Severity.HINT)
-        warning = error._replace(severity=Severity.WARNING)
-        order = [f.severity for f in listed([hint, warning, error, hint])]
-        assert order == [Severity.ERROR, Severity.WARNING, Severity.HINT, Severity.HINT]
-        assert MOST_LISTED == 40 and len(listed([hint] * 41)) == 40
-        messages = list(finding_messages([hint, error], text).values())
-        assert plain(messages[0]) == {
-            "type": "finding", "path": "/kindsl/findings/0", "index": 0, "code": "KD005",
-            "severity": "error", "message": error.message, "line": 21, "column": 32,
-        }  # fmt: skip
-        assert (messages[1].index, messages[1].severity) == (1, "hint")
-        assert finding_messages([], text) == {}
-
-    def test_status_counts_all(self) -> None:
-        (error,) = analyse(GOOD.replace("(0.5,", "(1,")).findings
-        drawn = Picture(None, PictureState.BROKEN, "why", weight=Weight(2.5, 1, Unknown("why not")))
-        found = status_message(drawn, [error] * 50, "arm.kindsl")
-        assert plain(found) == {
-            "type": "status", "path": "/kindsl/status", "state": "broken", "message": "why",
-            "total": 50, "counts": {"error": 50}, "label": "arm.kindsl",
-            "mass": 2.5, "lacks": "why not", "is_former": False,
-        }  # fmt: skip
-        lost = {"state": "gone", "message": "gone", "total": 3, "counts": {}, "is_former": True}
-        assert plain(lost_message("gone", drawn, 3, "arm.kindsl")) == {**plain(found), **lost}
-        assert plain(lost_message("gone", None, 3, "arm.kindsl")) == {
-            "type": "status", "path": "/kindsl/status", "label": "arm.kindsl",
-            "mass": 0.0, "lacks": "", **lost,
-        }  # fmt: skip
 
 
 def formulas(text: str, **values: float) -> dict[str, Part]:
