@@ -1,5 +1,5 @@
 // What the user can do, whatever it is done with: mouse, touch, keyboard, panel or picture.
-import { make } from "./elements.js";
+import { make } from "./base/elements.js";
 import { drawPicture, savePicture } from "./picture/snapshot.js";
 
 const MOST_AT_ONCE = 500; // values in a message to the server

@@ -23,9 +23,9 @@ import { Picking } from "./picture/picking.js";
 import { Presets } from "./picture/presets.js";
 import { Scene } from "./picture/scene.js";
 import { Stage } from "./picture/stage.js";
-import { Selection } from "./selection.js";
+import { Selection } from "./base/selection.js";
 import { Theme } from "./theme.js";
-import { Units } from "./units.js";
+import { Units } from "./base/units.js";
 
 const STATES = {
   connecting: "connecting…", live: "live", reconnecting: "reconnecting…", exported: "exported", stale: "stale", incomplete: "incomplete",

@@ -1,6 +1,6 @@
 // The card of what is chosen, where its numbers can be typed and gestures begin.
-import { make } from "../elements.js";
-import { parseValue } from "../units.js";
+import { make } from "../base/elements.js";
+import { parseValue } from "../base/units.js";
 import { ANGLES, HANDLE_NAMES } from "./handles.js";
 
 const GESTURES = { link: [["add-frame", "Add frame"], ["add-child", "Add child link"], ["mirror-leg", "Mirror leg"]] };

@@ -1,5 +1,5 @@
 // The numbers of the selected link, joint or frame.
-import { format, make } from "../elements.js";
+import { format, make } from "../base/elements.js";
 import { intrinsicXyz, originOf, zAxisOf } from "../picture/kinematics.js";
 
 const vector = (values, digits) => `(${values.map((value) => format(value, digits)).join(", ")})`;

@@ -1,5 +1,5 @@
 // What the linter says: a chip that opens a list in the panel, and one line over the picture when it is not the document.
-import { make } from "../elements.js";
+import { make } from "../base/elements.js";
 
 const SEVERITIES = ["error", "warning", "info", "hint"];
 

@@ -1,5 +1,5 @@
 // The joints' sliders, each with a bar for the torque that holds it against gravity.
-import { format, make } from "../elements.js";
+import { format, make } from "../base/elements.js";
 import { SliderRow } from "./slider_row.js";
 import { VirtualList } from "./virtual_list.js";
 

@@ -1,5 +1,5 @@
 // The keyboard: each key with what it does, in one list that `?` shows too.
-import { make } from "../elements.js";
+import { make } from "../base/elements.js";
 
 const TURN = Math.PI / 24, MOVE = 0.04, NEARER = 0.87;
 export const VIEWS = [

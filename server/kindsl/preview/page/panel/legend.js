@@ -1,5 +1,5 @@
 // Presets, and below them what is drawn in which colour, with switches and opacities for each kind of thing.
-import { make } from "../elements.js";
+import { make } from "../base/elements.js";
 import { CATEGORIES, NAME_KINDS } from "../picture/categories.js";
 import { cssColor } from "../picture/palette.js";
 import { oversized } from "../picture/places.js";

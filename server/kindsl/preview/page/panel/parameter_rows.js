@@ -1,5 +1,5 @@
 // The parameters' sliders; one without a value is drawn at a guess and says so.
-import { make } from "../elements.js";
+import { make } from "../base/elements.js";
 import { SliderRow } from "./slider_row.js";
 import { VirtualList } from "./virtual_list.js";
 

@@ -1,5 +1,5 @@
 // A row with a name, a slider and a place to type the value.
-import { make } from "../elements.js";
+import { make } from "../base/elements.js";
 
 const STEPS = 2000;
 

@@ -1,6 +1,6 @@
 // The robot's links, with their joints and frames, beside the picture: search, an eye and isolation for each.
-import { make } from "../elements.js";
-import { isSame } from "../selection.js";
+import { make } from "../base/elements.js";
+import { isSame } from "../base/selection.js";
 import { VirtualList } from "./virtual_list.js";
 
 const HEIGHT = 22; // pixels

@@ -1,6 +1,6 @@
 // The distance and the angle between the frames of two links, joints or optional frames, while the robot moves too.
-import { format, make } from "../elements.js";
-import { KINDS } from "../selection.js";
+import { format, make } from "../base/elements.js";
+import { KINDS } from "../base/selection.js";
 import { originOf } from "./kinematics.js";
 
 const { BufferGeometry, Line, LineDashedMaterial, Vector3 } = MeshCat.THREE;
