@@ -4,6 +4,8 @@ VENV := .venv
 BIN := $(VENV)/bin
 STAMP := $(VENV)/.installed-for-tests
 TOOLS := $(VENV)/.installed
+# npm writes it when it has installed what the lock file says.
+PAGE_TOOLS := web/node_modules/.package-lock.json
 PYTHON ?= python3
 EXAMPLE ?= examples/quadruped.kindsl
 # Browsers that draw without a graphics card need all cores: their tests run alone, whatever became of the others.
@@ -36,16 +38,26 @@ demo: $(TOOLS)
 	@$(BIN)/kindsl preview $(EXAMPLE) $(DEMO_OPTIONS)
 
 # Everything that the CI runs.
-test: $(STAMP) lint types layers docs-check vsix
+test: $(STAMP) lint types layers docs-check page-tests vsix
 	$(RUN_TESTS)
 
 # The tests with every random case; `make test` tries a part of them.
 thorough: $(STAMP)
 	export KINDSL_THOROUGH=1; $(RUN_TESTS)
 
-lint: $(STAMP)
+lint: $(STAMP) $(PAGE_TOOLS)
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
+	cd web && npm run --silent lint && npm run --silent types
+
+$(PAGE_TOOLS): web/package-lock.json
+	cd web && npm ci --ignore-scripts --no-audit --no-fund --silent
+	touch $@
+
+# The parts of the preview's page that need no browser, in Node.
+.PHONY: page-tests
+page-tests: $(PAGE_TOOLS)
+	cd web && npm run --silent test:unit
 
 types: $(STAMP)
 	$(BIN)/mypy

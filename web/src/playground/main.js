@@ -196,8 +196,14 @@ const actions = {
   },
   open: () => byId("file").click(),
   format: () => editor.getAction("editor.action.formatDocument")?.run(),
-  rename: () => (editor.focus(), editor.trigger("bar", "editor.action.rename", {})),
-  compare: () => (notice.hide(), comparison.toggle()),
+  rename: () => {
+    editor.focus();
+    editor.trigger("bar", "editor.action.rename", {});
+  },
+  compare: () => {
+    notice.hide();
+    comparison.toggle();
+  },
   download: () => download(files.active, files.model().getValue()),
   urdf: downloadUrdf,
   share,

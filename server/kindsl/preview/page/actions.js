@@ -1,14 +1,23 @@
 // What the user can do, whatever it is done with: mouse, touch, keyboard, panel or picture.
-import { make } from "./base/elements.js";
+import { byId, make } from "./base/elements.js";
 import { drawPicture, savePicture } from "./picture/snapshot.js";
 
+/** @import { Actions, NamedValue } from "./base/types.js" */
+/** @import { Page } from "./page.js" */
+
 const MOST_AT_ONCE = 500; // values in a message to the server
+/** @param {readonly NamedValue[]} parameters */
 const byName = (parameters) => Object.fromEntries(parameters.map(({ name, value }) => [name, value]));
 
-// `page` has scene, stage, camera, selection, presets, inbox, embedded, send; more parts are added to it later.
+/**
+ * More parts may be added to `page` later.
+ * @param {Page} page
+ * @returns {Actions}
+ */
 export function makeActions(page) {
   const { scene, selection, camera, presets } = page;
   const note = () => { page.history.note(); page.address.note(); };
+  /** @type {Actions} */
   const actions = {
     isStatic: page.isStatic,
     note,
@@ -61,7 +70,7 @@ export function makeActions(page) {
     },
     chooseTheme(choice) {
       page.theme.choose(choice);
-      document.getElementById("theme").textContent = { auto: "Auto", light: "Light", dark: "Dark" }[page.theme.choice];
+      byId("theme").textContent = { auto: "Auto", light: "Light", dark: "Dark" }[page.theme.choice];
       note();
     },
     hover: (thing) => selection.hover(thing),
@@ -92,15 +101,17 @@ export function makeActions(page) {
     showKeys: () => page.keys.show(),
     foldPanel(isFolded = !document.body.classList.contains("folded")) {
       document.body.classList.toggle("folded", isFolded);
-      document.getElementById("open-panel").hidden = !isFolded;
+      byId("open-panel").hidden = !isFolded;
     },
   };
   connect(actions, page);
   return actions;
 }
 
+/** @param {Actions} actions @param {Page} page */
 function connect(actions, page) {
-  const on = (id, act) => document.getElementById(id).addEventListener("click", act);
+  /** @type {(id: string, act: () => void) => void} */
+  const on = (id, act) => byId(id).addEventListener("click", act);
   on("zero", () => actions.zero());
   on("frame", () => actions.frame());
   on("animate", () => actions.animate(null));
@@ -112,17 +123,20 @@ function connect(actions, page) {
   on("close-panel", () => actions.foldPanel(true));
   on("open-panel", () => actions.foldPanel(false));
   // The viewer's controls would take the press for the start of a turn.
-  document.getElementById("open-panel").addEventListener("pointerdown", (event) => event.stopPropagation());
+  byId("open-panel").addEventListener("pointerdown", (event) => event.stopPropagation());
   on("angle-unit", () => {
     page.units.choose(page.units.angle === "rad" ? "deg" : "rad");
     actions.note();
   });
-  page.units.onChange(() => { document.getElementById("angle-unit").textContent = page.units.angle; });
+  page.units.onChange(() => { byId("angle-unit").textContent = page.units.angle; });
 }
 
-// Put a text on the clipboard; where that is forbidden, show it.
+/**
+ * Put a text on the clipboard; where that is forbidden, show it.
+ * @param {string} text
+ */
 async function copy(text) {
-  const button = document.getElementById("link");
+  const button = byId("link");
   try {
     await navigator.clipboard.writeText(text);
     button.textContent = "Copied";
@@ -132,7 +146,11 @@ async function copy(text) {
   }
 }
 
-// A text to be selected and copied by hand.
+/**
+ * A text to be selected and copied by hand.
+ * @param {string} title
+ * @param {string} text
+ */
 export function showText(title, text) {
   const dialog = make("dialog"), close = make("button", "", "Close");
   dialog.ariaLabel = title;

@@ -1,17 +1,43 @@
 // Undo and redo, in the order in which things were done: of the pose, of where it is seen from, and of what was written
 // into the document from here.
+import { byId } from "./base/elements.js";
+
+/**
+ * @typedef {object} Editing What has been written into the document.
+ * @property {(act: () => void) => void} afterwards
+ * @property {(gesture: Which) => void} plan
+ */
+/** @typedef {"undo" | "redo"} Which */
 
 const REST = 400; // milliseconds without a change make a step
 const MOST = 200; // steps
 const WRITTEN = "written"; // a step that changed the document; the others are states
 
 export class History {
-  // `take()` returns the present state as a string, `put(state)` restores one; `editing` takes the last writing back
-  // or makes it again, and tells by `rewritten` that it did.
+  /** @type {string[]} */
+  past = [];
+  /** @type {string[]} */
+  future = [];
+  /** @type {string | null} */
+  present = null;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  timer;
+
+  /**
+   * `take()` returns the present state as a string, `put(state)` restores one; `editing` takes the last writing back
+   * or makes it again, and tells by `rewritten` that it did.
+   * @param {() => string} take
+   * @param {(state: string) => void} put
+   * @param {Editing} editing
+   */
   constructor(take, put, editing) {
-    Object.assign(this, { take, put, editing, past: [], future: [], present: null, timer: null });
-    this.undoButton = document.getElementById("undo");
-    this.redoButton = document.getElementById("redo");
+    this.take = take;
+    this.put = put;
+    this.editing = editing;
+    /** @type {HTMLButtonElement} */
+    this.undoButton = byId("undo");
+    /** @type {HTMLButtonElement} */
+    this.redoButton = byId("redo");
     this.undoButton.addEventListener("click", () => this.undo());
     this.redoButton.addEventListener("click", () => this.redo());
   }
@@ -35,6 +61,7 @@ export class History {
     this.present = now;
   }
 
+  /** @param {string} step */
   add(step) {
     this.past.push(step);
     if (this.past.length > MOST) this.past.shift();
@@ -48,7 +75,11 @@ export class History {
     this.add(WRITTEN);
   }
 
-  // A writing was taken back or made again, wherever that was asked for; or it cannot be any more.
+  /**
+   * A writing was taken back or made again, wherever that was asked for; or it cannot be any more.
+   * @param {string} which
+   * @param {boolean} isDone
+   */
   rewritten(which, isDone) {
     const [from, to] = this.sides(which);
     const at = from.lastIndexOf(WRITTEN);
@@ -63,21 +94,25 @@ export class History {
 
   redo() { this.editing.afterwards(() => this.go("redo")); }
 
+  /** @param {Which} which */
   go(which) {
     this.settle();
     const [from, to] = this.sides(which);
-    if (!from.length) return;
-    if (from.at(-1) === WRITTEN) {
+    const step = from.at(-1);
+    if (step === undefined || this.present === null) return;
+    if (step === WRITTEN) {
       this.editing.plan(which);
       return;
     }
+    from.pop();
     to.push(this.present);
-    this.present = from.pop();
-    this.put(this.present);
+    this.present = step;
+    this.put(step);
     clearTimeout(this.timer);
     this.tell();
   }
 
+  /** @param {string} which */
   sides(which) { return which === "undo" ? [this.past, this.future] : [this.future, this.past]; }
 
   tell() {

@@ -1,19 +1,53 @@
 // What the server has said: drawing goes to the scene, the rest is kept here until the next picture.
-import { EDITING_TYPES } from "./editing/editing.js";
+import { isOfEditing } from "./editing/editing.js";
 import { applyFormulas } from "./formulas.js";
 
+/** @import { Message as EditingMessage } from "./editing/editing.js" */
+/** @import { Change, FindingMessage, FormulaMessage, HighlightMessage, ParameterMessage, Part, StatusMessage } from "./messages.js" */
+/** @import { News, Scene } from "./picture/scene.js" */
+
+/** @typedef {"rows" | "marks" | "values" | "parameters" | "findings" | "camera"} Stale what is to be shown anew */
+
+/** @type {readonly News[]} */
 const ROW_NEWS = ["model", "link", "joint", "frame", "limits", "delete"]; // other rows
+/** @type {readonly News[]} */
 const MARK_NEWS = ["set_object", "set_transform"]; // other marks in the picture
+/** @type {readonly News[]} */
 const VALUE_NEWS = ["value", "motion", "view"]; // other values in them
 
+/** @type {StatusMessage} */
+const NOTHING_SAID = {
+  type: "status", path: "", state: "live", message: "", total: 0, counts: {}, label: "", mass: 0, lacks: "", is_former: false,
+};
+
 export class Inbox {
+  /**
+   * By path.
+   * @type {Map<string, ParameterMessage>}
+   */
+  parameters = new Map();
+  /**
+   * By path.
+   * @type {Map<string, FindingMessage>}
+   */
+  findings = new Map();
+  /**
+   * Of an exported page.
+   * @type {FormulaMessage[]}
+   */
+  formulas = [];
+  status = NOTHING_SAID;
+  /**
+   * By name, the rows of parameters that were set here, as the server sent them.
+   * @type {Map<string, ParameterMessage>}
+   */
+  #own = new Map();
+  /** @type {Set<Stale>} */
+  stale = new Set(["rows", "parameters", "findings", "camera"]);
+
+  /** @param {Scene} scene */
   constructor(scene) {
     this.scene = scene;
-    this.parameters = new Map(); // by path
-    this.findings = new Map(); // by path
-    this.formulas = []; // of an exported page
-    this.status = { state: "empty", message: "", total: 0, counts: {} };
-    this.stale = new Set(["rows", "parameters", "findings", "camera"]);
     scene.onRemove = (path) => this.forget(path);
     scene.onChange((what) => {
       if (ROW_NEWS.includes(what)) this.stale.add("rows");
@@ -24,14 +58,19 @@ export class Inbox {
   }
 
   // Called with what the editor's cursor is on, and with lines to add to a file.
-  onCursor() {}
-  onLines() {}
+  /** @type {(thing: HighlightMessage | null) => void} */
+  onCursor = () => {};
+  /** @type {(text: string) => void} */
+  onLines = () => {};
 
   // Called with what is said of handles, and with each path that is gone.
-  onEditing() {}
-  onForget() {}
+  /** @type {(message: EditingMessage) => void} */
+  onEditing = () => {};
+  /** @type {(path: string) => void} */
+  onForget = () => {};
 
   // Take a change: some parts, or all that there is. No picture is drawn in between.
+  /** @param {Change} change */
   take(change) {
     if (change.type !== "change") return;
     if (change.is_whole) this.scene.begin();
@@ -40,46 +79,66 @@ export class Inbox {
     this.scene.viewer.set_dirty();
   }
 
+  /** @param {Part} message */
   learn(message) {
-    if (message.type === "parameter") this.keep("parameters", message);
+    if (message.type === "parameter") this.keep("parameters", this.parameters, message);
     else if (message.type === "formula") this.formulas.push(message);
-    else if (message.type === "finding") this.keep("findings", message);
+    else if (message.type === "finding") this.keep("findings", this.findings, message);
     else if (message.type === "status") {
       this.status = message;
       this.stale.add("findings");
     } else if (message.type === "highlight") this.onCursor(message.name ? message : null);
     else if (message.type === "lines") this.onLines(message.text);
-    else if (EDITING_TYPES.has(message.type)) this.onEditing(message);
+    else if (isOfEditing(message)) this.onEditing(message);
     this.scene.apply(message);
   }
 
-  keep(list, message) {
-    this[list].set(message.path, message);
-    this.stale.add(list);
+  /**
+   * @template {{ readonly path: string }} Row
+   * @param {Stale} what
+   * @param {Map<string, Row>} list
+   * @param {Row} message
+   */
+  keep(what, list, message) {
+    list.set(message.path, message);
+    this.stale.add(what);
   }
 
+  /** @param {string} path */
   forget(path) {
     this.onForget(path);
-    for (const list of ["parameters", "findings"]) {
-      for (const key of this[list].keys()) {
-        if (key !== path && !key.startsWith(path + "/")) continue;
-        this[list].delete(key);
-        this.stale.add(list);
-      }
+    this.drop("parameters", this.parameters, path);
+    this.drop("findings", this.findings, path);
+  }
+
+  /** @param {Stale} what @param {Map<string, unknown>} list @param {string} path */
+  drop(what, list, path) {
+    for (const key of list.keys()) {
+      if (key !== path && !key.startsWith(path + "/")) continue;
+      list.delete(key);
+      this.stale.add(what);
     }
   }
 
-  // Whether something has to be shown anew; asks once.
+  /**
+   * Whether something has to be shown anew; asks once.
+   * @param {Stale} what
+   */
   isStale(what) {
     return this.stale.delete(what);
   }
 
-  // Give a parameter a value without a server; null is its own.
+  /**
+   * Give a parameter a value without a server; null is its own.
+   * @param {string} name
+   * @param {number | null} value
+   */
   setParameter(name, value) {
     const parameter = [...this.parameters.values()].find((candidate) => candidate.name === name);
-    if (!("own" in parameter)) parameter.own = { value: parameter.value, is_guess: parameter.is_guess };
-    Object.assign(parameter, value === null ? parameter.own : { value, is_guess: false });
-    parameter.is_overridden = value !== null && (value !== parameter.own.value || Boolean(parameter.own.is_guess));
+    if (!parameter) return;
+    const own = this.#own.get(name) || parameter, isSet = value !== null && (value !== own.value || own.is_guess);
+    this.#own.set(name, own);
+    this.parameters.set(own.path, value === null ? own : { ...own, value, is_guess: false, is_overridden: isSet });
     this.stale.add("parameters");
     const values = new Map([...this.parameters.values()].map((known) => [known.name, known.value]));
     applyFormulas(this.scene, this.formulas, values);

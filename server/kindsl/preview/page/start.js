@@ -1,6 +1,7 @@
 // Puts the page together: viewer, scene, panel, and the line to the server or the state of an exported page.
 import { makeActions, showText } from "./actions.js";
 import { Address, eyeOf, eyeText } from "./address.js";
+import { byId, partOf } from "./base/elements.js";
 import { Connection } from "./connection.js";
 import { Editing } from "./editing/editing.js";
 import { History } from "./history.js";
@@ -27,16 +28,22 @@ import { Selection } from "./base/selection.js";
 import { Theme } from "./theme.js";
 import { Units } from "./base/units.js";
 
+/** @import { Request } from "./base/types.js" */
+/** @import { Change } from "./messages.js" */
+/** @import { Page } from "./page.js" */
+
+/** @type {Readonly<Record<string, string>>} */
 const STATES = {
   connecting: "connecting…", live: "live", reconnecting: "reconnecting…", exported: "exported", stale: "stale", incomplete: "incomplete",
 };
-const byId = (id) => document.getElementById(id);
-const pane = byId("pane"), embedded = byId("embedded-state");
+const pane = byId("pane"), embedded = document.getElementById("embedded-state");
 const viewer = openViewer();
 const theme = new Theme();
 const scene = new Scene(viewer, theme.colors);
-const page = { viewer, scene, theme, pane, isStatic: Boolean(embedded), connection: null };
-page.send = (message) => page.connection && page.connection.send(message);
+const page = /** @type {Page} */ ({
+  viewer, scene, theme, pane, isStatic: Boolean(embedded), connection: null,
+  send(request) { page.connection?.send(request); },
+});
 page.stage = new Stage(viewer, scene);
 page.camera = new Camera(viewer, scene, pane);
 page.selection = new Selection();
@@ -60,9 +67,8 @@ page.history = new History(takeState, putState, page.editing);
 page.keys = new Keys(pane, page);
 page.motion = new Motion(scene, {
   range: (joint) => page.joints.range(joint),
-  onStep: () => {},
   onStop(names) {
-    page.actions.tellPose(names.map((name) => [name, scene.q.get(name)]));
+    page.actions.tellPose(names.map((name) => [name, scene.q.get(name) ?? 0]));
     page.actions.note();
   },
 });
@@ -75,7 +81,7 @@ function openViewer() {
     return new MeshCat.Viewer(pane);
   } catch (error) {
     byId("notice").hidden = false;
-    byId("notice").firstElementChild.textContent = "The preview needs WebGL, which this browser does not offer";
+    partOf(byId("notice"), "button").textContent = "The preview needs WebGL, which this browser does not offer";
     throw error;
   }
 }
@@ -85,10 +91,11 @@ function takeState() {
   return JSON.stringify([[...scene.q].filter(([, value]) => value !== 0).sort(), eyeText(page.camera.state())]);
 }
 
+/** @param {string} text */
 function putState(text) {
-  const [pose, eye] = JSON.parse(text), zeros = [...scene.q.keys()].map((name) => [name, 0]);
-  page.actions.setPose(new Map([...zeros, ...pose]));
-  if (eye !== eyeText(page.camera.state())) page.camera.restore(eyeOf(eye));
+  const [pose, view] = JSON.parse(text), eye = eyeOf(view);
+  page.actions.setPose(new Map([...[...scene.q.keys()].map((name) => /** @type {const} */ ([name, 0])), ...pose]));
+  if (eye && view !== eyeText(page.camera.state())) page.camera.restore(eye);
 }
 
 // The first whole robot: the view of the address, if there is one.
@@ -163,7 +170,8 @@ viewer.render = () => {
 };
 
 // Only meshcat's drawing commands and our own messages; anything else, such as `set_control`, is ignored.
-const onMessage = (message) => page.inbox.take(message);
+/** @type {(message: unknown) => void} */
+const onMessage = (message) => page.inbox.take(/** @type {Change} */ (message));
 viewer.handle_command = onMessage;
 
 // The canvas fills its pane, not the window.
@@ -175,6 +183,16 @@ viewer.set_3d_pane_size = () => {
   viewer.set_dirty();
 };
 
+// What the server says goes on to those whom it concerns.
+/** @param {Page} page */
+function passOn({ inbox, editing, selection }) {
+  inbox.onEditing = (message) => editing.take(message);
+  inbox.onForget = (path) => editing.forget(path);
+  inbox.onCursor = (thing) => selection.follow(thing);
+  inbox.onLines = (text) => showText("Lines to add to kindsl.toml", text);
+}
+
+/** @param {string} state */
 function onState(state) {
   connectionState = state;
   showState();
@@ -186,10 +204,7 @@ theme.onChange = () => {
   scene.setColors(theme.colors);
   page.legend.show();
 };
-page.inbox.onEditing = (message) => page.editing.take(message);
-page.inbox.onForget = (path) => page.editing.forget(path);
-page.inbox.onCursor = (thing) => page.selection.follow(thing);
-page.inbox.onLines = (text) => showText("Lines to add to kindsl.toml", text);
+passOn(page);
 page.camera.onMove(page.actions.note);
 page.selection.onChange(() => {
   scene.highlight(page.selection.lit);
@@ -198,11 +213,12 @@ page.selection.onChange(() => {
 
 const hash = new URLSearchParams(location.hash.slice(1));
 document.body.classList.toggle("picture", hash.has("picture"));
-const onFrame = (frame) => viewer.handle_command_bytearray(frame);
+const onFrame = (/** @type {Uint8Array} */ frame) => viewer.handle_command_bytearray(frame);
+/** @returns {Request} */
 const greeting = () => ({ type: "hello", joints: Object.fromEntries(scene.q), parameters: page.inbox.typedValues() });
 if (embedded) {
   onState("exported");
-  onFrame(Uint8Array.from(atob(embedded.textContent.trim()), (character) => character.charCodeAt(0)));
+  onFrame(Uint8Array.from(atob((embedded.textContent ?? "").trim()), (character) => character.charCodeAt(0)));
 } else page.connection = new Connection({ onFrame, onMessage, onState, greeting });
 new ResizeObserver(() => viewer.set_3d_pane_size()).observe(pane);
 

@@ -2,30 +2,45 @@
 // An editor's page sends {type: "kindsl.theme", kind, colors}: known names and plain colours only are taken.
 import { DARK, LIGHT, luminance } from "./picture/palette.js";
 
+/** @typedef {"light" | "dark"} Kind */
+/** @typedef {"auto" | Kind} Choice */
+/** @typedef {{ readonly kind: Kind | null, readonly colors: Readonly<Record<string, string>> }} EditorTheme */
+
 const NAMES = ["paper", "sky", "floor", "ink", "faint", "line", "accent", "on-accent", "error", "warning", "note", "label"];
 const COLOR = /^#(?:[0-9a-f]{3,4}|[0-9a-f]{6}|[0-9a-f]{8})$|^rgba?\([\d., %]{5,40}\)$/i;
 const EDITORS = /^(?:vscode-webview|vscode-file|https?):\/\//;
 const MIDDLE = 0.18; // luminance
+/** @type {readonly Choice[]} */
 export const CHOICES = ["auto", "light", "dark"];
 
 export class Theme {
-  constructor(onChange) {
-    this.onChange = onChange;
-    this.choice = "auto";
-    this.editor = null; // {kind, colors}
-    this.isFramed = false; // in an editor's page
+  /** @type {Choice} */
+  choice = "auto";
+  /** @type {Kind} */
+  kind = "light";
+  /** @type {EditorTheme | null} */
+  editor = null;
+  /** Whether it is in an editor's page. */
+  isFramed = false;
+
+  constructor() {
     this.system = matchMedia("(prefers-color-scheme: dark)");
     this.system.addEventListener("change", () => this.apply());
     addEventListener("message", (event) => this.receive(event));
     this.apply();
   }
 
+  // Called when the colours have changed.
+  onChange() {}
+
   get isDark() { return this.kind === "dark"; }
   get colors() { return this.isDark ? DARK : LIGHT; }
 
+  /** @param {string} choice */
   choose(choice) {
-    if (!CHOICES.includes(choice)) return;
-    this.choice = choice;
+    const known = CHOICES.find((one) => one === choice);
+    if (!known) return;
+    this.choice = known;
     this.apply();
   }
 
@@ -34,7 +49,10 @@ export class Theme {
     return this.choice;
   }
 
-  // Only the page that holds this one in a frame is listened to, and it may say no more than colours.
+  /**
+   * Only the page that holds this one in a frame is listened to, and it may say no more than colours.
+   * @param {MessageEvent} event
+   */
   receive({ source, origin, data }) {
     // A panel of an editor has no parent: it takes its colours by itself.
     const { parent } = window;
@@ -44,37 +62,44 @@ export class Theme {
     this.take(data);
   }
 
+  /** @param {{ readonly kind?: unknown, readonly colors?: Readonly<Record<string, unknown>> | null }} told */
   take({ kind, colors }) {
-    const known = NAMES.filter((name) => colors && typeof colors[name] === "string" && COLOR.test(colors[name]));
+    const known = NAMES.map((name) => [name, String(colors?.[name] ?? "")]).filter(([, color]) => COLOR.test(color));
     this.editor = {
       kind: kind === "dark" || kind === "light" ? kind : null,
-      colors: Object.fromEntries(known.map((name) => [name, colors[name]])),
+      colors: Object.fromEntries(known),
     };
     this.apply();
   }
 
-  // Marks must stand out of the editor's ground, whatever the editor calls its theme.
-  kindOfEditor() {
-    const { kind, colors } = this.editor, rgb = plainRgb(colors.sky || colors.paper || "");
+  /**
+   * Marks must stand out of the editor's ground, whatever the editor calls its theme.
+   * @param {EditorTheme} editor
+   */
+  kindOf({ kind, colors }) {
+    const rgb = plainRgb(colors.sky || colors.paper || "");
     return rgb ? (luminance(rgb) < MIDDLE ? "dark" : "light") : kind;
   }
 
   apply() {
-    const root = document.documentElement, isEditors = this.choice === "auto" && this.editor !== null;
+    const root = document.documentElement, editor = this.choice === "auto" ? this.editor : null;
     for (const name of NAMES) {
-      const color = isEditors && this.editor.colors[name];
+      const color = editor?.colors[name];
       if (color) root.style.setProperty(`--${name}`, color);
       else root.style.removeProperty(`--${name}`);
     }
     const own = this.choice === "auto" ? null : this.choice;
-    this.kind = own || (isEditors && this.kindOfEditor()) || (this.system.matches ? "dark" : "light");
+    this.kind = own || (editor && this.kindOf(editor)) || (this.system.matches ? "dark" : "light");
     root.dataset.theme = this.kind;
     root.style.colorScheme = this.kind;
-    if (this.onChange) this.onChange();
+    this.onChange();
   }
 }
 
-// Red, green and blue of #rgb or #rrggbb, null for another way of writing.
+/**
+ * Red, green and blue of #rgb or #rrggbb, null for another way of writing.
+ * @param {string} color
+ */
 function plainRgb(color) {
   const [, digits] = /^#([0-9a-f]{3}|[0-9a-f]{6})(?:[0-9a-f]{1,2})?$/i.exec(color) || [];
   if (!digits) return null;

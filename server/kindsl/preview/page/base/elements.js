@@ -1,5 +1,14 @@
 // Small elements of the page. Text is always set as text, never as markup.
 
+const NAMESPACE = "http://www.w3.org/2000/svg";
+
+/**
+ * @template {keyof HTMLElementTagNameMap} Tag
+ * @param {Tag} tag
+ * @param {string} [className]
+ * @param {string} [text]
+ * @returns {HTMLElementTagNameMap[Tag]}
+ */
 export function make(tag, className, text) {
   const element = document.createElement(tag);
   if (className) element.className = className;
@@ -7,20 +16,60 @@ export function make(tag, className, text) {
   return element;
 }
 
-// A number for people: so many decimals, no trailing zeros.
-export const format = (value, digits = 4) => String(Number(value.toFixed(digits)));
-
-// Bring rows by name in line with what is wanted, in its order; rows that stay keep their focus.
-export function keepRows(rows, parent, wanted, makeRow) {
-  const names = new Set(wanted.map((item) => item.name));
-  for (const [name, row] of rows) {
-    if (names.has(name)) continue;
-    row.element.remove();
-    rows.delete(name);
-  }
-  wanted.forEach((item, position) => {
-    if (!rows.has(item.name)) rows.set(item.name, makeRow(item));
-    const { element } = rows.get(item.name);
-    if (parent.children[position] !== element) parent.insertBefore(element, parent.children[position] || null);
-  });
+/**
+ * An element of a drawing.
+ * @template {keyof SVGElementTagNameMap} Tag
+ * @param {Tag} tag
+ * @param {Readonly<Record<string, string | number>>} [attributes]
+ * @returns {SVGElementTagNameMap[Tag]}
+ */
+export function makeSvg(tag, attributes = {}) {
+  const element = document.createElementNS(NAMESPACE, tag);
+  setAttributes(element, attributes);
+  return element;
 }
+
+/**
+ * @param {Element} element
+ * @param {Readonly<Record<string, string | number>>} attributes
+ */
+export function setAttributes(element, attributes) {
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
+}
+
+/**
+ * An element of `page.html`.
+ * @template {HTMLElement} [Kind=HTMLElement]
+ * @param {string} id
+ * @returns {Kind}
+ */
+export function byId(id) {
+  return partOf(document, `#${id}`);
+}
+
+/**
+ * What an element of `page.html` has in it.
+ * @template {HTMLElement} [Kind=HTMLElement]
+ * @param {ParentNode} whole
+ * @param {string} selector
+ * @returns {Kind}
+ */
+export function partOf(whole, selector) {
+  const found = whole.querySelector(selector);
+  if (!found) throw new Error(`the page has no ${selector}`);
+  return /** @type {Kind} */ (found);
+}
+
+/**
+ * The panel's section that has an element in it.
+ * @param {HTMLElement} element
+ */
+export function sectionOf(element) {
+  return element.closest("section") ?? element;
+}
+
+/**
+ * A number for people: so many decimals, no trailing zeros.
+ * @param {number} value
+ */
+export const format = (value, digits = 4) => String(Number(value.toFixed(digits)));

@@ -2,12 +2,44 @@
 import { originOf, zAxisOf } from "../picture/kinematics.js";
 import { alongLine, angleBetween, onPlane, rayOf, wrappedAngle } from "./rays.js";
 
+/** @import { Actions, Viewer } from "../base/types.js" */
+/** @import { Selection } from "../base/selection.js" */
+/** @import { JointMessage } from "../messages.js" */
+/** @import { Picking } from "../picture/picking.js" */
+/** @import { Scene } from "../picture/scene.js" */
+
+/**
+ * @typedef {object} Parts
+ * @property {Scene} scene
+ * @property {Selection} selection
+ * @property {Picking} picking
+ * @property {Viewer} viewer
+ * @property {HTMLElement} pane
+ * @property {Pick<Actions, "setJoint">} actions
+ */
+/**
+ * @typedef {object} Grabbed
+ * @property {JointMessage} joint
+ * @property {THREE.Vector3} axis
+ * @property {THREE.Vector3} pivot
+ * @property {THREE.Vector3} point Where the link was pressed.
+ * @property {THREE.Vector3} normal Of the plane that the mouse moves in.
+ * @property {boolean} isSlide
+ * @property {boolean} isEdgeOn
+ * @property {number} last Radians turned up to now.
+ * @property {number} q Where the joint stood.
+ */
+
 const { Vector3 } = MeshCat.THREE;
 const GRAZING = 0.25; // below this the plane of the turn is seen from its edge
 
 export class LinkDrag {
+  /** @type {Grabbed | null} */
+  grabbed = null;
+
+  /** @param {Parts} page */
   constructor(page) {
-    Object.assign(this, { page, grabbed: null });
+    this.page = page;
     const { pane } = page;
     // Before the orbit controls hear of a press, see whether it is on the chosen link.
     pane.addEventListener("pointerdown", (event) => this.press(event), true);
@@ -15,13 +47,15 @@ export class LinkDrag {
     for (const type of ["pointerup", "pointercancel"]) addEventListener(type, () => this.release());
   }
 
+  /** @param {PointerEvent} event */
   press(event) {
     const { scene, selection, picking, viewer } = this.page, chosen = selection.chosen;
     if (event.button !== 0 || event.target !== viewer.renderer.domElement || !chosen || chosen.kind !== "link") return;
     const hit = picking.at(event), { trees: { robot }, poses } = scene;
-    const joint = hit && hit.kind === "link" && hit.name === chosen.name && robot.joints.get(robot.links.get(hit.name).joint);
-    if (!joint) return;
-    const pose = poses.robot.joints.get(joint.name), pivot = new Vector3(...originOf(pose));
+    if (hit?.kind !== "link" || hit.name !== chosen.name) return;
+    const joint = robot.joints.get(robot.links.get(hit.name)?.joint ?? ""), pose = poses.robot.joints.get(joint?.name ?? "");
+    if (!joint || !pose) return;
+    const pivot = new Vector3(...originOf(pose));
     const axis = new Vector3(...zAxisOf(pose)), ray = rayOf(viewer, event);
     const point = ray.origin.clone().addScaledVector(ray.direction, hit.distance);
     const isSlide = joint.kind === "prismatic", isEdgeOn = !isSlide && Math.abs(ray.direction.dot(axis)) < GRAZING;
@@ -30,6 +64,7 @@ export class LinkDrag {
     viewer.controls.enabled = false;
   }
 
+  /** @param {PointerEvent} event */
   move(event) {
     if (!this.grabbed) return;
     const { joint, axis, pivot, point, normal, isSlide, isEdgeOn, q } = this.grabbed, { page } = this;

@@ -1,21 +1,33 @@
 // What the linter says: a chip that opens a list in the panel, and one line over the picture when it is not the document.
-import { make } from "../base/elements.js";
+import { byId, make, partOf } from "../base/elements.js";
+
+/** @import { Actions } from "../base/types.js" */
+/** @import { FindingMessage, StatusMessage } from "../messages.js" */
+/** @typedef {{ readonly findings: ReadonlyMap<string, FindingMessage>, readonly status: StatusMessage }} Said */
 
 const SEVERITIES = ["error", "warning", "info", "hint"];
 
 export const GREY = new Set(["broken", "gone"]); // what is drawn is not the document
 
 export class Findings {
+  /** @param {HTMLElement} pane @param {Said} inbox @param {Pick<Actions, "foldPanel" | "reveal">} actions */
   constructor(pane, inbox, actions) {
-    Object.assign(this, { pane, inbox, actions, isOpen: false });
-    this.notice = document.getElementById("notice");
-    this.section = document.getElementById("findings");
-    this.chip = document.getElementById("summary");
+    this.pane = pane;
+    this.inbox = inbox;
+    this.actions = actions;
+    this.isOpen = false;
+    this.notice = byId("notice");
+    this.sentence = partOf(this.notice, "button");
+    this.section = byId("findings");
+    this.list = partOf(this.section, "ul");
+    this.more = partOf(this.section, "p");
+    this.chip = byId("summary");
     this.chip.addEventListener("click", () => this.open(!this.isOpen));
     for (const type of ["pointerdown", "wheel"]) this.notice.addEventListener(type, (event) => event.stopPropagation());
-    this.notice.firstElementChild.addEventListener("click", () => this.open(!this.isOpen));
+    this.sentence.addEventListener("click", () => this.open(!this.isOpen));
   }
 
+  /** @param {boolean} isOpen */
   open(isOpen) {
     this.isOpen = isOpen && this.inbox.findings.size > 0;
     if (this.isOpen) this.actions.foldPanel(false);
@@ -23,7 +35,7 @@ export class Findings {
   }
 
   // {error, warning, info, hint}: how many there are, listed or not.
-  get counts() { return this.inbox.status.counts || {}; }
+  get counts() { return this.inbox.status.counts; }
 
   show() {
     const { state, message, total } = this.inbox.status;
@@ -32,14 +44,14 @@ export class Findings {
     this.pane.classList.toggle("stale", isStale);
     this.notice.hidden = !message;
     this.notice.classList.toggle("broken", isStale);
-    this.notice.firstElementChild.textContent = message;
-    this.notice.firstElementChild.title = message;
+    this.sentence.textContent = message;
+    this.sentence.title = message;
     this.isOpen = this.isOpen && list.length > 0;
     this.section.hidden = !this.isOpen;
     this.chip.ariaExpanded = String(this.isOpen);
-    this.section.querySelector("ul").replaceChildren(...(this.isOpen ? list.map((finding) => this.item(finding)) : []));
+    this.list.replaceChildren(...(this.isOpen ? list.map((finding) => this.item(finding)) : []));
     const more = total - list.length;
-    this.section.querySelector("p").textContent = more > 0 ? `and ${more} more` : "";
+    this.more.textContent = more > 0 ? `and ${more} more` : "";
     this.summarise();
   }
 
@@ -56,6 +68,7 @@ export class Findings {
     return found.map((severity) => `${this.counts[severity]} ${severity}${this.counts[severity] === 1 ? "" : "s"}`);
   }
 
+  /** @param {FindingMessage} finding */
   item(finding) {
     const item = make("li"), link = make("button", finding.severity);
     const texts = { place: `${finding.line}:${finding.column}`, code: finding.code, message: finding.message };

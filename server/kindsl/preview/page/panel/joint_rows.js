@@ -1,21 +1,35 @@
 // The joints' sliders, each with a bar for the torque that holds it against gravity.
-import { format, make } from "../base/elements.js";
+import { byId, format, make, sectionOf } from "../base/elements.js";
 import { SliderRow } from "./slider_row.js";
 import { VirtualList } from "./virtual_list.js";
 
+/** @import { Actions } from "../base/types.js" */
+/** @import { Units } from "../base/units.js" */
+/** @import { JointMessage } from "../messages.js" */
+/** @import { Scene } from "../picture/scene.js" */
+/** @typedef {SliderRow & { readonly torque: HTMLElement, readonly bar: HTMLElement, readonly amount: HTMLElement }} Row */
+/** @typedef {{ readonly key: string, readonly joint: JointMessage }} Item */
+
+/** @type {Readonly<Record<string, readonly string[]>>} */
 const KINDS = { revolute: ["angle", "N m"], prismatic: ["length", "N"] };
 const HEIGHTS = { wide: [26, 43], narrow: [44, 60] }; // without and with torque, pixels
 const NO_LIMITS = { minimum: null, maximum: null };
 const NARROW = 271; // pixels of the panel
 
 export class JointRows {
+  /**
+   * @param {Scene} scene
+   * @param {Units} units
+   * @param {Pick<Actions, "setPose" | "setJoint" | "reveal" | "hover" | "animate">} actions
+   */
   constructor(scene, units, actions) {
-    Object.assign(this, { scene, units, actions, box: document.getElementById("joints") });
-    this.list = new VirtualList(this.box, {
-      make: (item) => this.make(item.key),
-      show: (row, item) => this.show(row, item.joint),
-    });
-    new ResizeObserver(() => this.update()).observe(document.getElementById("panel"));
+    this.scene = scene;
+    this.units = units;
+    this.actions = actions;
+    this.box = byId("joints");
+    /** @type {VirtualList<Item, Row>} */
+    this.list = new VirtualList(this.box, (item) => this.make(item.key), (row, item) => this.show(row, item.joint));
+    new ResizeObserver(() => this.update()).observe(byId("panel"));
     units.onChange(() => this.update());
   }
 
@@ -26,11 +40,11 @@ export class JointRows {
   }
 
   update() {
-    const { trees, view } = this.scene, isTorque = view.get("torque").visible;
+    const { trees } = this.scene, isTorque = this.scene.lookOf("torque").visible;
     const joints = [...trees.robot.joints.values()].sort((a, b) => a.index - b.index);
-    this.box.closest("section").hidden = joints.length === 0;
+    sectionOf(this.box).hidden = joints.length === 0;
     this.box.classList.toggle("with-torque", isTorque);
-    const width = document.getElementById("panel").clientWidth;
+    const width = byId("panel").clientWidth;
     const height = HEIGHTS[width && width < NARROW ? "narrow" : "wide"][Number(isTorque)];
     this.list.set(joints.map((joint) => ({ key: joint.name, joint })), height);
   }
@@ -38,6 +52,7 @@ export class JointRows {
   // Values and torques of the rows in sight.
   refresh() { this.list.render(); }
 
+  /** @param {Row} row @param {JointMessage} joint */
   show(row, joint) {
     const { name, kind } = joint, [minimum, maximum] = this.range(joint), q = this.scene.q.get(name) || 0;
     const limits = this.scene.limits.get(name) || NO_LIMITS;
@@ -50,7 +65,10 @@ export class JointRows {
     this.showTorque(row, name, kind);
   }
 
-  // The joint's limits, or half a turn, or as far as the robot is large.
+  /**
+   * The joint's limits, or half a turn, or as far as the robot is large.
+   * @param {Pick<JointMessage, "name" | "kind">} joint
+   */
   range({ name, kind }) {
     const { minimum, maximum } = this.scene.limits.get(name) || NO_LIMITS;
     const reach = kind === "prismatic" ? Number(this.scene.model.size.toPrecision(2)) : Math.PI;
@@ -58,6 +76,7 @@ export class JointRows {
     return low < high ? [low, high] : [low - reach, low + reach];
   }
 
+  /** @param {string} name @returns {Row} */
   make(name) {
     const row = new SliderRow(name, this.units, {
       onInput: (value) => this.actions.setJoint(name, value),
@@ -65,23 +84,26 @@ export class JointRows {
       onReset: () => this.actions.setJoint(name, 0),
       onHover: (isOn) => this.actions.hover(isOn ? { kind: "joint", name } : null),
     });
-    row.play = make("button", "play", "▷");
-    Object.assign(row.play, { title: "Move between the limits", ariaLabel: `animate ${name}` });
-    row.play.addEventListener("click", () => this.actions.animate(name));
-    row.bar = make("div", "bar");
-    row.amount = make("span", "amount");
-    row.torque = make("div", "torque");
+    const play = make("button", "play", "▷");
+    Object.assign(play, { title: "Move between the limits", ariaLabel: `animate ${name}` });
+    play.addEventListener("click", () => this.actions.animate(name));
+    const bar = make("div", "bar"), amount = make("span", "amount"), torque = make("div", "torque");
     const track = make("div", "track");
-    track.append(row.bar);
-    row.torque.append(track, row.amount);
-    row.element.append(row.play, row.torque);
-    return row;
+    track.append(bar);
+    torque.append(track, amount);
+    row.element.append(play, torque);
+    return Object.assign(row, { torque, bar, amount });
   }
 
-  // From the left, the largest over the whole width; the colour and the number tell the sign.
+  /**
+   * From the left, the largest over the whole width; the colour and the number tell the sign.
+   * @param {Row} row
+   * @param {string} name
+   * @param {string} kind
+   */
   showTorque(row, name, kind) {
-    const { torques, view, largestTorque } = this.scene;
-    row.torque.hidden = !view.get("torque").visible;
+    const { torques, largestTorque } = this.scene;
+    row.torque.hidden = !this.scene.lookOf("torque").visible;
     if (row.torque.hidden) return;
     const torque = torques.get(name) || 0;
     row.bar.style.width = `${(100 * Math.abs(torque)) / (largestTorque || 1)}%`;

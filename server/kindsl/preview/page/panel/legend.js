@@ -1,22 +1,43 @@
 // Presets, and below them what is drawn in which colour, with switches and opacities for each kind of thing.
-import { make } from "../base/elements.js";
+import { byId, make } from "../base/elements.js";
 import { CATEGORIES, NAME_KINDS } from "../picture/categories.js";
 import { cssColor } from "../picture/palette.js";
 import { oversized } from "../picture/places.js";
 import { PRESET_NAMES } from "../picture/presets.js";
 
+/** @import { Actions } from "../base/types.js" */
+/** @import { Category } from "../picture/categories.js" */
+/** @import { Presets } from "../picture/presets.js" */
+/** @import { Scene } from "../picture/scene.js" */
+/** @typedef {{ readonly box: HTMLInputElement, readonly fade: HTMLInputElement, readonly swatch: HTMLElement }} Row */
+/** @type {Readonly<Record<string, number>>} */
+const STEPS = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 };
+/** @typedef {Pick<Actions, "setView" | "choosePreset" | "resetPreset" | "showOversized">} Choices */
+
 export class Legend {
+  /** @type {Map<string, Row>} */
+  rows = new Map();
+  /**
+   * Of presets.
+   * @type {Map<string, HTMLElement>}
+   */
+  buttons = new Map();
+
+  /** @param {Scene} scene @param {Presets} presets @param {Choices} actions */
   constructor(scene, presets, actions) {
-    Object.assign(this, { scene, presets, actions, rows: new Map(), buttons: new Map() });
-    this.box = document.getElementById("legend");
+    this.scene = scene;
+    this.presets = presets;
+    this.actions = actions;
+    this.box = byId("legend");
     for (const category of CATEGORIES) this.box.append(this.entry(category));
     this.more = make("p", "more");
     this.box.append(this.more);
-    this.fillPresets(document.getElementById("presets"));
+    this.fillPresets(byId("presets"));
     presets.onChange(() => this.show());
     this.show();
   }
 
+  /** @param {HTMLElement} group */
   fillPresets(group) {
     for (const name of PRESET_NAMES) {
       const button = make("button", "", name);
@@ -29,21 +50,26 @@ export class Legend {
     }
   }
 
-  // The arrow keys go from one preset to the next, as in any group of radio buttons.
+  /**
+   * The arrow keys go from one preset to the next, as in any group of radio buttons.
+   * @param {KeyboardEvent} event
+   * @param {string} name
+   */
   step(event, name) {
-    const by = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
+    const by = STEPS[event.key];
     if (!by) return;
     const names = PRESET_NAMES, next = names[(names.indexOf(name) + by + names.length) % names.length];
     this.actions.choosePreset(next);
-    this.buttons.get(next).focus();
+    this.buttons.get(next)?.focus();
     event.preventDefault();
   }
 
+  /** @param {Category} category */
   entry(category) {
     const row = make("label", "entry"), box = make("input"), fade = make("input", "fade");
     Object.assign(box, { type: "checkbox" });
     box.dataset.category = category.key;
-    Object.assign(fade, { type: "range", min: 0.05, max: 1, step: 0.05, title: "Opacity" });
+    Object.assign(fade, { type: "range", min: "0.05", max: "1", step: "0.05", title: "Opacity" });
     fade.ariaLabel = `opacity of ${category.title}`;
     fade.hidden = NAME_KINDS.includes(category.key);
     const change = () => this.actions.setView(category.key, box.checked, Number(fade.value));
@@ -58,9 +84,9 @@ export class Legend {
   // What the presets and the theme say now.
   show() {
     for (const [key, { box, fade, swatch }] of this.rows) {
-      const { visible, opacity } = this.scene.view.get(key), color = this.scene.colors[key];
+      const { visible, opacity } = this.scene.lookOf(key), color = this.scene.colors[key];
       box.checked = visible;
-      if (document.activeElement !== fade) fade.value = opacity;
+      if (document.activeElement !== fade) fade.value = String(opacity);
       if (color !== undefined) swatch.style.background = cssColor(color);
     }
     for (const [name, button] of this.buttons) {
@@ -84,6 +110,7 @@ export class Legend {
   }
 }
 
+/** @param {string} text @param {() => void} act */
 function offer(text, act) {
   const button = make("button", "", text);
   button.type = "button";

@@ -1,26 +1,43 @@
 // The parameters' sliders; one without a value is drawn at a guess and says so.
-import { make } from "../base/elements.js";
+import { byId, make, sectionOf } from "../base/elements.js";
 import { SliderRow } from "./slider_row.js";
 import { VirtualList } from "./virtual_list.js";
 
+/** @import { Actions } from "../base/types.js" */
+/** @import { Units } from "../base/units.js" */
+/** @import { ParameterMessage } from "../messages.js" */
+/** @typedef {SliderRow & { readonly reset: HTMLElement }} Row */
+/** @typedef {{ readonly key: string, readonly parameter: ParameterMessage }} Item */
+
 export class ParameterRows {
+  /** @type {readonly ParameterMessage[]} */
+  parameters = [];
+  sentence = make("p");
+  setAll = make("button", "", "Set all");
+  write = make("button", "", "Write these to kindsl.toml");
+
+  /**
+   * @param {Units} units
+   * @param {Pick<Actions, "isStatic" | "setParameter" | "setParameters" | "writeParameters" | "reveal">} actions
+   */
   constructor(units, actions) {
-    Object.assign(this, { units, actions, parameters: [], box: document.getElementById("parameters") });
+    this.units = units;
+    this.actions = actions;
+    this.box = byId("parameters");
     this.box.classList.add("list");
-    this.list = new VirtualList(this.box, {
-      make: (item) => this.make(item.key),
-      show: (row, item) => this.show(row, item.parameter),
-    });
-    this.guesses = document.getElementById("guesses");
+    /** @type {VirtualList<Item, Row>} */
+    this.list = new VirtualList(this.box, (item) => this.make(item.key), (row, item) => this.show(row, item.parameter));
+    this.guesses = byId("guesses");
     this.fillGuesses();
-    new ResizeObserver(() => this.update(this.parameters)).observe(document.getElementById("panel"));
+    new ResizeObserver(() => this.update(this.parameters)).observe(byId("panel"));
     units.onChange(() => this.update(this.parameters));
   }
 
+  /** @param {readonly ParameterMessage[]} parameters */
   update(parameters) {
     this.parameters = [...parameters].sort((a, b) => a.index - b.index);
-    this.box.closest("section").hidden = this.parameters.length === 0;
-    const width = document.getElementById("panel").clientWidth;
+    sectionOf(this.box).hidden = this.parameters.length === 0;
+    const width = byId("panel").clientWidth;
     this.list.set(this.parameters.map((parameter) => ({ key: parameter.name, parameter })), width && width < 271 ? 44 : 26);
     const count = this.guessed.length, isTyped = this.parameters.some(({ is_overridden: typed }) => typed);
     this.guesses.hidden = count === 0 && !isTyped;
@@ -40,15 +57,13 @@ export class ParameterRows {
   get placed() { return this.guessed.filter(({ kind }) => kind !== "dynamics"); }
 
   fillGuesses() {
-    this.sentence = make("p");
-    this.setAll = make("button", "", "Set all");
     this.setAll.title = "Take the guesses as values";
     this.setAll.addEventListener("click", () => this.actions.setParameters(this.placed));
-    this.write = make("button", "", "Write these to kindsl.toml");
     this.write.addEventListener("click", () => this.actions.writeParameters(this.kept));
     this.guesses.append(this.sentence, this.setAll, " ", this.write);
   }
 
+  /** @param {Row} row @param {ParameterMessage} parameter */
   show(row, { kind, value, minimum, maximum, is_guess: isGuess, is_overridden: isOverridden }) {
     row.setRange(minimum, maximum, kind);
     row.setValue(value);
@@ -61,17 +76,18 @@ export class ParameterRows {
     row.element.title = "An exported page keeps the masses and inertia that it was made with";
   }
 
+  /** @param {string} name @returns {Row} */
   make(name) {
-    const setParameter = (value) => this.actions.setParameter(name, value);
+    const setParameter = (/** @type {number | null} */ value) => this.actions.setParameter(name, value);
     const row = new SliderRow(name, this.units, {
       onInput: setParameter,
       onName: () => this.actions.reveal({ kind: "parameter", name }),
       onReset: () => setParameter(null),
     });
-    row.reset = make("button", "reset", "↺");
-    Object.assign(row.reset, { title: "Back to the document's value", ariaLabel: `reset ${name}` });
-    row.reset.addEventListener("click", () => setParameter(null));
-    row.element.append(row.reset);
-    return row;
+    const reset = make("button", "reset", "↺");
+    Object.assign(reset, { title: "Back to the document's value", ariaLabel: `reset ${name}` });
+    reset.addEventListener("click", () => setParameter(null));
+    row.element.append(reset);
+    return Object.assign(row, { reset });
   }
 }

@@ -1,12 +1,26 @@
 // A row with a name, a slider and a place to type the value.
 import { make } from "../base/elements.js";
 
+/** @import { Units } from "../base/units.js" */
+
+/**
+ * @typedef {object} Events
+ * @property {(value: number) => void} onInput Called with numbers only.
+ * @property {() => void} onName A click on the name.
+ * @property {() => void} onReset A double click.
+ * @property {(isOn: boolean) => void} [onHover]
+ */
+
 const STEPS = 2000;
 
 export class SliderRow {
-  // `onInput(value)` is called with numbers only, `onName()` for a click on the name, `onReset()` for a double click.
+  kind = "";
+  minimum = 0;
+  maximum = 1;
+
+  /** @param {string} name @param {Units} units @param {Events} events */
   constructor(name, units, { onInput, onName, onReset, onHover }) {
-    Object.assign(this, { units, kind: "", minimum: 0, maximum: 1, value: 0 });
+    this.units = units;
     this.element = make("div", "row");
     this.name = make("button", "name", name);
     this.name.title = name;
@@ -25,6 +39,7 @@ export class SliderRow {
     this.element.addEventListener("mouseleave", () => onHover(false));
   }
 
+  /** @param {(value: number) => void} onInput */
   slide(onInput) {
     const value = Number(this.slider.value);
     this.number.value = this.units.show(value, this.kind);
@@ -33,6 +48,7 @@ export class SliderRow {
     onInput(value);
   }
 
+  /** @param {(value: number) => void} onInput */
   type(onInput) {
     const value = this.units.read(this.number.value, this.kind);
     this.number.classList.toggle("wrong", value === null);
@@ -43,24 +59,35 @@ export class SliderRow {
     this.number.value = this.units.show(value, this.kind);
   }
 
-  // `kind` is "angle", "length" or another without a unit.
+  /**
+   * `kind` is "angle", "length" or another without a unit.
+   * @param {number} minimum
+   * @param {number} maximum
+   * @param {string} kind
+   */
   setRange(minimum, maximum, kind) {
     Object.assign(this, { minimum, maximum, kind });
     Object.assign(this.slider, { min: minimum, max: maximum, step: (maximum - minimum) / STEPS });
     this.unit.textContent = this.units.nameOf(kind);
   }
 
-  // Show a value. What is being typed stays.
+  /**
+   * Show a value. What is being typed stays.
+   * @param {number} value
+   */
   setValue(value) {
     if (document.activeElement !== this.number) this.number.value = this.units.show(value, this.kind);
-    this.slider.value = value;
+    this.slider.value = String(value);
     this.slider.ariaValueText = `${this.units.show(value, this.kind)} ${this.units.nameOf(this.kind)}`.trim();
     this.fill(value);
   }
 
-  // The track is filled from zero, or from the end that is nearest to it.
+  /**
+   * The track is filled from zero, or from the end that is nearest to it.
+   * @param {number} value
+   */
   fill(value) {
-    const share = (at) => Math.min(100, Math.max(0, (100 * (at - this.minimum)) / (this.maximum - this.minimum)));
+    const share = (/** @type {number} */ at) => Math.min(100, Math.max(0, (100 * (at - this.minimum)) / (this.maximum - this.minimum)));
     const [from, to] = [share(0), share(value)].sort((a, b) => a - b);
     this.slider.style.setProperty("--from", `${from.toFixed(2)}%`);
     this.slider.style.setProperty("--to", `${to.toFixed(2)}%`);

@@ -1,50 +1,71 @@
 // The robot's links, with their joints and frames, beside the picture: search, an eye and isolation for each.
-import { make } from "../base/elements.js";
+import { byId, make, sectionOf } from "../base/elements.js";
 import { isSame } from "../base/selection.js";
 import { VirtualList } from "./virtual_list.js";
 
+/** @import { Actions, Kind } from "../base/types.js" */
+/** @import { Selection } from "../base/selection.js" */
+/** @import { JointMessage } from "../messages.js" */
+/** @import { Scene } from "../picture/scene.js" */
+
+/**
+ * @typedef {object} Item
+ * @property {string} key
+ * @property {Kind} kind
+ * @property {string} name
+ * @property {number} depth
+ * @property {JointMessage | null} joint That moves it.
+ * @property {string} text To be searched.
+ */
+/** @typedef {{ readonly element: HTMLElement, readonly isolate?: HTMLElement, readonly eye?: HTMLElement }} Row */
+
 const HEIGHT = 22; // pixels
 const DEEPEST = 14; // steps of indentation
+/** @type {Readonly<Record<string, string>>} */
 const SIGNS = { revolute: "⟳", prismatic: "⇅" };
 
 export class Tree {
+  /** @param {Scene} scene @param {Selection} selection @param {Pick<Actions, "reveal" | "hover" | "note">} actions */
   constructor(scene, selection, actions) {
-    Object.assign(this, { scene, selection, actions, box: document.getElementById("tree"), search: "" });
-    this.list = new VirtualList(this.box, {
-      make: (item) => this.make(item),
-      show: (row, item) => this.show(row, item),
-    });
-    this.showAll = document.getElementById("show-all");
+    this.scene = scene;
+    this.selection = selection;
+    this.actions = actions;
+    this.box = byId("tree");
+    this.search = "";
+    /** @type {VirtualList<Item, Row>} */
+    this.list = new VirtualList(this.box, (item) => this.make(item), (row, item) => this.show(row, item));
+    this.showAll = byId("show-all");
     this.showAll.addEventListener("click", () => this.change(() => scene.hidden.showAll()));
-    const field = document.getElementById("search");
+    /** @type {HTMLInputElement} */
+    const field = byId("search");
     field.addEventListener("input", () => { this.search = field.value.trim().toLowerCase(); this.update(); });
     selection.onChange((what) => this.follow(what));
   }
 
   update() {
     const items = this.items().filter((item) => item.text.includes(this.search));
-    this.box.closest("section").hidden = this.scene.trees.robot.links.size === 0;
+    sectionOf(this.box).hidden = this.scene.trees.robot.links.size === 0;
     this.list.set(items, HEIGHT);
   }
 
   // Links, each before those that it carries, and their frames.
   items() {
-    const { links, joints, frames } = this.scene.trees.robot, children = new Map(), own = new Map(), items = [];
-    const push = (map, key, value) => (map.has(key) ? map.get(key).push(value) : map.set(key, [value]));
-    for (const joint of joints.values()) push(children, joint.predecessor, joint);
-    for (const frame of frames.values()) push(own, frame.link, frame);
+    const { links, joints, frames } = this.scene.trees.robot, items = [];
+    const children = grouped([...joints.values()].sort((a, b) => b.index - a.index), (joint) => joint.predecessor);
+    const own = grouped([...frames.values()], (frame) => frame.link);
     const root = [...links.values()].find((link) => !joints.has(link.joint));
+    /** @type {{ name: string, joint: JointMessage | null, depth: number }[]} */
     const waiting = root ? [{ name: root.name, joint: null, depth: 0 }] : [];
-    while (waiting.length) {
-      const { name, joint, depth } = waiting.pop();
+    for (let next = waiting.pop(); next; next = waiting.pop()) {
+      const { name, joint, depth } = next;
       items.push(item("link", name, depth, joint));
       for (const frame of own.get(name) || []) items.push(item("frame", frame.name, depth + 1, null));
-      const below = (children.get(name) || []).sort((a, b) => b.index - a.index);
-      for (const next of below) waiting.push({ name: next.successor, joint: next, depth: depth + 1 });
+      for (const below of children.get(name) || []) waiting.push({ name: below.successor, joint: below, depth: depth + 1 });
     }
     return items;
   }
 
+  /** @param {Item} item @returns {Row} */
   make({ kind, name, joint }) {
     const element = make("div", `branch ${kind}`), label = make("button", "name", name);
     element.role = "listitem";
@@ -52,28 +73,30 @@ export class Tree {
     element.addEventListener("mouseenter", () => this.actions.hover({ kind, name }));
     element.addEventListener("mouseleave", () => this.actions.hover(null));
     element.append(label);
-    if (kind === "frame") return { element, label };
+    if (kind === "frame") return { element };
     if (joint) label.append(make("span", "via", `  ${SIGNS[joint.kind]} ${joint.name}`));
     const isolate = make("button", "isolate", "◎"), eye = make("button", "eye");
     Object.assign(isolate, { title: "Show this link alone", ariaLabel: `isolate ${name}` });
     isolate.addEventListener("click", () => this.change(() => this.scene.hidden.isolate(name)));
     eye.addEventListener("click", () => this.change(() => this.scene.hidden.toggle(name)));
     element.append(isolate, eye);
-    return { element, label, isolate, eye };
+    return { element, isolate, eye };
   }
 
+  /** @param {Row} row @param {Item} item */
   show({ element, eye, isolate }, { kind, name, depth }) {
     const { hidden } = this.scene, { chosen } = this.selection;
     const isOff = hidden.hidesThing(`${kind}s`, name);
-    element.style.setProperty("--depth", Math.min(depth, DEEPEST));
+    element.style.setProperty("--depth", String(Math.min(depth, DEEPEST)));
     element.classList.toggle("chosen", isSame(chosen, { kind, name }));
     element.classList.toggle("off", isOff);
-    if (!eye) return;
+    if (!eye || !isolate) return;
     eye.textContent = isOff ? "○" : "●";
     Object.assign(eye, { title: isOff ? "Show" : "Hide", ariaLabel: `${isOff ? "show" : "hide"} ${name}`, ariaPressed: null });
     isolate.ariaPressed = String(hidden.isolated === name);
   }
 
+  /** @param {() => void} act */
   change(act) {
     act();
     this.scene.changed("view");
@@ -82,7 +105,10 @@ export class Tree {
     this.actions.note();
   }
 
-  // The chosen thing in sight; a joint's row is that of its link.
+  /**
+   * The chosen thing in sight; a joint's row is that of its link.
+   * @param {string} what
+   */
   follow(what) {
     if (what !== "chosen" && what !== "cursor") return;
     const thing = this.selection.cursor || this.selection.chosen;
@@ -92,6 +118,20 @@ export class Tree {
   }
 }
 
+/**
+ * Bring what has the same key together, in its order.
+ * @template Value
+ * @param {readonly Value[]} values
+ * @param {(value: Value) => string} keyOf
+ */
+function grouped(values, keyOf) {
+  /** @type {Map<string, Value[]>} */
+  const groups = new Map();
+  for (const value of values) groups.set(keyOf(value), [...(groups.get(keyOf(value)) || []), value]);
+  return groups;
+}
+
+/** @param {Kind} kind @param {string} name @param {number} depth @param {JointMessage | null} joint @returns {Item} */
 function item(kind, name, depth, joint) {
   const text = `${name} ${joint ? joint.name : ""}`.toLowerCase();
   return { key: `${kind} ${name}`, kind, name, depth, joint, text };

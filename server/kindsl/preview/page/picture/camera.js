@@ -1,27 +1,46 @@
 // From where the robot is seen. Positions are in the base's frame (z up) unless said otherwise.
 import { originOf, transformPoint } from "./kinematics.js";
 
+/** @import { Eye, Thing, Vector, Viewer } from "../base/types.js" */
+/** @import { Scene } from "./scene.js" */
+
 const { Vector3 } = MeshCat.THREE;
 const FIELD_OF_VIEW = 28; // degrees
+/** @type {Vector} */
 const FROM = [1.0, -1.35, 0.62]; // where the camera stands at first, seen from the robot
 const BORDER = 7; // around the robot, in radii of its bodies
 const MARGIN = 34; // pixels above and below that stay free for what lies over the picture
 const STEEPEST = 1e-3; // a view from above keeps a direction for its top
 
+/** @param {readonly number[]} position */
 export const toThree = ([x, y, z]) => new Vector3(x, z, -y);
+/** @type {(position: THREE.Vector3) => Vector} */
 export const fromThree = ({ x, y, z }) => [x, -z, y];
 
 export class Camera {
+  /**
+   * The robot's size when it was framed, metres.
+   * @type {number | null}
+   */
+  framedSize = null;
+  /** Whether the view is the user's own. */
+  isUsers = false;
+  /** @type {(() => void)[]} */
+  #listeners = [];
+
+  /** @param {Viewer} viewer @param {Scene} scene @param {HTMLElement} pane */
   constructor(viewer, scene, pane) {
-    Object.assign(this, { viewer, scene, pane, framedSize: null, isUsers: false });
+    this.viewer = viewer;
+    this.scene = scene;
+    this.pane = pane;
     viewer.camera.fov = FIELD_OF_VIEW;
-    this.listeners = [];
     viewer.controls.addEventListener("start", () => { this.isUsers = true; });
     viewer.controls.addEventListener("end", () => this.moved());
   }
 
-  onMove(listener) { this.listeners.push(listener); }
-  moved() { for (const listener of this.listeners) listener(); }
+  /** @param {() => void} listener */
+  onMove(listener) { this.#listeners.push(listener); }
+  moved() { for (const listener of this.#listeners) listener(); }
 
   // The pane has another shape: frame the robot anew unless the user has turned it.
   resized() {
@@ -43,7 +62,11 @@ export class Camera {
     this.framedSize = this.scene.model.size;
   }
 
-  // Look along a direction, from the robot to the camera, so that all points are in the picture.
+  /**
+   * Look along a direction, from the robot to the camera, so that all points are in the picture.
+   * @param {readonly number[]} from
+   * @param {readonly Vector[]} points
+   */
   look(from, points) {
     const direction = toThree(from).normalize();
     if (Math.abs(direction.y) > 1 - STEEPEST) direction.set(0, direction.y, STEEPEST).normalize();
@@ -51,7 +74,10 @@ export class Camera {
     this.put(target.clone().addScaledVector(direction, distance), target);
   }
 
-  // Keep the direction and show these points.
+  /**
+   * Keep the direction and show these points.
+   * @param {readonly Vector[]} points
+   */
   focus(points) {
     this.isUsers = true;
     const { position, target } = this.state();
@@ -59,14 +85,21 @@ export class Camera {
     this.moved();
   }
 
-  // One of the seven views, by a direction; counts as the user's own.
+  /**
+   * One of the seven views, by a direction; counts as the user's own.
+   * @param {Vector} from
+   */
   view(from) {
     this.isUsers = true;
     this.look(from, this.points());
     this.moved();
   }
 
-  // Take positions in three.js' world.
+  /**
+   * Take positions in three.js' world.
+   * @param {THREE.Vector3} position
+   * @param {THREE.Vector3} target
+   */
   put(position, target) {
     const { camera, controls } = this.viewer, reach = Math.max(this.scene.model.size, position.distanceTo(target));
     camera.near = reach / 500;
@@ -80,19 +113,24 @@ export class Camera {
     this.viewer.set_dirty();
   }
 
-  // {position, target}
+  /** @returns {Eye} */
   state() {
     const { camera, controls } = this.viewer;
     return { position: fromThree(camera.getWorldPosition(new Vector3())), target: fromThree(controls.target) };
   }
 
+  /** @param {Eye} eye */
   restore({ position, target }) {
     this.isUsers = true;
     this.put(toThree(position), toThree(target));
     this.moved();
   }
 
-  // Turn by angles (radians), move by shares of the distance, or come nearer by a factor.
+  /**
+   * Turn by angles (radians), move by shares of the distance, or come nearer by a factor.
+   * @param {number} azimuth
+   * @param {number} elevation
+   */
   turn(azimuth, elevation) {
     this.change((offset) => {
       const length = offset.length(), polar = Math.acos(offset.y / length) - elevation;
@@ -101,8 +139,10 @@ export class Camera {
     });
   }
 
+  /** @param {number} factor */
   zoom(factor) { this.change((offset) => offset.multiplyScalar(factor)); }
 
+  /** @param {number} right @param {number} up */
   pan(right, up) {
     const { controls, camera } = this.viewer, distance = this.offset().length();
     camera.updateMatrixWorld(true);
@@ -114,6 +154,7 @@ export class Camera {
 
   offset() { return this.viewer.camera.getWorldPosition(new Vector3()).sub(this.viewer.controls.target); }
 
+  /** @param {(offset: THREE.Vector3) => THREE.Vector3} transform */
   change(transform, move = new Vector3()) {
     this.isUsers = true;
     const { controls } = this.viewer, offset = transform(this.offset().sub(move));
@@ -123,7 +164,11 @@ export class Camera {
     this.moved();
   }
 
-  // Where to look, and from how far, so that all points are in the picture.
+  /**
+   * Where to look, and from how far, so that all points are in the picture.
+   * @param {THREE.Vector3} direction
+   * @param {readonly Vector[]} points
+   */
   fit(direction, points) {
     const right = new Vector3(0, 1, 0).cross(direction).normalize(), up = direction.clone().cross(right);
     const seen = points.map(toThree).map((p) => [p.dot(right), p.dot(up), p.dot(direction)]);
@@ -144,24 +189,33 @@ export class Camera {
   points() {
     this.scene.update();
     const { poses, model } = this.scene;
+    /** @type {Vector[]} */
     const points = [[model.center[0], model.center[1], model.ground]];
     for (const name of poses.robot.links.keys()) points.push(...this.pointsOf({ kind: "link", name }));
     for (const pose of poses.robot.frames.values()) points.push(originOf(pose));
     return points;
   }
 
-  // Where a link, joint or frame reaches to.
+  /**
+   * Where a link, joint or frame reaches to.
+   * @param {Thing} thing
+   * @returns {Vector[]}
+   */
   pointsOf({ kind, name }) {
     const pose = this.scene.poseOf({ kind, name });
     if (!pose) return [];
-    const link = kind === "link" && this.scene.trees.robot.links.get(name);
-    const ends = link ? link.ends.map((end) => transformPoint(pose, end)) : [];
+    const link = kind === "link" ? this.scene.trees.robot.links.get(name) : undefined;
+    const ends = link ? link.ends.map((/** @type {Vector} */ end) => transformPoint(pose, end)) : [];
     return [originOf(pose), ...ends];
   }
 
-  // The camera hangs in nodes of the viewer's scene whose turns cancel out.
+  /**
+   * The camera hangs in nodes of the viewer's scene whose turns cancel out.
+   * @param {THREE.Vector3} position
+   */
   fromWorld(position) {
-    this.viewer.camera.parent.updateMatrixWorld(true);
-    return this.viewer.camera.parent.worldToLocal(position);
+    const { parent } = this.viewer.camera;
+    parent?.updateMatrixWorld(true);
+    return parent ? parent.worldToLocal(position) : position;
   }
 }

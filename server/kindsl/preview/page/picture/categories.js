@@ -1,7 +1,13 @@
 // The kinds of things drawn: their names in the legend, what a click on them means, and how they scale with the robot.
 
-// `key` is the path element under a link's, joint's or frame's node; `kind` is what a click on it means;
-// of what lies under the mouse the least `pick` wins.
+/** @import { Kind } from "../base/types.js" */
+/** @typedef {{ readonly key: string, readonly title: string, readonly kind: Kind | null, readonly pick: number, readonly swatch?: string }} Category */
+
+/**
+ * `key` is the path element under a link's, joint's or frame's node; `kind` is what a click on it means;
+ * of what lies under the mouse the least `pick` wins.
+ * @type {readonly Category[]}
+ */
 export const CATEGORIES = [
   { key: "body", title: "Links", kind: "link", pick: 1 },
   { key: "base", title: "Base", kind: "link", pick: 1 },
@@ -23,15 +29,22 @@ export const CATEGORIES = [
 ];
 export const NAME_KINDS = ["link-names", "joint-names", "frame-names"];
 
-// How a mark's size follows the robot's: `uniform` in all directions, `radial` across y only, `none`: true size.
+/**
+ * How a mark's size follows the robot's: `uniform` in all directions, `radial` across y only, `none`: true size.
+ * @type {Readonly<Record<string, string>>}
+ */
 const SIZING = { segment: "radial", rail: "radial", ellipsoid: "none", force: "none" };
 
-// /kindsl/TREE/GROUP/NAME/CATEGORY/PART
+/**
+ * /kindsl/TREE/GROUP/NAME/CATEGORY/PART
+ * @param {string} path
+ */
 export function parsePath(path) {
-  const [, root, tree, group, name, category, part] = path.split("/");
-  return { root, tree, group, name: name && decodeURIComponent(name), category, part };
+  const [, root = "", tree = "", group = "", name = "", category = "", part = ""] = path.split("/");
+  return { root, tree, group, name: decodeURIComponent(name), category, part };
 }
 
+/** @param {string} part */
 export function sizing(part) {
   return SIZING[part.split("-")[0]] || "uniform";
 }

@@ -1,8 +1,26 @@
 // Names in the picture: ordinary text over the canvas, so they always face the viewer and stay sharp. Few at a time,
 // none over another, with a line to what they name where they had to move away. Who is shown stays shown.
+import { make, makeSvg, setAttributes } from "../base/elements.js";
 import { toThree } from "./camera.js";
 import { originOf, transformPoint } from "./kinematics.js";
 import { LabelPlaces } from "./label_places.js";
+
+/** @import { Actions, Kind, Thing, Vector } from "../base/types.js" */
+/** @import { Box } from "./label_places.js" */
+/** @import { Scene } from "./scene.js" */
+
+/**
+ * @typedef {object} Label
+ * @property {Kind} kind
+ * @property {string} name
+ * @property {number} slot Where it was put last.
+ * @property {boolean} isShown
+ * @property {readonly number[]} size Width and height, pixels.
+ * @property {HTMLElement} [element] Made when it is first shown.
+ * @property {SVGLineElement} [line]
+ */
+/** @typedef {Thing & { readonly key: string, readonly isLit: boolean, readonly position: THREE.Vector3 }} Named */
+/** @typedef {readonly [x: number, y: number, distance: number, radius: number]} At x, y and the radius of a mark there in pixels */
 
 const AREA = 24000; // square pixels of the pane for each label
 const FEWEST = 6;
@@ -14,12 +32,18 @@ const WIDEST = 190; // pixels
 const NEAR = 110, FEW = 2; // pixels around a thing in which a crowd has no more names
 
 export class Labels {
+  /** @type {Map<string, Label>} */
+  byKey = new Map();
+  /** @type {readonly Named[] | null} */
+  things = null;
+
+  /** @param {Scene} scene @param {HTMLElement} pane @param {Actions} actions */
   constructor(scene, pane, actions) {
-    Object.assign(this, { scene, pane, actions, byKey: new Map(), things: null });
-    this.layer = document.createElement("div");
-    this.layer.className = "labels";
-    this.lines = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-    this.lines.setAttribute("aria-hidden", "true");
+    this.scene = scene;
+    this.pane = pane;
+    this.actions = actions;
+    this.layer = make("div", "labels");
+    this.lines = makeSvg("svg", { "aria-hidden": "true" });
     this.layer.append(this.lines);
     pane.append(this.layer);
     // The viewer's controls would take a press for the start of a turn, and the click with it.
@@ -32,7 +56,9 @@ export class Labels {
   place() {
     const seen = this.seen(), places = new LabelPlaces(this.pane, seen.map(({ box }) => box));
     const most = Math.max(FEWEST, Math.floor((this.pane.clientWidth * this.pane.clientHeight) / AREA));
-    const shown = new Set(), named = [], isCrowd = seen.length > 2 * most;
+    /** @type {At[]} */
+    const named = [];
+    const shown = new Set(), isCrowd = seen.length > 2 * most;
     for (const { thing, at, depth } of seen) {
       if (shown.size >= most && !thing.isLit) continue;
       const label = this.label(thing);
@@ -54,8 +80,8 @@ export class Labels {
       const at = this.projectThree(thing.position);
       if (!at) continue;
       const label = this.byKey.get(thing.key), [x, y, distance, radius] = at;
-      const rank = (thing.isLit ? LIT : 0) + RANKS[thing.kind] + (label && label.isShown ? SHOWN : 0);
-      list.push({ thing, at, rank, distance, box: [x - radius, y - radius, x + radius, y + radius] });
+      const rank = (thing.isLit ? LIT : 0) + RANKS[thing.kind] + (label?.isShown ? SHOWN : 0);
+      list.push({ thing, at, rank, distance, depth: 0, box: [x - radius, y - radius, x + radius, y + radius] });
     }
     const near = Math.min(...list.map((one) => one.distance)), far = Math.max(...list.map((one) => one.distance));
     for (const one of list) one.depth = far > near ? (one.distance - near) / (far - near) : 0;
@@ -64,68 +90,81 @@ export class Labels {
 
   // Things whose names are wanted, with their places in three.js' world.
   wanted() {
-    const { trees, poses, view, highlighted, hidden } = this.scene, list = [];
+    const { scene, scene: { trees, poses, highlighted, hidden } } = this;
+    /** @type {Named[]} */
+    const list = [];
+    /** @type {(kind: Kind, name: string, position: Vector) => void} */
     const add = (kind, name, position) => {
-      const isLit = Boolean(highlighted) && highlighted.kind === kind && highlighted.name === name;
-      const isShown = view.get(`${kind}-names`).visible && !hidden.hidesThing(`${kind}s`, name);
+      const isLit = highlighted !== null && highlighted.kind === kind && highlighted.name === name;
+      const isShown = scene.lookOf(`${kind}-names`).visible && !hidden.hidesThing(`${kind}s`, name);
       if (isLit || isShown) list.push({ key: `${kind} ${name}`, kind, name, isLit, position: toThree(position) });
     };
-    if (!poses.robot) return list;
     for (const [name, pose] of poses.robot.links) {
-      add("link", name, transformPoint(pose, trees.robot.links.get(name).anchor));
+      const link = trees.robot.links.get(name);
+      if (link) add("link", name, transformPoint(pose, link.anchor));
     }
     for (const [name, pose] of poses.robot.joints) add("joint", name, originOf(pose));
     for (const [name, pose] of poses.robot.frames) add("frame", name, originOf(pose));
     return list;
   }
 
+  /** @param {Label} label @param {Box} box @param {At} at @param {Named} thing @param {number} depth */
   put(label, box, at, { isLit }, depth) {
-    if (!label.element) this.build(label);
-    const { element, line } = label;
+    const { element, line } = this.built(label);
     if (!label.isShown) element.style.visibility = "visible";
     label.isShown = true;
-    element.style.opacity = isLit ? 1 : (1 - 0.3 * depth).toFixed(2);
+    element.style.opacity = isLit ? "1" : (1 - 0.3 * depth).toFixed(2);
     element.style.transform = `translate(${Math.round(box[0])}px, ${Math.round(box[1])}px)`;
     element.classList.toggle("highlighted", isLit);
     const end = [clamp(at[0], box[0], box[2]), clamp(at[1], box[1], box[3])];
     const isFar = Math.hypot(end[0] - at[0], end[1] - at[1]) > FAR;
     line.style.visibility = isFar ? "visible" : "hidden";
-    const ends = { x1: at[0], y1: at[1], x2: end[0], y2: end[1] };
-    if (isFar) for (const [name, value] of Object.entries(ends)) line.setAttribute(name, value.toFixed(1));
+    const [x1, y1, x2, y2] = [...at.slice(0, 2), ...end].map((value) => value.toFixed(1));
+    if (isFar) setAttributes(line, { x1, y1, x2, y2 });
   }
 
+  /** @param {Label} label */
   hide(label) {
     if (!label.isShown) return;
     label.isShown = false;
-    label.element.classList.remove("highlighted");
-    label.element.style.visibility = label.line.style.visibility = "hidden";
+    const { element, line } = this.built(label);
+    element.classList.remove("highlighted");
+    element.style.visibility = line.style.visibility = "hidden";
   }
 
-  // A label; its width is measured without laying out the page.
+  /**
+   * A label; its width is measured without laying out the page.
+   * @param {Named} thing
+   * @returns {Label}
+   */
   label({ key, kind, name }) {
     const known = this.byKey.get(key);
     if (known) return known;
+    if (!this.pen) throw new Error("this browser draws no canvas");
     this.pen.font = "11px system-ui, DejaVu Sans, sans-serif";
     const width = Math.min(WIDEST, Math.ceil(this.pen.measureText(name).width) + 14);
+    /** @type {Label} */
     const label = { kind, name, slot: -1, isShown: false, size: [width, 16] };
     this.byKey.set(key, label);
     return label;
   }
 
-  // Only what has once been shown becomes an element.
-  build(label) {
-    const { kind, name } = label, element = document.createElement("button");
-    element.className = `label ${kind}`;
+  /**
+   * Only what has once been shown becomes an element.
+   * @param {Label} label
+   */
+  built(label) {
+    if (label.element && label.line) return { element: label.element, line: label.line };
+    const { kind, name } = label, element = make("button", `label ${kind}`, name), line = makeSvg("line");
     element.tabIndex = -1;
-    element.textContent = name;
     element.style.width = `${label.size[0]}px`;
     element.addEventListener("click", () => this.actions.reveal({ kind, name }));
     element.addEventListener("mouseenter", () => this.actions.hover({ kind, name }));
     element.addEventListener("mouseleave", () => this.actions.hover(null));
-    const line = document.createElementNS("http://www.w3.org/2000/svg", "line");
     this.layer.append(element);
     this.lines.append(line);
     Object.assign(label, { element, line });
+    return { element, line };
   }
 
   // Forget the labels of what is no longer there.
@@ -133,14 +172,19 @@ export class Labels {
     const { robot } = this.scene.trees;
     for (const [key, { kind, name, element, line }] of this.byKey) {
       if (robot[`${kind}s`].has(name)) continue;
-      if (element) for (const gone of [element, line]) gone.remove();
+      element?.remove();
+      line?.remove();
       this.byKey.delete(key);
     }
   }
 
-  // [x, y, distance, radius of a mark there], pixels; null beside the picture.
+  /**
+   * Where a position is on the pane; null beside the picture.
+   * @param {Vector} position
+   */
   project(position) { return this.projectThree(toThree(position)); }
 
+  /** @param {THREE.Vector3} position @returns {At | null} */
   projectThree(position) {
     const { camera } = this.scene.viewer, { Vector3 } = MeshCat.THREE;
     const distance = camera.getWorldPosition(new Vector3()).distanceTo(position), point = position.clone().project(camera);
@@ -151,10 +195,16 @@ export class Labels {
   }
 }
 
-// Whether enough names are near a place, so that those of a crowd spread over the picture; who is shown may stay.
+/**
+ * Whether enough names are near a place, so that those of a crowd spread over the picture; who is shown may stay.
+ * @param {readonly At[]} named
+ * @param {At} at
+ * @param {Label} label
+ */
 function isFull(named, [x, y], { isShown }) {
   const near = named.filter((other) => Math.hypot(other[0] - x, other[1] - y) < NEAR);
   return near.length >= (isShown ? FEW + 1 : FEW);
 }
 
+/** @param {number} value @param {number} low @param {number} high */
 const clamp = (value, low, high) => Math.min(high, Math.max(low, value));

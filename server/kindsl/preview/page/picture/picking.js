@@ -1,13 +1,25 @@
 // What is under the mouse: hovering names it, a click reveals it in the source.
 
+import { make } from "../base/elements.js";
+
+/** @import { Actions, Mark, Thing } from "../base/types.js" */
+/** @import { Scene } from "./scene.js" */
+/** @typedef {Thing & { readonly pick: number, readonly distance: number }} Hit */
+
 const CLICK_TOLERANCE = 4; // pixels that the mouse may move in a click
 
 export class Picking {
+  /**
+   * Where the mouse was pressed.
+   * @type {readonly number[] | null}
+   */
+  pressed = null;
+
+  /** @param {Scene} scene @param {HTMLElement} pane @param {Actions} actions */
   constructor(scene, pane, actions) {
     this.scene = scene;
     this.canvas = scene.viewer.renderer.domElement;
-    this.tip = document.createElement("div");
-    this.tip.className = "tip";
+    this.tip = make("div", "tip");
     this.tip.hidden = true;
     pane.append(this.tip);
     this.actions = actions;
@@ -18,21 +30,27 @@ export class Picking {
     pane.addEventListener("pointerup", (event) => this.release(event));
   }
 
+  /** @param {PointerEvent} event */
   hover(event) {
-    if (event.buttons || event.pointerType === "touch") return this.show(null);
+    if (event.buttons || event.pointerType === "touch") {
+      this.show(null);
+      return;
+    }
     const found = this.at(event);
     this.show(found, event);
     this.actions.hover(found && { kind: found.kind, name: found.name });
   }
 
+  /** @param {Hit | null} found @param {PointerEvent} [event] */
   show(found, event) {
     this.tip.hidden = !found;
     this.canvas.style.cursor = found ? "pointer" : "";
-    if (!found) return;
+    if (!found || !event) return;
     this.tip.textContent = `${found.kind} ${found.name}`;
     this.tip.style.transform = `translate(${event.offsetX + 14}px, ${event.offsetY + 14}px)`;
   }
 
+  /** @param {PointerEvent} event */
   release(event) {
     const [x, y] = this.pressed || [NaN, NaN];
     this.pressed = null;
@@ -43,16 +61,23 @@ export class Picking {
     else this.actions.clear();
   }
 
-  // The nearest owner under the mouse; small marks win over the bodies that enclose them.
+  /**
+   * The nearest owner under the mouse; small marks win over the bodies that enclose them.
+   * @param {MouseEvent} event
+   * @returns {Hit | null}
+   */
   at(event) {
     const box = this.canvas.getBoundingClientRect();
     const point = new MeshCat.THREE.Vector2(
       (2 * (event.clientX - box.left)) / box.width - 1, 1 - (2 * (event.clientY - box.top)) / box.height);
     const ray = new MeshCat.THREE.Raycaster();
     ray.setFromCamera(point, this.scene.viewer.camera);
+    /** @type {Hit[]} */
     const hits = [];
     for (const { distance, object, instanceId } of ray.intersectObjects(this.scene.batches.meshes, false)) {
-      const owner = this.scene.owner(object.userData.marks[instanceId]);
+      /** @type {Mark} */
+      const mark = object.userData.marks[instanceId ?? 0];
+      const owner = this.scene.owner(mark);
       if (owner) hits.push({ ...owner, distance });
     }
     hits.sort((a, b) => a.pick - b.pick || a.distance - b.distance);

@@ -1,7 +1,15 @@
 // Sets of what is shown, and the user's own choices on top of them.
 
+/** @import { Look } from "../base/types.js" */
+/** @import { Scene } from "./scene.js" */
+/** @typedef {Readonly<Record<string, number | "few">>} Opacities */
+
+/** @type {Opacities} */
 const COMMON = { body: 1, base: 1, revolute: 1, prismatic: 1, ghost: 0.3, ground: 1, "link-names": 1 };
-// The opacity of what is shown beside the common things.
+/**
+ * The opacity of what is shown beside the common things.
+ * @type {Readonly<Record<string, Opacities>>}
+ */
 const PRESETS = {
   Kinematics: { axis: 1, "optional-frame": "few", "frame-names": "few" },
   Inertia: { body: 0.3, base: 0.3, revolute: 0.35, prismatic: 0.35, com: 1, "robot-com": 1, inertia: 0.13 },
@@ -14,22 +22,36 @@ const PRESETS = {
     inertia: 0.13, "joint-names": 1, "frame-names": 1,
   },
 };
+/** @type {Readonly<Record<string, number>>} */
 const USUAL = { com: 1, inertia: 0.13, "joint-frame": 0.85 }; // opacities of what a preset leaves out
 const FEW = 8; // optional frames
 export const FIRST_PRESET = "Kinematics";
 
 export class Presets {
+  name = FIRST_PRESET;
+  /**
+   * Own choices for the present preset, by kinds of things.
+   * @type {Map<string, Look>}
+   */
+  own = new Map();
+  /**
+   * Own choices by preset.
+   * @type {Map<string, Map<string, Look>>}
+   */
+  kept = new Map();
+  /** @type {(() => void)[]} */
+  #listeners = [];
+
+  /** @param {Scene} scene */
   constructor(scene) {
     this.scene = scene;
-    this.name = FIRST_PRESET;
-    this.own = new Map(); // of the present preset: key to {visible, opacity}
-    this.kept = new Map(); // own choices by preset
-    this.listeners = [];
     this.apply();
   }
 
-  onChange(listener) { this.listeners.push(listener); }
+  /** @param {() => void} listener */
+  onChange(listener) { this.#listeners.push(listener); }
 
+  /** @param {string} name */
   choose(name) {
     if (!(name in PRESETS)) return;
     this.kept.set(this.name, this.own);
@@ -38,6 +60,7 @@ export class Presets {
     this.apply();
   }
 
+  /** @param {string} key @param {boolean} visible @param {number} opacity */
   set(key, visible, opacity) {
     if (!this.scene.view.has(key)) return;
     this.own.set(key, { visible, opacity });
@@ -49,7 +72,11 @@ export class Presets {
     this.apply();
   }
 
-  // What a preset shows of a robot with so many optional frames.
+  /**
+   * What a preset shows of a robot with so many optional frames.
+   * @param {string} key
+   * @returns {Look}
+   */
   usual(key) {
     const wanted = { ...COMMON, ...PRESETS[this.name] }[key];
     const visible = wanted === "few" ? this.scene.trees.robot.frames.size <= FEW : wanted !== undefined;
@@ -59,12 +86,12 @@ export class Presets {
   apply() {
     for (const key of this.scene.view.keys()) this.scene.view.set(key, this.own.get(key) || this.usual(key));
     this.scene.changed("view");
-    for (const listener of this.listeners) listener();
+    for (const listener of this.#listeners) listener();
   }
 
   // The robot has other frames: what depends on their number is looked at again.
   refresh() {
-    const before = this.scene.view.get("optional-frame");
+    const before = this.scene.lookOf("optional-frame");
     const now = this.own.get("optional-frame") || this.usual("optional-frame");
     if (before.visible !== now.visible) this.apply();
   }

@@ -6,61 +6,107 @@ import { centerOfMass, forwardKinematics, gravityTorques } from "./kinematics.js
 import { Marks } from "./marks.js";
 import { placeMark } from "./places.js";
 
-const DRAWING = new Set(["set_object", "set_transform"]);
-const THINGS = ["link", "joint", "frame"];
+/** @import { Colors, Kind, Look, Mark, Matrix, Poses, Thing, Tree, Vector, Viewer } from "../base/types.js" */
+/** @import { FormulaMessage, FrameMessage, JointMessage, LimitsMessage, LinkMessage, ModelMessage, Part, SetObject, SetTransform }  from "../messages.js" */
+
+/** What has changed: the type of a message, or what the page itself shows otherwise. */
+/** @typedef {Part["type"] | "view" | "motion" | "colors" | "highlight"} News */
+
 const LIT = new Set(["body", "base", "revolute", "prismatic", "axis", "optional-frame"]);
 
 // Stands where the viewer wants a folder of its own control panel, which we do not show and whose
 // cost grows with the square of the nodes.
 class NoFolder {
-  constructor() { this.domElement = document.createElement("div"); this.__folders = {}; }
+  domElement = document.createElement("div");
+  __folders = {};
   addFolder() { return new NoFolder(); }
   removeFolder() {}
   remove() {}
 }
 
-const emptyTree = () => ({ links: new Map(), joints: new Map(), frames: new Map() });
+/** @returns {Record<"links" | "joints" | "frames", Map<string, any>>} */
+const noThings = () => ({ links: new Map(), joints: new Map(), frames: new Map() });
+
+/** @type {Look} */
+const SHOWN = { visible: true, opacity: 1 };
 
 export class Scene {
+  /** @type {Readonly<Record<"robot" | "ghost", Tree>>} */
+  trees = { robot: noThings(), ghost: noThings() };
+  /** @type {Record<"robot" | "ghost", Poses>} */
+  poses = { robot: noThings(), ghost: noThings() };
+  /** @type {Omit<ModelMessage, "type" | "path">} */
+  model = { name: "", unit: 0.02, size: 1, center: [0, 0, 0], ground: 0, is_floating: false };
+  /**
+   * Where joints stand, by name, radians or metres.
+   * @type {Map<string, number>}
+   */
+  q = new Map();
+  /** @type {Map<string, LimitsMessage>} */
+  limits = new Map();
+  /**
+   * By joints, N m or N.
+   * @type {Map<string, number>}
+   */
+  torques = new Map();
+  largestTorque = 1e-9;
+  /**
+   * Of the whole robot.
+   * @type {Vector | null}
+   */
+  com = null;
+  /**
+   * How kinds of things are shown.
+   * @type {Map<string, Look>}
+   */
+  view;
+  hidden = new Hidden();
+  showsOversized = false;
+  /** @type {Set<string>} */
+  paths = new Set();
+  /** @type {Set<string> | null} */
+  unconfirmed = null;
+  /** @type {Thing | null} */
+  highlighted = null;
+  #isDirty = false;
+  #isTreeNew = false;
+  /** @type {((what: News) => void)[]} */
+  #listeners = [];
+
+  /** @param {Viewer} viewer @param {Colors} colors */
   constructor(viewer, colors) {
     this.viewer = viewer;
     this.colors = colors;
-    this.trees = { robot: emptyTree(), ghost: emptyTree() };
-    this.poses = { robot: null, ghost: null };
-    this.model = { name: "", unit: 0.02, size: 1, center: [0, 0, 0], ground: 0, is_floating: false };
-    this.q = new Map();
-    this.limits = new Map(); // of joints by name: {minimum, maximum}, null where there is none
-    this.torques = new Map();
-    this.com = null; // of the whole robot
-    this.view = new Map(CATEGORIES.map((c) => [c.key, { visible: true, opacity: 1 }]));
-    this.hidden = new Hidden();
-    this.showsOversized = false;
-    this.paths = new Set();
-    this.unconfirmed = null;
-    this.highlighted = null;
-    this.listeners = [];
+    this.view = new Map(CATEGORIES.map(({ key }) => [key, SHOWN]));
     viewer.scene_tree.folder = new NoFolder();
     this.marks = new Marks(viewer);
     this.batches = new Batches(this);
   }
 
   // Called with each path that is removed.
-  onRemove() {}
+  /** @type {(path: string) => void} */
+  onRemove = () => {};
 
-  onChange(listener) { this.listeners.push(listener); }
+  /** @param {(what: News) => void} listener */
+  onChange(listener) { this.#listeners.push(listener); }
+
+  /** @param {News} what */
   changed(what) {
-    this.dirty = true;
+    this.#isDirty = true;
     this.viewer.set_dirty();
-    for (const listener of this.listeners) listener(what);
+    for (const listener of this.#listeners) listener(what);
   }
 
-  // Apply one message. Only what is named here ever reaches the viewer: it would evaluate code in others.
+  /**
+   * Apply one message. Only what is named here ever reaches the viewer: it would evaluate code in others.
+   * @param {Part} message
+   */
   apply(message) {
-    if (message.path) this.confirm(message.path);
+    this.confirm(message.path);
     if (message.type === "delete") this.remove(message.path);
-    else if (DRAWING.has(message.type)) this.draw(message);
+    else if (message.type === "set_object" || message.type === "set_transform") this.draw(message);
     else if (message.type === "model") Object.assign(this.model, message);
-    else if (THINGS.includes(message.type)) this.learn(message);
+    else if (message.type === "link" || message.type === "joint" || message.type === "frame") this.learn(message);
     else if (message.type === "value") this.q.set(message.name, message.value);
     else if (message.type === "limits") this.limits.set(message.name, message);
     else return false;
@@ -68,11 +114,33 @@ export class Scene {
     return true;
   }
 
+  /** @param {string} name */
+  treeOf(name) { return name === "robot" || name === "ghost" ? this.trees[name] : undefined; }
+
+  /** @param {LinkMessage | JointMessage | FrameMessage} message */
   learn(message) {
-    this.trees[parsePath(message.path).tree][message.type + "s"].set(message.name, message);
-    this.isTreeNew = true;
+    const tree = this.treeOf(parsePath(message.path).tree);
+    if (message.type === "link") tree?.links.set(message.name, message);
+    else if (message.type === "joint") tree?.joints.set(message.name, message);
+    else tree?.frames.set(message.name, message);
+    this.#isTreeNew = true;
   }
 
+  /** @param {string} path */
+  /**
+   * Put a joint or frame at another place; whether it is there, on that link.
+   * @param {Pick<FormulaMessage, "group" | "name" | "link">} which
+   * @param {Matrix} placement
+   */
+  placeThing({ group, name, link }, placement) {
+    const { joints, frames } = this.trees.robot, joint = joints.get(name), frame = frames.get(name);
+    if (group === "joints" && joint?.predecessor === link) joints.set(name, { ...joint, placement });
+    else if (group === "frames" && frame?.link === link) frames.set(name, { ...frame, placement });
+    else return false;
+    return true;
+  }
+
+  /** @param {string} path */
   confirm(path) {
     if (path.startsWith("/kindsl/")) this.paths.add(path);
     if (this.unconfirmed) this.unconfirmed.delete(path);
@@ -84,64 +152,70 @@ export class Scene {
   }
 
   sweep() {
-    for (const path of this.unconfirmed) this.remove(path);
+    for (const path of this.unconfirmed || []) this.remove(path);
     this.unconfirmed = null;
     this.changed("delete");
   }
 
+  /** @param {SetObject | SetTransform} message */
   draw(message) {
     if (message.path.startsWith("/kindsl/")) this.marks.take(message);
   }
 
+  /** @param {string} path */
   remove(path) {
     this.onRemove(path);
-    const isBelow = (other) => other === path || other.startsWith(path + "/");
+    const isBelow = (/** @type {string} */ other) => other === path || other.startsWith(path + "/");
     for (const other of [...this.paths]) if (isBelow(other)) this.paths.delete(other);
     this.marks.remove(isBelow);
     const { tree, group, name, category } = parsePath(path);
     if (tree === "limits" && !group) this.limits.clear();
     else if (tree === "limits") this.limits.delete(decodeURIComponent(group));
-    if (!(tree in this.trees)) return;
-    for (const key of ["links", "joints", "frames"]) {
+    const things = this.treeOf(tree);
+    if (!things) return;
+    for (const [key, map] of Object.entries(things)) {
       if (group && group !== key) continue;
-      if (!name) this.trees[tree][key].clear();
-      else if (!category) this.trees[tree][key].delete(name);
+      if (!name) map.clear();
+      else if (!category) map.delete(name);
     }
-    this.isTreeNew = true;
+    this.#isTreeNew = true;
   }
 
   // Place everything for the present joint positions; called before each picture.
   update() {
-    if (!this.dirty) return;
-    this.dirty = false;
-    if (this.isTreeNew) this.hidden.learn(this.trees.robot);
-    this.isTreeNew = false;
-    for (const name of ["robot", "ghost"]) {
-      this.poses[name] = forwardKinematics(this.trees[name], this.q);
-    }
-    const { trees: { robot }, poses, model } = this;
+    if (!this.#isDirty) return;
+    this.#isDirty = false;
+    if (this.#isTreeNew) this.hidden.learn(this.trees.robot);
+    this.#isTreeNew = false;
+    const { trees, trees: { robot }, poses, model } = this;
+    poses.robot = forwardKinematics(robot, this.q);
+    poses.ghost = forwardKinematics(trees.ghost, this.q);
     this.com = centerOfMass(robot, poses.robot, model.is_floating);
     this.torques = gravityTorques(robot, poses.robot);
     this.largestTorque = Math.max(1e-9, ...[...this.torques.values()].map(Math.abs));
     this.batches.update();
   }
 
+  /** @param {Mark} mark @param {THREE.Matrix4} matrix */
   placeMark(mark, matrix) { placeMark(this, mark, matrix); }
 
-  setView(key, visible, opacity) {
-    this.view.set(key, { visible, opacity });
-    this.changed("view");
-  }
+  /**
+   * How a kind of thing is shown.
+   * @param {string} key
+   */
+  lookOf(key) { return this.view.get(key) || SHOWN; }
 
+  /** @param {Colors} colors */
   setColors(colors) {
     this.colors = colors;
     this.changed("colors");
   }
 
+  /** @param {Mark} mark */
   colorOf(mark) {
     const { colors } = this;
     if (this.isLit(mark)) return colors.highlight;
-    if (mark.category === "torque") return colors[this.torques.get(mark.name) < 0 ? "negative-torque" : "torque"];
+    if (mark.category === "torque") return colors[(this.torques.get(mark.name) ?? 0) < 0 ? "negative-torque" : "torque"];
     if (mark.category === "inertia") {
       const link = this.trees.robot.links.get(mark.name);
       return colors[link && !link.is_consistent ? "bad-inertia" : "inertia"];
@@ -150,37 +224,49 @@ export class Scene {
     return this.isGuess(mark) ? colors.guess : colors[mark.category];
   }
 
-  // Whether a piece of a body reaches to a place that is a guess.
+  /**
+   * Whether a piece of a body reaches to a place that is a guess.
+   * @param {Mark} mark
+   */
   isGuess({ tree, part }) {
     const dash = part.indexOf("-");
     if (tree !== "robot" || dash < 0) return false;
     const name = decodeURIComponent(part.slice(dash + 1)), { joints, frames } = this.trees.robot;
     const thing = joints.get(name) || frames.get(name);
-    return Boolean(thing && thing.is_guess);
+    return Boolean(thing?.is_guess);
   }
 
+  /** @param {Mark} mark */
   isLit({ tree, group, name, category }) {
     const chosen = this.highlighted;
-    return Boolean(chosen) && LIT.has(category) && tree === "robot" && group === `${chosen.kind}s` && name === chosen.name;
+    return chosen !== null && LIT.has(category) && tree === "robot" && group === `${chosen.kind}s` && name === chosen.name;
   }
 
-  // Light up a link, joint or frame, or nothing for null.
+  /**
+   * Light up a link, joint or frame, or nothing for null.
+   * @param {Thing | null} chosen
+   */
   highlight(chosen) {
     this.highlighted = chosen;
     this.changed("highlight");
   }
 
-  // The kind ("link", "joint", "frame") and name of what a mark belongs to, or null.
+  /**
+   * What a mark belongs to, and how much it matters to a click on it; null for nothing.
+   * @param {Mark} mark
+   */
   owner(mark) {
     const category = CATEGORY_OF.get(mark.category);
-    return category && category.kind && mark.tree === "robot"
-      ? { kind: mark.group.slice(0, -1), name: mark.name, pick: category.pick }
+    return category?.kind && mark.tree === "robot"
+      ? { kind: /** @type {Kind} */ (mark.group.slice(0, -1)), name: mark.name, pick: category.pick }
       : null;
   }
 
-  // Where a link, joint or frame is, as base_T_thing; undefined if there is none.
+  /**
+   * Where a link, joint or frame is, as base_T_thing; undefined if there is none.
+   * @param {Thing} thing
+   */
   poseOf({ kind, name }) {
-    const poses = this.poses.robot && this.poses.robot[`${kind}s`];
-    return poses && poses.get(name);
+    return this.poses.robot[`${kind}s`].get(name);
   }
 }

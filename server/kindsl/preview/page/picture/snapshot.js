@@ -1,12 +1,21 @@
 // The picture as a PNG file: ground colour, robot and names.
 
-// Return a canvas with what the pane shows.
+/** @import { Viewer } from "../base/types.js" */
+/** @import { Labels } from "./labels.js" */
+
+/**
+ * Return a canvas with what the pane shows.
+ * @param {Viewer} viewer
+ * @param {Labels} labels
+ * @param {HTMLElement} pane
+ */
 export function drawPicture(viewer, labels, pane) {
   viewer.render();
   const source = viewer.renderer.domElement, canvas = document.createElement("canvas");
   Object.assign(canvas, { width: source.width, height: source.height });
   const pen = canvas.getContext("2d"), scale = source.width / pane.clientWidth, style = getComputedStyle(document.documentElement);
-  const color = (name) => style.getPropertyValue(`--${name}`).trim();
+  if (!pen) throw new Error("this browser draws no canvas");
+  const color = (/** @type {string} */ name) => style.getPropertyValue(`--${name}`).trim();
   const sky = pen.createLinearGradient(0, 0, 0, canvas.height);
   sky.addColorStop(0, color("sky"));
   sky.addColorStop(1, color("floor"));
@@ -18,11 +27,17 @@ export function drawPicture(viewer, labels, pane) {
   return canvas;
 }
 
+/**
+ * @param {CanvasRenderingContext2D} pen
+ * @param {Labels} labels
+ * @param {DOMRect} pane
+ * @param {(name: string) => string} color
+ */
 function drawNames(pen, labels, { left, top }, color) {
   pen.font = "11px system-ui, DejaVu Sans, sans-serif";
   pen.textBaseline = "middle";
   for (const { element, name, isShown } of labels.byKey.values()) {
-    if (!isShown) continue;
+    if (!isShown || !element) continue;
     const box = element.getBoundingClientRect(), look = getComputedStyle(element);
     pen.fillStyle = look.backgroundColor;
     pen.fillRect(box.left - left, box.top - top, box.width, box.height);
@@ -33,8 +48,10 @@ function drawNames(pen, labels, { left, top }, color) {
   }
 }
 
+/** @param {HTMLCanvasElement} canvas @param {string} name */
 export function savePicture(canvas, name) {
   canvas.toBlob((blob) => {
+    if (!blob) return;
     const link = document.createElement("a");
     link.href = URL.createObjectURL(blob);
     link.download = `${name.replace(/[^\w.-]+/g, "_") || "robot"}.png`;

@@ -1,9 +1,16 @@
 // Lights and ground, sized to the robot. World z points up; the viewer turns it into three.js' y.
 
+/** @import { Viewer } from "../base/types.js" */
+/** @import { Scene } from "./scene.js" */
+
 const { AmbientLight, BufferGeometry, DirectionalLight, Float32BufferAttribute, HemisphereLight, LineBasicMaterial, LineSegments } =
   MeshCat.THREE;
 
 export class Stage {
+  /** @type {THREE.LineSegments<THREE.BufferGeometry, THREE.LineBasicMaterial> | null} */
+  ground = null;
+
+  /** @param {Viewer} viewer @param {Scene} scene */
   constructor(viewer, scene) {
     this.viewer = viewer;
     this.scene = scene;
@@ -11,27 +18,23 @@ export class Stage {
     viewer.hide_background();
     for (const path of [["Lights"], ["Grid"], ["Axes"]]) viewer.set_property(path, "visible", false);
     this.addLights();
-    this.ground = null;
   }
 
   // Directional lights: unlike the viewer's own they do not depend on the robot's size.
   addLights() {
-    const lights = [[0.42, [3, -4, 6]], [0.16, [-5, 2, 2]]];
-    for (const [intensity, from] of lights) {
-      const light = new DirectionalLight(0xffffff, intensity);
-      light.position.set(...from);
-      this.viewer.scene.add(light);
-    }
+    const [main, fill] = [new DirectionalLight(0xffffff, 0.42), new DirectionalLight(0xffffff, 0.16)];
+    main.position.set(3, -4, 6);
+    fill.position.set(-5, 2, 2);
     const sky = new HemisphereLight(0xffffff, 0xb9c0c8, 0.16);
     sky.position.set(0, 0, 1);
-    this.viewer.scene.add(sky, new AmbientLight(0xffffff, 0.46));
+    this.viewer.scene.add(main, fill, sky, new AmbientLight(0xffffff, 0.46));
   }
 
   // A grid with 1-2-5 spacing under the robot.
   drawGround() {
     const { size, ground, center } = this.scene.model;
     const spacing = roundSpacing(size / 8), half = spacing * Math.ceil((1.1 * size) / spacing);
-    const lines = [], at = (value) => spacing * Math.round(value / spacing);
+    const lines = [], at = (/** @type {number} */ value) => spacing * Math.round(value / spacing);
     for (let t = -half; t <= half + 1e-9; t += spacing) lines.push(t, -half, 0, t, half, 0, -half, t, 0, half, t, 0);
     const geometry = new BufferGeometry().setAttribute("position", new Float32BufferAttribute(lines, 3));
     const grid = new LineSegments(geometry, new LineBasicMaterial({ transparent: true }));
@@ -44,8 +47,8 @@ export class Stage {
   }
 
   styleGround() {
-    const { visible, opacity } = this.scene.view.get("ground");
     if (!this.ground) return;
+    const { visible, opacity } = this.scene.lookOf("ground");
     this.ground.visible = visible;
     this.ground.material.opacity = 0.55 * opacity;
     this.ground.material.color.setHex(this.scene.colors.ground);
@@ -53,7 +56,8 @@ export class Stage {
   }
 }
 
+/** @param {number} length */
 function roundSpacing(length) {
   const power = 10 ** Math.floor(Math.log10(length));
-  return power * [1, 2, 5, 10].find((step) => step * power >= length);
+  return power * ([1, 2, 5].find((step) => step * power >= length) ?? 10);
 }
