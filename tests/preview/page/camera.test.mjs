@@ -61,6 +61,16 @@ test("turning keeps the distance, zooming the direction, and both tell that the 
   assert.deepEqual([camera.isUsers, told], [true, 2]);
 });
 
+test("moving the view moves eye and target alike", () => {
+  const { camera } = begun({ points: [[1, 0, 0]] });
+  camera.frame();
+  const before = camera.state(), offset = camera.offset();
+  camera.pan(0.1, -0.2);
+  const after = camera.state();
+  assert.ok(camera.offset().distanceTo(offset) < 1e-9);
+  assert.ok(Math.abs(Math.hypot(...after.target.map((value, i) => value - before.target[i])) - Math.hypot(0.1, 0.2) * offset.length()) < 1e-9);
+});
+
 test("a user's view stays until the robot has become another size", () => {
   const { camera } = begun({ points: [[1, 0, 0]] });
   camera.follow();

@@ -157,7 +157,7 @@ export class Camera {
   /** @param {(offset: THREE.Vector3) => THREE.Vector3} transform */
   change(transform, move = new Vector3()) {
     this.isUsers = true;
-    const { controls } = this.viewer, offset = transform(this.offset().sub(move));
+    const { controls } = this.viewer, offset = transform(this.offset().add(move));
     this.viewer.camera.position.copy(this.fromWorld(controls.target.clone().add(offset)));
     controls.update();
     this.viewer.set_dirty();
