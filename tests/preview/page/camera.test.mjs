@@ -29,6 +29,8 @@ test("the whole robot is in the picture, from each of the seven views and in eac
   for (const [width, height] of [[800, 600], [300, 700], [1200, 300]]) {
     const points = Array.from({ length: 12 }, () => [2 * random() - 1, random() - 0.5, 2 * random()]);
     const { viewer, camera } = begun({ width, height, points });
+    assert.equal(camera.points().length, 1 + 2 * points.length);
+    assert.deepEqual(camera.pointsOf({ kind: "link", name: "link0" }).map(([, , z]) => z), [points[0][2], 0.1 + points[0][2]]);
     for (const [, name, from] of VIEWS) {
       camera.view(from);
       const seen = camera.points().map((point) => seenAt(viewer, toThree(point)));

@@ -66,6 +66,27 @@ test("any order of steps ends where a list of states says", (t) => {
   }
 });
 
+test("what had not come to rest when something was written is a step before it", (t) => {
+  const { world, history, become } = begun(t);
+  become("1");
+  history.wrote();
+  history.undo();
+  history.rewritten("undo", true);
+  assert.equal(world.now, "1");
+  history.undo();
+  assert.equal(world.now, "0");
+});
+
+test("the last 200 steps can be undone", (t) => {
+  const { world, history, become, rest } = begun(t);
+  for (let i = 1; i <= 250; i++) {
+    become(String(i));
+    rest();
+  }
+  for (let i = 0; i < 250; i++) history.undo();
+  assert.equal(world.now, "50");
+});
+
 test("what was written is asked to be taken back, in its order", (t) => {
   const { world, history, become, rest } = begun(t);
   become("1");

@@ -102,7 +102,7 @@ export class Scene {
    * @param {Part} message
    */
   apply(message) {
-    this.confirm(message.path);
+    if (message.path) this.confirm(message.path);
     if (message.type === "delete") this.remove(message.path);
     else if (message.type === "set_object" || message.type === "set_transform") this.draw(message);
     else if (message.type === "model") Object.assign(this.model, message);
