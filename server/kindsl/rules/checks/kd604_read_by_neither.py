@@ -24,7 +24,8 @@ from kindsl.semantics.model import Model
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding where both generators refuse a document that no other rule calls wrong."""
-    if context.targets or model.broken_islands:
+    is_whole = model.bases and model.links and model.joints and not model.broken_islands
+    if context.targets or not is_whole:
         return
     one = first_refusal(ROBCOGEN, model, context)
     other = first_refusal(ROBCOGEN2, model, context) if one is not None else None
