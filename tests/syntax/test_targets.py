@@ -4,9 +4,9 @@ import pytest
 from tests.support import robots
 
 from kindsl.syntax.document import parse
-from kindsl.syntax.forms import accepted_by
 from kindsl.syntax.portability import PortabilityNote, portability
 from kindsl.syntax.scanner import scan
+from kindsl.syntax.value_forms import accepted_by
 from kindsl.text.edits import TextEdit, apply_edits
 
 BOTH, A, B, NONE = {"robcogen", "robcogen2"}, {"robcogen"}, {"robcogen2"}, set()

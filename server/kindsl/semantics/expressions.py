@@ -5,8 +5,8 @@ from math import pi
 from typing import NamedTuple, cast
 
 from kindsl.semantics.places import Construct, Name
-from kindsl.syntax.forms import is_signed_product
 from kindsl.syntax.tree import Island, Node, Token
+from kindsl.syntax.value_forms import is_signed_product
 
 _MOST_DECIMALS = 300
 

@@ -6,8 +6,8 @@ from typing import NamedTuple
 from kindsl.syntax.indentation import lost_closing, surplus_closing
 from kindsl.syntax.sections import misplaced, title
 from kindsl.syntax.tables import ORDERS
+from kindsl.syntax.token_names import opened_block
 from kindsl.syntax.tree import Edit, Island, Node, Problem, Repair, Token
-from kindsl.syntax.words import opened_block
 
 _RANKS = {name.rstrip("?+"): rank for rank, name in enumerate(ORDERS["document"])}
 _ENDINGS = frozenset({"KD002", "KD003"})

@@ -8,9 +8,9 @@ from kindsl.syntax.lookalikes import is_ignorable
 from kindsl.syntax.malformed import UNDECODABLE
 from kindsl.syntax.misprints import misprints, named
 from kindsl.syntax.scanner import BAD, COMMENT
+from kindsl.syntax.token_names import shown
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
 from kindsl.syntax.values import in_radians
-from kindsl.syntax.words import shown
 
 _MOST_PROBLEMS = 20
 _GAP = re.compile(rf"{COMMENT.pattern}|(?P<blanks>[^\S \t\r\n](?:[ \t]*[^\S \t\r\n])*)")

@@ -2,9 +2,9 @@
 
 from collections.abc import Sequence
 
-from kindsl.syntax.forms import form_kind, kinds_accepted_by
+from kindsl.syntax.token_names import shown, supplied
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
-from kindsl.syntax.words import shown, supplied
+from kindsl.syntax.value_forms import form_kind, kinds_accepted_by
 
 COMPONENTS = 3
 QUOTES = ('"', "'")

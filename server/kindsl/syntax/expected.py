@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 from kindsl.syntax.automaton import ROWS, Stack, initial, is_complete, settled, step
 from kindsl.syntax.tables import CONSTRUCTS
+from kindsl.syntax.token_names import BLOCK_STARTS
 from kindsl.syntax.tree import Island, Token
-from kindsl.syntax.words import BLOCK_STARTS
 
 _OTHER_NAMES = frozenset(
     {"PI_PREFIXED", "UNICODE_NAME", "ESCAPED_NAME", "KEYWORD_NAME", "PIPE_PI", "MALFORMED_NUMBER"}

@@ -7,8 +7,8 @@ something else that fits, or away, or close the block there, which tells a typis
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from kindsl.syntax.token_names import called, shown, supplied
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
-from kindsl.syntax.words import called, shown, supplied
 
 VECTOR = ("(", "FLOAT", ",", "FLOAT", ",", "FLOAT", ")")
 _VECTORS = frozenset({"CoM", "translation", "rotation"})

@@ -10,8 +10,8 @@ from unicodedata import category
 
 from kindsl.syntax.lookalikes import is_ignorable
 from kindsl.syntax.scanner import COMMENT
+from kindsl.syntax.token_names import shown
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
-from kindsl.syntax.words import shown
 from kindsl.text.decimals import plain_decimal
 from kindsl.text.phrases import listed
 

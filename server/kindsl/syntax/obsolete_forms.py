@@ -6,12 +6,12 @@ before the search for repairs, which would see several.
 
 from collections.abc import Sequence
 
-from kindsl.syntax.forms import form_kind, kinds_accepted_by
 from kindsl.syntax.indentation import indentation
 from kindsl.syntax.moving import removed
 from kindsl.syntax.tables import KEYWORDS
+from kindsl.syntax.token_names import shown, supplied
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
-from kindsl.syntax.words import shown, supplied
+from kindsl.syntax.value_forms import form_kind, kinds_accepted_by
 from kindsl.text.lines import is_first_on_line
 from kindsl.text.phrases import counted
 

@@ -6,8 +6,8 @@ from kindsl.syntax.builder import build
 from kindsl.syntax.characters import comment_problems
 from kindsl.syntax.meaning import meaning_problems
 from kindsl.syntax.scanner import comments, scan
+from kindsl.syntax.token_names import BLOCK_STARTS
 from kindsl.syntax.tree import Island, Node, Token
-from kindsl.syntax.words import BLOCK_STARTS
 
 # Superscripts, ligatures and letters of full width: valid tokens, yet read as what they stand for.
 _TYPESET = re.compile("[\u2070-\u2079\xb2\xb3\xb9\ufb00-\ufb06\uff21-\uff5a]")

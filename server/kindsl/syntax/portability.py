@@ -7,11 +7,11 @@ import re
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from kindsl.syntax.forms import TARGETS_OF_ALL, accepted_by
 from kindsl.syntax.tables import KEYWORDS
+from kindsl.syntax.token_names import shown
 from kindsl.syntax.tree import Edit, Island, Node, Repair, Token
+from kindsl.syntax.value_forms import TARGETS_OF_ALL, accepted_by
 from kindsl.syntax.vocabulary import BLOCKS, VALUE_HOLDERS
-from kindsl.syntax.words import shown
 from kindsl.text.facts import Fact
 
 ROBCOGEN, ROBCOGEN2 = "robcogen", "robcogen2"

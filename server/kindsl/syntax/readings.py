@@ -10,9 +10,9 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 
 from kindsl.syntax.document import Chunk, SyntaxDocument
-from kindsl.syntax.forms import is_signed_product
 from kindsl.syntax.portability import ROBCOGEN, ROBCOGEN2
 from kindsl.syntax.tree import Island, Node, Token
+from kindsl.syntax.value_forms import is_signed_product
 from kindsl.syntax.vocabulary import VALUE_HOLDERS
 from kindsl.text.facts import Fact
 

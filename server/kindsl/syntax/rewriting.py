@@ -2,9 +2,14 @@
 
 from decimal import Decimal, InvalidOperation
 
-from kindsl.syntax.forms import TARGETS_OF_ALL, form_kind, is_signed_product, kinds_accepted_by
 from kindsl.syntax.scanner import scan
 from kindsl.syntax.tree import Node, Token
+from kindsl.syntax.value_forms import (
+    TARGETS_OF_ALL,
+    form_kind,
+    is_signed_product,
+    kinds_accepted_by,
+)
 
 _MOST_DIGITS = 9
 _SYMBOLS = frozenset({"pi", "parameter"})

@@ -11,7 +11,7 @@ from itertools import islice
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kindsl.syntax.grammars import grammar_text
-from kindsl.syntax.words import shown
+from kindsl.syntax.token_names import shown
 
 if TYPE_CHECKING:
     from lark import Lark, Token, Tree, UnexpectedInput

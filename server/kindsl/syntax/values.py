@@ -3,11 +3,11 @@
 import math
 from collections.abc import Iterator, Sequence
 
-from kindsl.syntax.forms import accepted_by, form_kind, kinds_accepted_by
 from kindsl.syntax.malformed import UNDECODABLE, meant_numbers
+from kindsl.syntax.token_names import shown
 from kindsl.syntax.tree import Edit, Node, Problem, Repair, Token
+from kindsl.syntax.value_forms import accepted_by, form_kind, kinds_accepted_by
 from kindsl.syntax.vocabulary import SCALARS, VALUE_HOLDERS, of_kind
-from kindsl.syntax.words import shown
 from kindsl.text.decimals import exact_decimal, significant_decimal
 
 DEEPEST = 60

@@ -16,8 +16,8 @@ from kindsl.features.manipulation.set_component import ComponentChange, set_comp
 from kindsl.features.manipulation.things import Thing
 from kindsl.mechanism.skeleton import named_frames
 from kindsl.semantics.parameters import Binding
-from kindsl.syntax.forms import accepted_by
 from kindsl.syntax.scanner import scan
+from kindsl.syntax.value_forms import accepted_by
 from kindsl.text.edits import TextEdit, apply_edits
 
 ROOT = Path(__file__).parents[3]

@@ -24,7 +24,7 @@ from kindsl.rules.examples import STEEL_BALL, link, robot
 from kindsl.rules.inertia.judgements import keyword
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Place
-from kindsl.syntax.words import SPELLINGS
+from kindsl.syntax.token_names import SPELLINGS
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:

@@ -11,8 +11,8 @@ from kindsl.syntax.foreign.words import in_our_words, without_relatives
 from kindsl.syntax.half_written import VECTOR, half_vector, with_whole_children, with_whole_sections
 from kindsl.syntax.malformed import is_grouped
 from kindsl.syntax.obsolete_forms import in_todays_forms
+from kindsl.syntax.token_names import SPELLINGS, supplied
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
-from kindsl.syntax.words import SPELLINGS, supplied
 
 _REACH = 40
 _VECTORS = frozenset({"CoM", "translation", "rotation"})

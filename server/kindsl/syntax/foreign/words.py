@@ -12,8 +12,8 @@ from itertools import pairwise
 
 from kindsl.syntax.scanner import word_kind
 from kindsl.syntax.tables import KEYWORDS
+from kindsl.syntax.token_names import shown, unknown_keyword
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
-from kindsl.syntax.words import shown, unknown_keyword
 
 _MEANT = {
     "id": "id",

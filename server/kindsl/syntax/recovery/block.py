@@ -18,8 +18,8 @@ from kindsl.syntax.recovery.progress import RepairProgress
 from kindsl.syntax.recovery.repair import Found, RepairStep, completion, search
 from kindsl.syntax.recovery.repair_words import fitting_words, is_alike, repair_words
 from kindsl.syntax.tables import KEYWORDS
+from kindsl.syntax.token_names import BLOCK_STARTS, SPELLINGS, supplied
 from kindsl.syntax.tree import Token
-from kindsl.syntax.words import BLOCK_STARTS, SPELLINGS, supplied
 
 _BACK = 4
 _GOES_ON = 3

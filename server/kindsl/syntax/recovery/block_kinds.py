@@ -4,8 +4,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from kindsl.syntax.scanner import word_kind
-from kindsl.syntax.tree import Edit, Problem, Repair, Token
-from kindsl.syntax.words import (
+from kindsl.syntax.token_names import (
     BLOCK_KINDS,
     BLOCK_STARTS,
     SPELLINGS,
@@ -14,6 +13,7 @@ from kindsl.syntax.words import (
     supplied,
     unknown_keyword,
 )
+from kindsl.syntax.tree import Edit, Problem, Repair, Token
 from kindsl.text.nearest import nearest_words
 
 _BLOCK_WORDS = ("Robot", "RobotBase", "link", "r_joint", "p_joint")

@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 
 from kindsl.syntax.recovery.block_kinds import Opening, kind_by_content
+from kindsl.syntax.token_names import BLOCK_KINDS, called, shown, supplied
 from kindsl.syntax.tree import Problem, Token
-from kindsl.syntax.words import BLOCK_KINDS, called, shown, supplied
 
 _LAST_SECTION = {"base": "children", "link": "children", "joint": "ref_frame"}
 _FAR_BACK = 4000

@@ -6,8 +6,7 @@ from kindsl.syntax.indentation import indentation
 from kindsl.syntax.recovery.repair import RepairStep
 from kindsl.syntax.recovery.repair_words import Word
 from kindsl.syntax.tables import KEYWORDS
-from kindsl.syntax.tree import Edit, Problem, Repair, Token
-from kindsl.syntax.words import (
+from kindsl.syntax.token_names import (
     SPELLINGS,
     called,
     first_row,
@@ -16,6 +15,7 @@ from kindsl.syntax.words import (
     shown,
     unknown_keyword,
 )
+from kindsl.syntax.tree import Edit, Problem, Repair, Token
 from kindsl.text.nearest import nearest_words
 
 _WRITTEN = frozenset("{}()=,]>")

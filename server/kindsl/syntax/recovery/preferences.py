@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from kindsl.syntax.recovery.repair import Preferences
 from kindsl.syntax.scanner import word_kind
 from kindsl.syntax.tables import KEYWORDS
+from kindsl.syntax.token_names import BLOCK_STARTS, SPELLINGS
 from kindsl.syntax.tree import Token
-from kindsl.syntax.words import BLOCK_STARTS, SPELLINGS
 from kindsl.text.nearest import is_near
 
 _SECTIONS = frozenset(SPELLINGS) - frozenset(BLOCK_STARTS) - {"via", "FLOATING", "PI", "LOWER_PI"}

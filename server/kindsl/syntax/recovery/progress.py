@@ -4,8 +4,8 @@ from collections.abc import Sequence
 
 from kindsl.syntax.recovery.block_kinds import Opening
 from kindsl.syntax.recovery.messages import leftover_problem
+from kindsl.syntax.token_names import BLOCK_STARTS
 from kindsl.syntax.tree import Node, Problem, Token
-from kindsl.syntax.words import BLOCK_STARTS
 
 _MOST_PROBLEMS = 12
 

@@ -10,8 +10,8 @@ from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from kindsl.syntax.automaton import ROWS, Stack, is_complete, step
+from kindsl.syntax.token_names import BLOCK_STARTS, SPELLINGS
 from kindsl.syntax.tree import Token
-from kindsl.syntax.words import BLOCK_STARTS, SPELLINGS
 
 _SIGNS = frozenset("{}()=,]>")
 _VALUES = frozenset({"NAME", "FLOAT", "INT"})

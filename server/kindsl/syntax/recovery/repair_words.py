@@ -5,9 +5,9 @@ from typing import NamedTuple
 
 from kindsl.syntax.automaton import ROWS, Stack, step
 from kindsl.syntax.recovery.repair import RepairStep
+from kindsl.syntax.token_names import SPELLINGS, spelled
 from kindsl.syntax.tree import Token
 from kindsl.syntax.vocabulary import MOMENTS
-from kindsl.syntax.words import SPELLINGS, spelled
 from kindsl.text.nearest import nearest_words
 
 
