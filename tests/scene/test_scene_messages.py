@@ -25,7 +25,7 @@ from kindsl.scene.marks import (
     body_marks,
     joint_marks,
     mass_marks,
-    robot_com_marks,
+    robot_com_mark,
 )
 from kindsl.scene.messages import Part
 from kindsl.scene.parameters import parameter_messages
@@ -252,7 +252,7 @@ class TestMarks:
                 assert np.linalg.det(found[:3, :3]) == 1.0
                 np.testing.assert_array_equal(found[:, 3], [0, 0, 0, 1])
                 np.testing.assert_array_equal(found[3], [0, 0, 0, 1])
-        assert [m.path for m in robot_com_marks()] == ["/kindsl/robot/total/robot/robot-com/ball"]
+        assert robot_com_mark().path == "/kindsl/robot/total/robot/robot-com/ball"
 
 
 class TestSize:

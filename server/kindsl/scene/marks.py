@@ -1,7 +1,6 @@
 """The marks of links, joints and frames: which shape, which colour, where."""
 
 import math
-from collections.abc import Iterator
 from functools import lru_cache
 
 from kindsl.rigid.pose import RigidPose, Vector3, transposed
@@ -31,7 +30,7 @@ JOINT_TURNS = {
     "revolute": _Y_TO_Z,
     "prismatic": (*_X, 0.0, *_Y, 0.0, *_Z, 0.0, 0.0, 0.0, 0.0, 1.0),
 }
-# Joints that are the same at each keystroke are made once.
+# What is the same at each keystroke is made once.
 _MOST_KNOWN = 1 << 12
 
 
@@ -41,46 +40,53 @@ def column_major(pose: RigidPose) -> tuple[float, ...]:
     return (*x, 0.0, *y, 0.0, *z, 0.0, *pose.translation, 1.0)
 
 
+@lru_cache(maxsize=_MOST_KNOWN)
 def body_marks(
     tree: str, link: str, segments: tuple[Segment, ...], category: str
-) -> Iterator[Part]:
-    """Yield a body: a ball at its frame's origin and a capsule along each of its segments."""
+) -> tuple[Part, ...]:
+    """Return a body: a ball at its frame's origin and a capsule along each of its segments."""
     color = GHOST if tree == "ghost" else {"base": BASE, "body": LINK}[category]
     place = (tree, "links", link, category)
-    yield SetObject(path_of(*place, "ball"), Shape(Form.BALL, color))
+    marks: list[Part] = [SetObject(path_of(*place, "ball"), Shape(Form.BALL, color))]
     for segment in segments:
         rod = path_of(*place, f"segment-{segment.name}")
         end = path_of(*place, f"end-{segment.name}")
-        yield SetObject(rod, Shape(Form.CYLINDER, color))
-        yield SetTransform(rod, _along(segment.end))
-        yield SetObject(end, Shape(Form.BALL, color))
-        yield SetTransform(end, _at(segment.end))
+        marks.append(SetObject(rod, Shape(Form.CYLINDER, color)))
+        marks.append(SetTransform(rod, _along(segment.end)))
+        marks.append(SetObject(end, Shape(Form.BALL, color)))
+        marks.append(SetTransform(end, _at(segment.end)))
+    return tuple(marks)
 
 
-def base_mark(link: str) -> Iterator[Part]:
-    """Yield the slab under a fixed base."""
-    yield SetObject(path_of("robot", "links", link, "base", "slab"), Shape(Form.SLAB, BASE))
+@lru_cache(maxsize=_MOST_KNOWN)
+def base_mark(link: str) -> Part:
+    """Return the slab under a fixed base."""
+    return SetObject(path_of("robot", "links", link, "base", "slab"), Shape(Form.SLAB, BASE))
 
 
+@lru_cache(maxsize=_MOST_KNOWN)
 def link_frame(link: str) -> Part:
     """Return a link's frame."""
     path = path_of("robot", "links", link, "link-frame", "triad")
     return SetObject(path, Shape(Form.TRIAD, WHITE))
 
 
-def mass_marks(link: str, com: Vector3, ellipsoid: InertiaEllipsoid) -> Iterator[Part]:
-    """Yield a link's centre of mass and inertia ellipsoid, nothing without mass or extent."""
+@lru_cache(maxsize=_MOST_KNOWN)
+def mass_marks(link: str, com: Vector3, ellipsoid: InertiaEllipsoid) -> tuple[Part, ...]:
+    """Return a link's centre of mass and inertia ellipsoid, nothing without mass or extent."""
     place = ("robot", "links", link)
     if ellipsoid.semi_axes is None:
-        return
+        return ()
     ball = path_of(*place, "com", "ball")
-    yield SetObject(ball, Shape(Form.POINT, COM, on_top=True))
-    yield SetTransform(ball, _at(com))
     mark = path_of(*place, "inertia", "ellipsoid")
     color = INERTIA if ellipsoid.is_consistent else BAD_INERTIA
-    yield SetObject(mark, Shape(Form.BALL, color))
     x, y, z = ellipsoid.semi_axes
-    yield SetTransform(mark, (*x, 0.0, *y, 0.0, *z, 0.0, *com, 1.0))
+    return (
+        SetObject(ball, Shape(Form.POINT, COM, on_top=True)),
+        SetTransform(ball, _at(com)),
+        SetObject(mark, Shape(Form.BALL, color)),
+        SetTransform(mark, (*x, 0.0, *y, 0.0, *z, 0.0, *com, 1.0)),
+    )
 
 
 @lru_cache(maxsize=_MOST_KNOWN)
@@ -102,16 +108,18 @@ def joint_marks(joint: str, kind: str) -> tuple[Part, ...]:
     return tuple(marks)
 
 
-def frame_marks(frame: str) -> Iterator[Part]:
-    """Yield an optional frame's triad."""
+@lru_cache(maxsize=_MOST_KNOWN)
+def frame_mark(frame: str) -> Part:
+    """Return an optional frame's triad."""
     path = path_of("robot", "frames", frame, "optional-frame", "triad")
-    yield SetObject(path, Shape(Form.TRIAD, WHITE))
+    return SetObject(path, Shape(Form.TRIAD, WHITE))
 
 
-def robot_com_marks() -> Iterator[Part]:
-    """Yield the mark of the whole robot's centre of mass, which the page places."""
+@lru_cache(maxsize=1)
+def robot_com_mark() -> Part:
+    """Return the mark of the whole robot's centre of mass, which the page places."""
     path = path_of("robot", "total", "robot", "robot-com", "ball")
-    yield SetObject(path, Shape(Form.BALL, ROBOT_COM, on_top=True))
+    return SetObject(path, Shape(Form.BALL, ROBOT_COM, on_top=True))
 
 
 def _at(position: Vector3) -> tuple[float, ...]:

@@ -15,11 +15,11 @@ from kindsl.scene.marks import (
     base_mark,
     body_marks,
     column_major,
-    frame_marks,
+    frame_mark,
     joint_marks,
     link_frame,
     mass_marks,
-    robot_com_marks,
+    robot_com_mark,
 )
 from kindsl.scene.messages import (
     FrameMessage,
@@ -94,12 +94,12 @@ def _robot_marks(
         if body or skeleton.is_floating:
             yield from mass_marks(link, skeleton.masses[body].com, ellipsoids[body])
     if not skeleton.is_floating:
-        yield from base_mark(skeleton.base_name)
+        yield base_mark(skeleton.base_name)
     for joint, kind in zip(skeleton.joint_names, skeleton.joint_kinds, strict=True):
         yield from joint_marks(joint, kind)
     for frame in skeleton.frames:
-        yield from frame_marks(frame.name)
-    yield from robot_com_marks()
+        yield frame_mark(frame.name)
+    yield robot_com_mark()
 
 
 def _numbers(
