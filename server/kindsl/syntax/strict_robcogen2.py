@@ -9,12 +9,16 @@ import re
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
+from kindsl.syntax.forms import targets_of
 from kindsl.syntax.portability import ROBCOGEN2, portability
-from kindsl.syntax.tables import KEYWORDS, PATTERNS
+from kindsl.syntax.tables import IGNORED, KEYWORDS, ORDERS, PATTERNS, WORDS
 from kindsl.syntax.tree import Island, Token
+from kindsl.syntax.vocabulary import MOMENTS, SECTIONS
 from kindsl.text.facts import Fact
 
-_TRIVIA = re.compile(r"(?:[ \t\r\n]++|//[^\r\n]*+)*+")
+_TRIVIA = re.compile(
+    f"(?:{'|'.join(PATTERNS[kind] for kind in IGNORED if ROBCOGEN2 in targets_of(kind))})*+"
+)
 _NAME = re.compile(r"[^\d\W]\w*")
 _PI = re.compile(r"[Pp|][Ii|]")
 _INT = re.compile(r"[-+]?[0-9]+")
@@ -22,15 +26,6 @@ _STRICT_FLOAT = re.compile(
     r"[+-]?(?:(?:\d+\.\d*|\.\d+)(?:[eE][+-]?\d+)?|\d+[eE][+-]?\d+)(?<=[\w.])(?![\w.])"
 )
 _IN_ORDER = re.compile("hbl+j+e")
-_MOMENTS = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")
-_KINDS = {
-    "floating": "FLOATING",
-    "r_joint": "JOINT_KIND",
-    "p_joint": "JOINT_KIND",
-    "inertia_params": "INERTIA",
-    "inertia_properties": "INERTIA",
-    **dict.fromkeys(_MOMENTS, "MOMENT"),
-}
 _NUMBER_KINDS = [
     (kind, re.compile(pattern))
     for kind, pattern in PATTERNS.items()
@@ -81,13 +76,15 @@ class _Reader:
         return self._next() == len(self.text)
 
     def words(self, *words: str) -> bool:
-        """Read keywords, signs, and whatever stands for `NAME`, `NUMBER`, `VECTOR`, ..."""
-        state = self.place, len(self.tokens)
+        """Read keywords, signs, and whatever stands for `NAME`, `VECTOR`, `FRAMES?`, ..."""
+        place, count = self.place, len(self.tokens)
         for word in words:
-            part = _PARTS.get(word)
-            if not (part(self) if part is not None else self._word(word)):
-                self.place = state[0]
-                del self.tokens[state[1] :]
+            part = _PARTS.get(word.rstrip("?+"))
+            if word.endswith("?"):
+                self.perhaps(word[:-1])
+            elif not (part(self) if part is not None else self._word(word)):
+                self.place = place
+                del self.tokens[count:]
                 return False
         return True
 
@@ -107,7 +104,7 @@ class _Reader:
         if not self.text.startswith(word, start):
             self.furthest = max(self.furthest, start)
             return False
-        return self._take(_KINDS.get(word, word), start, start + len(word))
+        return self._take(KEYWORDS.get(word, word), start, start + len(word))
 
     def matching(self, kind: str, pattern: re.Pattern[str]) -> bool:
         start = self._next()
@@ -146,17 +143,13 @@ class _Reader:
         )
 
     def moments(self) -> bool:
-        left = list(_MOMENTS)
+        left = list(MOMENTS)
         while left:
             found = next((name for name in left if self.words(name, "=", "EXPRESSION")), None)
             if found is None:
                 return False
             left.remove(found)
         return True
-
-    def inertia(self) -> bool:
-        """Read an inertia section, or nothing where there is none."""
-        return self.perhaps("INERTIA_KEYWORD { mass = EXPRESSION CoM = VECTOR MOMENTS INNER }")
 
     def children(self) -> bool:
         if not self.words("children", "{"):
@@ -166,10 +159,10 @@ class _Reader:
         return self.words("}")
 
     def frames(self) -> bool:
-        """Read the frames, or nothing where there are none."""
-        if self.words("frames", "GROUP"):
-            while self.group():
-                pass
+        if not self.words("frames", "GROUP"):
+            return False
+        while self.group():
+            pass
         return True
 
     def group(self) -> bool:
@@ -192,34 +185,42 @@ def _number_kind(text: str) -> str:
     return next(kind for kind, pattern in _NUMBER_KINDS if pattern.fullmatch(plain))
 
 
-_VECTOR = "( EXPRESSION , EXPRESSION , EXPRESSION )"
-_POSE = "translation = VECTOR rotation = VECTOR"
+def _body(block: str) -> str:
+    """Return the parts of a block: its sections in their order, but those that it does not take."""
+    parts = [part for part in ORDERS[block] if ROBCOGEN2 in targets_of(part.rstrip("?+"))]
+    return " ".join(part.upper() for part in parts)
+
+
+def _section(name: str, kind: str) -> Callable[[_Reader], bool]:
+    value = _VALUES.get(kind)
+    body = f"= {value}" if value else f"{{ {_body(name)} }}"
+    return lambda reader: reader.any_of(*(f"{word} {body}" for word in WORDS[name]))
+
+
+_VALUES = {"vector": "VECTOR", "scalar": "EXPRESSION", "whole": "INT", "name": "NAME"}
+_READ_AS_SUCH = {"moments": _Reader.moments, "list": _Reader.children, "groups": _Reader.frames}
 _PARTS: dict[str, Callable[[_Reader], bool]] = {
     "NAME": _Reader.name,
     "NUMBER": _Reader.number,
     "PI": _Reader.pi,
     "VALUE": _Reader.value,
     "EXPRESSION": _Reader.expression,
-    "VECTOR": lambda reader: reader.any_of(_VECTOR),
-    "POSE": lambda reader: reader.any_of(_POSE),
-    "FRAME": lambda reader: reader.any_of("NAME { POSE }"),
+    "VECTOR": lambda reader: reader.any_of("( EXPRESSION , EXPRESSION , EXPRESSION )"),
+    "FRAME": lambda reader: reader.any_of(f"NAME {{ {_body('frame')} }}"),
     "GROUP": _Reader.group,
-    "INERTIA": _Reader.inertia,
-    "MOMENTS": _Reader.moments,
-    "CHILDREN": _Reader.children,
-    "FRAMES": _Reader.frames,
     "INT": lambda reader: reader.matching("INT", _INT),
-    "ID": lambda reader: reader.perhaps("id = INT"),
-    "INNER": lambda reader: reader.perhaps("ref_frame = NAME"),
-    "INERTIA_KEYWORD": lambda reader: reader.any_of("inertia_params", "inertia_properties"),
-    "JOINT_KEYWORD": lambda reader: reader.any_of("r_joint", "p_joint"),
+    "JOINT_KEYWORD": lambda reader: reader.any_of(*WORDS["joint"]),
+    **{
+        name.upper(): _READ_AS_SUCH.get(kind) or _section(name, kind)
+        for name, kind in SECTIONS.items()
+    },
 }
-_BODY = "INERTIA CHILDREN FRAMES }"
+_BASE, _LINK, _JOINT = (f"{{ {_body(block)} }}" for block in ("base", "link", "joint"))
 _BLOCKS: tuple[tuple[str, Callable[[_Reader], bool]], ...] = (
-    ("b", lambda r: r.any_of(f"RobotBase NAME {{ {_BODY}", f"RobotBase NAME floating {{ {_BODY}")),
+    ("b", lambda r: r.any_of(f"RobotBase NAME {_BASE}", f"RobotBase NAME floating {_BASE}")),
     ("h", lambda r: r.any_of("Robot NAME {")),
-    ("l", lambda r: r.any_of(f"link NAME {{ id = INT {_BODY}")),
-    ("j", lambda r: r.any_of("JOINT_KEYWORD NAME { ID ref_frame { POSE } }")),
+    ("l", lambda r: r.any_of(f"link NAME {_LINK}")),
+    ("j", lambda r: r.any_of(f"JOINT_KEYWORD NAME {_JOINT}")),
     ("e", lambda r: r.any_of("}")),
 )
 
