@@ -84,9 +84,13 @@ def _component(vector: Node, local: int) -> int:
 
 
 def _meaning(section: Node) -> tuple[ValueKind, str]:
-    if section.kind == "rotation":
-        return ValueKind.ANGLE, "rad"
-    if section.kind == "translation":
-        return ValueKind.LENGTH, METRES
-    units = {"mass": KILOGRAMS, "com": METRES}
-    return ValueKind.DYNAMICS, units.get(section.kind, INERTIA)
+    return _MEANINGS.get(section.kind, (ValueKind.DYNAMICS, ""))
+
+
+_MEANINGS = {
+    "translation": (ValueKind.LENGTH, METRES),
+    "rotation": (ValueKind.ANGLE, "rad"),
+    "mass": (ValueKind.DYNAMICS, KILOGRAMS),
+    "com": (ValueKind.DYNAMICS, METRES),
+    "moment": (ValueKind.DYNAMICS, INERTIA),
+}

@@ -116,9 +116,9 @@ def _readers(lark: Any, constructs: Constructs) -> dict[str, set[str]]:
     sections -= set(constructs.holds["document"])
     within = constructs.within("value")
     aliases = {str(rule.alias) for rule in lark.rules if str(rule.origin.name) in within}
-    terminals = {terminal.name for terminal in lark.terminals}
+    terminals = {terminal.name for terminal in lark.terminals} - set(lark.ignore_tokens)
     return {
-        "only": sections | within | aliases | terminals,
+        "only": sections | within | aliases | terminals | {"BLOCK_COMMENT"},
         "neither": sections | (terminals & constructs.within("_expression")),
     }
 

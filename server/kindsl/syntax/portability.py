@@ -7,11 +7,12 @@ import re
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from kindsl.syntax.tables import KEYWORDS
+from kindsl.syntax.moving import removed
+from kindsl.syntax.tables import HOLDS, ONLY
 from kindsl.syntax.token_names import shown
 from kindsl.syntax.tree import Edit, Island, Node, Repair, Token
-from kindsl.syntax.value_forms import TARGETS_OF_ALL, accepted_by
-from kindsl.syntax.vocabulary import BLOCKS, VALUE_HOLDERS
+from kindsl.syntax.value_forms import TARGETS_OF_ALL, accepted_by, form_kind, targets_of
+from kindsl.syntax.vocabulary import BLOCKS, SECTIONS, VALUE_HOLDERS, VALUE_TERMINALS
 from kindsl.text.facts import Fact
 
 ROBCOGEN, ROBCOGEN2 = "robcogen", "robcogen2"
@@ -19,6 +20,12 @@ ROBCOGEN, ROBCOGEN2 = "robcogen", "robcogen2"
 _LARGEST = 2**31 - 1
 _PLAIN_ID = re.compile(r"[1-9][0-9]*")
 _BLOCKS = frozenset({"head", *BLOCKS})
+_SECTIONS_OF_ONE = SECTIONS.keys() & ONLY.keys()
+_CALLED = {
+    "ESCAPED_NAME": ("escaped-name", "the escaped name '{}'"),
+    "KEYWORD_NAME": ("keyword-as-name", "the keyword '{}' as a name"),
+    "UNICODE_NAME": ("non-ascii-name", "the letters of the name '{}'"),
+}
 _REASONS = {
     ROBCOGEN: "robcogen does not take the form of '{}'",
     ROBCOGEN2: "robcogen2 does not take the form of '{}'",
@@ -59,10 +66,37 @@ def _notes(island: Island) -> Iterator[PortabilityNote]:
     yield from _comment_notes(island)
     for block in island.nodes:
         if block.kind in _BLOCKS:
-            yield from _token_notes(list(block.tokens()))
-            yield from _value_notes(island, block)
-            yield from _id_notes(block)
-            yield from _inertia_notes(block)
+            refused = list(_section_notes(island.text, block)) if _SECTIONS_OF_ONE else []
+            yield from refused
+            for note in _block_notes(island, block):
+                if not any(_is_within(note, section) for section in refused):
+                    yield note
+
+
+def _block_notes(island: Island, block: Node) -> Iterator[PortabilityNote]:
+    yield from _token_notes(list(block.tokens()))
+    yield from _value_notes(island, block)
+    yield from _id_notes(block)
+    yield from _inertia_notes(block)
+
+
+def _section_notes(text: str, block: Node) -> Iterator[PortabilityNote]:
+    """Yield the sections that one target takes alone, told to be refused by the other."""
+    for node in (child for child in block.children if isinstance(child, Node)):
+        if node.kind in _SECTIONS_OF_ONE:
+            word = next(node.tokens())
+            for target in TARGETS_OF_ALL - targets_of(node.kind):
+                edit = removed(text, word, node.end)
+                repair = Repair(f"Remove '{word.text}'", (edit,), False)
+                message = f"{target} does not take '{word.text}'"
+                yield PortabilityNote(target, "section", message, node.start, node.end, repair)
+        elif node.kind in HOLDS:
+            yield from _section_notes(text, node)
+
+
+def _is_within(note: PortabilityNote, section: PortabilityNote) -> bool:
+    is_inside = section.start <= note.start and note.end <= section.end
+    return is_inside and note.target == section.target
 
 
 def _comment_notes(island: Island) -> Iterator[PortabilityNote]:
@@ -71,9 +105,10 @@ def _comment_notes(island: Island) -> Iterator[PortabilityNote]:
         if text.startswith("/*", start):
             if end - start < 4 or not text.endswith("*/", start, end):
                 continue
-            message = "robcogen2 does not take the comment '/* */'"
             repair = _line_comments(text, start, end)
-            yield PortabilityNote(ROBCOGEN2, "block-comment", message, start, end, repair)
+            for target in TARGETS_OF_ALL - targets_of("BLOCK_COMMENT"):
+                message = f"{target} does not take the comment '/* */'"
+                yield PortabilityNote(target, "block-comment", message, start, end, repair)
         elif text[end : end + 1] == "\r" and text[end + 1 : end + 2] != "\n":
             message = "robcogen does not end a comment at a lone carriage return"
             repair = Repair("Write a line feed", (Edit(end, end + 1, "\n"),), True)
@@ -106,18 +141,14 @@ def _token_notes(tokens: Sequence[Token]) -> Iterator[PortabilityNote]:
 
 
 def _name_notes(token: Token) -> Iterator[PortabilityNote]:
-    if token.kind != "NAME":
+    """Yield that one target refuses a name or a keyword; numbers are told with their value."""
+    kind = form_kind(token)
+    if kind not in ONLY or kind in VALUE_TERMINALS:
         return
-    name = shown(token.text)
-    if token.text.startswith("^"):
-        message = f"robcogen2 does not take the escaped name '{name}'"
-        yield PortabilityNote(ROBCOGEN2, "escaped-name", message, token.start, token.end)
-    elif KEYWORDS.get(token.text, "LOWER_PI") != "LOWER_PI":
-        message = f"robcogen does not take the keyword '{name}' as a name"
-        yield PortabilityNote(ROBCOGEN, "keyword-as-name", message, token.start, token.end)
-    elif not token.text.isascii():
-        message = f"robcogen does not take the letters of the name '{name}'"
-        yield PortabilityNote(ROBCOGEN, "non-ascii-name", message, token.start, token.end)
+    name, what = _CALLED.get(kind, (kind.lower().replace("_", "-"), "'{}'"))
+    for target in TARGETS_OF_ALL - targets_of(kind):
+        message = f"{target} does not take {what.format(shown(token.text))}"
+        yield PortabilityNote(target, name, message, token.start, token.end)
 
 
 def _glue_notes(left: Token, right: Token) -> Iterator[PortabilityNote]:

@@ -5,9 +5,10 @@ from typing import NamedTuple
 
 from kindsl.syntax.moving import moved_behind, removed
 from kindsl.syntax.scanner import comments
-from kindsl.syntax.tables import HOLDS, ORDERS, WORDS
+from kindsl.syntax.tables import HOLDS, NEITHER, ORDERS, WORDS
 from kindsl.syntax.tree import Edit, Node, Problem, Repair, Token
 from kindsl.syntax.vocabulary import BLOCKS, POSE, of_kind
+from kindsl.text.words import listed
 
 _MANY = of_kind("moments")
 _fine: set[tuple[str, ...]] = set()
@@ -112,6 +113,7 @@ def _problems(text: str, node: Node) -> list[Problem]:
     sections = [child for child in node.children if isinstance(child, Node)]
     known = [child for child in sections if child.kind in ORDER[node.kind]]
     problems = [_foreign(text, node, child) for child in sections if child not in known]
+    problems += [_refused(text, child) for child in known if child.kind in NEITHER]
     first_ones: list[Node] = []
     seen: set[str] = set()
     repeated: list[Node] = []
@@ -136,8 +138,16 @@ def _problems(text: str, node: Node) -> list[Problem]:
 
 def _foreign(text: str, node: Node, section: Node) -> Problem:
     repair = Repair(f"Remove '{_word(section)}'", (_removal(text, section),), False)
-    message = f"{title(node)} has an '{_word(section)}', which only links and joints have"
+    owners = listed([f"{block}s" for block, order in ORDER.items() if section.kind in order])
+    article = "an" if _word(section)[0] in "aeiou" else "a"
+    message = f"{title(node)} has {article} '{_word(section)}', which only {owners} have"
     return Problem("KD001", message, section.start, section.end, repair)
+
+
+def _refused(text: str, section: Node) -> Problem:
+    repair = Repair(f"Remove '{_word(section)}'", (_removal(text, section),), False)
+    message = f"no generator takes '{_word(section)}'"
+    return Problem(NEITHER[section.kind], message, section.start, section.end, repair)
 
 
 def _repeated(text: str, node: Node, section: Node) -> Problem:

@@ -9,10 +9,10 @@ import re
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
-from kindsl.syntax.forms import targets_of
 from kindsl.syntax.portability import ROBCOGEN2, portability
 from kindsl.syntax.tables import IGNORED, KEYWORDS, ORDERS, PATTERNS, WORDS
 from kindsl.syntax.tree import Island, Token
+from kindsl.syntax.value_forms import targets_of
 from kindsl.syntax.vocabulary import MOMENTS, SECTIONS
 from kindsl.text.facts import Fact
 

@@ -1,11 +1,13 @@
 """Which generators take a value, by the grammar's rule `value`."""
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 from kindsl.syntax.automaton import ROWS, TARGETS
 from kindsl.syntax.scanner import word_kind
 from kindsl.syntax.tables import NEITHER, ONLY, RULES, STARTS
 from kindsl.syntax.tree import Node, Token
+from kindsl.syntax.vocabulary import NAMES
 
 TARGETS_OF_ALL = frozenset({"robcogen", "robcogen2"})
 
@@ -36,14 +38,16 @@ def kinds_accepted_by(kinds: tuple[str, ...]) -> frozenset[str]:
 
 def form_kind(token: Token) -> str:
     """Return the terminal of the grammar that a token of an expression is, names told apart."""
-    if token.kind != "NAME":
-        return token.kind
-    if token.text.startswith("^"):
+    return token.kind if token.kind != "NAME" else _name_kind(token.text)
+
+
+@lru_cache(_MOST_KNOWN)
+def _name_kind(name: str) -> str:
+    """Return the terminal of a name as it is spelt."""
+    if name.startswith("^"):
         return "ESCAPED_NAME"
-    kind = word_kind(token.text)
-    if kind in ("NAME", "PI_PREFIXED", "UNICODE_NAME", "LOWER_PI"):
-        return kind
-    return "KEYWORD_NAME"
+    kind = word_kind(name)
+    return kind if kind in NAMES else "KEYWORD_NAME"
 
 
 def is_signed_product(node: Node) -> bool:

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from kindsl.syntax.malformed import UNDECODABLE, meant_numbers
+from kindsl.syntax.tables import NEITHER
 from kindsl.syntax.token_names import shown
 from kindsl.syntax.tree import Edit, Node, Problem, Repair, Token
 from kindsl.syntax.value_forms import accepted_by, form_kind, kinds_accepted_by
@@ -65,7 +66,7 @@ def _flatten_long_expressions(parent: Node) -> None:
 
 
 def _malformed(tokens: Sequence[Token]) -> Problem | None:
-    token = next((t for t in tokens if t.kind == "MALFORMED_NUMBER"), None)
+    token = next((t for t in tokens if form_kind(t) in NEITHER), None)
     if token is None:
         return None
     repairs = tuple(
@@ -73,7 +74,7 @@ def _malformed(tokens: Sequence[Token]) -> Problem | None:
         for meant in meant_numbers(token.text)
     )
     message = f"'{shown(token.text)}' is not a number"
-    problem = Problem("KD005", message, token.start, token.end)
+    problem = Problem(NEITHER[form_kind(token)], message, token.start, token.end)
     if len(repairs) == 1:
         return problem._replace(repair=repairs[0])
     return problem._replace(choices=repairs)

@@ -219,7 +219,7 @@ def test_a_bound_parameter_tells_its_value():
         snippets.joint("r_joint", "j"),
         snippets.inertia(),
         snippets.frames(),
-        snippets.joint_frame(),
+        snippets.section("joint_frame"),
         snippets.children(),
     ],
 )

@@ -12,13 +12,13 @@ from kindsl.features.completion.item import without_placeholders
 from kindsl.features.tree_path import path_at
 from kindsl.syntax.document import PlacedIsland
 from kindsl.syntax.sections import ORDER
+from kindsl.syntax.tables import KINDS
 from kindsl.syntax.tree import Node
 from kindsl.text.edits import TextEdit
 from kindsl.text.phrases import listed
 
 _KIND = "refactor.rewrite"
 _BLOCKS = ORDER.keys() - {"document"}
-_ZEROS = "(0.0, 0.0, 0.0)"
 _TITLES = {"inertia": "Add an inertia section", "frames": "Add a frames section"}
 
 
@@ -60,27 +60,22 @@ def _missing(analysis: Analysis, block: Node) -> Iterator[_AddedSection]:
     """Yield the sections that are not there, in the order of the grammar."""
     there = {child.kind for child in block.children}
     for kind in ORDER[block.kind]:
-        if kind == "moment":
-            present = {next(node.tokens()).text for node in block.nodes("moment")}
+        if KINDS[kind] == "moments":
+            present = {next(node.tokens()).text for node in block.nodes(kind)}
             for name, default in snippets.MOMENT_DEFAULTS.items():
                 if name not in present:
                     yield _AddedSection(kind, (f"{name} = {default}",))
-        elif kind not in there and kind in _LINES:
-            yield _AddedSection(kind, _LINES[kind])
-        elif kind not in there and kind == "id":
-            yield _AddedSection(kind, (f"id = {next_id(analysis)}",))
+        elif kind not in there:
+            yield _AddedSection(kind, tuple(_text(analysis, kind).split("\n")))
 
 
-_LINES = {
-    "inertia": tuple(without_placeholders(snippets.inertia()).split("\n")),
-    "children": ("children {}",),
-    "frames": tuple(without_placeholders(snippets.frames()).split("\n")),
-    "joint_frame": tuple(without_placeholders(snippets.joint_frame()).split("\n")),
-    "mass": ("mass = 1.0",),
-    "com": (f"CoM = {_ZEROS}",),
-    "translation": (f"translation = {_ZEROS}",),
-    "rotation": (f"rotation = {_ZEROS}",),
-}
+def _text(analysis: Analysis, kind: str) -> str:
+    if kind == "id":
+        return f"id = {next_id(analysis)}"
+    if kind == "children":
+        return "children {}"
+    is_frames = kind == "frames"
+    return without_placeholders(snippets.frames() if is_frames else snippets.section(kind))
 
 
 def _action(

@@ -79,7 +79,7 @@ def _section(analysis: Analysis, context: CompletionContext, kind: str) -> Itera
         text = f"id = ${{1:{joint_id(analysis, context)}}}"
         yield _snippet(word, text, "optional number of the joint")
         return
-    yield _snippet(word, _section_text(analysis, context, kind), _DETAILS[kind])
+    yield _snippet(word, _section_text(analysis, context, kind), _DETAILS.get(kind, ""))
     if kind == "children":
         yield CompletionItem("children {}", "snippet", "children {}", "no children")
 
@@ -89,19 +89,9 @@ def _section_text(analysis: Analysis, context: CompletionContext, kind: str) -> 
         return f"id = ${{1:{next_id(analysis, bodies_at(context))}}}"
     if kind == "children":
         return snippets.children(*first_child(analysis, context))
-    return _TEXTS[kind]
+    return snippets.frames() if kind == "frames" else snippets.section(kind)
 
 
-_TEXTS = {
-    "inertia": snippets.inertia(),
-    "frames": snippets.frames(),
-    "joint_frame": snippets.joint_frame(),
-    "mass": "mass = ${1:1.0}",
-    "com": f"CoM = {snippets.vector()}",
-    "inertia_frame": "ref_frame = ${1:frame}",
-    "translation": f"translation = {snippets.vector()}",
-    "rotation": f"rotation = {snippets.vector()}",
-}
 _DETAILS = {
     "id": "number of the link",
     "inertia": "mass, CoM and moments in the link frame",

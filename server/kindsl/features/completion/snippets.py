@@ -1,13 +1,15 @@
 """Whole blocks with placeholders, in the formatter's style."""
 
-MOMENT_DEFAULTS = {
-    "Ix": "0.01",
-    "Iy": "0.01",
-    "Iz": "0.01",
-    "Ixy": "0.0",
-    "Ixz": "0.0",
-    "Iyz": "0.0",
-}
+from collections.abc import Iterator
+from itertools import count
+
+from kindsl.syntax.sections import ORDER
+from kindsl.syntax.tables import KINDS, WORDS
+from kindsl.syntax.vocabulary import MOMENTS, POSE
+
+MOMENT_DEFAULTS = dict(zip(MOMENTS, (*("0.01",) * 3, *("0.0",) * 3), strict=True))
+_DEFAULTS = {**MOMENT_DEFAULTS, "mass": "1.0", "ref_frame": "frame"}
+_USUAL = {"scalar": "0.0", "moments": "0.0", "whole": "1", "name": "name"}
 
 
 def link(name: str, number: int) -> str:
@@ -43,17 +45,33 @@ def robot() -> str:
 
 def inertia(first: int = 1) -> str:
     """Return an inertia section, its placeholders counted from `first`."""
-    moments = "\n".join(
-        f"{name} = ${{{number}:{default}}}"
-        for number, (name, default) in enumerate(MOMENT_DEFAULTS.items(), first + 4)
-    )
-    masses = f"mass = ${{{first}:1.0}}\nCoM = {vector(first + 1)}"
-    return _in_braces("inertia_params", f"{masses}\n{moments}")
+    return section("inertia", first)
 
 
 def pose(first: int = 1) -> str:
     """Return translation and rotation, their placeholders counted from `first`."""
-    return f"translation = {vector(first)}\nrotation = {vector(first + 3)}"
+    numbers = count(first)
+    return "\n".join(line for part in POSE for line in _lines(part, numbers))
+
+
+def section(kind: str, first: int = 1) -> str:
+    """Return a section with all that it must have, its placeholders counted from `first`."""
+    return "\n".join(_lines(kind, count(first)))
+
+
+def _lines(kind: str, numbers: Iterator[int]) -> Iterator[str]:
+    """Yield the lines of a section; of moments and products each is one."""
+    what, words = KINDS[kind], WORDS[kind]
+    if what == "vector":
+        yield f"{words[0]} = {vector(next(numbers))}"
+        next(numbers), next(numbers)
+    elif what in _USUAL:
+        for word in words:
+            yield f"{word} = ${{{next(numbers)}:{_DEFAULTS.get(word, _USUAL[what])}}}"
+    else:
+        needed = [part for part, place in ORDER.get(kind, {}).items() if place.is_needed]
+        lines = "\n".join(line for part in needed for line in _lines(part, numbers))
+        yield _in_braces(words[0], lines)
 
 
 def vector(first: int = 1) -> str:
@@ -69,11 +87,6 @@ def frame(name: str = "name") -> str:
 def frames() -> str:
     """Return a section with one optional frame."""
     return _in_braces("frames", frame())
-
-
-def joint_frame() -> str:
-    """Return a joint's frame."""
-    return _in_braces("ref_frame", pose())
 
 
 def children(link: str = "link", joint: str = "joint") -> str:

@@ -1,0 +1,192 @@
+"""A section that is added to the grammar is ordered, laid out, offered and rewritten as it stands.
+
+The tables of a changed grammar take the place of the package's own in a process of its own, so
+that no other file can have been touched.
+"""
+
+import json
+import subprocess
+import sys
+from typing import Any
+
+import pytest
+
+from kindsl.syntax.generate import tables
+from kindsl.syntax.grammars import grammar_text
+
+_SECTIONS = """
+color: "color" "=" vector                  //: only robcogen2
+shine: "shine" "=" _expression
+armour: "armour" "{" (thickness | plate)* "}"
+thickness: "thickness" "=" _expression
+plate: "plate" "=" vector
+secret: "secret" "=" INT                   //: neither KD006
+"""
+_PROCESS = """
+import json, sys, types
+module = types.ModuleType("kindsl.syntax.tables")
+source, text, targets = json.load(sys.stdin)
+exec(source, module.__dict__)
+sys.modules["kindsl.syntax.tables"] = module
+from kindsl.analysis.analysis import analyse
+from kindsl.analysis.settings import Settings
+from kindsl.features.completion.completion import completions
+from kindsl.features.completion.item import without_placeholders
+from kindsl.formatting.format import format_document
+from kindsl.text.edits import apply_edits
+cursor = text.find("$0")
+text = text.replace("$0", "")
+analysis = analyse(text, settings=Settings(targets=frozenset(targets)))
+answer = {"findings": [], "fixed": text}
+for found in analysis.findings:
+    answer["findings"].append([found.code, found.message])
+    if found.fix is not None:
+        answer["fixed"] = apply_edits(text, found.fix.edits)
+if cursor >= 0:
+    items = completions(analysis, cursor).items
+    answer["offered"] = {item.label: without_placeholders(item.text) for item in items}
+elif not any(island.problems for island in analysis.syntax.islands):
+    answer["formatted"] = apply_edits(text, format_document(analysis.syntax))
+print(json.dumps(answer))
+"""
+_LINK = """Robot Lamp {
+
+RobotBase ground {
+    children {
+        arm via turn
+    }
+}
+
+link arm {
+    id = 1
+    inertia_params {
+        mass = 1.0
+        CoM = (0.0, 0.0, 0.1)
+        Ix = 0.02
+        Iy = 0.02
+        Iz = 0.01
+        Ixy = 0.0
+        Ixz = 0.0
+        Iyz = 0.0
+    }
+%s    children {}
+}
+
+r_joint turn {
+    ref_frame {
+        translation = (0.0, 0.0, 0.2)
+        rotation = (0.0, 0.0, 0.0)
+    }
+}
+}
+"""
+_COLOR, _SHINE = "    color = (0.1, 0.2, 0.3)\n", "    shine = 0.5\n"
+_PLATE = "        plate = (1.0, 1.0, 1.0)\n"
+_ARMOUR = f"    armour {{\n        thickness = 0.1\n{_PLATE}    }}\n"
+_ALL = _COLOR + _SHINE + _ARMOUR
+
+
+@pytest.fixture(scope="module")
+def source() -> str:
+    """Return the tables of the language with a vector, a scalar, a block and a refused section."""
+    grammar = grammar_text("kindsl.lark")
+    link = "//: order id inertia? children frames?\n"
+    assert grammar.count(link) == 1
+    new = "//: order id inertia? color? shine? armour? secret? children frames?\n"
+    grammar = grammar.replace(link, new)
+    sections = "\n_section: id | inertia"
+    grammar = grammar.replace(sections, f"{sections} | color | shine | armour | secret") + _SECTIONS
+    armour = 'armour: "armour"'
+    return tables(grammar.replace(armour, f"//: order thickness plate\n{armour}"))
+
+
+def asked(source: str, text: str, *targets: str) -> Any:
+    question = json.dumps((source, text, targets))
+    command = [sys.executable, "-c", _PROCESS]
+    run = subprocess.run(command, input=question, stdout=subprocess.PIPE, text=True, check=True)
+    return json.loads(run.stdout)
+
+
+def test_new_sections_are_right_where_they_belong(source: str) -> None:
+    answer = asked(source, _LINK % _ALL)
+    assert answer["findings"] == []
+    assert answer["formatted"] == _LINK % _ALL
+
+
+def test_without_them_the_document_is_as_it_was(source: str) -> None:
+    assert asked(source, _LINK % "", "robcogen2")["findings"] == []
+
+
+@pytest.mark.parametrize(
+    ("written", "message", "fixed"),
+    [
+        (_SHINE + _COLOR, "'color' stands after 'shine'", _COLOR + _SHINE),
+        (_ARMOUR + _SHINE, "'shine' stands after 'armour'", _SHINE + _ARMOUR),
+        (_SHINE + _SHINE, "link 'arm' has a second 'shine'", _SHINE),
+        (_ARMOUR.replace(_PLATE, ""), "'armour' has no 'plate'", _ARMOUR.replace(_PLATE, "")),
+    ],
+)
+def test_they_are_ordered(source: str, written: str, message: str, fixed: str) -> None:
+    answer = asked(source, _LINK % written)
+    assert [told for _, told in answer["findings"]] == [message]
+    assert answer["fixed"] == _LINK % fixed
+
+
+def test_one_target_takes_a_section_alone(source: str) -> None:
+    ground = (_LINK % _COLOR).split("link arm")[1].split("    color")[0].split("id = 1\n")[1]
+    text = (_LINK % _COLOR).replace("ground {\n", f"ground {{\n{ground}", 1)
+    assert asked(source, text, "robcogen2")["findings"] == []
+    answer = asked(source, text, "robcogen")
+    assert answer["findings"] == [["KD601", "robcogen does not take 'color'"]]
+    assert answer["fixed"] == text.replace(_COLOR, "")
+
+
+def test_what_is_in_a_refused_section_is_not_told_besides(source: str) -> None:
+    text = _LINK % _COLOR.replace("0.1", "1.0e-1")
+    told = [message for _, message in asked(source, text, "robcogen")["findings"]]
+    assert "robcogen does not take 'color'" in told
+    assert not any("1.0e-1" in message for message in told)
+
+
+@pytest.mark.parametrize(
+    "section", [_SHINE.replace("0.5", "5.0e-1"), _ARMOUR.replace("0.1", "1.0e-1")]
+)
+def test_a_value_is_rewritten_for_both(source: str, section: str) -> None:
+    answer = asked(source, _LINK % section, "robcogen")
+    written = "5.0e-1" if "shine" in section else "1.0e-1"
+    message = f"robcogen does not take the form of '{written}'"
+    assert ["KD601", message] in answer["findings"]
+    assert answer["fixed"] == _LINK % section.replace(written, str(float(written)))
+
+
+def test_a_value_that_neither_takes_is_told(source: str) -> None:
+    (finding,) = asked(source, _LINK % _SHINE.replace("0.5", "0x5"))["findings"]
+    assert finding == ["KD005", "'0x5' is not a number"]
+
+
+def test_neither_takes_a_section(source: str) -> None:
+    answer = asked(source, _LINK % "    secret = 3\n")
+    assert answer["findings"] == [["KD006", "no generator takes 'secret'"]]
+    assert answer["fixed"] == _LINK % ""
+
+
+def test_each_stands_on_a_line_of_its_own(source: str) -> None:
+    flat = " ".join((_LINK % _ALL).split())
+    assert f"\n{_ALL}    children" in asked(source, flat)["formatted"]
+
+
+def test_each_is_offered_where_it_may_stand(source: str) -> None:
+    offered = asked(source, _LINK % (_SHINE + "    $0\n"))["offered"]
+    assert {"armour", "secret"} <= offered.keys()
+    assert not {"color", "shine", "id"} & offered.keys()
+    assert offered["armour"] == "armour {\n    thickness = 0.0\n    plate = (0.0, 0.0, 0.0)\n}"
+    inner = asked(source, _LINK % "    armour {\n        $0\n    }\n")["offered"]
+    assert inner.keys() >= {"thickness", "plate"}
+    assert inner["plate"] == "plate = (0.0, 0.0, 0.0)"
+
+
+@pytest.mark.parametrize("half", ["    shine\n", "    shine =\n", "    color = (0.1, 0.2\n"])
+def test_half_a_section_is_one_finding_and_the_rest_is_read(source: str, half: str) -> None:
+    answer = asked(source, _LINK % half)
+    assert len(answer["findings"]) == 1, answer["findings"]
+    assert answer["findings"][0][0] == "KD001"
