@@ -11,7 +11,8 @@ _MOST_BAD = 2000
 COMMENT = re.compile(COMMENTS)
 _SIGNS = "+-"
 _NAME_KINDS = [kind for kind in CLASSES["_name"] if kind in PATTERNS]
-_ODD_KINDS = [kind for kind in PATTERNS if kind not in IGNORED]
+_PLAIN_NAMES = {kind for kind in _NAME_KINDS if not PATTERNS[kind].startswith("\\")}
+_ODD_KINDS = [kind for kind in PATTERNS if kind not in IGNORED and kind not in _PLAIN_NAMES]
 _TOKEN = re.compile(
     rf"{TRIVIA}(?:"
     rf"((?!{PATTERNS['PIPE_PI']}){PATTERNS['UNICODE_NAME']})"

@@ -86,11 +86,12 @@ def title(node: Node) -> str:
 
 
 def _blocks(block: Node) -> Iterator[Node]:
-    if block.kind in ORDER:
-        yield block
-    for child in block.children:
-        if child.kind in HOLDS and isinstance(child, Node):
-            yield from _blocks(child)
+    pending = [block]
+    while pending:
+        node = pending.pop()
+        if node.kind in ORDER:
+            yield node
+        pending += [c for c in node.children[::-1] if isinstance(c, Node) and c.kind in HOLDS]
 
 
 def _empty_frames(block: Node, touched: frozenset[int]) -> Iterator[Problem]:
