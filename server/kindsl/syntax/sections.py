@@ -8,7 +8,7 @@ from kindsl.syntax.scanner import comments
 from kindsl.syntax.tables import HOLDS, NEITHER, ORDERS, WORDS
 from kindsl.syntax.tree import Edit, Node, Problem, Repair, Token
 from kindsl.syntax.vocabulary import BLOCKS, POSE, of_kind
-from kindsl.text.words import listed
+from kindsl.text.phrases import listed
 
 _MANY = of_kind("moments")
 _fine: set[tuple[str, ...]] = set()
