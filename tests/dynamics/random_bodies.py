@@ -3,7 +3,7 @@
 import numpy as np
 
 from kindsl.dynamics.bodies import Bodies, BodyFrame
-from kindsl.rigid.topology import JointKind
+from kindsl.rigid.joint_kind import JointKind
 from kindsl.spatial.arrays import Array
 from kindsl.spatial.transforms import rotation_from_intrinsic_xyz
 

@@ -10,7 +10,7 @@ from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.dynamics.evaluation.singular import singular_inertia
 from kindsl.dynamics.quantities import SingularInertiaError
-from kindsl.rigid.topology import JointKind
+from kindsl.rigid.joint_kind import JointKind
 from kindsl.spatial.arrays import Array
 
 METHODS = ("inverse_dynamics", "forward_dynamics", "forward_dynamics_derivatives")

@@ -19,7 +19,7 @@ from kindsl.dynamics.generation.tree import (
     tree_of,
 )
 from kindsl.dynamics.generation.vectors import EYE
-from kindsl.rigid.topology import JointKind
+from kindsl.rigid.joint_kind import JointKind
 
 NEAR = 0.5 * ROUNDING
 

@@ -12,7 +12,7 @@ from kindsl.mechanism.build import mechanism_of
 from kindsl.mechanism.errors import ModelError
 from kindsl.mechanism.numbering import numbered_by_id, require_base
 from kindsl.mechanism.skeleton import named_frames
-from kindsl.rigid.topology import JointKind
+from kindsl.rigid.joint_kind import JointKind
 from kindsl.semantics import declarations as declared
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.model import Model

@@ -2,9 +2,8 @@
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from typing import Literal
 
-JointKind = Literal["revolute", "prismatic"]
+from kindsl.rigid.joint_kind import JointKind
 
 
 @dataclass(frozen=True, slots=True, eq=False)

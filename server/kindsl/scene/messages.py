@@ -13,8 +13,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar, Literal, TypeAlias
 
+from kindsl.rigid.joint_kind import JointKind
 from kindsl.rigid.pose import Vector3
-from kindsl.rigid.topology import JointKind
 from kindsl.scene.geometry import Shape
 from kindsl.scene.picture import PictureState
 from kindsl.semantics.declarations import ValueKind

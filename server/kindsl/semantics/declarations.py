@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from enum import StrEnum
 from typing import NamedTuple, TypeAlias
 
-from kindsl.rigid.topology import JointKind
+from kindsl.rigid.joint_kind import JointKind
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.places import Construct, Name, Place
 from kindsl.syntax.tree import Island, Node

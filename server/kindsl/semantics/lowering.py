@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import cast
 
-from kindsl.rigid.topology import JointKind
+from kindsl.rigid.joint_kind import JointKind
 from kindsl.semantics.declarations import (
     Child,
     Declarations,

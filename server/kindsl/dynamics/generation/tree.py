@@ -12,7 +12,7 @@ from kindsl.dynamics.generation.mass_moments import (
 )
 from kindsl.dynamics.generation.terms import Scalar, cosine_and_sine
 from kindsl.dynamics.generation.vectors import EYE, ZERO, Matrix, Vector, add, scale, transform
-from kindsl.rigid.topology import JointKind
+from kindsl.rigid.joint_kind import JointKind
 from kindsl.spatial.arrays import Array
 from kindsl.spatial.inertia import second_moment
 
