@@ -7,7 +7,7 @@ from bisect import bisect_left, bisect_right, insort
 from collections.abc import Sequence
 
 from kindsl.syntax.characters import OPEN_COMMENT, without_invalid
-from kindsl.syntax.foreign.forms import adapted
+from kindsl.syntax.habits.table import adapted
 from kindsl.syntax.meaning import meaning_problems
 from kindsl.syntax.recovery.island import recover
 from kindsl.syntax.scanner import BAD
