@@ -1,25 +1,27 @@
 // Keeps everything that the playground consists of, so that it works without a network after the first visit.
 //
 // FILES and VERSION are put in by the build. A new version is fetched as a whole before the old one is left.
+const worker = /** @type {ServiceWorkerGlobalScope} */ (/** @type {unknown} */ (self));
 const CACHE = `kindsl-${VERSION}`;
 
-addEventListener("install", (event) => event.waitUntil(keep()));
-addEventListener("activate", (event) => event.waitUntil(takeOver()));
-addEventListener("fetch", (event) => {
+worker.addEventListener("install", (event) => event.waitUntil(keep()));
+worker.addEventListener("activate", (event) => event.waitUntil(takeOver()));
+worker.addEventListener("fetch", (event) => {
   if (event.request.method === "GET" && new URL(event.request.url).origin === location.origin) event.respondWith(answer(event.request));
 });
 
 async function keep() {
   const cache = await caches.open(CACHE);
-  await cache.addAll(FILES);
-  await skipWaiting();
+  await cache.addAll([...FILES]);
+  await worker.skipWaiting();
 }
 
 async function takeOver() {
   for (const name of await caches.keys()) if (name.startsWith("kindsl-") && name !== CACHE) await caches.delete(name);
-  await clients.claim();
+  await worker.clients.claim();
 }
 
+/** @param {Request} request */
 async function answer(request) {
   const cache = await caches.open(CACHE);
   return (await cache.match(request, { ignoreSearch: true })) ?? fetch(request);

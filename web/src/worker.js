@@ -5,7 +5,10 @@
 // biome-ignore lint/suspicious/noRedundantUseStrict: it is no module
 "use strict";
 
+/** @typedef {{ readonly method?: string, readonly params?: any }} Message of the protocol */
+
 self.onmessage = async ({ data: { base, useImage = true } }) => {
+  /** @type {Message[]} */
   const early = [];
   self.onmessage = ({ data }) => early.push(data);
   const begin = performance.now();
@@ -16,57 +19,74 @@ self.onmessage = async ({ data: { base, useImage = true } }) => {
     const loaded = performance.now();
     py.FS.writeFile("/lib/site.zip", await site);
     if (!isImage) py.runPython("import sys; sys.path.insert(0, '/lib/site.zip')");
-    const receive = py.pyimport("kindsl.lsp.browser").start((text) => self.postMessage(JSON.parse(text)));
-    const take = (data) => (data.method === "kindsl/writeFile" ? writeFile(py, data.params) : receive(JSON.stringify(data)));
+    const receive = py.pyimport("kindsl.lsp.browser").start((/** @type {string} */ text) => self.postMessage(JSON.parse(text)));
+    const take = (/** @type {Message} */ data) => (data.method === "kindsl/writeFile" ? writeFile(py, data.params) : receive(JSON.stringify(data)));
     self.onmessage = ({ data }) => take(data);
     early.forEach(take);
     tell("kindsl/ready", { isImage, load: Math.round(loaded - begin), total: Math.round(performance.now() - begin) });
   } catch (error) {
-    tell("kindsl/failed", { message: String(error.message ?? error).slice(0, 500) });
+    tell("kindsl/failed", { message: messageOf(error).slice(0, 500) });
   }
 };
 
+/** @param {unknown} error */
+const messageOf = (error) => (error instanceof Error ? error.message : String(error));
+
+/** @param {string} base @param {boolean} useImage */
 async function start(base, useImage) {
   if (useImage) {
     try {
       const image = await ownImage(base);
       return { py: await loadPyodide({ indexURL: base, _loadSnapshot: image }), isImage: true };
     } catch (error) {
-      console.warn(`The memory image was not used: ${error.message ?? error}`);
+      console.warn(`The memory image was not used: ${messageOf(error)}`);
     }
   }
   return { py: await loadPyodide({ indexURL: base }), isImage: false };
 }
 
-/** The image, if it is the one that was made with this Pyodide; another would never load. */
+/**
+ * The image, if it is the one that was made with this Pyodide; another would never load.
+ * @param {string} base
+ */
 async function ownImage(base) {
   const told = fetch(base + "image.json").then((answer) => answer.json());
   const image = await inflated(await bytes(base + "server.snap.gz"));
+  /** @type {{ readonly bytes: number, readonly head: readonly number[] }} */
   const { bytes: length, head } = await told;
   if (image.length !== length || head.some((byte, index) => image[index] !== byte)) throw new Error("it is another one's");
   return image;
 }
 
-/** Let the server find a file, or no longer for a text that is null: kindsl.toml is read from a folder. */
+/**
+ * Let the server find a file, or no longer for a text that is null: kindsl.toml is read from a folder.
+ * @param {Pyodide} py
+ * @param {{ readonly path: string, readonly text: string | null }} file
+ */
 function writeFile(py, { path, text }) {
   py.FS.mkdirTree(path.slice(0, path.lastIndexOf("/")));
   if (text !== null) py.FS.writeFile(path, text);
   else if (py.FS.analyzePath(path).exists) py.FS.unlink(path);
 }
 
+/** @param {string} address */
 async function bytes(address) {
   const answer = await fetch(address);
   if (!answer.ok) throw new Error(`${address.split("/").at(-1)} is not there`);
   return new Uint8Array(await answer.arrayBuffer());
 }
 
-/** Unpack gzip, unless the host has sent it as an encoding and the browser has unpacked it. */
+/**
+ * Unpack gzip, unless the host has sent it as an encoding and the browser has unpacked it.
+ * @param {Uint8Array<ArrayBuffer>} data
+ */
 async function inflated(data) {
   if (data[0] !== 0x1f || data[1] !== 0x8b) return data;
   const stream = new Blob([data]).stream().pipeThrough(new DecompressionStream("gzip"));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
+/** @param {string} method @param {unknown} params */
 function tell(method, params) {
   self.postMessage({ jsonrpc: "2.0", method, params });
 }

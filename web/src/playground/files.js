@@ -7,10 +7,17 @@ export const CONFIGURATION = "kindsl.toml";
 const FOLDER = "file:///robots/";
 const NAME = /^[a-z0-9_-]{1,60}\.kindsl$/;
 
+/** @typedef {{ readonly model: monaco.editor.ITextModel, original: string, view: monaco.editor.ICodeEditorViewState | null, readonly tab: HTMLElement }} File */
+
+/** @param {string} name */
 export const uriOf = (name) => FOLDER + name;
+/** @param {string} uri */
 export const nameOf = (uri) => decodeURIComponent(uri.slice(FOLDER.length));
 
-/** A name as our client writes addresses: in lower case, with the suffix. */
+/**
+ * A name as our client writes addresses: in lower case, with the suffix.
+ * @param {string} text
+ */
 export function properName(text) {
   const stem = text.toLowerCase().replace(/\.kindsl$/, "").replace(/[^a-z0-9_-]+/g, "_");
   const name = `${stem || "robot"}.kindsl`;
@@ -18,20 +25,37 @@ export function properName(text) {
 }
 
 export class Files {
-  #files = new Map(); // by name: { model, original, tab }
-  active = undefined;
+  /**
+   * By name.
+   * @type {Map<string, File>}
+   */
+  #files = new Map();
+  active = "";
+  /** @type {(name: string) => void} */
+  onActive = () => {};
+  /** @type {(name: string) => void} */
+  onChange = () => {};
+  /** @type {(name: string) => void} */
+  onClose = () => {};
 
+  /** @param {monaco.editor.IStandaloneCodeEditor} editor @param {HTMLElement} bar */
   constructor(editor, bar) {
     this.editor = editor;
     this.bar = bar;
-    this.onActive = () => {};
-    this.onChange = () => {};
-    this.onClose = () => {};
   }
 
-  /** Open a text in a tab, or put it into the one of that name. */
+  /**
+   * Open a text in a tab, or put it into the one of that name.
+   * @param {string} name
+   * @param {string} text
+   */
   open(name, text) {
-    if (this.#files.has(name)) return this.#replace(name, text);
+    const known = this.#files.get(name);
+    if (known) {
+      this.#replace(known, text);
+      if (name === this.active) this.editor.setScrollTop(0);
+      return;
+    }
     const language = name === CONFIGURATION ? "toml" : LANGUAGE;
     const model = monaco.editor.createModel(text, language, monaco.Uri.parse(uriOf(name)));
     model.onDidChangeContent(() => this.onChange(name));
@@ -39,15 +63,18 @@ export class Files {
     this.onChange(name);
   }
 
-  /** A version of its own, so that what is still said of the former text is not taken for news of this one. */
-  #replace(name, text) {
-    const file = this.#files.get(name);
+  /**
+   * A version of its own, so that what is still said of the former text is not taken for news of this one.
+   * @param {File} file
+   * @param {string} text
+   */
+  #replace(file, text) {
     forgetProblems(file.model);
     file.model.setValue(text);
     Object.assign(file, { original: text, view: null });
-    if (name === this.active) this.editor.setScrollTop(0);
   }
 
+  /** @param {string} name */
   close(name) {
     const file = this.#files.get(name);
     if (file === undefined) return;
@@ -58,6 +85,7 @@ export class Files {
     this.#files.delete(name);
   }
 
+  /** @param {string} name */
   show(name) {
     const file = this.#files.get(name);
     if (file === undefined) return;
@@ -86,13 +114,17 @@ export class Files {
     return [...this.#files.keys()];
   }
 
-  /** The name, or one like it that no tab has: a text that was converted replaces none. */
+  /**
+   * The name, or one like it that no tab has: a text that was converted replaces none.
+   * @param {string} name
+   */
   freeName(name) {
     let free = name;
     for (let number = 2; this.#files.has(free); number++) free = `${name.slice(0, 50).replace(/\.kindsl$/, "")}_${number}.kindsl`;
     return free;
   }
 
+  /** @param {string} name */
   #tab(name) {
     const close = element("button", { className: "close", title: `Close ${name}`, textContent: "×" });
     const tab = element("div", { role: "tab", tabIndex: 0, className: "tab" }, [name, close]);
@@ -108,7 +140,10 @@ export class Files {
   }
 }
 
-/** Monaco's client forgets a text with its problems listed, for whoever has that address next. */
+/**
+ * Monaco's client forgets a text with its problems listed, for whoever has that address next.
+ * @param {monaco.editor.ITextModel} model
+ */
 function forgetProblems(model) {
   monaco.editor.setModelMarkers(model, "lsp", []);
 }

@@ -7,6 +7,7 @@ const KEYWORDS = [
   "Robot", "RobotBase", "floating", "link", "id", "children", "via", "frames", "inertia_params", "mass", "CoM", "r_joint",
   "p_joint", "ref_frame", "translation", "rotation", "Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz",
 ];
+/** @type {monaco.languages.IMonarchLanguage} */
 const TOKENS = {
   keywords: KEYWORDS,
   tokenizer: {
@@ -20,31 +21,56 @@ const TOKENS = {
     comment: [[/\*\//, "comment", "@pop"], [/./, "comment"]],
   },
 };
+/** @type {monaco.languages.IMonarchLanguage} */
 const TOML = {
   tokenizer: {
     root: [[/#.*$/, "comment"], [/^\s*\[.*\]/, "type"], [/"[^"]*"|'[^']*'/, "string"], [/[-+]?\d+(\.\d+)?/, "number"], [/[\w.-]+(?=\s*=)/, "keyword"]],
   },
 };
+/** @typedef {readonly (readonly string[])[]} Colours of kinds of words */
 const LIGHT = [["class", "2b6a78"], ["method", "7a5a10"], ["property", "1c4f9c"], ["parameter", "8a2a8a"], ["variable", "1c4f9c"]];
 const DARK = [["class", "6fd0c0"], ["method", "dcc98a"], ["property", "9cc8f8"], ["parameter", "d8a0e0"], ["variable", "9cc8f8"]];
 
 export function registerLanguage() {
   monaco.languages.register({ id: LANGUAGE, extensions: [".kindsl"] });
   monaco.languages.setMonarchTokensProvider(LANGUAGE, TOKENS);
-  monaco.languages.setLanguageConfiguration(LANGUAGE, withPatterns(configuration));
+  monaco.languages.setLanguageConfiguration(LANGUAGE, withPatterns(/** @type {Configuration} */ (configuration)));
   monaco.languages.register({ id: "toml", extensions: [".toml"] });
   monaco.languages.setMonarchTokensProvider("toml", TOML);
   defineTheme("kindsl-light", "vs", LIGHT);
   defineTheme("kindsl-dark", "vs-dark", DARK);
 }
 
+/** @param {string} name @param {monaco.editor.BuiltinTheme} base @param {Colours} colours */
 function defineTheme(name, base, colours) {
   const rules = colours.map(([token, foreground]) => ({ token, foreground }));
-  monaco.editor.defineTheme(name, { base, inherit: true, rules, colors: {}, semanticHighlighting: true });
+  const theme = { base, inherit: true, rules, colors: {}, semanticHighlighting: true };
+  monaco.editor.defineTheme(name, theme);
 }
 
-/** JSON holds patterns as texts, Monaco wants regular expressions. */
+/** @typedef {string | { readonly pattern: string, readonly flags?: string }} Pattern */
+/**
+ * @typedef {object} EnterRule
+ * @property {Pattern} beforeText
+ * @property {Pattern} [afterText]
+ * @property {Pattern} [previousLineText]
+ * @property {{ readonly indent: string, readonly appendText?: string }} action
+ */
+/**
+ * @typedef {object} Configuration VS Code's form of it.
+ * @property {{ readonly pattern: string, readonly flags: string }} wordPattern
+ * @property {{ readonly increaseIndentPattern: string, readonly decreaseIndentPattern: string }} [indentationRules]
+ * @property {readonly EnterRule[]} [onEnterRules]
+ * @property {{ readonly markers?: { readonly start: string, readonly end: string } }} [folding]
+ */
+
+/**
+ * JSON holds patterns as texts, Monaco wants regular expressions.
+ * @param {Configuration} configuration
+ * @returns {monaco.languages.LanguageConfiguration}
+ */
 function withPatterns({ wordPattern, indentationRules, onEnterRules = [], folding, ...rest }) {
+  /** @type {Readonly<Record<string, number>>} */
   const enter = { none: 0, indent: 1, indentOutdent: 2, outdent: 3 };
   return {
     ...rest,
@@ -67,6 +93,7 @@ function withPatterns({ wordPattern, indentationRules, onEnterRules = [], foldin
   };
 }
 
+/** @param {Pattern} text */
 function pattern(text) {
   return typeof text === "string" ? new RegExp(text) : new RegExp(text.pattern, text.flags);
 }

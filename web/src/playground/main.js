@@ -15,6 +15,11 @@ import { sizeProblem } from "./sizes.js";
 import { fromFragment, toFragment } from "./share.js";
 import { Comparison } from "./comparison.js";
 
+/** @typedef {{ readonly range: Range, readonly newText: string }} TextEdit */
+/** @typedef {{ readonly textDocument: { readonly uri: string, readonly version?: number | null }, readonly edits: readonly TextEdit[] }} DocumentEdit */
+/** @typedef {{ readonly changes?: Readonly<Record<string, readonly TextEdit[]>>, readonly documentChanges?: readonly DocumentEdit[] }} WorkspaceEdit */
+/** @import { Range } from "./places.js" */
+
 const FIRST = "quadruped";
 const CHANGED = 2, DELETED = 3; // of the protocol
 const OF_OTHERS = /\.(urdf|sdf|xacro|mjcf|xml)$/i;
@@ -42,16 +47,16 @@ const notice = new Notice(byId("notice"));
 new Outline(byId("outline"), editor, port);
 const problems = new Problems(byId("problems"), byId("problem-count"), editor, port);
 
-files.onActive = (name) => {
+files.onActive = (/** @type {string} */ name) => {
   comparison.hide();
   if (name.endsWith(".kindsl")) void preview.show(name).catch((error) => say(error.message));
 };
-files.onChange = (name) => {
+files.onChange = (/** @type {string} */ name) => {
   if (name === CONFIGURATION) writeConfiguration();
   comparison.refresh();
 };
 
-files.onClose = (name) => {
+files.onClose = (/** @type {string} */ name) => {
   // What is compared may be gone, and what is offered is.
   comparison.hide();
   if (name === CONFIGURATION) writeConfiguration();
@@ -78,6 +83,7 @@ port.handlers.set("workspace/configuration", ({ items }) => items.map(() => null
 port.handlers.set("window/showDocument", ({ uri, selection }) => showPlace(uri, selection));
 port.handlers.set("workspace/applyEdit", ({ edit }) => ({ applied: applyEdit(edit) }));
 
+/** @param {string} uri @param {Range} selection */
 function showPlace(uri, selection) {
   const name = nameOf(uri);
   if (files.model(name) === undefined) return { success: false };
@@ -89,14 +95,20 @@ function showPlace(uri, selection) {
   return { success: true };
 }
 
-/** Make the server's edits, each file's as one step to undo; none if a text is not the one that they were made for. */
+/**
+ * Make the server's edits, each file's as one step to undo; none if a text is not the one that they were made for.
+ * @param {WorkspaceEdit} edit
+ */
 function applyEdit({ changes = {}, documentChanges = [] }) {
   const unversioned = Object.entries(changes).map(([uri, edits]) => ({ textDocument: { uri }, edits }));
-  const all = [...unversioned, ...documentChanges].map(({ textDocument: { uri, version }, edits }) => ({
+  /** @type {readonly DocumentEdit[]} */
+  const asked = [...unversioned, ...documentChanges];
+  const all = asked.map(({ textDocument: { uri, version }, edits }) => ({
     model: files.model(nameOf(uri)), isCurrent: (version ?? port.version(uri)) === port.version(uri), edits,
   }));
   if (all.some(({ model, isCurrent }) => model === undefined || !isCurrent)) return false;
   for (const { model, edits } of all) {
+    if (!model) continue;
     const operations = edits.map(({ range, newText }) => ({ range: rangeOf(range), text: newText }));
     model.pushStackElement();
     model.pushEditOperations(null, operations, () => null);
@@ -105,21 +117,30 @@ function applyEdit({ changes = {}, documentChanges = [] }) {
   return true;
 }
 
+/** @param {unknown} error */
+const messageOf = (error) => (error instanceof Error ? error.message : String(error));
+
 function themeName() {
   return dark.matches ? "kindsl-dark" : "kindsl-light";
 }
 
 dark.addEventListener("change", () => monaco.editor.setTheme(themeName()));
 
+/** @param {string} text */
 function say(text) {
   byId("message").textContent = text;
 }
 
+/** @returns {NodeListOf<HTMLButtonElement>} */
+const partButtons = () => document.querySelectorAll("#parts button");
+
+/** @param {string} part */
 function showPart(part) {
   document.body.dataset.part = part;
-  for (const button of document.querySelectorAll("#parts button")) button.setAttribute("aria-pressed", String(button.value === part));
+  for (const button of partButtons()) button.setAttribute("aria-pressed", String(button.value === part));
 }
 
+/** @param {string} name @param {string} text */
 function download(name, text) {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(new Blob([text], { type: "text/plain" }));
@@ -136,7 +157,7 @@ async function downloadUrdf() {
     await port.whenOpen(uriOf(files.active));
     download(name, await port.command("kindsl.exportUrdf", uriOf(files.active)));
   } catch (error) {
-    notice.tell(`No URDF of ${files.active}: ${error.message}`);
+    notice.tell(`No URDF of ${files.active}: ${messageOf(error)}`);
   }
 }
 
@@ -147,6 +168,7 @@ async function share() {
   say(isCopied ? "The link is in the clipboard; it holds the texts, which were sent nowhere" : "The address holds the texts now; copy it");
 }
 
+/** @param {string} name */
 async function addExample(name) {
   const file = `${name}.kindsl`;
   if (files.model(file) === undefined) {
@@ -157,17 +179,29 @@ async function addExample(name) {
   files.show(file);
 }
 
+/** @param {readonly File[]} chosen */
 async function openFile([file]) {
   if (file === undefined) return;
   notice.hide();
   say("");
-  if (sizeProblem(file.name, file.size)?.isRefused) return notice.tell(sizeProblem(file.name, file.size).sentence);
-  if (OF_OTHERS.test(file.name)) return openConverted(file);
+  const problem = sizeProblem(file.name, file.size);
+  if (problem?.isRefused) {
+    notice.tell(problem.sentence);
+    return;
+  }
+  if (OF_OTHERS.test(file.name)) {
+    await openConverted(file);
+    return;
+  }
   const name = file.name === CONFIGURATION ? CONFIGURATION : properName(file.name);
   if (openText(name, await file.text())) files.show(name);
 }
 
-/** Open a text, unless it is too large; say so, and whether checking it takes long. */
+/**
+ * Open a text, unless it is too large; say so, and whether checking it takes long.
+ * @param {string} name
+ * @param {string} text
+ */
 function openText(name, text) {
   const problem = sizeProblem(name, text.length);
   if (problem) notice.tell(problem.sentence);
@@ -175,7 +209,10 @@ function openText(name, text) {
   return !problem?.isRefused;
 }
 
-/** Open a robot of another format as a document, and tell what could not be kept. */
+/**
+ * Open a robot of another format as a document, and tell what could not be kept.
+ * @param {File} file
+ */
 async function openConverted(file) {
   try {
     const { text, remarks } = await port.command("kindsl.importRobot", file.name, await file.text());
@@ -184,7 +221,7 @@ async function openConverted(file) {
     files.show(name);
     if (notice.place.hidden) notice.tell(`${file.name} is open as ${name}${remarks.length > 0 ? ":" : ""}`, remarks);
   } catch (error) {
-    notice.tell(`${file.name}: ${error.message}`);
+    notice.tell(`${file.name}: ${messageOf(error)}`);
   }
 }
 
@@ -204,18 +241,22 @@ const actions = {
     notice.hide();
     comparison.toggle();
   },
-  download: () => download(files.active, files.model().getValue()),
+  download: () => download(files.active, files.model()?.getValue() ?? ""),
   urdf: downloadUrdf,
   share,
 };
 for (const [name, run] of Object.entries(actions)) byId(`do-${name}`).addEventListener("click", run);
-for (const button of document.querySelectorAll("#parts button")) button.addEventListener("click", () => showPart(button.value));
-byId("file").addEventListener("change", ({ target }) => {
-  void openFile([...target.files]);
-  target.value = ""; // so that the same file can be opened again
+for (const button of partButtons()) button.addEventListener("click", () => showPart(button.value));
+/** @type {HTMLInputElement} */
+const chosen = byId("file");
+chosen.addEventListener("change", () => {
+  void openFile([...(chosen.files ?? [])]);
+  chosen.value = ""; // so that the same file can be opened again
 });
 
+/** @type {Readonly<Record<string, string>>} */
 const examples = await (await fetch("examples/list.json")).json();
+/** @type {HTMLSelectElement} */
 const chooser = byId("examples");
 for (const [name, title] of Object.entries(examples)) chooser.append(new Option(title, name));
 chooser.addEventListener("change", () => {
@@ -223,7 +264,8 @@ chooser.addEventListener("change", () => {
   chooser.selectedIndex = 0;
 });
 
-new MonacoLspClient(createTransportToWorker(port));
+// To the client the port looks like the worker.
+new MonacoLspClient(createTransportToWorker(/** @type {any} */ (port)));
 const shared = await fromFragment(location.hash.slice(1));
 if (shared !== undefined) {
   for (const [name, text] of Object.entries(shared.files)) openText(name === CONFIGURATION ? name : properName(name), text);

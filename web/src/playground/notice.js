@@ -2,10 +2,12 @@
 import { element } from "./elements.js";
 
 export class Notice {
+  /** @param {HTMLElement} place */
   constructor(place) {
     this.place = place;
   }
 
+  /** @param {string} title @param {readonly string[]} [lines] */
   tell(title, lines = []) {
     const close = element("button", { className: "close", title: "Close this message", textContent: "×" });
     close.addEventListener("click", () => this.hide());

@@ -1,12 +1,24 @@
 // The live preview beside the text: the page of the desktop in a frame, told by messages.
 import { uriOf } from "./files.js";
 
+/** @import { ServerPort } from "./server_port.js" */
+
 const MESSAGES = "kindsl/previewMessages", REQUEST = "kindsl/previewRequest";
 
 export class Preview {
-  #document; // how the server calls the document that is shown
+  /**
+   * How the server calls the document that is shown.
+   * @type {string | undefined}
+   */
+  #document;
   #asked = 0;
+  /**
+   * Called with what the page asks for.
+   * @type {((request: unknown) => void) | undefined}
+   */
+  onRequest;
 
+  /** @param {HTMLIFrameElement} frame @param {ServerPort} port */
   constructor(frame, port) {
     this.frame = frame;
     this.port = port;
@@ -14,7 +26,10 @@ export class Preview {
     addEventListener("message", (event) => this.#receive(event));
   }
 
-  /** Show another file. */
+  /**
+   * Show another file.
+   * @param {string} name
+   */
   async show(name) {
     const asked = ++this.#asked;
     this.#setBusy(true);
@@ -27,26 +42,28 @@ export class Preview {
     this.#send({ type: "hello", joints: {}, parameters: {} });
   }
 
-  /** Let what is drawn look like no news of the text beside it. */
+  /**
+   * Let what is drawn look like no news of the text beside it.
+   * @param {boolean} isBusy
+   */
   #setBusy(isBusy) {
     this.frame.ariaBusy = String(isBusy);
   }
 
-  theme(kind) {
-    this.frame.contentWindow.postMessage({ type: "kindsl.theme", kind, colors: {} }, location.origin);
-  }
-
+  /** @param {MessageEvent} event */
   #receive({ source, origin, data }) {
     if (source !== this.frame.contentWindow || origin !== location.origin || !data?.kindslRequest) return;
     this.onRequest?.(data.kindslRequest);
     this.#send(data.kindslRequest);
   }
 
+  /** @param {unknown} request */
   #send(request) {
     if (this.#document !== undefined) this.port.notify(REQUEST, { document: this.#document, request });
   }
 
+  /** @param {{ readonly document: string, readonly messages: readonly unknown[] }} told */
   #tell({ document, messages }) {
-    if (document === this.#document) this.frame.contentWindow.postMessage({ kindslMessages: messages }, location.origin);
+    if (document === this.#document) this.frame.contentWindow?.postMessage({ kindslMessages: messages }, location.origin);
   }
 }

@@ -3,13 +3,28 @@ import * as monaco from "monaco-editor/editor/editor.api.js";
 import { element } from "./elements.js";
 import { Places } from "./places.js";
 
+/** @import { ServerPort } from "./server_port.js" */
+
+/** @type {Readonly<Record<number, string>>} */
 const WORDS = { 8: "error", 4: "warning", 2: "info", 1: "hint" };
 
 export class Problems {
+  /** @type {readonly HTMLElement[]} */
   rows = [];
+  hasFailed = false;
 
+  /**
+   * @param {HTMLElement} list
+   * @param {HTMLElement} count
+   * @param {monaco.editor.ICodeEditor} editor
+   * @param {ServerPort} port
+   */
   constructor(list, count, editor, port) {
-    Object.assign(this, { list, count, editor, port, places: new Places(editor) });
+    this.list = list;
+    this.count = count;
+    this.editor = editor;
+    this.port = port;
+    this.places = new Places(editor);
     monaco.editor.onDidChangeMarkers((uris) => {
       // Those of a text that has been edited since would be kept at places of the former one.
       const shown = editor.getModel()?.uri.toString();
@@ -45,11 +60,12 @@ export class Problems {
     this.list.replaceChildren(...(isChecked && !isGood ? [] : [said(words)]), ...this.rows);
   }
 
+  /** @param {monaco.editor.IMarker} marker @param {number} index */
   #row(marker, index) {
     const word = WORDS[marker.severity] ?? "info";
     const place = element("button", { className: "place" }, [
       element("span", { className: `dot ${word}`, title: word }),
-      element("span", { className: "code", textContent: String(marker.code?.value ?? marker.code ?? "") }),
+      element("span", { className: "code", textContent: typeof marker.code === "object" ? marker.code.value : marker.code ?? "" }),
       element("span", { className: "words", textContent: marker.message }),
       element("span", { className: "line", textContent: `line ${marker.startLineNumber}` }),
     ]);
@@ -62,6 +78,7 @@ export class Problems {
   }
 }
 
+/** @param {string} text */
 function said(text) {
   return element("li", { className: "nothing", textContent: text });
 }

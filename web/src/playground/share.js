@@ -1,7 +1,9 @@
 // The texts in the address: compressed, behind the number sign, so that no host ever sees them.
 const FORMAT = "deflate-raw";
 
-/** The fragment for `{ active, files: { name: text } }`. */
+/** @typedef {{ active: string, files: Record<string, string> }} State the name of the text that is shown, and texts by name */
+
+/** @param {State} state */
 export async function toFragment(state) {
   const stream = new Blob([JSON.stringify(state)]).stream().pipeThrough(new CompressionStream(FORMAT));
   const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
@@ -9,7 +11,11 @@ export async function toFragment(state) {
   return btoa(text).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
 }
 
-/** What a fragment holds, undefined for one that is not ours. */
+/**
+ * What a fragment holds, undefined for one that is not ours.
+ * @param {string} fragment
+ * @returns {Promise<State | undefined>}
+ */
 export async function fromFragment(fragment) {
   if (fragment === "") return undefined;
   try {
