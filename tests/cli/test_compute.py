@@ -175,7 +175,7 @@ def test_wrong_usage(kindsl: Runner, document: Path, arguments: list[str], told:
     ("content", "told"),
     [
         ('{"q": [1, 2]', "q.json:1:13: not valid JSON"),
-        ("[]", "q.json: there is no configuration"),
+        ("[]", "q.json: no configuration is given"),
         ("3", "q.json: must be an object with 'q', not a number"),
         ('[{}, {"q": 1}]', "q.json: configuration 2: 'q' must be a list of numbers, not a number"),
         ('{"p": []}', "q.json: unknown key 'p' (known: q, qd, qdd, tau, base_velocity)"),

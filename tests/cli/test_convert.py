@@ -30,8 +30,11 @@ def test_options_tell_what_the_suffix_does_not(tmp_path: Path, capsys) -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["a.kindsl", "b.step"], "b.step: error: the suffix '.step' does not tell the format: use"),
-        (["a", "b.kindsl"], "a: error: a name without suffix does not tell the format: use"),
+        (
+            ["a.kindsl", "b.step"],
+            "b.step: error: the suffix '.step' does not determine the format: use",
+        ),
+        (["a", "b.kindsl"], "a: error: a name without a suffix does not determine the format: use"),
         (["a.sdf", "b.sdf"], "input and output are both SDF"),
         (["a.kindsl", "b.xacro"], "b.xacro: error: xacro cannot be written"),
         (["a.sdf", "b.kindsl"], "a.sdf: error: no such file or folder"),

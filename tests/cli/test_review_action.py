@@ -142,7 +142,7 @@ def test_a_review_of_git_takes_documents_that_are_only_in_one(
     command = (sys.executable, "-m", "kindsl", "review", "--git", f"{base}..{head}")
     for name, expected in (
         ("-leg.kindsl", f"{base[:12]}:models/old/leg.kindsl to {head[:12]}"),
-        ("models/gone.kindsl", f"The document is not in {head[:12]} any more."),
+        ("models/gone.kindsl", f"The document is no longer in {head[:12]}."),
         ("none.kindsl", f"none.kindsl: error: does not exist in {base} or {head}"),
     ):
         out = tmp_path / name

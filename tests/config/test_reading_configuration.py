@@ -119,15 +119,15 @@ def test_patterns(pattern: str, path: str, is_meant: bool) -> None:
         ("[[document]]\npath = 1\n", ":2:1: error: 'document[0].path' must be a string"),
         (
             '[[document]]\npath = "[z-a]"\n',
-            ":2:1: error: 'document[0].path' is a pattern that no document matches",
+            ":2:1: error: 'document[0].path' is a pattern that cannot match any document",
         ),
         (
             '[[document]]\npath = "a\\\\"\n',
-            ":2:1: error: 'document[0].path' is a pattern that no document matches",
+            ":2:1: error: 'document[0].path' is a pattern that cannot match any document",
         ),
         (
             '[[document]]\npath = "!arm.kindsl"\n',
-            ":2:1: error: 'document[0].path' is a pattern that no document matches",
+            ":2:1: error: 'document[0].path' is a pattern that cannot match any document",
         ),
         (
             '[[document]]\npath = "a"\n[[document]]\npath = "b"\nparam = {}\n',
@@ -204,7 +204,7 @@ def test_a_wrong_file_is_told_for_each_document(tmp_path: Path) -> None:
 @pytest.mark.parametrize("content", [b"x = 1\xff", b"\xff\xfex\x00"])
 def test_not_utf_8_is_told(tmp_path: Path, content: bytes) -> None:
     (tmp_path / "kindsl.toml").write_bytes(content)
-    with pytest.raises(ConfigurationError, match="is not UTF-8"):
+    with pytest.raises(ConfigurationError, match="is not valid UTF-8"):
         read_configuration(str(tmp_path / "kindsl.toml"))
 
 

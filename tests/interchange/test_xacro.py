@@ -102,7 +102,7 @@ ENDLESS = f"""{HEAD}<xacro:macro name="again" params=""><xacro:again/></xacro:ma
         (f'{HEAD}<xacro:leg/></robot>', "xacro cannot expand it: .*xacro:leg.*"),
         (f"{HEAD}</robt>", "xacro cannot expand it: .*"),
         (f'{HEAD}<xacro:include filename="non.xacro"/></robot>', "xacro cannot expand it: .*non.*"),
-        (f'{HEAD}<link name="${{[0] * 10**12}}"/></robot>', ".*: it takes more than 4 GB.*"),
+        (f'{HEAD}<link name="${{[0] * 10**12}}"/></robot>', ".*: it needs more than 4 GB.*"),
         ("<robot/>", "line 1: <robot> has no attribute 'name'"),
     ],
     ids=["recursion", "name", "argument", "macro", "xml", "include", "memory", "urdf"],

@@ -144,7 +144,7 @@ async def test_two_texts_are_compared_as_robots(client):
     assert await client.ask("workspace/executeCommand", request) == found
     request = command("kindsl.difference", URI, document["uri"], "Robot r {}")
     error = (await client.answer("workspace/executeCommand", request))["error"]
-    assert error["message"] == "the old document has no tree of links to compare"
+    assert error["message"] == "the old document does not describe a tree of links"
 
 
 URDF = (Path(__file__).parents[2] / "docs" / "guide" / "pan_tilt.urdf").read_text()
@@ -172,7 +172,7 @@ async def test_a_urdf_becomes_a_document_with_remarks(client):
             "link 'a\ufffdb'",
         ),
         ("a.xml", "<mujoco/>", "MJCF cannot be read from one text, as .sdf or .urdf can"),
-        ("a.step", "", "the suffix '.step' does not tell the format: use .sdf or .urdf"),
+        ("a.step", "", "the suffix '.step' does not determine the format: use .sdf or .urdf"),
     ],
 )
 async def test_what_cannot_be_imported_is_one_sentence(client, name, text, message):

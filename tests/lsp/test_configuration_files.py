@@ -221,7 +221,7 @@ class TestFilesThatAreNotOpen:
     @pytest.mark.parametrize(
         ("content", "message"),
         [
-            (b"target = 3 # \xff\n", "is not UTF-8, as TOML has to be"),
+            (b"target = 3 # \xff\n", "is not valid UTF-8"),
             (b"\xef\xbb\xbftarget = 3\n", "target"),
         ],
     )

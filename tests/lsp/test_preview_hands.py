@@ -123,7 +123,7 @@ async def test_what_cannot_be_shown_is_refused_in_a_sentence() -> None:
         opened(session, "untitled:kindsl.toml", "")
         opened(session, URI, GOOD)
         for uri in ("untitled:absent", "untitled:kindsl.toml"):
-            with pytest.raises(RequestFailed, match="is no document that can be shown"):
+            with pytest.raises(RequestFailed, match="is not a document that can be shown"):
                 await session.previews.open(uri)
         with pytest.raises(RequestFailed, match="'ftp:' is no origin"):
             await session.previews.open(URI, "ftp:")
@@ -141,7 +141,7 @@ async def test_what_cannot_be_shown_is_refused_in_a_sentence() -> None:
 
         session.surroundings = session.surroundings._replace(new_previews=missing)
         opened(session, URI, GOOD)
-        with pytest.raises(RequestFailed, match=r"needs tornado; install it with: pip install"):
+        with pytest.raises(RequestFailed, match=r"needs tornado; install with: pip install"):
             await session.previews.open(URI)
 
 
@@ -172,7 +172,7 @@ async def test_what_was_dragged_is_written_into_the_version_that_it_was_made_for
             (URI, WRITING._replace(text=f"{GOOD}\n")),
         ):
             why = await session.previews._write(uri, writing)
-            assert why == "the document has changed meanwhile"
+            assert why == "the document has changed in the meantime"
         assert len(told.named("workspace_apply_edit")) == 1
 
 

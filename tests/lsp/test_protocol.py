@@ -152,7 +152,7 @@ class TestMalformedMessages:
             b'{"jsonrpc": "2.0", "id": %b, "method": "kindsl/unknown"}' % msg_id.encode()
         )
         refusal = client.answer(None)["error"]
-        assert refusal == {"code": -32600, "message": "the request's id is no number or string"}
+        assert refusal == {"code": -32600, "message": "the request's id is not a number or string"}
         assert client.refusal("kindsl/unknown")["code"] == -32601
 
 

@@ -55,7 +55,7 @@ async def test_an_editor_that_did_not_write_means_that_the_text_changed(answer: 
         view = await session.view(opened(session, URI, GOOD))
         told.answers["workspace_apply_edit"] = answer
         why = await written(session, view, "Rename", [EDIT])
-        assert why == "the document has changed meanwhile"
+        assert why == "the document has changed in the meantime"
         assert len(told.named("workspace_apply_edit")) == 1
 
 

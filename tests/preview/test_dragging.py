@@ -122,7 +122,7 @@ async def test_in_a_broken_text_what_is_whole_can_be_dragged(vector, component, 
 
 async def test_an_edit_of_an_older_text_is_refused(page):
     await page.ask(**drag("drop", revision=page.preview.revision - 1))
-    assert page.last("dragged")["reason"] == "the document has changed meanwhile"
+    assert page.last("dragged")["reason"] == "the document has changed in the meantime"
     assert not page.writings
 
 

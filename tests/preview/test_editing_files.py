@@ -73,7 +73,7 @@ def test_a_parameter_bound_elsewhere_stays(tmp_path):
     file = tmp_path / "arm.kindsl"
     file.write_text(ARM)
     refused = written(file, Writing("", ARM, (), (("reach", 0.55),)))
-    assert refused == "'reach' has its value from somewhere else than a configuration file"
+    assert refused == "'reach' is not bound in a configuration file"
 
 
 def test_a_configuration_file_that_cannot_be_read_is_told(tmp_path):

@@ -109,7 +109,7 @@ def reparented(leg: str) -> Planted:
     text = text.replace(
         f"{other}_shank via {other}_KFE", f"{other}_shank via {other}_KFE\n        {edge}"
     )
-    told = f"carried by '{other}_thigh', was by '{leg}_thigh'"
+    told = f"attached to '{other}_thigh' instead of '{leg}_thigh'"
     return Planted(text, (("link", f"{leg}_shank", told),))
 
 

@@ -43,8 +43,8 @@ def test_of_a_list_each_is_one() -> None:
 @pytest.mark.parametrize(
     ("content", "where", "message"),
     [
-        ([], "a.json", "a.json: there is no configuration"),
-        ([], "", "there is no configuration"),
+        ([], "a.json", "a.json: no configuration is given"),
+        ([], "", "no configuration is given"),
         (1, "a.json", "a.json: must be an object with 'q', not a number"),
         ([{}, 1.5], "", "configuration 2: must be an object with 'q', not a number"),
         (None, "", "must be an object with 'q', not null"),

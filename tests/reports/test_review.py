@@ -91,7 +91,7 @@ def test_findings_are_new_gone_or_kept() -> None:
 def test_broken_on_one_side_is_shown_as_far_as_it_goes(cut: int, turn: str) -> None:
     texts = (TEXT[:cut], TEXT) if turn == "old" else (TEXT, TEXT[:cut])
     blocks = page(*texts)
-    said = ("shown as far as it goes", "has no tree of links to compare")
+    said = ("shown as far as it goes", "does not describe a tree of links")
     told = [b.text for b in blocks if isinstance(b, Paragraph)]
     assert any(part in text for part in said for text in told)
     files = review_files(blocks)
@@ -134,7 +134,7 @@ def test_two_commits_are_compared(repository: Path, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["--git", "HEAD~7..HEAD", "quadruped.kindsl"], "'HEAD~7' is no commit of its git"),
+        (["--git", "HEAD~7..HEAD", "quadruped.kindsl"], "'HEAD~7' is not a commit of its git"),
         (["--git", "main", "quadruped.kindsl"], "--git: error: 'main' is not BASE..HEAD"),
         (["--git", "main..--all", "quadruped.kindsl"], "is not BASE..HEAD"),
         (
@@ -177,4 +177,4 @@ def test_without_history_is_one_sentence(tmp_path: Path, capsys) -> None:
     document.write_text(TEXT)
     assert main(["review", "--git", "a..b", str(document), "-o", str(tmp_path / "out")]) == 2
     told = capsys.readouterr().err
-    assert "no git repository" in told or "no commit" in told
+    assert "not a git repository" in told or "no commit" in told

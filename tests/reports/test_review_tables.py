@@ -51,10 +51,10 @@ def test_sections_stand_in_an_order_and_only_where_there_is_something_to_say() -
 def test_who_has_no_tree_and_who_has_errors_is_named(turn: int) -> None:
     names = ("old", "new")[::turn]
     told = [b.text for b in page(*("", GOOD)[::turn]) if isinstance(b, Paragraph)]
-    assert told[0] == f"{names[0]} has no tree of links to compare."
+    assert told[0] == f"{names[0]} does not describe a tree of links."
     broken = edited(("mass = 2.0", "mass = -2.0"))
     told = [b.text for b in page(*(broken, GOOD)[::turn]) if isinstance(b, Paragraph)]
-    assert told[0] == f"{names[0]} has 1 error: shown as far as it goes."
+    assert told[0] == f"{names[0]} has 1 error: showing the rest."
     assert not any(f"{names[1]} has" in text for text in told)
 
 

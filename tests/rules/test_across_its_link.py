@@ -8,7 +8,7 @@ from kindsl.rules.examples import joint, link, robot
 from kindsl.text.edits import apply_edits
 
 SECTION = "inertia_params { mass = 2.0 CoM = (%s) Ix=%s Iy=%s Iz=%s Ixy=0.0 Ixz=0.0 Iyz=0.0 }"
-MESSAGE = "mass of 'upper' is a rod %s m long across the link, which is 0.4 m long"
+MESSAGE = "inertia of 'upper' describes a rod %s m long across the link, which is 0.4 m long"
 
 
 def arm(com: str, moments: str, *, length: float = 0.4) -> str:

@@ -173,7 +173,7 @@ def payload(moment: str, mass: str = "m") -> str:
         (
             body("1.0", "0.0, 0.0, 0.0", "0.1", "0.1", "0.1", "0.0", "0.0", "0.0*1.0/m"),
             Binding(0.1, -0.3, 0.2),
-            ["inertia of 'ball' could not be proved possible in all of its ranges"],
+            ["inertia of 'ball' could not be proved possible over the whole range"],
         ),
         (
             body("m", "0.0, 0.0, 0.300", "0.100", "0.100", "<p=0.010>"),

@@ -292,8 +292,11 @@ def test_what_has_no_name_clashes_with_nothing() -> None:
         (joint("while"), "'while' is a keyword of C++"),
         (framed("a", 1, "endif"), "'endif' is a keyword of Octave"),
         (joint("j").replace("0.3", "short"), "'short' is a keyword of C++"),
-        (framed("a", 1, "fr_a"), "the frame of link 'a' is called 'fr_a' already"),
-        (framed("a", 1, "fr_ground"), "the frame of link 'ground' is called 'fr_ground' already"),
+        (framed("a", 1, "fr_a"), "'fr_a' is already the name of the frame of link 'a'"),
+        (
+            framed("a", 1, "fr_ground"),
+            "'fr_ground' is already the name of the frame of link 'ground'",
+        ),
         (framed("a", 1, "fr_b"), None),
         (framed("a", 1, "xr_a"), None),
     ],

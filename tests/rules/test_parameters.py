@@ -144,17 +144,17 @@ def test_what_is_bound_in_vain_is_told_with_what_is_free() -> None:
     ("text", "message"),
     [
         (ball(), None),
-        (ball("m"), "the mass has a parameter, the moments have none"),
-        (ball("2.0 m", "m, 0.0, 0.0"), "the mass has a parameter, the moments have none"),
-        (ball("4.1", "0.0, x, 0.0"), "the CoM has a parameter, the moments have none"),
+        (ball("m"), "the mass is parametric, the moments are not"),
+        (ball("2.0 m", "m, 0.0, 0.0"), "the mass is parametric, the moments are not"),
+        (ball("4.1", "0.0, x, 0.0"), "the CoM is parametric, the moments are not"),
         (ball("<k>"), None),
-        (ball("4.1", Ixy="x"), "the moments have parameters, the mass has none"),
-        (ball("<k>", Ix="x"), "the moments have parameters, the mass has none"),
+        (ball("4.1", Ixy="x"), "the moments are parametric, the mass is not"),
+        (ball("<k>", Ix="x"), "the moments are parametric, the mass is not"),
         (ball("m", Iz="m/100.0"), None),
         (ball("m", Ix="0.0", Iy="0.0", Iz="0.0"), None),
         (
             ball("m", Ix="0.0", Iy="0.0", Iz="0.1"),
-            "the mass has a parameter, the moments have none",
+            "the mass is parametric, the moments are not",
         ),
     ],
 )

@@ -1,4 +1,4 @@
-"""Knows all that is told of a document: findings, decisions, fixes.
+"""Knows the analysis of a document: findings, decisions, fixes.
 
 Must not know editors, terminals, files.
 """

@@ -1,4 +1,4 @@
-"""A document with everything that is known of it: syntax, model, findings."""
+"""A document with its analysis: syntax, model, findings."""
 
 # Signatures in `help` are as short as they are written here.
 from __future__ import annotations
@@ -71,12 +71,12 @@ class Analysis:
 
     @property
     def findings(self) -> Findings:
-        """What is wrong, in the order of the text, silenced findings left out."""
+        """The findings in the order of the text, without suppressed ones."""
         return self.check()
 
     @property
     def faults(self) -> tuple[Fault, ...]:
-        """Rules that failed by a defect of ours: what they would have found is missing."""
+        """Rules that failed by an internal error: their findings are missing."""
         self.check()
         return self._faults
 
@@ -94,12 +94,12 @@ class Analysis:
         return self._findings
 
     def unsilenced(self) -> list[Diagnostic]:
-        """Return what is wrong, whatever comments in the document silence."""
+        """Return all findings, including those that comments suppress."""
         run = CheckRun(go_on)
         return [self._resolve(rule, finding) for rule, finding in self._found(run)]
 
     def edited(self, edits: Sequence[TextEdit]) -> Analysis:
-        """Return the analysis of the edited text; what no edit touches is not computed again."""
+        """Return the analysis of the edited text; only edited parts are computed again."""
         return Analysis(self._written.edited(edits), self.settings)
 
     def changed(self, edits: Sequence[TextEdit], values: Mapping[str, float]) -> Analysis:
@@ -154,7 +154,7 @@ class Analysis:
         return f"<kindsl.Document '{name}': {links}, {counted(n_errors, 'error')}>"
 
     def _repr_html_(self) -> str | None:
-        """Return what a notebook shows."""
+        """Return the HTML for a notebook."""
         return html_of(self)
 
     def _resolve(self, rule: Rule, finding: Finding) -> Diagnostic:
@@ -182,7 +182,7 @@ class Analysis:
         return Findings(sorted(found, key=lambda d: (d.start, d.end, d.code, d.message)), self.text)
 
     def _unknown(self, found: list[Diagnostic]) -> Iterator[tuple[Directive, list[str]]]:
-        """Yield the comments that speak to us, each with the codes of the findings there."""
+        """Yield the `kindsl:` comments, each with the codes of the findings there."""
         islands, starts = self.syntax.islands, self.syntax.starts
         for island in islands:
             for directive in directives(island):

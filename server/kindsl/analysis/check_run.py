@@ -1,4 +1,4 @@
-"""Runs rules over a document; a defect in one of them costs what it alone would have found."""
+"""Runs rules over a document; if one of them fails, the others still report."""
 
 from collections.abc import Callable, Iterable, Iterator
 from typing import NamedTuple, TypeAlias
@@ -19,14 +19,14 @@ _FINDINGS: "Fact[tuple[_Key, Found]]" = Fact("findings")
 
 
 class Fault(NamedTuple):
-    """A rule that failed, which only a defect of ours makes it do."""
+    """A rule that failed, by an internal error."""
 
     rule: Rule
     error: Exception
 
     @property
     def message(self) -> str:
-        """What failed and how, for whoever reports it."""
+        """The failure in words."""
         return f"{self.rule.code} failed: {type(self.error).__name__}: {self.error}"
 
 
@@ -46,7 +46,7 @@ class CheckRun:
         self._checkpoint = checkpoint
 
     def document_findings(self, rules: Iterable[Rule], model: Model, context: Context) -> Found:
-        """Return what the rules find that see the whole model."""
+        """Return the findings of the rules that see the whole model."""
         found: Found = []
         for rule in rules:
             if rule.check_document is not None:
@@ -55,7 +55,7 @@ class CheckRun:
         return found
 
     def island_findings(self, rules: Iterable[Rule], model: Model, context: Context) -> Found:
-        """Return what the rules find that see one island, from its memory if nothing changed."""
+        """Return the findings of the rules that see one island, from its memory if unchanged."""
         found: Found = []
         local = tuple(rule for rule in rules if rule.check_island is not None)
         for island, declared, symbols in zip(

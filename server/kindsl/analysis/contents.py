@@ -1,4 +1,4 @@
-"""What islands say: numbers by owner and component, blocks, references, comments."""
+"""The contents of islands: numbers by owner and component, blocks, references, comments."""
 
 import re
 from collections import Counter
@@ -226,7 +226,7 @@ def _detail(node: Node) -> str:
 
 
 def _remarks(island: Island) -> Iterator[str]:
-    """Yield the comments without what silences findings."""
+    """Yield the comments without suppressions."""
     for start, end in island.comments:
         yield _DIRECTIVE.sub(" ", island.text[start:end])
 

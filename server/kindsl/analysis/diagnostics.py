@@ -59,7 +59,7 @@ class Findings(tuple[Diagnostic, ...]):
         return tuple(self), self.text
 
     def _repr_html_(self) -> str | None:
-        """Return what a notebook shows."""
+        """Return the HTML for a notebook."""
         return html_of(self)
 
 

@@ -20,7 +20,7 @@ _SYNTAX = "KD0"
 
 
 class Mended(NamedTuple):
-    """What became of a document.
+    """The result of fixing a document.
 
     Attributes:
         analysis: Of the text with fixes applied.
@@ -56,7 +56,7 @@ def mended(analysis: Analysis, is_wanted: Callable[[Diagnostic], bool]) -> Mende
 
 
 class Made(NamedTuple):
-    """What one round of fixes did: the new text, how many findings it mended, and the edits."""
+    """The result of one round of fixes: the new text, the number of findings fixed, the edits."""
 
     analysis: Analysis
     n_findings: int
@@ -137,7 +137,7 @@ def _round(analysis: Analysis, findings: list[Diagnostic]) -> Made | None:
 def _go_together(
     fixes: Sequence[TextFix], analysis: Analysis, best: Analysis, tried: Analysis
 ) -> bool:
-    """Return whether fixes that were tried do no harm, beyond the best that was made of a text."""
+    """Return whether fixes that were tried do no harm, compared with the best text so far."""
     within_digits = any(fix.is_within_digits for fix in fixes)
     done = effect(analysis.syntax, tried.syntax, within_digits=within_digits)
     is_kept = done.verdict is EditEffect.KEEPS or not all(fix.is_safe for fix in fixes)
@@ -157,7 +157,7 @@ def _written(text: str) -> tuple[str, ...]:
 
 
 def is_safe(finding: Diagnostic) -> bool:
-    """Return whether a finding has a fix that cannot change what was meant."""
+    """Return whether a finding has a safe fix."""
     return finding.fix is not None and finding.fix.is_safe
 
 

@@ -1,4 +1,4 @@
-"""What edits do to a document: to its numbers, its comments, its blocks.
+"""The effect of edits on a document: on its numbers, its comments, its blocks.
 
 Both texts are read as tolerantly as everywhere; of what is equal in both nothing is computed.
 """
@@ -18,7 +18,7 @@ _SAME = 1e-15
 
 
 class EditEffect(StrEnum):
-    """What an edit does to the meaning of a document."""
+    """The effect of an edit on the meaning of a document."""
 
     KEEPS = "keeps"
     CHANGES = "changes"
@@ -26,7 +26,7 @@ class EditEffect(StrEnum):
 
 
 class Effect(NamedTuple):
-    """What edits do to a document.
+    """The effect of edits on a document.
 
     Attributes:
         verdict: Whether every number, reference and block means what it meant.
@@ -45,7 +45,7 @@ class Effect(NamedTuple):
 
 
 def effect(before: SyntaxDocument, after: SyntaxDocument, *, within_digits: bool = False) -> Effect:
-    """Return what became of a document.
+    """Return the effect of edits on a document.
 
     Args:
         before: The document.

@@ -1,4 +1,4 @@
-"""What a user decides about the rules: which, how severe, for whom, with which values."""
+"""A user's decisions about the rules: selection, severities, targets, values."""
 
 from collections.abc import Mapping
 from typing import NamedTuple

@@ -1,4 +1,4 @@
-"""What the parser found, as findings of the syntax rules."""
+"""The parser's problems, as findings of the syntax rules."""
 
 from collections.abc import Iterator
 

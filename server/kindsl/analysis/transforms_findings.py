@@ -1,4 +1,4 @@
-"""What is wrong with a transforms document beside a model."""
+"""Findings in a transforms document beside a model."""
 
 from collections.abc import Callable, Iterator
 
@@ -32,7 +32,7 @@ _WITH_MODEL: tuple[tuple[Rule, Callable[[TransformsDocument, Model], Iterator[De
 def transforms_findings(
     text: str, model: Model | None, settings: Settings
 ) -> tuple[Diagnostic, ...]:
-    """Return what is wrong, in the order of the text.
+    """Return the findings, in the order of the text.
 
     Args:
         text: The transforms document.

@@ -14,7 +14,7 @@ _LOADING = ("KD0", "KD105", "KD106", "KD107", "KD108", "KD601", "KD602")
 
 
 class TargetVerdict(NamedTuple):
-    """What a generator makes of a document.
+    """A generator's verdict on a document.
 
     Attributes:
         target: `robcogen` or `robcogen2`.

@@ -27,7 +27,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     parser.add_argument("file", metavar="FILE", help="the document, or '-' for stdin")
     parser.add_argument("--output-format", choices=FORMATS, default="markdown")
-    parser.add_argument("-o", "--output", metavar="OUT", help="write to this file, not to stdout")
+    parser.add_argument(
+        "-o", "--output", metavar="OUT", help="write to this file instead of stdout"
+    )
     add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
 
 

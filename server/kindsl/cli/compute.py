@@ -46,11 +46,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--q", metavar="LIST", help="joint positions (default: zero)")
     add("--qd", metavar="LIST", help="joint velocities")
     add("--qdd", metavar="LIST", help="joint accelerations")
-    add("--base-velocity", metavar="LIST", help="of a floating base: three angular, three linear")
+    add(
+        "--base-velocity",
+        metavar="LIST",
+        help="velocity of a floating base: three angular, three linear",
+    )
     add("--q-file", metavar="JSON", help="an object with q, qd, ..., or an array of them")
     add("--gravity", metavar="X,Y,Z", type=_gravity, default=(0.0, 0.0, -9.81))
-    add("--forward", action="store_true", help="from forces to accelerations")
-    add("--tau", metavar="LIST", help="with --forward: the joints' forces")
+    add("--forward", action="store_true", help="compute accelerations from forces")
+    add("--tau", metavar="LIST", help="with --forward: joint forces")
     add("--output-format", choices=FORMATS, help="default: text on a terminal, json elsewhere")
     add("-o", "--output", metavar="FILE", help="write to this file instead of stdout")
     add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
@@ -80,7 +84,7 @@ def run(args: argparse.Namespace) -> int:
     except ModuleNotFoundError as error:
         if error.name != "numpy":
             raise
-        needs = "needs NumPy; install it with: pip install 'kindsl[numpy]'"
+        needs = "needs NumPy; install with: pip install 'kindsl[numpy]'"
         write(sys.stderr, f"kindsl compute: error: {needs}\n")
         return UNUSABLE
 

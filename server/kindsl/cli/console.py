@@ -1,4 +1,4 @@
-"""What a terminal can show."""
+"""Capabilities of a terminal: colours, encodings, closed streams."""
 
 import errno
 import os
@@ -14,7 +14,7 @@ _COLOURS = {
 
 
 def wants_colour(stream: TextIO | None) -> bool:
-    """Return whether to colour what goes to a stream: NO_COLOR, FORCE_COLOR, else a terminal."""
+    """Return whether to colour the output to a stream: NO_COLOR, FORCE_COLOR, else a terminal."""
     if os.environ.get("NO_COLOR"):
         return False
     if os.environ.get("FORCE_COLOR", "0") != "0":
@@ -23,7 +23,7 @@ def wants_colour(stream: TextIO | None) -> bool:
 
 
 def is_terminal(stream: TextIO | None) -> bool:
-    """Return whether somebody reads a stream as it comes; Python has None for a closed one."""
+    """Return whether a stream is a terminal; Python has None for a closed one."""
     return stream is not None and stream.isatty()
 
 
@@ -38,7 +38,7 @@ def plain(text: str, _kind: str) -> str:
 
 
 def write(stream: TextIO | None, content: str | bytes) -> None:
-    """Write to stdout or stderr: signs that it cannot encode too; nothing if its reader has gone.
+    """Write to stdout or stderr, escaping unencodable characters; nothing if the reader has gone.
 
     Raises:
         SystemExit: What is asked for cannot be written to stdout.
@@ -69,6 +69,6 @@ def _open(stream: TextIO | None) -> TextIO:
 
 
 def _send_nowhere(stream: TextIO | None) -> None:
-    """Let go what is left to write of a stream."""
+    """Drop the unwritten output of a stream."""
     if stream is not None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())

@@ -47,11 +47,19 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("output", metavar="OUT", help="the file to write, of another suffix, or '-' for stdout")
     read = tuple(format.name for format in readable)
     written = (_DOCUMENT.name, *(format.name for format in others if format.write))
-    untold = "the format of {} if its suffix does not tell"
+    untold = "the format of {}, if not determined by its suffix"
     add("--from", dest="source", choices=read, help=untold.format("IN"))
     add("--to", dest="target", choices=written, help=untold.format("OUT"))
-    add("--floating-base", action="store_true", help="the root link floats, whatever IN says")
-    add("--continuous", action="store_true", help="write revolute joints of a URDF as endless ones")
+    add(
+        "--floating-base",
+        action="store_true",
+        help="make the root link a floating base, whatever IN says",
+    )
+    add(
+        "--continuous",
+        action="store_true",
+        help="write revolute joints without limits as continuous",
+    )
     add("-q", "--quiet", action="store_true", help="do not report what was dropped")
     add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
 
@@ -125,8 +133,8 @@ def _format(path: str, named: str | None, option: str) -> Format:
     format = format_of_suffix(suffix)
     if format is None:
         every = alternatives(suffix for f in (_DOCUMENT, *all_formats()) for suffix in f.suffixes)
-        told = f"the suffix '{suffix}'" if suffix else "a name without suffix"
-        message = f"{told} does not tell the format: use {every}, or {option} FORMAT"
+        told = f"the suffix '{suffix}'" if suffix else "a name without a suffix"
+        message = f"{told} does not determine the format: use {every}, or {option} FORMAT"
         raise CommandError([Failure(shown_name(path), message)])
     return format
 

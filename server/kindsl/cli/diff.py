@@ -39,7 +39,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("old", metavar="OLD", help="the document before")
     add("new", metavar="NEW", help="the document after")
     add("--output-format", choices=("text", "json", "markdown"), default="text")
-    add("--exit-zero", action="store_true", help="exit with 0 when something changed, too")
+    add("--exit-zero", action="store_true", help="exit with 0 despite changes")
     add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
 
 
@@ -72,7 +72,7 @@ def _difference(args: argparse.Namespace) -> "tuple[Difference, tuple[str, ...]]
         path, analysis = both[found.treeless or 0]
         assert analysis is not None, "what is not there lacks no tree"
         skeleton_of_document(path, analysis)
-        raise CommandError([Failure(shown_name(path), "has no tree of links to compare")])
+        raise CommandError([Failure(shown_name(path), "does not describe a tree of links")])
     if found.is_of_whole:
         return found.difference, ()
     broken = [path for path, analysis in both if analysis is not None and _is_broken(analysis)]

@@ -1,4 +1,4 @@
-"""Lays Kinematics-DSL documents out in the one style; changes blanks and nothing else."""
+"""Formats Kinematics-DSL documents; changes whitespace only."""
 
 import argparse
 import sys
@@ -48,7 +48,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    """Format what the paths name.
+    """Format the documents below the paths.
 
     Returns:
         0; with `--check` or `--diff` 1 if something would change; 2 if a document cannot be read,

@@ -52,13 +52,17 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--derivatives", action="store_true", help="derivatives and the regressor too")
     add(
         "--parameters", metavar="unbound|all|NAMES", default="unbound",
-        help="which parameters stay inputs of the code besides the unbound ones",
+        help="parameters that remain inputs of the code besides the unbound ones",
     )  # fmt: skip
     add("--real", choices=("double", "float"), default="double", help="the type of numbers in C")
     add("--single-header", action="store_true", help="C in one file")
-    add("--transforms", metavar="FILE.dtdsl", help="the frames' transforms that are wanted besides")
+    add(
+        "--transforms",
+        metavar="FILE.dtdsl",
+        help="a transforms document: additional transforms and Jacobians",
+    )
     add("--force", action="store_true", help="overwrite files that were not generated")
-    add("--check", metavar="DIR", help="tell whether the code in DIR still fits FILE")
+    add("--check", metavar="DIR", help="check whether the code in DIR still matches FILE")
     add("-q", "--quiet", action="store_true", help="no remarks")
     add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
 
@@ -95,7 +99,7 @@ def _run(args: argparse.Namespace) -> int:
 
 
 def _refused_option(args: argparse.Namespace) -> str | None:
-    """Return what is asked for and the language does not take."""
+    """Return an option that the language does not support."""
     asked = {"--real float": args.real == "float", "--single-header": args.single_header}
     taken = language_named(args.language).options
     return next((name for name, is_asked in asked.items() if is_asked and name not in taken), None)
@@ -188,7 +192,7 @@ def _check(args: argparse.Namespace, source: "Source") -> int:
 
 @contextmanager
 def _told(args: argparse.Namespace, source: "Source") -> Iterator[None]:
-    """Tell why code cannot be generated."""
+    """Report why code cannot be generated."""
     from kindsl.codegen.library import GenerationError
     from kindsl.mechanism.errors import ModelError, UnboundParameterError
 
@@ -222,11 +226,11 @@ def _quantities(args: argparse.Namespace) -> tuple[str, ...]:
     listed = args.quantities or ""
     chosen = [name.strip() for name in listed.split(",") if name.strip()]
     if args.quantities is not None and not chosen:
-        raise CommandError([Failure(shown_name(args.file), "--quantities: no quantity is named")])
+        raise CommandError([Failure(shown_name(args.file), "--quantities names no quantity")])
     for name in chosen:
         if name not in QUANTITIES:
             close = hint(nearest_word(name, QUANTITIES))
-            message = f"--quantities: there is no quantity '{name}'{close}"
+            message = f"--quantities: unknown quantity '{name}'{close}"
             raise CommandError([Failure(shown_name(args.file), message)])
     return tuple(
         name

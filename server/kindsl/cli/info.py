@@ -28,7 +28,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    """Show what is there, of broken documents too.
+    """Show the overview, of broken documents too.
 
     Returns:
         0, or 2 if the document cannot be read.

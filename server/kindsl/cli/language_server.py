@@ -5,16 +5,22 @@ import logging
 import sys
 from pathlib import Path
 
-SUMMARY = "run the language server of an editor"
+SUMMARY = "run the language server for an editor"
 RUNS_LONG = True
 _LEVELS = ("debug", "info", "warning", "error")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
-    parser.add_argument("--stdio", action="store_true", help="talk over stdin and stdout (default)")
-    parser.add_argument("--tcp", metavar="HOST:PORT", type=_address, help="talk over a socket")
-    parser.add_argument("--log-file", metavar="FILE", type=Path, help="log here, not on stderr")
+    parser.add_argument(
+        "--stdio", action="store_true", help="communicate over stdin and stdout (default)"
+    )
+    parser.add_argument(
+        "--tcp", metavar="HOST:PORT", type=_address, help="communicate over a socket"
+    )
+    parser.add_argument(
+        "--log-file", metavar="FILE", type=Path, help="log to this file instead of stderr"
+    )
     parser.add_argument("--log-level", choices=_LEVELS, default="warning")
 
 

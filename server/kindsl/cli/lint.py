@@ -1,4 +1,4 @@
-"""`kdsl-lint` and `kindsl lint`: tells what is wrong with Kinematics-DSL documents."""
+"""`kdsl-lint` and `kindsl lint`: reports problems in Kinematics-DSL documents."""
 
 import sys
 from types import SimpleNamespace
@@ -9,8 +9,8 @@ from kindsl.cli.process import run_and_exit
 if TYPE_CHECKING:
     import argparse
 
-SUMMARY = "report what is wrong with documents"
-_DESCRIPTION = "Tells what is wrong with Kinematics-DSL documents."
+SUMMARY = "report problems in documents"
+_DESCRIPTION = "Reports problems in Kinematics-DSL documents."
 DEFAULTS: dict[str, Any] = {
     "stdin_filename": None,
     "no_default_exclude": False,
@@ -75,7 +75,7 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 def only_paths(arguments: list[str]) -> SimpleNamespace | None:
-    """Return the options for arguments that are paths and nothing else, None for others.
+    """Return the options if all arguments are paths, else None.
 
     So the usual call needs no parser of arguments, which takes longer than reading a document.
     """

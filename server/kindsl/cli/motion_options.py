@@ -1,4 +1,4 @@
-"""The configurations that `kindsl compute` is asked for, from options or from a JSON file."""
+"""The configurations for `kindsl compute`, from options or from a JSON file."""
 
 import argparse
 import json
@@ -18,7 +18,7 @@ STDIN = "-"
 
 
 def motions_of(args: argparse.Namespace, robot: ConfigurationSpace) -> list[Motion]:
-    """Return the configurations that the options ask for.
+    """Return the configurations that the options give.
 
     Raises:
         MotionError: One does not fit the robot, or the file cannot be read.

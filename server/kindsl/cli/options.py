@@ -35,7 +35,7 @@ def add_lint_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="PATH",
         help="documents, folders, or '-' for stdin (default: the current folder)",
     )
-    parser.add_argument("--stdin-filename", metavar="NAME", help="what to call stdin's document")
+    parser.add_argument("--stdin-filename", metavar="NAME", help="file name to report for stdin")
     add_exclusion_argument(parser)
     parser.add_argument(
         "--version", action=VersionAction, nargs=0, dest=argparse.SUPPRESS, help="print the version"
@@ -48,11 +48,11 @@ def add_lint_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def add_exclusion_argument(parser: argparse.ArgumentParser) -> None:
-    """Declare the option that says which folders below those named are left out."""
+    """Declare the option for excluded folders."""
     parser.add_argument(
         "--no-default-exclude",
         action="store_true",
-        help="look into folders of tools too: .venv, node_modules, build and the like",
+        help="include folders of tools: .venv, node_modules, build and the like",
     )
 
 
@@ -84,13 +84,15 @@ def _add_decisions(group: Any) -> None:
     )
     group.add_argument(
         "--target", metavar="NAMES", action="extend", type=_targets,
-        help=f"generators that must accept the document: {', '.join(TARGETS)}",
+        help=f"generators that must accept the documents: {', '.join(TARGETS)}",
     )  # fmt: skip
 
 
 def _add_fixes(group: Any) -> None:
     group.add_argument("--fix", action="store_true", help="apply the safe fixes")
-    group.add_argument("--unsafe-fixes", action="store_true", help="with --fix: unsafe ones too")
+    group.add_argument(
+        "--unsafe-fixes", action="store_true", help="apply unsafe fixes too, with --fix or --diff"
+    )
     group.add_argument("--diff", action="store_true", help="show what --fix would change")
 
 
@@ -112,7 +114,7 @@ def _add_reporting(group: Any) -> None:
 
 
 def _add_pages(group: Any) -> None:
-    group.add_argument("--explain", metavar="CODE", help="the page of a rule")
+    group.add_argument("--explain", metavar="CODE", help="show the page of a rule")
     group.add_argument("--list-rules", action="store_true", help="all rules")
 
 
@@ -138,7 +140,7 @@ def _targets(text: str) -> list[str]:
 
 
 def _elements(text: str) -> list[str]:
-    """Return what commas separate; a script that fills in nothing would decide what it says not."""
+    """Return comma-separated elements; an empty element, as from an empty variable, is an error."""
     elements = [element.strip() for element in text.split(",")]
     if not all(elements):
         raise argparse.ArgumentTypeError(f"'{text}' has an empty element" if text else "is empty")

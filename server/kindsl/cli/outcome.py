@@ -1,4 +1,4 @@
-"""What a run of the linter found, and what it could not read."""
+"""The outcome of a run of the linter: findings and failures."""
 
 from collections.abc import Sequence
 from functools import cached_property
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class Failure(NamedTuple):
-    """Something that could not be linted.
+    """A document or path that could not be linted.
 
     Attributes:
         path: The file or folder, as shown.
@@ -33,7 +33,7 @@ class Failure(NamedTuple):
 
 
 class LintedFile:
-    """A text and what was found in it.
+    """A text and its findings.
 
     Attributes:
         path: As shown.
@@ -71,7 +71,7 @@ class LintedFile:
 
     @cached_property
     def lines(self) -> LineIndex:
-        """Where its lines begin."""
+        """Offsets at which its lines begin."""
         return LineIndex(self.text)
 
     def place(self, offset: int) -> tuple[int, int]:
@@ -80,7 +80,7 @@ class LintedFile:
         return line + 1, column + 1
 
     def count(self, severity: Severity) -> int:
-        """Return how many findings have a severity."""
+        """Return the number of findings of a severity."""
         return sum(finding.severity is severity for finding in self.findings)
 
 
@@ -98,12 +98,12 @@ class RunOutcome(NamedTuple):
     failing: frozenset[Severity] = frozenset((Severity.ERROR,))
 
     def count(self, severity: Severity) -> int:
-        """Return how many findings have a severity."""
+        """Return the number of findings of a severity."""
         return sum(file.count(severity) for file in self.files)
 
 
 def as_failures(error: "ConfigurationError") -> list[Failure]:
-    """Return what is wrong with a configuration file as failures."""
+    """Return the errors of a configuration file as failures."""
     return [
         Failure(problem.path, problem.message, problem.place.line, problem.place.column)
         for problem in error.problems

@@ -30,15 +30,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("file", metavar="FILE", help="the document to show")
     add("--port", metavar="N", type=_port, default=0, help="listen here (default: a free port)")
     add("--no-open", action="store_true", help="do not open a browser")
-    add("--compare", metavar="OLD.kindsl", help="show another document translucent behind it")
-    add("--export", metavar="FILE.html", help="write one self-contained page and stop")
-    add("--screenshot", metavar="FILE.png", type=Path, help="write a picture and stop")
-    add("--edit", action="store_true", help="let what is dragged in the page be written into FILE")
+    add("--compare", metavar="OLD.kindsl", help="show another document behind it, translucent")
+    add("--export", metavar="FILE.html", help="write a self-contained page and exit")
+    add("--screenshot", metavar="FILE.png", type=Path, help="write a picture and exit")
+    add("--edit", action="store_true", help="write what is dragged in the page to FILE")
     add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
 
 
 def run(args: argparse.Namespace) -> int:
-    """Serve until interrupted, or write what was asked for.
+    """Serve until interrupted, or write the page or picture.
 
     Returns:
         0, or 2 when a file cannot be read or written, or something needed is missing.
@@ -57,7 +57,7 @@ def run(args: argparse.Namespace) -> int:
 
 
 class UnreadableError(Exception):
-    """A document cannot be read; the text is what to print."""
+    """A document cannot be read; its text is the message."""
 
 
 def _run(args: argparse.Namespace) -> int:
@@ -140,13 +140,13 @@ def _serve(args: argparse.Namespace, old: "Analysis | None") -> None:
 
 
 def _write_dragged(args: argparse.Namespace, writing: "Writing") -> str:
-    """Write what was dragged into the document; return why not, or an empty text."""
+    """Write a dragged number into the document; return an error message, empty if written."""
     from kindsl.cli.documents.writing import write_text
     from kindsl.text.edits import apply_edits
 
     file = args.file
     if os.path.islink(file):
-        return f"'{file}' is a link: open the file that it leads to"
+        return f"'{file}' is a link: open its target"
     if writing.bindings:
         try:
             return _bind(args, writing)
@@ -166,7 +166,7 @@ def _bind(args: argparse.Namespace, writing: "Writing") -> str:
     configuration = choices_of(args).configuration_for(args.file)
     text = read_source(configuration.path, configuration.path) if configuration else None
     if configuration is None or not isinstance(text, str):
-        return f"{names} has its value from somewhere else than a configuration file"
+        return f"{names} is not bound in a configuration file"
     edit = binding_edit(configuration.path, text, args.file, writing.bindings)
     if edit is None:
         return f"{names} cannot be bound in {configuration.path}"

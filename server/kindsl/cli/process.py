@@ -1,4 +1,4 @@
-"""What makes a command start and end quickly, and never with a traceback."""
+"""Start and end of a command: quick, and never with a traceback."""
 
 import contextlib
 import gc
@@ -17,7 +17,7 @@ _WIDTH = 98
 
 
 def run_and_exit(command: Callable[[], int]) -> NoReturn:
-    """Run a command and end the process with its status, without tidying up what ends anyway.
+    """Run a command and end the process with its status, skipping the interpreter's clean-up.
 
     The garbage collector is off until the command wants it: importing makes no garbage, only many
     objects to look through. KINDSL_TRACEBACK shows where a defect of ours comes from.
@@ -37,7 +37,7 @@ def run_and_exit(command: Callable[[], int]) -> NoReturn:
 
 
 def _flushed(status: object) -> int:
-    """Write what is left, of `--help` for one; return the status, or that of a failed write."""
+    """Flush the output; return the status, or that of a failed write."""
     try:
         if sys.stdout is not None:
             write(sys.stdout, "")
@@ -49,7 +49,7 @@ def _flushed(status: object) -> int:
 
 
 def help_formatter(prog: str) -> "argparse.HelpFormatter":
-    """Return what lays out `--help`, without importing what measures the terminal."""
+    """Return the formatter of `--help`, without an import for the terminal's size."""
     import argparse
 
     columns = os.environ.get("COLUMNS", "")

@@ -1,4 +1,4 @@
-"""Writes what a reviewer wants to see of a change: pictures, tables, numbers, findings.
+"""Writes a review of a change: pictures, tables, numbers, findings.
 
 The folder gets review.md, review.html (one file that needs nothing else), comment.md (without
 pictures) and the pictures before and after. Broken documents are shown as far as they go.
@@ -31,7 +31,7 @@ SUMMARY = "write a report on a change for its reviewer"
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     add = parser.add_argument
-    add("files", metavar="FILE", nargs="+", help="OLD and NEW, or with --git one document")
+    add("files", metavar="FILE", nargs="+", help="OLD and NEW, or one document with --git")
     add("-o", "--output", metavar="FOLDER", required=True, help="where to write; a new folder")
     add("--git", metavar="BASE..HEAD", help="compare the document at two commits")
     add("--force", action="store_true", help="replace the review in a folder that exists")

@@ -1,4 +1,4 @@
-"""Knows kindsl.toml and [tool.kindsl]: where it is, what it may say, what is wrong in it.
+"""Knows kindsl.toml and [tool.kindsl]: its place, its keys, its errors.
 
 Must not know editors, the command line.
 """

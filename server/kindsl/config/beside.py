@@ -1,4 +1,4 @@
-"""Finds the robot that a transforms document is about."""
+"""Finds the robot of a transforms document."""
 
 import os
 from collections.abc import Callable
@@ -7,7 +7,7 @@ from kindsl.config.robots import SUFFIX
 
 
 def robot_beside(path: str, robot: str | None, name_of: Callable[[str], str | None]) -> str | None:
-    """Return the file of the robot in the same folder, None where it is not plain which one.
+    """Return the file of the robot in the same folder, None if that is ambiguous.
 
     It is the document of the same name, else the one with the same robot, else the only one.
 

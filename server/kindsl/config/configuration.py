@@ -1,4 +1,4 @@
-"""A configuration file that is right."""
+"""A valid configuration file."""
 
 from collections.abc import Mapping
 from typing import NamedTuple
@@ -49,7 +49,7 @@ class Configuration(NamedTuple):
         return any(table.bindings or table.joints for table in tables)
 
     def tables_for(self, document: str) -> list[Decisions]:
-        """Return the tables that hold for a document, the more particular later."""
+        """Return the tables that apply to a document, the more specific later."""
         if not self.documents:
             return [self.common]
         from kindsl.config.patterns import is_match

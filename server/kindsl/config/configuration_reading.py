@@ -1,4 +1,4 @@
-"""Reads a configuration file into a configuration, or all that is wrong with it."""
+"""Reads a configuration file into a configuration, or reports all its errors."""
 
 import os
 import re
@@ -21,7 +21,7 @@ _START = KeyPlace(1, 1, 0, 0)
 
 
 def read_configuration(path: str) -> Configuration:
-    """Return what a kindsl.toml, or our table of a pyproject.toml, says.
+    """Return the configuration in a kindsl.toml or in the [tool.kindsl] table of a pyproject.toml.
 
     Raises:
         ConfigurationError: It cannot be read, is no TOML, or has a wrong key or value.
@@ -44,11 +44,11 @@ def text_of(path: str) -> str:
     except UnicodeDecodeError as error:
         line = error.object[: error.start].count(b"\n") + 1
         place = KeyPlace(line, 1, 0, 0)
-        raise _error(path, place, "is not UTF-8, as TOML has to be") from None
+        raise _error(path, place, "is not valid UTF-8") from None
 
 
 def configuration_of(path: str, text: str) -> Configuration:
-    """Return what a configuration file's text says; `path` tells its kind.
+    """Return the configuration in a text; `path` determines its kind.
 
     Raises:
         ConfigurationError: It is no TOML, or has a wrong key or value.

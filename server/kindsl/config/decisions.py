@@ -1,4 +1,4 @@
-"""What one table of a configuration, or a command line, decides."""
+"""The decisions of one table of a configuration, or of a command line."""
 
 from collections.abc import Mapping
 from typing import NamedTuple
@@ -9,7 +9,7 @@ from kindsl.semantics.parameters import Binding, JointLimits
 
 
 class Decisions(NamedTuple):
-    """One table of decisions; None, or nothing, where the table says nothing.
+    """One table of decisions; None or empty for keys that the table does not have.
 
     Attributes:
         targets: The generators that must accept the document.
@@ -29,7 +29,7 @@ class Decisions(NamedTuple):
 
 
 def overridden(settings: Settings, table: Decisions) -> Settings:
-    """Return settings with what a table says put over them."""
+    """Return settings overridden by a table's decisions."""
     return Settings(
         settings.targets if table.targets is None else table.targets,
         settings.select if table.select is None else table.select,

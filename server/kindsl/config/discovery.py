@@ -1,4 +1,4 @@
-"""Finds the configuration that holds for a document: the nearest above it."""
+"""Finds the configuration that applies to a document: the nearest above it."""
 
 import os
 from collections.abc import Iterator
@@ -26,7 +26,7 @@ class Configurations:
         self._of_file: dict[str, Configuration | ConfigurationError] = {}
 
     def above(self, document: str) -> "Configuration | None":
-        """Return the configuration that holds for a document, None if there is none.
+        """Return the configuration that applies to a document, None if there is none.
 
         Raises:
             ConfigurationError: The file says something wrong, or cannot be read.
@@ -56,20 +56,20 @@ def nearest_configuration(folder: str) -> str | None:
 
 
 def candidates(folder: str) -> Iterator[str]:
-    """Yield the paths of what may be the configuration file of a folder, the nearest first."""
+    """Yield the candidates for the configuration file of a folder, the nearest first."""
     for above in _upwards(os.path.abspath(folder)):
         yield os.path.join(above, OWN_FILE)
         yield os.path.join(above, PYTHON_FILE)
 
 
 def is_configuration(path: str) -> bool:
-    """Return whether a file is there, and is ours or has our table."""
+    """Return whether a file exists and is a kindsl.toml or has a [tool.kindsl] table."""
     is_own = os.path.basename(path) != PYTHON_FILE
     return os.path.isfile(path) and (is_own or has_python_table(path))
 
 
 def has_python_table(path: str) -> bool:
-    """Return whether a pyproject.toml has our table."""
+    """Return whether a pyproject.toml has a [tool.kindsl] table."""
     try:
         with open(path, "rb") as file:
             content = file.read()

@@ -1,10 +1,10 @@
-"""What is wrong in a configuration file, and where."""
+"""Errors in a configuration file, with their places."""
 
 from typing import NamedTuple
 
 
 class KeyPlace(NamedTuple):
-    """Where a key stands: line and column from 1, offsets from 0, all in code points."""
+    """The place of a key: line and column from 1, offsets from 0, all in code points."""
 
     line: int
     column: int
@@ -13,7 +13,7 @@ class KeyPlace(NamedTuple):
 
 
 class ConfigurationProblem(NamedTuple):
-    """Something wrong in a configuration file.
+    """An error in a configuration file.
 
     Attributes:
         path: The file.

@@ -1,4 +1,4 @@
-"""What configuration files are called, and the documents beside robots."""
+"""Names of configuration files and of the documents beside robots."""
 
 OWN_FILE = "kindsl.toml"
 PYTHON_FILE = "pyproject.toml"

@@ -1,4 +1,4 @@
-"""What git would ignore, by the `.gitignore` files of a folder and of those above it."""
+"""Files that git ignores, by the `.gitignore` files of a folder and of those above it."""
 
 import os
 from typing import TYPE_CHECKING, NamedTuple
@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 class Ignored(NamedTuple):
-    """The patterns that hold in a folder, the nearest last.
+    """The patterns that apply in a folder, the nearest last.
 
     Attributes:
         levels: Folders with an ignore file, absolute, and the patterns in it.
@@ -20,7 +20,7 @@ class Ignored(NamedTuple):
 
     @classmethod
     def above(cls, folder: str) -> "Ignored":
-        """Return what the folders above one say, up to the repository's root.
+        """Return the patterns of the folders above one, up to the repository's root.
 
         If they ignore the folder itself, nothing: who names it wants it.
         """

@@ -1,4 +1,4 @@
-"""Patterns in the manner of `.gitignore`: which documents a table is for, what git ignores.
+"""Patterns as in `.gitignore`, for the documents of a table and for files that git ignores.
 
 Matching takes time in proportion to pattern times path. `pathspec` makes regular expressions in
 which each `*` may be tried at every place for every place of those before; but what follows a `*`
@@ -49,7 +49,7 @@ def spec_of(lines: Iterable[str]) -> GitIgnoreSpec:
 
 
 def can_match(pattern: str) -> bool:
-    """Return whether there is anything that a pattern names."""
+    """Return whether a pattern can match anything."""
     try:
         return any(each.include for each in _spec(pattern).patterns)
     except ValueError:

@@ -21,7 +21,7 @@ _VERSION_CONTROL = frozenset((".bzr", ".git", ".git-rewrite", ".hg", ".jj", ".sv
 
 
 class _Wanted(NamedTuple):
-    """What a walk leaves out and looks for."""
+    """Files that a walk looks for, and folders that it skips."""
 
     excluded: frozenset[str]
     suffixes: tuple[str, ...]
@@ -31,7 +31,7 @@ class _Wanted(NamedTuple):
 
 
 class Obstacle(NamedTuple):
-    """What may be a robot, or hold some, but cannot be read.
+    """A possible robot, or folder of robots, that cannot be read.
 
     Attributes:
         path: The file or folder.
@@ -73,7 +73,7 @@ def robots_below(folder: "Path") -> "Iterator[Path]":
 
 
 def is_robot(name: str) -> bool:
-    """Return whether a file is called like a robot."""
+    """Return whether a file has the name of a robot's document."""
     return name.lower().endswith(SUFFIX)
 
 

@@ -1,4 +1,4 @@
-"""What may stand in the tables of a configuration file, and the check of it."""
+"""Checks the tables of a configuration file: keys, types, values."""
 
 import math
 from collections.abc import Collection, Mapping
@@ -27,7 +27,7 @@ _KINDS = {
 
 
 class Checker:
-    """Notes what is wrong in one file, with the place.
+    """Collects the errors in one file, with their places.
 
     Attributes:
         path: The file.
@@ -44,7 +44,7 @@ class Checker:
         self._problems: list[ConfigurationProblem] = []
 
     def wrong(self, keys: KeyPath, message: str) -> None:
-        """Note what is wrong with a key, or with the nearest key above that has a place."""
+        """Report an error at a key, or at the nearest key above that has a place."""
         known = (*self._root, *keys)
         while known and known not in self.places:
             known = known[:-1]
@@ -55,12 +55,12 @@ class Checker:
         self._problems.append(problem)
 
     def wrong_type(self, keys: KeyPath, value: object, expected: str) -> None:
-        """Note that a value is of another type than it should be."""
+        """Report a value of the wrong type."""
         kind = _KINDS.get(type(value), "a date or time")
         self.wrong(keys, f"'{dotted(keys) or 'tool.kindsl'}' must be {expected}, not {kind}")
 
     def known_keys(self, keys: KeyPath, table: Mapping[str, Any], known: Collection[str]) -> bool:
-        """Note keys that nothing is known of; return True, for use in conditions."""
+        """Report unknown keys; return True, for use in conditions."""
         for key in table:
             if key not in known:
                 hint = did_you_mean(key, known)
@@ -69,7 +69,7 @@ class Checker:
         return True
 
     def tables(self, keys: KeyPath, table: Mapping[str, Any]) -> list[dict[str, Any]]:
-        """Return a list of tables, what is no table left out and noted."""
+        """Return a list of tables; other elements are reported and skipped."""
         value = table.get(str(keys[-1]), [])
         if not isinstance(value, list):
             self.wrong_type(keys, value, f"written as [[{dotted(keys)}]]")
@@ -80,7 +80,7 @@ class Checker:
         return [entry for entry in value if isinstance(entry, dict)]
 
     def pattern(self, keys: KeyPath, table: Mapping[str, Any]) -> str:
-        """Return the `path` of a document's table; empty and noted if it is wrong."""
+        """Return the `path` of a document's table; empty and reported if it is invalid."""
         if "path" not in table:
             self.wrong(keys, f"'{dotted(keys)}' has no 'path'")
             return ""
@@ -96,18 +96,18 @@ class Checker:
         pattern = value.strip().removeprefix("./")
         if not can_match(pattern):
             where = dotted((*keys, "path"))
-            self.wrong((*keys, "path"), f"'{where}' is a pattern that no document matches")
+            self.wrong((*keys, "path"), f"'{where}' is a pattern that cannot match any document")
         return pattern
 
     def raise_if_wrong(self) -> None:
-        """Raise ConfigurationError if anything was noted."""
+        """Raise ConfigurationError if anything was reported."""
         if self._problems:
             problems = sorted(self._problems, key=lambda problem: problem.place.start)
             raise ConfigurationError(tuple(problems))
 
 
 def decisions(checker: Checker, keys: KeyPath, table: Mapping[str, Any]) -> Decisions:
-    """Return what one table decides."""
+    """Return the decisions of one table."""
     targets = _strings(checker, (*keys, "target"), table)
     for target in targets or ():
         if target not in TARGETS:
@@ -139,7 +139,7 @@ def is_code(text: str) -> bool:
 
 
 def did_you_mean(word: str, known: Collection[str]) -> str:
-    """Return a hint at the nearest known word, empty if none is near."""
+    """Return a suggestion of the nearest known word, empty if none is near."""
     return hint(nearest_word(word, known), after=",") or f" (known: {', '.join(known)})"
 
 

@@ -1,4 +1,4 @@
-"""Edits of a configuration file that leave everything else in it as it is, to the byte."""
+"""Edits of a configuration file that leave every other byte as it is."""
 
 import os
 import re
@@ -91,7 +91,7 @@ def _place(configuration: Configuration, document: str, name: str) -> KeyPath:
 
 
 def _nearness(table: DocumentTable, own: str) -> tuple[bool, bool, bool]:
-    """Return how closely a matching table is tied to one document: the fewer others, the closer."""
+    """Return how specific a matching table is to one document: the fewer others, the more."""
     pattern = table.pattern
     is_name = _GLOB.isdisjoint(pattern) and not pattern.endswith("/")
     return pattern.removeprefix("/") == own, is_name, bool(table.decisions.bindings)

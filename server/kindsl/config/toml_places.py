@@ -1,4 +1,4 @@
-"""Where the keys of a TOML text stand; tomllib does not tell.
+"""Places of the keys of a TOML text, which tomllib does not give.
 
 The text has to be valid: `tomllib` has read it before.
 """
@@ -37,7 +37,7 @@ def _scanned(text: str) -> dict[KeyPath, list[Span]]:
 
 
 class _Scan:
-    """A position in the text and what was found up to there."""
+    """A position in the text and the places found so far."""
 
     __slots__ = ("_counts", "places", "position", "text")
 

@@ -1,4 +1,4 @@
-"""KD404: bindings in a configuration file that no document uses, limits of joints that none has."""
+"""KD404: unused bindings and limits in a configuration file."""
 
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
@@ -18,14 +18,14 @@ _WORD = re.compile(r"\w+")
 
 
 class Names(NamedTuple):
-    """What a configuration file may bind in a document: its parameters, its joints."""
+    """Names that a configuration file may bind in a document: its parameters, its joints."""
 
     parameters: Collection[str]
     joints: Collection[str]
 
 
 class _Bound(NamedTuple):
-    """A name that is bound: for which documents (None for all), what it is, its keys."""
+    """A bound name: the documents that it is for (None for all), its kind, its keys."""
 
     pattern: str | None
     kind: str
@@ -42,7 +42,7 @@ def unused_bindings(
     used: Mapping[str, Names],
     others: Callable[[], Iterable[tuple[str, Names]]],
 ) -> list[Diagnostic]:
-    """Return what is bound in vain, in the order of the file.
+    """Return the unused bindings, in the order of the file.
 
     Args:
         configuration: The file.
@@ -61,7 +61,7 @@ def unused_bindings(
 
 
 def words_of(text: str) -> Names:
-    """Return what may be a name in a document, without reading it closely."""
+    """Return the words of a document that may be names, without parsing it."""
     words = set(_WORD.findall(text))
     return Names(words, words)
 
@@ -101,7 +101,7 @@ def _left(
 
 
 def _bound(configuration: Configuration) -> Iterator[_Bound]:
-    """Yield what is bound for all documents, then what is for some."""
+    """Yield the bindings for all documents, then those for some."""
     yield from _of_table(None, configuration.root, configuration.common)
     for number, table in enumerate(configuration.documents):
         keys: KeyPath = (*configuration.root, "document", number)

@@ -39,7 +39,7 @@ class Bodies(Topology):
         coms: Centres of mass in the bodies' frames, shape (n + 1, 3), metres.
         inertias: Inertia tensors about the bodies' origins and axes, products of inertia with
             their minus signs, shape (n + 1, 3, 3), kg m^2.
-        is_floating: Whether the base is free to move; if not, its inertia does not matter.
+        is_floating: Whether the base floats; if not, its inertia does not matter.
         frames: Further named frames.
 
     Raises:

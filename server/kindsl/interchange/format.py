@@ -1,4 +1,4 @@
-"""A format of other tools: what it is called, who reads and who writes it."""
+"""A format of other tools: its name, its reader, its writer."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -16,25 +16,25 @@ if TYPE_CHECKING:
 
 
 class FormatError(ValueError):
-    """A file is not of its format, or says what the other format cannot; one sentence."""
+    """A file is not in its format, or not supported by the other one; one sentence."""
 
 
 class ReadRobot(NamedTuple):
-    """What was read, and remarks on what could not be kept."""
+    """A robot that was read, and notes on parts that could not be kept."""
 
     robot: "RobotDescription"
     remarks: tuple[str, ...]
 
 
 class WrittenRobot(NamedTuple):
-    """A text in another format, and remarks on what it says that the document did not."""
+    """A text in another format, and notes on additions to the document."""
 
     text: str
     remarks: tuple[str, ...]
 
 
 class WritingChoices(NamedTuple):
-    """What may be asked for where a format has two ways, and what the document does not say.
+    """Options of a format, and values that the document does not have.
 
     Attributes:
         endless_joints: Whether revolute joints are written as endless ones where a format has
@@ -50,13 +50,13 @@ ORDINARY = WritingChoices()
 
 
 def limits_dropped(n_joints: int) -> str:
-    """Return the remark on limits of joints, which the language has no place for."""
+    """Return the note on joint limits, which the language does not support."""
     where = "kindsl.toml takes them, as min and max of [joints.NAME]"
     return f"limits of {counted(n_joints, 'joint')} dropped: {where}"
 
 
 def gravity_dropped(gravity: Sequence[float]) -> str:
-    """Return the remark on another gravity than the usual one, m/s^2 in the world's frame."""
+    """Return the note on a gravity other than the usual one, m/s^2 in the world's frame."""
     numbers = ",".join(f"{component:.15g}" for component in gravity)
     usual = ", ".join(f"{component:g}" for component in STANDARD_GRAVITY)
     told = f"gravity ({numbers.replace(',', ', ')}) m/s² dropped"

@@ -34,7 +34,7 @@ class _Names:
 
 
 def written_kindsl(read: ReadRobot) -> WrittenRobot:
-    """Return the document of a robot, and all that is to be said of it."""
+    """Return the document of a robot, with all notes."""
     return WrittenRobot(kindsl_text(read.robot), (*read.remarks, *_renamed(read.robot)))
 
 
@@ -52,7 +52,7 @@ def kindsl_text(robot: RobotDescription) -> str:
 
 
 def _renamed(robot: RobotDescription) -> tuple[str, ...]:
-    """Return what is to be said of names that the document cannot keep."""
+    """Return the notes on names that the document cannot keep."""
     things = _things(robot)
     return tuple(
         f"the {kind} '{original}' is now '{name}'"

@@ -16,7 +16,7 @@ def all_formats() -> tuple[Format, ...]:
 
 
 def format_named(name: str) -> Format | None:
-    """Return the format that the command line calls so."""
+    """Return the format of a name on the command line."""
     return next((format for format in all_formats() if format.name == name), None)
 
 

@@ -14,7 +14,7 @@ _LARGEST = 64 * 2**20
 
 
 class XmlError(ValueError):
-    """A text is no XML, or more than is read; one sentence."""
+    """A text is not XML, or exceeds a limit; one sentence."""
 
 
 class XmlElement(Element):

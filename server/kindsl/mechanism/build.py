@@ -26,7 +26,7 @@ class Mechanism(Mechanics):
         return f"<kindsl.Mechanism: {base} base '{self.bodies.base_name}', {joints}>"
 
     def _repr_html_(self) -> str | None:
-        """Return what a notebook shows."""
+        """Return the HTML for a notebook."""
         return html_of(self)
 
     def compiled(self, threads: int = 1) -> "CompiledMechanics":

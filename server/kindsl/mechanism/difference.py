@@ -1,4 +1,4 @@
-"""What changed mechanically between two mechanisms."""
+"""Mechanical changes between two mechanisms."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -30,7 +30,7 @@ class Renamed:
 
 @dataclass(frozen=True, slots=True)
 class Reparented:
-    """A link that another one carries now."""
+    """A link with another parent."""
 
     link: str
     old_parent: str
@@ -85,7 +85,7 @@ class MassChange:
 
 @dataclass(frozen=True, slots=True)
 class Difference:
-    """What changed from an old to a new mechanism; joint frames move in their predecessors.
+    """The changes from an old to a new mechanism; joint frames move in their predecessors.
 
     Attributes:
         added_links: Links that are new.
@@ -125,7 +125,7 @@ class Difference:
 
     @property
     def is_empty(self) -> bool:
-        """Whether nothing changed that mechanics would notice, names included."""
+        """Whether there is no mechanical change, names included."""
         old_new = self.base_kind, self.total_mass, self.reach
         lists = (
             *(self.added_links, self.removed_links, self.renamed_links, self.reparented),
@@ -137,7 +137,7 @@ class Difference:
 
 
 def difference(old: Skeleton, new: Skeleton) -> Difference:
-    """Return what changed from `old` to `new`; links, joints and frames are matched by name."""
+    """Return the changes from `old` to `new`; links, joints and frames are matched by name."""
     renamed = tuple(_renamed(old, new))
     new_name = {pair.old: pair.new for pair in renamed}
     old_name = {pair.new: pair.old for pair in renamed}

@@ -1,4 +1,4 @@
-"""What there is to draw of a document: its skeleton, whatever the ids."""
+"""The drawable part of a document: its skeleton, whatever the ids."""
 
 from collections.abc import Mapping
 

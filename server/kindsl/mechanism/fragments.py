@@ -37,7 +37,7 @@ def skeleton_as_far_as_known(
 
 
 class LenientReader(NamedTuple):
-    """Reads what is there; a number that is missing or infinite is zero.
+    """Reads the numbers that exist; one that is missing or infinite is zero.
 
     Attributes:
         values: Of parameters by name, and of constants by `<name>`.

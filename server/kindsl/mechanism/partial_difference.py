@@ -1,4 +1,4 @@
-"""What changed between two models that are not whole, as far as both can be compared.
+"""Changes between two incomplete models, as far as both can be compared.
 
 A parameter without a value gets the same stand-in on both sides, and then another one: a quantity
 that the second changes depends on it, and is left out.
@@ -22,7 +22,7 @@ Document = tuple[Model, Mapping[str, float]]
 
 
 class PartialDifference(NamedTuple):
-    """What changed as far as it can be told.
+    """The known changes.
 
     Attributes:
         difference: The changes of what both sides know.

@@ -35,7 +35,7 @@ class Skeleton(Topology):
     Attributes:
         placements: Joint frames in their predecessors' frames, n of them.
         masses: Of the base and the links, about the bodies' origins and axes, n + 1 of them.
-        is_floating: Whether the base is free to move; if not, its inertia does not matter.
+        is_floating: Whether the base floats; if not, its inertia does not matter.
         frames: Further named frames.
 
     Raises:
@@ -66,7 +66,7 @@ class Skeleton(Topology):
 
 
 class Reader(Protocol):
-    """How what is written becomes numbers: strictly, or as far as known."""
+    """The way from written values to numbers: strict, or as far as known."""
 
     def joint_pose(self, joint: Joint) -> RigidPose:
         """Return a joint's frame in its predecessor's."""

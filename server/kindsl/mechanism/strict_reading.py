@@ -1,4 +1,4 @@
-"""What is written as numbers, where all of it must be there."""
+"""Numbers of a complete document, where none may be missing."""
 
 from collections.abc import Mapping
 from dataclasses import replace

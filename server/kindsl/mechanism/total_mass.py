@@ -1,4 +1,4 @@
-"""What a robot weighs, whether that is all of it, and what is missing: the one place that knows."""
+"""The mass of a robot, whether it is complete, and what is missing from it."""
 
 from collections.abc import Iterator, Mapping
 from math import isfinite
@@ -34,14 +34,14 @@ class Weight(NamedTuple):
 
     @property
     def reason_text(self) -> str:
-        """What is missing, in Markdown, empty if nothing is."""
+        """The missing parts in Markdown, empty if complete."""
         if self.n_missing < 2:
             return self.reason.reason
         return f"{self.reason.reason}; {self.n_missing - 1} more missing"
 
     @property
     def plain_reason(self) -> str:
-        """What is missing, in plain text, empty if nothing is."""
+        """The missing parts in plain text, empty if complete."""
         return Unknown(self.reason_text).plain
 
     def told(self, known: str) -> str:
@@ -114,7 +114,7 @@ def body_mass(body: Link, values: Mapping[str, float]) -> Weight:
 
 
 def edge_mass(edge: Edge) -> Weight:
-    """Return what is missing where a child is named that no block declares, else nothing."""
+    """Return the missing mass of children that no block defines."""
     if edge.link is not None:
         return NO_MASS
     link, joint = edge.child

@@ -28,7 +28,7 @@ from kindsl.scene.messages import (
 from kindsl.scene.state import keyed
 
 PATIENCE = 2.0  # seconds, for what was written to be shown
-_OUTDATED = "the document has changed meanwhile"
+_OUTDATED = "the document has changed in the meantime"
 
 # Returns why nothing was written, or an empty text.
 Write = Callable[[Writing], Awaitable[str]]

@@ -1,4 +1,4 @@
-"""Knows what is told of a robot, to people and programs.
+"""Knows reports on a robot, for people and programs.
 
 Must not know terminals, editors.
 """

@@ -1,4 +1,4 @@
-"""A model's page for a wiki or a paper: all that its document says, and how sound it is."""
+"""A model's page for a wiki or a paper: the contents of its document, and its health."""
 
 from collections.abc import Iterator
 from math import degrees
@@ -21,7 +21,7 @@ _UNITS = {"length": "m", "angle": "rad", "dynamics": ""}
 
 
 def card_page(analysis: Analysis) -> Page:
-    """Return the page of a document, of a broken one as far as it goes."""
+    """Return the page of a document; of a broken one, a partial page."""
     facts = robot_facts(analysis)
     shown = picture(analysis.model, dict(analysis.context.values), None)
     blocks = [*_heading(facts, shown), *_tree(facts)]

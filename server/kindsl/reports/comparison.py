@@ -1,4 +1,4 @@
-"""What changed between two documents, whole or broken, as far as both can be compared."""
+"""Changes between two documents, whole or broken, as far as both can be compared."""
 
 from collections.abc import Callable
 from typing import NamedTuple

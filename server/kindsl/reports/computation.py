@@ -1,4 +1,4 @@
-"""Poses, inertia and forces in many configurations at once, as `kindsl compute` tells them."""
+"""Poses, inertia and forces in many configurations at once, as for `kindsl compute`."""
 
 from collections.abc import Iterator, Mapping
 from io import BytesIO

@@ -1,4 +1,4 @@
-"""What `kindsl compute` tells, for people: aligned numbers with units."""
+"""The output of `kindsl compute` for people: aligned numbers with units."""
 
 from collections.abc import Iterator, Sequence
 

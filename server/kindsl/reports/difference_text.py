@@ -46,7 +46,7 @@ def _structure(found: Difference) -> Iterator[ChangeRow]:
         yield ChangeRow("link", pair.new, f"renamed, was '{pair.old}'")
     for moved in found.reparented:
         yield ChangeRow(
-            "link", moved.link, f"carried by '{moved.new_parent}', was by '{moved.old_parent}'"
+            "link", moved.link, f"attached to '{moved.new_parent}' instead of '{moved.old_parent}'"
         )
     for joint in found.joint_kinds:
         yield ChangeRow("joint", joint.joint, f"{joint.old} -> {joint.new}")

@@ -56,7 +56,7 @@ def motions_from(content: object, robot: ConfigurationSpace, where: str = "") ->
     if not isinstance(content, list):
         return [_entry(prefix, content, robot)]
     if not content:
-        raise MotionError(f"{prefix}there is no configuration")
+        raise MotionError(f"{prefix}no configuration is given")
     return [
         _entry(f"{prefix}configuration {number}: ", entry, robot)
         for number, entry in enumerate(content, 1)

@@ -1,4 +1,4 @@
-"""What a notebook shows of documents, mechanisms and findings: HTML that reaches no address."""
+"""Documents, mechanisms and findings in notebooks: HTML without remote addresses."""
 
 from html import escape
 

@@ -1,4 +1,4 @@
-"""What `kindsl info` tells of a document, as plain data."""
+"""The output of `kindsl info`, as plain data."""
 
 from collections.abc import Iterator, Mapping
 from math import inf
@@ -19,7 +19,7 @@ from kindsl.text.lines import LineIndex
 
 
 def robot_facts(analysis: Analysis) -> dict[str, Any]:
-    """Return tree, masses and parameters, of a broken document what is there.
+    """Return tree, masses and parameters, of a broken document the rest.
 
     Masses are in kilograms, None where they cannot be read; the robot's is that of what moves, None
     unless all of it is known: then `known_mass` is the sum of the others, and `missing_masses` says
@@ -102,14 +102,14 @@ def _body(model: Model, body: Link, values: Mapping[str, float], places: _Places
 
 
 def mass_text(facts: Mapping[str, Any]) -> str:
-    """Return the mass of a robot for people, never a part of it as if it were the whole."""
+    """Return the mass of a robot for people; a partial mass is marked as such."""
     missing = [Unknown(one["reason"]) for one in facts["missing_masses"]]
     weight = Weight(facts["known_mass"], len(missing), missing[0] if missing else Unknown(""))
     return weight.explained(number(weight.known, "kg"))
 
 
 def missing_facts(model: Model, values: Mapping[str, float]) -> list[dict[str, str]]:
-    """Return what the mass of a robot lacks, and why."""
+    """Return the missing parts of the mass of a robot, with the reason."""
     missing = missing_masses(model, values)
     return [{"name": one.owner, "reason": one.reason.plain} for one in missing]
 

@@ -1,4 +1,4 @@
-"""How well a document describes a robot that can exist, as `kindsl info` tells it."""
+"""The health of a document, as in `kindsl info`."""
 
 from collections.abc import Callable, Sequence
 from typing import Any

@@ -1,4 +1,4 @@
-"""What `kindsl info` tells of a document, for people."""
+"""The output of `kindsl info`, for people."""
 
 from collections.abc import Iterator
 from typing import Any

@@ -80,10 +80,10 @@ def _numbering(model: Model) -> Iterator[Finding]:
     names = {str(pair.joint.name) for pair in pairs}
     loose = next((body for body in model.bodies if str(body.name) not in connected), None)
     if loose is not None:
-        yield Finding(loose.name, f"{_called(loose)} is connected to nothing")
+        yield Finding(loose.name, f"{_called(loose)} is not connected")
     elif len(numbers) != len(names) + 1:
-        message = f"{counted(len(names), 'joint')} for {counted(len(numbers) - 1, 'link')}"
-        yield Finding(base, f"{message} make no tree")
+        message = f"{counted(len(names), 'joint')} and {counted(len(numbers) - 1, 'link')}"
+        yield Finding(base, f"{message} do not form a tree")
     else:
         yield from _unnumbered(model, pairs, numbers)
 

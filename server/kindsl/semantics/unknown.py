@@ -34,7 +34,7 @@ def why_unknown(values: Iterable[Expression], bindings: Mapping[str, float]) -> 
             elif str(symbol.name) not in bindings and symbol.default is None:
                 return Unknown(f"the parameter `{symbol.name}` has no value")
         if expression.text:
-            return Unknown(f"`{expression.text}` is no number")
+            return Unknown(f"`{expression.text}` is not a number")
     return Unknown("a number is missing")
 
 

@@ -162,8 +162,8 @@ def test_what_is_written_knows_what_is_there(marked, label, text):
         ),
         (BASE + "link l { children { k via j } } r_joint $0", [("j", "used, not declared")]),
         (BASE + "link l { id = $0 }", [("1", "next free id")]),
-        (BASE + "r_joint j { id = $0 }", [("1", "id of the link that it moves")]),
-        (BASE + "r_joint j { id = $01 }", [("1", "id of the link that it moves")]),
+        (BASE + "r_joint j { id = $0 }", [("1", "id of its link")]),
+        (BASE + "r_joint j { id = $01 }", [("1", "id of its link")]),
         (BASE + "link l { id = $01 } link k { id = 2 }", [("1", "next free id")]),
         (
             BASE + "link l { inertia_params { ref_frame = $0 } frames { eye { } { } } }",

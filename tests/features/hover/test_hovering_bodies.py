@@ -107,7 +107,7 @@ def test_what_is_missing_is_told(old, new, told):
 
 def test_a_joint_that_nothing_hangs_on():
     told = lines(ARM.replace("upper via shoulder", "").replace("t shoulder", "t $0shoulder"))
-    assert "it connects nothing: no link has a child via it" in told
+    assert "not used: no link has a child via it" in told
     assert "the axis in the base is not known: no link is connected via `shoulder`" in told
     assert [line for line in told if line.startswith("joint frame in the predecessor: origin")]
 

@@ -28,9 +28,9 @@ def of_mass(value, **bindings):
         ("<c>*x*2.0$0", "mass of link `l`: not known, the parameter `x` has no value"),
         ("<d>*2.0$0", "mass of link `l`: not known, the constant `d` has no value"),
         ("x[3.0]*y*2.0$0", "mass of link `l`: not known, the parameter `y` has no value"),
-        ("<>*2.0$0", "mass of link `l`: not known, `<>*2.0` is no number"),
-        ("2.0$0/0.0", "mass of link `l`: not known, `2.0/0.0` is no number"),
-        ("2.0$0 - ", "mass of link `l`: not known, `2.0 -` is no number"),
+        ("<>*2.0$0", "mass of link `l`: not known, `<>*2.0` is not a number"),
+        ("2.0$0/0.0", "mass of link `l`: not known, `2.0/0.0` is not a number"),
+        ("2.0$0 - ", "mass of link `l`: not known, `2.0 -` is not a number"),
     ],
 )
 def test_a_value_tells_what_it_comes_to_or_why_not(value, told):
@@ -49,7 +49,7 @@ def test_of_two_parameters_the_one_without_a_value_is_named():
         ("<$0d>*2.0", "no value: write `<d=1.0>` somewhere"),
         ("<$0d=1.0>", "value 1"),
         ("<$0d=x>", "no value: the parameter `x` has no value"),
-        ("<$0d=1.0/0.0>", "no value: `1.0/0.0` is no number"),
+        ("<$0d=1.0/0.0>", "no value: `1.0/0.0` is not a number"),
         ("<$0c>*2.0", "value 2"),
     ],
 )

@@ -77,7 +77,7 @@ def test_two_numbers_differ_from_the_twin(places: tuple[int, ...], is_told: bool
     assert told("KD312", text) == (not_mirrored(*places) if is_told else [])
 
 
-SIGNS = "signs of 'right_arm' are not those of a mirror image of 'left_arm'"
+SIGNS = "signs of 'right_arm' do not match a mirror image of 'left_arm'"
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""What the command line decides, put over what the configuration does."""
+"""The decisions of the command line, which override those of the configuration."""
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -23,7 +23,7 @@ class Choices(NamedTuple):
     configurations: Configurations | None = None
 
     def configuration_for(self, document: str) -> "Configuration | None":
-        """Return the configuration that holds for a document.
+        """Return the configuration that applies to a document.
 
         Raises:
             ConfigurationError: It says something wrong.
@@ -31,7 +31,7 @@ class Choices(NamedTuple):
         return self.configurations.above(document) if self.configurations else None
 
     def settings_for(self, document: str) -> Settings:
-        """Return all that is decided for a document.
+        """Return all decisions for a document.
 
         Selecting rules on the command line forgets which the configuration selects and ignores;
         ignoring some adds to it.
@@ -50,7 +50,7 @@ class Choices(NamedTuple):
 
 
 def choices_of(args: Any) -> Choices:
-    """Return what the command line decides.
+    """Return the decisions of the command line.
 
     Raises:
         ConfigurationError: A file of parameters, or the configuration file named, is wrong.

@@ -24,7 +24,7 @@ _SYNTAX = "KD0"
 
 
 class CommandError(Exception):
-    """A command cannot do what it is asked for.
+    """A command cannot do its work.
 
     Attributes:
         failures: What is wrong, with places.
@@ -37,13 +37,13 @@ class CommandError(Exception):
         self.status = status
 
     def tell(self) -> int:
-        """Write what is wrong on stderr and return the status."""
+        """Report the failures on stderr and return the exit status."""
         write(sys.stderr, "".join(f"{printable(str(failure))}\n" for failure in self.failures))
         return self.status
 
 
 def shown_name(path: str) -> str:
-    """Return what to call a document."""
+    """Return the name to report for a document."""
     return UNNAMED if path == STDIN else path
 
 
@@ -77,7 +77,7 @@ def require_syntax(path: str, analysis: Analysis) -> None:
 
 
 def require_parameters(path: str, *documents: Analysis) -> None:
-    """Raise CommandError for a value given on the command line to what is no parameter.
+    """Raise CommandError for a value on the command line of an unknown parameter.
 
     Not where the syntax is broken: the parameter may stand in what cannot be read.
 
@@ -98,7 +98,7 @@ def require_parameters(path: str, *documents: Analysis) -> None:
 
 
 def note_errors(path: str, analysis: Analysis) -> None:
-    """Tell on stderr if a document has errors, so that nobody takes its numbers for sound."""
+    """Warn on stderr if a document has errors, since its numbers may then be wrong."""
     n_errors = sum(finding.severity is Severity.ERROR for finding in analysis.findings)
     if n_errors:
         told = f"{n_errors} errors" if n_errors > 1 else "an error"
@@ -106,7 +106,7 @@ def note_errors(path: str, analysis: Analysis) -> None:
 
 
 def note_readings(path: str, analysis: Analysis) -> None:
-    """Tell on stderr which values one generator reads otherwise, and how to decide."""
+    """Warn on stderr about values that the generators read differently, and how to decide."""
     if len(analysis.settings.targets) == 1:
         return
     lines = LineIndex(analysis.text)

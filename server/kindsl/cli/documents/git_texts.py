@@ -51,9 +51,9 @@ def versions_of(path: str, commits: Commits) -> Texts:
         CommandError: There is no git, no repository, no such commit, or no such file in both.
     """
     folder, name = os.path.split(os.path.abspath(path))
-    prefix = _git(path, folder, "no git repository", "rev-parse", "--show-prefix")
+    prefix = _git(path, folder, "not a git repository", "rev-parse", "--show-prefix")
     for commit in commits:
-        unknown = f"'{commit}' is no commit of its git repository"
+        unknown = f"'{commit}' is not a commit of its git repository"
         _git(path, folder, unknown, "rev-parse", "--verify", "--quiet", f"{commit}^{{commit}}")
     place = os.fsdecode(prefix.removesuffix(b"\n")) + name
     old, new = (_text_at(commit, place, path, folder) for commit in commits)
@@ -66,7 +66,7 @@ def versions_of(path: str, commits: Commits) -> Texts:
 
 
 def _text_at(commit: str, place: str, path: str, folder: str) -> str | None:
-    """Return the text of a file, named from the repository's root, None if it is not there."""
+    """Return the text of a file, named from the repository's root, None if it does not exist."""
     listed = _git(path, folder, "git fails", "ls-tree", "-z", "--full-tree", commit, "--", place)
     if b" blob " not in listed:
         return None
@@ -75,7 +75,7 @@ def _text_at(commit: str, place: str, path: str, folder: str) -> str | None:
 
 
 def _former_name(place: str, commits: Commits, path: str, folder: str) -> str | None:
-    """Return what a file was called before it got its name between two commits."""
+    """Return the former name of a file that was renamed between two commits."""
     options = ("--name-status", "-z", "-M", "--diff-filter=R", "--no-relative", "--no-ext-diff")
     told = _git(path, folder, "git fails", "diff", *options, *commits, "--")
     # A status, the old name, the new one, and so on.
@@ -85,7 +85,7 @@ def _former_name(place: str, commits: Commits, path: str, folder: str) -> str | 
 
 
 def short(commit: str) -> str:
-    """Return what to call a commit: full hashes shortened."""
+    """Return the name to report for a commit: full hashes shortened."""
     is_hash = len(commit) == 40 and all(c in "0123456789abcdef" for c in commit)
     return commit[:_SHORT] if is_hash else commit
 

@@ -1,4 +1,4 @@
-"""Reads a document's text, or tells why it cannot be read."""
+"""Reads a document's text, or gives the reason why it cannot be read."""
 
 import os
 import sys
@@ -22,7 +22,7 @@ _BYTE_ORDER_MARKS = (
 
 
 class NotText(NamedTuple):
-    """The content of a file that is no text in UTF-8.
+    """The content of a file that is not text in UTF-8.
 
     Attributes:
         message: What it is instead, one sentence about the document without final period.
@@ -36,7 +36,7 @@ class NotText(NamedTuple):
 
 
 def read_source(path: str, shown: str) -> str | Failure:
-    """Return the text of a file, or why there is none; see `read_text`."""
+    """Return the text of a file, or the failure; see `read_text`."""
     text = read_text(path, shown)
     if not isinstance(text, NotText):
         return text
@@ -58,7 +58,7 @@ def read_text(path: str, shown: str) -> str | NotText | Failure:
 
 
 def reason(path: str, error: OSError) -> str:
-    """Return in words why a file could not be read."""
+    """Return the reason why a file could not be read."""
     if os.path.islink(path) and not os.path.exists(path):
         return f"broken symbolic link to '{os.readlink(path)}'"
     if isinstance(error, NotRegularError):
@@ -105,7 +105,7 @@ def _encoded(content: bytes, encoding: str) -> NotText:
 
 
 def _strange(content: bytes, text: str) -> NotText:
-    """Return what content is that is no text: UTF-16 without a mark, or noise."""
+    """Return a description of content that is not text: UTF-16 without a mark, or binary."""
     for parity, encoding in ((0, "UTF-16-BE"), (1, "UTF-16-LE")):
         high, low = content[parity:400:2], content[1 - parity : 400 : 2]
         if high.count(0) * 2 > len(high) and low.count(0) * 2 < len(low):

@@ -1,4 +1,4 @@
-"""Reads two versions of a document, of which one may not be there yet, or no more."""
+"""Reads two versions of a document, one of which may not exist."""
 
 import os
 from collections.abc import Sequence
@@ -19,7 +19,7 @@ _SPACE = "\ufeff \t\r\n"
 
 
 def read_versions(paths: Sequence[str], choices: "Choices") -> Versions:
-    """Return two versions; /dev/null is one that is not there, as git has it.
+    """Return two versions; /dev/null is a missing one, as in git.
 
     Raises:
         CommandError: A file or the configuration cannot be read, or a file is another format's.
@@ -35,7 +35,7 @@ def read_versions(paths: Sequence[str], choices: "Choices") -> Versions:
 def analysed_versions(
     path: str, texts: tuple[str | None, str | None], choices: "Choices"
 ) -> Versions:
-    """Return two versions of one document by its texts; None for one that is not there.
+    """Return two versions of one document from its texts; None is a missing one.
 
     Raises:
         CommandError: The configuration cannot be read, or the document is another format's.
@@ -72,7 +72,7 @@ def _text(path: str) -> str | None:
 
 
 def _require_own(path: str, text: str) -> None:
-    """Raise CommandError for a document of another format, of which ours might read a part."""
+    """Raise CommandError for a document in another format, which might be read in part."""
     from kindsl.interchange.registry import format_of_suffix
 
     foreign = format_of_suffix(os.path.splitext(path)[1])

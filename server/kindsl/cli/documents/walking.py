@@ -1,4 +1,4 @@
-"""From the paths on the command line to the documents that are meant."""
+"""From the paths on the command line to documents."""
 
 import os
 import stat
@@ -35,7 +35,7 @@ def documents(
 
 
 def _identity(path: str) -> str:
-    """Return what two ways to the same file have in common; links to files stay apart."""
+    """Return a key that two paths to the same file share; links to files stay apart."""
     folder, name = os.path.split(path)
     return os.path.join(os.path.realpath(folder), name)
 

@@ -1,4 +1,4 @@
-"""Writes what a command makes: to a file, wholly or not at all, or to stdout."""
+"""Writes the output of a command: to a file, atomically, or to stdout."""
 
 import os
 import sys
@@ -33,7 +33,7 @@ def write_text(path: str, shown: str, old: str, new: str) -> Failure | None:
 
 
 def write_output(path: str, content: str | bytes) -> None:
-    """Write what was made to a file, or to stdout for `-`.
+    """Write output to a file, or to stdout for `-`.
 
     Raises:
         CommandError: It cannot be written; a file that was there is as it was.
@@ -48,7 +48,7 @@ def write_output(path: str, content: str | bytes) -> None:
 
 
 def unwritable(path: str, error: OSError) -> str:
-    """Return in words why a file could not be written."""
+    """Return the reason why a file could not be written."""
     folder = os.path.dirname(os.path.realpath(path))
     if isinstance(error, FileNotFoundError) and not os.path.isdir(folder):
         return f"cannot be written: there is no folder '{folder}'"

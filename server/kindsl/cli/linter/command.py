@@ -58,7 +58,7 @@ def run_lint(args: Any) -> int:
 
 
 def exit_status(outcome: RunOutcome, max_warnings: int | None, is_lenient: bool) -> int:
-    """Return the status to leave with; `is_lenient` forgives findings, not failures."""
+    """Return the exit status; `is_lenient` ignores findings, not failures."""
     if outcome.failures:
         return UNUSABLE
     failing = failing_severities(outcome, max_warnings)
@@ -73,7 +73,7 @@ def failing_severities(outcome: RunOutcome, max_warnings: int | None) -> frozens
 
 def _wrong_usage(args: Any) -> str:
     if args.statistics and args.output_format not in _COUNTABLE:
-        return f"--statistics is told as text or JSON only, not as {args.output_format}"
+        return f"--statistics is available as text or JSON only, not as {args.output_format}"
     if args.watch and STDIN in args.paths:
         return "--watch cannot watch stdin"
     if args.unsafe_fixes and not (args.fix or args.diff):

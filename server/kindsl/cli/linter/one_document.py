@@ -1,4 +1,4 @@
-"""Lints one document, mending it if that is wanted."""
+"""Lints one document, and fixes it if requested."""
 
 import os
 from collections.abc import Sequence
@@ -20,7 +20,7 @@ _NAME = "invalid-character"
 
 
 class Mending(Enum):
-    """What becomes of fixes."""
+    """How fixes are applied."""
 
     NONE = "none"
     SHOWN = "shown"
@@ -34,7 +34,7 @@ class Task(NamedTuple):
         path: The file, or `-` for stdin.
         shown: What to call it.
         settings: What is decided for it.
-        mending: What becomes of fixes.
+        mending: How fixes are applied.
         with_unsafe: Whether unsafe fixes are wanted too.
     """
 
@@ -46,14 +46,14 @@ class Task(NamedTuple):
 
 
 class Checked(NamedTuple):
-    """What became of a task: a linted file, a failure, or both if mending could not be written."""
+    """The result of a task: a linted file, a failure, or both if a fixed file is not writable."""
 
     file: LintedFile | None
     failure: Failure | None
 
 
 def check(task: Task) -> Checked:
-    """Lint a document; whatever happens, the others can be linted after it."""
+    """Lint a document; never raises, so that the others are linted too."""
     text = read_text(task.path, task.shown)
     if isinstance(text, Failure):
         return Checked(None, text)
@@ -108,7 +108,7 @@ def _model_in(path: str) -> Model | None:
 def _outcome(
     task: Task, analysis: Analysis, original: str | None = None, n_fixed: int = 0
 ) -> Checked:
-    """Return what was found, and the failure if a rule could not do its part."""
+    """Return the findings, and the failure of a rule if one crashed."""
     file = _file(task, analysis, original, n_fixed)
     failures = [_defect(task, fault.error, fault.message) for fault in analysis.faults]
     return Checked(file, failures[0] if failures else None)
@@ -136,7 +136,7 @@ def _file(
 
 
 def no_document(shown: str, content: NotText) -> LintedFile:
-    """Return the file whose content is no text, with the one finding that says so."""
+    """Return a file whose content is not text, with the one finding that says so."""
     end = min(content.offset + 1, len(content.text))
     message = f"the document {content.message}"
     finding = Diagnostic(_CODE, _NAME, Severity.ERROR, message, content.offset, end)

@@ -1,4 +1,4 @@
-"""Lints many documents, on several processors if that pays."""
+"""Lints many documents, on several processors if that is faster."""
 
 import os
 from collections.abc import Iterator, Sequence
@@ -12,7 +12,7 @@ _BATCH = 16
 
 
 def check_all(tasks: Sequence[Task], jobs: int) -> Iterator[Checked]:
-    """Yield what becomes of each task, in their order.
+    """Yield the result of each task, in order.
 
     Args:
         tasks: The documents.

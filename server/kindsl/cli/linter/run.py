@@ -27,13 +27,13 @@ _FEW_TO_COLLECT = 16
 
 
 class LintPlan(NamedTuple):
-    """What to lint and how.
+    """The documents to lint, and the options.
 
     Attributes:
         paths: Documents, folders, `-`.
         choices: What is decided about the rules.
         stdin_name: What to call the document from stdin.
-        mending: What becomes of fixes.
+        mending: How fixes are applied.
         with_unsafe: Whether unsafe fixes are wanted too.
         jobs: How many processes, 0 for as many as pay.
         is_quiet: Whether to show no progress.
@@ -51,7 +51,7 @@ class LintPlan(NamedTuple):
 
 
 def lint(plan: LintPlan) -> RunOutcome:
-    """Lint all documents of a plan, whatever some of them hold."""
+    """Lint all documents of a plan; a failure does not stop the others."""
     tasks, failures, configurations = _prepared(plan)
     if len(tasks) > _FEW_TO_COLLECT:
         gc.enable()
@@ -65,7 +65,7 @@ def lint(plan: LintPlan) -> RunOutcome:
 def _prepared(
     plan: LintPlan,
 ) -> "tuple[list[Task], list[Failure], dict[str, Configuration]]":
-    """Return what can be linted, why the rest cannot, and configurations by the path shown."""
+    """Return tasks, failures of unreadable documents, and configurations by the path shown."""
     tasks: list[Task] = []
     failures: list[Failure] = []
     configurations: dict[str, Configuration] = {}
@@ -89,7 +89,7 @@ def _prepared(
 def _unused(
     files: list[LintedFile], configurations: "dict[str, Configuration]", plan: LintPlan
 ) -> list[LintedFile]:
-    """Return the configuration files with the bindings in them that nothing uses."""
+    """Return the configuration files with their unused bindings."""
     if STDIN in plan.paths or not any(
         configuration.has_bindings for configuration in configurations.values()
     ):

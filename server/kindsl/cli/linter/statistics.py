@@ -1,4 +1,4 @@
-"""`--statistics`: how often each rule found something."""
+"""`--statistics`: the number of findings of each rule."""
 
 from typing import NamedTuple
 
@@ -8,7 +8,7 @@ from kindsl.rules.base import Severity
 
 
 class RuleCount(NamedTuple):
-    """A rule's findings: the worst severity, how many, and how many a safe fix would mend."""
+    """A rule's findings: the worst severity, their number, and how many have a safe fix."""
 
     code: str
     name: str
@@ -18,7 +18,7 @@ class RuleCount(NamedTuple):
 
 
 def rule_counts(outcome: RunOutcome) -> list[RuleCount]:
-    """Return the rules that found something, the most frequent first."""
+    """Return the rules with findings, the most frequent first."""
     by_rule: dict[str, list[Diagnostic]] = {}
     for file in outcome.files:
         for finding in file.findings:
@@ -35,7 +35,7 @@ def _rule_count(code: str, findings: list[Diagnostic]) -> RuleCount:
 
 
 def render_text(outcome: RunOutcome) -> str:
-    """Return a table; a star marks what `--fix` would mend."""
+    """Return a table; a star marks rules that `--fix` can fix."""
     rows = rule_counts(outcome)
     width = max((len(str(row.n_found)) for row in rows), default=0)
     return "".join(

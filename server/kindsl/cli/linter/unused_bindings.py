@@ -1,4 +1,4 @@
-"""KD404 over a run of the linter: what was linted uses names, other documents mention them."""
+"""KD404 over a run of the linter: linted documents use names, others may mention them."""
 
 import os
 from collections.abc import Collection, Iterator, Mapping, Sequence
@@ -19,7 +19,7 @@ def unused_bindings(
     choices: Choices,
     excluded: Collection[str],
 ) -> list[LintedFile]:
-    """Return each configuration file that binds what nothing uses, with the findings.
+    """Return each configuration file with unused bindings, with the findings.
 
     Args:
         files: What was linted.

@@ -41,7 +41,7 @@ def watch(plan: LintPlan, report: Callable[[RunOutcome], int]) -> int:
 
 
 def stamps(plan: LintPlan) -> dict[str, Stamp | None]:
-    """Return for each file that the outcome depends on what changes when the file does."""
+    """Return a fingerprint of each file that the outcome depends on."""
     found: dict[str, Stamp | None] = {}
     for document in documents(plan.paths, plan.excluded, LINTED):
         path = document.path if isinstance(document, Failure) else document

@@ -1,4 +1,4 @@
-"""Paths and identities as the services of CI want them."""
+"""Paths and identities for CI services."""
 
 import os
 from collections.abc import Iterator
@@ -12,7 +12,7 @@ _ROOTS = ("CI_PROJECT_DIR", "GITHUB_WORKSPACE")
 
 
 def project_path(path: str) -> str:
-    """Return a path from the root of what CI checked out, with slashes; outside of it absolute."""
+    """Return a path from the root of the checkout, with slashes; absolute outside of it."""
     root = next((os.environ[name] for name in _ROOTS if os.environ.get(name)), os.getcwd())
     absolute = os.path.abspath(path)
     relative = os.path.relpath(absolute, root)

@@ -1,4 +1,4 @@
-"""`--explain` and `--list-rules`: what the rules say of themselves."""
+"""`--explain` and `--list-rules`: the pages of the rules."""
 
 from typing import Any
 

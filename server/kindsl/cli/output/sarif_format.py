@@ -73,7 +73,7 @@ def _rule(rule: Rule) -> dict[str, Any]:
 
 
 def _purpose_of(page: str) -> str:
-    """Return what a rule does: the first section of its page, on one line."""
+    """Return the first section of a rule's page, on one line."""
     _, _, rest = page.partition("## What it does")
     return " ".join(rest.partition("\n## ")[0].split())
 

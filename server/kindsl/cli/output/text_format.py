@@ -78,7 +78,7 @@ def _expanded(text: str) -> str:
 
 
 def _width(text: str) -> int:
-    """Return how many columns of a terminal a text takes."""
+    """Return the width of a text on a terminal, in columns."""
     if text.isascii():
         return len(text) + text.count("\t") * (_TAB - 1)
     from unicodedata import combining, east_asian_width

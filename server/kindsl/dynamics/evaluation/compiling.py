@@ -96,7 +96,7 @@ def _compile(name: str, source: str, path: Path) -> None:
         from setuptools import Distribution, Extension
         from setuptools.command.build_ext import build_ext
     except ModuleNotFoundError:
-        message = "compiling needs setuptools; install it with: pip install 'kindsl[compile]'"
+        message = "compiling needs setuptools; install with: pip install 'kindsl[compile]'"
         raise CompileError(message) from None
     file = path.parent / f"{name}.c"
     file.write_text(source, encoding="utf-8")

@@ -78,7 +78,7 @@ def fix_all_action(analysis: Analysis) -> CodeAction | None:
     if analysis not in _fixed:
         _fixed[analysis] = fix_all(analysis)
     edits = _fixed[analysis]
-    return CodeAction("Fix all that is safe to fix", FIX_ALL, edits) if edits else None
+    return CodeAction("Apply all safe fixes", FIX_ALL, edits) if edits else None
 
 
 def _fixes_of(finding: Diagnostic) -> tuple[TextFix, ...]:

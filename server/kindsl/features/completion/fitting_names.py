@@ -46,7 +46,7 @@ def new_frame_items(context: CompletionContext) -> Iterator[CompletionItem]:
 def id_items(analysis: Analysis, context: CompletionContext) -> Iterator[CompletionItem]:
     """Yield the number that a link or joint is to have."""
     if context.block == "joint":
-        number, detail = joint_id(analysis, context), "id of the link that it moves"
+        number, detail = joint_id(analysis, context), "id of its link"
     else:
         number, detail = next_id(analysis, bodies_at(context)), "next free id"
     yield CompletionItem(str(number), "value", str(number), detail)

@@ -66,7 +66,7 @@ def section_items(analysis: Analysis, context: CompletionContext) -> Iterator[Co
 def keyword_items(context: CompletionContext) -> Iterator[CompletionItem]:
     """Yield the words that the grammar allows and that are no section: `floating`, `via`."""
     if "FLOATING" in context.expected:
-        yield CompletionItem("floating", "keyword", "floating", "the base is free to move")
+        yield CompletionItem("floating", "keyword", "floating", "floating base")
     if "via" in context.expected and context.block == "children":
         yield CompletionItem("via", "keyword", "via", "joint between the two links")
 
@@ -95,8 +95,8 @@ def _section_text(analysis: Analysis, context: CompletionContext, kind: str) -> 
 _DETAILS = {
     "id": "number of the link",
     "inertia": "mass, CoM and moments in the link frame",
-    "children": "the links that this one carries",
-    "frames": "further frames fixed to this link",
+    "children": "the children of this link",
+    "frames": "optional frames fixed to this link",
     "joint_frame": "joint frame in the predecessor",
     "mass": "kg",
     "com": "m, in the link frame",

@@ -22,7 +22,7 @@ def _tree_lines(analysis: Analysis, joint: Joint) -> Iterator[str]:
     for edge in edges:
         yield f"predecessor {code(edge.predecessor.name)}, successor {code(edge.child.link)}"
     if not edges:
-        yield "it connects nothing: no link has a child via it"
+        yield "not used: no link has a child via it"
 
 
 def _pose_lines(analysis: Analysis, joint: Joint) -> Iterator[str]:

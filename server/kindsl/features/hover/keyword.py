@@ -1,7 +1,7 @@
 """What a hover tells of a keyword: what it means in this language, conventions first."""
 
 _ROTATION = (
-    "Three angles in radians: turn about x, then about the **new** y, then about the **newest** z "
+    "Three angles in radians: turn about x, then about the **new** y, then about the **new** z "
     "(intrinsic), after the translation. The matrix `Rx·Ry·Rz` takes coordinates of the new frame "
     "to those of the old one."
 )

@@ -1,4 +1,4 @@
-"""MuJoCo's reader and compiler, and what they refuse in one sentence."""
+"""MuJoCo's reader and compiler, with their errors in one sentence."""
 
 import warnings
 from collections.abc import Callable
@@ -9,7 +9,7 @@ from kindsl.interchange.format import FormatError
 
 
 def spec_of_file(path: Path) -> Any:
-    """Return what a file says.
+    """Return the specification in a file.
 
     Raises:
         FormatError: It is no MJCF.

@@ -1,4 +1,4 @@
-"""What an MJCF says beyond poses and masses: refused where it changes the tree, else told."""
+"""Parts of an MJCF beyond poses and masses: refused if they change the tree, else noted."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -33,7 +33,7 @@ _LOOPS = ("connect", "weld")
 
 
 def losses(spec: Any) -> Iterator[str]:
-    """Yield what is dropped, one sentence each.
+    """Yield a note on each dropped part.
 
     Raises:
         FormatError: An equality closes a loop, or there is a deformable body.
@@ -74,7 +74,7 @@ def strip(spec: Any) -> None:
 
 
 def joint_losses(model: Any) -> Iterator[str]:
-    """Yield what is dropped of joints, one sentence each."""
+    """Yield a note on each dropped property of joints."""
     if n_limited := int(model.jnt_limited.sum()):
         yield limits_dropped(n_limited)
     for what, names in _JOINT_FORCES:
@@ -89,7 +89,7 @@ def _joints_with(model: Any, name: str) -> set[int]:
 
 
 def physics_losses(model: Any) -> Iterator[str]:
-    """Yield what is dropped of the forces on all bodies, one sentence each."""
+    """Yield a note on each dropped force on all bodies."""
     import mujoco
 
     is_off = bool(model.opt.disableflags & mujoco.mjtDisableBit.mjDSBL_GRAVITY)

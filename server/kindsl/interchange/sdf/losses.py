@@ -1,4 +1,4 @@
-"""What an SDF says beyond poses and masses: told, one sentence each."""
+"""Parts of an SDF beyond poses and masses: a note on each."""
 
 from collections.abc import Iterator
 from typing import Any

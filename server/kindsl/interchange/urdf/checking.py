@@ -21,11 +21,11 @@ _GREATEST = 1e50
 
 
 class UrdfError(FormatError):
-    """The file is no URDF, or describes what the Kinematics-DSL cannot."""
+    """The file is not a URDF, or describes a robot that the Kinematics-DSL does not support."""
 
 
 class Remarkable(NamedTuple):
-    """What a URDF says beyond poses and masses.
+    """Parts of a URDF beyond poses and masses.
 
     Attributes:
         limited: Joints with limits.
@@ -123,7 +123,7 @@ def _check_origin(parent: Any) -> None:
 
 
 def _check_tree(links: list[Any], joints: list[Any]) -> None:
-    """Raise where a link is missing, has two parents, or hangs on itself."""
+    """Raise if a link is missing, has two parents, or is part of a loop."""
     names = dict.fromkeys(link.get("name") for link in links)
     parent: dict[str, Any] = {}
     for joint in joints:

@@ -49,7 +49,7 @@ def written_urdf(name: str, skeleton: Skeleton, choices: WritingChoices = ORDINA
 
 
 def _remarks(skeleton: Skeleton, choices: WritingChoices) -> Iterator[str]:
-    """Yield what the URDF says that the document did not."""
+    """Yield notes on additions of the URDF to the document."""
     kinds = zip(skeleton.joint_names, skeleton.joint_kinds, strict=True)
     unlimited = [(name, kind) for name, kind in kinds if name not in choices.limits]
     n_turning = sum(kind == "revolute" for _, kind in unlimited)
@@ -61,7 +61,7 @@ def _remarks(skeleton: Skeleton, choices: WritingChoices) -> Iterator[str]:
         if kind == "prismatic":
             yield f"the joint '{name}' got limits of -1 m and 1 m, which a URDF must give"
     if skeleton.is_floating:
-        yield f"the floating base '{skeleton.base_name}' became the root link, which tools may fix"
+        yield f"the floating base '{skeleton.base_name}' became the root link, which some tools fix"
 
 
 def _limits(skeleton: Skeleton, joint: int, choices: WritingChoices) -> dict[str, float]:

@@ -28,7 +28,7 @@ def main() -> int:
 def _reason(error: Exception) -> str:
     """Return one sentence; xacro wraps what an expression raised."""
     if isinstance(getattr(error, "exc", error), MemoryError):
-        return f"it takes more than {_MEMORY // 2**30} GB of memory"
+        return f"it needs more than {_MEMORY // 2**30} GB of memory"
     return " ".join(str(error).split()) or type(error).__name__
 
 

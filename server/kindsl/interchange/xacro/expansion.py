@@ -37,4 +37,4 @@ def expanded(path: Path, seconds: float = _SECONDS) -> bytes:
     if done.returncode == 0:
         return done.stdout
     reason = done.stdout.decode("utf-8", "replace") if done.returncode == 1 else ""
-    raise FormatError(f"xacro cannot expand it: {reason or 'it ended without a result'}")
+    raise FormatError(f"xacro cannot expand it: {reason or 'it gave no result'}")

@@ -56,7 +56,7 @@ async def apply_fix_all(session: Session, uri: object = None, *_: object) -> boo
     edit = await _of_document(session, uri, _all_fixes)
     if edit is None:
         return False
-    params = types.ApplyWorkspaceEditParams(edit, label="Fix all that is safe to fix")
+    params = types.ApplyWorkspaceEditParams(edit, label="Apply all safe fixes")
     answer = await asked(session.editor.workspace_apply_edit_async(params))
     return answer is not None and answer.applied
 
@@ -75,7 +75,7 @@ async def view_of(session: Session, uri: object) -> View:
     """
     document = session.documents.get(_uri(uri))
     if document is None or not document.is_robot:
-        raise RequestFailed(f"'{uri}' is no document of the language")
+        raise RequestFailed(f"'{uri}' is not a document of the language")
     return await session.view(document)
 
 
@@ -117,7 +117,7 @@ def _computed(view: View, options: object) -> dict[str, Any]:
         view: The document.
         options: None for the zero configuration; a configuration (`q`, `qd`, ...); an array of
             them; or an object with `configurations`. An object may also have `gravity` (three
-            numbers), `forward` (from forces to accelerations) and `parameters` (by name).
+            numbers), `forward` (compute accelerations from forces) and `parameters` (by name).
 
     Raises:
         RequestFailed: The options or the document make no sense; says why.
@@ -128,7 +128,7 @@ def _computed(view: View, options: object) -> dict[str, Any]:
         mechanism = view.analysis.mechanism(parameters=_own(options, "parameters", {}))
         return compute(view.analysis, mechanism, _request(mechanism, options)).as_json()
     except ModuleNotFoundError as error:
-        hint = "install it with: pip install 'kindsl[numpy]'"
+        hint = "install with: pip install 'kindsl[numpy]'"
         problem = f"the computation needs {error.name}; {hint}"
         raise PackagesMissing(problem, ["numpy"]) from None
     except (ValueError, TypeError) as error:

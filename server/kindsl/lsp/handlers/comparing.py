@@ -35,6 +35,6 @@ def _difference(old: View, new: View, old_text: str | None) -> dict[str, object]
     found = compared(before, new.analysis)
     if found.difference is None:
         side = "new" if found.treeless else "old"
-        raise RequestFailed(f"the {side} document has no tree of links to compare")
+        raise RequestFailed(f"the {side} document does not describe a tree of links")
     rows = [row._asdict() for row in change_rows(found.difference)]
     return {"rows": rows, "notes": list(found.notes)}

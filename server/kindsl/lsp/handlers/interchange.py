@@ -63,7 +63,9 @@ def _document(name: PurePath, text: str) -> tuple[str, tuple[str, ...]]:
     if format is None or format.parse is None:
         known = alternatives(f.suffixes[0] for f in all_formats() if f.parse is not None)
         if format is None:
-            raise RequestFailed(f"the suffix '{name.suffix}' does not tell the format: use {known}")
+            raise RequestFailed(
+                f"the suffix '{name.suffix}' does not determine the format: use {known}"
+            )
         raise RequestFailed(f"{format.title} cannot be read from one text, as {known} can")
     try:
         return written_kindsl(format.parse(text, name.stem, False))

@@ -68,7 +68,7 @@ class Previews:
         """
         document = self._state.documents.get(uri)
         if document is None or not document.is_robot:
-            raise RequestFailed(f"'{uri}' is no document that can be shown")
+            raise RequestFailed(f"'{uri}' is not a document that can be shown")
         preview = await self._started()
         if isinstance(origin, str):
             try:
@@ -155,7 +155,7 @@ class Previews:
         try:
             return self._state.surroundings.new_previews(self._reveal, self._write)
         except ImportError as error:
-            hint = "install it with: pip install 'kindsl[preview]'"
+            hint = "install with: pip install 'kindsl[preview]'"
             raise RequestFailed(f"the preview needs {error.name}; {hint}") from None
 
     def _reveal(self, key: str, span: "Span", _: Any) -> None:
@@ -170,7 +170,7 @@ class Previews:
         """Write what was dragged in a page into the document, if it is still the one shown."""
         document = self._state.documents.get(key)
         if document is None or document.text != writing.text:
-            return "the document has changed meanwhile"
+            return "the document has changed in the meantime"
         view = View(document, await self._state.analyses.of(document), self._state)
         return await written(self._state, view, writing.label, writing.edits, writing.bindings)
 

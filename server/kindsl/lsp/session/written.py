@@ -12,7 +12,7 @@ from kindsl.lsp.wire.client import asked
 from kindsl.lsp.wire.edits import text_edits, workspace_edit
 from kindsl.text.edits import TextEdit
 
-_CHANGED = "the document has changed meanwhile"
+_CHANGED = "the document has changed in the meantime"
 _NO_FILE = "the configuration file cannot be written"
 
 

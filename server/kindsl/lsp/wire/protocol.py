@@ -87,14 +87,16 @@ class KindslProtocol(LanguageServerProtocol):
         elif "id" in data and ("result" in data or "error" in data):
             self._receive_response(data)
         else:
-            self._refuse(None, JsonRpcInvalidRequest("the message is no request and no response"))
+            self._refuse(
+                None, JsonRpcInvalidRequest("the message is neither a request nor a response")
+            )
 
     def _refuse_id(self, data: dict[str, Any]) -> None:
         """Refuse a request whose answer could not name it; an answer is not answered."""
         if "method" in data:
-            self._refuse(None, JsonRpcInvalidRequest("the request's id is no number or string"))
+            self._refuse(None, JsonRpcInvalidRequest("the request's id is not a number or string"))
         else:
-            logger.warning("an answer to no request of ours was ignored")
+            logger.warning("an answer without a matching request was ignored")
 
     def _receive_call(self, data: dict[str, Any]) -> None:
         """Check a request or notification and hand it to its handler."""
@@ -118,7 +120,7 @@ class KindslProtocol(LanguageServerProtocol):
         if self._shutdown:
             raise JsonRpcInvalidRequest("the server has been shut down")
         if method == types.INITIALIZE and self.is_initialized:
-            raise JsonRpcInvalidRequest("the server is initialized already")
+            raise JsonRpcInvalidRequest("the server is already initialized")
         if method != types.INITIALIZE and not self.is_initialized:
             raise JsonRpcServerNotInitialized("the server is not initialized yet")
 

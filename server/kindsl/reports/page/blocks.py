@@ -1,4 +1,4 @@
-"""A page as what is in it: headings, text, tables, drawings, matrices."""
+"""A page as blocks: headings, text, tables, drawings, matrices."""
 
 from typing import NamedTuple
 

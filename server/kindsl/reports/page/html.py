@@ -43,7 +43,7 @@ def html_text(page: Page) -> str:
 
 
 def html_body(page: Page) -> str:
-    """Return what is in the page."""
+    """Return the body of the page."""
     return "".join(f"{part}\n" for block in page for part in _block(block))
 
 

@@ -1,4 +1,4 @@
-"""Knows what a reviewer wants to see of a change of a document.
+"""Knows reviews of a change to a document.
 
 Must not know formats, folders, Git.
 """

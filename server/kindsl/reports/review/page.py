@@ -1,4 +1,4 @@
-"""A review of a change: what a reviewer looks at, before and after."""
+"""A review of a change: tables and pictures, before and after."""
 
 from collections.abc import Iterator, Mapping
 from math import dist, isclose
@@ -21,7 +21,7 @@ from kindsl.text.phrases import counted
 
 MOVED, HEAVIER, ADDED, REMOVED = "d9730d", "8e44ad", "2e8b57", "c0392b"
 _LEGEND = "Same camera. Orange: moved; violet: other mass; green: new; red: gone."
-_NO_TREE = "has no tree of links to compare"
+_NO_TREE = "does not describe a tree of links"
 
 
 def review_page(before: Analysis | None, after: Analysis | None, names: tuple[str, str]) -> Page:
@@ -38,7 +38,7 @@ def review_page(before: Analysis | None, after: Analysis | None, names: tuple[st
     return (
         Heading(f"{new.model.name or old.model.name or '(unnamed)'}: {names[0]} to {names[1]}", 1),
         *([Paragraph(f"The document is not in {names[0]}: it is new.")] if before is None else []),
-        *([Paragraph(f"The document is not in {names[1]} any more.")] if after is None else []),
+        *([Paragraph(f"The document is no longer in {names[1]}.")] if after is None else []),
         *_notes(old, new, names, found),
         *_changes(found.difference, joints),
         *_numbers(old, new, found.difference, joints),
@@ -76,7 +76,7 @@ def _notes(
     for name, analysis in zip(names, (old, new), strict=True):
         n = sum(finding.severity is Severity.ERROR for finding in analysis.findings)
         if n:
-            yield Paragraph(f"{name} has {counted(n, 'error')}: shown as far as it goes.")
+            yield Paragraph(f"{name} has {counted(n, 'error')}: showing the rest.")
     if found.treeless is not None:
         yield Paragraph(f"{names[found.treeless]} {_NO_TREE}.")
     for note in found.notes:
@@ -164,7 +164,7 @@ def _tree(old: Analysis, new: Analysis, found: Difference | None) -> Iterator[Bl
 
 
 def _hangs_on(analysis: Analysis, links: Mapping[str, str]) -> dict[str, str]:
-    """Return what carries each link, in words, by the link's own name."""
+    """Return the parent of each link, in words, by the link's name."""
     facts = robot_facts(analysis)
     base = {facts["base"]["name"]: "base"} if facts["base"] else {}
     carried = {

@@ -1,4 +1,4 @@
-"""Which written numbers changed: of joints, frames and bodies that are on both sides."""
+"""Changed written numbers of joints, frames and bodies that are on both sides."""
 
 from collections.abc import Iterator, Mapping
 from math import isclose, radians

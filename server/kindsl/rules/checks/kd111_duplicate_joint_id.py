@@ -5,7 +5,7 @@ Reports a joint that reuses the `id` of an earlier joint.
 
 ## Why is this bad?
 It does no harm: ids of joints are obsolete, and both generators ignore them, since a joint has the
-id of the link that it moves. But a reader will trust the number.
+id of its link. But a reader will trust the number.
 
 ## Example
 ```kindsl

@@ -31,7 +31,7 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
             yield Finding(name, f"'{name}' is a keyword of {RESERVED_BY[name]}")
     for frame in model.frames:
         if frame.name.startswith("fr_") and frame.name[3:] in model.body_named:
-            message = f"the frame of link '{frame.name[3:]}' is called '{frame.name}' already"
+            message = f"'{frame.name}' is already the name of the frame of link '{frame.name[3:]}'"
             yield Finding(frame.name, message)
 
 

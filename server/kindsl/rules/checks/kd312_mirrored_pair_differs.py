@@ -61,7 +61,7 @@ def _difference(left: Link, right: Link, here: list[float], there: list[float]) 
         told = (f"{_NAMES[i]} is {there[i]:g} against {here[i]:g}" for i in differing)
         return f"'{right.name}' is not the mirror image of '{left.name}': {', '.join(told)}"
     if exact == 10 and not _is_reflected(here, there, com, moment):
-        return f"signs of '{right.name}' are not those of a mirror image of '{left.name}'"
+        return f"signs of '{right.name}' do not match a mirror image of '{left.name}'"
     return ""
 
 

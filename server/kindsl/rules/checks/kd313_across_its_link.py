@@ -87,7 +87,7 @@ def _message(body: Link, end: Vector3, context: Context) -> str:
     along = abs(sum(a * e for a, e in zip(large.axis, end, strict=True))) / length
     if along > _ACROSS or not _SHORTER < rod / length < _LONGER:
         return ""
-    told = f"mass of '{body.name}' is a rod {with_unit(rod, 'm')} long across the link"
+    told = f"inertia of '{body.name}' describes a rod {with_unit(rod, 'm')} long across the link"
     return f"{told}, which is {with_unit(length, 'm')} long"
 
 

@@ -49,12 +49,12 @@ def _message(inertia: Inertia, context: Context) -> str:
     moments = inertia.moments.values()
     if any(map(_parameters, moments)):
         is_told = _is_parametric(moments, context) and not any(map(_parameters, mass))
-        return "the moments have parameters, the mass has none" if is_told else ""
+        return "the moments are parametric, the mass is not" if is_told else ""
     if all(moment.literal == 0.0 for moment in moments):
         return ""
     if _is_parametric(mass, context):
-        return "the mass has a parameter, the moments have none"
-    return "the CoM has a parameter, the moments have none" if _is_parametric(com, context) else ""
+        return "the mass is parametric, the moments are not"
+    return "the CoM is parametric, the moments are not" if _is_parametric(com, context) else ""
 
 
 def _is_parametric(values: Iterable[Expression], context: Context) -> bool:

@@ -55,7 +55,7 @@ def _findings(body: Link, inertia: Inertia, context: Context) -> Iterator[Findin
         message = f"inertia of '{body.name}' is physically impossible at {where}"
         yield Finding(keyword(inertia), message)
     elif proof.outcome is Conclusion.UNDECIDED:
-        message = f"inertia of '{body.name}' could not be proved possible in all of its ranges"
+        message = f"inertia of '{body.name}' could not be proved possible over the whole range"
         yield Finding(keyword(inertia), message, severity=Severity.INFORMATION)
 
 
