@@ -5,11 +5,10 @@ from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.syntax.tree import Island, Node, Token
+from kindsl.syntax.vocabulary import of_kind
 from kindsl.text.facts import Fact
 
-_BLOCKS = frozenset((
-    "base", "link", "joint", "inertia", "children", "frames", "frame_group", "frame", "joint_frame",
-))  # fmt: skip
+_BLOCKS = of_kind("block", "pose", "list", "groups", "group")
 
 _FOLDS: "Fact[tuple[Fold, ...]]" = Fact("folds")
 

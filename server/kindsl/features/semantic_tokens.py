@@ -6,6 +6,7 @@ from kindsl.analysis.analysis import Analysis
 from kindsl.features.symbol_at import EntityKind, Role, Symbol, named_places
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Island, Token
+from kindsl.syntax.vocabulary import NUMBERS, PIS
 from kindsl.text.facts import Fact
 
 _TYPE_OF = {
@@ -16,8 +17,6 @@ _TYPE_OF = {
     EntityKind.PARAMETER: "parameter",
     EntityKind.CONSTANT: "variable",
 }
-_NUMBERS = frozenset(("FLOAT", "INT", "SCIENTIFIC", "POWER_FLOAT", "MALFORMED_NUMBER"))
-_PI = frozenset(("PI", "LOWER_PI", "PIPE_PI"))
 _OPERATORS = frozenset("+-*/=")
 _TOKENS = Fact["tuple[SemanticToken, ...]"]("semantic tokens")
 
@@ -64,9 +63,9 @@ def _token(token: Token, names: dict[int, Symbol]) -> SemanticToken | None:
     symbol = names.get(token.start)
     if symbol is not None:
         return _name(symbol)
-    if token.kind in _NUMBERS:
+    if token.kind in NUMBERS:
         return SemanticToken(token.start, token.end, "number")
-    if token.kind in _PI:
+    if token.kind in PIS:
         return SemanticToken(token.start, token.end, "number", ("readonly", "defaultLibrary"))
     if token.text in KEYWORDS:
         return SemanticToken(token.start, token.end, "keyword")

@@ -13,13 +13,12 @@ from typing import NamedTuple
 from kindsl.rules.registry import all_codes
 from kindsl.semantics.places import Place
 from kindsl.syntax.tree import Island, Node
+from kindsl.syntax.vocabulary import of_kind
 
 _COMMENT = re.compile(r"kindsl:\s*(?:(ignore(?:-file)?)(?![\w-])\s*(?:\[([^\]\r\n]*)\])?)?")
 _CODE = re.compile(r"[^,\s](?:[^,]*[^,\s])?")
 _LINE_END = re.compile(r"\r\n|\n|\r|\Z")
-_BLOCKS = frozenset(
-    ("base", "link", "joint", "inertia", "children", "frames", "frame", "joint_frame")
-)
+_BLOCKS = of_kind("block", "pose", "list", "groups")
 
 
 class Suppression(NamedTuple):

@@ -33,4 +33,5 @@ MOMENTS = words_of(*of_kind("moments"))
 POSE = tuple(dict.fromkeys(part for name in of_kind("pose") for part in HOLDS[name]))
 NAMES = frozenset(CLASSES["_name"])
 NUMBERS = frozenset(CLASSES["_number"])
-VALUE_TERMINALS = NUMBERS | frozenset(CLASSES["_pi"])
+PIS = frozenset(CLASSES["_pi"])
+VALUE_TERMINALS = NUMBERS | PIS

@@ -21,11 +21,11 @@ Writes the keyword that is meant. Unsafe: it is a guess. Safe for `moments`, whi
 
 from kindsl.rules.base import Example, Rule, Severity
 from kindsl.rules.examples import link
+from kindsl.syntax.vocabulary import MOMENTS
 
 _LINK = link("upper", 1)
 _HEAD = "inertia_params {\n        mass = 4.1\n        CoM = (0.0, 0.0, 0.0)\n        "
-_NAMES = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")
-_SIX = "\n        ".join(f"{name} = {0.2 if len(name) < 3 else 0.0}" for name in _NAMES)
+_SIX = "\n        ".join(f"{name} = {0.2 if len(name) < 3 else 0.0}" for name in MOMENTS)
 _TODAY = link("upper", 1, inertia=f"{_HEAD}{_SIX}\n    }}")
 
 RULE = Rule(
