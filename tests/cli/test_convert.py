@@ -5,11 +5,12 @@ import sys
 from pathlib import Path
 
 import pytest
-from tests.support.robots import ARM
+from tests.support.robots import ARM, LIFT
 
 from kindsl.cli.main import main
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "quadruped.kindsl"
+FORCED = {"compute": (), "convert": (), "generate": ("--force",)}
 
 
 @pytest.mark.parametrize("suffix", [".urdf", ".xml", ".mjcf", ".sdf"])
@@ -83,3 +84,32 @@ def test_nothing_need_be_installed_for_formats_of_plain_numbers(suffix: str, tmp
     subprocess.run([*convert, str(EXAMPLE), str(there)], check=True)
     subprocess.run([*convert, "--floating-base", str(there), str(back)], check=True)
     assert main(["diff", "--isolated", str(EXAMPLE), str(back)]) == 0
+
+
+@pytest.mark.parametrize(
+    ("command", "more"),
+    [
+        ("compute", ()),
+        ("convert", ("arm.urdf",)),
+        ("generate", ("--language", "python", "--quantities", "poses", "-o", "out")),
+    ],
+)
+def test_a_command_tells_what_is_read_in_two_ways(
+    command: str, more: tuple[str, ...], tmp_path: Path, capsys, monkeypatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    turned = LIFT.replace("rotation = (0.0, 0.0, 0.0)", "rotation = (pi, 2.0 - PI, 0.0)", 1)
+    assert "2.0 - PI" in turned
+    Path("arm.kindsl").write_text(turned)
+    notes = (
+        "note: 'pi' is taken for the number pi; robcogen takes it for a parameter 'pi':"
+        " set 'target' in kindsl.toml\n",
+        "note: '2.0 - PI' is taken for the product of 2.0 and -PI\n",
+        "arm.kindsl: note: has an error, see kindsl lint\n",
+    )
+    assert main([command, "--isolated", "arm.kindsl", *more]) == 0
+    told = capsys.readouterr().err
+    assert [note for note in notes if note not in told] == []
+    Path("arm.kindsl").write_text(LIFT)
+    assert main([command, "--isolated", "arm.kindsl", *more, *FORCED[command]]) == 0
+    assert "taken for" not in capsys.readouterr().err

@@ -6,10 +6,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from tests.support.models import Style, random_model
-from tests.support.robots import LIFT
+from tests.support.robots import LIFT, ONE_LINK
 
 from kindsl.analysis.analysis import analyse
+from kindsl.analysis.settings import Settings
 from kindsl.mechanism.total_mass import Weight, missing_masses, total_mass, unknown_bodies
+from kindsl.rules.context import ROBCOGEN2
 from kindsl.semantics.unknown import Unknown
 from kindsl.text.edits import TextEdit
 
@@ -114,3 +116,13 @@ def test_a_body_is_known_only_as_a_whole(old, new):
     analysis = analyse(LIFT.replace(old, new))
     assert set(unknown_bodies(analysis.model, {})) == {"slider"}
     assert unknown_bodies(analyse(LIFT).model, {}) == {}
+
+
+@pytest.mark.parametrize("written", ["1.0e3", "-1.0e3"])
+def test_a_mass_that_is_read_in_two_ways_is_told_as_such(written: str) -> None:
+    text = ONE_LINK.replace("mass = m", f"mass = {written}")
+    for targets, whole in ((frozenset[str](), False), (frozenset({ROBCOGEN2}), True)):
+        analysis = analyse(text, Settings(targets=targets))
+        weight = total_mass(analysis.model, {})
+        assert weight.is_whole is whole
+        assert weight.plain_reason == ("" if whole else f"'{written}' is read in two ways")

@@ -14,6 +14,8 @@ from kindsl.cli.documents.choices import choices_of
 from kindsl.cli.documents.document_reading import (
     CommandError,
     missing_module,
+    note_errors,
+    note_readings,
     read_document,
     require_parameters,
     shown_name,
@@ -90,7 +92,10 @@ def _converted(args: argparse.Namespace) -> tuple[str, tuple[str, ...]]:
     if source is _DOCUMENT:
         analysis = read_document(args.input, choices_of(args))
         require_parameters(args.input, analysis)
-        return _written(args, target, analysis)
+        converted = _written(args, target, analysis)
+        note_readings(args.input, analysis)
+        note_errors(args.input, analysis)
+        return converted
     text, lost = _document(args, source)
     from kindsl.analysis.analysis import analyse
 

@@ -19,6 +19,7 @@ from kindsl.cli.documents.document_reading import (
     defect,
     missing_module,
     note_errors,
+    note_readings,
     read_document,
     require_parameters,
     require_syntax,
@@ -112,6 +113,7 @@ def _source(args: argparse.Namespace) -> "Source":
     analysis = read_document(args.file, choices)
     require_syntax(args.file, analysis)
     require_parameters(args.file, analysis)
+    note_readings(args.file, analysis)
     note_errors(args.file, analysis)
     name = Path(shown_name(args.file)).name
     known = {str(parameter.name) for parameter in analysis.model.parameters}

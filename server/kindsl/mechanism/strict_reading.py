@@ -10,7 +10,7 @@ from kindsl.mechanism.skeleton import Skeleton, skeleton_of
 from kindsl.rigid.body import NO_BODY, MassDistribution, seen_from
 from kindsl.rigid.pose import RigidPose, Vector3, pose_from
 from kindsl.semantics.declarations import Frame, Inertia, Joint, Link, Pose, Vector
-from kindsl.semantics.expressions import ConstantUse, Expression, symbols
+from kindsl.semantics.expressions import ConstantUse, Expression, is_undecided, symbols
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Located
 from kindsl.syntax.vocabulary import MOMENTS
@@ -123,6 +123,6 @@ class StrictReader(NamedTuple):
         missing = [name for name in unbound if name not in self.values]
         if missing:
             raise UnboundParameterError(tuple(str(name) for name in missing), missing[0])
-        if value.node.kind == "undecided":
+        if is_undecided(value):
             raise UndecidedValueError(owner, what, value.text, value)
         raise ModelError(f"{owner}: '{what}' has no value: {value.text}", value)

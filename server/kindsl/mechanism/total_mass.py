@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from kindsl.mechanism.link_inertia import link_inertia
 from kindsl.semantics.declarations import Link
-from kindsl.semantics.expressions import symbols
+from kindsl.semantics.expressions import is_undecided, symbols
 from kindsl.semantics.kinematic_tree import Edge
 from kindsl.semantics.model import Model
 from kindsl.semantics.unknown import Unknown, why_unknown
@@ -136,6 +136,6 @@ def own_mass(body: Link, values: Mapping[str, float]) -> float | Unknown:
     mass = written.value(values)
     if mass is not None and isfinite(mass):
         return mass
-    if any(True for _ in symbols(written)):
+    if is_undecided(written) or any(True for _ in symbols(written)):
         return why_unknown((written,), values)
     return Unknown(f"mass of `{body.name}` is not a number")

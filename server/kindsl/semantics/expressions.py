@@ -89,6 +89,17 @@ def symbols(expression: Expression) -> Iterator[ParameterUse | ConstantUse]:
     yield from _symbols(expression.node, expression.island)
 
 
+def is_undecided(expression: Expression) -> bool:
+    """Return whether the generators read a value in two ways, and no target says which."""
+    pending = [expression.node]
+    while pending:
+        node = pending.pop()
+        if node.kind == "undecided":
+            return True
+        pending += (child for child in node.children if isinstance(child, Node))
+    return False
+
+
 _USES: dict[str, type[ParameterUse | ConstantUse]] = {
     "parameter": ParameterUse,
     "defaulted": ParameterUse,

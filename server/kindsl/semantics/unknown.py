@@ -5,7 +5,7 @@ from math import isfinite
 from typing import NamedTuple
 
 from kindsl.semantics.declarations import Pose, Vector
-from kindsl.semantics.expressions import ConstantUse, Expression, symbols
+from kindsl.semantics.expressions import ConstantUse, Expression, is_undecided, symbols
 
 
 class Unknown(NamedTuple):
@@ -33,6 +33,8 @@ def why_unknown(values: Iterable[Expression], bindings: Mapping[str, float]) -> 
                     return Unknown(f"the constant `{symbol.name}` has no value")
             elif str(symbol.name) not in bindings and symbol.default is None:
                 return Unknown(f"the parameter `{symbol.name}` has no value")
+        if is_undecided(expression):
+            return Unknown(f"`{expression.text}` is read in two ways")
         if expression.text:
             return Unknown(f"`{expression.text}` is not a number")
     return Unknown("a number is missing")
