@@ -1,15 +1,19 @@
 """An inertia given in another frame: the same body, short numbers, only where both are known."""
 
+import random
+from collections import Counter
 from itertools import permutations
 
 import pytest
 from tests.features.samples import ARM
+from tests.support.amount import usually
 from tests.support.cursor import at_cursor
 from tests.support.mechanisms import assert_same_mechanism, mechanics_by_name
 
-from kindsl.analysis.analysis import analyse
+from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.features.actions.code_actions import quick_fixes
 from kindsl.features.actions.move_inertia import move_inertia
+from kindsl.rules.base import Severity
 
 FRAME = "{name} {{ translation = ({x}, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) }}"
 TO_COM = "Give the inertia of 'upper' about its CoM, in a new frame 'upper_com'"
@@ -154,7 +158,7 @@ def test_a_small_product_of_inertia_is_kept() -> None:
 @pytest.mark.parametrize("order", [*permutations(("mass", "CoM", "Ix Iy"))][:4])
 def test_the_order_of_the_numbers_does_not_matter(order: tuple[str, ...]) -> None:
     parts = {"mass": "mass = 2.0", "CoM": "CoM = (0.25, 0.1, 0.0)"}
-    parts["Ix Iy"] = "Iyz=0.0 Ix=0.01 Iy=0.2 Ixy=0.0 Iz=0.2 Ixz=0.0"
+    parts["Ix Iy"] = "Iyz=0.0 Ix=0.05 Iy=0.2 Ixy=0.05 Iz=0.2 Ixz=0.0"
     text = upper(" ".join(parts[name] for name in order))
     before = mechanics_by_name(analyse(text.replace("$0", "")), {"reach": 0.1})
     assert_same_mechanism(before, mechanics_by_name(analyse(offered(text)[TO_COM]), {"reach": 0.1}))
@@ -238,3 +242,50 @@ def test_links_without_inertia_do_not_matter() -> None:
     )
     without = ARM[end:].replace("Iyz=0.0\n    }\n", "Iyz=0.0 ref_frame = new\n    }\n")
     assert frames_offered(ARM[:start] + without) == ["Add a frame 'new' to 'lower'"]
+
+
+def rounded_rod(generator: random.Random) -> str:
+    """Return the numbers of a thin rod somewhere, rounded: mostly of no body by themselves."""
+    mass, half = round(generator.uniform(0.5, 8.0), 2), generator.uniform(0.05, 0.25)
+    x, y, z = (generator.uniform(-0.4, 0.4) for _ in range(3))
+    across = mass * half * half / 3.0
+    moments = (
+        mass * (y * y + z * z),
+        across + mass * (z * z + x * x),
+        across + mass * (x * x + y * y),
+    )
+    products = mass * x * y, mass * x * z, mass * y * z
+    count = generator.choice((2, 3, 4))
+    names = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")
+    pairs = zip(names, (*moments, *products), strict=True)
+    written = " ".join(f"{name}={value:.{count}f}" for name, value in pairs)
+    return f"mass = {mass} CoM = ({x:.{count}f}, {y:.{count}f}, {z:.{count}f}) {written}"
+
+
+@pytest.mark.parametrize("part", range(4))
+def test_an_inertia_that_its_digits_make_possible_stays_possible(part: int) -> None:
+    generator = random.Random(part)
+    frame = FRAME.format(name="a", x=0.1)
+    n_offered, n_rods = 0, usually(10, thoroughly=250)
+    for _ in range(n_rods):
+        marked = upper(rounded_rod(generator), frame)
+        before = analyse(marked.replace("$0", ""))
+        n_offered += len(offered(marked))
+        for new in offered(marked).values():
+            after = analyse(new)
+            assert errors(after) <= errors(before)
+            assert any(m.literal for m in after.model.body_named["upper"].inertia.moments.values())
+    assert n_offered > 1.5 * n_rods
+
+
+def errors(analysis: Analysis) -> Counter[str]:
+    return Counter(f.code for f in analysis.findings if f.severity is Severity.ERROR)
+
+
+def test_only_such_an_inertia_loses_digits() -> None:
+    """About its CoM the rod has -0.0024 kg·m² beside a CoM that is known to 5 mm."""
+    rod = "mass = 1.5 CoM = (-0.20, 0.0, -0.04) Ix={} Iy=0.08 Iz=0.07 Ixy=0.0 Ixz=0.01 Iyz=0.0"
+    (poor,) = offered(upper(rod.format("0.00"))).values()
+    assert "Ix=0.0 Iy=0.02 Iz=0.01 Ixy=0.0 Ixz=0.0 Iyz=0.0" in poor
+    (good,) = offered(upper(rod.format("0.01"))).values()
+    assert "Ix=0.0076 Iy=0.0176 Iz=0.01 Ixy=0.0 Ixz=-0.002 Iyz=0.0" in good

@@ -5,9 +5,12 @@ their present values alone.
 """
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from math import ceil, log10
+from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
+from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.features.actions.action import CodeAction
 from kindsl.features.actions.free_name import free_name
 from kindsl.features.actions.layout_edits import inserted_section
@@ -16,19 +19,21 @@ from kindsl.features.tree_path import path_at
 from kindsl.mechanism.link_inertia import link_inertia
 from kindsl.rigid.body import MassDistribution, seen_from
 from kindsl.rigid.pose import IDENTITY, RigidPose
+from kindsl.rules.base import Severity
 from kindsl.rules.context import ROBCOGEN2
-from kindsl.rules.inertia.judgements import is_plain
+from kindsl.rules.inertia.judgements import IMPOSSIBLE, Verdict, is_plain, judgements
 from kindsl.semantics.declarations import Frame, Inertia, Link
-from kindsl.semantics.expressions import symbols
+from kindsl.semantics.expressions import half_unit, symbols
 from kindsl.semantics.lowering import declarations
 from kindsl.semantics.numbers import written_pose
 from kindsl.semantics.unknown import Unknown, pose_expressions
 from kindsl.syntax.tree import Node
 from kindsl.syntax.vocabulary import MOMENTS
-from kindsl.text.decimals import rounded_decimal
+from kindsl.text.decimals import fixed_decimal, rounded_decimal
 from kindsl.text.edits import TextEdit
 
 _KIND = "refactor.rewrite"
+_BY_DIGITS = IMPOSSIBLE | {Verdict.WITHIN_ROUNDING}
 _BLANKS_BEFORE = re.compile(r"(?:\r\n?|\n)?[ \t]*\Z")
 
 
@@ -44,10 +49,70 @@ def move_inertia(analysis: Analysis, start: int, _end: int) -> Iterator[CodeActi
     body = link_inertia(link, {})
     if isinstance(body, Unknown):
         return
-    yield from _to_link_frame(link, link.inertia, body, place.start)
+    yield from _sound_actions(analysis, _Moving(link, link.inertia, body, place.start))
+
+
+class _Moving(NamedTuple):
+    """An inertia that is moved.
+
+    Attributes:
+        link: Its link.
+        inertia: The section.
+        body: What it says, in the link's frame.
+        origin: Where the link's island starts.
+        decimals: How many its moments have, None for as many as are computed.
+    """
+
+    link: Link
+    inertia: Inertia
+    body: MassDistribution
+    origin: int
+    decimals: int | None = None
+
+
+def _sound_actions(analysis: Analysis, moving: _Moving) -> Iterator[CodeAction]:
+    """Yield the actions that add no error.
+
+    A body that only its last digits make possible would be none if it were written as computed: its
+    moments get no more decimals than they had.
+    """
+    judged = judgements(declarations(moving.link.island), analysis.context)
+    found = next((each for each in judged if each.link is moving.link), None)
+    if found is None or found.is_proved or found.verdict not in _BY_DIGITS:
+        yield from _actions(analysis, moving)
+        return
+    sound: dict[str, CodeAction] = {}
+    for decimals in _decimals(moving.inertia, sum(found.moments)):
+        for action in _actions(analysis, moving._replace(decimals=decimals)):
+            if action.title not in sound and not _is_harmful(analysis, action):
+                sound[action.title] = action
+    yield from sound.values()
+
+
+def _decimals(inertia: Inertia, trace: float) -> Iterable[int]:
+    """Return with how many decimals moments may be written, the greatest not becoming zero."""
+    if trace <= 0.0:
+        return ()
+    finest = min(half_unit(moment.text) for moment in inertia.moments.values())
+    fewest = max(1, ceil(-log10(2.0 / 3.0 * trace)))
+    return range(round(-log10(2.0 * finest)), fewest - 1, -1)
+
+
+def _actions(analysis: Analysis, moving: _Moving) -> Iterator[CodeAction]:
+    yield from _to_link_frame(moving)
     if ROBCOGEN2 not in analysis.settings.targets:
-        yield from _to_frames(link, link.inertia, body, place.start)
-        yield from _to_com(analysis, link, link.inertia, body, place.start)
+        yield from _to_frames(moving)
+        yield from _to_com(analysis, moving)
+
+
+def _is_harmful(analysis: Analysis, action: CodeAction) -> bool:
+    """Return whether a document has more errors after an action."""
+    before, after = analysis.findings, analysis.edited(action.edits).findings
+    return _n_errors(after) > _n_errors(before)
+
+
+def _n_errors(findings: Sequence[Diagnostic]) -> int:
+    return sum(finding.severity is Severity.ERROR for finding in findings)
 
 
 def _link_of_inertia(path: Sequence[Node], bodies: Iterator[Link]) -> Link | None:
@@ -62,17 +127,15 @@ def _is_movable(inertia: Inertia) -> bool:
     return counts == [1, 1, len(MOMENTS)] and is_plain(inertia)
 
 
-def _to_link_frame(
-    link: Link, inertia: Inertia, body: MassDistribution, origin: int
-) -> Iterator[CodeAction]:
-    if inertia.frame is not None:
-        edits = (*_numbers(inertia, body, IDENTITY), _without_frame(inertia))
-        yield _action(f"Give the inertia of '{link.name}' in its link frame", edits, origin)
+def _to_link_frame(moving: _Moving) -> Iterator[CodeAction]:
+    if moving.inertia.frame is not None:
+        edits = (*_numbers(moving, IDENTITY), _without_frame(moving.inertia))
+        title = f"Give the inertia of '{moving.link.name}' in its link frame"
+        yield _action(title, edits, moving.origin)
 
 
-def _to_frames(
-    link: Link, inertia: Inertia, body: MassDistribution, origin: int
-) -> Iterator[CodeAction]:
+def _to_frames(moving: _Moving) -> Iterator[CodeAction]:
+    link, inertia = moving.link, moving.inertia
     names = [str(frame.name) for frame in link.frames]
     for frame in link.frames:
         pose = _plain_pose(frame, {})
@@ -80,21 +143,21 @@ def _to_frames(
             continue
         reference = _with_frame(inertia, str(frame.name))
         if reference is not None:
-            edits = (*_numbers(inertia, body, pose), reference)
-            yield _action(f"Give the inertia of '{link.name}' in '{frame.name}'", edits, origin)
+            edits = (*_numbers(moving, pose), reference)
+            title = f"Give the inertia of '{link.name}' in '{frame.name}'"
+            yield _action(title, edits, moving.origin)
 
 
-def _to_com(
-    analysis: Analysis, link: Link, inertia: Inertia, body: MassDistribution, origin: int
-) -> Iterator[CodeAction]:
+def _to_com(analysis: Analysis, moving: _Moving) -> Iterator[CodeAction]:
+    link, inertia, com = moving.link, moving.inertia, moving.body.com
     name = _new_frame_name(analysis, link)
-    pose = IDENTITY._replace(translation=body.com)
-    frame = new_frame(link, name, body.com)
+    pose = IDENTITY._replace(translation=com)
+    frame = new_frame(link, name, com)
     reference = _with_frame(inertia, name)
-    if frame is not None and reference is not None and any(body.com):
-        edits = (*_numbers(inertia, body, pose), reference, frame)
+    if frame is not None and reference is not None and any(com):
+        edits = (*_numbers(moving, pose), reference, frame)
         title = f"Give the inertia of '{link.name}' about its CoM, in a new frame '{name}'"
-        yield _action(title, edits, origin)
+        yield _action(title, edits, moving.origin)
 
 
 def _plain_pose(frame: Frame, values: Mapping[str, float]) -> RigidPose | None:
@@ -104,8 +167,9 @@ def _plain_pose(frame: Frame, values: Mapping[str, float]) -> RigidPose | None:
     return written_pose(frame.pose, values)
 
 
-def _numbers(inertia: Inertia, body: MassDistribution, pose: RigidPose) -> Iterator[TextEdit]:
+def _numbers(moving: _Moving, pose: RigidPose) -> Iterator[TextEdit]:
     """Yield the edits of CoM and moments, `pose` being the pose of the new frame in the link's."""
+    inertia, body, decimals = moving.inertia, moving.body, moving.decimals
     moved = seen_from(body, pose.inverse())
     length = sum(map(abs, (*body.com, *pose.translation)))
     size = sum(map(abs, body.moments)) + body.mass * length * length
@@ -114,7 +178,9 @@ def _numbers(inertia: Inertia, body: MassDistribution, pose: RigidPose) -> Itera
         yield TextEdit(component.start, component.end, rounded_decimal(value, length))
     for name, value in zip(MOMENTS, moved.moments, strict=True):
         moment = inertia.moments[name]
-        yield TextEdit(moment.start, moment.end, rounded_decimal(value, size))
+        exact = rounded_decimal(value, size)
+        text = exact if decimals is None else fixed_decimal(value, decimals)
+        yield TextEdit(moment.start, moment.end, text)
 
 
 def _with_frame(inertia: Inertia, name: str) -> TextEdit | None:
