@@ -44,7 +44,7 @@ class Rewrite(NamedTuple):
     message: str = ""
 
 
-class Found:
+class Sighting:
     """Where a pattern was found.
 
     Attributes:
@@ -97,7 +97,7 @@ class Habit(NamedTuple):
 
     example: str
     pattern: str
-    meaning: Callable[[Found], Iterable[Rewrite]]
+    meaning: Callable[[Sighting], Iterable[Rewrite]]
     message: str = ""
     title: str = ""
     is_safe: bool = False
@@ -127,7 +127,7 @@ def put_right(text: str, tokens: Sequence[Token], habits: Iterable[Habit]) -> Ad
         new: list[Token] = []
         done = 0
         for match in _compiled(habit.pattern).finditer(row.kinds):
-            for rewrite in habit.meaning(Found(row, match)):
+            for rewrite in habit.meaning(Sighting(row, match)):
                 if rewrite.first < done:
                     continue
                 new += [*row.tokens[done : rewrite.first], *rewrite.tokens]

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
-from kindsl.syntax.habits.engine import Found, Rewrite
+from kindsl.syntax.habits.engine import Rewrite, Sighting
 from kindsl.syntax.habits.vectors import is_value
 from kindsl.syntax.indentation import indentation
 from kindsl.syntax.token_names import supplied
@@ -15,7 +15,7 @@ _SIGNS = frozenset(",([])")
 _NUMBERS = frozenset({"FLOAT", "INT", "SCIENTIFIC", "POWER_FLOAT", "MALFORMED_NUMBER"})
 
 
-def obsolete_moments(found: Found) -> Iterator[Rewrite]:
+def obsolete_moments(found: Sighting) -> Iterator[Rewrite]:
     """Read `moments = a, b, ...` as `Ix = a Iy = b ...`, as many as there are moments."""
     (first, behind), tokens = found.span(), found.of()
     values = _values(found.of("list")) if tokens[0].text.casefold() == "moments" else []

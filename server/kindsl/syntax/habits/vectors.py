@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
-from kindsl.syntax.habits.engine import Found, Rewrite
+from kindsl.syntax.habits.engine import Rewrite, Sighting
 from kindsl.syntax.malformed import is_grouped
 from kindsl.syntax.token_names import called, shown, supplied
 from kindsl.syntax.tree import Edit, Token
@@ -18,7 +18,7 @@ _OPERANDS = _NUMBERS | {"NAME", "PI", "LOWER_PI"}
 _BEFORE_OPERATORS = _OPERANDS | {"PI_PREFIXED", ")", "]", ">"}
 
 
-def half_vector(found: Found) -> Iterator[Rewrite]:
+def half_vector(found: Sighting) -> Iterator[Rewrite]:
     """Supply what lacks of a vector at the end of its line."""
     first, behind = found.span("half")
     letters, last = found.letters("half"), found.tokens[behind - 1]
@@ -30,14 +30,14 @@ def half_vector(found: Found) -> Iterator[Rewrite]:
     yield Rewrite(first, behind, new, (last.end, last.end), words, edits)
 
 
-def no_vector(found: Found) -> Iterator[Rewrite]:
+def no_vector(found: Sighting) -> Iterator[Rewrite]:
     """Supply a vector behind `=` where what is next begins something else."""
     _, behind = found.span()
     end = found.tokens[behind - 1].end
     yield Rewrite(behind, behind, [supplied(kind, end) for kind in VECTOR], (end, end))
 
 
-def three_numbers(found: Found) -> Iterator[Rewrite]:
+def three_numbers(found: Sighting) -> Iterator[Rewrite]:
     """Read three numbers as URDF has them, `"0 0 1.57"`, as a vector."""
     (first, behind), value = found.span("value"), found.of("value")
     numbers = [token for token in value if token.kind in _NUMBERS]
@@ -51,7 +51,7 @@ def three_numbers(found: Found) -> Iterator[Rewrite]:
     yield Rewrite(first, behind, new, (start, end), words, edits)
 
 
-def bare_components(found: Found) -> Iterator[Rewrite]:
+def bare_components(found: Sighting) -> Iterator[Rewrite]:
     """Put three numbers with commas into parentheses."""
     (first, behind), value = found.span("value"), found.of("value")
     start, end = value[0].start, value[-1].end
@@ -60,7 +60,7 @@ def bare_components(found: Found) -> Iterator[Rewrite]:
     yield Rewrite(first, behind, new, (start, end), (), edits)
 
 
-def other_brackets(found: Found) -> Iterator[Rewrite]:
+def other_brackets(found: Sighting) -> Iterator[Rewrite]:
     """Read a vector in `[]` or `{}` as one in `()`."""
     (first, behind), value = found.span("value"), found.of("value")
     ends = [(value[0], "("), (value[-1], ")")]
@@ -71,7 +71,7 @@ def other_brackets(found: Found) -> Iterator[Rewrite]:
     yield Rewrite(first, behind, new, (opening.start, closing.end), words, edits)
 
 
-def lost_commas(found: Found) -> Iterator[Rewrite]:
+def lost_commas(found: Sighting) -> Iterator[Rewrite]:
     """Put commas between components that blanks keep apart; told where they become three."""
     (first, behind), value = found.span("value"), found.of("value")
     gaps = [
@@ -107,7 +107,7 @@ def _begins_value(tokens: Sequence[Token], index: int) -> bool:
     return token.kind in _OPERANDS
 
 
-def other_numbers(found: Found) -> Iterator[Rewrite]:
+def other_numbers(found: Sighting) -> Iterator[Rewrite]:
     """Read `0,5` and `1 234.5` as one malformed number, `x-1.0` as an operation."""
     (first, behind), value = found.span("value"), found.of("value")
     is_scalar, is_vector = found.match["scalar"] is not None, value[0].kind == "("
@@ -173,7 +173,7 @@ def _unsigned(text: str, tokens: Sequence[Token], index: int, is_whole: bool) ->
     return sign, Token(token.kind, token.text[1:], middle, middle, token.end)
 
 
-def surplus_components(found: Found) -> Iterator[Rewrite]:
+def surplus_components(found: Sighting) -> Iterator[Rewrite]:
     """Leave out what is behind the third component of a vector."""
     (first, behind), value = found.span("value"), found.of("value")
     parts = _components(value)
@@ -185,7 +185,7 @@ def surplus_components(found: Found) -> Iterator[Rewrite]:
         yield Rewrite(first, behind, [*value[:count], value[-1]], at, (len(parts),), edits)
 
 
-def lacking_components(found: Found) -> Iterator[Rewrite]:
+def lacking_components(found: Sighting) -> Iterator[Rewrite]:
     """Supply the components that a vector lacks."""
     (first, behind), value = found.span("value"), found.of("value")
     parts = _components(value)

@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from kindsl.syntax.habits.engine import Found, Rewrite
+from kindsl.syntax.habits.engine import Rewrite, Sighting
 from kindsl.syntax.habits.vectors import VECTOR
 from kindsl.syntax.moving import removed
 from kindsl.syntax.scanner import word_kind
@@ -45,7 +45,7 @@ def meant_word(text: str) -> str | None:
     return "I" + "".join(sorted(set(moment["axes"].translate(_AXES))))
 
 
-def relative(found: Found) -> Iterator[Rewrite]:
+def relative(found: Sighting) -> Iterator[Rewrite]:
     """Leave out `parent = a`, `parent a`, `parent { ... }` or what there is of it."""
     first, behind = found.span()
     word = found.tokens[first]
@@ -74,7 +74,7 @@ def _closing(tokens: Sequence[Token], opening: int) -> int:
     return opening
 
 
-def foreign_words(found: Found) -> Iterator[Rewrite]:
+def foreign_words(found: Sighting) -> Iterator[Rewrite]:
     """Yield the words of a section for ours, each once."""
     taken = _taken(found)
     for index, token, word in _called(found):
@@ -87,7 +87,7 @@ def foreign_words(found: Found) -> Iterator[Rewrite]:
             yield Rewrite(index, index + 1, [new], (token.start, token.end), words, edits, message)
 
 
-def repeated_words(found: Found) -> Iterator[Rewrite]:
+def repeated_words(found: Sighting) -> Iterator[Rewrite]:
     """Leave out the words of a section that mean one that it has, as `iyx` of a whole matrix."""
     taken = _taken(found)
     for index, token, word in _called(found):
@@ -106,13 +106,13 @@ def repeated_words(found: Found) -> Iterator[Rewrite]:
         yield Rewrite(index, index + 3, (), (token.start, token.end), words, edits, message)
 
 
-def _taken(found: Found) -> set[str]:
+def _taken(found: Sighting) -> set[str]:
     """Return the keywords of a section's values; `Ix = mass` is not the mass."""
     names = (word.text for word, sign in pairwise(found.of()) if sign.kind == "=")
     return {name for name in names if name in KEYWORDS}
 
 
-def _called(found: Found) -> Iterator[tuple[int, Token, str]]:
+def _called(found: Sighting) -> Iterator[tuple[int, Token, str]]:
     """Yield the names where a section's keyword stands, before `=`, with what they mean."""
     first, behind = found.span()
     for index in range(first, behind - 1):
@@ -124,7 +124,7 @@ def _called(found: Found) -> Iterator[tuple[int, Token, str]]:
                 yield index, token, word
 
 
-def own_frame(found: Found) -> Iterator[Rewrite]:
+def own_frame(found: Sighting) -> Iterator[Rewrite]:
     """Leave out the pose of its own frame that a link or base once had behind its sections."""
     letters = found.letters()
     has_section = False
@@ -142,7 +142,7 @@ def own_frame(found: Found) -> Iterator[Rewrite]:
             return
 
 
-def comment(found: Found) -> Iterator[Rewrite]:
+def comment(found: Sighting) -> Iterator[Rewrite]:
     """Leave out what `#` begins where words, no code, are behind it on its line."""
     if found.match["words"] is None:
         return  # a value
@@ -158,7 +158,7 @@ def comment(found: Found) -> Iterator[Rewrite]:
         yield Rewrite(first, behind, (), (sign.start, sign.end), (), (edit,))
 
 
-def half_children(found: Found) -> Iterator[Rewrite]:
+def half_children(found: Sighting) -> Iterator[Rewrite]:
     """Supply what half a child lacks: `upper via`, or `upper` with nothing behind on its line."""
     position = found.match.end()
     while True:
@@ -176,7 +176,7 @@ def half_children(found: Found) -> Iterator[Rewrite]:
             yield Rewrite(behind, behind, new, (last.end, last.end), words)
 
 
-def half_section(found: Found) -> Iterator[Rewrite]:
+def half_section(found: Sighting) -> Iterator[Rewrite]:
     """Supply `=` and a value behind a keyword that is alone on its line."""
     first, behind = found.span("word")
     token, letter = found.tokens[first], found.letters("word")
