@@ -32,9 +32,7 @@ class RigidPose(NamedTuple):
 
     def then(self, other: "RigidPose") -> "RigidPose":
         """Return the pose of C in A, `other` being the pose of C in B."""
-        x, y, z = transposed(other.rotation)
-        rows = [(_dot(row, x), _dot(row, y), _dot(row, z)) for row in self.rotation]
-        return RigidPose((rows[0], rows[1], rows[2]), self.point(other.translation))
+        return RigidPose(product(self.rotation, other.rotation), self.point(other.translation))
 
     def point(self, position: Vector3) -> Vector3:
         """Return a position given in B, in A."""
@@ -44,8 +42,7 @@ class RigidPose(NamedTuple):
 
     def turn(self, direction: Vector3) -> Vector3:
         """Return a direction given in B, in A."""
-        a, b, c = self.rotation
-        return _dot(a, direction), _dot(b, direction), _dot(c, direction)
+        return turned(self.rotation, direction)
 
     def inverse(self) -> "RigidPose":
         """Return where A is in B."""
@@ -131,6 +128,19 @@ def transposed(rotation: Rotation) -> Rotation:
     """Return the rotation the other way round."""
     a, b, c = rotation
     return (a[0], b[0], c[0]), (a[1], b[1], c[1]), (a[2], b[2], c[2])
+
+
+def product(first: Rotation, second: Rotation) -> Rotation:
+    """Return the matrix product, `A_R_C` of `A_R_B` and `B_R_C`."""
+    x, y, z = transposed(second)
+    rows = [(_dot(row, x), _dot(row, y), _dot(row, z)) for row in first]
+    return rows[0], rows[1], rows[2]
+
+
+def turned(rotation: Rotation, vector: Vector3) -> Vector3:
+    """Return a vector given in B, in A, for `A_R_B`."""
+    a, b, c = rotation
+    return _dot(a, vector), _dot(b, vector), _dot(c, vector)
 
 
 def _dot(a: Vector3, b: Vector3) -> float:

@@ -1,0 +1,101 @@
+"""Sides and rows in names: `LF_upper_leg`, `rightArm`, `leg3_coxa`."""
+
+import re
+from collections.abc import Mapping
+from typing import NamedTuple
+
+_WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")
+_TOKEN = re.compile(rf"{_WORD.pattern}|\d+")
+_SIDES = {
+    "l": "r", "lf": "rf", "lh": "rh", "lr": "rr", "lb": "rb", "lm": "rm",
+    "fl": "fr", "hl": "hr", "rl": "rr", "bl": "br", "ml": "mr", "left": "right",
+}  # fmt: skip
+_LEFT_OF = {right: left for left, right in reversed(_SIDES.items())}
+_EITHER = frozenset(_SIDES) | frozenset(_SIDES.values())
+_ROWS = {
+    "front": "F", "fore": "F", "hind": "H", "rear": "H", "back": "H", "middle": "M", "mid": "M",
+}  # fmt: skip
+_ROW_LETTERS = {"f": "F", "h": "H", "r": "H", "b": "H", "m": "M"}
+# What a limb holds is mounted in any way, often as like copies on both sides.
+_HELD = frozenset((
+    "gripper", "tool", "hand", "finger", "fingertip", "thumb", "index", "middle", "ring", "pinky",
+    "palm", "claw", "flange", "ee", "mf", "th", "ff",
+))  # fmt: skip
+
+
+class Label(NamedTuple):
+    """What a name says of a part's place.
+
+    Attributes:
+        side: `L`, `R` or nothing.
+        row: `F`, `M`, `H` or nothing.
+        words: The other words and numbers, in lower case.
+    """
+
+    side: str
+    row: str
+    words: tuple[str, ...]
+
+
+def label_of(name: str) -> Label:
+    """Return what a name says; only whole words tell a side or a row, the first of each."""
+    side = row = ""
+    words = []
+    for word in tokens(name):
+        if word in _EITHER and not side:
+            side, row = _side_and_row(word, row)
+        elif word in _ROWS and not row:
+            row = _ROWS[word]
+        else:
+            words.append(word)
+    return Label(side, row, tuple(words))
+
+
+def tokens(name: str) -> list[str]:
+    """Return the words and numbers of a name, in lower case."""
+    return [token.lower() for token in _TOKEN.findall(name)]
+
+
+def is_held(*names: str) -> bool:
+    """Return whether names are those of something that a limb holds: a hand, a tool."""
+    return any(token in _HELD for name in names for token in tokens(name))
+
+
+def part_name(name: str) -> str:
+    """Return a name without sides and numbers: `LF_upper_leg2` and `rightUpperLeg` are one part."""
+    words = [word.lower() for word in _WORD.findall(name)]
+    return " ".join(word for word in words if word not in _EITHER and word not in _ROWS)
+
+
+def mirrored_name(name: str) -> str | None:
+    """Return the name of the right twin of a left part, None for any other name.
+
+    Only a whole word of the name can tell the side: `LF_hip`, `left_arm`, `armLeft`, `wheel_l`.
+    """
+    return _with_side(name, _SIDES)
+
+
+def other_side(name: str) -> str | None:
+    """Return the name of the twin of a left or a right part, None where no word tells a side."""
+    return _with_side(name, _SIDES) or _with_side(name, _LEFT_OF)
+
+
+def _side_and_row(word: str, row: str) -> tuple[str, str]:
+    """Return what a word of a side tells: `lf`, `rh`, `fl`, `left`."""
+    if word in ("left", "right", "l", "r"):
+        return word[0].upper(), row
+    is_side_first = word[0] in "lr" and word != "rl"
+    ordered = word if is_side_first else word[::-1]
+    return ordered[0].upper(), _ROW_LETTERS[ordered[1]]
+
+
+def _with_side(name: str, sides: Mapping[str, str]) -> str | None:
+    for match in _WORD.finditer(name):
+        other = sides.get(match[0].lower())
+        if other is not None:
+            if match[0].isupper():
+                other = other.upper()
+            elif match[0][0].isupper():
+                other = other.capitalize()
+            return name[: match.start()] + other + name[match.end() :]
+    return None
