@@ -3,7 +3,7 @@
 import pytest
 from tests.support.one_rule import MOMENTS, row, section, told
 
-from kindsl.rules.inertia.twins import mirrored_name, other_side, part_name
+from kindsl.limbs.names import mirrored_name, other_side, part_name
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.manipulation.gesture import Gesture, Refusal
 from kindsl.features.manipulation.new_blocks import behind_last, next_ids, with_child
-from kindsl.rules.inertia.twins import other_side
+from kindsl.limbs.names import other_side
 from kindsl.semantics.declarations import Child, Joint, Link, Pose, Vector
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.model import Model
