@@ -1,5 +1,6 @@
 """New numbers in the hand of the author: his precision, his zeros."""
 
+import re
 from collections.abc import Sequence
 from math import isfinite, pi
 
@@ -7,6 +8,8 @@ from kindsl.rules.base import Replacement
 from kindsl.semantics.expressions import Expression
 from kindsl.text.decimals import fixed_decimal, significant_decimal
 
+_SUMS = frozenset(("add", "subtract"))
+_SIGN = re.compile(r"([+-])\s*")
 _DIVISORS = ("", "2.0", "4.0", "3.0", "6.0", "1.5", "0.5", "8.0", "12.0")
 
 
@@ -47,6 +50,18 @@ def rescaled(group: Sequence[Expression], values: Sequence[float]) -> list[Repla
         for expression, value in pairs
         if value
     ]
+
+
+def opposite(value: Expression) -> str:
+    """Return a value with the other sign, in its own form."""
+    sign = _SIGN.match(value.text)
+    if not value.text or value.literal == 0.0:
+        return value.text
+    if value.node.kind in _SUMS:
+        return f"-({value.text})"
+    if sign is None:
+        return f"-{value.text}"
+    return ("" if sign[1] == "-" else "-") + value.text[sign.end() :]
 
 
 def significant_digits(text: str) -> int:

@@ -5,13 +5,13 @@ every number stays, but for the signs of y, of the turns about x and z, and of I
 mirrored revolute joint turns the other way, a mirrored prismatic joint slides alike.
 """
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.manipulation.gesture import Gesture, Refusal
 from kindsl.features.manipulation.new_blocks import behind_last, next_ids, with_child
 from kindsl.limbs.names import other_side
+from kindsl.rules.number_writing import opposite
 from kindsl.semantics.declarations import Child, Joint, Link, Pose, Vector
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.model import Model
@@ -19,8 +19,6 @@ from kindsl.semantics.places import Construct, Name
 from kindsl.text.edits import TextEdit, apply_edits
 
 _MIRRORED_PRODUCTS = ("Ixy", "Iyz")
-_SUMS = frozenset(("add", "subtract"))
-_SIGN = re.compile(r"([+-])\s*")
 
 
 def mirror_leg(analysis: Analysis, link: str) -> Gesture | Refusal:
@@ -80,7 +78,7 @@ def _mirrored_link(link: Link, names: Mapping[str, str], number: int) -> str:
     if inertia is not None:
         changes += _negated(inertia.com, (1,))
         products = [inertia.moments[name] for name in _MIRRORED_PRODUCTS if name in inertia.moments]
-        changes += [_opposite(product) for product in products]
+        changes += [_negative(product) for product in products]
         changes += [_renamed(inertia.frame, names)] if inertia.frame is not None else []
     return _rewritten(link, changes)
 
@@ -96,21 +94,11 @@ def _mirrored_pose(pose: Pose) -> Iterator[TextEdit]:
 
 def _negated(vector: Vector | None, axes: Sequence[int]) -> Iterator[TextEdit]:
     if vector is not None:
-        yield from (_opposite(vector.components[axis]) for axis in axes)
+        yield from (_negative(vector.components[axis]) for axis in axes)
 
 
-def _opposite(value: Expression) -> TextEdit:
-    """Return the edit that gives a value the other sign, in its own form."""
-    sign = _SIGN.match(value.text)
-    if not value.text or value.literal == 0.0:
-        text = value.text
-    elif value.node.kind in _SUMS:
-        text = f"-({value.text})"
-    elif sign is None:
-        text = f"-{value.text}"
-    else:
-        text = ("" if sign[1] == "-" else "-") + value.text[sign.end() :]
-    return TextEdit(value.start, value.end, text)
+def _negative(value: Expression) -> TextEdit:
+    return TextEdit(value.start, value.end, opposite(value))
 
 
 def _renamed(name: Name, names: Mapping[str, str]) -> TextEdit:
