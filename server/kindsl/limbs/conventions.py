@@ -10,7 +10,7 @@ from itertools import product as combinations
 from math import hypot
 from typing import NamedTuple
 
-from kindsl.limbs.limb import Body, Row
+from kindsl.limbs.limb import Body, Match
 from kindsl.rigid.pose import RigidPose, Rotation, Vector3, product, transposed, turned
 
 # Cost of a CoM or tensor that differs, beside 1 of a translation or rotation: it breaks ties.
@@ -49,6 +49,7 @@ def diagonal(x: float, y: float, z: float) -> Rotation:
 
 
 IDENTITY = diagonal(1.0, 1.0, 1.0)
+ORIGIN: Vector3 = (0.0, 0.0, 0.0)
 
 
 def is_proper(matrix: Rotation) -> bool:
@@ -64,6 +65,9 @@ for _x, _y, _z in combinations((1.0, -1.0), repeat=3):
 _CONVENTIONS = {kind: [C for C in _ALL if is_proper(C) == kind] for kind in (True, False)}
 _N = len(_CONVENTIONS[True])
 _INDEX = {C: index for found in _CONVENTIONS.values() for index, C in enumerate(found)}
+
+
+Way = tuple[Rotation | None, bool]
 
 
 class Mount(NamedTuple):
@@ -82,6 +86,11 @@ class Mount(NamedTuple):
     extra: float
     free_axis: int | None = None
     is_copy: bool = False
+
+    @property
+    def way(self) -> Way:
+        """What pairs of one robot have in common: how directions and the limb itself go over."""
+        return self.map, self.is_copy
 
 
 class Freed(NamedTuple):
@@ -115,7 +124,7 @@ class _Costs(NamedTuple):
 class Matching:
     """Two limbs, row by row, at a tolerance."""
 
-    def __init__(self, rows: Sequence[Row], tolerance: Tolerance) -> None:
+    def __init__(self, rows: Sequence[Match], tolerance: Tolerance) -> None:
         self.rows, self.tolerance = rows, tolerance
         self.below: list[list[int]] = [[] for _ in rows]
         for index, row in enumerate(rows):
@@ -207,7 +216,7 @@ class Matching:
             self._tables[proper] = [self._row_costs(row, _CONVENTIONS[proper]) for row in self.rows]
         return self._tables[proper]
 
-    def _row_costs(self, row: Row, conventions: Sequence[Rotation]) -> _Costs:
+    def _row_costs(self, row: Match, conventions: Sequence[Rotation]) -> _Costs:
         translation, leads_to = [], []
         back = transposed(row.one.rotation)
         for C in conventions if row.up >= 0 else ():
@@ -217,7 +226,7 @@ class Matching:
         masses = [_OF_MASS * len(self.differing_masses(row, C)) for C in conventions]
         return _Costs(translation, leads_to, masses)
 
-    def differing_masses(self, row: Row, convention: Rotation) -> list[str]:
+    def differing_masses(self, row: Match, convention: Rotation) -> list[str]:
         """Return `com` and `moments` where they differ under a convention."""
         one, other = row.one, row.other
         back, differing = transposed(convention), []

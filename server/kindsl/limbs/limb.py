@@ -1,101 +1,56 @@
-"""Bodies with their supporting joints in plain numbers, and which limbs are meant to be alike."""
+"""Limbs in plain numbers, and which of a robot are meant to be alike."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from enum import Enum
 from typing import NamedTuple
 
 from kindsl.limbs.names import is_held, label_of
 from kindsl.rigid.body import Symmetric
-from kindsl.rigid.pose import Rotation, Vector3, pose_from
+from kindsl.rigid.pose import RigidPose, Rotation, Vector3
 from kindsl.semantics.declarations import Link
+from kindsl.semantics.kinematic_tree import Edge
 from kindsl.semantics.model import Model
 from kindsl.semantics.numbers import mass_distribution, triple, written_pose
 
-ORIGIN: Vector3 = (0.0, 0.0, 0.0)
+# No robot has more or longer ones that are written by hand, and comparing takes their square.
+_MOST_LIMBS = 12
+_MOST_BODIES = 48
+
 Side = tuple[object, ...]
-Heads = dict[Side, "list[Body]"]
 
 
-class Body:
-    """A link with the joint that supports it, as written.
+class Body(NamedTuple):
+    """A link with the joint that supports it, and all that it carries.
 
     Attributes:
         name: The link's.
-        parent: The name of the parent link, empty for the base.
-        joint: The supporting joint's name, empty for the base.
+        joint: The supporting joint's name.
         kind: `revolute` or `prismatic`.
-        translation: Of the joint frame in the parent's frame, metres.
-        angles: Of the joint frame, radians.
-        rotation: The same as a matrix.
+        pose: Of the joint frame in the parent's frame, metres.
+        angles: The rotation as written, radians.
         com: In the link frame, metres; None where it is not known.
         moments: `Ix Iy Iz Ixy Ixz Iyz` in the link frame, kg m²; None where they are not known.
         children: The bodies that it carries, in written order.
     """
 
-    __slots__ = (
-        "angles", "children", "com", "joint", "kind", "moments", "name", "parent", "rotation",
-        "translation",
-    )  # fmt: skip
-
-    def __init__(
-        self,
-        names: tuple[str, str, str],
-        kind: str,
-        pose: tuple[Vector3, Vector3],
-        inertia: tuple[Vector3 | None, Symmetric | None],
-    ) -> None:
-        self.name, self.parent, self.joint = names
-        self.kind = kind
-        self.translation, self.angles = pose
-        self.rotation: Rotation = pose_from(ORIGIN, self.angles).rotation
-        self.com, self.moments = inertia
-        self.children: list[Body] = []
+    name: str
+    joint: str
+    kind: str
+    pose: RigidPose
+    angles: Vector3
+    com: Vector3 | None
+    moments: Symmetric | None
+    children: tuple["Body", ...]
 
     @property
-    def key(self) -> tuple[object, ...]:
-        """Everything but the children, to be compared."""
-        here = self.name, self.parent, self.joint, self.kind
-        return *here, self.translation, self.angles, self.com, self.moments
+    def translation(self) -> Vector3:
+        """Of the joint frame in the parent's frame, metres."""
+        return self.pose.translation
 
-
-def bodies_of(model: Model, values: Mapping[str, float]) -> list[Body]:
-    """Return the bodies of a robot, parents first, those without a known pose and theirs left out.
-
-    Args:
-        model: The robot.
-        values: Of its parameters and constants.
-    """
-    if model.base is None:
-        return []
-    base = Body((str(model.base.name), "", ""), "", (ORIGIN, ORIGIN), (None, None))
-    found: dict[Link, Body] = {model.base: base}
-    for link in model.tree.in_topological_order(model.base):
-        edge = model.tree.supporting_edge(link)
-        parent = found.get(edge.predecessor) if edge is not None else None
-        if edge is None or edge.joint is None or parent is None:
-            continue
-        pose = edge.joint.pose
-        translation, angles = triple(pose.translation, values), triple(pose.rotation, values)
-        if translation is None or angles is None:
-            continue
-        names = str(link.name), parent.name, str(edge.joint.name)
-        body = Body(names, edge.joint.kind, (translation, angles), _inertia(link, values))
-        parent.children.append(body)
-        found[link] = body
-    return list(found.values())
-
-
-def _inertia(link: Link, values: Mapping[str, float]) -> tuple[Vector3 | None, Symmetric | None]:
-    """Return CoM and moments in the link frame; of a frame of their own the CoM only."""
-    inertia = link.inertia
-    written = mass_distribution(inertia, values) if inertia is not None else None
-    if inertia is None or written is None:
-        return None, None
-    if inertia.frame is None:
-        return written.com, written.moments
-    frame = next((frame for frame in link.frames if frame.name == inertia.frame), None)
-    place = written_pose(frame.pose, values) if frame is not None else None
-    return (place.point(written.com) if place is not None else None), None
+    @property
+    def rotation(self) -> Rotation:
+        """Of the joint frame, as a matrix."""
+        return self.pose.rotation
 
 
 class Limbs(NamedTuple):
@@ -106,7 +61,7 @@ class Limbs(NamedTuple):
         is_named: Whether sides and rows tell them apart, else numbers do.
     """
 
-    heads: Mapping[Side, Body]
+    heads: dict[Side, Body]
     is_named: bool
 
     def pairs(self) -> Iterator[tuple[Side, Side, str]]:
@@ -122,26 +77,76 @@ class Limbs(NamedTuple):
                     yield one, other, "ROW"
 
 
-def like_limbs(bodies: Sequence[Body]) -> Iterator[Limbs]:
-    """Yield the groups of limbs at each body that carries some."""
-    for carrier in bodies:
-        named: dict[object, Heads] = {}
-        numbered: dict[object, Heads] = {}
-        for head in carrier.children:
-            side, row, words = label_of(head.name)
-            if side or row:
-                named.setdefault(words, {}).setdefault((side, row), []).append(head)
-            elif digits := tuple(int(word) for word in words if word.isdigit()):
-                others = tuple(word for word in words if not word.isdigit())
-                numbered.setdefault(others, {}).setdefault(digits, []).append(head)
-        for is_named, table in ((True, named), (False, numbered)):
-            for heads in table.values():
-                single = {label: found[0] for label, found in heads.items() if len(found) == 1}
-                if len(single) > 1:
-                    yield Limbs(single, is_named)
+def limbs_of(carrier: Link, model: Model, values: Mapping[str, float]) -> Iterator[Limbs]:
+    """Yield the groups of limbs that a body carries, those left out whose numbers are not known.
+
+    Args:
+        carrier: The body.
+        model: The robot.
+        values: Of its parameters and constants.
+    """
+    groups: dict[tuple[bool, tuple[str, ...]], dict[Side, list[Edge]]] = {}
+    edges = model.tree.successor_edges(carrier)
+    for edge in edges if len(edges) > 1 else ():
+        side, row, words = label_of(str(edge.child.link))
+        is_named = bool(side or row)
+        label: Side = (side, row) if is_named else tuple(int(w) for w in words if w.isdigit())
+        if label:
+            kept = tuple(word for word in words if is_named or not word.isdigit())
+            groups.setdefault((is_named, kept), {}).setdefault(label, []).append(edge)
+    for (is_named, _), by_label in groups.items():
+        if 1 < len(by_label) <= _MOST_LIMBS:
+            single = {label: found[0] for label, found in by_label.items() if len(found) == 1}
+            limbs = {label: _limb(edge, model, values) for label, edge in single.items()}
+            heads = {label: head for label, head in limbs.items() if head is not None}
+            if len(heads) > 1:
+                yield Limbs(heads, is_named)
 
 
-class Row(NamedTuple):
+def _limb(head: Edge, model: Model, values: Mapping[str, float]) -> Body | None:
+    """Return what an edge leads to, None where it has very many bodies or no numbers."""
+    edges = [head]
+    for edge in edges:
+        if edge.link is None or len(edges) > _MOST_BODIES:
+            return None
+        edges += model.tree.successor_edges(edge.link)
+    made: dict[Link, list[Body]] = {}
+    for edge in reversed(edges):
+        body = _body(edge, tuple(reversed(made.get(edge.link, ()))), model, values)  # type: ignore[arg-type]
+        if body is None:
+            return None
+        made.setdefault(edge.predecessor, []).append(body)
+    return made[head.predecessor][0]
+
+
+def _body(
+    edge: Edge, children: tuple[Body, ...], model: Model, values: Mapping[str, float]
+) -> Body | None:
+    link, joint = edge.link, edge.joint
+    if link is None or joint is None or model.tree.supporting_edge(link) is not edge:
+        return None
+    pose, angles = written_pose(joint.pose, values), triple(joint.pose.rotation, values)
+    if pose is None or angles is None:
+        return None
+    com, moments = _inertia(link, values)
+    names = str(link.name), str(joint.name)
+    return Body(*names, joint.kind, pose, angles, com, moments, children)
+
+
+def _inertia(link: Link, values: Mapping[str, float]) -> tuple[Vector3 | None, Symmetric | None]:
+    """Return CoM and moments in the link frame; of a frame of their own the CoM only."""
+    inertia = link.inertia
+    written = mass_distribution(inertia, values) if inertia is not None else None
+    if inertia is None or written is None:
+        return None, None
+    if inertia.frame is None:
+        return written.com, written.moments
+    frame = next((frame for frame in link.frames if frame.name == inertia.frame), None)
+    place = written_pose(frame.pose, values) if frame is not None else None
+    return (place.point(written.com) if place is not None else None), None
+
+
+class Match(NamedTuple):
     """Two bodies that stand at the same place of two limbs.
 
     Attributes:
@@ -155,7 +160,7 @@ class Row(NamedTuple):
     other: Body
 
 
-class Part(Enum):
+class LimbPart(Enum):
     """Which bodies of two limbs are compared."""
 
     WHOLE = "all"
@@ -163,27 +168,22 @@ class Part(Enum):
     HELD = "what these two bodies hold"
 
 
-def rows_of(one: Body, other: Body, part: Part) -> tuple[list[Row], bool]:
+def rows_of(one: Body, other: Body, part: LimbPart) -> tuple[list[Match], bool]:
     """Return two limbs matched body by body, and whether they match to their ends."""
-    rows: list[Row] = []
-    is_whole, waiting = True, [Row(-1, one, other)]
-    while waiting:
-        row = waiting.pop(0)
-        index = len(rows)
-        rows.append(row)
+    rows = [Match(-1, one, other)]
+    is_whole = True
+    for index, row in enumerate(rows):
         is_head = row.up < 0
         matched = _matched(_chosen(row.one, part, is_head), _chosen(row.other, part, is_head))
-        if matched is None:
-            is_whole = False
-        else:
-            waiting += [Row(index, *pair) for pair in matched]
+        is_whole = is_whole and matched is not None
+        rows += [Match(index, *pair) for pair in matched or ()]
     return rows, is_whole
 
 
-def _chosen(body: Body, part: Part, is_head: bool) -> list[Body]:
-    if part is Part.WHOLE or (part is Part.HELD and not is_head):
-        return body.children
-    return [c for c in body.children if is_held(c.name, c.joint) == (part is Part.HELD)]
+def _chosen(body: Body, part: LimbPart, is_head: bool) -> list[Body]:
+    if part is LimbPart.WHOLE or (part is LimbPart.HELD and not is_head):
+        return list(body.children)
+    return [c for c in body.children if is_held(c.name, c.joint) == (part is LimbPart.HELD)]
 
 
 def _matched(ones: list[Body], others: list[Body]) -> list[tuple[Body, Body]] | None:

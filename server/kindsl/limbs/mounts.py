@@ -3,8 +3,8 @@
 from collections.abc import Iterator
 from math import atan2, cos, hypot, sin
 
-from kindsl.limbs.conventions import IDENTITY, Mount, Tolerance, diagonal
-from kindsl.limbs.limb import ORIGIN, Body
+from kindsl.limbs.conventions import IDENTITY, ORIGIN, Mount, Tolerance, diagonal
+from kindsl.limbs.limb import Body
 from kindsl.rigid.pose import Rotation, Vector3, turned
 
 # Two limbs in their holders' hands: mounted in any way, mirrored or alike.

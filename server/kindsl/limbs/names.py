@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Mapping
+from functools import lru_cache
 from typing import NamedTuple
 
 _WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")
@@ -23,7 +24,7 @@ _HELD = frozenset((
 ))  # fmt: skip
 
 
-class Label(NamedTuple):
+class LimbLabel(NamedTuple):
     """What a name says of a part's place.
 
     Attributes:
@@ -37,7 +38,8 @@ class Label(NamedTuple):
     words: tuple[str, ...]
 
 
-def label_of(name: str) -> Label:
+@lru_cache(maxsize=4096)
+def label_of(name: str) -> LimbLabel:
     """Return what a name says; only whole words tell a side or a row, the first of each."""
     side = row = ""
     words = []
@@ -48,7 +50,7 @@ def label_of(name: str) -> Label:
             row = _ROWS[word]
         else:
             words.append(word)
-    return Label(side, row, tuple(words))
+    return LimbLabel(side, row, tuple(words))
 
 
 def tokens(name: str) -> list[str]:

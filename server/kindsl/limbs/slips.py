@@ -6,14 +6,13 @@ from itertools import permutations
 from itertools import product as combinations
 from math import degrees, pi, radians
 
-from kindsl.limbs.limb import ORIGIN
 from kindsl.rigid.pose import Rotation, Vector3, angles, pose_from
 
 _NEAR = 0.02
 _POWERS = (1000.0, 100.0, 10.0, 0.1, 0.01, 0.001)
 
 
-class Slip(IntEnum):
+class SlipOfHand(IntEnum):
     """Slips, the likeliest first."""
 
     SIGN = 0
@@ -28,7 +27,7 @@ class Slip(IntEnum):
     OTHER = 9
 
 
-def slip_between(written: Vector3, meant: Vector3, what: str) -> Slip:
+def slip_between(written: Vector3, meant: Vector3, what: str) -> SlipOfHand:
     """Return the slip that makes a written triple of the meant one.
 
     Args:
@@ -39,26 +38,26 @@ def slip_between(written: Vector3, meant: Vector3, what: str) -> Slip:
     differing = [i for i in range(3) if not _equal(written[i], meant[i])]
     is_angles = what == "angles"
     if not any(abs(x) > 1e-9 for x in written) and any(abs(x) > 1e-4 for x in meant):
-        return Slip.DROPPED if is_angles else Slip.ZEROED
+        return SlipOfHand.DROPPED if is_angles else SlipOfHand.ZEROED
     if all(_equal(abs(x), abs(y)) for x, y in zip(written, meant, strict=True)):
-        return Slip.SIGN
+        return SlipOfHand.SIGN
     sizes = sorted(map(abs, written)), sorted(map(abs, meant))
     if all(map(_equal, *sizes)):
-        return Slip.SWAPPED
+        return SlipOfHand.SWAPPED
     if any(all(_is_scaled(written[i], meant[i], f) for i in differing) for f in _POWERS):
-        return Slip.UNIT
+        return SlipOfHand.UNIT
     if is_angles and all(
         abs(written[i] - degrees(meant[i])) <= 0.02 * abs(written[i]) + 1e-6 for i in differing
     ):
-        return Slip.DEGREES
+        return SlipOfHand.DEGREES
     if len(differing) != 1:
-        return Slip.OTHER
+        return SlipOfHand.OTHER
     here, there = written[differing[0]], meant[differing[0]]
     if is_angles and abs((here - there) / (pi / 4) - round((here - there) / (pi / 4))) < 0.01:
-        return Slip.QUARTER_TURN
+        return SlipOfHand.QUARTER_TURN
     if abs(here) < 1e-9:
-        return Slip.ZEROED
-    return Slip.DIGIT if _is_one_digit(here, there) else Slip.ONE_NUMBER
+        return SlipOfHand.ZEROED
+    return SlipOfHand.DIGIT if _is_one_digit(here, there) else SlipOfHand.ONE_NUMBER
 
 
 def angles_near(rotation: Rotation, own: Vector3, twin: Vector3) -> Vector3:
@@ -78,11 +77,6 @@ def angles_near(rotation: Rotation, own: Vector3, twin: Vector3) -> Vector3:
     return 0.0 + x, 0.0 + y, 0.0 + z
 
 
-def change(written: Vector3, meant: Vector3) -> float:
-    """Return the greatest change of a number."""
-    return max(abs(x - y) for x, y in zip(written, meant, strict=True))
-
-
 def _candidates(own: Vector3, twin: Vector3) -> Iterator[Vector3]:
     for base in (own, twin):
         for a, b, c in permutations(base):
@@ -99,7 +93,7 @@ def _candidates(own: Vector3, twin: Vector3) -> Iterator[Vector3]:
 def _makes(option: Vector3, rotation: Rotation) -> bool:
     if max(map(abs, option)) > 7.0:
         return False
-    made = pose_from(ORIGIN, option).rotation
+    made = pose_from((0.0, 0.0, 0.0), option).rotation
     rows = zip(made, rotation, strict=True)
     return all(abs(x - y) < _NEAR for row in rows for x, y in zip(*row, strict=True))
 

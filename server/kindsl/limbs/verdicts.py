@@ -1,301 +1,234 @@
 """Which numbers of a robot's limbs do not fit their twins, and what they were meant to be."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from kindsl.limbs.comparison import Comparison, Single, compared, held_parts
+from kindsl.limbs.comparison import Accusation, LimbComparison, Suspect, compared, held_parts
 from kindsl.limbs.conventions import LOOSE, TIGHT, Tolerance
-from kindsl.limbs.limb import Body, Limbs, Side
-from kindsl.limbs.slips import Slip, angles_near, change, slip_between
-from kindsl.rigid.pose import RigidPose, Rotation, Vector3, transposed, turned
+from kindsl.limbs.limb import Body, LimbPart, Limbs, Side
+from kindsl.limbs.slips import SlipOfHand
+from kindsl.rigid.pose import Vector3, transposed, turned
 
-_OF_A_PAIR = frozenset(Slip) - {Slip.OTHER}
-_OF_A_COM = frozenset((Slip.SIGN, Slip.SWAPPED, Slip.ZEROED, Slip.UNIT))
 _SMALLEST_PAIR = 3
-_TIE = 0.005
+_SAME_PLACE, _SAME_TURN = 1e-3, 0.02
 
 
-class Place(NamedTuple):
-    """Numbers that may be wrong.
+class MeantNumbers(NamedTuple):
+    """A place with the numbers that its twins have there, at each assignment of parameters."""
 
-    Attributes:
-        body: Whose they are.
-        what: `translation` or `angles` of its joint, `kind` of it, its `com` or `moments`.
-    """
-
-    body: Body
-    what: str
+    place: Suspect
+    meant: tuple[Vector3, ...]
 
 
-class Repair(NamedTuple):
-    """A place with the numbers that its twins have there."""
-
-    place: Place
-    meant: Vector3
-
-
-class Verdict(NamedTuple):
+class LimbVerdict(NamedTuple):
     """What does not fit.
 
     Attributes:
         places: Where: the one that is odd, or those among which nobody can choose.
         repairs: What to write, one for each way to put it right; none where that is not known.
-        twins: Bodies that agree with each other, or the other half of a pair.
+        twins: Names of links that agree with each other; none for a pair.
         is_convicted: Whether the twins outvote one limb; of a pair either may be wrong.
     """
 
-    places: tuple[Place, ...]
-    repairs: tuple[Repair, ...]
-    twins: tuple[Body, ...]
+    places: tuple[Suspect, ...]
+    repairs: tuple[MeantNumbers, ...]
+    twins: tuple[str, ...]
     is_convicted: bool
 
 
-Edges = Mapping[tuple[Side, Side], Comparison]
+Edges = Mapping[tuple[Side, Side], LimbComparison]
 
 
-def verdicts(limbs: Limbs) -> list[Verdict]:
+def verdicts(limbs: Limbs) -> list[LimbVerdict]:
     """Return what does not fit in a group of limbs, nothing where more than a slip or two does."""
-    for tolerance in (TIGHT, LOOSE):
-        found = _verdicts_at(limbs, tolerance)
-        if found is not None:
-            return found
-    return []
+    found = _verdicts_at(limbs, TIGHT)
+    return _verdicts_at(limbs, LOOSE) or [] if found is None else found
 
 
-def _verdicts_at(limbs: Limbs, tolerance: Tolerance) -> list[Verdict] | None:
+def agreed(found: Sequence[Sequence[LimbVerdict]]) -> list[LimbVerdict]:
+    """Return what is found at every assignment of parameters, with what is meant at each."""
+    first, *others = found
+    by_places = [{(v.places, v.is_convicted): v for v in each} for each in others]
+    made = []
+    for verdict in first:
+        same = [verdict, *(each.get((verdict.places, verdict.is_convicted)) for each in by_places)]
+        known = [v.repairs for v in same if v is not None]
+        if len(known) == len(same):
+            repairs = tuple(
+                MeantNumbers(each[0].place, tuple(repair.meant[0] for repair in each))
+                for each in zip(*known, strict=False)
+            )
+            made.append(verdict._replace(repairs=repairs))
+    return made
+
+
+def _verdicts_at(limbs: Limbs, tolerance: Tolerance) -> list[LimbVerdict] | None:
     """Return the verdicts at a tolerance, None where a wider one may tell more."""
     made = {(a, b): compared(limbs.heads[a], limbs.heads[b], how, tolerance)
             for a, b, how in limbs.pairs()}  # fmt: skip
     edges = {pair: comparison for pair, comparison in made.items() if comparison.is_whole}
+    _keep_to_one_way(edges)
     if any(comparison.other_kinds for comparison in edges.values()):
         return list(_other_kinds(edges))
-    is_all_seen = all(c.part.name == "WHOLE" for c in edges.values())
-    if edges and is_all_seen and all(c.n_slips == 0 for c in edges.values()):
-        found = list(_masses(limbs, edges))
+    if all(c.part is LimbPart.WHOLE and c.n_slips == 0 for c in edges.values()):
+        has_like_masses = not any(c.differing_masses() for c in edges.values())
+        if tolerance is TIGHT and not has_like_masses:
+            return None
+        return [] if has_like_masses else _of_masses(limbs, edges)
+    found = [v for c in edges.values() for part in held_parts(c) for v in _of_pair(part)]
+    outvoted = _outvoted(edges, LimbComparison.accusations)
+    if outvoted:
+        found += _convicted(outvoted)
     else:
-        found = [v for c in edges.values() for part in held_parts(c) for v in _of_pair(part)]
-        outvoted = _outvoted(edges)
-        if outvoted:
-            verdict = _convicted(outvoted)
-            found += [verdict] if verdict is not None else []
-        else:
-            found += [v for c in edges.values() for v in _of_pair(c)]
-    return found or (None if tolerance is TIGHT else [])
+        found += [v for c in edges.values() for v in _of_pair(c)]
+    return found or None
 
 
-class _Vote(NamedTuple):
-    """A comparison in which one place explains the difference, in one or several ways."""
-
-    comparison: Comparison
-    singles: list[Single]
-    is_other: bool
-
-
-class _Suspect(NamedTuple):
-    """A place, and the comparisons that accuse it."""
-
-    place: Place
-    votes: list[_Vote]
+def _keep_to_one_way(edges: Edges) -> None:
+    """Compare all pairs of a sort in the way in which one of them agrees best."""
+    for how in ("LR", "ROW"):
+        alike = sorted((c for c in edges.values() if c.how == how), key=lambda c: c.best.cost)
+        for comparison in alike[1:] if alike and alike[0].n_slips == 0 else ():
+            if comparison.way != alike[0].way:
+                comparison.keep_to(alike[0].way)
 
 
-def _outvoted(edges: Edges) -> list[_Suspect]:
-    """Return the places of the one limb that two twins or more accuse, which agree themselves."""
-    accused: dict[tuple[Side, str, str], _Suspect] = {}
+_ByTwin = Sequence[Sequence[Accusation]]
+
+
+def _outvoted(
+    edges: Edges, said_by: Callable[[LimbComparison], Sequence[tuple[Accusation, Accusation]]]
+) -> list[_ByTwin]:
+    """Return what two twins or more say of the one limb that they accuse, agreeing themselves."""
+    cases: dict[tuple[Side, Suspect], dict[tuple[Side, Side], list[Accusation]]] = {}
     for pair, comparison in edges.items():
-        if comparison.n_slips != 1 or len(comparison.rows) < 2:
-            continue
-        by_place: dict[tuple[int, str], list[Single]] = {}
-        for single in comparison.singles():
-            by_place.setdefault((single.row, single.what), []).append(single)
-        for (index, what), singles in by_place.items():
-            row = comparison.rows[index]
-            for label, body, is_other in ((pair[0], row.one, False), (pair[1], row.other, True)):
-                key = label, body.joint, what
-                suspect = accused.setdefault(key, _Suspect(Place(body, what), []))
-                suspect.votes.append(_Vote(comparison, singles, is_other))
+        for both in said_by(comparison) if len(comparison.rows) > 1 else ():
+            for label, said in zip(pair, both, strict=True):
+                cases.setdefault((label, said.place), {}).setdefault(pair, []).append(said)
     found = []
-    for (label, _, _), suspect in accused.items():
+    for (label, _), by_pair in cases.items():
         others = [c for pair, c in edges.items() if label not in pair]
-        if others and len(suspect.votes) > 1 and all(c.n_slips == 0 for c in others):
-            found.append(suspect)
-    most = max((len(suspect.votes) for suspect in found), default=0)
-    return [suspect for suspect in found if len(suspect.votes) == most]
+        if len(by_pair) > 1 and others and all(c.n_slips == 0 for c in others):
+            found.append(list(by_pair.values()))
+    most = max(map(len, found), default=0)
+    return [by_twin for by_twin in found if len(by_twin) == most]
 
 
-def _convicted(suspects: Sequence[_Suspect]) -> Verdict | None:
-    """Return the verdict on one limb; it names one place where that is the cheapest alone."""
-    ranked: list[tuple[tuple[float, Slip], int, Repair, _Suspect]] = []
-    for suspect in suspects:
-        meant = _agreed(suspect)
+def _convicted(outvoted: Sequence[_ByTwin]) -> Iterator[LimbVerdict]:
+    """Yield the verdict on one limb; it names one place where that is the cheapest alone."""
+    ranked: list[tuple[float, SlipOfHand, Accusation, _ByTwin]] = []
+    for by_twin in outvoted:
+        meant = _agreed(by_twin)
         if meant is not None:
-            own = _written(suspect.place)
-            costs = [
-                v.comparison.least_cost_of(v.singles[0].row, suspect.place.what)
-                for v in suspect.votes
-            ]
-            slip = slip_between(own, meant, suspect.place.what)
-            rank = round(sum(costs) / len(costs), 2), slip
-            ranked.append((rank, len(ranked), Repair(suspect.place, meant), suspect))
-    if not ranked:
-        return None
+            least = [min(said.cost for said in each) for each in by_twin]
+            ranked.append((round(sum(least) / len(least), 2), meant.slip, meant, by_twin))
     ranked.sort(key=lambda each: each[:2])
-    rank, _, repair, suspect = ranked[0]
-    is_alone = len(ranked) == 1 or ranked[1][0] > rank
-    places = [repair.place] if is_alone else [each[2].place for each in ranked if each[0] == rank]
-    twins = [_twin(vote) for vote in suspect.votes]
-    return Verdict(tuple(places), (repair,) if is_alone else (), tuple(twins), True)
+    likeliest = [each for each in ranked if each[:2] == ranked[0][:2]]
+    if likeliest:
+        places = tuple(meant.place for _, _, meant, _ in likeliest)
+        _, _, meant, by_twin = likeliest[0]
+        repairs = (MeantNumbers(meant.place, (meant.meant,)),) if len(likeliest) == 1 else ()
+        yield LimbVerdict(places, repairs, tuple(each[0].twin for each in by_twin), True)
 
 
-def _twin(vote: _Vote) -> Body:
-    row = vote.comparison.rows[vote.singles[0].row]
-    return row.one if vote.is_other else row.other
-
-
-class _Meant(NamedTuple):
-    """What one single says: the numbers, and as a pose to be compared with others."""
-
-    numbers: Vector3
-    pose: RigidPose
-    wild: int | None
-
-
-def _agreed(suspect: _Suspect) -> Vector3 | None:
-    """Return the numbers on which the most twins agree, two at least; None where they do not."""
-    place, what = suspect.place, suspect.place.what
-    said = [[_meant(vote, single, what) for single in vote.singles] for vote in suspect.votes]
-    own = _written(place)
+def _agreed(by_twin: _ByTwin) -> Accusation | None:
+    """Return that on which the most twins agree, two at least; None where they do not."""
     ranked = []
-    for order, each in enumerate(meant for options in said for meant in options):
-        n_agreeing = sum(any(_agree(each, other, what) for other in options) for options in said)
-        slip = slip_between(own, each.numbers, what)
-        rank = -n_agreeing, each.wild is not None, slip, change(own, each.numbers), order
-        ranked.append((rank, each.numbers, n_agreeing))
-    _, numbers, n_agreeing = min(ranked)
-    return numbers if n_agreeing == len(said) or n_agreeing > 1 else None
+    for order, each in enumerate(said for options in by_twin for said in options):
+        n_agreeing = sum(any(_agree(each, other) for other in options) for options in by_twin)
+        likelihood = each.free_axis is not None, round(each.cost, 3), each.slip, each.change
+        ranked.append(((-n_agreeing, *likelihood, order), each))
+    (n_agreeing, *_), meant = min(ranked)
+    return meant if -n_agreeing > 1 else None
 
 
-def _meant(vote: _Vote, single: Single, what: str) -> _Meant:
-    row = vote.comparison.rows[single.row]
-    if vote.is_other:
-        pose, own, twin = vote.comparison.expected(single), row.other, row.one
-    else:
-        pose, own, twin = vote.comparison.expected_back(single), row.one, row.other
-    wild = single.mount.free_axis if single.row == 0 and what == "translation" else None
-    return _Meant(_numbers(pose, what, own, twin), pose, wild)
-
-
-def _agree(one: _Meant, other: _Meant, what: str) -> bool:
-    if what == "translation":
-        pairs = zip(one.pose.translation, other.pose.translation, strict=True)
-        wild = one.wild, other.wild
-        return all(i in wild or abs(x - y) < 1e-3 for i, (x, y) in enumerate(pairs))
+def _agree(one: Accusation, other: Accusation) -> bool:
+    if one.place.what == "translation":
+        pairs = enumerate(zip(one.meant, other.meant, strict=True))
+        free = one.free_axis, other.free_axis
+        return all(i in free or abs(x - y) < _SAME_PLACE for i, (x, y) in pairs)
     rows = zip(one.pose.rotation, other.pose.rotation, strict=True)
-    return all(abs(x - y) < 0.02 for row in rows for x, y in zip(*row, strict=True))
+    return all(abs(x - y) < _SAME_TURN for row in rows for x, y in zip(*row, strict=True))
 
 
-def _numbers(pose: RigidPose, what: str, own: Body, twin: Body) -> Vector3:
-    if what == "translation":
-        return pose.translation
-    return angles_near(pose.rotation, own.angles, twin.angles)
-
-
-def _written(place: Place) -> Vector3:
-    body, what = place
-    if what == "com":
-        assert body.com is not None
-        return body.com
-    return body.translation if what == "translation" else body.angles
-
-
-def _of_pair(comparison: Comparison) -> Iterator[Verdict]:
+def _of_pair(comparison: LimbComparison) -> Iterator[LimbVerdict]:
     """Yield what differs between a left and a right limb by one slip; either may be wrong."""
     c = comparison
     if c.n_slips != 1 or c.how != "LR" or len(c.rows) < _SMALLEST_PAIR:
         return
     is_tight = c.matching.tolerance is TIGHT
-    if is_tight and Comparison(c.one, c.other, c.how, LOOSE, c.part).n_slips == 0:
+    if is_tight and LimbComparison(c.one, c.other, c.how, LOOSE, c.part).n_slips == 0:
         return
-    options = []
-    for order, single in enumerate(c.singles()):
-        if single.what == "angles" and not c.is_seen_below(single.row):
-            continue
-        row, what = c.rows[single.row], single.what
-        here = Repair(
-            Place(row.one, what), _numbers(c.expected_back(single), what, row.one, row.other)
-        )
-        there = Repair(
-            Place(row.other, what), _numbers(c.expected(single), what, row.other, row.one)
-        )
-        slip = min(slip_between(_written(r.place), r.meant, what) for r in (here, there))
-        rank = round(single.cost, 2), slip, change(_written(there.place), there.meant), order
-        options.append((rank, here, there))
-    options.sort(key=lambda each: each[0])
-    if options and options[0][0][1] in _OF_A_PAIR:
-        tied = [each for each in options if each[0][:2] == options[0][0][:2]]
-        places = dict.fromkeys(r.place for each in tied for r in each[1:])
-        _, here, there = options[0]
-        yield Verdict(tuple(places), (there, here), (), False)
+    ranked = [
+        ((round(one.cost, 2), min(one.slip, other.slip)), other.change, order, (one, other))
+        for order, (one, other) in enumerate(c.accusations())
+        if one.place.what == "translation" or c.is_seen_below(one.place.joint)
+    ]
+    ranked.sort(key=lambda each: each[:3])
+    if ranked and ranked[0][0][1] is not SlipOfHand.OTHER:
+        tied = [each[3] for each in ranked if each[0] == ranked[0][0]]
+        places = dict.fromkeys(said.place for both in tied for said in both)
+        one, other = tied[0]
+        repairs = MeantNumbers(other.place, (other.meant,)), MeantNumbers(one.place, (one.meant,))
+        yield LimbVerdict(tuple(places), repairs, (), False)
 
 
-def _other_kinds(edges: Edges) -> Iterator[Verdict]:
+def _other_kinds(edges: Edges) -> Iterator[LimbVerdict]:
     """Yield the joint that is prismatic where its twins are revolute, or the reverse."""
-    votes: dict[str, int] = {}
-    bodies: dict[str, Body] = {}
+    votes: dict[Suspect, int] = {}
     for comparison in edges.values():
         if len(comparison.other_kinds) > 1 or comparison.n_slips > 2:
             return
         for index in comparison.other_kinds:
-            for body in comparison.rows[index][1:]:
-                assert isinstance(body, Body)
-                votes[body.joint] = votes.get(body.joint, 0) + 1
-                bodies[body.joint] = body
+            _, one, other = comparison.rows[index]
+            for body in (one, other):
+                place = Suspect(body.name, body.joint, "kind")
+                votes[place] = votes.get(place, 0) + 1
     most = max(votes.values())
-    odd = [bodies[joint] for joint, n in votes.items() if n == most]
-    twins = tuple(bodies[joint] for joint, n in votes.items() if n < most)
+    odd = tuple(place for place, n in votes.items() if n == most)
+    twins = tuple(place.link for place, n in votes.items() if n < most)
     if len(odd) <= 2:
-        yield Verdict(tuple(Place(body, "kind") for body in odd), (), twins, len(odd) == 1)
+        yield LimbVerdict(odd, (), twins, len(odd) == 1)
 
 
-def _masses(limbs: Limbs, edges: Edges) -> Iterator[Verdict]:
-    """Yield what masses tell where all joints agree: a CoM, moments, a joint turned round."""
-    differing = {pair: c.differing_masses() for pair, c in edges.items()}
-    suspects = []
-    for label in limbs.heads if len(limbs.heads) > 2 else ():
+def _of_masses(limbs: Limbs, edges: Edges) -> list[LimbVerdict]:
+    """Return what masses tell where all joints agree: of themselves, or of a joint turned round."""
+    found = list(_odd_masses(limbs, edges))
+    if any(verdict.places[0].what == "inertia" for verdict in found):
+        return list(_convicted(_outvoted(edges, LimbComparison.turnings))) or found
+    return found
+
+
+def _odd_masses(limbs: Limbs, edges: Edges) -> Iterator[LimbVerdict]:
+    """Yield each CoM, and moments, that only one limb has so, where all joints agree."""
+    differing = {pair: set(c.differing_masses()) for pair, c in edges.items()}
+    for label in limbs.heads:
         mine = [pair for pair in edges if label in pair]
         others = [pair for pair in edges if label not in pair]
-        is_odd = all(differing[p] for p in mine) and not any(differing[p] for p in others)
-        if is_odd and len(mine) > 1 and others:
-            suspects.append((label, mine))
-    if len(suspects) != 1:
-        return
-    label, mine = suspects[0]
-    seen = {each for pair in mine for each in differing[pair]}
-    if len(seen) == 1:
-        (index, what) = seen.pop()
-        yield _odd_mass([(edges[pair], label == pair[1]) for pair in mine], index, what)
-        return
-    turned_round = set.intersection(*(edges[pair].turned_joints() for pair in mine))
-    if len(turned_round) == 1:
-        index = turned_round.pop()
-        places = [edges[pair].rows[index][2 if label == pair[1] else 1] for pair in mine]
-        twins = [edges[pair].rows[index][1 if label == pair[1] else 2] for pair in mine]
-        assert isinstance(places[0], Body)
-        yield Verdict(
-            (Place(places[0], "angles"),), (), tuple(b for b in twins if isinstance(b, Body)), True
-        )
+        if len(mine) > 1 and others:
+            odd = set.intersection(*(differing[pair] for pair in mine))
+            odd = odd.difference(*(differing[pair] for pair in others))
+            by_row = {
+                index: [what for row, what in sorted(odd) if row == index] for index, _ in odd
+            }
+            for index, words in sorted(by_row.items()):
+                what = words[0] if len(words) == 1 else "inertia"
+                yield _odd_mass([(edges[pair], label == pair[1]) for pair in mine], index, what)
 
 
-def _odd_mass(mine: Sequence[tuple[Comparison, bool]], index: int, what: str) -> Verdict:
-    twins = []
-    for comparison, is_other in mine:
-        row = comparison.rows[index]
-        twins.append(row.one if is_other else row.other)
+def _odd_mass(mine: Sequence[tuple[LimbComparison, bool]], index: int, what: str) -> LimbVerdict:
     comparison, is_other = mine[0]
-    row = comparison.rows[index]
-    place = Place(row.other if is_other else row.one, what)
-    convention: Rotation = comparison.best.conventions[index]
-    repairs: tuple[Repair, ...] = ()
-    if what == "com" and twins[0].com is not None:
+    body, twin = _body_and_twin(comparison, index, is_other)
+    place = Suspect(body.name, body.joint, what)
+    convention = comparison.best.conventions[index]
+    repairs: tuple[MeantNumbers, ...] = ()
+    if what == "com" and twin.com is not None:
         back = transposed(convention) if is_other else convention
-        repairs = (Repair(place, turned(back, twins[0].com)),)
-    return Verdict((place,), repairs, tuple(twins), True)
+        repairs = (MeantNumbers(place, (turned(back, twin.com),)),)
+    twins = tuple(_body_and_twin(c, index, other)[1].name for c, other in mine)
+    return LimbVerdict((place,), repairs, twins, True)
+
+
+def _body_and_twin(comparison: LimbComparison, index: int, is_other: bool) -> tuple[Body, Body]:
+    _, one, other = comparison.rows[index]
+    return (other, one) if is_other else (one, other)

@@ -1,6 +1,7 @@
 """Short ways to write the documents that show a rule."""
 
 import re
+from collections.abc import Mapping, Sequence
 
 from kindsl.rules.base import Example
 from kindsl.semantics.parameters import Binding
@@ -28,10 +29,13 @@ def inertia(mass: str, height: str, ix: str, iy: str, iz: str) -> str:
 
 def joint(name: str, height: float = 0.3, rotation: str = "PI/2.0, 0.0, 0.0") -> str:
     """Return a revolute joint above its predecessor's origin."""
-    return (
-        f"r_joint {name} {{\n    ref_frame {{\n        translation = (0.0, 0.0, {height})\n"
-        f"        rotation = ({rotation})\n    }}\n}}\n"
-    )
+    return placed_joint(name, f"0.0, 0.0, {height}", rotation)
+
+
+def placed_joint(name: str, translation: str, rotation: str) -> str:
+    """Return a revolute joint at a place."""
+    place = f"translation = ({translation})\n        rotation = ({rotation})"
+    return f"r_joint {name} {{\n    ref_frame {{\n        {place}\n    }}\n}}\n"
 
 
 def pitched_joint(angle: str) -> str:
@@ -56,6 +60,57 @@ def two_links(first: int, second: int) -> str:
     """Return a chain of two links with these ids."""
     links = link("upper", first, "lower via elbow"), link("lower", second)
     return robot(*links, base="upper via shoulder", joints="shoulder elbow")
+
+
+def four_legs(**thighs: str) -> str:
+    """Return a robot with four legs of three links.
+
+    Args:
+        thighs: Translation of a leg's second joint where it is not that of the others, by the leg.
+    """
+    corners = {"LF": "0.4, 0.2", "RF": "0.4, -0.2", "LH": "-0.4, 0.2", "RH": "-0.4, -0.2"}
+    poses = {
+        leg: (
+            (f"{corner}, 0.0", "0.0, PI/2.0, 0.0"),
+            (thighs.get(leg, "0.08, 0.0, 0.0"), "PI/2.0, 0.0, 0.0"),
+            ("0.35, 0.0, 0.0", "0.0, 0.0, 0.0"),
+        )
+        for leg, corner in corners.items()
+    }
+    return _with_limbs(poses, ("hip", "thigh", "shank"), ("HAA", "HFE", "KFE"))
+
+
+def two_arms(elbow: str) -> str:
+    """Return a robot with two arms of three links, the translation of the right elbow given."""
+    poses = {
+        side: (
+            (shoulder, "0.0, 0.0, 0.0"),
+            (place, "PI/2.0, 0.0, 0.0"),
+            ("0.25, 0.0, 0.0", "0.0, 0.0, 0.0"),
+        )
+        for side, shoulder, place in (
+            ("left", "0.0, 0.2, 0.5", "0.3, 0.1, 0.02"),
+            ("right", "0.0, -0.2, 0.5", elbow),
+        )
+    }
+    return _with_limbs(poses, ("arm", "forearm", "wrist"), ("shoulder", "elbow", "roll"))
+
+
+def _with_limbs(
+    poses: Mapping[str, Sequence[tuple[str, str]]], parts: Sequence[str], joints: Sequence[str]
+) -> str:
+    """Return a robot with chains of links, given translation and rotation of each joint."""
+    links, placed, heads = [], [], []
+    for index, (limb, limb_poses) in enumerate(poses.items()):
+        edges = [
+            f"{limb}_{part} via {limb}_{name}" for part, name in zip(parts, joints, strict=True)
+        ]
+        heads.append(edges[0])
+        for number, (part, below) in enumerate(zip(parts, [*edges[1:], ""], strict=True), 1):
+            links.append(link(f"{limb}_{part}", index * len(parts) + number, below))
+        for name, (translation, rotation) in zip(joints, limb_poses, strict=True):
+            placed.append(placed_joint(f"{limb}_{name}", translation, rotation))
+    return robot(*links, *placed, base=" ".join(heads))
 
 
 def bindings_of(example: str | Example) -> dict[str, Binding]:

@@ -1,0 +1,71 @@
+"""A number of the left limb does not mirror the right one.
+
+## What it does
+Compares a left and a right limb of at least three links, when there are no more that could outvote
+one of them. Where a single translation or rotation keeps them from being mirror images, or copies,
+and one slip of the hand explains it (a sign, a zero, two numbers swapped, a wrong unit, degrees, a
+quarter turn, one digit), both numbers are reported in one finding.
+
+## Why is this bad?
+One of the two is wrong: the robot is not symmetric, though it looks so. Which of them is right
+only the author can tell.
+
+## Example
+```kindsl
+r_joint left_elbow  { ref_frame { translation = (0.3, 0.0, 0.02) ... } }
+r_joint right_elbow { ref_frame { translation = (0.03, 0.0, 0.02) ... } }
+```
+"""
+
+from collections.abc import Iterator
+
+from kindsl.limbs.verdicts import LimbVerdict, MeantNumbers
+from kindsl.rules.base import Finding, Fix, Related, Rule, Severity
+from kindsl.rules.context import Context
+from kindsl.rules.examples import two_arms
+from kindsl.rules.limb_places import located, told, vector_at
+from kindsl.rules.limb_verdicts import limb_slips
+from kindsl.rules.limb_writing import as_triple, rewriting, written
+from kindsl.semantics.model import Model
+
+
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each left and right limb that one slip keeps from being alike."""
+    for verdict in limb_slips(model, context).verdicts:
+        if not verdict.is_convicted and verdict.repairs:
+            (here, _), (there, _) = verdict.repairs
+            own, twin = vector_at(model, here), vector_at(model, there)
+            if own is not None and twin is not None:
+                message = f"{told(here)} is {as_triple(own)}, and {told(there)} {as_triple(twin)}: "
+                message += "one slip keeps the two sides from being alike"
+                others = [Related(located(model, p), told(p)) for p in verdict.places if p != here]
+                choices = tuple(_choices(model, context, verdict))
+                yield Finding(own, message, tuple(others), choices=choices)
+
+
+def _choices(model: Model, context: Context, verdict: LimbVerdict) -> Iterator[Fix]:
+    """Yield what makes the sides alike, if the place is known: the one written as the other."""
+    for repair, other in (verdict.repairs, verdict.repairs[::-1]):
+        fix = _fix(model, context, repair, other)
+        if fix is not None and len(verdict.places) == 2:
+            yield fix
+
+
+def _fix(model: Model, context: Context, repair: MeantNumbers, other: MeantNumbers) -> Fix | None:
+    own, twin = vector_at(model, repair.place), vector_at(model, other.place)
+    if own is None or twin is None:
+        return None
+    texts = written(own, [twin], repair.meant, limb_slips(model, context).assignments)
+    if texts is None:
+        return None
+    return rewriting(f"Set {told(repair.place)} to {as_triple(texts)}", own, texts)
+
+
+RULE = Rule(
+    "KD510",
+    "sides-differ",
+    Severity.WARNING,
+    check_document=check_document,
+    good=(two_arms("0.3, -0.1, 0.02"), two_arms("0.37, 0.0, -0.1")),
+    bad=(two_arms("0.03, -0.1, 0.02"), two_arms("-0.1, 0.3, 0.02")),
+)

@@ -1,0 +1,100 @@
+"""What does not fit in the limbs of a robot: found once for all rules that tell of it.
+
+The limbs of a body are compared again only where something in them has changed.
+"""
+
+from collections.abc import Mapping
+from functools import partial
+from typing import NamedTuple
+from zlib import crc32
+
+from kindsl.limbs.attachments import Attachment, LimbNames, Misplaced
+from kindsl.limbs.limb import Limbs, limbs_of
+from kindsl.limbs.verdicts import LimbVerdict, agreed, verdicts
+from kindsl.rules.context import Context
+from kindsl.rules.memory import Memory
+from kindsl.semantics.declarations import ValueKind
+from kindsl.semantics.model import Model
+from kindsl.semantics.parameters import Parameter
+from kindsl.text.facts import Fact
+
+_ASSIGNMENTS = range(3)
+# Where arbitrary values of parameters begin and how far they go: what a robot may have.
+_ARBITRARY = {ValueKind.LENGTH: (0.1, 0.4), ValueKind.ANGLE: (0.2, 1.0)}
+_ANYTHING = (0.5, 1.0)
+
+Values = Mapping[str, float]
+
+
+class LimbSlips(NamedTuple):
+    """What is told of a robot's limbs.
+
+    Attributes:
+        elsewhere: Links that another body carries than their twins let expect.
+        crossed: Links that move by another joint than their twins let expect.
+        verdicts: Numbers and kinds that do not fit, where all is attached as it should be.
+        assignments: The values of parameters at which numbers were compared.
+    """
+
+    elsewhere: list[Misplaced]
+    crossed: list[Misplaced]
+    verdicts: list[LimbVerdict]
+    assignments: tuple[Values, ...]
+
+
+_SLIPS = Fact[tuple[Context, LimbSlips]]("slips in limbs")
+_MISPLACED = Memory[tuple[list[Misplaced], list[Misplaced]]]("links not attached as their twins")
+_COMPARED = Memory[list[LimbVerdict]]("limbs compared")
+
+
+def limb_slips(model: Model, context: Context) -> LimbSlips:
+    """Return what does not fit in the limbs of a robot, at whatever values its parameters have."""
+    known = model.facts.get(_SLIPS)
+    if known is None or known[0] is not context:
+        known = model.facts.keep(_SLIPS, (context, _slips(model, context)))
+    return known[1]
+
+
+def _slips(model: Model, context: Context) -> LimbSlips:
+    assignments = _assignments(model, context)
+    if model.base is None:
+        return LimbSlips([], [], [], assignments)
+    edges = [e for e in model.tree.edges if e.link is not None and e.joint is not None]
+    names = tuple(
+        Attachment(str(e.child.link), str(e.predecessor.name), str(e.child.joint)) for e in edges
+    )
+    elsewhere, crossed = _MISPLACED.of(model.base, names, partial(_misplaced, names))
+    found: list[LimbVerdict] = []
+    carriers = dict.fromkeys(e.predecessor for e in edges) if not elsewhere + crossed else ()
+    for carrier in carriers:
+        groups = [tuple(limbs_of(carrier, model, values)) for values in assignments]
+        if groups[0]:
+            found += _COMPARED.of(carrier, (groups,), partial(_compared, groups))
+    return LimbSlips(elsewhere, crossed, found, assignments)
+
+
+def _misplaced(attachments: tuple[Attachment, ...]) -> tuple[list[Misplaced], list[Misplaced]]:
+    names = LimbNames(attachments)
+    return names.elsewhere(), names.crossed()
+
+
+def _compared(groups: list[tuple[Limbs, ...]]) -> list[LimbVerdict]:
+    """Return the verdicts on the limbs of one body, given at each assignment."""
+    return agreed([[v for limbs in each for v in verdicts(limbs)] for each in groups])
+
+
+def _assignments(model: Model, context: Context) -> tuple[Values, ...]:
+    """Return the values that are known, and with parameters besides arbitrary ones.
+
+    Who compares at several values compares names: equal ones by chance are not equal at all.
+    """
+    if not model.parameters:
+        return (context.values,)
+    arbitrary = [{str(p.name): _value(p, n) for p in model.parameters} for n in _ASSIGNMENTS]
+    known = context.values
+    return {**arbitrary[0], **known}, *({**known, **values} for values in arbitrary[1:])
+
+
+def _value(parameter: Parameter, n: int) -> float:
+    low, width = _ARBITRARY.get(parameter.kind, _ANYTHING)
+    return low + width * (crc32(f"{parameter.name} {n}".encode()) % 9973) / 9973.0

@@ -1,0 +1,71 @@
+"""What names tell of wrong parents and exchanged joints."""
+
+from itertools import pairwise
+
+import pytest
+
+from kindsl.limbs.attachments import Attachment, LimbNames
+
+LEGS = ("LF", "RF", "LH", "RH")
+
+
+def legs(*changes: tuple[str, str, str], names: tuple[str, ...] = LEGS) -> tuple[Attachment, ...]:
+    """Return legs of hip, thigh and shank; changes are link, parent and joint."""
+    made = {}
+    for leg in names:
+        parts = [f"{leg}_{part}" for part in ("hip", "thigh", "shank")]
+        carriers = ["trunk", *parts[:2]]
+        joints = [f"{leg}_{joint}" for joint in ("HAA", "HFE", "KFE")]
+        for link, parent, joint in zip(parts, carriers, joints, strict=True):
+            made[link] = Attachment(link, parent, joint)
+    return tuple((made | {link: Attachment(link, *rest) for link, *rest in changes}).values())
+
+
+def misplaced(*attachments: Attachment) -> tuple[list[object], list[object]]:
+    names = LimbNames(attachments)
+    return (
+        [(each.attachment.link, each.meant) for each in names.elsewhere()],
+        [(each.attachment.link, each.meant) for each in names.crossed()],
+    )
+
+
+@pytest.mark.parametrize(
+    ("changes", "elsewhere", "crossed"),
+    [
+        ((), [], []),
+        ([("RF_shank", "LF_thigh", "RF_KFE")], [("RF_shank", "RF_thigh")], []),
+        ([("RF_shank", "trunk", "RF_KFE")], [("RF_shank", "RF_thigh")], []),
+        ([("RF_shank", "RF_hip", "RF_KFE")], [("RF_shank", "RF_thigh")], []),
+        (
+            [("RF_shank", "RF_thigh", "RF_HFE"), ("RF_thigh", "RF_hip", "RF_KFE")],
+            [],
+            [("RF_thigh", "RF_HFE"), ("RF_shank", "RF_KFE")],
+        ),
+        (
+            [("RF_shank", "RF_thigh", "LF_KFE"), ("LF_shank", "LF_thigh", "RF_KFE")],
+            [],
+            [("LF_shank", "LF_KFE"), ("RF_shank", "RF_KFE")],
+        ),
+        # Who attaches many things so means it.
+        ([(f"{leg}_shank", "trunk", f"{leg}_KFE") for leg in ("LF", "RF")], [], []),
+        ([(f"{leg}_shank", "LF_thigh", f"{leg}_KFE") for leg in LEGS], [], []),
+    ],
+)
+def test_links_that_are_not_attached_as_their_twins(
+    changes: list[tuple[str, str, str]], elsewhere: list[object], crossed: list[object]
+) -> None:
+    assert misplaced(*legs(*changes)) == (elsewhere, crossed)
+
+
+def test_numbered_limbs() -> None:
+    names = ("leg1", "leg2", "leg3")
+    assert misplaced(*legs(names=names)) == ([], [])
+    changed = legs(("leg2_shank", "leg1_thigh", "leg2_KFE"), names=names)
+    assert misplaced(*changed) == ([("leg2_shank", "leg2_thigh")], [])
+
+
+@pytest.mark.parametrize("name", ["torso_l", "neck"])
+def test_a_side_without_another_side_tells_nothing(name: str) -> None:
+    chain = ("base", name, "head")
+    pairs = pairwise(chain)
+    assert misplaced(*(Attachment(b, a, f"{b}_joint") for a, b in pairs)) == ([], [])

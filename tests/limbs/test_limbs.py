@@ -1,0 +1,65 @@
+"""Limbs of random robots, whose frames lie anyhow: alike as they are, and with one slip in one."""
+
+import random
+import re
+
+import pytest
+from tests.support.amount import usually
+from tests.support.bodies import significant
+from tests.support.legged import COPIED, REFLECTED, Legs, Walker
+
+from kindsl.analysis.analysis import Analysis, analyse
+from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.text.edits import apply_edits
+
+LIMB_CODES = ("KD208", "KD209", "KD210", "KD509", "KD510")
+JOINT = re.compile(r"r_joint (\w+) \{ ref_frame \{ translation = \((.*?)\) rotation = \((.*?)\) ")
+ALL_LEGS = pytest.mark.parametrize("legs", [REFLECTED, COPIED], ids=["reflected", "copied"])
+
+
+def told(analysis: Analysis) -> list[Diagnostic]:
+    assert analysis.faults == ()
+    return [finding for finding in analysis.findings if finding.code in LIMB_CODES]
+
+
+def walker(seed: int, legs: Legs) -> str:
+    robot = Walker(random.Random(seed), legs)
+    return robot.document(robot.bodies, significant(9))
+
+
+@ALL_LEGS
+@pytest.mark.parametrize("seed", range(usually(10, 200)))
+def test_limbs_that_are_alike_are_left_in_peace(seed: int, legs: Legs) -> None:
+    assert told(analyse(walker(seed, legs))) == []
+
+
+@ALL_LEGS
+@pytest.mark.parametrize("seed", range(usually(10, 200)))
+def test_another_number_in_one_limb_is_named_and_put_right(seed: int, legs: Legs) -> None:
+    text = walker(seed, legs)
+    generator = random.Random(seed)
+    joint = generator.choice([j for j in JOINT.finditer(text) if "knee" in j[1]])
+    numbers = joint[2].split(", ")
+    place = generator.randrange(3)
+    numbers[place] = f"{float(numbers[place]) + generator.choice((-0.2, 0.3)):.9f}"
+    spoilt = text[: joint.start(2)] + ", ".join(numbers) + text[joint.end(2) :]
+    (finding,) = told(analyse(spoilt))
+    assert finding.code == "KD509"
+    assert finding.message.startswith(f"translation of '{joint[1]}' is ({', '.join(numbers)}), by")
+    assert finding.fix is not None
+    (fixed,) = (
+        j for j in JOINT.finditer(apply_edits(spoilt, finding.fix.edits)) if j[1] == joint[1]
+    )
+    meant = [float(number) for number in joint[2].split(", ")]
+    assert [float(number) for number in fixed[2].split(", ")] == pytest.approx(meant, abs=1e-6)
+
+
+@pytest.mark.parametrize("seed", range(usually(5, 50)))
+def test_two_slips_in_two_limbs_are_meant(seed: int) -> None:
+    text = walker(seed, COPIED)
+    places = {j[1]: j for j in JOINT.finditer(text)}
+    for leg in ("LF", "LH"):
+        old = places[f"{leg}_knee"][2]
+        first, rest = old.split(", ", 1)
+        text = text.replace(f"({old})", f"({float(first) + 0.1:.9f}, {rest})")
+    assert told(analyse(text)) == []

@@ -1,0 +1,155 @@
+"""What is told of limbs (KD208 to KD210, KD509, KD510), with which fixes, and what it costs."""
+
+from collections.abc import Sequence
+
+import pytest
+from tests.support.one_rule import found, section, told
+from tests.support.published import CORPUS, published
+
+from kindsl.analysis.analysis import analyse
+from kindsl.rules import limb_verdicts
+from kindsl.rules.examples import four_legs, link, placed_joint, robot, two_arms
+from kindsl.text.edits import TextEdit, apply_edits
+
+CODES = ("KD208", "KD209", "KD210", "KD509", "KD510")
+THIGH = "0.08, 0.0, 0.0"
+
+
+def codes(text: str) -> list[str]:
+    return [finding.code for finding in analyse(text).findings if finding.code in CODES]
+
+
+@pytest.mark.parametrize(
+    ("numbers", "fixed"),
+    [
+        ("0.8, 0.0, 0.0", THIGH),
+        ("-0.08, 0.0, 0.0", THIGH),
+        ("0.0, 0.08, 0.0", THIGH),
+        ("0.0, 0.0, 0.0", THIGH),
+        ("0.09, 0.0, 0.0", THIGH),
+    ],
+)
+@pytest.mark.parametrize("leg", ["LF", "RF", "LH", "RH"])
+def test_one_leg_differs_from_three(leg: str, numbers: str, fixed: str) -> None:
+    text = four_legs(**{leg: numbers})
+    (finding,) = found("KD509", text)
+    assert finding.message == f"translation of '{leg}_HFE' is ({numbers}), by its twins ({fixed})"
+    assert len(finding.related) == 2
+    assert all("translation of" in related.message for related in finding.related)
+    assert finding.fix is not None and not finding.fix.is_safe
+    assert apply_edits(text, finding.fix.edits) == four_legs()
+
+
+def test_front_and_hind_legs_may_differ() -> None:
+    assert codes(four_legs(LH="0.1, 0.0, 0.0", RH="0.1, 0.0, 0.0")) == []
+
+
+def test_a_fix_is_written_in_the_words_of_the_twins() -> None:
+    text = four_legs(
+        LF="hip, 0.0, 0.0", RF="hip, 0.0, 0.0", LH="hip, 0.0, 0.0", RH="-hip, 0.0, 0.0"
+    )
+    for values in ({}, {"hip": 0.08}):
+        (finding,) = found("KD509", text, **values)
+        assert finding.message == (
+            "translation of 'RH_HFE' is (-hip, 0.0, 0.0), by its twins (hip, 0.0, 0.0)"
+        )
+        assert finding.fix is not None
+        assert apply_edits(text, finding.fix.edits) == text.replace("-hip", "hip")
+
+
+def test_parameters_are_compared_by_their_names() -> None:
+    """What is equal at the values given is no slip; nor is what is equal by chance."""
+    same = dict.fromkeys(("LF", "RF", "LH"), "hip, 0.0, 0.0")
+    assert told("KD509", four_legs(**same, RH="thigh, 0.0, 0.0"), hip=0.08, thigh=0.08) == []
+    assert told("KD509", four_legs(**same, RH="hip, 0.0, 0.0")) == []
+
+
+def test_angles_are_written_as_fractions_of_pi() -> None:
+    text = four_legs()
+    first = text.index("PI/2.0, 0.0, 0.0", text.index("r_joint RF_HFE"))
+    spoilt = f"{text[:first]}0.0, 0.0, 0.0{text[first + len('PI/2.0, 0.0, 0.0') :]}"
+    (finding,) = found("KD509", spoilt)
+    assert finding.fix is not None
+    assert apply_edits(spoilt, finding.fix.edits) == text
+
+
+def test_sides_have_two_choices() -> None:
+    text = two_arms("0.03, -0.1, 0.02")
+    (finding,) = found("KD510", text)
+    assert finding.fix is None
+    made = {apply_edits(text, fix.edits) for fix in finding.choices}
+    assert two_arms("0.3, -0.1, 0.02") in made
+    assert text.replace("0.3, 0.1, 0.02", "0.03, 0.1, 0.02") in made
+    assert len(made) == 2
+
+
+def test_a_number_that_no_slip_explains_is_meant() -> None:
+    assert codes(two_arms("0.37, -0.13, 0.02")) == []
+
+
+def test_a_limb_on_another_leg_is_told_alone() -> None:
+    """Its numbers are not compared with those of limbs that are whole."""
+    moved = four_legs(RF="0.9, 0.0, 0.0").replace("{ RF_shank via RF_KFE }", "{ }")
+    moved = moved.replace("{ LF_shank via", "{ RF_shank via RF_KFE LF_shank via")
+    assert codes(moved) == ["KD208"]
+
+
+def legs_with(**coms: str) -> str:
+    """Return legs with an inertia in their hips, one with another CoM."""
+    text = four_legs()
+    for leg in ("LF", "RF", "LH", "RH"):
+        at = text.index("inertia_params", text.index(f"link {leg}_hip"))
+        end = text.index("}", at) + 1
+        com = coms.get(leg, "0.02, 0.01, 0.05")
+        text = text[:at] + section(2.0, com, 0.03, 0.031, 0.032) + text[end:]
+    return text
+
+
+def test_what_is_told_of_mirrored_inertias_is_not_told_twice() -> None:
+    """KD312 compares left and right; what it has an eye for is its own."""
+    spoilt = analyse(legs_with(RH="0.06, 0.01, 0.05")).findings
+    assert [f.code for f in spoilt if f.code in ("KD312", "KD509")] == ["KD312"]
+    assert told("KD509", legs_with()) == []
+
+
+def test_only_limbs_that_changed_are_compared_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    compared: list[object] = []
+    compare = limb_verdicts._compared
+
+    def counted(groups: Sequence[object]) -> object:
+        compared.append(groups)
+        return compare(groups)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(limb_verdicts, "_compared", counted)
+    text = four_legs()
+    analysis = analyse(text)
+    hip, mass = text.index("0.08"), text.index("mass = 4.1") + len("mass = ")
+    steps = (
+        (mass, "4.1", "4.2", 0, []),
+        (hip, "0.08", "0.80", 1, ["KD509"]),
+        (mass, "4.2", "4.1", 0, ["KD509"]),
+        (hip, "0.80", "0.08", 1, []),
+    )
+    assert [f.code for f in analysis.findings if f.code in CODES] == []
+    for at, old, new, n_compared, expected in steps:
+        compared.clear()
+        assert analysis.text[at : at + len(old)] == old
+        analysis = analysis.edited([TextEdit(at, at + len(old), new)])
+        assert [f.code for f in analysis.findings if f.code in CODES] == expected
+        assert len(compared) == n_compared
+        assert analysis.findings == analyse(analysis.text).findings
+
+
+def test_a_thousand_numbered_limbs_are_not_compared(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(limb_verdicts, "_compared", lambda _: pytest.fail("compared"))
+    numbers = range(1, 1001)
+    links = [link(f"finger{n}", n) for n in numbers]
+    joints = [placed_joint(f"j{n}", f"0.{n}, 0.1, 0.0", "0.0, 0.0, 0.0") for n in numbers]
+    base = " ".join(f"finger{n} via j{n}" for n in numbers)
+    assert codes(robot(*links, *joints, base=base)) == []
+
+
+@published
+def test_published_robots_are_left_in_peace() -> None:
+    for path in sorted(CORPUS.glob("*.kindsl")):
+        assert codes(path.read_text("utf-8", "replace")) == [], path.name
