@@ -409,12 +409,13 @@ def main() -> None:
 
 
 INTRODUCTION = """\
-Each slip is made in the text of a whole robot, in a limb that agreed with its twins before: with two
-or more (`three`), or with the one on the other side (`pair`). A slip that changes nothing, such as the
-sign of a half turn, is none. `in place` counts findings at the joint, link or pair of the slip, of
-pairs at either side; `fix right` counts fixes, or one of two choices, that restore the robot. The
-table is of robots that the rules were not tuned on: `python benchmarks/planted_slips.py --half 1
---write FOLDER` makes it, with a folder of robots besides the examples and the published models.
+Each slip is made in the text of a whole robot, in a limb that agreed with its twins before: with
+two or more (`three`), or with the one on the other side (`pair`). A slip that changes nothing, such
+as the sign of a half turn, is none. `in place` counts findings at the joint, link or pair of the
+slip, of pairs at either side; `fix right` counts fixes, or one of two choices, that restore the
+robot. The robots are some that the rules were not tuned on, among them converted URDF files:
+`python benchmarks/planted_slips.py --half 1 --write FOLDER` makes the table, of the examples, the
+published models and what is in a folder.
 """
 
 if __name__ == "__main__":

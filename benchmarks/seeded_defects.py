@@ -183,4 +183,6 @@ if __name__ == "__main__":
     text = table()
     print(text)
     if "--write" in sys.argv:
-        PAGE.write_text(text, encoding="utf-8")
+        # What `planted_slips.py` writes stands behind.
+        _, heading, rest = PAGE.read_text("utf-8").partition("\n## ")
+        PAGE.write_text(text + heading + rest, encoding="utf-8")

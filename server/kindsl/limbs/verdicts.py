@@ -177,7 +177,7 @@ def _other_kinds(edges: Edges) -> Iterator[LimbVerdict]:
     """Yield the joint that is prismatic where its twins are revolute, or the reverse."""
     votes: dict[Suspect, int] = {}
     for comparison in edges.values():
-        if len(comparison.other_kinds) > 1 or comparison.n_slips > 2:
+        if len(comparison.other_kinds) > 1 or comparison.n_slips > 0:
             return
         for index in comparison.other_kinds:
             _, one, other = comparison.rows[index]
@@ -187,7 +187,8 @@ def _other_kinds(edges: Edges) -> Iterator[LimbVerdict]:
     most = max(votes.values())
     odd = tuple(place for place, n in votes.items() if n == most)
     twins = tuple(place.link for place, n in votes.items() if n < most)
-    if len(odd) <= 2:
+    is_pair_of_sides = len(odd) == 2 and all(c.how == "LR" for c in edges.values())
+    if len(odd) == 1 or is_pair_of_sides:
         yield LimbVerdict(odd, (), twins, len(odd) == 1)
 
 

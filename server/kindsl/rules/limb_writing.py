@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from kindsl.limbs.conventions import Tolerance
 from kindsl.rules.base import Fix, Replacement
 from kindsl.rules.number_writing import as_fraction_of_pi, decimals, opposite
 from kindsl.semantics.declarations import Vector
@@ -9,6 +10,7 @@ from kindsl.semantics.expressions import Expression
 from kindsl.text.decimals import fixed_decimal
 
 _SAME = 1e-9
+_EXACTLY = Tolerance(1e-9, 0.0, 0.0)
 _NEAR_PI = 1e-6
 _MOST_DECIMALS = 6
 
@@ -18,6 +20,7 @@ def written(
     twins: Sequence[Vector],
     meant: Sequence[tuple[float, float, float]],
     assignments: Sequence[Mapping[str, float]],
+    within: Tolerance = _EXACTLY,
 ) -> tuple[str, ...] | None:
     """Return three components as they should be written, None where that takes a new formula.
 
@@ -26,12 +29,13 @@ def written(
         twins: What its twins have at this place, with whatever signs and in whatever order.
         meant: Metres or radians at each assignment.
         assignments: Of the parameters.
+        within: How far from what is meant the author's own numbers may be to be kept.
     """
     texts = []
     words = [e for twin in twins for e in twin.components]
     for index, component in enumerate(own.components):
         wanted = [numbers[index] for numbers in meant]
-        said = _said(component, words, wanted, assignments)
+        said = _said(component, words, wanted, assignments, within)
         if said is None:
             return None
         texts.append(said)
@@ -55,12 +59,14 @@ def _said(
     words: Sequence[Expression],
     wanted: Sequence[float],
     assignments: Sequence[Mapping[str, float]],
+    within: Tolerance,
 ) -> str | None:
     """Return a text with these values: one that stands there, its opposite, or a plain number."""
     for text, sign, expression in _candidates(own, words):
         values = [expression.value(each) for each in assignments]
+        length, share, _ = within if expression is own else _EXACTLY
         if all(
-            value is not None and abs(sign * value - want) <= _SAME
+            value is not None and abs(sign * value - want) <= max(length, share * abs(want))
             for value, want in zip(values, wanted, strict=True)
         ):
             return text
