@@ -414,8 +414,8 @@ two or more (`three`), or with the one on the other side (`pair`). A slip that c
 as the sign of a half turn, is none. `in place` counts findings at the joint, link or pair of the
 slip, of pairs at either side; `fix right` counts fixes, or one of two choices, that restore the
 robot. The robots are some that the rules were not tuned on, among them converted URDF files:
-`python benchmarks/planted_slips.py --half 1 --number 20 --seed 7 --write FOLDER` makes the table, of
-the examples, the published models and what is in a folder.
+`python benchmarks/planted_slips.py --half 1 --number 20 --seed 7 --write FOLDER` makes the table,
+of the examples, the published models and what is in a folder.
 """
 
 if __name__ == "__main__":
