@@ -15,7 +15,7 @@ from kindsl.syntax.recovery.lost_heads import lost_head
 from kindsl.syntax.recovery.messages import closing_problem, repair_problem
 from kindsl.syntax.recovery.preferences import moments_around, preferences
 from kindsl.syntax.recovery.progress import RepairProgress
-from kindsl.syntax.recovery.repair import Found, RepairStep, completion, search
+from kindsl.syntax.recovery.repair import FoundRepair, RepairStep, completion, search
 from kindsl.syntax.recovery.repair_words import fitting_words, is_alike, repair_words
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.token_names import BLOCK_STARTS, SPELLINGS, supplied
@@ -123,7 +123,7 @@ class BlockProgress:
         self._apply(found)
         return True
 
-    def _apply(self, found: Found) -> None:
+    def _apply(self, found: FoundRepair) -> None:
         island = self.island
         present = moments_around(self.read_tokens, island.tokens, island.index)
         words = repair_words(found.changes, island.tokens, present)

@@ -42,7 +42,7 @@ class RepairStep(NamedTuple):
     kind: str
 
 
-class Found(NamedTuple):
+class FoundRepair(NamedTuple):
     """A repair: from which token on, what, and where reading goes on."""
 
     first: int
@@ -81,7 +81,7 @@ def search(
     index: int,
     start: str,
     preferences: Preferences,
-) -> Found | None:
+) -> FoundRepair | None:
     """Return the best repair where the token `index` does not fit.
 
     Args:
@@ -123,7 +123,7 @@ def search(
     limit = goals[0].cost + _SLACK
     fair = [goal for goal in goals if goal.cost <= limit or _is_lost_run(goal, tokens, start)]
     best = min(fair, key=lambda goal: (-_run(goal, tokens, start), goal.cost))
-    return Found(best.first, best.changes, best.stack, best.at)
+    return FoundRepair(best.first, best.changes, best.stack, best.at)
 
 
 def completion(stack: Stack, start: str) -> list[str] | None:
