@@ -50,7 +50,7 @@ TESTS = {
     "interchange": ("interchange", "cli"),
     "lsp/session": ("lsp",),
     "config": ("config", "cli"),
-    "codegen": ("codegen",),
+    "codegen": ("codegen", "cli"),
     "scene": ("scene", "preview"),
 }
 OPTIONS = ["-q", "-p", "no:cacheprovider", "-p", "no:xdist"]

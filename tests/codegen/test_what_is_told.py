@@ -1,0 +1,68 @@
+"""What generated code says of itself: its README, its head, how long its lines are."""
+
+from dataclasses import replace
+
+import pytest
+from tests.support.robots import LIFT
+
+from kindsl.analysis.analysis import analyse
+from kindsl.analysis.settings import Settings
+from kindsl.codegen.generating import Source, generate
+from kindsl.codegen.library import Options
+from kindsl.codegen.manifest import digest
+from kindsl.semantics.parameters import Binding
+
+OPTIONS = Options("c", ("poses", "inverse_dynamics"), "double", False, "unbound", "arm")
+BOUND = LIFT.replace("mass = 2.0", "mass = m").replace("mass = 1.0", "mass = n")
+
+
+def files(options: Options, text: str = LIFT) -> dict[str, str]:
+    settings = Settings(bindings={name: Binding(1.5) for name in ("m", "n")})
+    return generate(Source("arm.kindsl", analyse(text, settings), {}), options)[1]
+
+
+def test_the_readme_names_what_is_in_which_order() -> None:
+    readme = files(OPTIONS)["README.md"]
+    assert "| 0 | shoulder | shoulder | revolute | upper |\n" in readme
+    assert "| 1 | lift | lift | prismatic | slider |\n" in readme
+    assert "| 2 | tool | slider |\n" in readme
+    (row,) = [line for line in readme.splitlines() if line.startswith("| `inverse_dynamics`")]
+    assert "fext" in row
+    (row,) = [line for line in readme.splitlines() if line.startswith("| `poses`")]
+    assert "fext" not in row
+
+
+def test_one_header_tells_how_it_is_included() -> None:
+    readme = files(replace(OPTIONS, is_single_header=True))["README.md"]
+    assert '`#define ARM_IMPLEMENTATION` before `#include "arm.h"`' in readme
+    assert "arm_model_init(&model, &parameters)" in readme
+
+
+@pytest.mark.parametrize("language", ["python", "jax", "casadi"])
+def test_a_module_tells_where_it_is_from(language: str) -> None:
+    (module,) = [
+        text for name, text in files(replace(OPTIONS, language=language)).items()
+        if name.endswith(".py")
+    ]  # fmt: skip
+    assert module.startswith('"""Kinematics and dynamics of Arm.\n')
+    assert f"SHA-256 of the document: {digest(LIFT.encode())}\n" in module
+
+
+def test_heads_fill_their_lines_and_no_more() -> None:
+    lines = files(OPTIONS)["arm.h"].splitlines()
+    starts = [number for number, line in enumerate(lines) if line.startswith("void arm_")]
+    assert all(len(lines[number]) <= 100 for number in starts)
+    cut = [number for number in starts if lines[number].endswith(",")]
+    assert cut
+    for number in cut:
+        word = lines[number + 1].partition(",")[0].strip()
+        assert len(f"{lines[number]} {word}, ") > 100
+
+
+@pytest.mark.parametrize(
+    ("choice", "inputs"), [("unbound", []), ("n", ["n"]), ("m, n", ["m", "n"]), ("all", ["m", "n"])]
+)
+def test_chosen_parameters_stay_inputs(choice: str, inputs: list[str]) -> None:
+    readme = files(replace(OPTIONS, parameters=choice), BOUND).get("README.md", "")
+    told = [name for name in ("m", "n") if f"| {name} | {name} | 1.5 |" in readme]
+    assert told == inputs
