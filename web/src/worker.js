@@ -2,7 +2,7 @@
 //
 // The first message is { base, useImage }: the address of this folder (build/server), and whether the memory image may
 // be used. Where the image does not load, the server starts from its zips.
-// biome-ignore lint/suspicious/noRedundantUseStrict: it is no module
+
 "use strict";
 
 /** @typedef {{ readonly method?: string, readonly params?: any }} Message of the protocol */
