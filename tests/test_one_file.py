@@ -132,7 +132,7 @@ def length(session, uri):
 '''
 
 
-def test_a_handler(add: Add) -> None:
+async def test_a_handler(add: Add) -> None:
     add(handlers, "counting.py", HANDLER)
     server = KindslLanguageServer()
     robot = types.TextDocumentItem("untitled:r", "kinematics-dsl", 1, "Robot r {}")
@@ -144,17 +144,17 @@ def test_a_handler(add: Add) -> None:
 EMITTER = '''\
 """Writes a value in prefix notation."""
 
-from kindsl.dynamics.generation.terms import Expression
+from kindsl.dynamics.generation.terms import Term
 
 
 def prefix_notation(graph, value):
     """Return the text of a value."""
-    if not isinstance(value, Expression):
+    if not isinstance(value, Term):
         return f"{value:g}"
     operation, *operands = graph.nodes[value.index]
     if operation == "input":
         return f"x{value.index}"
-    values = [Expression(graph, o) if isinstance(o, int) else o for o in operands]
+    values = [Term(graph, o) if isinstance(o, int) else o for o in operands]
     words = (prefix_notation(graph, value) for value in values)
     return f"({' '.join([operation, *words])})"
 '''

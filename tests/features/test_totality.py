@@ -24,11 +24,12 @@ from kindsl.features.linked_editing import linked_ranges
 from kindsl.features.references import references
 from kindsl.features.rename import Renaming, rename, rename_range
 from kindsl.features.selection_range import selection_ranges
-from kindsl.features.semantic_tokens import MODIFIERS, TYPES, semantic_tokens
+from kindsl.features.semantic_tokens import semantic_tokens
 from kindsl.features.signature_help import signature_help
 from kindsl.features.symbol_at import symbol_at
 from kindsl.features.tree_path import path_at, token_at
 from kindsl.features.workspace_symbols import workspace_symbols
+from kindsl.lsp.handlers.highlighting import MODIFIERS, TYPES
 from kindsl.text.edits import apply_edits
 
 SMALL = (

@@ -13,8 +13,9 @@ from kindsl.features.kinematic_outline import kinematic_outline
 from kindsl.features.subtree import subtree_of
 from kindsl.features.zero_configuration import body_pose, frame_pose, joint_pose, own_pose
 from kindsl.mechanism.drawable import drawable_skeleton
-from kindsl.mechanism.link_inertia import link_inertia, principal_moments_about_com
+from kindsl.mechanism.link_inertia import link_inertia
 from kindsl.mechanism.total_mass import Weight, own_mass
+from kindsl.rigid.body import principal_moments_about_com
 from kindsl.semantics.unknown import Unknown
 
 QUADRUPED = (ROOT / "examples" / "quadruped.kindsl").read_text()

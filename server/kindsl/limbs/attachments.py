@@ -67,11 +67,11 @@ class LimbNames:
 
     def elsewhere(self) -> list[Misplaced]:
         """Return the links that another body carries than their twins let expect."""
-        return self._misplaced(self._links, "parent")
+        return _exchangeable(self._misplaced(self._links, "parent"))
 
     def crossed(self) -> list[Misplaced]:
         """Return the links whose joint is another than their twins let expect."""
-        return self._misplaced(self._joints, "joint")
+        return _exchangeable(self._misplaced(self._joints, "joint"))
 
     def _misplaced(self, sided: _Sided, what: str) -> list[Misplaced]:
         """Return what is not attached as its twins; nothing where that is not a slip or two."""
@@ -145,6 +145,11 @@ class LimbNames:
         mine = self._links.get(attachment.link, ("", ""))
         is_same = all(x == y or not x or not y for x, y in zip(mine, label, strict=True))
         return _View(self._read(name)[1], "same" if is_same else "other")
+
+
+def _exchangeable(found: list[Misplaced]) -> list[Misplaced]:
+    """Return what would be in place elsewhere; a part of another name alone is only named so."""
+    return found if all(each.meant is not None for each in found) else []
 
 
 def _words_of_numbered(attachments: Iterable[Attachment]) -> set[str]:
