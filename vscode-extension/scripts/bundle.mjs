@@ -45,7 +45,7 @@ async function copyServer() {
   const version = /^__version__ = "(.+)"$/m.exec(server)?.[1];
   const own = JSON.parse(await readFile("package.json", "utf8")).version;
   if (version !== own) throw new Error(`the server has version ${version}, package.json ${own}`);
-  const isSource = (place) => !/(^|[\\/])__pycache__$/.test(place);
+  const isSource = (place) => !/(^|[\\/])__pycache__$|\.d\.ts$/.test(place);
   await cp("../server/kindsl", path.join(libs, "kindsl"), { recursive: true, filter: isSource });
   for (const name of ["kindsl.lark", "dtdsl.lark"]) await cp(`../grammar/${name}`, path.join(libs, "kindsl/grammar", name));
   await cp("../docs/rules", path.join(libs, "kindsl/docs/rules"), { recursive: true });
