@@ -91,7 +91,7 @@ def test_a_number_is_within_its_bounds_however_it_was_shortened(
     text = f"{Decimal(value).quantize(Decimal(1).scaleb(-digits), rounding=rounding):f}"
     text = text if "." in text else f"{text}.0"
     text = repr(float(text)) if is_bare else text
-    # Below ten a zero behind the point is a digit: nobody rounds 1.5 m to whole metres and writes `2.0`.
+    # Below ten a zero behind the point is a digit: nobody writes `2.0` of 1.5 m in whole metres.
     assume(digits or abs(float(text)) >= 10.0)
     low, high = all_written_as(text)
     assert low - 1e-9 <= value <= high + 1e-9
