@@ -67,11 +67,11 @@ class LimbNames:
 
     def elsewhere(self) -> list[Misplaced]:
         """Return the links that another body carries than their twins let expect."""
-        return _exchangeable(self._misplaced(self._links, "parent"))
+        return self._misplaced(self._links, "parent")
 
     def crossed(self) -> list[Misplaced]:
         """Return the links whose joint is another than their twins let expect."""
-        return _exchangeable(self._misplaced(self._joints, "joint"))
+        return self._misplaced(self._joints, "joint")
 
     def _misplaced(self, sided: _Sided, what: str) -> list[Misplaced]:
         """Return what is not attached as its twins; nothing where that is not a slip or two."""
@@ -94,7 +94,10 @@ class LimbNames:
             return across if not odd and len(across) <= _MOST_CROSSED else []
         is_exchanged = what == "joint" and len(odd) == 2 and odd[0][0] == odd[1][0]
         is_alone = len(odd) == 1 and (what == "parent" or len(odd[0][1]) == 1)
-        return [each for _, found in odd for each in found] if is_exchanged or is_alone else []
+        found = [each for _, found in odd for each in found]
+        if is_exchanged:
+            return found
+        return _placed(found) if is_alone else []
 
     def _is_odd(self, n_odd: int, twins: Collection[Attachment], what: str) -> bool:
         """Return whether one of several differs, or names can tell that two do."""
@@ -147,8 +150,8 @@ class LimbNames:
         return _View(self._read(name)[1], "same" if is_same else "other")
 
 
-def _exchangeable(found: list[Misplaced]) -> list[Misplaced]:
-    """Return what would be in place elsewhere; a part of another name alone is only named so."""
+def _placed(found: list[Misplaced]) -> list[Misplaced]:
+    """Return what has a place elsewhere; a part that is only named otherwise has none."""
     return found if all(each.meant is not None for each in found) else []
 
 
