@@ -11,7 +11,6 @@ from kindsl.cli.documents.walking import documents
 from kindsl.cli.documents.writing import write_text
 from kindsl.cli.options import add_exclusion_argument
 from kindsl.cli.outcome import Failure
-from kindsl.cli.output.unified_diff import unified_diff
 from kindsl.config.robots import TOOLS_FOLDERS
 from kindsl.formatting.format import FormattingRefusedError, format_document
 from kindsl.syntax.document import SyntaxDocument, parse
@@ -19,6 +18,7 @@ from kindsl.text.edits import apply_edits
 from kindsl.text.lines import LineIndex
 from kindsl.text.phrases import counted
 from kindsl.text.printable import printable
+from kindsl.text.unified_diff import unified_diff
 
 SUMMARY = "format documents; changes whitespace only"
 OK = 0

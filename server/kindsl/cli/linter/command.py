@@ -127,7 +127,7 @@ def _rendered(outcome: RunOutcome, args: Any) -> str:
 
 
 def _report_diff(outcome: RunOutcome, args: Any) -> int:
-    from kindsl.cli.output.unified_diff import unified_diff
+    from kindsl.text.unified_diff import unified_diff
 
     diffs = [unified_diff(file.path, file.original, file.text) for file in outcome.files]
     write(sys.stdout, "".join(diffs))
