@@ -48,7 +48,7 @@ class RigidPose(NamedTuple):
         """Return where A is in B."""
         x, y, z = rotation = transposed(self.rotation)
         r = self.translation
-        return RigidPose(rotation, (-_dot(x, r), -_dot(y, r), -_dot(z, r)))
+        return RigidPose(rotation, (-dot(x, r), -dot(y, r), -dot(z, r)))
 
 
 IDENTITY = RigidPose(_IDENTITY, (0.0, 0.0, 0.0))
@@ -133,15 +133,21 @@ def transposed(rotation: Rotation) -> Rotation:
 def product(first: Rotation, second: Rotation) -> Rotation:
     """Return the matrix product, `A_R_C` of `A_R_B` and `B_R_C`."""
     x, y, z = transposed(second)
-    rows = [(_dot(row, x), _dot(row, y), _dot(row, z)) for row in first]
+    rows = [(dot(row, x), dot(row, y), dot(row, z)) for row in first]
     return rows[0], rows[1], rows[2]
 
 
 def turned(rotation: Rotation, vector: Vector3) -> Vector3:
     """Return a vector given in B, in A, for `A_R_B`."""
     a, b, c = rotation
-    return _dot(a, vector), _dot(b, vector), _dot(c, vector)
+    return dot(a, vector), dot(b, vector), dot(c, vector)
 
 
-def _dot(a: Vector3, b: Vector3) -> float:
+def dot(a: Vector3, b: Vector3) -> float:
+    """Return the scalar product."""
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def cross(a: Vector3, b: Vector3) -> Vector3:
+    """Return the vector product."""
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]

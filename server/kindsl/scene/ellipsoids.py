@@ -4,12 +4,11 @@ from math import sqrt
 from typing import NamedTuple
 
 from kindsl.rigid.body import MassDistribution, eigensystem, moments_of, second_moments_about_com
-from kindsl.rigid.pose import Vector3
+from kindsl.rigid.pose import Vector3, cross
+from kindsl.rigid.solid import TOLERANCE
 
 # As in Drake: an axis is never drawn thinner than this share of the largest.
 THINNEST = 0.01
-# A second moment may be negative by this share of the largest, which rounding explains.
-TOLERANCE = 0.02
 
 
 class InertiaEllipsoid(NamedTuple):
@@ -43,7 +42,7 @@ def inertia_ellipsoid(body: MassDistribution) -> InertiaEllipsoid:
     lengths = [
         sqrt(5.0 * max(pair.value, thinnest) / body.mass) for pair in (least, middle, largest)
     ]
-    axes = (least.axis, middle.axis, _cross(least.axis, middle.axis))
+    axes = (least.axis, middle.axis, cross(least.axis, middle.axis))
     a, b, c = (_scaled(axis, length) for axis, length in zip(axes, lengths, strict=True))
     return InertiaEllipsoid((a, b, c), about_com, is_consistent)
 
@@ -51,7 +50,3 @@ def inertia_ellipsoid(body: MassDistribution) -> InertiaEllipsoid:
 def _scaled(vector: Vector3, factor: float) -> Vector3:
     x, y, z = vector
     return factor * x, factor * y, factor * z
-
-
-def _cross(a: Vector3, b: Vector3) -> Vector3:
-    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
