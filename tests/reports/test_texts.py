@@ -6,7 +6,7 @@ from tests.cli.samples import GOOD, arm
 import kindsl
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.analysis.settings import Settings
-from kindsl.mechanism.difference import Difference, difference
+from kindsl.comparison.difference import Difference, difference
 from kindsl.reports.card import branches, card_page
 from kindsl.reports.columns import aligned, number
 from kindsl.reports.difference_text import change_rows

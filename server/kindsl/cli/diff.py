@@ -26,7 +26,7 @@ from kindsl.text.printable import printable
 
 if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis
-    from kindsl.mechanism.difference import Difference
+    from kindsl.comparison.difference import Difference
 
 SUMMARY = "report mechanical changes between two documents"
 SAME = 0

@@ -4,9 +4,9 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
-from kindsl.mechanism.difference import Difference, difference
+from kindsl.comparison.difference import Difference, difference
+from kindsl.comparison.partial_difference import added, partial_difference, removed
 from kindsl.mechanism.errors import ModelError, UnboundParameterError
-from kindsl.mechanism.partial_difference import added, partial_difference, removed
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.mechanism.total_mass import total_mass
 from kindsl.semantics.model import Model

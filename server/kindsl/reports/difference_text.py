@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from math import degrees
 from typing import NamedTuple
 
-from kindsl.mechanism.difference import Difference, MassChange, Moved
+from kindsl.comparison.difference import Difference, MassChange, Moved
 
 # Relative change of a tensor whose principal moments print the same.
 _TURNED = 1e-6

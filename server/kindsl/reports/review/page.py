@@ -4,8 +4,8 @@ from collections.abc import Iterator, Mapping
 from math import dist, isclose
 
 from kindsl.analysis.analysis import Analysis, analyse
+from kindsl.comparison.difference import Difference
 from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.mechanism.difference import Difference
 from kindsl.reports.card import branches, shown_skeleton, triple
 from kindsl.reports.columns import number
 from kindsl.reports.comparison import Comparison, compared

@@ -7,7 +7,7 @@ import pytest
 
 import kindsl
 from kindsl.analysis.settings import Settings
-from kindsl.mechanism.difference import Difference, difference
+from kindsl.comparison.difference import Difference, difference
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.semantics.parameters import Binding
 

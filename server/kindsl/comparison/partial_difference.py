@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
-from kindsl.mechanism.difference import Difference, difference
+from kindsl.comparison.difference import Difference, difference
 from kindsl.mechanism.fragments import skeleton_as_far_as_known
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.mechanism.total_mass import total_mass, unknown_bodies
