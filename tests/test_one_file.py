@@ -17,6 +17,9 @@ from kindsl.dynamics.generation import emitters
 from kindsl.interchange.registry import all_formats
 from kindsl.lsp import handlers
 from kindsl.lsp.server import KindslLanguageServer
+from kindsl.mcp import tools
+from kindsl.mcp.folder import Folder
+from kindsl.mcp.tool import all_tools, answer
 from kindsl.text.modules import module_names
 
 Add = Callable[[ModuleType, str, str], None]
@@ -73,7 +76,7 @@ def test_a_command_that_runs_long_says_so(add: Add) -> None:
     add(cli, "watch.py", '"""Watches."""\n\nSUMMARY = "watch a robot"\nRUNS_LONG = True\n')
     assert runs_long("watch")
     assert [name for name in command_summaries() if runs_long(name)] == [
-        "language-server", "preview", "watch",
+        "language-server", "mcp", "preview", "watch",
     ]  # fmt: skip
 
 
@@ -202,3 +205,21 @@ def test_a_language_and_its_emitter(
     manifest.write_text(text)
     document.write_text(GOOD.replace("mass = ", "mass = 2"))
     assert main(["generate", str(document), "--check", str(folder)]) == 1
+
+
+TOOL = '''\
+"""Greet a robot."""
+
+from kindsl.mcp.tool import Arguments, text
+
+
+def run(arguments: Arguments, folder):
+    return [text(f"hello from {folder.root.name}")]
+'''
+
+
+def test_a_tool_for_assistants(add: Add, tmp_path: Path) -> None:
+    add(tools, "greet.py", TOOL)
+    tool = all_tools()["greet"]
+    (content,) = answer(tool, {}, Folder(tmp_path))
+    assert (tool.description, content.type) == ("Greet a robot.", "text")

@@ -1,0 +1,1 @@
+"""Has one module a tool; nothing else names them."""
