@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from kindsl.analysis.check_run import Checkpoint, CheckRun, Fault, go_on
 from kindsl.analysis.diagnostics import Diagnostic, Findings, Resolver
 from kindsl.analysis.explained import is_explained
+from kindsl.analysis.known_findings import Apart, blocks_of, set_apart
 from kindsl.analysis.settings import Settings, is_enabled, severity_of
 from kindsl.analysis.syntax_findings import syntax_findings
 from kindsl.rules.base import Finding, Rule
@@ -46,6 +47,7 @@ class Analysis:
         self._written = syntax
         self.syntax = as_read_for(syntax, settings.targets)
         self.settings = settings
+        self._apart: Apart = Apart()
         self._findings: Findings | None = None
         self._faults: tuple[Fault, ...] = ()
 
@@ -71,8 +73,14 @@ class Analysis:
 
     @property
     def findings(self) -> Findings:
-        """The findings in the order of the text, without suppressed ones."""
+        """The findings in the order of the text, without suppressed and known ones."""
         return self.check()
+
+    @property
+    def apart(self) -> Apart:
+        """The findings, those that the baseline knows, and what it knows in vain."""
+        self.check()
+        return self._apart
 
     @property
     def faults(self) -> tuple[Fault, ...]:
@@ -90,11 +98,13 @@ class Analysis:
             run = CheckRun(checkpoint)
             with paused_collector():
                 found = [self._resolve(rule, finding) for rule, finding in self._found(run)]
-            self._findings, self._faults = self._without_silenced(found), tuple(run.faults)
+            unsilenced = self._without_silenced(found)
+            self._apart = set_apart(unsilenced, blocks_of(self.syntax), self.settings)
+            self._findings, self._faults = Findings(self._apart.told, self.text), tuple(run.faults)
         return self._findings
 
     def unsilenced(self) -> list[Diagnostic]:
-        """Return all findings, including those that comments suppress."""
+        """Return all findings, including those that comments or a baseline suppress."""
         run = CheckRun(go_on)
         return [self._resolve(rule, finding) for rule, finding in self._found(run)]
 
@@ -168,7 +178,7 @@ class Analysis:
         of_meaning += run.island_findings(rules, self.model, self.context)
         return [*found, *(entry for entry in of_meaning if not is_explained(entry[1]))]
 
-    def _without_silenced(self, found: list[Diagnostic]) -> Findings:
+    def _without_silenced(self, found: list[Diagnostic]) -> list[Diagnostic]:
         islands, starts = self.syntax.islands, self.syntax.starts
         if any("kindsl:" in island.text for island in islands):
             enabled = [rule.code for rule in all_rules() if is_enabled(rule, self.settings)]
@@ -179,7 +189,7 @@ class Analysis:
             found = [d for d in found if not any(s.covers(d.code, d.start) for s in silenced)]
             if UNUSED_SUPPRESSION.code in enabled:
                 found += self._of(UNUSED_SUPPRESSION, unused_suppressions(unused, enabled))
-        return Findings(sorted(found, key=lambda d: (d.start, d.end, d.code, d.message)), self.text)
+        return sorted(found, key=lambda d: (d.start, d.end, d.code, d.message))
 
     def _unknown(self, found: list[Diagnostic]) -> Iterator[tuple[Directive, list[str]]]:
         """Yield the `kindsl:` comments, each with the codes of the findings there."""

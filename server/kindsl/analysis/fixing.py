@@ -196,4 +196,6 @@ def in_line_style(edit: TextEdit, text: str) -> TextEdit:
 
 
 def _errors(analysis: Analysis) -> Counter[str]:
-    return Counter(f.code for f in analysis.findings if f.severity is Severity.ERROR)
+    """Return the errors by code; what a baseline knows was there before its block changed."""
+    found = (*analysis.findings, *analysis.apart.known)
+    return Counter(f.code for f in found if f.severity is Severity.ERROR)

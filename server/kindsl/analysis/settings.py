@@ -19,6 +19,7 @@ class Settings(NamedTuple):
         severity: Severity by code or prefix, the longest match wins.
         bindings: Values of parameters.
         joints: Limits of joints.
+        known: How often the baseline knows each finding of the document, by its identity.
     """
 
     targets: frozenset[str] = frozenset()
@@ -27,6 +28,7 @@ class Settings(NamedTuple):
     severity: Mapping[str, Severity] = {}
     bindings: Mapping[str, Binding] = {}
     joints: Mapping[str, JointLimits] = {}
+    known: Mapping[str, int] = {}
 
     def rebound(self, values: Mapping[str, float]) -> "Settings":
         """Return these settings with parameters bound to other values, in their former ranges."""

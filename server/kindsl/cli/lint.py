@@ -24,6 +24,7 @@ DEFAULTS: dict[str, Any] = {
     "fix": False,
     "unsafe_fixes": False,
     "diff": False,
+    "write_baseline": None,
     "output_format": "text",
     "max_warnings": None,
     "exit_zero": False,

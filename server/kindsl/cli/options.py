@@ -87,6 +87,11 @@ def _add_decisions(group: Any) -> None:
         help=f"generators that must accept the documents: {', '.join(TARGETS)}",
     )  # fmt: skip
 
+    group.add_argument(
+        "--write-baseline", metavar="FILE",
+        help="write what is found as known; see 'baseline' in kindsl.toml",
+    )  # fmt: skip
+
 
 def _add_fixes(group: Any) -> None:
     group.add_argument("--fix", action="store_true", help="apply the safe fixes")

@@ -43,12 +43,14 @@ class LintedFile:
         joints: Names of its joints.
         configuration: The configuration file that held for it, if any.
         n_fixed: How many findings were mended.
+        n_known: How many findings are left out, since the baseline knows them.
+        n_stale: How many findings the baseline knows that are no longer there.
         original: The text before fixes.
     """
 
     __slots__ = (
-        "__dict__", "configuration", "findings", "joints", "n_fixed", "original", "parameters",
-        "path", "text",
+        "__dict__", "configuration", "findings", "joints", "n_fixed", "n_known", "n_stale",
+        "original", "parameters", "path", "text",
     )  # fmt: skip
 
     def __init__(
@@ -67,6 +69,7 @@ class LintedFile:
         self.joints: frozenset[str] = frozenset()
         self.original = text if original is None else original
         self.n_fixed = n_fixed
+        self.n_known = self.n_stale = 0
         self.configuration: str | None = None
 
     @cached_property
@@ -78,6 +81,12 @@ class LintedFile:
         """Return line and column of an offset, both from 1."""
         line, column = self.lines.position(offset)
         return line + 1, column + 1
+
+    def with_all_known(self) -> "LintedFile":
+        """Return the file with all its findings known."""
+        file = LintedFile(self.path, self.text, (), self.parameters, self.original, self.n_fixed)
+        file.n_known = self.n_known + len(self.findings)
+        return file
 
     def count(self, severity: Severity) -> int:
         """Return the number of findings of a severity."""
@@ -91,11 +100,13 @@ class RunOutcome(NamedTuple):
         files: What was linted, in the order asked for.
         failures: What could not be.
         failing: The severities that make the run fail.
+        remarks: Sentences about what the run rested on.
     """
 
     files: Sequence[LintedFile]
     failures: Sequence[Failure]
     failing: frozenset[Severity] = frozenset((Severity.ERROR,))
+    remarks: Sequence[str] = ()
 
     def count(self, severity: Severity) -> int:
         """Return the number of findings of a severity."""

@@ -1,12 +1,11 @@
 """A valid configuration file."""
 
-from collections.abc import Mapping
 from typing import NamedTuple
 
 from kindsl.analysis.settings import Settings
 from kindsl.config.decisions import Decisions, overridden
 from kindsl.config.errors import ConfigurationError, ConfigurationProblem
-from kindsl.config.toml_places import KeyPath, Span
+from kindsl.config.toml_places import KeyPath, Places
 
 __all__ = ["Configuration", "ConfigurationError", "ConfigurationProblem", "DocumentTable"]
 
@@ -33,14 +32,16 @@ class Configuration(NamedTuple):
         documents: What holds for some of them; later ones win.
         places: Where each key stands, by its path of keys and list indices.
         root: The keys before ours: `("tool", "kindsl")` in a pyproject.toml.
+        baseline: The file of known findings, from the file's folder; empty without one.
     """
 
     path: str
     text: str
     common: Decisions
     documents: tuple[DocumentTable, ...]
-    places: Mapping[KeyPath, Span]
+    places: Places
     root: tuple[str, ...]
+    baseline: str = ""
 
     @property
     def has_bindings(self) -> bool:

@@ -68,8 +68,9 @@ def configuration_of(path: str, text: str) -> Configuration:
         if checker.known_keys(("document", number), entry, DOCUMENT_KEYS)
         and (pattern := checker.pattern(("document", number), entry))
     )
+    baseline = checker.text(("baseline",), table)
     checker.raise_if_wrong()
-    return Configuration(path, text, common, documents, checker.places, root)
+    return Configuration(path, text, common, documents, checker.places, root, baseline)
 
 
 def read_parameters(path: str) -> dict[str, Binding]:

@@ -30,13 +30,13 @@ class Decisions(NamedTuple):
 
 def overridden(settings: Settings, table: Decisions) -> Settings:
     """Return settings overridden by a table's decisions."""
-    return Settings(
-        settings.targets if table.targets is None else table.targets,
-        settings.select if table.select is None else table.select,
-        settings.ignore if table.ignore is None else table.ignore,
-        {**settings.severity, **table.severity},
-        {**settings.bindings, **_within(settings.bindings, table.bindings)},
-        {**settings.joints, **table.joints},
+    return settings._replace(
+        targets=settings.targets if table.targets is None else table.targets,
+        select=settings.select if table.select is None else table.select,
+        ignore=settings.ignore if table.ignore is None else table.ignore,
+        severity={**settings.severity, **table.severity},
+        bindings={**settings.bindings, **_within(settings.bindings, table.bindings)},
+        joints={**settings.joints, **table.joints},
     )
 
 

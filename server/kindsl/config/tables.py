@@ -15,7 +15,7 @@ from kindsl.text.lines import LineIndex
 from kindsl.text.nearest import hint, nearest_word
 from kindsl.text.printable import printable
 
-KEYS = ("target", "select", "ignore", "severity", "parameters", "joints", "document")
+KEYS = ("target", "select", "ignore", "baseline", "severity", "parameters", "joints", "document")
 DOCUMENT_KEYS = ("path", "target", "select", "ignore", "severity", "parameters", "joints")
 BINDING_KEYS = ("value", "min", "max")
 LIMIT_KEYS = ("min", "max")
@@ -79,22 +79,27 @@ class Checker:
                 self.wrong_type((*keys, number), entry, "a table")
         return [entry for entry in value if isinstance(entry, dict)]
 
+    def text(self, keys: KeyPath, table: Mapping[str, Any]) -> str:
+        """Return a text, empty if there is none; also empty and reported if it is not one."""
+        value = table.get(str(keys[-1]))
+        if value is None:
+            return ""
+        if not isinstance(value, str):
+            self.wrong_type(keys, value, "a string")
+            return ""
+        if not value.strip():
+            self.wrong(keys, f"'{dotted(keys)}' is empty")
+        return value.strip()
+
     def pattern(self, keys: KeyPath, table: Mapping[str, Any]) -> str:
         """Return the `path` of a document's table; empty and reported if it is invalid."""
         if "path" not in table:
             self.wrong(keys, f"'{dotted(keys)}' has no 'path'")
             return ""
-        value = table["path"]
-        if not isinstance(value, str):
-            self.wrong_type((*keys, "path"), value, "a string")
-            return ""
-        if not value.strip():
-            self.wrong((*keys, "path"), f"'{dotted((*keys, 'path'))}' is empty")
-            return ""
         from kindsl.config.patterns import can_match
 
-        pattern = value.strip().removeprefix("./")
-        if not can_match(pattern):
+        pattern = self.text((*keys, "path"), table).removeprefix("./")
+        if pattern and not can_match(pattern):
             where = dotted((*keys, "path"))
             self.wrong((*keys, "path"), f"'{where}' is a pattern that cannot match any document")
         return pattern
@@ -102,8 +107,12 @@ class Checker:
     def raise_if_wrong(self) -> None:
         """Raise ConfigurationError if anything was reported."""
         if self._problems:
-            problems = sorted(self._problems, key=lambda problem: problem.place.start)
-            raise ConfigurationError(tuple(problems))
+            raise self.error
+
+    @property
+    def error(self) -> ConfigurationError:
+        """All that was reported, in the order of the file."""
+        return ConfigurationError(tuple(sorted(self._problems, key=lambda p: p.place.start)))
 
 
 def decisions(checker: Checker, keys: KeyPath, table: Mapping[str, Any]) -> Decisions:

@@ -49,6 +49,10 @@ def run_lint(args: Any) -> int:
             from kindsl.cli.linter.unused_bindings import unused_on_command_line
 
             write(sys.stderr, unused_on_command_line(outcome.files, plan.choices))
+        if args.write_baseline is not None:
+            from kindsl.cli.linter.known import with_baseline_written
+
+            outcome = with_baseline_written(outcome, args.write_baseline)
         return _report(outcome, args)
     except ConfigurationError as error:
         _tell_failures(as_failures(error))
@@ -76,6 +80,8 @@ def _wrong_usage(args: Any) -> str:
         return f"--statistics is available as text or JSON only, not as {args.output_format}"
     if args.watch and STDIN in args.paths:
         return "--watch cannot watch stdin"
+    if args.write_baseline is not None and (args.watch or args.diff):
+        return f"--write-baseline cannot be used with {'--watch' if args.watch else '--diff'}"
     if args.unsafe_fixes and not (args.fix or args.diff):
         return "--unsafe-fixes needs --fix or --diff"
     return ""
@@ -92,11 +98,13 @@ def _plan(args: Any) -> LintPlan:
         args.jobs,
         args.quiet,
         frozenset() if args.no_default_exclude else TOOLS_FOLDERS,
+        knows=args.write_baseline is None,
     )
 
 
 def _report(outcome: RunOutcome, args: Any) -> int:
     _tell_failures(outcome.failures)
+    write(sys.stderr, "".join(f"{printable(remark)}\n" for remark in outcome.remarks))
     failing = failing_severities(outcome, args.max_warnings)
     outcome = outcome._replace(failing=frozenset() if args.exit_zero else failing)
     if args.diff:

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.analysis.known_findings import Apart, lines_of, set_apart
 from kindsl.analysis.settings import Settings
 from kindsl.analysis.text_fix import prove
 from kindsl.cli.documents.sources import STDIN, NotText, is_decodable, read_text
@@ -97,7 +98,10 @@ def _transforms(task: Task, text: str) -> LintedFile:
         robot = read_transforms(text).robot
         path = robot_beside(task.path, robot.text if robot is not None else None, name_of)
         model = _model_in(path) if path is not None else None
-    return LintedFile(task.shown, text, transforms_findings(text, model, task.settings))
+    apart = set_apart(
+        transforms_findings(text, model, task.settings), lines_of(text), task.settings
+    )
+    return _counting(LintedFile(task.shown, text, apart.told), apart)
 
 
 def _model_in(path: str) -> Model | None:
@@ -132,6 +136,11 @@ def _file(
         found = announced(analysis)
     file = LintedFile(task.shown, analysis.text, found, parameters, original, n_fixed)
     file.joints = frozenset(str(joint.name) for joint in analysis.model.joints)
+    return _counting(file, analysis.apart)
+
+
+def _counting(file: LintedFile, apart: Apart) -> LintedFile:
+    file.n_known, file.n_stale = len(apart.known), len(apart.stale)
     return file
 
 

@@ -38,6 +38,7 @@ class LintPlan(NamedTuple):
         jobs: How many processes, 0 for as many as pay.
         is_quiet: Whether to show no progress.
         excluded: Names of folders to leave out.
+        knows: Whether findings that a baseline knows are left out.
     """
 
     paths: list[str]
@@ -48,6 +49,7 @@ class LintPlan(NamedTuple):
     jobs: int = 0
     is_quiet: bool = False
     excluded: Collection[str] = TOOLS_FOLDERS
+    knows: bool = True
 
 
 def lint(plan: LintPlan) -> RunOutcome:
@@ -59,7 +61,13 @@ def lint(plan: LintPlan) -> RunOutcome:
     for checked in _with_progress(check_all(tasks, plan.jobs), len(tasks), plan.is_quiet):
         files += [checked.file] if checked.file is not None else []
         failures += [checked.failure] if checked.failure is not None else []
-    return RunOutcome([*files, *_unused(files, configurations, plan)], failures)
+    remarks: tuple[str, ...] = ()
+    if any(task.settings.known for task in tasks):
+        from kindsl.cli.linter.known import stale_remarks
+
+        remarks = tuple(stale_remarks(files, configurations))
+    files += _unused(files, configurations, plan)
+    return RunOutcome(files, failures, remarks=remarks)
 
 
 def _prepared(
@@ -77,6 +85,10 @@ def _prepared(
         try:
             configuration = plan.choices.configuration_for(shown)
             settings = plan.choices.settings_for(shown)
+            if plan.knows and configuration is not None and configuration.baseline:
+                from kindsl.config.baseline import known_findings
+
+                settings = settings._replace(known=known_findings(configuration, shown))
         except ConfigurationError as error:
             failures += [found for found in as_failures(error) if found not in failures]
             continue

@@ -13,12 +13,14 @@ def summary(outcome: RunOutcome) -> str:
     line = f"{_counts(outcome) or 'no findings'} in {counted(n_files, 'document')}"
     if outcome.failures:
         line += f", {counted(len(outcome.failures), 'failure')}"
+    n_known = sum(file.n_known for file in outcome.files)
     n_fixed = sum(file.n_fixed for file in outcome.files)
     n_fixable = sum(
         bool(finding.fix and finding.fix.is_safe)
         for file in outcome.files
         for finding in file.findings
     )
+    line += f"; {n_known} known and silent" if n_known else ""
     line += f"; {n_fixed} fixed" if n_fixed else ""
     return line + (f"; {n_fixable} fixable with --fix\n" if n_fixable else "\n")
 

@@ -9,7 +9,10 @@ from collections.abc import Callable
 from kindsl.cli.documents.walking import documents
 from kindsl.cli.linter.run import LINTED, LintPlan, lint
 from kindsl.cli.outcome import Failure, RunOutcome
+from kindsl.config.baseline import baseline_path
+from kindsl.config.configuration_reading import read_configuration
 from kindsl.config.discovery import Configurations, nearest_configuration
+from kindsl.config.errors import ConfigurationError
 from kindsl.text.saves import Stamp, stamp
 
 _PAUSE = 0.3
@@ -43,15 +46,23 @@ def watch(plan: LintPlan, report: Callable[[RunOutcome], int]) -> int:
 def stamps(plan: LintPlan) -> dict[str, Stamp | None]:
     """Return a fingerprint of each file that the outcome depends on."""
     found: dict[str, Stamp | None] = {}
+    configurations: set[str] = set()
     for document in documents(plan.paths, plan.excluded, LINTED):
         path = document.path if isinstance(document, Failure) else document
         found[path] = stamp(path)
         if plan.choices.configurations is not None:
             folder = os.path.dirname(os.path.abspath(path))
             configuration = plan.choices.configurations.fixed or nearest_configuration(folder)
-            if configuration is not None:
-                found[configuration] = stamp(configuration)
-    return found
+            configurations |= {configuration} if configuration is not None else set()
+    deciding = (file for path in configurations for file in (path, _baseline_of(path)))
+    return found | {file: stamp(file) for file in deciding}
+
+
+def _baseline_of(configuration: str) -> str:
+    try:
+        return baseline_path(read_configuration(configuration))
+    except ConfigurationError:
+        return ""
 
 
 def _afresh(plan: LintPlan) -> LintPlan:

@@ -65,6 +65,7 @@ class ClosedConfigurations:
             self._told.pop(key, None)
 
     def _on_disk(self, uri: str, path: Path) -> Problems:
+        from kindsl.config.baseline import read_baseline
         from kindsl.config.configuration import ConfigurationError
         from kindsl.config.configuration_reading import configuration_of, text_of
         from kindsl.config.discovery import is_configuration
@@ -74,7 +75,7 @@ class ClosedConfigurations:
         text = ""
         try:
             text = text_of(str(path))
-            configuration_of(str(path), text)
+            read_baseline(configuration_of(str(path), text))
         except ConfigurationError as error:
             shown = document(uri, None, text, self._state.documents.encoding)
             return shown_problems(shown, error.problems)

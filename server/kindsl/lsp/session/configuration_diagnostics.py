@@ -35,10 +35,13 @@ async def configuration_diagnostics(state: State, document: Document) -> list[di
 
 def configuration_problems(document: Document) -> list[dict[str, Any]]:
     """Return mistakes in a configuration file, as they are sent; none for other TOML files."""
+    from kindsl.config.baseline import read_baseline
     from kindsl.config.configuration import ConfigurationError
 
     try:
-        configuration_of(document)
+        configuration = configuration_of(document)
+        if configuration is not None:
+            read_baseline(configuration)
     except ConfigurationError as error:
         return shown_problems(document, error.problems)
     return []

@@ -10,6 +10,8 @@ from kindsl.lsp.text import uris
 from kindsl.lsp.text.document import Document
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from kindsl.analysis.diagnostics import Diagnostic
     from kindsl.semantics.model import Model
 
@@ -36,14 +38,16 @@ async def transforms_view(state: State, document: Document) -> TransformsView:
     return TransformsView(document, (await state.analyses.of(robot)).model, state)
 
 
-async def transforms_diagnostics(state: State, document: Document) -> "tuple[Diagnostic, ...]":
+async def transforms_diagnostics(state: State, document: Document) -> "Sequence[Diagnostic]":
     """Return what is wrong with a transforms document as it is in the editor."""
+    from kindsl.analysis.known_findings import lines_of, set_apart
     from kindsl.analysis.transforms_findings import transforms_findings
 
     view = await transforms_view(state, document)
     settings = await state.analyses.settings(document)
     check = lambda: transforms_findings(document.text, view.model, settings)  # noqa: E731
-    return await state.worker.run(check, Urgency.DIAGNOSTICS)
+    found = await state.worker.run(check, Urgency.DIAGNOSTICS)
+    return set_apart(found, lines_of(document.text), settings).told
 
 
 def _robot_beside(state: State, document: Document) -> Document | None:

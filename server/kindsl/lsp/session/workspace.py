@@ -4,7 +4,7 @@ Settings are kept as they came until they are first asked for, since all that gi
 loads only after the client has its answer to `initialize`.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -142,7 +142,9 @@ class _Project:
         if document is None:
             return Settings()
         found = self._above(document)
-        return Settings() if found is None else found.settings_for(str(document))
+        if found is None:
+            return Settings()
+        return found.settings_for(str(document))._replace(known=self._known(found, document))
 
     def file(self, document: Path | None) -> Path | None:
         """Return the nearest configuration file above a document, if it is valid."""
@@ -152,6 +154,19 @@ class _Project:
     def is_outdated(self) -> bool:
         """Whether a file that decides for a document has appeared, changed or gone."""
         return any(stamp(path) != known for path, known in self._stamps.items())
+
+    def _known(self, configuration: "Configuration", document: Path) -> "Mapping[str, int]":
+        from kindsl.config.baseline import baseline_path, known_findings
+        from kindsl.config.configuration import ConfigurationError
+
+        path = baseline_path(configuration)
+        if path:
+            self._stamps.setdefault(path, stamp(path))
+        try:
+            return known_findings(configuration, str(document))
+        except ConfigurationError as error:
+            self.broken[Path(configuration.path).absolute()] = error.problems
+            return {}
 
     def _above(self, document: Path) -> "Configuration | None":
         from kindsl.config.configuration import ConfigurationError
