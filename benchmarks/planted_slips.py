@@ -18,7 +18,7 @@ from zlib import crc32
 
 from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.interchange.format import FormatError
+from kindsl.interchange.format import AS_WRITTEN, FormatError
 from kindsl.interchange.kindsl_writing import written_kindsl
 from kindsl.interchange.registry import format_named
 from kindsl.limbs.comparison import compared
@@ -336,7 +336,7 @@ def from_urdf(path: Path) -> str:
     urdf = format_named("urdf")
     assert urdf is not None and urdf.read is not None
     try:
-        return written_kindsl(urdf.read(path, False)).text
+        return written_kindsl(urdf.read(path, AS_WRITTEN)).text
     except FormatError:
         return ""
 

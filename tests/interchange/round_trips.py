@@ -8,7 +8,7 @@ import numpy as np
 import kindsl
 from kindsl.analysis.settings import Settings
 from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.interchange.format import ORDINARY, Format, ReadRobot
+from kindsl.interchange.format import AS_WRITTEN, ORDINARY, Format, ReadRobot
 from kindsl.interchange.kindsl_writing import kindsl_text
 from kindsl.mechanism.bodies import skeleton_of_bodies
 
@@ -31,7 +31,7 @@ def read(text: str, format: Format, folder: Path) -> ReadRobot:
     assert format.read is not None
     path = folder / f"robot{format.suffixes[0]}"
     path.write_text(text, encoding="utf-8")
-    return format.read(path, False)
+    return format.read(path, AS_WRITTEN)
 
 
 def written_and_read(robot: Mechanics, format: Format, folder: Path) -> Mechanics:

@@ -8,7 +8,7 @@ import pytest
 from tests.interchange.round_trips import gaps, mechanism_of
 
 from kindsl.cli.main import main
-from kindsl.interchange.format import FormatError
+from kindsl.interchange.format import AS_WRITTEN, FormatError, ReadingChoices
 from kindsl.interchange.kindsl_writing import kindsl_text
 from kindsl.interchange.registry import format_named
 from kindsl.interchange.urdf.urdf_reading import robot_of_urdf
@@ -64,7 +64,7 @@ def leg(tmp_path: Path) -> Path:
 
 
 def test_arguments_macros_and_includes_are_the_robot_they_mean(leg: Path) -> None:
-    found, meant = format_named("xacro").read(leg, False), robot_of_urdf(MEANT, "leg")
+    found, meant = format_named("xacro").read(leg, AS_WRITTEN), robot_of_urdf(MEANT, "leg")
     ours, theirs = (mechanism_of(kindsl_text(read.robot)) for read in (found, meant))
     assert ours.joint_names == ("left_thigh_joint", "left_shank_joint")
     assert max(gaps(ours, theirs, np.random.default_rng(1))) < 1e-12
@@ -73,7 +73,7 @@ def test_arguments_macros_and_includes_are_the_robot_they_mean(leg: Path) -> Non
 
 
 def test_floating_base_is_what_is_asked_for(leg: Path) -> None:
-    assert format_named("xacro").read(leg, True).robot.is_floating
+    assert format_named("xacro").read(leg, ReadingChoices(floating=True)).robot.is_floating
 
 
 def test_command_converts_it_and_says_that_it_runs_expressions(leg: Path, capsys) -> None:
@@ -111,7 +111,7 @@ def test_what_cannot_be_expanded_is_one_sentence(text: str, message: str, tmp_pa
     path = tmp_path / "robot.xacro"
     path.write_text(text)
     with pytest.raises(FormatError, match=f"^{message}$") as caught:
-        format_named("xacro").read(path, False)
+        format_named("xacro").read(path, AS_WRITTEN)
     assert "\n" not in str(caught.value)
 
 
@@ -144,3 +144,67 @@ def test_without_xacro_its_extra_is_named(leg: Path, monkeypatch) -> None:
 def test_file_that_is_not_there_is_said_so(tmp_path: Path, capsys) -> None:
     assert main(["convert", str(tmp_path / "none.xacro"), "-"]) == 2
     assert "none.xacro: error: no such file or folder" in capsys.readouterr().err
+
+
+PARTS = f"""{HEAD}<xacro:macro name="body" params="mass"><link name="body"><inertial>
+<mass value="${{mass}}"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>
+</link></xacro:macro></robot>"""
+ROBOT = f"""{HEAD}<xacro:arg name="file" default="$(find parts)/config/masses.yaml"/>
+<xacro:arg name="name" default="leg"/>
+<xacro:include filename="$(find parts)/urdf/parts.xacro"/>
+<xacro:property name="masses" value="${{xacro.load_yaml('$(arg file)')}}"/>
+<link name="base"/><xacro:body mass="${{masses['body']}}"/>
+<joint name="$(arg name)_joint" type="continuous"><parent link="base"/><child link="body"/></joint>
+</robot>"""
+
+
+@pytest.fixture
+def packages(tmp_path: Path) -> Path:
+    for name, files in {
+        "workspace/src/leg_description": {"urdf/leg.urdf.xacro": ROBOT},
+        "workspace/src/stack/parts_of_a_robot": {
+            "urdf/parts.xacro": PARTS,
+            "config/masses.yaml": "body: 2.5\n",
+        },
+    }.items():
+        manifest = "parts" if "stack" in name else "leg_description"
+        files = {**files, "package.xml": f"<package><name>{manifest}</name></package>"}
+        for file, text in files.items():
+            path = tmp_path / name / file
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text)
+    return tmp_path / "workspace" / "src"
+
+
+def test_packages_are_found_beside_the_one_of_the_file(packages: Path) -> None:
+    path = packages / "leg_description" / "urdf" / "leg.urdf.xacro"
+    found = format_named("xacro").read(path, AS_WRITTEN).robot
+    assert found.links[1].joint == "leg_joint"
+    assert found.links[1].body.mass == 2.5
+
+
+def test_arguments_and_folders_of_packages_are_taken_from_the_command(
+    packages: Path, tmp_path: Path, capsys
+) -> None:
+    path, masses = tmp_path / "alone" / "leg.xacro", tmp_path / "masses.yaml"
+    path.parent.mkdir()
+    path.write_text(ROBOT)
+    masses.write_text("body: 4.5\n")
+    target = tmp_path / "leg.kindsl"
+    assert main(["convert", str(path), str(target)]) == 1
+    told = capsys.readouterr().err
+    assert "the package 'parts' is in none of" in told and str(tmp_path) in told
+    assert "--package-path DIR" in told and told.count("\n") == 1
+    command = ["convert", str(path), str(target), "--package-path", str(packages)]
+    assert main([*command, f"file:={masses}", "name:=hip"]) == 0
+    assert "mass = 4.5" in target.read_text() and "r_joint hip_joint" in target.read_text()
+
+
+def test_arguments_are_for_xacro_files(tmp_path: Path, capsys) -> None:
+    path = tmp_path / "leg.urdf"
+    path.write_text(MEANT)
+    assert main(["convert", str(path), str(tmp_path / "leg.kindsl"), "name:=hip"]) == 2
+    assert "arguments are for a xacro file" in capsys.readouterr().err
+    with pytest.raises(SystemExit):
+        main(["convert", str(path), str(tmp_path / "leg.kindsl"), "hip"])
+    assert "'hip' is not NAME:=VALUE" in capsys.readouterr().err

@@ -26,7 +26,14 @@ from kindsl.cli.documents.writing import write_output
 from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import Failure, as_failures
 from kindsl.config.configuration import ConfigurationError
-from kindsl.interchange.format import Format, FormatError, ReadRobot, WritingChoices, WrittenRobot
+from kindsl.interchange.format import (
+    Format,
+    FormatError,
+    ReadingChoices,
+    ReadRobot,
+    WritingChoices,
+    WrittenRobot,
+)
 from kindsl.interchange.registry import all_formats, format_named, format_of_suffix
 from kindsl.text.phrases import alternatives
 from kindsl.text.printable import printable
@@ -50,6 +57,21 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     read = tuple(format.name for format in readable)
     written = (_DOCUMENT.name, *(format.name for format in others if format.write))
     untold = "the format of {}, if not determined by its suffix"
+    add(
+        "arguments",
+        metavar="NAME:=VALUE",
+        nargs="*",
+        type=_argument,
+        help="arguments of a xacro file",
+    )
+    add(
+        "--package-path",
+        metavar="DIR",
+        type=Path,
+        action="append",
+        default=[],
+        help="a folder of packages, for $(find PACKAGE) in a xacro file (repeatable)",
+    )
     add("--from", dest="source", choices=read, help=untold.format("IN"))
     add("--to", dest="target", choices=written, help=untold.format("OUT"))
     add(
@@ -160,13 +182,27 @@ def _read(args: argparse.Namespace, source: Format) -> ReadRobot:
     assert source.read is not None
     try:
         require_regular(args.input)
-        return source.read(Path(args.input), args.floating_base)
+        return source.read(Path(args.input), _choices(args, source))
     except ModuleNotFoundError as error:
         raise missing_module(args.input, error, source.extra) from None
     except OSError as error:
         raise CommandError([Failure(args.input, reason(args.input, error))]) from None
     except FormatError as error:
         raise CommandError([Failure(args.input, str(error))], status=1) from None
+
+
+def _choices(args: argparse.Namespace, source: Format) -> ReadingChoices:
+    for given, what in ((args.arguments, "arguments"), (args.package_path, "--package-path")):
+        if given and source.name != "xacro":
+            raise CommandError([Failure(args.input, f"{what} are for a xacro file")])
+    return ReadingChoices(args.floating_base, tuple(args.package_path), dict(args.arguments))
+
+
+def _argument(text: str) -> tuple[str, str]:
+    name, sign, value = text.partition(":=")
+    if not sign or not name:
+        raise argparse.ArgumentTypeError(f"'{text}' is not NAME:=VALUE")
+    return name, value
 
 
 def _written(

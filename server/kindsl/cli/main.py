@@ -77,7 +77,9 @@ def _run(command: str, module: ModuleType, arguments: list[str]) -> int:
     )
     module.add_arguments(parser)
     try:
-        return int(module.run(parser.parse_args(with_joined_negatives(arguments))))
+        # Options may stand between paths; behind `--` there are none.
+        parse = parser.parse_args if "--" in arguments else parser.parse_intermixed_args
+        return int(module.run(parse(with_joined_negatives(arguments))))
     except KeyboardInterrupt:
         return INTERRUPTED
 

@@ -33,6 +33,20 @@ class WrittenRobot(NamedTuple):
     remarks: tuple[str, ...]
 
 
+class ReadingChoices(NamedTuple):
+    """Options of reading; each format takes what concerns it.
+
+    Attributes:
+        floating: Whether the root floats, whatever the file says.
+        package_paths: Folders with packages, for a xacro file.
+        arguments: Of a xacro file, by their names.
+    """
+
+    floating: bool = False
+    package_paths: tuple[Path, ...] = ()
+    arguments: Mapping[str, str] = MappingProxyType({})
+
+
 class WritingChoices(NamedTuple):
     """Options of a format, and values that the document does not have.
 
@@ -46,6 +60,7 @@ class WritingChoices(NamedTuple):
     limits: "Mapping[str, JointLimits]" = MappingProxyType({})
 
 
+AS_WRITTEN = ReadingChoices()
 ORDINARY = WritingChoices()
 
 
@@ -63,14 +78,14 @@ def gravity_dropped(gravity: Sequence[float]) -> str:
     return f"{told}: kindsl computes with ({usual}) unless given --gravity={numbers}"
 
 
-Reader = Callable[[Path, bool], ReadRobot]
-Parser = Callable[[bytes | str, str, bool], ReadRobot]
+Reader = Callable[[Path, ReadingChoices], ReadRobot]
+Parser = Callable[[bytes | str, str, ReadingChoices], ReadRobot]
 Writer = Callable[[str, "Skeleton", WritingChoices], WrittenRobot]
 
 
 def file_reader(parse: Parser) -> Reader:
     """Return what reads files of a format whose texts say it all."""
-    return lambda path, floating: parse(path.read_bytes(), path.stem, floating)
+    return lambda path, choices: parse(path.read_bytes(), path.stem, choices)
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,8 +97,8 @@ class Format:
         title: What people call it: `"URDF"`.
         suffixes: Of its files, in lower case, the usual one first.
         extra: The extra that installs what it needs, empty if that is nothing more.
-        read: Takes a file, and whether its root floats, which overrides what the file says.
-            Raises FormatError, OSError, and ModuleNotFoundError for what is not installed.
+        read: Takes a file and choices. Raises FormatError, OSError, and ModuleNotFoundError for
+            what is not installed.
         parse: The same of a text, which names no other files, and what to call a robot without a
             name. None where it takes more than the text.
         write: Takes the robot's name, its skeleton and choices. Raises FormatError and

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from kindsl.interchange.format import (
     Format,
+    ReadingChoices,
     ReadRobot,
     WritingChoices,
     WrittenRobot,
@@ -17,10 +18,10 @@ if TYPE_CHECKING:
     from kindsl.mechanism.skeleton import Skeleton
 
 
-def _parse(text: bytes | str, name: str, floating: bool) -> ReadRobot:
+def _parse(text: bytes | str, name: str, choices: ReadingChoices) -> ReadRobot:
     from kindsl.interchange.sdf.sdf_reading import robot_of_sdf
 
-    return robot_of_sdf(text, name, floating=floating)
+    return robot_of_sdf(text, name, floating=choices.floating)
 
 
 def _write(name: str, skeleton: "Skeleton", choices: WritingChoices) -> WrittenRobot:

@@ -7,16 +7,16 @@ Must not know what is in a URDF.
 
 from pathlib import Path
 
-from kindsl.interchange.format import Format, ReadRobot
+from kindsl.interchange.format import Format, ReadingChoices, ReadRobot
 
 _EVALUATED = "its Python expressions were evaluated: convert only xacro files that you trust"
 
 
-def _read(path: Path, floating: bool) -> ReadRobot:
+def _read(path: Path, choices: ReadingChoices) -> ReadRobot:
     from kindsl.interchange.urdf.urdf_reading import robot_of_urdf
     from kindsl.interchange.xacro.expansion import expanded
 
-    robot, remarks = robot_of_urdf(expanded(path), path.stem, floating=floating)
+    robot, remarks = robot_of_urdf(expanded(path, choices), path.stem, floating=choices.floating)
     return ReadRobot(robot, (_EVALUATED, *remarks))
 
 

@@ -1,28 +1,51 @@
-"""What runs by itself: `python child.py FILE` writes the URDF of a xacro file to stdout.
+"""What runs by itself: writes the URDF of a xacro file to stdout.
 
-A xacro file holds Python expressions, which may take for ever and all memory there is. Ends with 1
-after one sentence on stdout where the file cannot be expanded.
+A xacro file holds Python expressions, which may take for ever and all memory there is. The one
+argument is a JSON object: `file`, `arguments` of the file, `searched` folders of packages. Ends
+with 1 after one sentence on stdout where the file cannot be expanded.
 """
 
 import contextlib
 import io
+import json
 import sys
+from pathlib import Path
+from types import ModuleType
 
 _MEMORY = 4 * 2**30
 
 
 def main() -> int:
-    """Expand the file that the arguments name."""
+    """Expand the file that the argument names."""
     _bound_memory()
     import xacro
 
+    task = json.loads(sys.argv[1])
+    _let_find([Path(folder) for folder in task["searched"]])
     try:
         with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
-            text, status = xacro.process_file(sys.argv[1]).toxml(), 0
+            text = xacro.process_file(task["file"], mappings=task["arguments"]).toxml()
+            status = 0
     except Exception as error:
         text, status = _reason(error), 1
     sys.stdout.buffer.write(text.encode("utf-8", "replace"))
     return status
+
+
+def _let_find(searched: list[Path]) -> None:
+    """Answer `$(find PACKAGE)`, which asks this module of ROS, from folders."""
+    from kindsl.interchange.xacro.packages import package_folder
+
+    def share_folder(name: str) -> str:
+        found = package_folder(name, searched)
+        if found is None:
+            listed = ", ".join(map(str, searched))
+            raise LookupError(f"the package '{name}' is in none of {listed}: --package-path DIR")
+        return str(found)
+
+    index, packages = (ModuleType(f"ament_index_python{end}") for end in ("", ".packages"))
+    vars(packages)["get_package_share_directory"] = share_folder
+    sys.modules.update({module.__name__: module for module in (index, packages)})
 
 
 def _reason(error: Exception) -> str:

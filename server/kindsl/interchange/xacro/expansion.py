@@ -1,21 +1,24 @@
 """What the macros of a xacro file expand to: the text of a URDF."""
 
+import json
 import subprocess
 import sys
 from importlib.util import find_spec
 from pathlib import Path
 
-from kindsl.interchange.format import FormatError
+from kindsl.interchange.format import AS_WRITTEN, FormatError, ReadingChoices
+from kindsl.interchange.xacro.packages import searched_folders
 
-_CHILD = Path(__file__).with_name("child.py")
+_CHILD = "kindsl.interchange.xacro.child"
 _SECONDS = 30.0
 
 
-def expanded(path: Path, seconds: float = _SECONDS) -> bytes:
+def expanded(path: Path, choices: ReadingChoices = AS_WRITTEN, seconds: float = _SECONDS) -> bytes:
     """Return the URDF of a xacro file, whose Python expressions are evaluated.
 
     Args:
         path: The file, which may include others.
+        choices: Its arguments, and where the packages are that it names.
         seconds: After which it is given up.
 
     Raises:
@@ -27,7 +30,9 @@ def expanded(path: Path, seconds: float = _SECONDS) -> bytes:
         plain = path.with_suffix("").name.removesuffix(".urdf")
         message = "xacro is not installed: pip install 'kindsl[xacro]', or run xacro first:"
         raise FormatError(f"{message} xacro {path.name} > {plain}.urdf")
-    command = [sys.executable, str(_CHILD), str(path)]
+    searched = [str(folder) for folder in searched_folders(path, choices.package_paths)]
+    task = {"file": str(path), "arguments": dict(choices.arguments), "searched": searched}
+    command = [sys.executable, "-P", "-m", _CHILD, json.dumps(task)]
     try:
         done = subprocess.run(
             command, stdin=subprocess.DEVNULL, capture_output=True, timeout=seconds, check=False

@@ -54,7 +54,7 @@ def _urdf(view: View) -> tuple[str, tuple[str, ...]]:
 
 
 def _document(name: PurePath, text: str) -> tuple[str, tuple[str, ...]]:
-    from kindsl.interchange.format import FormatError
+    from kindsl.interchange.format import AS_WRITTEN, FormatError
     from kindsl.interchange.kindsl_writing import written_kindsl
     from kindsl.interchange.registry import all_formats, format_of_suffix
     from kindsl.text.phrases import alternatives
@@ -68,6 +68,6 @@ def _document(name: PurePath, text: str) -> tuple[str, tuple[str, ...]]:
             )
         raise RequestFailed(f"{format.title} cannot be read from one text, as {known} can")
     try:
-        return written_kindsl(format.parse(text, name.stem, False))
+        return written_kindsl(format.parse(text, name.stem, AS_WRITTEN))
     except FormatError as error:
         raise RequestFailed(printable(str(error))) from None
