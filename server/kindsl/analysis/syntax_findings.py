@@ -7,8 +7,8 @@ from kindsl.rules.context import ROBCOGEN, ROBCOGEN2
 from kindsl.rules.registry import all_rules
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Place
+from kindsl.syntax.comment_problems import UNDECODABLE
 from kindsl.syntax.document import SyntaxDocument
-from kindsl.syntax.malformed import UNDECODABLE
 from kindsl.syntax.tree import Island, Problem, Repair
 
 

@@ -3,7 +3,6 @@
 from bisect import bisect_left, insort
 from collections.abc import Iterable, Sequence
 
-from kindsl.analysis.proof import EditEffect, effect
 from kindsl.syntax.document import SyntaxDocument
 from kindsl.text.edits import TextEdit
 
@@ -79,6 +78,8 @@ def prove(fixes: Iterable[TextFix]) -> None:
 
 
 def _is_kept(fixes: Sequence[TextFix]) -> bool:
+    from kindsl.analysis.proof import EditEffect, effect
+
     document, within_digits = fixes[0]._document, fixes[0].is_within_digits
     assert document is not None
     after = document.edited(edits_of(fixes))

@@ -10,7 +10,8 @@ from itertools import product as combinations
 from math import hypot
 from typing import NamedTuple
 
-from kindsl.limbs.limb import Body, Match
+from kindsl.limbs.limb import Match
+from kindsl.rigid.body import Symmetric
 from kindsl.rigid.pose import RigidPose, Rotation, Vector3, product, transposed, turned
 
 # Cost of a CoM or tensor that differs, beside 1 of a translation or rotation: it breaks ties.
@@ -218,34 +219,37 @@ class Matching:
 
     def _row_costs(self, row: Match, conventions: Sequence[Rotation]) -> _Costs:
         translation, leads_to = [], []
-        back = transposed(row.one.rotation)
         for C in conventions if row.up >= 0 else ():
-            expected = turned(transposed(C), row.one.translation)
+            expected = _turned_back(C, row.one.translation)
             translation.append(float(not self.tolerance.is_same(row.other.translation, expected)))
-            leads_to.append(self._convention(product(product(back, C), row.other.rotation)))
+            leads_to.append(self._convention_between(row.one.rotation, C, row.other.rotation))
         masses = [_OF_MASS * len(self.differing_masses(row, C)) for C in conventions]
         return _Costs(translation, leads_to, masses)
 
     def differing_masses(self, row: Match, convention: Rotation) -> list[str]:
         """Return `com` and `moments` where they differ under a convention."""
-        one, other = row.one, row.other
-        back, differing = transposed(convention), []
-        if one.com and other.com and not self.tolerance.is_same(other.com, turned(back, one.com)):
-            differing.append("com")
-        if one.moments and other.moments and not self._is_same_tensor(one, other, convention):
-            differing.append("moments")
+        (_, one, other), differing = row, []
+        if one.com and other.com:
+            expected = _turned_back(convention, one.com)
+            if not self.tolerance.is_same(other.com, expected):
+                differing.append("com")
+        if one.moments and other.moments:
+            moments = _moments_turned_back(convention, one.moments)
+            if not self._are_same_moments(other.moments, moments):
+                differing.append("moments")
         return differing
 
-    def _is_same_tensor(self, one: Body, other: Body, convention: Rotation) -> bool:
-        assert one.moments is not None and other.moments is not None
-        xx, yy, zz, xy, xz, yz = one.moments
-        tensor = (xx, -xy, -xz), (-xy, yy, -yz), (-xz, -yz, zz)
-        (xx, xy, xz), (_, yy, yz), (_, _, zz) = product(
-            product(transposed(convention), tensor), convention
-        )
-        expected = xx, yy, zz, -xy, -xz, -yz
-        allowed = max(1e-7, self.tolerance.share * max(map(abs, expected)))
-        return all(abs(x - y) <= allowed for x, y in zip(expected, other.moments, strict=True))
+    def _are_same_moments(self, here: Symmetric, there: Symmetric) -> bool:
+        allowed = max(1e-7, self.tolerance.share * max(map(abs, there)))
+        return all(abs(x - y) <= allowed for x, y in zip(here, there, strict=True))
+
+    def _convention_between(self, one: Rotation, C: Rotation, other: Rotation) -> int | None:
+        """Return the index of `transposed(one) C other`, None where that is no convention."""
+        x, y, z = _turned_back(transposed(C), (other[0][2], other[1][2], other[2][2]))
+        along = one[0][2] * x + one[1][2] * y + one[2][2] * z
+        if 1.0 - abs(along) > self.tolerance.angle:
+            return None
+        return self._convention(product(product(transposed(one), C), other))
 
     def _convention(self, matrix: Rotation) -> int | None:
         """Return the index of the convention that a matrix is, None if none."""
@@ -256,3 +260,19 @@ class Matching:
                 return None
             rows.append((whole[0], whole[1], whole[2]))
         return _INDEX.get((rows[0], rows[1], rows[2]))
+
+
+def _turned_back(convention: Rotation, vector: Vector3) -> Vector3:
+    """Return a vector of the one limb as its twin has it."""
+    (a, b, _), (c, d, _), (_, _, e) = convention
+    x, y, z = vector
+    return (a * x, d * y, e * z) if a else (c * y, b * x, e * z)
+
+
+def _moments_turned_back(convention: Rotation, moments: Symmetric) -> Symmetric:
+    """Return moments and products of the one limb as its twin has them."""
+    (a, b, _), (c, d, _), (_, _, e) = convention
+    xx, yy, zz, xy, xz, yz = moments
+    if a:
+        return xx, yy, zz, a * d * xy, a * e * xz, d * e * yz
+    return yy, xx, zz, b * c * xy, c * e * yz, b * e * xz

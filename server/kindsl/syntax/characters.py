@@ -1,21 +1,18 @@
-"""Characters that belong to no token, comments without an end, bytes that are no UTF-8."""
+"""Characters that belong to no token, bytes that are no UTF-8."""
 
 import re
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 
+from kindsl.syntax.comment_problems import UNDECODABLE, bytes_message, summary, undecodable
 from kindsl.syntax.lookalikes import is_ignorable
-from kindsl.syntax.malformed import UNDECODABLE
 from kindsl.syntax.misprints import misprints, named
 from kindsl.syntax.scanner import BAD, COMMENT
 from kindsl.syntax.token_names import shown
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
 from kindsl.syntax.values import in_radians
 
-_MOST_PROBLEMS = 20
 _GAP = re.compile(rf"{COMMENT.pattern}|(?P<blanks>[^\S \t\r\n](?:[ \t]*[^\S \t\r\n])*)")
-OPEN_COMMENT = "KD003"
-_MOST_BYTES = 8
 
 
 def without_invalid(
@@ -43,36 +40,8 @@ def without_invalid(
     told.sort(key=lambda problem: problem.start)
     strays = [_problem(text, *span) for span in _strays(text, tokens) if not _is_in(told, *span)]
     numbers = [(t.start, t.end) for t in good if t.kind == "MALFORMED_NUMBER"]
-    strays = sorted([*strays, *_undecodable(text, numbers)], key=lambda problem: problem.start)
-    return good, invalid, (*told, *_summary(strays))
-
-
-def comment_problems(text: str, spans: Sequence[tuple[int, int]]) -> list[Problem]:
-    """Return what is wrong in comments: bytes that are no UTF-8, an end that is missing."""
-    problems = [] if text.isascii() else [*_summary(list(_undecodable(text, spans)))]
-    if spans:
-        start, end = spans[-1]  # only the last can be open
-        comment = text[start:end]
-        if comment.startswith("/*") and (len(comment) < 4 or not comment.endswith("*/")):
-            problems.append(_open_comment(comment, start))
-    return problems
-
-
-def _open_comment(comment: str, start: int) -> Problem:
-    line_end = len(comment.splitlines()[0].rstrip()) + start
-    repair = Repair("Insert '*/'", (Edit(line_end, line_end, " */"),), False)
-    return Problem(OPEN_COMMENT, "comment is not closed by '*/'", start, start + 2, repair)
-
-
-def _undecodable(text: str, spans: Sequence[tuple[int, int]]) -> Iterator[Problem]:
-    for start, end in spans:
-        for run in UNDECODABLE.finditer(text, start, end):
-            yield Problem("KD004", _bytes_message(run[0]), *run.span())
-
-
-def _bytes_message(run: str) -> str:
-    told = " ".join(f"0x{ord(character) - 0xDC00:02X}" for character in run[:_MOST_BYTES])
-    return f"undecodable {'byte' if len(run) == 1 else 'bytes'} {told}, a document is UTF-8"
+    strays = sorted([*strays, *undecodable(text, numbers)], key=lambda problem: problem.start)
+    return good, invalid, (*told, *summary(strays))
 
 
 def _is_visible(character: str) -> bool:
@@ -98,7 +67,7 @@ def _is_in(told: Sequence[Problem], start: int, end: int) -> bool:
 def _problem(text: str, start: int, end: int) -> Problem:
     written = text[start:end]
     run = UNDECODABLE.match(written)
-    message = _bytes_message(run[0]) if run else f"invalid character {named(written[0])}"
+    message = bytes_message(run[0]) if run else f"invalid character {named(written[0])}"
     is_blank = written[0].isspace()
     title = "Replace with a blank" if is_blank else "Remove the invalid character"
     is_safe = is_blank or all(map(is_ignorable, written))
@@ -113,17 +82,3 @@ def _degrees(text: str, number: Token, sign: Token) -> Problem:
         repair = Repair(f"Write {meant}", (Edit(number.start, sign.end, meant),), False)
     message = f"'{shown(text[number.start : sign.end])}' is not a number"
     return Problem("KD005", message, number.start, sign.end, repair)
-
-
-def _summary(problems: list[Problem]) -> tuple[Problem, ...]:
-    """Return the problems, the last ones as one where they are many."""
-    if len(problems) <= _MOST_PROBLEMS:
-        return tuple(problems)
-    shown = 1 if len(problems) > 5 * _MOST_PROBLEMS else _MOST_PROBLEMS - 1
-    rest = problems[shown:]
-    edits = tuple(edit for problem in rest if problem.repair for edit in problem.repair.edits)
-    message = f"{len(rest)} more invalid characters"
-    is_safe = all(problem.repair is None or problem.repair.is_safe for problem in rest)
-    repair = Repair("Remove the invalid characters", edits, is_safe) if edits else None
-    last = Problem("KD004", message, rest[0].start, rest[0].end, repair)
-    return (*problems[:shown], last)

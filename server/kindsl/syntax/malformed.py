@@ -2,9 +2,6 @@
 
 import re
 
-# What reading a file makes of bytes that are no UTF-8.
-UNDECODABLE = re.compile("[\udc80-\udcff]+")
-
 _LONGEST_HEXADECIMAL = 15
 _HEXADECIMAL = re.compile(r"[-+]?0[xX](?:_?[0-9a-fA-F])+")
 _DIGITS = re.compile(r"[^0-9]+")

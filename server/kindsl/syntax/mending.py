@@ -6,7 +6,8 @@ Apart from `parser.py` because correct documents never load it.
 from bisect import bisect_left, bisect_right, insort
 from collections.abc import Sequence
 
-from kindsl.syntax.characters import OPEN_COMMENT, without_invalid
+from kindsl.syntax.characters import without_invalid
+from kindsl.syntax.comment_problems import OPEN_COMMENT
 from kindsl.syntax.habits.table import adapted
 from kindsl.syntax.meaning import meaning_problems
 from kindsl.syntax.recovery.island import recover

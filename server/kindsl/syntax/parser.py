@@ -3,14 +3,14 @@
 import re
 
 from kindsl.syntax.builder import build
-from kindsl.syntax.characters import comment_problems
+from kindsl.syntax.comment_problems import comment_problems
 from kindsl.syntax.meaning import meaning_problems
 from kindsl.syntax.scanner import comments, scan
 from kindsl.syntax.token_names import BLOCK_STARTS
 from kindsl.syntax.tree import Island, Node, Token
 
 # Superscripts, ligatures and letters of full width: valid tokens, yet read as what they stand for.
-_TYPESET = re.compile("[\u2070-\u2079\xb2\xb3\xb9\ufb00-\ufb06\uff21-\uff5a]")
+_TYPESET = "[\u2070-\u2079\xb2\xb3\xb9\ufb00-\ufb06\uff21-\uff5a]"
 
 
 def parse_island(text: str) -> Island:
@@ -19,10 +19,11 @@ def parse_island(text: str) -> Island:
     nodes = _straight(tokens)
     spans = comments(text)
     about_comments = comment_problems(text, spans)
-    if nodes is None or _TYPESET.search(text):
+    is_typeset = not text.isascii() and re.search(_TYPESET, text) is not None
+    if nodes is None or is_typeset:
         from kindsl.syntax.mending import mended
 
-        if nodes is None and not _TYPESET.search(text):
+        if nodes is None and not is_typeset:
             island = island_of_robcogen2(text)
             if island is not None and all(map(_has_plain_digits, island.tokens)):
                 return island

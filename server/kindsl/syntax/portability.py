@@ -11,8 +11,14 @@ from kindsl.syntax.moving import removed
 from kindsl.syntax.tables import HOLDS, ONLY
 from kindsl.syntax.token_names import shown
 from kindsl.syntax.tree import Edit, Island, Node, Repair, Token
-from kindsl.syntax.value_forms import TARGETS_OF_ALL, accepted_by, form_kind, targets_of
-from kindsl.syntax.vocabulary import BLOCKS, SECTIONS, VALUE_HOLDERS, VALUE_TERMINALS
+from kindsl.syntax.value_forms import (
+    TARGETS_OF_ALL,
+    accepted_by,
+    form_kind,
+    formed_values,
+    targets_of,
+)
+from kindsl.syntax.vocabulary import BLOCKS, SECTIONS, VALUE_TERMINALS
 from kindsl.text.facts import Fact
 
 ROBCOGEN, ROBCOGEN2 = "robcogen", "robcogen2"
@@ -21,6 +27,8 @@ _LARGEST = 2**31 - 1
 _PLAIN_ID = re.compile(r"[1-9][0-9]*")
 _BLOCKS = frozenset({"head", *BLOCKS})
 _SECTIONS_OF_ONE = SECTIONS.keys() & ONLY.keys()
+# Numbers are told with their value.
+_REFUSED = ONLY.keys() - VALUE_TERMINALS
 _CALLED = {
     "ESCAPED_NAME": ("escaped-name", "the escaped name '{}'"),
     "KEYWORD_NAME": ("keyword-as-name", "the keyword '{}' as a name"),
@@ -64,20 +72,25 @@ def portability(island: Island) -> tuple[PortabilityNote, ...]:
 
 def _notes(island: Island) -> Iterator[PortabilityNote]:
     yield from _comment_notes(island)
-    for block in island.nodes:
-        if block.kind in _BLOCKS:
-            refused = list(_section_notes(island.text, block)) if _SECTIONS_OF_ONE else []
-            yield from refused
-            for note in _block_notes(island, block):
-                if not any(_is_within(note, section) for section in refused):
-                    yield note
+    blocks = [block for block in island.nodes if block.kind in _BLOCKS]
+    refused: list[PortabilityNote] = []
+    for block in blocks if _SECTIONS_OF_ONE else ():
+        refused += _section_notes(island.text, block)
+    yield from refused
+    for note in _notes_within(island, blocks):
+        if not any(_is_within(note, section) for section in refused):
+            yield note
 
 
-def _block_notes(island: Island, block: Node) -> Iterator[PortabilityNote]:
-    yield from _token_notes(list(block.tokens()))
-    yield from _value_notes(island, block)
-    yield from _id_notes(block)
-    yield from _inertia_notes(block)
+def _notes_within(island: Island, blocks: Sequence[Node]) -> Iterator[PortabilityNote]:
+    is_all = not island.skipped
+    yield from _token_notes(
+        island.tokens if is_all else [token for block in blocks for token in block.tokens()]
+    )
+    yield from _value_notes(island)
+    for block in blocks:
+        yield from _id_notes(block)
+        yield from _inertia_notes(block)
 
 
 def _section_notes(text: str, block: Node) -> Iterator[PortabilityNote]:
@@ -134,16 +147,17 @@ def _token_notes(tokens: Sequence[Token]) -> Iterator[PortabilityNote]:
     for token in tokens:
         if token.is_missing:
             continue
-        yield from _name_notes(token)
+        if form_kind(token) in _REFUSED:
+            yield from _name_notes(token)
         if previous is not None and previous.end == token.start and token.text[:1].isidentifier():
             yield from _glue_notes(previous, token)
         previous = token
 
 
 def _name_notes(token: Token) -> Iterator[PortabilityNote]:
-    """Yield that one target refuses a name or a keyword; numbers are told with their value."""
+    """Yield that one target refuses a name or a keyword."""
     kind = form_kind(token)
-    if kind not in ONLY or kind in VALUE_TERMINALS:
+    if kind not in _REFUSED:
         return
     name, what = _CALLED.get(kind, (kind.lower().replace("_", "-"), "'{}'"))
     for target in TARGETS_OF_ALL - targets_of(kind):
@@ -162,11 +176,9 @@ def _glue_notes(left: Token, right: Token) -> Iterator[PortabilityNote]:
         yield PortabilityNote(ROBCOGEN2, "glued-number", message, left.start, right.end, repair)
 
 
-def _value_notes(island: Island, block: Node) -> Iterator[PortabilityNote]:
+def _value_notes(island: Island) -> Iterator[PortabilityNote]:
     text = island.text
-    for node in _expressions(block):
-        if node.kind == "number" and node.children[0].kind == "FLOAT":
-            continue
+    for node in formed_values(island):
         tokens = list(node.tokens())
         if any(token.is_missing for token in tokens):
             continue
@@ -191,17 +203,6 @@ def _value_notes(island: Island, block: Node) -> Iterator[PortabilityNote]:
 def _is_told(island: Island, node: Node) -> bool:
     """Return whether something is wrong with a value for either target."""
     return any(p.start < node.end and node.start < p.end for p in island.problems)
-
-
-def _expressions(block: Node) -> Iterator[Node]:
-    pending = [block]
-    while pending:
-        node = pending.pop()
-        nodes = [child for child in node.children if isinstance(child, Node)]
-        if node.kind in VALUE_HOLDERS:
-            yield from nodes
-        else:
-            pending += nodes
 
 
 def _id_notes(block: Node) -> Iterator[PortabilityNote]:

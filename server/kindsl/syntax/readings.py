@@ -6,14 +6,13 @@ it for a product.
 """
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 from kindsl.syntax.document import Chunk, SyntaxDocument
 from kindsl.syntax.portability import ROBCOGEN, ROBCOGEN2
 from kindsl.syntax.tree import Island, Node, Token
-from kindsl.syntax.value_forms import is_signed_product
-from kindsl.syntax.vocabulary import VALUE_HOLDERS
+from kindsl.syntax.value_forms import formed_values, is_signed_product
 from kindsl.text.facts import Fact
 
 _POWER = re.compile(r"([-+]?[0-9]*\.[0-9]+)([eE][0-9]+)")
@@ -46,8 +45,7 @@ def two_readings(island: Island) -> tuple[TwoReadings, ...]:
     """Return the values of an island that are read in two ways; kept with the island."""
     known = island.facts.get(_READINGS)
     if known is None:
-        found = (each for block in island.nodes for each in _in_block(island.text, block))
-        known = island.facts.keep(_READINGS, tuple(found))
+        known = island.facts.keep(_READINGS, tuple(_read_in_two_ways(island)))
     return known
 
 
@@ -142,10 +140,10 @@ def _power(node: Node) -> re.Match[str] | None:
     return _POWER.fullmatch(token.text)
 
 
-def _in_block(text: str, block: Node) -> Iterator[TwoReadings]:
-    for node in _values(block):
+def _read_in_two_ways(island: Island) -> Iterator[TwoReadings]:
+    for node in formed_values(island):
         start, end = node.start, node.end
-        written = text[start:end]
+        written = island.text[start:end]
         power = _power(node)
         if power is not None:
             meaning = f"{power[1]} times a parameter '{power[2]}'"
@@ -167,16 +165,3 @@ def _split(written: str) -> tuple[str, str, str]:
     """Return both sides of the minus that is not a sign."""
     left, minus, right = written[1:].partition("-")
     return written[0] + left, minus, right
-
-
-def _values(block: Node) -> Sequence[Node]:
-    found: list[Node] = []
-    pending = [block]
-    while pending:
-        node = pending.pop()
-        nodes = [child for child in node.children if isinstance(child, Node)]
-        if node.kind in VALUE_HOLDERS:
-            found += nodes
-        else:
-            pending += nodes
-    return sorted(found, key=lambda node: node.start)

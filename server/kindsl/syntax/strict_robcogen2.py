@@ -285,8 +285,7 @@ def _plain_blocks(island: Island) -> str | None:
         return None
     if any(note.target == ROBCOGEN2 for note in portability(island)):
         return None
-    tokens = (token for node in island.nodes for token in node.tokens())
-    if any(token.kind == "NAME" and token.text in KEYWORDS for token in tokens):
+    if any(token.kind == "NAME" and token.text in KEYWORDS for token in island.tokens):
         return None
     return "".join(_LETTERS[node.kind] for node in island.nodes)
 

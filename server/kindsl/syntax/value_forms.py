@@ -6,14 +6,16 @@ from functools import lru_cache
 from kindsl.syntax.automaton import ROWS, TARGETS
 from kindsl.syntax.scanner import word_kind
 from kindsl.syntax.tables import NEITHER, ONLY, RULES, STARTS
-from kindsl.syntax.tree import Node, Token
-from kindsl.syntax.vocabulary import NAMES
+from kindsl.syntax.tree import Island, Node, Token
+from kindsl.syntax.vocabulary import NAMES, VALUE_HOLDERS
+from kindsl.text.facts import Fact
 
 TARGETS_OF_ALL = frozenset({"robcogen", "robcogen2"})
 
 _LONGEST = 12
 _MOST_KNOWN = 4096
 _known: dict[tuple[str, ...], frozenset[str]] = {}
+_FORMED = Fact[tuple[Node, ...]]("values that are more than a decimal")
 
 
 def accepted_by(tokens: Sequence[Token]) -> frozenset[str]:
@@ -48,6 +50,30 @@ def _name_kind(name: str) -> str:
         return "ESCAPED_NAME"
     kind = word_kind(name)
     return kind if kind in NAMES else "KEYWORD_NAME"
+
+
+def formed_values(island: Island) -> tuple[Node, ...]:
+    """Return the values of an island that are more than a decimal, in order; kept with it."""
+    known = island.facts.get(_FORMED)
+    return island.facts.keep(_FORMED, tuple(_formed(island))) if known is None else known
+
+
+def _formed(island: Island) -> list[Node]:
+    found: list[Node] = []
+    pending = [*island.nodes]
+    while pending:
+        node = pending.pop()
+        nodes = [child for child in node.children if isinstance(child, Node)]
+        if node.kind in VALUE_HOLDERS:
+            found += (each for each in nodes if not is_decimal(each))
+        else:
+            pending += nodes
+    return sorted(found, key=lambda node: node.start)
+
+
+def is_decimal(value: Node) -> bool:
+    """Return whether a value is a decimal number and nothing else."""
+    return value.kind == "number" and value.children[0].kind == "FLOAT"
 
 
 def is_signed_product(node: Node) -> bool:

@@ -3,11 +3,11 @@
 import math
 from collections.abc import Iterator, Sequence
 
-from kindsl.syntax.malformed import UNDECODABLE, meant_numbers
+from kindsl.syntax.comment_problems import UNDECODABLE
 from kindsl.syntax.tables import NEITHER
 from kindsl.syntax.token_names import shown
 from kindsl.syntax.tree import Edit, Node, Problem, Repair, Token
-from kindsl.syntax.value_forms import accepted_by, form_kind, kinds_accepted_by
+from kindsl.syntax.value_forms import accepted_by, form_kind, is_decimal, kinds_accepted_by
 from kindsl.syntax.vocabulary import SCALARS, VALUE_HOLDERS, of_kind
 from kindsl.text.decimals import exact_decimal, significant_decimal
 
@@ -45,7 +45,7 @@ def _expression_problems(text: str, parent: Node, place: int) -> Iterator[Proble
     node = parent.children[place]
     if not isinstance(node, Node):
         return
-    if node.kind == "number" and node.children[0].kind == "FLOAT":
+    if is_decimal(node):
         return
     tokens = list(node.tokens())
     _flatten_long_expressions(parent)
@@ -69,6 +69,8 @@ def _malformed(tokens: Sequence[Token]) -> Problem | None:
     token = next((t for t in tokens if form_kind(t) in NEITHER), None)
     if token is None:
         return None
+    from kindsl.syntax.malformed import meant_numbers
+
     repairs = tuple(
         Repair(f"Write {meant}", (Edit(token.start, token.end, meant),), False)
         for meant in meant_numbers(token.text)

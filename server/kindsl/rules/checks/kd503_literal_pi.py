@@ -36,8 +36,11 @@ def check_island(declared: Declarations, _: Context) -> Iterator[Finding]:
     """Yield a finding for each number that is a fraction of pi."""
     for rotation in rotations(declared):
         for angle in rotation.components:
+            # Most angles are short, and their digits need no counting.
+            if angle.literal is None or angle.end - angle.start <= _FEWEST_DIGITS:
+                continue
             digits = significant_digits(angle.text)
-            if angle.literal is not None and digits >= _FEWEST_DIGITS:
+            if digits >= _FEWEST_DIGITS:
                 tolerance = max(2.0 * half_unit(angle.text), 1e-15)
                 fraction = as_fraction_of_pi(angle.literal, tolerance)
                 if fraction is not None:
