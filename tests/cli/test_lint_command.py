@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from tests.cli.conftest import Runner
-from tests.cli.samples import GOOD, INTEGER, UNBOUND
+from tests.cli.samples import GOOD, INTEGER, UNBOUND, arm
 
 from kindsl.cli import lint
 from kindsl.cli.lint import only_paths
@@ -257,3 +257,28 @@ def test_paths_alone_mean_what_the_parser_says() -> None:
     parsed = vars(parser.parse_args(["a.kindsl", "-"]))
     assert {**vars(options), "param": list(options.param)} == parsed
     assert only_paths(["a.kindsl", "-q"]) is None
+
+
+def test_repeated_findings_are_told_as_one(kdsl_lint: Runner, folder: Path) -> None:
+    text = arm(reach="1e-7").replace("(0.0, 0.0, 0.5)", "(1e-7, 2.5e-7, 0.5)")
+    (folder / "a.kindsl").write_text(text)
+    many = ("--select", "KD507", "a.kindsl")
+    told = kdsl_lint(*many)
+    assert told.out.count("[KD507]") == 1
+    assert told.out.endswith("  and 2 more like it in lines 18, 21 (--verbose lists them)\n")
+    assert "3 warnings" in told.err
+    assert kdsl_lint(*many, "--verbose").out.count("warning[KD507]") == 3
+    assert len(json.loads(kdsl_lint(*many, "--output-format", "json").out)) == 3
+    assert kdsl_lint(*many, "--max-warnings", 2).status == 1
+
+
+def test_two_of_a_kind_and_unlike_errors_are_told_one_by_one(
+    kdsl_lint: Runner, folder: Path
+) -> None:
+    (folder / "a.kindsl").write_text(arm().replace("(0.0, 0.0, 0.5)", "(1e-7, 0.0, 0.5)"))
+    assert kdsl_lint("--select", "KD507").out.count("[KD507]") == 2
+    text = GOOD.replace("p_joint elbow {", "p_joint elbow { }").replace("id = 2", "id == 2")
+    (folder / "a.kindsl").write_text(text.replace("mass = 1.0", "mass 1.0"))
+    told = kdsl_lint()
+    assert told.out.count("error[KD001]") > 1
+    assert "more like it" not in told.out

@@ -109,8 +109,9 @@ def _add_reporting(group: Any) -> None:
     group.add_argument("--exit-zero", action="store_true", help="exit with 0 despite findings")
     group.add_argument("--statistics", action="store_true", help="count the findings by rule")
     group.add_argument(
-        "-v", "--verbose", action="store_true", help="end with the verdict of each generator"
-    )
+        "-v", "--verbose", action="store_true",
+        help="repeated findings one by one; end with the verdict of each generator",
+    )  # fmt: skip
     group.add_argument("-q", "--quiet", action="store_true", help="findings only, no summary")
     group.add_argument("--watch", action="store_true", help="lint again whenever a file changes")
     group.add_argument(

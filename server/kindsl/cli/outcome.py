@@ -101,12 +101,14 @@ class RunOutcome(NamedTuple):
         failures: What could not be.
         failing: The severities that make the run fail.
         remarks: Sentences about what the run rested on.
+        is_verbose: Whether people are told each finding, however often it is repeated.
     """
 
     files: Sequence[LintedFile]
     failures: Sequence[Failure]
     failing: frozenset[Severity] = frozenset((Severity.ERROR,))
     remarks: Sequence[str] = ()
+    is_verbose: bool = False
 
     def count(self, severity: Severity) -> int:
         """Return the number of findings of a severity."""

@@ -106,7 +106,8 @@ def _report(outcome: RunOutcome, args: Any) -> int:
     _tell_failures(outcome.failures)
     write(sys.stderr, "".join(f"{printable(remark)}\n" for remark in outcome.remarks))
     failing = failing_severities(outcome, args.max_warnings)
-    outcome = outcome._replace(failing=frozenset() if args.exit_zero else failing)
+    failing = frozenset() if args.exit_zero else failing
+    outcome = outcome._replace(failing=failing, is_verbose=args.verbose)
     if args.diff:
         return _report_diff(outcome, args)
     is_mended_stdin = args.fix and STDIN in args.paths

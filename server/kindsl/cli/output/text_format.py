@@ -1,29 +1,48 @@
 """Findings for people: a line that editors can jump to, and the source under it."""
 
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.cli.console import coloured, plain, wants_colour
 from kindsl.cli.outcome import LintedFile, RunOutcome
+from kindsl.cli.output.folding import LEAST_FOLDED, folded
 from kindsl.text.printable import printable
 
 _WIDEST_EXCERPT = 120
 _BEFORE_CARET = 60
 _TAB = 4
+_MOST_LINES = 8
 
 Paint = Callable[[str, str], str]
 
 
 def render(outcome: RunOutcome) -> str:
-    """Return all findings, coloured if stdout wants it."""
+    """Return all findings, repeated ones as one unless all are wanted, in colour if stdout is."""
     paint = coloured if wants_colour(sys.stdout) else plain
     return "".join(
         line + "\n"
         for file in outcome.files
-        for finding in file.findings
-        for line in _lines(file, finding, paint)
+        for first, *others in _told(file.findings, outcome.is_verbose)
+        for line in (*_lines(file, first, paint), *_count(file, others, paint))
     )
+
+
+def _told(findings: Sequence[Diagnostic], is_verbose: bool) -> list[list[Diagnostic]]:
+    if is_verbose or len(findings) < LEAST_FOLDED:
+        return [[finding] for finding in findings]
+    return folded(findings)
+
+
+def _count(file: LintedFile, others: Sequence[Diagnostic], paint: Paint) -> Iterator[str]:
+    """Yield how many more findings are of the kind of one that was told, and where."""
+    if others:
+        lines = list(dict.fromkeys(str(file.place(finding.start)[0]) for finding in others))
+        dots = [f"… {lines[-1]}"] if len(lines) > _MOST_LINES else []
+        where = ", ".join((*lines[:_MOST_LINES], *dots))
+        noun = "line" if len(lines) == 1 else "lines"
+        told = f"{len(others)} more like it in {noun} {where} (--verbose lists them)"
+        yield f"  {paint('and', 'note')} {told}"
 
 
 def _lines(file: LintedFile, finding: Diagnostic, paint: Paint) -> Iterator[str]:

@@ -1,0 +1,30 @@
+"""Repeated findings as one: in a text for people, not where programs count."""
+
+import re
+from collections.abc import Sequence
+
+from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.rules.base import Severity
+
+_VARYING = re.compile(r"'[^']*'|[-+]?\d[\d.]*(?:e[-+]?\d+)?")
+LEAST_FOLDED = 3
+
+
+def folded(findings: Sequence[Diagnostic]) -> list[list[Diagnostic]]:
+    """Return the findings of a document in its order, three and more of a kind together.
+
+    Of a kind are findings of one rule and severity; errors only if their sentences differ in names
+    and numbers alone.
+    """
+    kinds: dict[object, list[Diagnostic]] = {}
+    for finding in findings:
+        is_error = finding.severity is Severity.ERROR
+        sentence = _VARYING.sub("_", finding.message) if is_error else ""
+        kind = finding.code, finding.severity, sentence
+        kinds.setdefault(kind, []).append(finding)
+    folds = [
+        fold
+        for alike in kinds.values()
+        for fold in ([alike] if len(alike) >= LEAST_FOLDED else [[each] for each in alike])
+    ]
+    return sorted(folds, key=lambda fold: fold[0].start)
