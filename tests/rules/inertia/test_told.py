@@ -12,7 +12,7 @@ from kindsl.rules.inertia.causes import Cause
 from kindsl.rules.inertia.likelihood import MassShape
 from kindsl.rules.inertia.slips import Hypothesis, Slip
 from kindsl.rules.inertia.told import clause, likely_cause, several_causes, shared_cause, title
-from kindsl.rules.inertia.wording import sum_below, with_unit
+from kindsl.text.quantities import sum_below, with_unit
 
 BODY = MassDistribution(1.0, (0.0, 0.0, 0.0), (1.0, 1.0, 1.0, 0.0, 0.0, 0.0))
 RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")

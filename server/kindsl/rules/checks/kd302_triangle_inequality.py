@@ -35,8 +35,8 @@ from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import inertia, link
 from kindsl.rules.inertia.judgements import Verdict, impossible, judgements
-from kindsl.rules.inertia.wording import sum_below
 from kindsl.semantics.declarations import Declarations
+from kindsl.text.quantities import sum_below
 
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:

@@ -27,10 +27,10 @@ from kindsl.rules.context import Context
 from kindsl.rules.examples import STEEL_BALL, link
 from kindsl.rules.inertia.digits import likely_half_widths, numbers_written
 from kindsl.rules.inertia.judgements import Verdict, is_moving, verdict_of
-from kindsl.rules.inertia.wording import with_unit
 from kindsl.semantics.declarations import Declarations, Inertia
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.numbers import mass_distribution
+from kindsl.text.quantities import with_unit
 
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:

@@ -31,10 +31,10 @@ from kindsl.rules.context import Context
 from kindsl.rules.examples import joint, link, robot
 from kindsl.rules.inertia.judgements import is_moving
 from kindsl.rules.inertia.plausibility import GREATEST_LENGTH
-from kindsl.rules.inertia.wording import with_unit
 from kindsl.semantics.declarations import Inertia, Link
 from kindsl.semantics.model import Model
 from kindsl.semantics.numbers import mass_distribution, written_pose
+from kindsl.text.quantities import with_unit
 
 _FAR = 3.0
 _WIDE = 10.0

@@ -27,8 +27,8 @@ from kindsl.rules.context import Context
 from kindsl.rules.examples import link
 from kindsl.rules.inertia.judgements import Verdict, judgements, keyword
 from kindsl.rules.inertia.plausibility import density_of
-from kindsl.rules.inertia.wording import with_unit
 from kindsl.semantics.declarations import Declarations
+from kindsl.text.quantities import with_unit
 
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:

@@ -32,11 +32,11 @@ from kindsl.rules.context import Context
 from kindsl.rules.examples import joint, link, robot
 from kindsl.rules.inertia.judgements import is_moving, keyword
 from kindsl.rules.inertia.plausibility import GREATEST_LENGTH
-from kindsl.rules.inertia.wording import with_unit
 from kindsl.rules.memory import Memory
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
 from kindsl.semantics.numbers import mass_distribution, written_pose
+from kindsl.text.quantities import with_unit
 
 _SHORTEST = 0.05
 _SLENDER = 8.0

@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from kindsl.rules.inertia.causes import Cause
 from kindsl.rules.inertia.likelihood import density, vanishing_products
 from kindsl.rules.inertia.slips import Hypothesis, Slip
-from kindsl.rules.inertia.wording import with_unit
 from kindsl.text.phrases import listed
+from kindsl.text.quantities import with_unit
 
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _GRAMS = -3
