@@ -44,7 +44,7 @@ def test_what_is_not_known_of_a_body_is_no_number(tmp_path: Path) -> None:
     path = tmp_path / "a.kindsl"
     path.write_text(QUADRUPED.read_text().replace("CoM = (0.0, 0.036, 0.0)", "CoM = (0.0, y, 0.0)"))
     row = next(row for row in table(page(path), "Masses").rows if row[0] == "LF_hip")
-    assert row == ("LF_hip", "0.54", "-", "-")
+    assert row == ("LF_hip", "0.54", "-", "-", "-")
 
 
 def test_every_link_and_frame_is_drawn_within_the_sheet() -> None:

@@ -248,10 +248,10 @@ def test_the_card_has_a_row_for_each_thing() -> None:
         ("elbow", "prismatic", "upper", "lower", "(0.5, 0, 0)", "(0, 0, 0)"),
     )
     assert table(blocks, "Masses") == Table(
-        ("link", "mass / kg", "CoM / m", "principal moments / kg m²"),
+        ("link", "mass / kg", "CoM / m", "principal moments / kg m²", "shape"),
         (
-            ("upper", "2", "(0, 0, 0)", "(0.0041, 0.0101, 0.0122)"),
-            ("lower", "1", "(0, 0, 0)", "(0.0014, 0.0017, 0.002)"),
+            ("upper", "2", "(0, 0, 0)", "(0.0041, 0.0101, 0.0122)", "-"),
+            ("lower", "1", "(0, 0, 0)", "(0.0014, 0.0017, 0.002)", "-"),
         ),
         frozenset((1,)),
     )

@@ -57,14 +57,16 @@ def test_the_mass_is_reported_where_the_link_is_not(
     end = length * np.array(along) / np.linalg.norm(along)
     com = away * np.array(aside) / np.linalg.norm(aside)
     distance, radius = distance_to_link(com, end), ratio * (length + away)
-    far, wide = 3.0 * (length + radius), 10.0 * (length + away)
+    far, wide = length + 3.0 * radius, 5.0 * (length + away)
     assume(abs(distance / far - 1.0) > 0.01 and abs(radius / wide - 1.0) > 0.01)
     found = analyse(document(end, com, radius)).findings
     told = [finding.message for finding in found if finding.code == "KD309"]
     if distance > far:
         assert len(told) == 1 and told[0].startswith("CoM of 'upper' lies ")
     elif radius > wide:
-        assert len(told) == 1 and told[0].startswith("radius of gyration of 'upper' is ")
+        is_light = any(finding.code == "KD311" for finding in found)
+        expected = [] if is_light else ["radius of gyration of 'upper' is "]
+        assert [message[: len("radius of gyration of 'upper' is ")] for message in told] == expected
     else:
         assert told == []
 
@@ -88,31 +90,31 @@ WIDE = "radius of gyration of 'arm' is {} m, the link is 0.5 m long"
 @pytest.mark.parametrize(
     ("com", "moments", "message"),
     [
-        ("3.0, 0.0, 0.0", ("0.0", "9.25", "9.25"), None),
-        ("3.25, 0.0, 0.0", ("0.0", "10.8125", "10.8125"), FAR.format("3.25")),
-        ("0.0, 0.0, -3.25", ("10.8125", "10.8125", "0.0"), FAR.format("3.25")),
-        ("0.0, 0.0, 3.25", ("10.8125", "10.8125", "0.0"), None),
-        ("0.0, 0.0, 3.75", ("14.3125", "14.3125", "0.0"), FAR.format("3.25")),
-        ("3.25, 0.0, 0.25", ("0.0625", "10.875", "10.8125"), FAR.format("3.25")),
-        ("1.5, 0.0, 0.0", ("0.0", "2.25", "2.25"), None),
-        ("1.75, 0.0, 0.0", ("0.0", "3.0625", "3.0625"), FAR.format("1.75")),
-        ("1.7, 0.0, 0.0", ("0.0", "2.89", "2.89"), FAR.format("1.7")),
-        ("1.75, 0.0, 0.0", ("0.0", "0.0", "0.0"), None),
-        ("1.75, 0.0, 0.0", ("0.0", "3.0", "3.0"), None),
+        ("2.0, 0.0, 0.0", ("0.0", "4.25", "4.25"), None),
+        ("2.25, 0.0, 0.0", ("0.0", "5.3125", "5.3125"), FAR.format("2.25")),
+        ("0.0, 0.0, -2.25", ("5.3125", "5.3125", "0.0"), FAR.format("2.25")),
+        ("0.0, 0.0, 2.25", ("5.3125", "5.3125", "0.0"), None),
+        ("0.0, 0.0, 2.75", ("7.8125", "7.8125", "0.0"), FAR.format("2.25")),
+        ("2.25, 0.0, 0.25", ("0.0625", "5.375", "5.3125"), FAR.format("2.25")),
+        ("0.5, 0.0, 0.0", ("0.0", "0.25", "0.25"), None),
+        ("0.75, 0.0, 0.0", ("0.0", "0.5625", "0.5625"), FAR.format("0.75")),
+        ("0.7, 0.0, 0.0", ("0.0", "0.49", "0.49"), FAR.format("0.7")),
+        ("0.75, 0.0, 0.0", ("0.0", "0.0", "0.0"), None),
+        ("0.75, 0.0, 0.0", ("0.0", "0.5", "0.5"), None),
         ("10.0, 0.0, 0.0", ("0.0", "100.25", "100.25"), FAR.format("10")),
         ("-10.0, 0.0, 0.0", ("0.0", "100.25", "100.25"), FAR.format("10")),
         ("10.25, 0.0, 0.0", ("0.0", "105.3125", "105.3125"), None),
-        ("0.0, 0.0, 0.0", ("0.0", "25.0", "25.0"), None),
-        ("0.0, 0.0, 0.0", ("0.0", "30.25", "30.25"), WIDE.format("5.5")),
-        ("0.0, 0.0, 0.5", ("0.25", "30.5", "30.25"), None),
-        ("0.0, 0.0, 0.5", ("0.25", "100.25", "100.0"), None),
-        ("0.0, 0.0, 0.5", ("0.25", "121.25", "121.0"), WIDE.format("11")),
+        ("0.0, 0.0, 0.0", ("0.0", "6.25", "6.25"), None),
+        ("0.0, 0.0, 0.0", ("0.0", "7.5625", "7.5625"), WIDE.format("2.75")),
+        ("0.0, 0.0, 0.5", ("0.25", "7.8125", "7.5625"), None),
+        ("0.0, 0.0, 0.5", ("0.25", "25.25", "25.0"), None),
+        ("0.0, 0.0, 0.5", ("0.25", "30.5", "30.25"), WIDE.format("5.5")),
     ],
 )
 def test_the_mass_is_where_the_link_is(
     com: str, moments: tuple[str, ...], message: str | None
 ) -> None:
-    """Of rods and points beside a link of half a metre: 3 (0.5 m + their radius) is far."""
+    """Of rods and points beside a link of half a metre: 0.5 m and three radii are far."""
     for turns in range(3):
         place = ", ".join(turned(("0.0", "0.0", "0.5"), turns))
         there = ", ".join(turned(com.split(", "), turns))
@@ -125,17 +127,17 @@ def test_the_mass_is_where_the_link_is(
 @pytest.mark.parametrize("length", [0.05, 0.5, 5.0])
 @pytest.mark.parametrize("mass", [0.25, 4.0])
 def test_far_and_wide_are_multiples_of_the_length(length: float, mass: float) -> None:
-    """A rod along x, ten times as wide as the link is long; a point three times as far away."""
+    """A rod along x, five times as wide as the link is long; a point as far away."""
     for share, is_told in ((0.99, False), (1.01, True)):
-        moment = f"{mass * (share * 10.0 * length) ** 2:.9f}"
+        moment = f"{mass * (share * 5.0 * length) ** 2:.9f}"
         wide = arm_to(f"0.0, 0.0, {length}", "0.0, 0.0, 0.0", "0.0", moment, moment, mass=f"{mass}")
         assert bool(told("KD309", wide)) == is_told
-        away = share * 3.0 * length
+        away = share * length
         moment = f"{mass * away**2:.9f}"
         far = arm_to(
             f"0.0, 0.0, {length}", f"{away}, 0.0, 0.0", "0.0", moment, moment, mass=f"{mass}"
         )
-        assert bool(told("KD309", far)) == (is_told and away < 10.0)
+        assert bool(told("KD309", far)) == is_told
 
 
 def framed(frames: str, frame: str = "", children: str = "", com: str = "0.0, 0.0, 5.0") -> str:
@@ -192,7 +194,7 @@ def test_the_mass_of_a_fixed_base_is_anywhere(word: str, count: int) -> None:
 
 @pytest.mark.parametrize(
     ("com", "count"),
-    [("0.0, 0.0, 0.9", 0), ("0.0, 0.0, 1.3", 1)],
+    [("0.0, 0.0, -0.9", 0), ("0.0, 0.0, 0.36", 1)],
 )
 def test_an_inertia_is_in_the_frame_that_it_names(com: str, count: int) -> None:
     """Of two frames, at the wrist and aside from it."""

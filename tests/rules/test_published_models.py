@@ -8,7 +8,7 @@ from tests.support.published import published, published_model, published_models
 
 from kindsl.analysis.analysis import analyse
 
-CLEAN = ("rmt__ur5", "urdf2kindsl__03_anymal", "robcogen2__hyq")
+CLEAN = ("urdf2kindsl__03_anymal", "robcogen2__hyq")
 
 
 pytestmark = published
@@ -23,6 +23,10 @@ def codes(name: str, *severities: str) -> Counter[str]:
 def test_clean_model_has_no_error_and_no_warning(name: str) -> None:
     found = codes(name, "error", "warning")
     assert set(found) <= {"KD507"}
+
+
+def test_the_masses_of_the_ur5_lie_along_the_axes_of_another_format() -> None:
+    assert codes("rmt__ur5", "error", "warning") == {"KD313": 2}
 
 
 @pytest.mark.parametrize("path", published_models())

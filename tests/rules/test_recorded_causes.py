@@ -11,6 +11,7 @@ from tests.support.bodies import document_of_bodies, inertia_text, random_body, 
 from tests.support.recorded import assert_as_recorded
 
 from kindsl.analysis.analysis import analyse
+from kindsl.mechanism.body_verdicts import density_of
 from kindsl.rigid.body import (
     MassDistribution,
     eigensystem,
@@ -18,7 +19,6 @@ from kindsl.rigid.body import (
     shifted,
 )
 from kindsl.rules.inertia.causes import Cause, candidates
-from kindsl.rules.inertia.plausibility import density_of
 from kindsl.rules.inertia.repairs import explanations
 from kindsl.rules.inertia.slips import Hypothesis, hypotheses
 from kindsl.rules.inertia.surroundings import surroundings

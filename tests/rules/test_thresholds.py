@@ -88,9 +88,9 @@ def framed(user: str) -> str:
     return f"{head} frames {{ camera {poses} }} }}\n"
 
 
-def hand_at(height: str, com: str = "2.0", ix: str = "4.01") -> str:
+def hand_at(height: str, com: str = "2.0", ix: str = "4.01", iz: str = "0.01") -> str:
     """Return an arm whose only known length is the height of its wrist."""
-    arm = link("arm", 1, "hand via wrist", inertia("1.0", com, ix, ix, "0.01"))
+    arm = link("arm", 1, "hand via wrist", inertia("1.0", com, ix, ix, iz))
     joints = joint("elbow"), joint("wrist").replace("0.3)", f"{height})")
     return robot(arm, link("hand", 2), *joints, base="arm via elbow")
 
@@ -102,8 +102,8 @@ def hand_at(height: str, com: str = "2.0", ix: str = "4.01") -> str:
         ("KD303", ball, "0.001", "-0.001"),
         ("KD305", lambda iz: ball("1.0", "0.1", iz), "0.0000000004", "0.0000000001"),
         ("KD309", hand_at, "0.02", "0.0201"),
-        ("KD309", lambda end: hand_at(end, "0.0", "15000.0"), "10.0", "9.99"),
-        ("KD309", in_a_frame, "0.95", "1.00"),
+        ("KD309", lambda end: hand_at(end, "0.0", "15000.0", "0.0"), "10.0", "9.99"),
+        ("KD309", in_a_frame, "0.38", "0.39"),
         ("KD312", with_product("Ixy"), "-0.004", "0.004"),
         ("KD312", with_product("Ixz"), "0.004", "-0.004"),
         ("KD312", with_product("Iyz"), "-0.004", "0.004"),

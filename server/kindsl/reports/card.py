@@ -14,6 +14,7 @@ from kindsl.reports.page.blocks import Block, Figure, Heading, Matrix, Page, Par
 from kindsl.reports.robot_facts import mass_text, robot_facts
 from kindsl.rigid.body import principal_moments_about_com
 from kindsl.rigid.pose import PLAIN, RigidPose, angles
+from kindsl.rules.inertia.shapes import shape_verdicts
 from kindsl.scene.picture import Picture, picture
 from kindsl.text.phrases import counted
 
@@ -101,19 +102,26 @@ def _joints(skeleton: Skeleton) -> Iterator[Block]:
 
 def _masses(skeleton: Skeleton, facts: dict[str, Any], analysis: Analysis) -> Iterator[Block]:
     yield Heading("Masses")
-    header = ("link", "mass / kg", "CoM / m", "principal moments / kg m²")
+    header = ("link", "mass / kg", "CoM / m", "principal moments / kg m²", "shape")
     first = 0 if skeleton.is_floating else 1
     bodies = list(zip(skeleton.body_names, skeleton.masses, strict=True))[first:]
     unknown = unknown_bodies(analysis.model, analysis.context.values)
     written = {body["name"]: body["mass"] for _, body in branches(facts)}
     moments = [principal_moments_about_com(body) for _, body in bodies]
     rows = tuple(
-        (name, number(written.get(name)), "-", "-")
+        (name, number(written.get(name)), "-", "-", "-")
         if name in unknown
-        else (name, number(body.mass), triple(body.com), triple(own))
+        else (name, number(body.mass), triple(body.com), triple(own), _shape(analysis, name))
         for (name, body), own in zip(bodies, moments, strict=True)
     )
     yield Table(header, rows, frozenset((1,)))
+
+
+def _shape(analysis: Analysis, name: str) -> str:
+    """Return what is doubtful about a body in a word or two, a dash where nothing is."""
+    body = analysis.model.body_named[name]
+    doubts = shape_verdicts(analysis.model, analysis.context, body)
+    return ", ".join(doubt.kind for doubt in doubts) or "-"
 
 
 def _frames(skeleton: Skeleton) -> Iterator[Block]:

@@ -19,7 +19,7 @@ def of_link(text):
 
 
 LEAF = ARM.replace("link lower", "link $0lower")
-MOMENTS = "Ix=0.1 Iy=0.1 Iz=0.1 Ixy=0.0 Ixz=0.0 Iyz=0.0"
+MOMENTS = "Ix=0.02 Iy=0.02 Iz=0.02 Ixy=0.0 Ixz=0.0 Iyz=0.0"
 
 
 @pytest.mark.parametrize(
@@ -30,10 +30,17 @@ MOMENTS = "Ix=0.1 Iy=0.1 Iz=0.1 Ixy=0.0 Ixz=0.0 Iyz=0.0"
         ("0.0", "0.0", MOMENTS, "⚠ mass of the moving link 'b' is zero (KD303)"),
         (
             "1.0",
+            "0.0",
+            MOMENTS.replace("0.02", "30.0"),
+            "⚠ inertia of 'b' implies a density of 0.000368 kg/m³; "
+            "its radius of gyration is 6.71 m (KD311)",
+        ),
+        (
+            "1.0",
             "1.0",
             MOMENTS,
             "✗ inertia of 'b' is not positive definite: "
-            "smallest principal moment about the CoM is -0.9 kg·m² (KD301)",
+            "smallest principal moment about the CoM is -0.98 kg·m² (KD301)",
         ),
     ],
 )

@@ -8,6 +8,11 @@ from hypothesis import strategies as st
 from tests.support.bodies import document_of_bodies
 
 from kindsl.analysis.analysis import analyse
+from kindsl.mechanism.body_verdicts import (
+    density_of,
+    is_dense_as_matter,
+    is_plainly_dense_as_matter,
+)
 from kindsl.rigid.body import (
     MassDistribution,
     eigensystem,
@@ -16,12 +21,7 @@ from kindsl.rigid.body import (
     seen_from,
 )
 from kindsl.rigid.pose import Vector3, pose_from
-from kindsl.rules.inertia.plausibility import (
-    density_of,
-    is_dense_as_matter,
-    is_placeholder,
-    is_plainly_dense_as_matter,
-)
+from kindsl.rules.inertia.judgements import is_placeholder
 
 SECTION = "inertia_params {{ mass = {:.17f} CoM = ({:.17f}, {:.17f}, {:.17f}) {} }}"
 NAMES = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")

@@ -11,6 +11,7 @@ from kindsl.mechanism.link_inertia import link_inertia
 from kindsl.mechanism.total_mass import UNKNOWN, Weight, own_mass
 from kindsl.rigid.body import principal_moments_about_com
 from kindsl.rules.base import Severity
+from kindsl.rules.inertia.shapes import shape_verdicts
 from kindsl.rules.registry import all_rules
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.lowering import declarations
@@ -70,7 +71,7 @@ def _mass_lines(analysis: Analysis, body: Link) -> Iterator[str]:
     if body.is_base and not body.is_floating:
         yield "the inertia of a fixed base does not matter"
     else:
-        yield _verdict(analysis, body)
+        yield from _verdicts(analysis, body)
 
 
 def _subtree_text(weight: Weight, dof: int) -> str:
@@ -92,13 +93,18 @@ def _pose_lines(analysis: Analysis, body: Link) -> Iterator[str]:
         yield f"zero configuration, in the base: {pose_text(pose)}"
 
 
-def _verdict(analysis: Analysis, body: Link) -> str:
-    """Return what the rules of single bodies say of a link's inertia, the worst first."""
+def _verdicts(analysis: Analysis, body: Link) -> Iterator[str]:
+    """Yield what the rules say of a link's inertia: the worst defect, else each doubt."""
     declared = declarations(body.island)
     for rule in all_rules():
         if rule.code not in _CODES or rule.check_island is None:
             continue
         for finding in rule.check_island(declared, analysis.context):
             severity = finding.severity or rule.severity
-            return f"{_MARKS.get(severity, '')}{finding.message} ({rule.code})"
-    return _CONSISTENT
+            yield f"{_MARKS.get(severity, '')}{finding.message} ({rule.code})"
+            return
+    doubts = list(shape_verdicts(analysis.model, analysis.context, body))
+    for doubt in doubts:
+        yield f"{_MARKS[Severity.WARNING]}{doubt.sentence} ({doubt.code})"
+    if not doubts:
+        yield _CONSISTENT

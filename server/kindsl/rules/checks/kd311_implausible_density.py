@@ -22,24 +22,21 @@ is half a kilogram spread over 30 metres.
 
 from collections.abc import Iterator
 
+from kindsl.mechanism.body_verdicts import density_verdict
 from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link
 from kindsl.rules.inertia.judgements import Verdict, judgements, keyword
-from kindsl.rules.inertia.plausibility import density_of
 from kindsl.semantics.declarations import Declarations
-from kindsl.text.quantities import with_unit
 
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
     """Yield a finding for each inertia of a body of no known material."""
     for found in judgements(declared, context):
         if found.verdict is Verdict.IMPLAUSIBLE:
-            density = density_of(found.body.mass, found.second_moments)
-            message = f"inertia of '{found.link.name}' implies a density of "
-            message += f"{with_unit(density, 'kg/m³')}; its radius of gyration is "
-            message += with_unit(found.radius_of_gyration, "m")
-            yield Finding(keyword(found.inertia), message)
+            verdict = density_verdict(str(found.link.name), found.body)
+            if verdict is not None:
+                yield Finding(keyword(found.inertia), verdict.sentence)
 
 
 _INERTIA = """inertia_params {

@@ -17,11 +17,11 @@ Divides the vector by 1000. Unsafe: millimetres are a guess.
 
 from collections.abc import Iterator
 
+from kindsl.mechanism.body_verdicts import GREATEST_LENGTH
 from kindsl.rules.base import Example, Finding, Fix, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint
 from kindsl.rules.geometry import lengths
-from kindsl.rules.inertia.plausibility import GREATEST_LENGTH
 from kindsl.rules.number_writing import rescaled
 from kindsl.semantics.declarations import Declarations, Vector
 

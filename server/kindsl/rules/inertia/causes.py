@@ -13,6 +13,7 @@ from collections.abc import Mapping, Sequence
 from math import exp, inf, isclose, log
 from typing import NamedTuple
 
+from kindsl.mechanism.body_verdicts import density_of
 from kindsl.rigid.body import MassDistribution
 from kindsl.rules.inertia.judgements import (
     IMPOSSIBLE,
@@ -22,7 +23,6 @@ from kindsl.rules.inertia.judgements import (
     verdict_of,
 )
 from kindsl.rules.inertia.likelihood import MassShape, log_likelihood, shape_of
-from kindsl.rules.inertia.plausibility import density_of
 from kindsl.rules.inertia.slips import Hypothesis, Kind, Slip, hypotheses
 from kindsl.rules.inertia.surroundings import LinkSurroundings, of_points, of_twins
 

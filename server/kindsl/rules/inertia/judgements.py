@@ -9,10 +9,16 @@ are likely.
 
 from collections.abc import Mapping, Sequence
 from enum import Enum
-from math import sqrt
 from operator import mul
 from typing import NamedTuple
 
+from kindsl.mechanism.body_verdicts import (
+    GREATEST_DENSITY,
+    GREATEST_LENGTH,
+    density_of,
+    is_dense_as_matter,
+    is_plainly_dense_as_matter,
+)
 from kindsl.rigid.body import (
     Eigenpair,
     MassDistribution,
@@ -32,14 +38,6 @@ from kindsl.rules.inertia.digits import (
     bounds_by_digits,
     likely_half_widths,
     numbers_written,
-)
-from kindsl.rules.inertia.plausibility import (
-    GREATEST_DENSITY,
-    GREATEST_LENGTH,
-    density_of,
-    is_dense_as_matter,
-    is_placeholder,
-    is_plainly_dense_as_matter,
 )
 from kindsl.semantics.declarations import Declarations, Inertia, Link, inertia_values
 from kindsl.semantics.expressions import ParameterUse, symbols
@@ -94,12 +92,6 @@ class Judgement(NamedTuple):
         return principal_moments(self.second_moments)
 
     @property
-    def radius_of_gyration(self) -> float:
-        """Root of the mean squared distance of the mass from the CoM, metres."""
-        total = sum(pair.value for pair in self.second_moments)
-        return sqrt(max(total, 0.0) / self.body.mass)
-
-    @property
     def is_impossible(self) -> bool:
         """Whether no choice within the likely digits makes the body possible."""
         return self.verdict in IMPOSSIBLE
@@ -131,6 +123,11 @@ def is_impossible(link: Link, context: Context) -> bool:
 def is_moving(body: Link) -> bool:
     """Return whether the inertia of a body matters: that of a fixed base does not."""
     return not body.is_base or body.is_floating
+
+
+def is_placeholder(body: MassDistribution) -> bool:
+    """Return whether mass and moments are all 1.0, which no body is by chance."""
+    return body.mass == 1.0 and body.moments[:3] == (1.0, 1.0, 1.0)
 
 
 def is_plain(inertia: Inertia) -> bool:

@@ -1,0 +1,59 @@
+"""What is doubtful about the bodies of a robot, as the rules report it.
+
+`body_verdicts` takes numbers as they are. What is reported of a density leaves room for the digits
+written besides.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.mechanism.body_verdicts import BodyVerdict, body_verdicts
+from kindsl.mechanism.link_inertia import link_inertia
+from kindsl.rigid.pose import Vector3
+from kindsl.rules.context import Context
+from kindsl.rules.inertia.judgements import Verdict, is_moving, judgements
+from kindsl.semantics.declarations import Link, Pose
+from kindsl.semantics.lowering import declarations
+from kindsl.semantics.model import Model
+from kindsl.semantics.numbers import written_pose
+from kindsl.semantics.unknown import Unknown
+from kindsl.text.facts import Fact
+
+Doubtful = tuple[Link, BodyVerdict]
+
+_VERDICTS = Fact[tuple[Context, list[Doubtful]]]("doubtful bodies")
+_OF_DENSITY = "KD311"
+
+
+def doubtful_bodies(model: Model, context: Context, code: str) -> Iterator[Doubtful]:
+    """Yield each moving body with what one rule reports of its shape."""
+    known = model.facts.get(_VERDICTS)
+    if known is None or known[0] is not context:
+        found = [(body, v) for body in model.bodies for v in shape_verdicts(model, context, body)]
+        known = model.facts.keep(_VERDICTS, (context, found))
+    for body, verdict in known[1]:
+        if verdict.code == code:
+            yield body, verdict
+
+
+def shape_verdicts(model: Model, context: Context, body: Link) -> Iterator[BodyVerdict]:
+    """Yield what is reported of one body's shape, nothing of a fixed base."""
+    if body.inertia is None or not is_moving(body):
+        return
+    numbers = link_inertia(body, context.values)
+    if not isinstance(numbers, Unknown):
+        edges = model.tree.successor_edges(body)
+        children = _places([e.joint.pose for e in edges if e.joint is not None], context)
+        frames = _places([frame.pose for frame in body.frames], context)
+        for verdict in body_verdicts(str(body.name), numbers, children, frames):
+            if verdict.code != _OF_DENSITY or _is_of_no_material(body, context):
+                yield verdict
+
+
+def _places(poses: list[Pose], context: Context) -> tuple[Vector3, ...]:
+    placed = (written_pose(pose, context.values) for pose in poses)
+    return tuple(place.translation for place in placed if place is not None)
+
+
+def _is_of_no_material(body: Link, context: Context) -> bool:
+    judged = judgements(declarations(body.island), context)
+    return any(j.link is body and j.verdict is Verdict.IMPLAUSIBLE for j in judged)
