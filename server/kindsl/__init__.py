@@ -11,6 +11,8 @@ if TYPE_CHECKING:
 
     from kindsl.analysis.analysis import Analysis as Document
     from kindsl.analysis.settings import Settings
+    from kindsl.cad.properties import MassProperties
+    from kindsl.cad.report import ReportError
     from kindsl.dynamics.evaluation.compiler import CompileError
     from kindsl.mechanism.build import Mechanism
     from kindsl.mechanism.errors import ModelError, ParameterValueError, UnboundParameterError
@@ -18,12 +20,15 @@ if TYPE_CHECKING:
 __all__ = [
     "CompileError",
     "Document",
+    "MassProperties",
     "Mechanism",
     "ModelError",
     "ParameterValueError",
+    "ReportError",
     "UnboundParameterError",
     "__version__",
     "load",
+    "mass_properties",
     "parse",
 ]
 
@@ -32,9 +37,11 @@ __version__ = "0.1.0"
 _PLACES = {
     "CompileError": ("kindsl.dynamics.evaluation.compiler", "CompileError"),
     "Document": ("kindsl.analysis.analysis", "Analysis"),
+    "MassProperties": ("kindsl.cad.properties", "MassProperties"),
     "Mechanism": ("kindsl.mechanism.build", "Mechanism"),
     "ModelError": ("kindsl.mechanism.errors", "ModelError"),
     "ParameterValueError": ("kindsl.mechanism.errors", "ParameterValueError"),
+    "ReportError": ("kindsl.cad.report", "ReportError"),
     "UnboundParameterError": ("kindsl.mechanism.errors", "UnboundParameterError"),
 }
 
@@ -55,6 +62,21 @@ def load(path: "str | os.PathLike[str]", settings: "Settings | None" = None) -> 
     if settings is None:
         settings = _settings_for(path)
     return parse(text, settings)
+
+
+def mass_properties(text: str) -> "MassProperties":
+    """Return the mass properties that a report of a CAD program has.
+
+    Args:
+        text: What the program shows for one body.
+
+    Raises:
+        ReportError: There is no report in the text, something in it is missing, or its numbers
+            contradict each other.
+    """
+    from kindsl.cad.taking_over import mass_properties
+
+    return mass_properties(text)
 
 
 def parse(text: str, settings: "Settings | None" = None) -> "Document":
