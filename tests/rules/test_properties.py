@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.mechanism.body_verdicts import GREATEST_LENGTH
 from kindsl.rules.checks.kd404_unused_binding import unused_bindings
 from kindsl.rules.examples import STEEL_BALL, joint, link, robot
-from kindsl.rules.inertia.plausibility import GREATEST_LENGTH
 from kindsl.text.edits import apply_edits
 
 steady = settings(deadline=None, max_examples=60)
