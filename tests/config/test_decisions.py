@@ -2,7 +2,7 @@
 
 from kindsl.analysis.settings import Settings
 from kindsl.config.decisions import Decisions, overridden
-from kindsl.semantics.parameters import Binding, JointLimits
+from kindsl.semantics.parameters import Binding, JointProperties
 
 
 def test_a_value_without_range_keeps_the_range() -> None:
@@ -14,6 +14,6 @@ def test_a_value_without_range_keeps_the_range() -> None:
 
 
 def test_limits_of_joints_are_put_over_others_by_name() -> None:
-    first = overridden(Settings(), Decisions(joints={"a": JointLimits(-1.0, 1.0)}))
-    both = overridden(first, Decisions(joints={"b": JointLimits(None, 2.0)}))
-    assert both.joints == {"a": JointLimits(-1.0, 1.0), "b": JointLimits(None, 2.0)}
+    first = overridden(Settings(), Decisions(joints={"a": JointProperties(-1.0, 1.0)}))
+    both = overridden(first, Decisions(joints={"b": JointProperties(None, 2.0)}))
+    assert both.joints == {"a": JointProperties(-1.0, 1.0), "b": JointProperties(None, 2.0)}

@@ -9,7 +9,7 @@ import kindsl
 from kindsl.analysis.settings import Settings
 from kindsl.interchange.format import ORDINARY, FormatError, WritingChoices
 from kindsl.interchange.registry import format_named
-from kindsl.semantics.parameters import JointLimits
+from kindsl.semantics.parameters import JointProperties
 
 BODY = "inertia_params { mass = 2.0 CoM = (0.0, 0.0, 0.0) Ix = 0.1 Iy = 0.2 Iz = 0.2 "
 BODY += "Ixy = 0.0 Ixz = 0.0 Iyz = 0.0 }"
@@ -35,8 +35,8 @@ def notes(text: str, format: str, choices: WritingChoices = ORDINARY) -> list[st
 def test_limits_that_a_urdf_must_give() -> None:
     assert notes(TEXT, "urdf") == [TURN, SLIDE]
     assert notes(TEXT, "urdf", WritingChoices(endless_joints=True)) == [SLIDE]
-    limits = {"slide": JointLimits(0.0, 1.0)}
-    assert notes(TEXT, "urdf", WritingChoices(limits=limits)) == [TURN]
+    limits = {"slide": JointProperties(0.0, 1.0)}
+    assert notes(TEXT, "urdf", WritingChoices(joints=limits)) == [TURN]
 
 
 @pytest.mark.parametrize(

@@ -20,7 +20,7 @@ from kindsl.interchange.kindsl_writing import kindsl_text
 from kindsl.interchange.registry import all_formats, format_named, format_of_suffix
 from kindsl.mechanism.bodies import skeleton_of_bodies
 from kindsl.mechanism.errors import ModelError, UnboundParameterError
-from kindsl.semantics.parameters import JointLimits
+from kindsl.semantics.parameters import JointProperties
 
 TOLERANCE = 1e-9
 BOTH_WAYS = [format for format in all_formats() if format.read and format.write]
@@ -120,9 +120,13 @@ def test_revolute_joints_of_a_urdf_have_one_coordinate_unless_asked() -> None:
 
 
 def test_limits_of_the_configuration_are_written_everywhere() -> None:
-    limits = {"ja": JointLimits(-1.0, 1.5), "jb": JointLimits(-0.5), "other": JointLimits(0.0, 1.0)}
+    limits = {
+        "ja": JointProperties(-1.0, 1.5),
+        "jb": JointProperties(-0.5),
+        "other": JointProperties(0.0, 1.0),
+    }
     skeleton = kindsl.parse(MASSLESS, Settings()).skeleton()
-    choices = WritingChoices(endless_joints=True, limits=limits)
+    choices = WritingChoices(endless_joints=True, joints=limits)
     text = {format.name: format.write("arm", skeleton, choices) for format in BOTH_WAYS}
     in_mujoco = mujoco.MjModel.from_xml_string(text["mjcf"].text)
     assert in_mujoco.jnt_limited.tolist() == [1, 1, 0]

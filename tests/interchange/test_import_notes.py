@@ -69,15 +69,11 @@ def notes(text: str, format: str, folder: Path) -> tuple[str, ...]:
             '"torso"><!---->',
             '"torso"><joint type="free" armature="1" damping="2"/>',
             [
-                NOT_SUPPORTED.format("damping of 1 joint"),
-                NOT_SUPPORTED.format("armature, which adds to the joint-space inertia, of 1 joint"),
+                NOT_SUPPORTED.format("damping of the floating base"),
+                NOT_SUPPORTED.format("armature of the floating base"),
             ],
         ),
-        (
-            'name="j"',
-            'name="j" frictionloss="1"',
-            [NOT_SUPPORTED.format("dry friction of 1 joint")],
-        ),
+        ('name="j"', 'name="j" frictionloss="1"', []),
         ('name="j"', 'name="j" stiffness="1"', [NOT_SUPPORTED.format("springs of 1 joint")]),
     ],
 )

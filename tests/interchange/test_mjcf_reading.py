@@ -2,6 +2,7 @@
 
 import random
 import re
+from math import pi
 from pathlib import Path
 
 import mujoco
@@ -14,6 +15,7 @@ from tests.support.urdf_mutants import mutant
 from kindsl.interchange.format import FormatError, ReadRobot
 from kindsl.interchange.kindsl_writing import kindsl_text, written_kindsl
 from kindsl.interchange.registry import format_named
+from kindsl.semantics.parameters import JointProperties
 
 BODY = '<inertial pos="0.1 0 0" mass="2" fullinertia="0.1 0.2 0.2 0.01 0 0"/>'
 ARM = f"""<mujoco model="arm"><worldbody><body name="base">
@@ -153,11 +155,11 @@ def test_each_loss_is_one_sentence(tmp_path: Path) -> None:
         "1 actuator dropped: not supported",
         "geometry and meshes of 2 bodies dropped",
         "the equality (joint of 'slider' and 'shoulder') dropped: the joints are now independent",
-        "limits of 1 joint dropped: kindsl.toml takes them, as min and max of [joints.NAME]",
         "springs of 1 joint dropped: not supported",
-        "damping of 1 joint dropped: not supported",
-        "armature, which adds to the joint-space inertia, of 1 joint dropped: not supported",
     ]
+    (told,) = found.joints.values()
+    assert told == JointProperties(*told.limits, armature=1.0, damping=1.0)
+    assert told.limits == pytest.approx((-pi / 2, pi / 2))
     plain = robot(ARM, tmp_path)
     assert kindsl_text(found.robot) == kindsl_text(plain.robot)
 

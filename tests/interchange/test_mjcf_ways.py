@@ -92,12 +92,10 @@ def test_armature_is_the_one_difference_and_is_told(tmp_path: Path) -> None:
     text = ARM.replace("{free}", "")
     _agrees(text, tmp_path)
     text = text.replace('name="shoulder"', 'name="shoulder" armature="2.5"')
-    ours, model, remarks = _both(text, tmp_path)
+    ours, model, found = _both(text, tmp_path)
     apart = gap_of_imported(ours, model, np.random.default_rng(1))
     assert apart.inertia > 1e-2 and apart.bias < 1e-9
-    assert [remark for remark in remarks if "armature" in remark] == [
-        "armature, which adds to the joint-space inertia, of 1 joint dropped: not supported"
-    ]
+    assert found.joints["shoulder"].armature == 2.5
 
 
 def _agrees(text: str, folder: Path) -> None:
@@ -109,4 +107,4 @@ def _both(text: str, folder: Path) -> tuple:
     found = read(text, format_named("mjcf"), folder)
     with warnings.catch_warnings(action="ignore"):
         model = mujoco.MjModel.from_xml_path(str(folder / "robot.xml"))
-    return mechanism_of(kindsl_text(found.robot)), model, found.remarks
+    return mechanism_of(kindsl_text(found.robot)), model, found

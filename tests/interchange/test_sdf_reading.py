@@ -122,10 +122,11 @@ def test_mutant_is_read_or_refused(seed: int, tmp_path: Path) -> None:
 
 def test_each_loss_is_one_sentence(tmp_path: Path) -> None:
     text = ARM.replace('<frame name="mark"', '<plugin/><frame name="mark"')
-    text = text.replace("<xyz>0 0 -1</xyz>", "<xyz>0 0 -1</xyz><limit/><dynamics/>")
+    text = text.replace(
+        "<xyz>0 0 -1</xyz>", "<xyz>0 0 -1</xyz><dynamics><spring_stiffness/></dynamics>"
+    )
     assert robot(text, tmp_path).remarks == (
-        "limits of 1 joint dropped: kindsl.toml takes them, as min and max of [joints.NAME]",
-        "damping, friction and springs of 1 joint dropped: not supported",
+        "springs of 1 joint dropped: not supported",
         "1 plugin dropped: not supported",
     )
 

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from kindsl.analysis.settings import Settings
 from kindsl.lsp.session.settings import editor_settings, merged
 from kindsl.rules.base import Severity
-from kindsl.semantics.parameters import Binding, JointLimits
+from kindsl.semantics.parameters import Binding, JointProperties
 
 steady = settings(deadline=None, derandomize=True)
 
@@ -85,5 +85,5 @@ def test_the_project_wins() -> None:
 
 def test_what_the_editor_cannot_say_is_the_projects() -> None:
     """Its previews stop at the limits of joints, as those of the command line do."""
-    project = Settings(joints={"elbow": JointLimits(-1.0, 2.0)}, select=("KD7",))
+    project = Settings(joints={"elbow": JointProperties(-1.0, 2.0)}, select=("KD7",))
     assert merged(project, Settings()) == project

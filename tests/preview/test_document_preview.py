@@ -17,7 +17,7 @@ from kindsl.preview.requests import Reveal
 from kindsl.preview.reveal import place_of
 from kindsl.preview.server import PreviewServer
 from kindsl.rules.base import Severity
-from kindsl.semantics.parameters import Binding, JointLimits
+from kindsl.semantics.parameters import Binding, JointProperties
 
 
 def preview_of(text, settings=None, findings=()):
@@ -75,7 +75,9 @@ def test_a_configured_range_is_the_sliders():
 
 
 def test_configured_limits_reach_the_page_and_leave_it():
-    preview = preview_of(ARM, Settings(joints={"lift": JointLimits(None, 0.2), "x": JointLimits()}))
+    preview = preview_of(
+        ARM, Settings(joints={"lift": JointProperties(None, 0.2), "x": JointProperties()})
+    )
     assert {k.path for k in page_of(preview).state if k.type == "limits"} == {"/kindsl/limits/lift"}
     told = page_of(preview).at("/kindsl/limits/lift")["limits"]
     assert (told["minimum"], told["maximum"]) == (None, 0.2)

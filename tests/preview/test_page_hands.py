@@ -11,7 +11,7 @@ from tests.preview.robots import ARM, PARAMETRIC_ARM
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.settings import Settings
 from kindsl.preview.server import PreviewServer
-from kindsl.semantics.parameters import JointLimits
+from kindsl.semantics.parameters import JointProperties
 
 EYE = "kindslModules['address.js'].eyeText(kindsl.camera.state())"
 
@@ -213,7 +213,9 @@ async def test_links_are_hidden_isolated_and_found(browser, server):
 
 
 async def test_joints_move_between_their_configured_limits(browser, server):
-    settings = Settings(joints={"shoulder": JointLimits(-0.2, 0.4), "lift": JointLimits(0.0, None)})
+    settings = Settings(
+        joints={"shoulder": JointProperties(-0.2, 0.4), "lift": JointProperties(0.0, None)}
+    )
     async with opened(browser, await url_of(server, settings=settings)) as page:
         await until(page, "kindsl.scene.limits.size === 2")
         slider = page.get_by_label("shoulder", exact=True)

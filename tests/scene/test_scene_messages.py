@@ -33,7 +33,7 @@ from kindsl.scene.picture import Picture, PictureState, picture
 from kindsl.scene.robot import ghost_messages, robot_messages
 from kindsl.scene.size import STEP, Segment, extent
 from kindsl.scene.state import Messages
-from kindsl.semantics.parameters import Binding, JointLimits
+from kindsl.semantics.parameters import Binding, JointProperties
 
 
 def of_type(messages: Messages, kind: str) -> list[Part]:
@@ -115,7 +115,7 @@ class TestRobot:
         ]  # fmt: skip
 
     def test_limits_are_those_of_joints_that_are_there(self) -> None:
-        limits = {"lift": JointLimits(-0.1, 0.4), "other": JointLimits(0.0, 1.0)}
+        limits = {"lift": JointProperties(-0.1, 0.4), "other": JointProperties(0.0, 1.0)}
         (found,) = of_type(robot_messages("Arm", skeleton_of(ARM), NO_GUESSES, limits), "limits")
         assert plain(found) == {
             "type": "limits", "path": "/kindsl/limits/lift", "name": "lift",

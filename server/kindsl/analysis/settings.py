@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from kindsl.rules.base import Rule, Severity
-from kindsl.semantics.parameters import Binding, JointLimits
+from kindsl.semantics.parameters import Binding, JointProperties
 
 _FIRST_DIGITS_OF_SYNTAX = "KD0"
 
@@ -27,7 +27,7 @@ class Settings(NamedTuple):
     ignore: tuple[str, ...] = ()
     severity: Mapping[str, Severity] = {}
     bindings: Mapping[str, Binding] = {}
-    joints: Mapping[str, JointLimits] = {}
+    joints: Mapping[str, JointProperties] = {}
     known: Mapping[str, int] = {}
 
     def rebound(self, values: Mapping[str, float]) -> "Settings":

@@ -5,6 +5,7 @@ evaluates Python expressions in it: convert only files that you trust.
 """
 
 import argparse
+import os
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -33,14 +34,16 @@ from kindsl.interchange.format import (
     ReadRobot,
     WritingChoices,
     WrittenRobot,
+    joints_dropped,
 )
 from kindsl.interchange.registry import all_formats, format_named, format_of_suffix
-from kindsl.text.phrases import alternatives
+from kindsl.text.phrases import alternatives, counted
 from kindsl.text.printable import printable
 from kindsl.text.regular import require_regular
 
 if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis
+    from kindsl.interchange.format import Joints
 
 SUMMARY = "convert from and to URDF, MJCF and SDF"
 _DOCUMENT = Format("kindsl", "Kinematics-DSL", (".kindsl",), "")
@@ -84,6 +87,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="write revolute joints without limits as continuous",
     )
+    add("--no-config", action="store_true", help="write no kindsl.toml with limits of joints")
     add("-q", "--quiet", action="store_true", help="do not report what was dropped")
     add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
 
@@ -95,19 +99,21 @@ def run(args: argparse.Namespace) -> int:
         0; 1 if the input does not describe a mechanism; 2 if a file cannot be read or written.
     """
     try:
-        text, remarks = _converted(args)
-        write_output(args.output, text)
+        text, remarks, joints = _converted(args)
+        beside, told = _told_of_joints(args, joints)
+        write_output(args.output, text, beside)
     except CommandError as error:
         return error.tell()
     except ConfigurationError as error:
         return CommandError(as_failures(error)).tell()
     if not args.quiet:
         name = shown_name(args.input)
-        write(sys.stderr, "".join(f"{name}: note: {printable(r)}\n" for r in remarks))
+        notes = "".join(f"{name}: note: {printable(r)}\n" for r in (*remarks, *told))
+        write(sys.stderr, notes)
     return 0
 
 
-def _converted(args: argparse.Namespace) -> tuple[str, tuple[str, ...]]:
+def _converted(args: argparse.Namespace) -> WrittenRobot:
     source, target = _formats(args)
     if target is _DOCUMENT:
         return _document(args, source)
@@ -118,11 +124,38 @@ def _converted(args: argparse.Namespace) -> tuple[str, tuple[str, ...]]:
         note_readings(args.input, analysis)
         note_errors(args.input, analysis)
         return converted
-    text, lost = _document(args, source)
+    read = _document(args, source)
     from kindsl.analysis.analysis import analyse
+    from kindsl.analysis.settings import Settings
 
-    written, said = _written(args, target, analyse(text))
-    return written, (*lost, *said)
+    written = _written(args, target, analyse(read.text, Settings(joints=read.joints)))
+    return written._replace(remarks=(*read.remarks, *written.remarks))
+
+
+def _told_of_joints(
+    args: argparse.Namespace, joints: "Joints"
+) -> tuple[dict[str, str], tuple[str, ...]]:
+    """Return the configuration that tells of a document's joints, by its path, and a note."""
+    if not joints:
+        return {}, ()
+    if args.output == STDIN or args.no_config or args.isolated:
+        return {}, (joints_dropped(joints),)
+    from kindsl.config.configuration_reading import text_of
+    from kindsl.config.discovery import nearest_configuration
+    from kindsl.config.file_names import OWN_FILE
+    from kindsl.config.joint_tables import with_joints
+
+    folder = os.path.dirname(os.path.abspath(args.output))
+    file = args.config or nearest_configuration(folder)
+    old = text_of(file) if file else ""
+    file = file or os.path.join(os.path.dirname(args.output), OWN_FILE)
+    new = with_joints(file, old, args.output, joints)
+    if new is None:
+        return {}, (joints_dropped(joints),)
+    number = counted(len(joints), "joint")
+    told = "tells" if new == old else "now tells"
+    note = f"{file} {told} limits, friction and armature of {number}: --no-config leaves it alone"
+    return ({} if new == old else {file: new}), (note,)
 
 
 def _formats(args: argparse.Namespace) -> tuple[Format, Format]:
@@ -205,9 +238,7 @@ def _argument(text: str) -> tuple[str, str]:
     return name, value
 
 
-def _written(
-    args: argparse.Namespace, target: Format, analysis: "Analysis"
-) -> tuple[str, tuple[str, ...]]:
+def _written(args: argparse.Namespace, target: Format, analysis: "Analysis") -> WrittenRobot:
     assert target.write is not None
     skeleton = skeleton_of_document(args.input, analysis)
     choices = WritingChoices(args.continuous, analysis.settings.joints)

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from kindsl.analysis.settings import Settings
 from kindsl.rules.base import Severity
-from kindsl.semantics.parameters import Binding, JointLimits
+from kindsl.semantics.parameters import Binding, JointProperties
 
 
 class Decisions(NamedTuple):
@@ -25,7 +25,7 @@ class Decisions(NamedTuple):
     ignore: tuple[str, ...] | None = None
     severity: Mapping[str, Severity] = {}
     bindings: Mapping[str, Binding] = {}
-    joints: Mapping[str, JointLimits] = {}
+    joints: Mapping[str, JointProperties] = {}
 
 
 def overridden(settings: Settings, table: Decisions) -> Settings:

@@ -8,7 +8,7 @@ _BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 def parameter_lines(values: Iterable[tuple[str, float]]) -> list[str]:
     """Return a line for each parameter, for below `[parameters]`."""
-    return [f"{_key(name)} = {value!r}" for name, value in values]
+    return [f"{key(name)} = {value!r}" for name, value in values]
 
 
 def parameter_table(values: Mapping[str, float]) -> str:
@@ -16,5 +16,6 @@ def parameter_table(values: Mapping[str, float]) -> str:
     return "\n".join(("[parameters]", *parameter_lines(values.items()), ""))
 
 
-def _key(name: str) -> str:
+def key(name: str) -> str:
+    """Return a name as a key of TOML."""
     return name if _BARE.fullmatch(name) else f'"{name}"'

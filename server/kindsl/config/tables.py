@@ -10,7 +10,7 @@ from kindsl.config.toml_places import KeyPath, Places
 from kindsl.rules.base import Severity
 from kindsl.rules.context import TARGETS
 from kindsl.rules.registry import all_rules
-from kindsl.semantics.parameters import Binding, JointLimits
+from kindsl.semantics.parameters import Binding, JointProperties
 from kindsl.text.lines import LineIndex
 from kindsl.text.nearest import hint, nearest_word
 from kindsl.text.printable import printable
@@ -19,6 +19,7 @@ KEYS = ("target", "select", "ignore", "baseline", "severity", "parameters", "joi
 DOCUMENT_KEYS = ("path", "target", "select", "ignore", "severity", "parameters", "joints")
 BINDING_KEYS = ("value", "min", "max")
 LIMIT_KEYS = ("min", "max")
+JOINT_KEYS = (*LIMIT_KEYS, "effort", "velocity", "armature", "damping", "friction")
 
 _KINDS = {
     bool: "a boolean", int: "a number", float: "a number", str: "a string", list: "a list",
@@ -173,15 +174,20 @@ def _binding(checker: Checker, keys: KeyPath, value: object) -> Binding | None:
     return None if number is None else Binding(number, lowest, highest, checker.path)
 
 
-def _joints(checker: Checker, keys: KeyPath, table: Mapping[str, Any]) -> dict[str, JointLimits]:
-    """Return the limits of joints, radians or metres."""
-    found: dict[str, JointLimits] = {}
+def _joints(
+    checker: Checker, keys: KeyPath, table: Mapping[str, Any]
+) -> dict[str, JointProperties]:
+    """Return what is told of joints."""
+    found: dict[str, JointProperties] = {}
     for name, value in table.items():
         if not isinstance(value, dict):
-            checker.wrong_type((*keys, name), value, "a table with 'min', 'max'")
+            checker.wrong_type(
+                (*keys, name), value, f"a table with {', '.join(map(repr, JOINT_KEYS))}"
+            )
             continue
-        checker.known_keys((*keys, name), value, LIMIT_KEYS)
-        found[name] = JointLimits(*_range(checker, (*keys, name), value))
+        checker.known_keys((*keys, name), value, JOINT_KEYS)
+        rest = (_amount(checker, (*keys, name, key), value) for key in JOINT_KEYS[2:])
+        found[name] = JointProperties(*_range(checker, (*keys, name), value), *rest)
     return found
 
 
@@ -196,6 +202,17 @@ def _range(
     if lowest is not None and highest is not None and lowest > highest:
         checker.wrong((*keys, "min"), f"'{dotted((*keys, 'min'))}' is greater than 'max'")
     return lowest, highest
+
+
+def _amount(checker: Checker, keys: KeyPath, table: Mapping[str, Any]) -> float | None:
+    """Return a number that is not negative, None where it is not given."""
+    key = str(keys[-1])
+    if key not in table:
+        return None
+    number = _number(checker, keys, table[key], "a number")
+    if number is not None and number < 0.0:
+        checker.wrong(keys, f"'{dotted(keys)}' is negative")
+    return number
 
 
 def _number(checker: Checker, keys: KeyPath, value: object, expected: str) -> float | None:

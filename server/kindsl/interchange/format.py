@@ -12,7 +12,9 @@ from kindsl.text.phrases import counted
 if TYPE_CHECKING:
     from kindsl.interchange.robot_description import RobotDescription
     from kindsl.mechanism.skeleton import Skeleton
-    from kindsl.semantics.parameters import JointLimits
+    from kindsl.semantics.parameters import JointProperties
+
+    Joints = Mapping[str, JointProperties]
 
 
 class FormatError(ValueError):
@@ -20,17 +22,31 @@ class FormatError(ValueError):
 
 
 class ReadRobot(NamedTuple):
-    """A robot that was read, and notes on parts that could not be kept."""
+    """A robot that was read.
+
+    Attributes:
+        robot: All that a document says of it.
+        remarks: Notes on parts that could not be kept.
+        joints: What a configuration says of its joints, by their names.
+    """
 
     robot: "RobotDescription"
     remarks: tuple[str, ...]
+    joints: "Joints" = MappingProxyType({})
 
 
 class WrittenRobot(NamedTuple):
-    """A text in another format, and notes on additions to the document."""
+    """A text in another format.
+
+    Attributes:
+        text: The text.
+        remarks: Notes on what is more or less in it.
+        joints: What a configuration is to say of the joints of a document, by their names in it.
+    """
 
     text: str
     remarks: tuple[str, ...]
+    joints: "Joints" = MappingProxyType({})
 
 
 class ReadingChoices(NamedTuple):
@@ -53,21 +69,21 @@ class WritingChoices(NamedTuple):
     Attributes:
         endless_joints: Whether revolute joints are written as endless ones where a format has
             these, or as ordinary ones.
-        limits: Of joints by name, from the configuration.
+        joints: What the configuration says of joints, by their names.
     """
 
     endless_joints: bool = False
-    limits: "Mapping[str, JointLimits]" = MappingProxyType({})
+    joints: "Joints" = MappingProxyType({})
 
 
 AS_WRITTEN = ReadingChoices()
 ORDINARY = WritingChoices()
 
 
-def limits_dropped(n_joints: int) -> str:
-    """Return the note on joint limits, which the language does not support."""
-    where = "kindsl.toml takes them, as min and max of [joints.NAME]"
-    return f"limits of {counted(n_joints, 'joint')} dropped: {where}"
+def joints_dropped(joints: "Joints") -> str:
+    """Return the note on limits and friction of joints, which the language does not support."""
+    where = "kindsl.toml takes them, as [joints.NAME]"
+    return f"limits, friction and armature of {counted(len(joints), 'joint')} dropped: {where}"
 
 
 def gravity_dropped(gravity: Sequence[float]) -> str:

@@ -35,7 +35,14 @@ class _Names:
 
 def written_kindsl(read: ReadRobot) -> WrittenRobot:
     """Return the document of a robot, with all notes."""
-    return WrittenRobot(kindsl_text(read.robot), (*read.remarks, *_renamed(read.robot)))
+    links, names = read.robot.links[1:], _names(read.robot).joints[1:]
+    joints = {
+        name: read.joints[link.joint]
+        for link, name in zip(links, names, strict=True)
+        if link.joint in read.joints
+    }
+    remarks = (*read.remarks, *_renamed(read.robot))
+    return WrittenRobot(kindsl_text(read.robot), remarks, joints)
 
 
 def kindsl_text(robot: RobotDescription) -> str:

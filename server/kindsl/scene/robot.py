@@ -31,9 +31,9 @@ from kindsl.scene.messages import (
 )
 from kindsl.scene.size import Extent, Segment, extent
 from kindsl.scene.state import Messages, keyed, path_of
-from kindsl.semantics.parameters import JointLimits
+from kindsl.semantics.parameters import JointProperties
 
-NO_LIMITS: Mapping[str, JointLimits] = {}
+NO_LIMITS: Mapping[str, JointProperties] = {}
 NOTHING_UNKNOWN: Mapping[str, str] = {}
 
 
@@ -41,7 +41,7 @@ def robot_messages(
     name: str,
     skeleton: Skeleton,
     guessed: Guesses = NO_GUESSES,
-    limits: Mapping[str, JointLimits] = NO_LIMITS,
+    limits: Mapping[str, JointProperties] = NO_LIMITS,
     unknown: Mapping[str, str] = NOTHING_UNKNOWN,
 ) -> Messages:
     """Return everything that is drawn of a mechanism, and the numbers the page places it by.
@@ -147,7 +147,7 @@ def _joints(tree: str, skeleton: Skeleton, guessed: Guesses) -> Iterator[Part]:
         )
 
 
-def _limits(skeleton: Skeleton, limits: Mapping[str, JointLimits]) -> Iterator[Part]:
+def _limits(skeleton: Skeleton, limits: Mapping[str, JointProperties]) -> Iterator[Part]:
     for name in skeleton.joint_names:
         if name in limits:
             own = limits[name]

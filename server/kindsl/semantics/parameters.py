@@ -73,16 +73,36 @@ class Binding(NamedTuple):
     origin: str = ""
 
 
-class JointLimits(NamedTuple):
-    """How far a joint goes, as told from outside the document, radians or metres.
+class JointProperties(NamedTuple):
+    """How a joint moves, as told from outside the document; None where nothing is told.
+
+    Units are those of the joint: radians and N m, or metres and N.
 
     Attributes:
-        minimum: Lower end, None without one.
-        maximum: Upper end, None without one.
+        minimum: Lower end of its range.
+        maximum: Upper end of its range.
+        effort: The greatest force of its motor.
+        velocity: Its greatest speed.
+        armature: Inertia of its rotor, seen from the joint, kg m^2 or kg.
+        damping: Viscous friction, force a speed.
+        friction: Coulomb friction, a force.
     """
 
     minimum: float | None = None
     maximum: float | None = None
+    effort: float | None = None
+    velocity: float | None = None
+    armature: float | None = None
+    damping: float | None = None
+    friction: float | None = None
+
+    @property
+    def limits(self) -> tuple[float | None, float | None]:
+        """The two ends of the range."""
+        return self.minimum, self.maximum
+
+
+UNTOLD = JointProperties()
 
 
 def island_symbols(island: Island, declared: Declarations) -> Symbols:

@@ -2,12 +2,13 @@
 
 import os
 import sys
+from collections.abc import Mapping
 
 from kindsl.cli.console import write
 from kindsl.cli.documents.document_reading import CommandError
 from kindsl.cli.documents.sources import STDIN, reason
 from kindsl.cli.outcome import Failure
-from kindsl.text.writing import encoded, write_file
+from kindsl.text.writing import encoded, write_file, write_files
 
 
 def write_text(path: str, shown: str, old: str, new: str) -> Failure | None:
@@ -32,8 +33,13 @@ def write_text(path: str, shown: str, old: str, new: str) -> Failure | None:
     return None
 
 
-def write_output(path: str, content: str | bytes) -> None:
+def write_output(path: str, content: str | bytes, beside: Mapping[str, str] = {}) -> None:
     """Write output to a file, or to stdout for `-`.
+
+    Args:
+        path: The file.
+        content: What it shall hold.
+        beside: Texts of files that are written with it, all or none.
 
     Raises:
         CommandError: It cannot be written; a file that was there is as it was.
@@ -42,9 +48,11 @@ def write_output(path: str, content: str | bytes) -> None:
         write(sys.stdout, content)
         return
     try:
-        write_file(path, content if isinstance(content, bytes) else encoded(content))
+        contents = {path: content if isinstance(content, bytes) else encoded(content)}
+        write_files(contents | {name: encoded(text) for name, text in beside.items()})
     except OSError as error:
-        raise CommandError([Failure(path, unwritable(path, error))]) from None
+        at = str(error.filename or path)
+        raise CommandError([Failure(at, unwritable(at, error))]) from None
 
 
 def unwritable(path: str, error: OSError) -> str:

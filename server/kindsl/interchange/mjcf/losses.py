@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from kindsl.dynamics.quantities import STANDARD_GRAVITY
-from kindsl.interchange.format import FormatError, gravity_dropped, limits_dropped
+from kindsl.interchange.format import FormatError, gravity_dropped
 from kindsl.text.phrases import counted
 
 # What is counted and taken away before the model is compiled, in an order that leaves no reference.
@@ -24,10 +24,14 @@ _DROPPED = (
 )
 _JOINT_FORCES = (
     ("springs", ("jnt_stiffness", "jnt_stiffnesspoly")),
-    ("damping", ("dof_damping", "dof_dampingpoly")),
-    ("dry friction", ("dof_frictionloss",)),
-    ("armature, which adds to the joint-space inertia,", ("dof_armature",)),
+    ("damping other than in proportion to speed", ("dof_dampingpoly",)),
 )
+_FREE_FORCES = (
+    ("damping", ("dof_damping",)),
+    ("dry friction", ("dof_frictionloss",)),
+    ("armature", ("dof_armature",)),
+)
+_FREE = 0
 _BALL = 1
 _LOOPS = ("connect", "weld")
 
@@ -75,11 +79,13 @@ def strip(spec: Any) -> None:
 
 def joint_losses(model: Any) -> Iterator[str]:
     """Yield a note on each dropped property of joints."""
-    if n_limited := int(model.jnt_limited.sum()):
-        yield limits_dropped(n_limited)
     for what, names in _JOINT_FORCES:
         if n := len({joint for name in names for joint in _joints_with(model, name)}):
             yield f"{what} of {counted(n, 'joint')} dropped: not supported"
+    for what, names in _FREE_FORCES:
+        joints = {joint for name in names for joint in _joints_with(model, name)}
+        if any(model.jnt_type[joint] == _FREE for joint in joints):
+            yield f"{what} of the floating base dropped: not supported"
 
 
 def _joints_with(model: Any, name: str) -> set[int]:

@@ -21,6 +21,7 @@ from kindsl.interchange.rigid_links import (
 from kindsl.interchange.robot_description import DescribedFrame
 from kindsl.rigid.body import MassDistribution
 from kindsl.rigid.pose import IDENTITY, RigidPose, Vector3
+from kindsl.semantics.parameters import UNTOLD, JointProperties
 from kindsl.text.phrases import listed
 
 _WORLD = 0
@@ -59,7 +60,29 @@ def read_mjcf(path: Path, *, floating: bool = False) -> ReadRobot:
         *_joint_remarks(model),
         *fixed_remarks(links, "body"),
     )
-    return ReadRobot(described(spec.modelname or path.stem, base, links), (*lost, *told))
+    robot = described(spec.modelname or path.stem, base, links)
+    return ReadRobot(robot, (*lost, *told), _joint_properties(model))
+
+
+def _joint_properties(model: Any) -> dict[str, JointProperties]:
+    """Return what is told of the joints; their values are ours, and so are their limits."""
+    found: dict[str, JointProperties] = {}
+    for joint in range(model.njnt):
+        if model.jnt_type[joint] != _FREE:
+            dof, effort = int(model.jnt_dofadr[joint]), float(model.jnt_actfrcrange[joint][1])
+            lowest, highest = map(float, model.jnt_range[joint])
+            is_limited = bool(model.jnt_limited[joint])
+            own = JointProperties(
+                lowest if is_limited else None,
+                highest if is_limited else None,
+                effort if model.jnt_actfrclimited[joint] else None,
+                armature=float(model.dof_armature[dof]) or None,
+                damping=float(model.dof_damping[dof]) or None,
+                friction=float(model.dof_frictionloss[dof]) or None,
+            )
+            if own != UNTOLD:
+                found[_joint_name(model, joint)] = own
+    return found
 
 
 def _roots(model: Any) -> tuple[list[int], list[str]]:

@@ -4,7 +4,7 @@ MuJoCo's own writer keeps six digits, too few for the same mechanics; so element
 and MuJoCo reads them again before anybody else does.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from xml.etree.ElementTree import Element
 
 import numpy as np
@@ -15,6 +15,7 @@ from kindsl.interchange.mjcf.compiling import checked_text
 from kindsl.interchange.xml_writing import added, document_text, numbers
 from kindsl.mechanism.bodies import bodies_of
 from kindsl.mechanism.skeleton import Skeleton
+from kindsl.semantics.parameters import UNTOLD, JointProperties
 from kindsl.spatial.arrays import Array
 from kindsl.spatial.inertia import point_inertia
 
@@ -39,7 +40,7 @@ def written_mjcf(name: str, skeleton: Skeleton, choices: WritingChoices = ORDINA
     Args:
         name: The robot's name.
         skeleton: Its bodies.
-        choices: Limits of joints.
+        choices: What is told of joints.
 
     Raises:
         FormatError: A body cannot move in MuJoCo.
@@ -87,17 +88,25 @@ def _link(parent: Element, bodies: Bodies, link: int, choices: WritingChoices) -
     body = added(parent, "body", name=_link_name(bodies, i), **pose)
     kind = _TYPES[bodies.joint_kinds[i]]
     name = bodies.joint_names[i]
-    added(body, "joint", name=name, type=kind, axis="0 0 1", **_range(choices, name))
+    added(
+        body, "joint", name=name, type=kind, axis="0 0 1", **_told(choices.joints.get(name, UNTOLD))
+    )
     return body
 
 
-def _range(choices: WritingChoices, joint: str) -> dict[str, str]:
-    """Return the attribute of a joint's limits, which in MuJoCo are two or none."""
-    lowest, highest = choices.limits.get(joint, (None, None))
-    if lowest is None and highest is None:
-        return {}
-    ends = (-_FAR if lowest is None else lowest, _FAR if highest is None else highest)
-    return {"range": numbers(ends)}
+def _told(own: JointProperties) -> dict[str, str]:
+    """Return the attributes of what is told of a joint; of limits, MuJoCo has two or none."""
+    given: dict[str, Sequence[float]] = {}
+    if own.limits != (None, None):
+        given["range"] = [
+            -_FAR if own.minimum is None else own.minimum,
+            _FAR if own.maximum is None else own.maximum,
+        ]
+    if own.effort is not None:
+        given["actuatorfrcrange"] = (-own.effort, own.effort)
+    amounts = {"armature": own.armature, "damping": own.damping, "frictionloss": own.friction}
+    given |= {name: (value,) for name, value in amounts.items() if value is not None}
+    return {name: numbers(values) for name, values in given.items()}
 
 
 def _link_name(bodies: Bodies, i: int) -> str:

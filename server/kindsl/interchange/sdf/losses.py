@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from kindsl.dynamics.quantities import STANDARD_GRAVITY
-from kindsl.interchange.format import gravity_dropped, limits_dropped
+from kindsl.interchange.format import gravity_dropped
 from kindsl.interchange.sdf.elements import is_true, name_of, numbers_in
 from kindsl.text.phrases import counted
 
@@ -36,11 +36,10 @@ def losses(model: Any) -> Iterator[str]:
     )
     if drawn:
         yield f"visuals and collisions of {counted(drawn, 'link')} dropped"
-    if n_limited := sum(joint.find("axis/limit") is not None for joint in joints):
-        yield limits_dropped(n_limited)
-    if n_damped := sum(joint.find("axis/dynamics") is not None for joint in joints):
-        damped = counted(n_damped, "joint")
-        yield f"damping, friction and springs of {damped} dropped: not supported"
+    if n_sprung := sum(
+        joint.find("axis/dynamics/spring_stiffness") is not None for joint in joints
+    ):
+        yield f"springs of {counted(n_sprung, 'joint')} dropped: not supported"
     if is_true(model, "static") and any(joint.get("type") != "fixed" for joint in joints):
         yield "the model is static: its joints can move here"
     if n := sum(

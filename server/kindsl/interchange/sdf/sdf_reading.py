@@ -26,9 +26,11 @@ from kindsl.interchange.sdf.elements import (
     text_of,
 )
 from kindsl.interchange.sdf.frame_graph import MODEL, WORLD, FrameGraph
+from kindsl.interchange.sdf.joint_properties import joint_properties
 from kindsl.interchange.sdf.losses import losses, world_losses
 from kindsl.rigid.body import MassDistribution, Symmetric
 from kindsl.rigid.pose import IDENTITY, Vector3
+from kindsl.semantics.parameters import UNTOLD
 from kindsl.text.phrases import listed
 
 _KINDS: dict[str, LinkJoint] = {
@@ -69,7 +71,9 @@ def robot_of_sdf(text: bytes | str, name: str, *, floating: bool = False) -> Rea
         *root_remarks(links[0], base),
         *fixed_remarks(links, "link"),
     )
-    return ReadRobot(described(name_of(model), base, links), told)
+    joints = {name_of(joint): joint_properties(joint) for joint in model.iterfind("joint")}
+    known = {name: own for name, own in joints.items() if own != UNTOLD}
+    return ReadRobot(described(name_of(model), base, links), told, known)
 
 
 def _only_model(root: Any) -> tuple[Any, tuple[str, ...]]:

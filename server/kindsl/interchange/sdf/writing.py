@@ -6,6 +6,7 @@ from xml.etree.ElementTree import Element
 
 from kindsl.interchange.format import ORDINARY, WritingChoices, WrittenRobot
 from kindsl.interchange.sdf.frame_graph import WORLD
+from kindsl.interchange.sdf.joint_properties import add_properties
 from kindsl.interchange.xml_writing import added, document_text, numbers
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.rigid.body import (
@@ -16,6 +17,7 @@ from kindsl.rigid.body import (
     shifted,
 )
 from kindsl.rigid.pose import IDENTITY, RigidPose, Rotation
+from kindsl.semantics.parameters import UNTOLD
 
 # The first version whose poses may be quaternions, which keep every rotation exact.
 _VERSION = "1.9"
@@ -27,7 +29,7 @@ def written_sdf(name: str, skeleton: Skeleton, choices: WritingChoices = ORDINAR
     Args:
         name: The robot's name.
         skeleton: Its bodies.
-        choices: Limits of joints.
+        choices: What is told of joints.
     """
     names = _names(skeleton)
     body_names = [names["link", n] for n in skeleton.body_names]
@@ -40,7 +42,7 @@ def written_sdf(name: str, skeleton: Skeleton, choices: WritingChoices = ORDINAR
         _add_joint(model, names["joint", WORLD], "fixed", WORLD, body_names[0])
     for link, parent in skeleton.links():
         axis = _add_link(model, skeleton, names, link, body_names[parent])
-        _add_limits(axis, choices.limits.get(skeleton.joint_names[link - 1], (None, None)))
+        add_properties(axis, choices.joints.get(skeleton.joint_names[link - 1], UNTOLD))
     for frame in skeleton.frames:
         attached = body_names[frame.body]
         element = added(model, "frame", name=names["frame", frame.name], attached_to=attached)
@@ -84,15 +86,6 @@ def _add_link(
     axis = added(joint, "axis")
     added(axis, "xyz").text = "0 0 1"
     return axis
-
-
-def _add_limits(axis: Element, limits: tuple[float | None, float | None]) -> None:
-    if limits == (None, None):
-        return
-    limit = added(axis, "limit")
-    for tag, end in zip(("lower", "upper"), limits, strict=True):
-        if end is not None:
-            added(limit, tag).text = numbers([end])
 
 
 def _add_joint(model: Element, name: str, kind: str, parent: str, child: str) -> Element:

@@ -28,15 +28,11 @@ class Remarkable(NamedTuple):
     """Parts of a URDF beyond poses and masses.
 
     Attributes:
-        limited: Joints with limits.
-        damped: Joints with damping or friction.
         mimics: Pairs of a joint and the joint that it follows.
         n_drawn: How many links have visuals or collisions.
         elsewhere: Nouns, and how many elements are meant for some programs only.
     """
 
-    limited: tuple[str, ...]
-    damped: tuple[str, ...]
     mimics: tuple[tuple[str, str], ...]
     n_drawn: int
     elsewhere: tuple[tuple[str, int], ...]
@@ -167,11 +163,9 @@ def _remarkable(robot: Any, links: list[Any], joints: list[Any]) -> Remarkable:
     drawn = sum(_has(link, "visual") or _has(link, "collision") for link in links)
     mimicking = ((j.get("name"), j.find("mimic")) for j in joints)
     mimics = [(name, m.get("joint") or "?") for name, m in mimicking if m is not None]
-    limited = (j.get("name") for j in joints if _has(j, "limit") and j.get("type") != "fixed")
-    damped = (j.get("name") for j in joints if _has(j, "dynamics"))
     counts = ((noun, len(robot.findall(tag))) for tag, noun in _ELSEWHERE)
     elsewhere = tuple((noun, number) for noun, number in counts if number)
-    return Remarkable(tuple(limited), tuple(damped), tuple(mimics), drawn, elsewhere)
+    return Remarkable(tuple(mimics), drawn, elsewhere)
 
 
 def _has(element: Any, tag: str) -> bool:

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from kindsl.interchange.format import ReadRobot, limits_dropped
+from kindsl.interchange.format import ReadRobot
 from kindsl.interchange.rigid_links import (
     BaseKind,
     LinkJoint,
@@ -17,6 +17,7 @@ from kindsl.interchange.rigid_links import (
 from kindsl.interchange.urdf.checking import Remarkable, UrdfError, checked, numbers_of, rotation_of
 from kindsl.rigid.body import MassDistribution, Symmetric
 from kindsl.rigid.pose import IDENTITY, RigidPose, Vector3, pose_from_fixed_axes
+from kindsl.semantics.parameters import UNTOLD, JointProperties
 from kindsl.text.phrases import counted
 
 __all__ = ["UrdfError", "read_urdf", "robot_of_urdf"]
@@ -71,7 +72,30 @@ def robot_of_urdf(text: bytes | str, name: str, *, floating: bool = False) -> Re
     base: BaseKind = "floating" if floating else "fixed"
     read = described(robot.get("name") or name, base, links)
     roots = (*lost, *root_remarks(links[0], base))
-    return ReadRobot(read, (*_remarks(remarkable), *roots, *fixed_remarks(links, "link")))
+    remarks = (*_remarks(remarkable), *roots, *fixed_remarks(links, "link"))
+    moving = (joint for joint in joints if joint.get("type") not in ("fixed", "floating"))
+    told = {str(joint.get("name")): _properties(joint) for joint in moving}
+    return ReadRobot(read, remarks, {name: own for name, own in told.items() if own != UNTOLD})
+
+
+def _properties(joint: Any) -> JointProperties:
+    limit, dynamics = joint.find("limit"), joint.find("dynamics")
+    is_limited = joint.get("type") != "continuous"
+    return JointProperties(
+        _number(limit, "lower") if is_limited else None,
+        _number(limit, "upper") if is_limited else None,
+        _number(limit, "effort"),
+        _number(limit, "velocity"),
+        damping=_number(dynamics, "damping"),
+        friction=_number(dynamics, "friction"),
+    )
+
+
+def _number(element: Any, name: str) -> float | None:
+    """Return the number of an attribute that need not be there."""
+    if element is None or element.get(name) is None:
+        return None
+    return numbers_of(element, name, 1)[0]
 
 
 def _end(joint: Any, which: str) -> str:
@@ -137,12 +161,8 @@ def _triple(element: Any, name: str, default: Vector3) -> Vector3:
 
 
 def _remarks(found: Remarkable) -> Iterator[str]:
-    if found.limited:
-        yield limits_dropped(len(found.limited))
     if found.n_drawn:
         yield f"visuals and collisions of {counted(found.n_drawn, 'link')} dropped"
-    if found.damped:
-        yield f"damping and friction of {counted(len(found.damped), 'joint')} dropped"
     for noun, number in found.elsewhere:
         yield f"{counted(number, noun)} dropped: not supported"
     for joint, other in found.mimics:

@@ -1,6 +1,6 @@
 """A skeleton to URDF: the same mechanics, frames as links on fixed joints."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from math import pi
 from xml.etree.ElementTree import Element
 
@@ -9,6 +9,7 @@ from kindsl.interchange.xml_writing import added, document_text
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.rigid.body import MassDistribution, shifted
 from kindsl.rigid.pose import IDENTITY, RigidPose, fixed_axis_angles
+from kindsl.semantics.parameters import UNTOLD, JointProperties
 from kindsl.text.phrases import counted
 
 # URDF wants limits of every joint but an endless one, and the configuration may give none.
@@ -25,7 +26,7 @@ def written_urdf(name: str, skeleton: Skeleton, choices: WritingChoices = ORDINA
         name: The robot's name.
         skeleton: Its bodies.
         choices: Whether revolute joints without limits become `continuous`, which pinocchio gives
-            two coordinates; and limits of joints.
+            two coordinates; and what is told of joints.
     """
     robot = Element("robot", {"name": name})
     for body_name, body in zip(skeleton.body_names, skeleton.masses, strict=True):
@@ -34,14 +35,15 @@ def written_urdf(name: str, skeleton: Skeleton, choices: WritingChoices = ORDINA
         added(robot, "link", name=frame.name)
     for link, parent in skeleton.links():
         i = link - 1
-        limits = _limits(skeleton, i, choices)
-        kind = skeleton.joint_kinds[i] if limits else "continuous"
+        own = choices.joints.get(skeleton.joint_names[i], UNTOLD)
+        is_endless = _is_endless(skeleton.joint_kinds[i], own, choices)
+        kind = "continuous" if is_endless else skeleton.joint_kinds[i]
         joint = added(robot, "joint", name=skeleton.joint_names[i], type=kind)
         ends = skeleton.body_names[parent], skeleton.body_names[link]
         _add_ends(joint, *ends, skeleton.placements[i])
         added(joint, "axis", xyz=_numbers(0.0, 0.0, 1.0))
-        if limits:
-            added(joint, "limit", **{end: _numbers(value) for end, value in limits.items()})
+        _add_numbers(joint, "limit", _limits(kind, own))
+        _add_numbers(joint, "dynamics", {"damping": own.damping, "friction": own.friction})
     for frame in skeleton.frames:
         joint = added(robot, "joint", name=f"{frame.name}_fixed", type="fixed")
         _add_ends(joint, skeleton.body_names[frame.body], frame.name, frame.pose)
@@ -51,7 +53,8 @@ def written_urdf(name: str, skeleton: Skeleton, choices: WritingChoices = ORDINA
 def _remarks(skeleton: Skeleton, choices: WritingChoices) -> Iterator[str]:
     """Yield notes on additions of the URDF to the document."""
     kinds = zip(skeleton.joint_names, skeleton.joint_kinds, strict=True)
-    unlimited = [(name, kind) for name, kind in kinds if name not in choices.limits]
+    told = choices.joints
+    unlimited = [(n, kind) for n, kind in kinds if told.get(n, UNTOLD).limits == (None, None)]
     n_turning = sum(kind == "revolute" for _, kind in unlimited)
     if n_turning and not choices.endless_joints:
         joints = counted(n_turning, "revolute joint")
@@ -64,13 +67,24 @@ def _remarks(skeleton: Skeleton, choices: WritingChoices) -> Iterator[str]:
         yield f"the floating base '{skeleton.base_name}' became the root link, which some tools fix"
 
 
-def _limits(skeleton: Skeleton, joint: int, choices: WritingChoices) -> dict[str, float]:
-    """Return the attributes of a joint's limits; none of an endless one."""
-    kind, given = skeleton.joint_kinds[joint], choices.limits.get(skeleton.joint_names[joint])
-    if given is None:
-        return {} if kind == "revolute" and choices.endless_joints else _LIMITS[kind]
-    ends = {"lower": given.minimum, "upper": given.maximum}
-    return _LIMITS[kind] | {end: value for end, value in ends.items() if value is not None}
+def _is_endless(kind: str, own: JointProperties, choices: WritingChoices) -> bool:
+    return kind == "revolute" and choices.endless_joints and own.limits == (None, None)
+
+
+def _limits(kind: str, own: JointProperties) -> dict[str, float | None]:
+    """Return the attributes of a joint's limits; those that a URDF must have in any case."""
+    told = {"effort": own.effort, "velocity": own.velocity}
+    if kind == "continuous":
+        return told if None not in told.values() else {}
+    told |= {"lower": own.minimum, "upper": own.maximum}
+    return {**_LIMITS[kind], **{name: value for name, value in told.items() if value is not None}}
+
+
+def _add_numbers(joint: Element, tag: str, values: Mapping[str, float | None]) -> None:
+    """Add an element with the attributes that have values, none if none has."""
+    known = {name: _numbers(value) for name, value in values.items() if value is not None}
+    if known:
+        added(joint, tag, **known)
 
 
 def _add_ends(joint: Element, parent: str, child: str, pose: RigidPose) -> None:

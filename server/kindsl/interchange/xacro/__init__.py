@@ -16,8 +16,8 @@ def _read(path: Path, choices: ReadingChoices) -> ReadRobot:
     from kindsl.interchange.urdf.urdf_reading import robot_of_urdf
     from kindsl.interchange.xacro.expansion import expanded
 
-    robot, remarks = robot_of_urdf(expanded(path, choices), path.stem, floating=choices.floating)
-    return ReadRobot(robot, (_EVALUATED, *remarks))
+    read = robot_of_urdf(expanded(path, choices), path.stem, floating=choices.floating)
+    return read._replace(remarks=(_EVALUATED, *read.remarks))
 
 
 FORMAT = Format("xacro", "xacro", (".xacro",), "xacro", _read)

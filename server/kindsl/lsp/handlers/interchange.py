@@ -49,12 +49,13 @@ def _urdf(view: View) -> tuple[str, tuple[str, ...]]:
         skeleton = analysis.skeleton()
     except ValueError as error:
         raise RequestFailed(str(error)) from None
-    choices = WritingChoices(limits=analysis.settings.joints)
-    return written_urdf(analysis.model.name or "robot", skeleton, choices)
+    choices = WritingChoices(joints=analysis.settings.joints)
+    written = written_urdf(analysis.model.name or "robot", skeleton, choices)
+    return written.text, written.remarks
 
 
 def _document(name: PurePath, text: str) -> tuple[str, tuple[str, ...]]:
-    from kindsl.interchange.format import AS_WRITTEN, FormatError
+    from kindsl.interchange.format import AS_WRITTEN, FormatError, joints_dropped
     from kindsl.interchange.kindsl_writing import written_kindsl
     from kindsl.interchange.registry import all_formats, format_of_suffix
     from kindsl.text.phrases import alternatives
@@ -68,6 +69,8 @@ def _document(name: PurePath, text: str) -> tuple[str, tuple[str, ...]]:
             )
         raise RequestFailed(f"{format.title} cannot be read from one text, as {known} can")
     try:
-        return written_kindsl(format.parse(text, name.stem, AS_WRITTEN))
+        written = written_kindsl(format.parse(text, name.stem, AS_WRITTEN))
     except FormatError as error:
         raise RequestFailed(printable(str(error))) from None
+    lost = (joints_dropped(written.joints),) if written.joints else ()
+    return written.text, (*written.remarks, *lost)
