@@ -125,6 +125,12 @@ def density_verdict(name: str, body: MassDistribution) -> BodyVerdict | None:
     return BodyVerdict(kind, density, "KD311", told)
 
 
+def lies_along(body: MassDistribution, end: Vector3) -> bool:
+    """Return whether a body is a rod along the way to an end of its link."""
+    rod = _rod(body, end)
+    return rod is not None and rod.cosine >= _PARALLEL and rod.is_between and not rod.is_beside
+
+
 def is_plainly_dense_as_matter(mass: float, second_moments: Symmetric) -> bool:
     """Return whether the equivalent ellipsoid's density is plausible, without eigenvalues.
 
@@ -173,27 +179,85 @@ def _place_verdict(
     return None
 
 
-def _rod_verdict(name: str, body: MassDistribution, end: Vector3) -> BodyVerdict | None:
-    """Return how a rod lies to the way from the link's joint to its only end."""
-    length, second_moments = hypot(*end), second_moments_about_com(body)
-    if not _SHORTEST_ROD < length < GREATEST_LENGTH or _is_plainly_stout(second_moments):
+class _Rod(NamedTuple):
+    """A slender body, and how it lies to a way.
+
+    Attributes:
+        length: Of a uniform rod with its largest second moment, m.
+        way: Length of the way, m.
+        slender: Largest by middle second moment.
+        cosine: Of the angle between them.
+        ahead: Share of the way at which the CoM is.
+        beside: Distance of the CoM from the way's line, m.
+    """
+
+    length: float
+    way: float
+    slender: float
+    cosine: float
+    ahead: float
+    beside: float
+
+    @property
+    def is_between(self) -> bool:
+        """Whether the CoM is between the ends of the way, or hardly beyond."""
+        return -_BEYOND <= self.ahead <= 1.0 + _BEYOND
+
+    @property
+    def is_beside(self) -> bool:
+        """Whether the CoM is away from the way."""
+        return self.beside > _BESIDE * self.way
+
+    def is_as_long(self, limits: tuple[float, float]) -> bool:
+        """Return whether it is about as long as the way."""
+        return limits[0] < self.length / self.way < limits[1]
+
+
+def _rod(body: MassDistribution, end: Vector3) -> _Rod | None:
+    """Return a body as a rod, None where it is stout, or impossible, or the way too short."""
+    way, second_moments = hypot(*end), second_moments_about_com(body)
+    if not _SHORTEST_ROD < way < GREATEST_LENGTH or _is_plainly_stout(second_moments):
         return None
     small, middle, large = eigensystem(second_moments)
     slender = large.value / max(middle.value, _NEGLIGIBLE * large.value, 1e-300)
     if small.value < -_IMPOSSIBLE * large.value or slender <= _SLENDER_ALONG:
         return None
-    rod = sqrt(12.0 * large.value / body.mass)
-    cosine = abs(dot(large.axis, end)) / length
-    ahead = dot(body.com, end) / length
-    if slender > _SLENDER_ACROSS and _is_between(rod / length, _AS_LONG_ACROSS):
-        beside = sqrt(max(dot(body.com, body.com) - ahead * ahead, 0.0))
-        is_square = cosine <= _SQUARE and _NEAR_END < ahead / length < 1.0 - _NEAR_END
-        if is_square or (cosine <= _OBLIQUE and beside > _BESIDE * length):
-            return _across(name, rod, length, beside)
-    is_along = cosine >= _PARALLEL and _is_between(rod / length, _AS_LONG_BEHIND)
-    if is_along and not -_BEYOND <= ahead / length <= 1.0 + _BEYOND:
-        return _behind(name, ahead, length)
+    length, ahead = sqrt(12.0 * large.value / body.mass), dot(body.com, end) / way
+    beside = sqrt(max(dot(body.com, body.com) - ahead * ahead, 0.0))
+    return _Rod(length, way, slender, abs(dot(large.axis, end)) / way, ahead / way, beside)
+
+
+def _rod_verdict(name: str, body: MassDistribution, end: Vector3) -> BodyVerdict | None:
+    """Return how a rod lies to the way from the link's joint to its only end."""
+    rod = _rod(body, end)
+    if rod is None:
+        return None
+    if rod.slender > _SLENDER_ACROSS and rod.is_as_long(_AS_LONG_ACROSS):
+        is_square = rod.cosine <= _SQUARE and _NEAR_END < rod.ahead < 1.0 - _NEAR_END
+        if is_square or (rod.cosine <= _OBLIQUE and rod.is_beside):
+            return _across(name, rod)
+    if rod.cosine >= _PARALLEL and rod.is_as_long(_AS_LONG_BEHIND) and not rod.is_between:
+        return _behind(name, rod)
     return None
+
+
+def _across(name: str, rod: _Rod) -> BodyVerdict:
+    told = f"inertia of '{name}' describes a rod {with_unit(rod.length, 'm')} long across the link"
+    told += f", which is {with_unit(rod.way, 'm')} long"
+    if rod.is_beside:
+        told += f"; its CoM lies {with_unit(rod.beside, 'm')} beside it"
+    return BodyVerdict(BodyDoubt.ACROSS, rod.length, "KD313", told)
+
+
+def _behind(name: str, rod: _Rod) -> BodyVerdict:
+    """Return the verdict on a CoM that is not between the joints."""
+    ahead = rod.ahead * rod.way
+    if ahead < 0.0:
+        told = f"{with_unit(-ahead, 'm')} behind its joint, though the next one is "
+        told += f"{with_unit(rod.way, 'm')} ahead"
+    else:
+        told = f"{with_unit(ahead - rod.way, 'm')} beyond its next joint"
+    return BodyVerdict(BodyDoubt.BEHIND, ahead, "KD511", f"CoM of '{name}' lies {told}")
 
 
 def _is_plainly_stout(second_moments: Symmetric) -> bool:
@@ -206,30 +270,8 @@ def _is_plainly_stout(second_moments: Symmetric) -> bool:
     return (xx + yy + zz) ** 2 < _SLENDER_ALONG * minors
 
 
-def _across(name: str, rod: float, length: float, beside: float) -> BodyVerdict:
-    told = f"inertia of '{name}' describes a rod {with_unit(rod, 'm')} long across the link"
-    told += f", which is {with_unit(length, 'm')} long"
-    if beside > _BESIDE * length:
-        told += f"; its CoM lies {with_unit(beside, 'm')} beside it"
-    return BodyVerdict(BodyDoubt.ACROSS, rod, "KD313", told)
-
-
-def _behind(name: str, ahead: float, length: float) -> BodyVerdict:
-    """Return the verdict on a CoM that is not between the joints."""
-    if ahead < 0.0:
-        told = f"{with_unit(-ahead, 'm')} behind its joint, though the next one is "
-        told += f"{with_unit(length, 'm')} ahead"
-    else:
-        told = f"{with_unit(ahead - length, 'm')} beyond its next joint"
-    return BodyVerdict(BodyDoubt.BEHIND, ahead, "KD511", f"CoM of '{name}' lies {told}")
-
-
 def _gyration(body: MassDistribution, second_moments: Symmetric) -> float:
     return sqrt(max(sum(second_moments[:3]), 0.0) / body.mass)
-
-
-def _is_between(value: float, limits: tuple[float, float]) -> bool:
-    return limits[0] < value < limits[1]
 
 
 def _distance_to_segment(point: Vector3, end: Vector3) -> float:

@@ -20,23 +20,56 @@ link upper {
 }
 ```
 with an elbow at 0.4 m along z: the rod is 0.4 m long, but along x.
+
+## Fix
+Lets centre of mass and moments take the place of those of the next axis, or of the one after that,
+where this lays the rod along the link. The fix is unsafe: it changes the robot.
 """
 
 from collections.abc import Iterator
 
-from kindsl.rules.base import Finding, Rule, Severity
+from kindsl.mechanism.body_verdicts import lies_along
+from kindsl.rigid.body import MassDistribution
+from kindsl.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
 from kindsl.rules.context import Context
-from kindsl.rules.examples import joint, link, robot
+from kindsl.rules.examples import joint, link, placed_joint, robot
 from kindsl.rules.inertia.judgements import keyword
-from kindsl.rules.inertia.shapes import doubtful_bodies
+from kindsl.rules.inertia.shapes import doubtful_bodies, link_ends
+from kindsl.semantics.declarations import Inertia, Link
 from kindsl.semantics.model import Model
+from kindsl.semantics.numbers import mass_distribution
+from kindsl.syntax.vocabulary import MOMENTS
+
+_AXES = "xyz"
+# Of each of the ten numbers but the mass, where what takes its place stands: x for y, y for z.
+_NEXT = (2, 0, 1, 5, 3, 4, 7, 8, 6)
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each link whose mass is a rod across the way to its only end."""
     for body, verdict in doubtful_bodies(model, context, "KD313"):
         if body.inertia is not None:
-            yield Finding(keyword(body.inertia), verdict.sentence)
+            fix = _laid_along(model, context, body, body.inertia)
+            yield Finding(keyword(body.inertia), verdict.sentence, fix=fix)
+
+
+def _laid_along(model: Model, context: Context, body: Link, inertia: Inertia) -> Fix | None:
+    """Return the fix that turns the axes round, None where that lays no rod along the link."""
+    written = mass_distribution(inertia, context.values)
+    children, frames = link_ends(model, context, body)
+    if written is None or inertia.com is None or inertia.frame is not None:
+        return None
+    values = [*inertia.com.components, *(inertia.moments[name] for name in MOMENTS)]
+    numbers, texts = [*written.com, *written.moments], [value.text for value in values]
+    for axis in _AXES[1:]:
+        numbers, texts = [numbers[i] for i in _NEXT], [texts[i] for i in _NEXT]
+        turned = MassDistribution(written.mass, tuple(numbers[:3]), tuple(numbers[3:]))  # type: ignore[arg-type]
+        if lies_along(turned, (children or frames)[0]):
+            pairs = zip(values, texts, strict=True)
+            changes = tuple(Replacement(old, new) for old, new in pairs if old.text != new)
+            title = f"Turn the axes of '{body.name}': what was along x goes to {axis}"
+            return Fix(title, changes)
+    return None
 
 
 _INERTIA = """inertia_params {
@@ -52,11 +85,23 @@ def _arm(*moments: str) -> str:
     return robot(upper, link("lower", 2), *joints, base="upper via shoulder")
 
 
+def _along_x(com: str, *moments: str) -> str:
+    text = _arm(*moments).replace("0.0, 0.0, 0.2", com)
+    elbow = placed_joint("elbow", "0.4, 0.0, 0.0", "PI/2.0, 0.0, 0.0")
+    return text.replace(joint("elbow", 0.4), elbow)
+
+
 RULE = Rule(
     "KD313",
     "across-its-link",
     Severity.WARNING,
     check_document=check_document,
     good=(_arm("0.107", "0.107", "0.001"), _arm("0.10", "0.11", "0.02")),
-    bad=(_arm("0.081", "0.107", "0.027"),),
+    bad=(
+        _arm("0.081", "0.107", "0.027"),
+        Example(
+            _along_x("0.0, 0.0, 0.2", "0.107", "0.106", "0.001"),
+            fixed=_along_x("0.2, 0.0, 0.0", "0.001", "0.107", "0.106"),
+        ),
+    ),
 )

@@ -41,12 +41,18 @@ def shape_verdicts(model: Model, context: Context, body: Link) -> Iterator[BodyV
         return
     numbers = link_inertia(body, context.values)
     if not isinstance(numbers, Unknown):
-        edges = model.tree.successor_edges(body)
-        children = _places([e.joint.pose for e in edges if e.joint is not None], context)
-        frames = _places([frame.pose for frame in body.frames], context)
-        for verdict in body_verdicts(str(body.name), numbers, children, frames):
+        for verdict in body_verdicts(str(body.name), numbers, *link_ends(model, context, body)):
             if verdict.code != _OF_DENSITY or _is_of_no_material(body, context):
                 yield verdict
+
+
+def link_ends(
+    model: Model, context: Context, body: Link
+) -> tuple[tuple[Vector3, ...], tuple[Vector3, ...]]:
+    """Return the known origins of the children's joints and of the frames, in the link frame."""
+    edges = model.tree.successor_edges(body)
+    children = _places([e.joint.pose for e in edges if e.joint is not None], context)
+    return children, _places([frame.pose for frame in body.frames], context)
 
 
 def _places(poses: list[Pose], context: Context) -> tuple[Vector3, ...]:

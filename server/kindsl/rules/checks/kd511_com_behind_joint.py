@@ -1,0 +1,95 @@
+"""The centre of mass lies behind the joint, on the side away from the next one.
+
+## What it does
+Compares a moving link whose mass is a rod along the way from its joint to the next one, or to its
+only frame, with that way. Reports a rod about as long as the way whose centre of mass is not on it,
+but behind the link's own joint or beyond the next.
+
+## Why is this bad?
+A sign was forgotten, in the centre of mass or in the next joint's place: the link is drawn one way
+and weighs the other. Arms fall where they should be balanced.
+
+Counterweights and motors behind a joint are left in peace: they are not as long as the link. Only
+the author can tell whether the sign of the centre of mass is wrong or that of the next joint's
+place: editors offer both.
+
+## Example
+```kindsl
+link forearm {
+    id = 2
+    inertia_params { mass = 1.2 CoM = (0.0, 0.0, -0.15)
+        Ix=0.036 Iy=0.036 Iz=0.001 Ixy=0.0 Ixz=0.0 Iyz=0.0 }
+    children { hand via wrist }
+}
+```
+with a wrist at 0.3 m along z.
+"""
+
+from collections.abc import Iterator
+
+from kindsl.rigid.pose import Vector3
+from kindsl.rules.base import Finding, Fix, Replacement, Rule, Severity
+from kindsl.rules.context import Context
+from kindsl.rules.examples import joint, link, robot
+from kindsl.rules.inertia.shapes import doubtful_bodies, link_ends
+from kindsl.rules.number_writing import opposite
+from kindsl.semantics.declarations import Link, Vector
+from kindsl.semantics.model import Model
+
+_MOST = 0.9
+
+
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each rod that goes the other way than its link."""
+    for body, verdict in doubtful_bodies(model, context, "KD511"):
+        if body.inertia is not None and body.inertia.com is not None:
+            choices = tuple(_choices(model, context, body)) if verdict.number < 0.0 else ()
+            yield Finding(body.inertia.com, verdict.sentence, choices=choices)
+
+
+def _choices(model: Model, context: Context, body: Link) -> Iterator[Fix]:
+    """Yield the changes of a sign that turn CoM or way round, where an axis is along the link."""
+    children, frames = link_ends(model, context, body)
+    axis = _main_axis((children or frames)[0])
+    if axis is None or body.inertia is None or body.inertia.frame is not None:
+        return
+    if body.inertia.com is not None:
+        yield _reversed(body.inertia.com, axis, f"the CoM of '{body.name}'")
+    for edge in model.tree.successor_edges(body):
+        place = edge.joint.pose.translation if edge.joint is not None else None
+        if place is not None:
+            yield _reversed(place, axis, f"the translation of '{edge.child.joint}'")
+
+
+def _main_axis(end: Vector3) -> int | None:
+    """Return the axis along which a way goes, None where it goes obliquely."""
+    sizes = [x * x for x in end]
+    axis = sizes.index(max(sizes))
+    return axis if sizes[axis] > _MOST * sum(sizes) else None
+
+
+def _reversed(vector: Vector, axis: int, what: str) -> Fix:
+    component = vector.components[axis]
+    title = f"Change sign of {'xyz'[axis]} in {what}"
+    return Fix(title, (Replacement(component, opposite(component)),))
+
+
+def _arm(com: str) -> str:
+    inertia = """inertia_params {
+        mass = 1.2
+        CoM = (0.0, 0.0, %s)
+        Ix=0.036 Iy=0.036 Iz=0.001 Ixy=0.0 Ixz=0.0 Iyz=0.0
+    }"""
+    forearm = link("forearm", 1, "hand via wrist", inertia % com)
+    joints = joint("elbow"), joint("wrist", 0.3)
+    return robot(forearm, link("hand", 2), *joints, base="forearm via elbow")
+
+
+RULE = Rule(
+    "KD511",
+    "com-behind-joint",
+    Severity.WARNING,
+    check_document=check_document,
+    good=(_arm("0.15"),),
+    bad=(_arm("-0.15"), _arm("0.45").replace("0.036", "0.252")),
+)
