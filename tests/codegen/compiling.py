@@ -2,11 +2,23 @@
 
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 from typing import NamedTuple
 
 import pytest
 
+EIGEN = next(
+    (
+        folder
+        for folder in (
+            Path("/usr/include/eigen3"),
+            *(Path(p, "cmeel.prefix", "include", "eigen3") for p in sys.path if p),
+        )
+        if folder.is_dir()
+    ),
+    None,
+)
 STRICT = ["-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]
 
 

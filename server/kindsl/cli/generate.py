@@ -31,6 +31,7 @@ from kindsl.cli.documents.writing import unwritable
 from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import Failure, as_failures
 from kindsl.codegen.language import language_named, language_names
+from kindsl.codegen.layouts import LAYOUTS
 from kindsl.config.errors import ConfigurationError
 from kindsl.text.phrases import counted
 from kindsl.text.printable import printable
@@ -52,7 +53,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--quantities", metavar="LIST", help="separated by commas (default: all but derivatives)")
     add("--derivatives", action="store_true", help="derivatives and the regressor too")
     add(
-        "--parameters", metavar="unbound|all|NAMES", default="unbound",
+        "--parameters", metavar="unbound|all|NAMES",
         help="parameters that remain inputs of the code besides the unbound ones",
     )  # fmt: skip
     add("--real", choices=("double", "float"), default="double", help="the type of numbers in C")
@@ -61,6 +62,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--transforms",
         metavar="FILE.dtdsl",
         help="a transforms document: additional transforms and Jacobians",
+    )
+    add(
+        "--write-transforms",
+        metavar="FILE",
+        help="write the transforms document used without --transforms, to edit it",
+    )
+    add("--frames", metavar="LIST", help="links and frames to limit poses and Jacobians to")
+    add("--layout", choices=LAYOUTS, default=LAYOUTS[0], help="the folders of RobCoGen's classes")
+    add(
+        "--runtime",
+        action="store_true",
+        help="with RobCoGen's classes, headers of their own 'iit/rbd'",
     )
     add("--force", action="store_true", help="overwrite files that were not generated")
     add("--check", metavar="DIR", help="check whether the code in DIR still matches FILE")
@@ -88,6 +101,8 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _run(args: argparse.Namespace) -> int:
+    if args.write_transforms is not None and args.language is None and args.check is None:
+        return _write_transforms(args, _source(args))
     if args.check is None and (args.language is None or args.output is None):
         write(sys.stderr, "kindsl generate: error: --language and -o DIR are needed\n")
         return 2
@@ -96,12 +111,17 @@ def _run(args: argparse.Namespace) -> int:
         write(sys.stderr, f"kindsl generate: error: {message}\n")
         return 2
     source = _source(args)
+    if args.write_transforms is not None:
+        _write_transforms(args, source)
     return _generate(args, source) if args.check is None else _check(args, source)
 
 
 def _refused_option(args: argparse.Namespace) -> str | None:
     """Return an option that the language does not support."""
-    asked = {"--real float": args.real == "float", "--single-header": args.single_header}
+    asked = {
+        "--real float": args.real == "float", "--single-header": args.single_header,
+        "--layout": args.layout != LAYOUTS[0], "--runtime": args.runtime,
+    }  # fmt: skip
     taken = language_named(args.language).options
     return next((name for name, is_asked in asked.items() if is_asked and name not in taken), None)
 
@@ -177,6 +197,24 @@ def _generate(args: argparse.Namespace, source: "Source") -> int:
     return 0
 
 
+def _write_transforms(args: argparse.Namespace, source: "Source") -> int:
+    """Write the transforms document of a robot, unless there is a file already."""
+    from kindsl.features.transforms_actions import transforms_document
+    from kindsl.text.writing import encoded, write_file
+
+    path, model = args.write_transforms, source.analysis.model
+    if not model.bodies or not model.name:
+        message = "a robot without a name or links has no transforms document"
+        raise CommandError([Failure(shown_name(args.file), message)], status=1)
+    if os.path.exists(path) and not args.force:
+        raise CommandError([Failure(path, "the file exists; --force overwrites it")])
+    try:
+        write_file(path, encoded(transforms_document(model)))
+    except OSError as error:
+        raise CommandError([Failure(path, unwritable(path, error))]) from None
+    return 0
+
+
 def _check(args: argparse.Namespace, source: "Source") -> int:
     from kindsl.codegen.checking import misfit
 
@@ -216,17 +254,22 @@ def _options(args: argparse.Namespace, source: "Source") -> "Options":
         prefix = prefix_of(str(source.analysis.model.name or ""), args.name)
     except UnusableNameError as error:
         raise CommandError([Failure(shown_name(args.file), str(error))]) from None
+    parameters = args.parameters or language_named(args.language).parameters
     return Options(
-        args.language, _quantities(args), args.real, args.single_header, args.parameters, prefix
-    )
+        args.language, _quantities(args), args.real, args.single_header, parameters, prefix,
+        args.layout, args.runtime, _listed(args.frames),
+    )  # fmt: skip
+
+
+def _listed(text: str | None) -> tuple[str, ...]:
+    return tuple(name.strip() for name in (text or "").split(",") if name.strip())
 
 
 def _quantities(args: argparse.Namespace) -> tuple[str, ...]:
     from kindsl.dynamics.generation.functions import QUANTITIES
     from kindsl.text.nearest import hint, nearest_word
 
-    listed = args.quantities or ""
-    chosen = [name.strip() for name in listed.split(",") if name.strip()]
+    chosen = _listed(args.quantities)
     if args.quantities is not None and not chosen:
         raise CommandError([Failure(shown_name(args.file), "--quantities names no quantity")])
     for name in chosen:

@@ -1,12 +1,14 @@
 """From a document and options to the text of all files."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import NamedTuple
 
 from kindsl import __version__
 from kindsl.analysis.analysis import Analysis
 from kindsl.codegen.c_test_program import parameter_values
 from kindsl.codegen.language import language_named
+from kindsl.codegen.layouts import LAYOUTS
 from kindsl.codegen.library import (
     GenerationError,
     Library,
@@ -18,8 +20,10 @@ from kindsl.codegen.manifest import NAME, digest, manifest_text
 from kindsl.codegen.names_in_code import command_line, file_name
 from kindsl.codegen.reference import Reference, sample
 from kindsl.codegen.resistance import refuse_unresisted
-from kindsl.codegen.wanted import wanted_pairs
+from kindsl.codegen.wanted import restricted, wanted_pairs
+from kindsl.features.transforms_actions import transforms_document
 from kindsl.mechanism.symbolic import symbolic_robot
+from kindsl.semantics.model import Model
 from kindsl.text.nearest import hint, nearest_name
 
 
@@ -55,6 +59,7 @@ def generate(
         GenerationError: A quantity or a name cannot be generated.
         kindsl.mechanism.errors.ModelError: The document describes no mechanism.
     """
+    language = language_named(options.language)
     model, values = source.analysis.model, source.analysis.context.values
     inputs = _inputs(source.analysis, options.parameters)
     robot = symbolic_robot(model, values, inputs)
@@ -71,14 +76,28 @@ def generate(
     values_of_arguments = sample(mechanics.bodies)
     refuse_unresisted(options.quantities, mechanics.bodies, values_of_arguments["q"])
     try:
-        wanted = wanted_pairs(source.transforms, model, robot) if source.transforms else None
+        listed = source.transforms
+        if listed is None and language.makes_transforms:
+            listed = transforms_document(model)
+        wanted = wanted_pairs(listed, model, robot) if listed else None
+        if options.frames:
+            robot, wanted = restricted(robot, wanted, options.frames)
         library = library_of(robot, name, defaults, options, stamp, wanted)
+        library = replace(library, parameter_kinds=_kinds(model))
         reference = Reference(mechanics, values_of_arguments)
-        files = language_named(options.language).files(library, reference, parameters)
+        files = language.files(library, reference, parameters)
     except OverflowError as error:
         raise GenerationError(str(error)) from None
     files[NAME] = manifest_text(stamp, options, source.bindings, source.transforms, files)
     return library, files
+
+
+def _kinds(model: Model) -> dict[str, frozenset[str]]:
+    """Return the classes of values that each parameter stands in."""
+    return {
+        str(parameter.name): frozenset(use.kind for use in parameter.uses)
+        for parameter in model.parameters
+    }
 
 
 def _inputs(analysis: Analysis, choice: str) -> list[str]:
@@ -101,6 +120,9 @@ def _typed(options: Options, source: Source) -> str:
     words += ["--real", options.real, "--parameters", options.parameters]
     words += ["--quantities", ",".join(options.quantities)]
     words += ["--single-header"] if options.is_single_header else []
+    words += ["--layout", options.layout] if options.layout != LAYOUTS[0] else []
+    words += ["--runtime"] if options.has_runtime else []
+    words += ["--frames", ",".join(options.frames)] if options.frames else []
     for name, value in source.bindings.items():
         words += ["--param", f"{name}={value!r}"]
     return command_line(words)

@@ -21,10 +21,14 @@ class Language(NamedTuple):
         files: Takes a library, the right answers, and the values of parameters that these hold
             for; returns the text of each file by its name.
         options: What it takes of the options that not every language takes, as they are typed.
+        parameters: Which parameters stay inputs where that is not said.
+        makes_transforms: Whether it has transforms where no transforms document lists them.
     """
 
     files: "Callable[[Library, Reference, dict[str, float]], Files]"
     options: frozenset[str] = frozenset()
+    parameters: str = "unbound"
+    makes_transforms: bool = False
 
 
 def language_names() -> list[str]:

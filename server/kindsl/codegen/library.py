@@ -2,10 +2,11 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Literal, NamedTuple
 
+from kindsl.codegen.layouts import LAYOUTS
 from kindsl.codegen.names_in_code import identifiers
 from kindsl.dynamics.generation.emitters.numbers import evaluate
 from kindsl.dynamics.generation.emitters.straight_line import setup_nodes
@@ -39,6 +40,9 @@ class Options:
         is_single_header: Whether C is one file.
         parameters: `unbound`, `all`, or names separated by commas: what stays an input.
         prefix: What all names begin with.
+        layout: Whose folders RobCoGen's classes are laid out for.
+        has_runtime: Whether the headers that all robots share are written too.
+        frames: The links and frames to restrict poses and Jacobians to; all if empty.
     """
 
     language: str
@@ -47,6 +51,9 @@ class Options:
     is_single_header: bool
     parameters: str
     prefix: str
+    layout: str = LAYOUTS[0]
+    has_runtime: bool = False
+    frames: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,6 +73,13 @@ class Stamp:
     options: str
 
 
+class Wanted(NamedTuple):
+    """Pairs of frames, base and target."""
+
+    transforms: tuple[FramePair, ...]
+    jacobians: tuple[FramePair, ...]
+
+
 @dataclass(frozen=True)
 class Library:
     """Functions of one robot, named.
@@ -78,6 +92,9 @@ class Library:
         functions: By quantity.
         defaults: The values of the parameters that stay inputs, None where unbound.
         inputs: All that functions may depend on.
+        wanted: Pairs of frames that are asked for besides.
+        parameter_kinds: The classes of values that each parameter stands in.
+        version: The robot's.
     """
 
     options: Options
@@ -87,6 +104,9 @@ class Library:
     functions: Mapping[str, tuple[Function, ...]]
     defaults: Mapping[str, float | None]
     inputs: Inputs
+    wanted: Wanted = Wanted((), ())  # noqa: RUF009
+    parameter_kinds: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    version: str = "1.0.0"
 
     @property
     def external(self) -> list[Scalar]:
@@ -164,13 +184,6 @@ class Library:
         return evaluate(self.robot.graph, inputs, self.setup)
 
 
-class Wanted(NamedTuple):
-    """Pairs of frames, base and target."""
-
-    transforms: tuple[FramePair, ...]
-    jacobians: tuple[FramePair, ...]
-
-
 def library_of(
     robot: Robot,
     robot_name: str,
@@ -205,7 +218,8 @@ def library_of(
         functions |= {name: tuple(group) for name, group in pairs.items() if group}
     if not functions:
         raise GenerationError("none of the quantities exists for a fixed base")
-    return Library(options, stamp, robot_name, robot, functions, defaults, inputs)
+    listed = wanted or Wanted((), ())
+    return Library(options, stamp, robot_name, robot, functions, defaults, inputs, listed)
 
 
 def _recorded(robot: Robot, inputs: Inputs, name: str) -> list[Function]:

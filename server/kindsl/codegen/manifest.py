@@ -75,12 +75,13 @@ def read_manifest(folder: Path) -> Manifest | None:
 
 
 def _manifest(record: dict[str, Any]) -> Manifest:
-    options = record["options"]
+    options: dict[str, Any] = record["options"]
+    options |= {name: tuple(value) for name, value in options.items() if isinstance(value, list)}
     if options["language"] not in language_names():
         raise ValueError(options["language"])
     return Manifest(
         Stamp(*(str(record[k]) for k in ("generator", "document", "sha256", "command"))),
-        Options(**{**options, "quantities": tuple(options["quantities"])}),
+        Options(**options),
         {str(name): float(value) for name, value in record["bindings"].items()},
         record["transforms"],
         {str(name): str(value) for name, value in record["files"].items()},

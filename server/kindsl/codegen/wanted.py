@@ -1,12 +1,21 @@
 """From a transforms document to the pairs of frames that code is generated for."""
 
+from collections.abc import Sequence
+from dataclasses import replace
+
 from kindsl.codegen.library import GenerationError, Wanted
 from kindsl.dynamics.generation.robot import PlacedFrame, Robot
 from kindsl.dynamics.generation.vectors import EYE
 from kindsl.semantics.model import Model
-from kindsl.semantics.transforms import frame_names, unknown_frames
+from kindsl.semantics.transforms import (
+    LINK_PREFIX,
+    frame_names,
+    joint_frame_names,
+    unknown_frames,
+)
 from kindsl.syntax.transforms_text import Pair, read_transforms
 from kindsl.text.lines import LineIndex
+from kindsl.text.nearest import hint, nearest_name
 
 
 def wanted_pairs(text: str, model: Model, robot: Robot) -> Wanted:
@@ -19,9 +28,16 @@ def wanted_pairs(text: str, model: Model, robot: Robot) -> Wanted:
     for wrong in (*document.defects, *unknown_frames(document, model)):
         line, column = LineIndex(text).position(wrong.start)
         raise GenerationError(f"--transforms, {line + 1}:{column + 1}: {wrong.message}")
-    names = frame_names(model)
-    placed = {target.name: target for target in robot.targets}
+    names = {**{name: name for name in joint_frame_names(model)}, **frame_names(model)}
+    placed = {target.name: target for target in robot.placed}
     placed[robot.base_name] = PlacedFrame(robot.base_name, 0, EYE, [0.0, 0.0, 0.0])
+    tree = robot.tree
+    for joint, name in enumerate(robot.joint_names, start=1):
+        own = f"{LINK_PREFIX}{name}"
+        placed.setdefault(
+            own,
+            PlacedFrame(own, tree.parents[joint], tree.rotations[joint], tree.positions[joint]),
+        )
 
     def pairs(listed: tuple[Pair, ...]) -> tuple[tuple[PlacedFrame, PlacedFrame], ...]:
         texts = dict.fromkeys((base.text, target.text) for base, target in listed)
@@ -31,6 +47,35 @@ def wanted_pairs(text: str, model: Model, robot: Robot) -> Wanted:
         )
 
     return Wanted(pairs(document.transforms), pairs(document.jacobians))
+
+
+def restricted(
+    robot: Robot, wanted: Wanted | None, names: Sequence[str]
+) -> tuple[Robot, Wanted | None]:
+    """Return a robot and pairs of frames with the poses and Jacobians of some frames only.
+
+    Args:
+        robot: The robot.
+        wanted: Pairs of frames.
+        names: Links and frames, a link's own frame also as `fr_` and its name.
+
+    Raises:
+        GenerationError: The robot has not one of them.
+    """
+    links = {f"{LINK_PREFIX}{name}": name for name in robot.link_names}
+    known = {target.name for target in robot.targets}
+    chosen = {name if name in known else links.get(name, name) for name in names}
+    for name in sorted(chosen - known):
+        close = hint(nearest_name(name, [*known, *links]))
+        raise GenerationError(f"--frames: the robot has no frame '{name}'{close}")
+    listed = {*chosen, *(f"{LINK_PREFIX}{name}" for name in chosen & {*robot.link_names})}
+    frames = tuple(target for target in robot.targets if target.name in chosen)
+    if wanted is not None:
+        wanted = Wanted(*(
+            tuple(p for p in pairs if not listed.isdisjoint((p[0].name, p[1].name)))
+            for pairs in wanted
+        ))  # fmt: skip
+    return replace(robot, chosen=frames), wanted
 
 
 def _named(frame: PlacedFrame, name: str) -> PlacedFrame:

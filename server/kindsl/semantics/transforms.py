@@ -19,9 +19,14 @@ def frame_names(model: Model) -> dict[str, str]:
     return {**own, **{str(f.name): str(f.name) for body in bodies for f in body.frames}}
 
 
+def joint_frame_names(model: Model) -> dict[str, str]:
+    """Return the name of each joint's frame, fixed to the parent, with the joint's name."""
+    return {f"{LINK_PREFIX}{joint.name}": str(joint.name) for joint in model.joints}
+
+
 def unknown_frames(document: TransformsDocument, model: Model) -> Iterator[Defect]:
     """Yield frames that the robot does not have."""
-    known = frame_names(model)
+    known = {**joint_frame_names(model), **frame_names(model)}
     seen = set()
     for word in _all_words(document):
         if word.text not in known and word.text not in seen:

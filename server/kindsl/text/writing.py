@@ -53,7 +53,8 @@ def write_folder(folder: str, texts: Mapping[str, str]) -> None:
     """
     is_new = not os.path.isdir(folder)
     try:
-        os.makedirs(folder, exist_ok=True)
+        for name in texts:
+            os.makedirs(os.path.dirname(os.path.join(folder, name)), exist_ok=True)
         write_files({os.path.join(folder, name): encoded(text) for name, text in texts.items()})
     except OSError:
         if is_new:

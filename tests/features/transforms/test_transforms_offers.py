@@ -19,9 +19,15 @@ def offered(text: str, start: int = 0, end: int = 0, model: object = MODEL) -> d
     return {action.title: apply_edits(text, action.edits) for action in found}
 
 
-def test_the_document_wants_each_frame_in_the_base() -> None:
-    pairs = "".join(f"    base=fr_base, target={name}\n" for name in ("fr_a", "fr_b", "tip"))
-    new = f"Robot arm\nFrames {{\n    {FRAMES}\n}}\nTransforms {{\n{pairs}}}\nJacobians {{\n}}\n"
+def test_the_document_wants_each_pose_and_the_jacobians_of_tips() -> None:
+    pairs, tips = (
+        "".join(f"    base=fr_base, target={name}\n" for name in names)
+        for names in (("fr_a", "fr_b", "tip"), ("tip", "fr_b"))
+    )
+    new = (
+        f"Robot arm\nFrames {{\n    {FRAMES}\n}}\n"
+        f"Transforms {{\n{pairs}}}\nJacobians {{\n{tips}}}\n"
+    )
     assert transforms_document(MODEL) == new
     for text in ("", " \n\t"):
         assert offered(text) == {"Write the transforms of 'arm'": new}

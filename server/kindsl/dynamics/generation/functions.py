@@ -100,7 +100,8 @@ def foot_jacobians(robot: Robot, inputs: Inputs) -> list[Function]:
         "of the joints that carry it"
     )
     arguments = (argument("q", inputs.q),)
-    return [Function("foot_jacobians", summary, arguments, tuple(results), about=about)]
+    function = Function("foot_jacobians", summary, arguments, tuple(results), about=about)
+    return [function] if results else []
 
 
 def inertia(robot: Robot, inputs: Inputs) -> list[Function]:

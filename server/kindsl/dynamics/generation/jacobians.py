@@ -105,11 +105,12 @@ def jacobian_relative_to_base(robot: Robot, poses: BodyPoses, frame: PlacedFrame
 
 
 def feet(robot: Robot) -> tuple[PlacedFrame, ...]:
-    """Return the frames on links that carry no other link; such a link itself if it has none."""
+    """Return the frames wanted on links that carry no other link; such a link if it has none."""
     parents = set(robot.tree.parents)
     found = []
-    for link in robot.targets[: len(robot.link_names)]:
+    for link in robot.placed[: len(robot.link_names)]:
         if link.body not in parents:
             on_it = [frame for frame in robot.frames if frame.body == link.body]
             found += on_it or [link]
-    return tuple(found)
+    wanted = {target.name for target in robot.targets}
+    return tuple(foot for foot in found if foot.name in wanted)

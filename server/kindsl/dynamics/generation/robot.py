@@ -39,6 +39,7 @@ class Robot:
         joint_names: By body index less one.
         frames: Further frames, those on the base too.
         parameters: What is known only when the code runs, by name.
+        chosen: The links and frames that poses and Jacobians are wanted of, None for all.
     """
 
     graph: Graph
@@ -49,6 +50,7 @@ class Robot:
     joint_names: tuple[str, ...]
     frames: tuple[PlacedFrame, ...]
     parameters: dict[str, Term]
+    chosen: tuple[PlacedFrame, ...] | None = None
 
     @property
     def n_velocities(self) -> int:
@@ -57,6 +59,11 @@ class Robot:
 
     @property
     def targets(self) -> tuple[PlacedFrame, ...]:
+        """All whose pose is wanted: the links, then the frames."""
+        return self.placed if self.chosen is None else self.chosen
+
+    @property
+    def placed(self) -> tuple[PlacedFrame, ...]:
         """All that has a pose: the links, then the frames."""
         links = enumerate(self.link_names, start=1)
         return (*(PlacedFrame(name, i, EYE, [0.0] * 3) for i, name in links), *self.frames)

@@ -1,0 +1,3 @@
+"""Whose folders RobCoGen's classes are laid out for."""
+
+LAYOUTS = ("control-toolbox", "robcogen")

@@ -1,0 +1,45 @@
+"""All files of a robot's C++ classes, in the folders that programs look for them in."""
+
+from pathlib import Path
+
+from kindsl.codegen.library import Library
+from kindsl.codegen.robcogen.build import build
+from kindsl.codegen.robcogen.data_maps import data_maps
+from kindsl.codegen.robcogen.declarations import declarations
+from kindsl.codegen.robcogen.forward_dynamics import forward_dynamics_headers
+from kindsl.codegen.robcogen.inertia_properties import inertia_properties
+from kindsl.codegen.robcogen.inverse_dynamics import inverse_dynamics_headers
+from kindsl.codegen.robcogen.jacobians import jacobians
+from kindsl.codegen.robcogen.jsim import jsim
+from kindsl.codegen.robcogen.miscellaneous import miscellaneous
+from kindsl.codegen.robcogen.parameters import parameter_headers
+from kindsl.codegen.robcogen.robot import GeneratedRobot
+from kindsl.codegen.robcogen.traits import traits
+from kindsl.codegen.robcogen.transforms import transforms
+
+HEADERS = (
+    declarations, data_maps, parameter_headers, transforms, jacobians, inertia_properties,
+    inverse_dynamics_headers, forward_dynamics_headers, jsim, traits, miscellaneous,
+)  # fmt: skip
+
+RUNTIME = Path(__file__).parent / "runtime"
+
+
+def robot_files(library: Library) -> dict[str, str]:
+    """Return the text of each file by its path."""
+    robot = GeneratedRobot(library)
+    files = {name: text for make in HEADERS for name, text in make(robot).items()}
+    if library.options.layout == "robcogen":
+        files = {f"iit/robots/{robot.space.lower()}/{n}": text for n, text in files.items()}
+    has_runtime = library.options.has_runtime
+    if has_runtime:
+        files |= runtime_files()
+    return {**files, **build(robot, files, has_runtime)}
+
+
+def runtime_files() -> dict[str, str]:
+    """Return the headers that all robots share, by their paths."""
+    return {
+        path.relative_to(RUNTIME).as_posix(): path.read_text(encoding="utf-8")
+        for path in sorted(RUNTIME.rglob("*.h"))
+    }

@@ -1,0 +1,101 @@
+"""`jacobians.h` and `jacobians.impl.h`: geometric Jacobians."""
+
+from itertools import chain
+
+from kindsl.codegen.robcogen.parameters import parameter_array, parameters_of_class, setters
+from kindsl.codegen.robcogen.robot import GeneratedRobot
+from kindsl.codegen.robcogen.wanted_names import NamedPair, jacobian_pairs, joints_of
+from kindsl.dynamics.generation.relative_frames import relative_jacobians
+from kindsl.dynamics.generation.terms import Scalar
+
+_TEXT = """
+namespace iit {
+namespace @NS@ {
+
+template <typename SCALAR, int COLS, class M>
+class JacobianT : public iit::rbd::JacobianBase<tpl::JointState<SCALAR>, COLS, M> {};
+
+namespace tpl {
+
+/** Velocities of frames relative to others and in their coordinates, angular before linear. */
+template <typename TRAIT>
+class Jacobians {
+public:
+    EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+    typedef typename TRAIT::Scalar Scalar;
+    typedef Scalar SCALAR;
+    typedef iit::rbd::Core<Scalar> CoreS;
+    typedef JointState<Scalar> JState;
+
+@TYPES@
+@CONSTRUCTION@
+@MEMBERS@@VALUES@};
+
+}
+
+using Jacobians = tpl::Jacobians<rbd::DoubleTrait>;
+
+}
+}
+"""
+
+_TYPE = """\
+    class Type_@NAME@ : public JacobianT<Scalar, @COLUMNS@, Type_@NAME@> {
+    public:
+        EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+        Type_@NAME@()
+        {
+            this->setZero();
+            kernels::@NAME@_constants<TRAIT>(this->data());
+            update(JState::Zero());
+        }
+        const Type_@NAME@& update(const JState& q)
+        {
+@PARAMETERS@            kernels::@NAME@<TRAIT>(@P@q.data(), this->data());
+            return *this;
+        }
+@MEMORY@    };
+"""
+
+
+def jacobians(robot: GeneratedRobot) -> dict[str, str]:
+    """Return both headers by their names."""
+    pairs = jacobian_pairs(robot)
+    columns = {pair.name: _columns(robot, pair) for pair in pairs}
+    functions = [text for n, c in columns.items() for text in robot.matrix_kernels(n, c)]
+    dependent = [n for n, c in columns.items() if robot.depends_on_parameters(chain(*c))]
+    construction, values = setters(robot, "Jacobians", dependent)
+    body = robot.filled(
+        _TEXT,
+        TYPES="\n".join(_type(robot, n, len(c), n in dependent) for n, c in columns.items()),
+        CONSTRUCTION=construction,
+        MEMBERS="".join(f"    Type_{name} {name};\n" for name in columns),
+        VALUES=values,
+    )
+    includes = [
+        "<iit/rbd/rbd.h>", "<iit/rbd/TransformsBase.h>", "<iit/rbd/traits/DoubleTrait.h>",
+        '"declarations.h"', '"kinematics_parameters.h"', '"jacobians.impl.h"',
+    ]  # fmt: skip
+    kernels = robot.kernels(functions)
+    return {
+        "jacobians.h": robot.header("jacobians.h", includes, body),
+        "jacobians.impl.h": robot.header("jacobians.impl.h", ['"declarations.h"'], kernels),
+    }
+
+
+def _columns(robot: GeneratedRobot, pair: NamedPair) -> list[list[Scalar]]:
+    library = robot.library
+    (function,) = relative_jacobians(library.robot, library.inputs, [(pair.base, pair.target)])
+    entries, n = function.results[0].entries, len(joints_of(robot, pair))
+    return [entries[column::n] for column in range(n)]
+
+
+def _type(robot: GeneratedRobot, name: str, columns: int, has_parameters: bool) -> str:
+    return robot.filled(
+        _TYPE,
+        NAME=name,
+        COLUMNS=columns,
+        PARAMETERS=parameter_array(robot, "            ") if has_parameters else "",
+        P=("p, " if has_parameters else "nullptr, ") if robot.has_parameters else "",
+        MEMORY=parameters_of_class(robot) if has_parameters else "",
+    )

@@ -1,0 +1,170 @@
+"""A robot with the names that RobCoGen's C++ has for its parts, and its functions as templates."""
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from kindsl.codegen.library import Library
+from kindsl.codegen.names_in_code import identifier, identifiers, prefix_of
+from kindsl.dynamics.generation.emitters.cpp_templates import (
+    Template,
+    TemplateDialect,
+    template_function,
+)
+from kindsl.dynamics.generation.terms import Scalar, needed
+from kindsl.dynamics.generation.tree import Tree
+
+DIALECT = TemplateDialect("class TRAIT", "TRAIT::Scalar", "TRAIT", "TRAIT::{}")
+
+
+@dataclass(frozen=True)
+class GeneratedRobot:
+    """What the headers are written from.
+
+    Attributes:
+        library: The robot, its inputs, and where it comes from.
+    """
+
+    library: Library
+
+    @property
+    def tree(self) -> Tree:
+        """The mechanism."""
+        return self.library.robot.tree
+
+    @property
+    def is_floating(self) -> bool:
+        """Whether the base is free."""
+        return self.tree.is_floating
+
+    @cached_property
+    def space(self) -> str:
+        """The robot's namespace: its name as in the document, unless another was asked for."""
+        name, prefix = self.library.robot_name, self.library.prefix
+        return identifier(name) if name and prefix == prefix_of(name, None) else prefix
+
+    @cached_property
+    def joints(self) -> list[str]:
+        """The names of joints."""
+        return list(identifiers(self.library.robot.joint_names).values())
+
+    @cached_property
+    def bodies(self) -> list[str]:
+        """The names of bodies, base first."""
+        robot = self.library.robot
+        return list(identifiers((robot.base_name, *robot.link_names)).values())
+
+    @cached_property
+    def _enumerators(self) -> list[str]:
+        return list(
+            identifiers(_distinct(n.upper() for n in (*self.joints, *self.bodies))).values()
+        )
+
+    @property
+    def joint_ids(self) -> list[str]:
+        """The enumerators of joints."""
+        return self._enumerators[: len(self.joints)]
+
+    @property
+    def body_ids(self) -> list[str]:
+        """The enumerators of bodies."""
+        return self._enumerators[len(self.joints) :]
+
+    @property
+    def n_joints(self) -> int:
+        """Number of joints."""
+        return len(self.joints)
+
+    @property
+    def n_velocities(self) -> int:
+        """Rows of the joint-space inertia."""
+        return self.library.robot.n_velocities
+
+    @property
+    def inertial_bodies(self) -> list[int]:
+        """The bodies whose inertia matters: all but a fixed base."""
+        return [i for i in range(len(self.bodies)) if i or self.is_floating]
+
+    def frame(self, body: int) -> str:
+        """Return the name of a body's own frame."""
+        return f"fr_{self.bodies[body]}"
+
+    def across(self, joint: int) -> str:
+        """Return the name of the transform from a link's parent to it, by body index."""
+        return f"{self.frame(joint)}_X_{self.frame(self.tree.parents[joint])}"
+
+    @property
+    def has_parameters(self) -> bool:
+        """Whether anything is known only when the code runs."""
+        return bool(self.library.robot.parameters)
+
+    def depends_on_parameters(self, values: Iterable[Scalar]) -> bool:
+        """Return whether values depend on parameters."""
+        inputs = {p.index for p in self.library.robot.parameters.values()}
+        return bool(inputs) and not inputs.isdisjoint(needed(self.library.robot.graph, values))
+
+    def kernel(
+        self,
+        name: str,
+        takes: Mapping[str, Sequence[Scalar]],
+        gives: Mapping[str, Sequence[Scalar]],
+        is_update: bool = False,
+    ) -> str:
+        """Return a function; where the robot has parameters, it takes them first."""
+        parameters: list[Scalar] = [*self.library.robot.parameters.values()]
+        first = {"p": parameters} if parameters else {}
+        function = Template(name, {**first, **takes}, gives, is_update)
+        return template_function(self.library.robot.graph, function, DIALECT)
+
+    def matrix_kernels(self, name: str, columns: Sequence[Sequence[Scalar]]) -> list[str]:
+        """Return two functions: of a matrix's constants other than zero, and of what varies."""
+        entries = [x for column in columns for x in column]
+        fixed = [
+            f"    X[{place}] = S({entry!r});\n"
+            for place, entry in enumerate(entries)
+            if isinstance(entry, float) and entry
+        ]
+        alias = "    typedef typename TRAIT::Scalar S;\n"
+        body = "".join([alias, *fixed]) if fixed else "    (void)X;\n"
+        constants = (
+            f"template <class TRAIT>\ninline void {name}_constants(typename TRAIT::Scalar* X)\n"
+            f"{{\n{body}}}\n"
+        )
+        return [constants, self.kernel(name, {"q": self.library.inputs.q}, {"X": entries}, True)]
+
+    def header(self, file: str, includes: Sequence[str], body: str) -> str:
+        """Return a header: its guard, where it is from, its includes, its content."""
+        guard = f"IIT_ROBOT_{self.space.upper()}_{re.sub(r'[^A-Z]', '_', file.upper())}_"
+        listed = "".join(f"#include {name}\n" for name in includes)
+        stamp = self.library.stamp
+        return (
+            f"#ifndef {guard}\n#define {guard}\n"
+            f"// Generated by {stamp.generator} from {stamp.document}; do not edit.\n\n"
+            f"{listed}\n{body.strip()}\n\n#endif\n"
+        )
+
+    def filled(self, text: str, **values: object) -> str:
+        """Return a text in which `@NAME@` stands for a value."""
+        known = {
+            "NS": self.space, "NJ": self.n_joints, "NV": self.n_velocities, "NB": len(self.bodies),
+            "BASE": self.bodies[0], **values,
+        }  # fmt: skip
+        return re.sub(r"@(\w+)@", lambda match: str(known[match[1]]), text)
+
+    def kernels(self, functions: Iterable[str]) -> str:
+        """Return functions in the namespace that they are kept in."""
+        text = "\n".join(functions)
+        head = f"namespace iit {{\nnamespace {self.space} {{\nnamespace kernels {{\n"
+        return f"{head}\n{text}\n}}\n}}\n}}"
+
+
+def _distinct(names: Iterable[str]) -> list[str]:
+    """Return names, made unlike where they are equal."""
+    found: list[str] = []
+    for name in names:
+        number, wanted = 2, name
+        while name in found:
+            name, number = f"{wanted}_{number}", number + 1
+        found.append(name)
+    return found

@@ -1,0 +1,21 @@
+#ifndef IIT_RBD_EIGEN_TRAITS_H_
+#define IIT_RBD_EIGEN_TRAITS_H_
+// Transforms are for Eigen what their matrices are.
+
+#include "TransformsBase.h"
+
+namespace Eigen {
+namespace internal {
+
+template <typename State, typename M>
+struct traits<iit::rbd::HomogeneousTransformBase<State, M>>
+    : traits<typename iit::rbd::HomogeneousTransformBase<State, M>::MatrixType> {};
+
+template <typename State, typename M>
+struct traits<iit::rbd::RotationTransformBase<State, M>>
+    : traits<typename iit::rbd::RotationTransformBase<State, M>::MatrixType> {};
+
+}
+}
+
+#endif

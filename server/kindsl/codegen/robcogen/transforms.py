@@ -1,0 +1,223 @@
+"""`transforms.h` and `transforms.impl.h`: coordinate transforms of motions, forces and points."""
+
+from typing import NamedTuple
+
+from kindsl.codegen.robcogen.parameters import parameter_array, parameters_of_class, setters
+from kindsl.codegen.robcogen.robot import GeneratedRobot
+from kindsl.codegen.robcogen.wanted_names import NamedPair, transform_pairs
+from kindsl.dynamics.generation.jacobians import body_poses, frame_pose
+from kindsl.dynamics.generation.vectors import (
+    Matrix,
+    Vector,
+    multiply,
+    subtract,
+    transform,
+    transpose,
+)
+
+_BASES = """
+namespace iit {
+namespace @NS@ {
+
+template <typename SCALAR, class M>
+class TransformMotion : public iit::rbd::SpatialTransformBase<tpl::JointState<SCALAR>, M> {
+public:
+    EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+};
+
+template <typename SCALAR, class M>
+class TransformForce : public iit::rbd::SpatialTransformBase<tpl::JointState<SCALAR>, M> {
+public:
+    EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+};
+
+template <typename SCALAR, class M>
+class TransformHomogeneous : public iit::rbd::HomogeneousTransformBase<tpl::JointState<SCALAR>, M> {
+public:
+    EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+};
+
+namespace tpl {
+@CLASSES@
+}
+
+using MotionTransforms = tpl::MotionTransforms<rbd::DoubleTrait>;
+using ForceTransforms = tpl::ForceTransforms<rbd::DoubleTrait>;
+using HomogeneousTransforms = tpl::HomogeneousTransforms<rbd::DoubleTrait>;
+
+}
+}
+"""
+
+_CONTAINER = """
+/** @WHAT@ */
+template <typename TRAIT>
+class @CLASS@ {
+public:
+    EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+    typedef typename TRAIT::Scalar Scalar;
+    typedef Scalar SCALAR;
+    typedef iit::rbd::Core<Scalar> CoreS;
+    typedef JointState<Scalar> JState;
+    class Dummy {};
+    typedef typename @BASE@<Scalar, Dummy>::MatrixType MatrixType;
+    static_assert(!MatrixType::IsRowMajor,
+        "these transforms are stored by columns; do not define EIGEN_DEFAULT_TO_ROW_MAJOR");
+
+@TYPES@
+@CONSTRUCTION@
+@MEMORY@
+@MEMBERS@
+@VALUES@};
+"""
+
+_TYPE = """\
+    class Type_@NAME@ : public @BASE@<Scalar, Type_@NAME@> {
+    public:
+        EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+        Type_@NAME@()@INITIAL@
+        {
+            this->setZero();
+            kernels::@KIND@_@NAME@_constants<TRAIT>(this->data());
+            update(JState::Zero());
+        }
+        const Type_@NAME@& update(const JState& q)
+        {
+@PARAMETERS@            kernels::@KIND@_@NAME@<TRAIT>(@P@q.data(), this->data());
+@STORE@            return *this;
+        }
+@MEMORY@    };
+"""
+
+
+class _Kind(NamedTuple):
+    letter: str
+    name: str
+    base: str
+    what: str
+
+
+KINDS = (
+    _Kind("m", "Motion", "TransformMotion", "The 6x6 transforms of motion vectors."),
+    _Kind("f", "Force", "TransformForce", "The 6x6 transforms of force vectors."),
+    _Kind("h", "Homogeneous", "TransformHomogeneous", "The 4x4 transforms of points."),
+)
+
+
+def transforms(robot: GeneratedRobot) -> dict[str, str]:
+    """Return both headers by their names."""
+    pairs = transform_pairs(robot)
+    poses = [_relative(robot, pair) for pair in pairs]
+    functions = []
+    for kind in KINDS:
+        for pair, (E, p) in zip(pairs, poses, strict=True):
+            columns = transpose(_matrix(kind.letter, E, p))
+            functions += robot.matrix_kernels(f"{kind.letter}_{pair.name}", columns)
+    functions.append(_across(robot))
+    moving = {
+        pair.name: robot.depends_on_parameters(x for row in (*E, p) for x in row)
+        for pair, (E, p) in zip(pairs, poses, strict=True)
+    }
+    classes = "".join(_container(robot, kind, moving) for kind in KINDS)
+    body = robot.filled(_BASES, CLASSES=classes)
+    includes = [
+        "<Eigen/Dense>", "<iit/rbd/rbd.h>", "<iit/rbd/TransformsBase.h>",
+        "<iit/rbd/traits/DoubleTrait.h>", '"declarations.h"', '"kinematics_parameters.h"',
+        '"transforms.impl.h"',
+    ]  # fmt: skip
+    kernels = robot.kernels(functions)
+    return {
+        "transforms.h": robot.header("transforms.h", includes, body),
+        "transforms.impl.h": robot.header("transforms.impl.h", ['"declarations.h"'], kernels),
+    }
+
+
+def _relative(robot: GeneratedRobot, pair: NamedPair) -> tuple[Matrix, Vector]:
+    """Return rotation and position of a pair's target in its base."""
+    found = body_poses(robot.tree, robot.library.inputs.q)
+    (base_R, base_r), (R, r) = frame_pose(found, pair.base), frame_pose(found, pair.target)
+    E = transpose(base_R)
+    return multiply(E, R), transform(E, subtract(r, base_r))
+
+
+def _matrix(letter: str, E: Matrix, p: Vector) -> Matrix:
+    if letter == "h":
+        return [[*E[row], p[row]] for row in range(3)] + [[0.0, 0.0, 0.0, 1.0]]
+    crossed: Matrix = [[0.0, 0.0 - p[2], p[1]], [p[2], 0.0, 0.0 - p[0]], [0.0 - p[1], p[0], 0.0]]
+    coupling, nothing = multiply(crossed, E), [0.0] * 3
+    if letter == "m":
+        below = [[*c, *e] for c, e in zip(coupling, E, strict=True)]
+        return [[*e, *nothing] for e in E] + below
+    return [[*e, *c] for e, c in zip(E, coupling, strict=True)] + [[*nothing, *e] for e in E]
+
+
+def _container(robot: GeneratedRobot, kind: _Kind, moving: dict[str, bool]) -> str:
+    across = {robot.across(i): i for i in robot.tree.links()} if kind.letter == "m" else {}
+    types = "\n".join(
+        _type(robot, kind, name, has_parameters, across.get(name))
+        for name, has_parameters in moving.items()
+    )
+    members = "".join(f"    Type_{name} {name};\n" for name in moving)
+    dependent = [name for name, has_parameters in moving.items() if has_parameters]
+    construction, values = setters(robot, f"{kind.name}Transforms", dependent)
+    return robot.filled(
+        _CONTAINER,
+        WHAT=kind.what,
+        CLASS=f"{kind.name}Transforms",
+        BASE=kind.base,
+        TYPES=types,
+        CONSTRUCTION=construction,
+        MEMORY=_memory(across) if across else "",
+        MEMBERS=members,
+        VALUES=values,
+    )
+
+
+def _type(
+    robot: GeneratedRobot, kind: _Kind, name: str, has_parameters: bool, joint: int | None
+) -> str:
+    memory = parameters_of_class(robot) if has_parameters else ""
+    store = ""
+    if joint is not None:
+        store = f"            position = q({joint - 1});\n"
+        memory += "        Scalar position; // of the joint, when this was updated last\n"
+    array = parameter_array(robot, "            ") if has_parameters else ""
+    return robot.filled(
+        _TYPE,
+        NAME=name,
+        BASE=kind.base,
+        KIND=kind.letter,
+        INITIAL="" if joint is None else " : position(0)",
+        PARAMETERS=array,
+        P=("p, " if has_parameters else "nullptr, ") if robot.has_parameters else "",
+        STORE=store,
+        MEMORY=memory,
+    )
+
+
+def _memory(across: dict[str, int]) -> str:
+    kept = "".join(f"        {name}.position = q({i - 1});\n" for name, i in across.items())
+    told = "".join(f"        q({i - 1}) = {name}.position;\n" for name, i in across.items())
+    return (
+        "    /** Keeps joint positions for what is computed without any; no matrix changes. */\n"
+        f"    void storeJointStatus(const JState& q)\n    {{\n{kept}    }}\n"
+        "    /** Returns the joint positions that each transform was updated with last. */\n"
+        f"    void loadJointStatus(JState& q) const\n    {{\n{told}    }}\n"
+    )
+
+
+def _across(robot: GeneratedRobot) -> str:
+    """Return the function that fills in the motion transform to any link from its parent."""
+    p = "p, " if robot.has_parameters else ""
+    cases = "".join(
+        f"    case {i}:\n        m_{robot.across(i)}_constants<TRAIT>(X);\n"
+        f"        m_{robot.across(i)}<TRAIT>({p}q, X);\n        break;\n"
+        for i in robot.tree.links()
+    )
+    takes = "const typename TRAIT::Scalar* p, " if p else ""
+    return (
+        "template <class TRAIT>\n"
+        f"inline void across(int link, {takes}const typename TRAIT::Scalar* q, "
+        "typename TRAIT::Scalar* X)\n"
+        f"{{\n    switch (link) {{\n{cases}    }}\n}}\n"
+    )

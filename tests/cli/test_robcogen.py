@@ -1,0 +1,109 @@
+"""RobCoGen's classes from the command line, and the transforms document made for them."""
+
+from pathlib import Path
+
+import pytest
+from tests.cli.conftest import Runner
+from tests.support.robots import LIFT
+
+from kindsl.codegen.robcogen.files import RUNTIME
+from kindsl.syntax.transforms_text import read_transforms
+
+
+@pytest.fixture
+def document(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    path = tmp_path / "arm.kindsl"
+    path.write_text(LIFT)
+    return path
+
+
+GENERATE = ("generate", "arm.kindsl", "--language", "robcogen", "-o", "out")
+
+
+def test_every_header_has_its_name(kindsl: Runner, document: Path) -> None:
+    assert kindsl(*GENERATE).status == 0
+    names = """
+        CMakeLists.txt declarations.h default_dynparams_getter.h dynamics_parameters.h
+        forward_dynamics.h forward_dynamics.impl.h inertia_properties.h inertia_properties.impl.h
+        inverse_dynamics.h inverse_dynamics.impl.h jacobians.h jacobians.impl.h joint_data_map.h
+        jsim.h jsim.impl.h kinematics_parameters.h kindsl-generated.json link_data_map.h
+        miscellaneous.cpp miscellaneous.h traits.h transforms.h transforms.impl.h
+    """
+    assert sorted(path.name for path in Path("out").iterdir()) == sorted(names.split())
+    assert kindsl("generate", "arm.kindsl", "--check", "out").status == 0
+
+
+def test_the_runtime_comes_along_and_goes(kindsl: Runner, document: Path) -> None:
+    assert kindsl(*GENERATE, "--runtime").status == 0
+    shared = {path.relative_to(RUNTIME) for path in RUNTIME.rglob("*.h")}
+    found = {path.relative_to("out") for path in Path("out").rglob("iit/**/*.h")}
+    assert found == shared
+    assert kindsl("generate", "arm.kindsl", "--check", "out").status == 0
+    assert kindsl(*GENERATE).status == 0
+    assert not list(Path("out").rglob("iit/**/*.h"))
+
+
+def test_a_layout_has_the_folders_that_programs_include(kindsl: Runner, document: Path) -> None:
+    assert kindsl(*GENERATE, "--layout", "robcogen", "--runtime").status == 0
+    assert Path("out/iit/robots/arm/traits.h").is_file()
+    assert Path("out/iit/rbd/rbd.h").is_file()
+    told = Path("out/kindsl-generated.json").read_text()
+    assert "--layout robcogen --runtime" in told
+    assert kindsl("generate", "arm.kindsl", "--check", "out").status == 0
+
+
+def test_the_document_that_is_used_can_be_written_and_edited(
+    kindsl: Runner, document: Path
+) -> None:
+    assert kindsl("generate", "arm.kindsl", "--write-transforms", "mine.dtdsl").status == 0
+    text = Path("mine.dtdsl").read_text()
+    made = read_transforms(text)
+    assert not made.defects
+    assert {pair.target.text for pair in made.transforms} == {"fr_upper", "fr_slider", "tool"}
+    assert [pair.target.text for pair in made.jacobians] == ["tool"]
+    kindsl(*GENERATE)
+    before = Path("out/jacobians.h").read_text()
+    kindsl(*GENERATE, "--transforms", "mine.dtdsl")
+    assert Path("out/jacobians.h").read_text() == before
+    Path("mine.dtdsl").write_text(text.replace("target=tool\n}\n", "target=fr_upper\n}\n"))
+    kindsl(*GENERATE, "--transforms", "mine.dtdsl")
+    header = Path("out/jacobians.h").read_text()
+    assert "fr_base_J_fr_upper" in header and "fr_base_J_tool" not in header
+
+
+def test_a_transforms_document_is_not_overwritten(kindsl: Runner, document: Path) -> None:
+    Path("mine.dtdsl").write_text("mine")
+    told = kindsl("generate", "arm.kindsl", "--write-transforms", "mine.dtdsl")
+    assert (told.status, Path("mine.dtdsl").read_text()) == (2, "mine")
+    assert "mine.dtdsl" in told.err and "--force overwrites it" in told.err
+
+
+def test_frames_of_joints_are_frames(kindsl: Runner, document: Path) -> None:
+    text = "Robot Arm\nFrames { fr_lift, tool }\nTransforms { base=fr_lift, target=tool }\n"
+    Path("arm.dtdsl").write_text(f"{text}Jacobians {{ }}\n")
+    assert kindsl(*GENERATE).status == 0
+    assert "Type_fr_lift_X_tool fr_lift_X_tool;" in Path("out/transforms.h").read_text()
+    assert kindsl("lint", "arm.dtdsl").status == 0
+
+
+@pytest.mark.parametrize("language", ["robcogen", "python"])
+def test_frames_can_be_chosen(language: str, kindsl: Runner, document: Path) -> None:
+    assert kindsl(*GENERATE, "--language", language, "--frames", "fr_slider").status == 0
+    text = "".join(path.read_text() for path in Path("out").glob("*[hy]"))
+    found = ("base_X_tool", "base_X_fr_slider") if language == "robcogen" else (
+        "jacobian_tool", "jacobian_slider"
+    )  # fmt: skip
+    assert [name in text for name in found] == [False, True]
+    told = kindsl(*GENERATE, "--frames", "fr_slidr")
+    assert told.status == 1
+    assert "--frames: the robot has no frame 'fr_slidr'; did you mean 'fr_slider'?" in told.err
+
+
+@pytest.mark.parametrize("option", ["--runtime", "--layout robcogen"])
+def test_other_languages_have_no_runtime_and_no_layout(
+    option: str, kindsl: Runner, document: Path
+) -> None:
+    told = kindsl("generate", "arm.kindsl", "--language", "c", "-o", "out", *option.split())
+    assert told.status == 2
+    assert "cannot be used with --language c" in told.err

@@ -1,0 +1,102 @@
+"""Programs in C++ that use RobCoGen's classes, and what they print."""
+
+import shutil
+import subprocess
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+import pytest
+from tests.codegen.compiling import EIGEN
+
+import kindsl
+from kindsl.analysis.analysis import Analysis
+from kindsl.analysis.settings import Settings
+from kindsl.codegen.generating import Source, generate
+from kindsl.codegen.library import Library, Options
+from kindsl.dynamics.generation.functions import QUANTITIES
+from kindsl.semantics.parameters import Binding
+from kindsl.spatial.arrays import Array
+
+PLAIN = tuple(name for name, quantity in QUANTITIES.items() if not quantity.is_derivative)
+COMPILERS = [name for name in ("g++", "clang++") if shutil.which(name)]
+needs_cpp = pytest.mark.skipif(
+    EIGEN is None or not COMPILERS, reason="there is no Eigen or no C++ compiler"
+)
+STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Werror")
+
+HEAD = """\
+#include <cmath>
+#include <cstdio>
+
+#include "traits.h"
+#include "joint_data_map.h"
+#include "default_dynparams_getter.h"
+#include "miscellaneous.h"
+
+template <class M>
+void row(const char* name, const M& m)
+{
+    std::printf("%s", name);
+    for (int i = 0; i < m.rows(); i++) {
+        for (int j = 0; j < m.cols(); j++) {
+            std::printf(" %.17g", static_cast<double>(m(i, j)));
+        }
+    }
+    std::puts("");
+}
+
+template <class V>
+V numbers(double seed)
+{
+    V v;
+    for (int i = 0; i < v.size(); i++) {
+        v(i) = std::sin(seed * (i + 1));
+    }
+    return v;
+}
+"""
+
+
+def generated(
+    text: str, values: Mapping[str, float], folder: Path, **options: object
+) -> tuple[Analysis, Library]:
+    """Write a robot's classes, with the runtime headers, to a folder."""
+    bindings = {name: Binding(value) for name, value in values.items()}
+    analysis = kindsl.parse(text, Settings(bindings=bindings))
+    chosen = {"parameters": "all", "has_runtime": True, **options}
+    asked = Options("robcogen", PLAIN, "double", False, prefix=_prefix(analysis), **chosen)
+    library, files = generate(Source("robot.kindsl", analysis, {}), asked)
+    for name, content in files.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(content, encoding="utf-8")
+    return analysis, library
+
+
+def _prefix(analysis: Analysis) -> str:
+    return str(analysis.model.name).lower()
+
+
+def built(
+    folder: Path, source: str, *options: str, compiler: str = COMPILERS[0] if COMPILERS else ""
+) -> subprocess.CompletedProcess[str]:
+    """Compile a program in the folder of the headers; the result tells what was complained of."""
+    (folder / "main.cpp").write_text(source, encoding="utf-8")
+    command = [
+        compiler, *STRICT, *options, "-I", ".", "-isystem", str(EIGEN), "main.cpp",
+        *([] if "-fsyntax-only" in options else ["miscellaneous.cpp", "-o", "main"]),
+    ]  # fmt: skip
+    return subprocess.run(
+        command, cwd=folder, capture_output=True, text=True, timeout=280, check=False
+    )
+
+
+def printed(folder: Path, source: str, *options: str) -> dict[str, Array]:
+    """Compile and run a program; return its rows by their names."""
+    done = built(folder, source, "-std=c++14", *options)
+    assert (done.returncode, done.stderr) == (0, "")
+    told = subprocess.run(
+        [folder / "main"], capture_output=True, text=True, timeout=60, check=True
+    ).stdout
+    rows = (line.split() for line in told.splitlines())
+    return {name: np.array([float(x) for x in values]) for name, *values in rows}
