@@ -173,7 +173,7 @@ async def test_the_address_holds_the_view_and_a_reload_shows_it_again(browser, s
 async def test_an_address_that_makes_no_sense_shows_the_usual_picture(browser, server, fragment):
     async with opened(browser, f"{await url_of(server)}#{fragment}") as page:
         await until(page, "kindsl.history.present !== null")
-        assert await page.evaluate("kindsl.presets.name") == "Kinematics"
+        assert await page.evaluate("kindsl.presets.name") == "Bodies"
         assert not await page.evaluate("kindsl.camera.isUsers")
 
 
@@ -201,6 +201,7 @@ async def test_links_are_hidden_isolated_and_found(browser, server):
     }"""
     async with opened(browser, await url_of(server)) as page:
         await until_shown(page, "Arm")
+        await page.locator("[data-preset=Kinematics]").click()
         assert await page.evaluate(drawn) == ["base", "slider", "upper"]
         await page.get_by_label("hide upper").click()
         assert await page.evaluate(drawn) == ["base", "slider"]

@@ -63,7 +63,9 @@ DRAWN_CONTRASTS = """() => {
   const pixels = new Uint8Array(4 * w * h);
   presets.choose("All");
   for (const key of scene.view.keys()) presets.set(key, false, 1);
-  for (const key of ["body", "base", "revolute", "axis", "com", "robot-com", "link-frame"]) {
+  for (const key of [
+    "core", "bone", "drum", "body", "base", "revolute", "axis", "com", "robot-com", "link-frame",
+  ]) {
     presets.set(key, true, 1);
     viewer.render();
     gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
@@ -80,7 +82,7 @@ DRAWN_CONTRASTS = """() => {
     presets.set(key, false, 1);
   }
   presets.reset();
-  presets.choose("Kinematics");
+  presets.choose("Bodies");
   return contrasts;
 }"""
 
@@ -99,7 +101,7 @@ async def test_the_first_picture_is_calm_and_its_names_do_not_flicker(browser, s
         await until(page, "kindsl.viewer.renderer.domElement.clientWidth === 940")
         await until(page, "kindsl.camera.framedSize > 0 && kindsl.history.present !== null")
         assert set(await page.evaluate(VISIBLE)) == {
-            "body", "base", "revolute", "prismatic", "axis", "ghost", "ground", "link-names",
+            "core", "bone", "drum", "doubtful", "impossible", "ghost", "ground", "link-names",
         }  # fmt: skip
         shown = [set(await page.evaluate(SHOWN_LABELS))]
         assert 8 < len(shown[0]) <= 25
@@ -162,23 +164,25 @@ async def test_an_ellipsoid_larger_than_the_robot_is_left_out_until_asked_for(br
     async with opened(browser, await url_of(server, ARM)) as page:
         await until_shown(page, "Arm")
         await until(page, "kindsl.camera.framedSize > 0")
+        await page.locator("[data-preset=Inertia]").click()
+        await page.locator("#frame").click()
         distance = await page.evaluate("kindsl.camera.offset().length()")
         await page.evaluate(DRAW_BETWEEN)
         await server.show("robot", analyse(BALL.replace("Iz = 0.005", "Iz = 90.0")), ())
-        await page.get_by_text("Show 1 ellipsoid larger than the robot").wait_for()
+        await page.get_by_text("Show 1 oversized ellipsoid").wait_for()
         await page.locator("#frame").click()
         assert await page.evaluate("kindsl.camera.offset().length()") == pytest.approx(distance)
         assert min(await page.evaluate(drawn)) == 0.0
-        await page.get_by_text("Show 1 ellipsoid larger than the robot").click()
+        await page.get_by_text("Show 1 oversized ellipsoid").click()
         assert max(await page.evaluate(drawn)) > 2.0
 
 
 async def test_an_ellipsoid_that_alone_became_larger_is_told(browser, server):
     large = BALL.replace("Iz = 0.005", "Iz = 90.0")
-    async with opened(browser, await url_of(server, large)) as page:
-        await page.get_by_text("Show 1 ellipsoid larger than the robot").wait_for()
+    async with opened(browser, f"{await url_of(server, large)}#preset=Inertia") as page:
+        await page.get_by_text("Show 1 oversized ellipsoid").wait_for()
         await server.show("robot", analyse(ARM), ())
-        await page.get_by_text("larger than the robot").wait_for(state="detached")
+        await page.get_by_text("oversized").wait_for(state="detached")
 
 
 async def test_a_robot_of_another_size_is_framed_whole(browser, server):
@@ -220,7 +224,8 @@ async def test_all_marks_stand_out_of_their_surroundings(browser, server, theme)
         await until(page, "kindsl.scene.poses.robot.links.size")
         await until(page, f"document.documentElement.dataset.theme === '{theme}'")
         contrasts = await page.evaluate(CONTRASTS)
-        contrasts.pop("ground")
+        for name in ("ground", "outline"):
+            contrasts.pop(name)
         assert {name: c for name, c in contrasts.items() if c < 3.0} == {}
         drawn = await page.evaluate(DRAWN_CONTRASTS)
         assert {name: c for name, c in drawn.items() if c < 3.0} == {}

@@ -40,16 +40,21 @@ def test_a_moved_joint_moves_transforms_only():
     old = robot_messages("Arm", skeleton_of(ARM))
     new = robot_messages("Arm", skeleton_of(ARM.replace("(0.4, 0.0, 0.0)", "(0.41, 0.0, 0.0)")))
     sent = changes(old, new)
-    assert {message.type for message in sent} == {"joint", "set_transform", "model", "link"}
+    kinds = {"joint", "set_transform", "model", "link", "solid"}
+    assert {message.type for message in sent} == kinds
     assert {m.name for m in sent if m.type == "joint"} == {"lift"}
     assert {m.name for m in sent if m.type == "link"} == {"upper"}
+    # The joint's drum is as thick as its bones, which are as thick as the link is long.
+    assert {m.name for m in sent if m.type == "solid"} <= {"upper", "slider"}
 
 
-def test_a_new_mass_redraws_no_body():
+def test_a_new_mass_redraws_one_body():
     old = robot_messages("Arm", skeleton_of(ARM))
-    new = robot_messages("Arm", skeleton_of(ARM.replace("mass = 2.0", "mass = 2.5")))
+    new = robot_messages("Arm", skeleton_of(ARM.replace("mass = 2.0", "mass = 2.02")))
     sent = changes(old, new)
-    assert {message.type for message in sent} == {"set_transform", "link"}
+    assert {message.type for message in sent} == {"set_transform", "link", "solid"}
+    assert {m.name for m in sent if m.type == "link"} == {"upper"}
+    assert {m.name for m in sent if m.type == "solid"} <= {"upper", "slider"}
     assert all("inertia" in m.path for m in sent if m.type == "set_transform")
 
 

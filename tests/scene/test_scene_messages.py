@@ -53,7 +53,7 @@ class TestRobot:
         assert plain(model) == {
             "type": "model", "path": "/kindsl/model", "name": "Arm", "is_floating": False,
             "size": pytest.approx(size), "center": pytest.approx([0.2, 0.0, 0.4]),
-            "ground": 0.0, "unit": extent(skeleton_of(ARM)).radius,
+            "ground": 0.0, "unit": extent(skeleton_of(ARM)).radius, "density": 300.0,
         }  # fmt: skip
 
     def test_links(self) -> None:

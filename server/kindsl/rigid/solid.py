@@ -30,6 +30,7 @@ class Solid(NamedTuple):
         center: Its middle, the centre of mass, in the body's axes, metres.
         axes: Right-handed unit vectors in the body's axes; the last is the pole.
         semi_axes: Along these, metres.
+        gyration: Radii of gyration along these, metres.
         exponents: Along meridians and along parallels, 1 for round and near 0 for square.
         density: kg/m^3.
         is_possible: Whether a rigid body has this inertia; if not, the solid is drawn from the
@@ -41,6 +42,7 @@ class Solid(NamedTuple):
     center: Vector3
     axes: tuple[Vector3, Vector3, Vector3]
     semi_axes: Vector3
+    gyration: Vector3
     exponents: tuple[float, float]
     density: float
     is_possible: bool
@@ -99,13 +101,14 @@ def _superquadric(
     along, around = (linear, planar) if is_rod else (planar, linear)
     e1, e2 = (max((1.0 - share) ** _SHARPNESS, _LEAST_EXPONENT) for share in (along, around))
     volume, across, pole = _unit_moments(e1, e2)
-    shares = (across, across, pole)
-    a, b, c = (gyration[i] / sqrt(share) for i, share in zip(order, shares, strict=True))
+    i, j, k = (gyration[axis] for axis in order)
+    a, b, c = i / sqrt(across), j / sqrt(across), k / sqrt(pole)
     x, y = pairs[order[0]].axis, pairs[order[1]].axis
     return Solid(
         center=body.com,
         axes=(x, y, cross(x, y)),
         semi_axes=(a, b, c),
+        gyration=(i, j, k),
         exponents=(e1, e2),
         density=body.mass / (volume * a * b * c),
         is_possible=is_possible,

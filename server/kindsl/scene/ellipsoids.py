@@ -1,5 +1,6 @@
 """The solid ellipsoid that has a link's mass and inertia."""
 
+from functools import lru_cache
 from math import sqrt
 from typing import NamedTuple
 
@@ -9,6 +10,7 @@ from kindsl.rigid.solid import TOLERANCE
 
 # As in Drake: an axis is never drawn thinner than this share of the largest.
 THINNEST = 0.01
+_MOST_KNOWN = 1 << 12
 
 
 class InertiaEllipsoid(NamedTuple):
@@ -26,6 +28,7 @@ class InertiaEllipsoid(NamedTuple):
     is_consistent: bool
 
 
+@lru_cache(maxsize=_MOST_KNOWN)
 def inertia_ellipsoid(body: MassDistribution) -> InertiaEllipsoid:
     """Return the solid ellipsoid of the same mass and inertia.
 

@@ -17,6 +17,7 @@ from kindsl.rigid.joint_kind import JointKind
 from kindsl.rigid.pose import Vector3
 from kindsl.scene.geometry import Shape
 from kindsl.scene.picture import PictureState
+from kindsl.scene.solids import Look
 from kindsl.semantics.declarations import ValueKind
 
 # A value with all parameters zero, and the factor of each parameter by name.
@@ -75,6 +76,7 @@ class ModelMessage:
         center: Middle of that box in the base's frame, metres.
         ground: Height of the ground in the base's frame, metres.
         unit: Radius to draw bodies with, metres; marks are made for a radius of 1.
+        density: That most of its links have, kg/m^3.
         path: Constant.
     """
 
@@ -85,6 +87,7 @@ class ModelMessage:
     center: Vector3
     ground: float
     unit: float
+    density: float
     path: str = f"{ROOT}/model"
 
 
@@ -118,6 +121,91 @@ class LinkMessage:
     lacks: str
     anchor: Vector3
     ends: tuple[Vector3, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Core:
+    """A superquadric of uniform density.
+
+    Attributes:
+        center: In the link's frame, metres.
+        axes: Three right-handed unit vectors in the link's axes, one after another; the last is
+            the pole.
+        semi_axes: Along these, metres.
+        gyration: Radii of gyration along these, metres; what is drawn has them exactly.
+        exponents: Along meridians and along parallels: 1 is round, near 0 is square.
+        density: kg/m^3.
+        shell: How much smaller a shell of the robot's usual density is that has the same mass and
+            inertia, as a factor; 1 where the solid is as dense.
+    """
+
+    center: Vector3
+    axes: tuple[float, ...]
+    semi_axes: Vector3
+    gyration: Vector3
+    exponents: tuple[float, float]
+    density: float
+    shell: float
+
+
+@dataclass(frozen=True, slots=True)
+class DoubtRow:
+    """What is wrong with a body, or may be.
+
+    Attributes:
+        word: A short name of it.
+        code: The rule that reports it.
+        sentence: For people.
+    """
+
+    word: str
+    code: str
+    sentence: str
+
+
+@dataclass(frozen=True, slots=True)
+class Bone:
+    """A strut from a link's origin.
+
+    Attributes:
+        name: Of the joint or frame that it goes to.
+        end: In the link's frame, metres.
+    """
+
+    name: str
+    end: Vector3
+
+
+@dataclass(frozen=True, slots=True)
+class SolidMessage:
+    """A link as a body: the uniform solid with its inertia, and bones to its joints.
+
+    Attributes:
+        path: Of the body in its tree.
+        name: The link's.
+        core: The solid; None where there is none to be drawn.
+        look: `glass` would hide the robot, `doubtful` and `impossible` are judged.
+        doubts: What is wrong or may be, the gravest first.
+        is_oversized: Whether it is too large to be drawn unless asked for.
+        bones: To its joints.
+        radius: Of the bones, metres.
+        strut: From a bone to the centre of mass, two points in the link's frame; else empty.
+        drum: Radius of the supporting joint's drum, metres.
+        is_shaded: Whether a shade tells it from its parent.
+    """
+
+    type: ClassVar[Literal["solid"]] = "solid"
+    path: str
+    name: str
+    core: Core | None
+    look: Look
+    doubts: tuple[DoubtRow, ...]
+    is_oversized: bool
+    bones: tuple[Bone, ...]
+    radius: float
+    strut: tuple[Vector3, ...]
+    drum: float
+    is_shaded: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -456,10 +544,10 @@ class LinesMessage:
 
 
 Part: TypeAlias = (
-    SetObject | SetTransform | Delete | ModelMessage | LinkMessage | JointMessage | FrameMessage
-    | LimitsMessage | ValueMessage | ParameterMessage | FormulaMessage | FindingMessage
-    | StatusMessage | HighlightMessage | EditingMessage | HandlesMessage | DraggedMessage
-    | PlanMessage | WrittenMessage | LinesMessage
+    SetObject | SetTransform | Delete | ModelMessage | LinkMessage | SolidMessage | JointMessage
+    | FrameMessage | LimitsMessage | ValueMessage | ParameterMessage | FormulaMessage
+    | FindingMessage | StatusMessage | HighlightMessage | EditingMessage | HandlesMessage
+    | DraggedMessage | PlanMessage | WrittenMessage | LinesMessage
 )  # fmt: skip
 
 

@@ -6,6 +6,7 @@ joints' marks under their joint's, and the page places these nodes by forward ki
 """
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import lru_cache
 
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.rigid.pose import Vector3
@@ -22,17 +23,24 @@ from kindsl.scene.marks import (
     robot_com_mark,
 )
 from kindsl.scene.messages import (
+    Bone,
+    Core,
+    DoubtRow,
     FrameMessage,
     JointMessage,
     LimitsMessage,
     LinkMessage,
     ModelMessage,
     Part,
+    SolidMessage,
 )
 from kindsl.scene.size import Extent, Segment, extent
+from kindsl.scene.solids import LinkSolid, known_masses, link_solids, usual_density
 from kindsl.scene.state import Messages, keyed, path_of
 from kindsl.semantics.parameters import JointProperties
 
+# What is the same at each keystroke is made once.
+_MOST_KNOWN = 1 << 12
 NO_LIMITS: Mapping[str, JointProperties] = {}
 NOTHING_UNKNOWN: Mapping[str, str] = {}
 
@@ -55,8 +63,9 @@ def robot_messages(
     """
     size = extent(skeleton)
     ellipsoids = [inertia_ellipsoid(body) for body in skeleton.masses]
-    messages: list[Part] = [_model(name, skeleton, size)]
+    messages: list[Part] = [_model(name, skeleton, size, unknown)]
     messages.extend(_numbers("robot", skeleton, size, ellipsoids, guessed, unknown))
+    messages.extend(_solids("robot", skeleton, size, unknown))
     messages.extend(_limits(skeleton, limits))
     messages.extend(_robot_marks(skeleton, size, ellipsoids))
     return keyed(messages)
@@ -68,12 +77,13 @@ def ghost_messages(skeleton: Skeleton) -> Messages:
     ellipsoids = [inertia_ellipsoid(body) for body in skeleton.masses]
     nothing = NO_GUESSES, NOTHING_UNKNOWN
     messages: list[Part] = list(_numbers("ghost", skeleton, size, ellipsoids, *nothing))
+    messages.extend(_solids("ghost", skeleton, size, NOTHING_UNKNOWN))
     for link, segments in zip(skeleton.body_names, size.segments, strict=True):
         messages.extend(body_marks("ghost", link, segments, "body"))
     return keyed(messages)
 
 
-def _model(name: str, skeleton: Skeleton, size: Extent) -> ModelMessage:
+def _model(name: str, skeleton: Skeleton, size: Extent, unknown: Mapping[str, str]) -> ModelMessage:
     return ModelMessage(
         name=name,
         is_floating=skeleton.is_floating,
@@ -81,6 +91,7 @@ def _model(name: str, skeleton: Skeleton, size: Extent) -> ModelMessage:
         center=size.center,
         ground=size.ground,
         unit=size.radius,
+        density=usual_density(known_masses(skeleton, unknown)),
     )
 
 
@@ -129,6 +140,43 @@ def _numbers(
         )
     yield from _joints(tree, skeleton, guessed)
     yield from _frames(tree, skeleton, guessed)
+
+
+def _solids(
+    tree: str, skeleton: Skeleton, size: Extent, unknown: Mapping[str, str]
+) -> Iterator[Part]:
+    bodies = zip(
+        skeleton.body_names, link_solids(skeleton, size, unknown), size.segments, strict=True
+    )
+    for name, solid, segments in bodies:
+        yield _solid(path_of(tree, "links", name, "solid"), name, solid, segments)
+
+
+@lru_cache(maxsize=_MOST_KNOWN)
+def _solid(path: str, name: str, own: LinkSolid, segments: tuple[Segment, ...]) -> SolidMessage:
+    core = own.core
+    return SolidMessage(
+        path=path,
+        name=name,
+        core=core
+        and Core(
+            center=core.center,
+            axes=tuple(number for axis in core.axes for number in axis),
+            semi_axes=core.semi_axes,
+            gyration=core.gyration,
+            exponents=core.exponents,
+            density=core.density,
+            shell=own.shell,
+        ),
+        look=own.look,
+        doubts=tuple(DoubtRow(*doubt) for doubt in own.doubts),
+        is_oversized=own.is_oversized,
+        bones=tuple(Bone(segment.name, segment.end) for segment in segments),
+        radius=own.bone,
+        strut=own.strut,
+        drum=own.drum,
+        is_shaded=own.is_shaded,
+    )
 
 
 def _joints(tree: str, skeleton: Skeleton, guessed: Guesses) -> Iterator[Part]:

@@ -12,7 +12,7 @@ function begun({ width = 800, height = 600, points = [] } = {}) {
     update() {}, poses: { robot: { links, joints: new Map(), frames: new Map() } },
     model: { size: 2, unit: 0.02, center: [0, 0, 0.5], ground: 0 },
     trees: { robot: { links: new Map([...links.keys()].map((name) => [name, { ends: [[0, 0, 0.1]] }])) } },
-    poseOf: ({ name }) => links.get(name),
+    poseOf: ({ name }) => links.get(name), bodies: { reach: () => [] },
   };
   return { viewer, camera: new Camera(viewer, scene, pane) };
 }

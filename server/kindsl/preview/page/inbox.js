@@ -11,7 +11,7 @@ import { applyFormulas } from "./formulas.js";
 /** @type {readonly News[]} */
 const ROW_NEWS = ["model", "link", "joint", "frame", "limits", "delete"]; // other rows
 /** @type {readonly News[]} */
-const MARK_NEWS = ["set_object", "set_transform"]; // other marks in the picture
+const MARK_NEWS = ["solid", "set_object", "set_transform"]; // other marks in the picture
 /** @type {readonly News[]} */
 const VALUE_NEWS = ["value", "motion", "view"]; // other values in them
 

@@ -62,6 +62,8 @@ export interface ModelMessage {
   readonly ground: number;
   /** Radius to draw bodies with, metres; marks are made for a radius of 1. */
   readonly unit: number;
+  /** That most of its links have, kg/m^3. */
+  readonly density: number;
   /** Constant. */
   readonly path: string;
 }
@@ -91,6 +93,69 @@ export interface LinkMessage {
   readonly anchor: readonly [number, number, number];
   /** Where it reaches to in its frame, metres. */
   readonly ends: readonly (readonly [number, number, number])[];
+}
+
+/** A superquadric of uniform density. */
+export interface Core {
+  /** In the link's frame, metres. */
+  readonly center: readonly [number, number, number];
+  /** Three right-handed unit vectors in the link's axes, one after another; the last is the pole. */
+  readonly axes: readonly number[];
+  /** Along these, metres. */
+  readonly semi_axes: readonly [number, number, number];
+  /** Radii of gyration along these, metres; what is drawn has them exactly. */
+  readonly gyration: readonly [number, number, number];
+  /** Along meridians and along parallels: 1 is round, near 0 is square. */
+  readonly exponents: readonly [number, number];
+  /** kg/m^3. */
+  readonly density: number;
+  /** How much smaller a shell of the robot's usual density is that has the same mass and inertia, as a factor; 1 where the solid is as dense. */
+  readonly shell: number;
+}
+
+/** What is wrong with a body, or may be. */
+export interface DoubtRow {
+  /** A short name of it. */
+  readonly word: string;
+  /** The rule that reports it. */
+  readonly code: string;
+  /** For people. */
+  readonly sentence: string;
+}
+
+/** A strut from a link's origin. */
+export interface Bone {
+  /** Of the joint or frame that it goes to. */
+  readonly name: string;
+  /** In the link's frame, metres. */
+  readonly end: readonly [number, number, number];
+}
+
+/** A link as a body: the uniform solid with its inertia, and bones to its joints. */
+export interface SolidMessage {
+  readonly type: "solid";
+  /** Of the body in its tree. */
+  readonly path: string;
+  /** The link's. */
+  readonly name: string;
+  /** The solid; None where there is none to be drawn. */
+  readonly core: Core | null;
+  /** `glass` would hide the robot, `doubtful` and `impossible` are judged. */
+  readonly look: "sound" | "glass" | "doubtful" | "impossible";
+  /** What is wrong or may be, the gravest first. */
+  readonly doubts: readonly DoubtRow[];
+  /** Whether it is too large to be drawn unless asked for. */
+  readonly is_oversized: boolean;
+  /** To its joints. */
+  readonly bones: readonly Bone[];
+  /** Of the bones, metres. */
+  readonly radius: number;
+  /** From a bone to the centre of mass, two points in the link's frame; else empty. */
+  readonly strut: readonly (readonly [number, number, number])[];
+  /** Radius of the supporting joint's drum, metres. */
+  readonly drum: number;
+  /** Whether a shade tells it from its parent. */
+  readonly is_shaded: boolean;
 }
 
 /** A joint and its place. */
@@ -364,6 +429,7 @@ export type Part =
   | Delete
   | ModelMessage
   | LinkMessage
+  | SolidMessage
   | JointMessage
   | FrameMessage
   | LimitsMessage

@@ -1,6 +1,6 @@
 // What the page's parts say to each other, and what of meshcat's viewer they use.
 import type * as THREE from "three";
-import type { FrameMessage, JointMessage, LinkMessage, ParameterMessage } from "../messages.js";
+import type { FrameMessage, JointMessage, LinkMessage, ParameterMessage, SolidMessage } from "../messages.js";
 
 /** Metres, or without a unit. */
 export type Vector = readonly [number, number, number];
@@ -20,6 +20,8 @@ export interface Tree {
   readonly links: Map<string, LinkMessage>;
   readonly joints: Map<string, JointMessage>;
   readonly frames: Map<string, FrameMessage>;
+  /** By links. */
+  readonly solids: Map<string, SolidMessage>;
 }
 /** `base_T_thing` of all things of a tree, by names. */
 export type Poses = Readonly<Record<Group, Map<string, Matrix>>>;

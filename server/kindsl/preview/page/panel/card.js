@@ -1,14 +1,19 @@
 // The numbers of the selected link, joint or frame.
 import { format, make, partOf } from "../base/elements.js";
+import { shapeOf } from "../picture/pieces.js";
 import { IDENTITY, intrinsicXyz, originOf, zAxisOf } from "../picture/kinematics.js";
 
 /** @import { Matrix, Poses, Thing, Tree } from "../base/types.js" */
-/** @import { JointMessage, LinkMessage, StatusMessage } from "../messages.js" */
+/** @import { Core, JointMessage, LinkMessage, ModelMessage, SolidMessage, StatusMessage } from "../messages.js" */
 /** @import { Scene } from "../picture/scene.js" */
-/** @typedef {readonly [title: string, text: string]} Row */
+/** @typedef {readonly [title: string, text: string, look?: string]} Row */
+
+const HOLLOW = 0.97; // a shell is smaller than the solid by more than this
 
 /** @param {readonly number[]} values @param {number} [digits] */
 const vector = (values, digits) => `(${values.map((value) => format(value, digits)).join(", ")})`;
+/** @param {number} value */
+const digits = (value, count = 4) => String(Number(value.toPrecision(count)));
 /** @param {number} value */
 const moment = (value) => (value === 0 ? "0" : Number(value.toPrecision(4)).toString());
 
@@ -34,13 +39,26 @@ function rows(scene, { kind, name }) {
 function moreRows(scene, { kind, name }) {
   const { trees: { robot }, poses, model } = scene;
   const [link, joint, frame] = [robot.links.get(name), robot.joints.get(name), robot.frames.get(name)];
-  if (kind === "link") return link && linkRows(link, robot, poses.robot, model.is_floating);
+  if (kind === "link") return link && linkRows(link, robot, poses.robot, model);
   if (kind === "joint") return joint && jointRows(scene, joint);
   return frame && [["Fixed to", frame.link]];
 }
 
-/** @param {LinkMessage} link @param {Tree} tree @param {Poses} poses @param {boolean} isFloating @returns {Row[]} */
-function linkRows(link, tree, poses, isFloating) {
+/** @param {SolidMessage | undefined} solid @param {number} usual Density of the robot's links, kg/m³. @returns {Row[]} */
+function bodyRows(solid, usual) {
+  const core = solid?.core, doubts = solid?.doubts ?? [];
+  /** @type {Row[]} */
+  const list = core ? [["As a body", `${shapeOf(core)} ${sizes(core, 1)}, ${digits(core.density, 2)} kg/m³`]] : [];
+  if (core && core.shell < HOLLOW) list.push(["", `as a shell of the usual ${digits(usual, 2)} kg/m³ ${sizes(core, core.shell)}`]);
+  return [...list, ...doubts.map(({ code, sentence }) => /** @type {Row} */ (["", `${sentence} (${code})`, "doubt"]))];
+}
+
+/** @param {Core} core @param {number} factor */
+const sizes = ({ semi_axes: halves }, factor) => (
+  `${halves.map((half) => digits(2 * half * factor, 2)).sort((a, b) => Number(b) - Number(a)).join(" × ")} m`);
+
+/** @param {LinkMessage} link @param {Tree} tree @param {Poses} poses @param {Pick<ModelMessage, "is_floating" | "density">} model @returns {Row[]} */
+function linkRows(link, tree, poses, { is_floating: isFloating, density }) {
   /** @type {Row[]} */
   const list = [];
   const joint = tree.joints.get(link.joint), pose = poses.joints.get(link.joint);
@@ -52,7 +70,7 @@ function linkRows(link, tree, poses, isFloating) {
   list.push(["Inertia", [xx, yy, zz].map(moment).join("  ")]);
   list.push(["Products", [xy, xz, yz].map((entry) => moment(0 - entry)).join("  ")]);
   list.push(["", "about the centre of mass, link axes, kg m²"]);
-  if (!link.is_consistent) list.push(["", "no rigid body has this inertia"]);
+  list.push(...bodyRows(tree.solids.get(link.name), density));
   if (!joint && !isFloating) list.push(["", "a fixed base: its mass counts nowhere"]);
   return list;
 }
@@ -94,5 +112,5 @@ export function showCard(scene, chosen, section) {
   partOf(section, "h3").textContent = `${chosen.kind} ${chosen.name}`;
   const table = partOf(section, "dl");
   table.replaceChildren();
-  for (const [title, text] of list) table.append(make("dt", "", title), make("dd", title ? "" : "note", text));
+  for (const [title, text, look] of list) table.append(make("dt", "", title), make("dd", look ?? (title ? "" : "note"), text));
 }

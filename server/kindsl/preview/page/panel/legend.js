@@ -100,9 +100,10 @@ export class Legend {
 
   // Own choices can be taken back, and what was left out for its size be asked for.
   showMore() {
-    const large = oversized(this.scene).length, offers = new Map();
-    if (large) offers.set(`Show ${large} ellipsoid${large === 1 ? "" : "s"} larger than the robot`, () => this.actions.showOversized(true));
-    else if (this.scene.showsOversized) offers.set("Leave out ellipsoids larger than the robot", () => this.actions.showOversized(false));
+    const { scene, scene: { bodies } } = this, offers = new Map(), [one, many] = bodies.isOn ? ["body", "bodies"] : ["ellipsoid", "ellipsoids"];
+    const large = bodies.isOn ? bodies.oversized().length : oversized(scene).length;
+    if (large && !scene.showsOversized) offers.set(`Show ${large} oversized ${large === 1 ? one : many}`, () => this.actions.showOversized(true));
+    else if (scene.showsOversized) offers.set(`Leave out oversized ${many}`, () => this.actions.showOversized(false));
     if (this.presets.own.size) offers.set(`Back to ${this.presets.name} as it was`, () => this.actions.resetPreset());
     const shown = [...this.more.children].map((button) => button.textContent);
     if (shown.join() === [...offers.keys()].join()) return; // a button stays under the mouse that presses it

@@ -90,8 +90,9 @@ export class Batches {
   /** @param {Batch} batch */
   refresh({ mesh, marks, category }) {
     const { visible, opacity } = this.scene.view.get(category) || { visible: true, opacity: 1 };
-    mesh.visible = visible;
-    if (!visible) return;
+    // A ghost of bodies is one of them.
+    mesh.visible = visible && !(category === "ghost" && this.scene.bodies.isOn);
+    if (!mesh.visible) return;
     restyle(mesh.material, opacity, ALWAYS_TRANSPARENT.includes(category));
     if (!marks[0].shape.isLit) paintAxes(mesh.geometry, this.scene.colors);
     const array = /** @type {Float32Array} */ (mesh.instanceMatrix.array);

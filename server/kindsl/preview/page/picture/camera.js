@@ -205,8 +205,8 @@ export class Camera {
     const pose = this.scene.poseOf({ kind, name });
     if (!pose) return [];
     const link = kind === "link" ? this.scene.trees.robot.links.get(name) : undefined;
-    const ends = link ? link.ends.map((/** @type {Vector} */ end) => transformPoint(pose, end)) : [];
-    return [originOf(pose), ...ends];
+    const ends = link ? [...link.ends, ...this.scene.bodies.reach(name)] : [];
+    return [originOf(pose), ...ends.map((end) => transformPoint(pose, end))];
   }
 
   /**

@@ -9,6 +9,11 @@
  * @type {readonly Category[]}
  */
 export const CATEGORIES = [
+  { key: "core", title: "Bodies", kind: "link", pick: 1 },
+  { key: "bone", title: "Bones", kind: "link", pick: 1 },
+  { key: "drum", title: "Joints of bodies", kind: "joint", pick: 1 },
+  { key: "doubtful", title: "Doubtful bodies", kind: "link", pick: 2, swatch: "stripes" },
+  { key: "impossible", title: "Impossible bodies", kind: "link", pick: 2, swatch: "stripes" },
   { key: "body", title: "Links", kind: "link", pick: 1 },
   { key: "base", title: "Base", kind: "link", pick: 1 },
   { key: "revolute", title: "Revolute joints", kind: "joint", pick: 0 },

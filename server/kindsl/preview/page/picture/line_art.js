@@ -1,5 +1,6 @@
 // Thin lines that turn with the view: each inertia ellipsoid's outline and three circles, and X Y Z at the frames' axes.
-import { transformPoint } from "./kinematics.js";
+import { IDENTITY, transformPoint } from "./kinematics.js";
+import { silhouette } from "./shapes.js";
 
 /** @import { Group, Matrix, Vector } from "../base/types.js" */
 /** @import { Scene } from "./scene.js" */
@@ -47,12 +48,36 @@ export class LineArt {
     scene.viewer.scene.updateMatrixWorld();
     this.#toBase = new Matrix4().copy(scene.viewer.scene.matrixWorld).invert();
     this.#eye = new Vector3().setFromMatrixPosition(camera.matrixWorld).applyMatrix4(this.#toBase);
-    this.drawEllipsoids();
+    this.drawEdges();
     this.drawLetters();
   }
 
-  drawEllipsoids() {
-    const { visible } = this.scene.lookOf("inertia"), circles = new Strokes(), outlines = new Strokes();
+  drawEdges() {
+    const circles = new Strokes(), outlines = new Strokes();
+    this.drawEllipsoids(circles, outlines);
+    this.drawSilhouettes(outlines);
+    fill(this.circles, circles, 0.55);
+    fill(this.outlines, outlines, 1);
+  }
+
+  // The edges of judged bodies: their stripes have none.
+  /** @param {Strokes} outlines */
+  drawSilhouettes(outlines) {
+    const { scene } = this, matrix = new Matrix4(), color = new Color();
+    for (const piece of scene.bodies.judged()) {
+      matrix.fromArray([...scene.poses[piece.tree].links.get(piece.name) ?? IDENTITY]);
+      const { x, y, z } = this.#eye.clone().applyMatrix4(matrix.clone().invert());
+      color.setHex(scene.colors[scene.isLit(piece) ? "highlight" : piece.category]);
+      for (const edge of silhouette(piece.mesh, [x, y, z])) {
+        const [from, to] = edge.map((end) => new Vector3(...end).applyMatrix4(matrix));
+        outlines.add(from, to, color);
+      }
+    }
+  }
+
+  /** @param {Strokes} circles @param {Strokes} outlines */
+  drawEllipsoids(circles, outlines) {
+    const { visible } = this.scene.lookOf("inertia");
     const matrix = new Matrix4(), color = new Color();
     for (const mark of visible ? this.scene.marks.values() : []) {
       if (mark.category !== "inertia" || this.scene.hidden.hides(mark)) continue;
@@ -62,8 +87,6 @@ export class LineArt {
       for (const axis of [0, 1, 2]) circles.ring(matrix, axis, color);
       outlines.ring(contour(matrix, this.#eye), 2, color);
     }
-    fill(this.circles, circles, 0.55);
-    fill(this.outlines, outlines, 1);
   }
 
   drawLetters() {

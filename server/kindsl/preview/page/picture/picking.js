@@ -1,6 +1,7 @@
 // What is under the mouse: hovering names it, a click reveals it in the source.
 
 import { make } from "../base/elements.js";
+import { fromThree } from "./camera.js";
 
 /** @import { Actions, Mark, Thing } from "../base/types.js" */
 /** @import { Scene } from "./scene.js" */
@@ -46,7 +47,10 @@ export class Picking {
     this.tip.hidden = !found;
     this.canvas.style.cursor = found ? "pointer" : "";
     if (!found || !event) return;
-    this.tip.textContent = `${found.kind} ${found.name}`;
+    const doubts = found.kind === "link" ? this.scene.trees.robot.solids.get(found.name)?.doubts ?? [] : [];
+    this.tip.replaceChildren(
+      make("div", "", `${found.kind} ${found.name}`),
+      ...doubts.map(({ code, sentence }) => make("div", "doubt", `${sentence} (${code})`)));
     this.tip.style.transform = `translate(${event.offsetX + 14}px, ${event.offsetY + 14}px)`;
   }
 
@@ -80,7 +84,16 @@ export class Picking {
       const owner = this.scene.owner(mark);
       if (owner) hits.push({ ...owner, distance });
     }
+    for (const { piece, distance } of this.bodyHits(ray.ray)) {
+      const owner = this.scene.owner(piece);
+      if (owner) hits.push({ ...owner, distance });
+    }
     hits.sort((a, b) => a.pick - b.pick || a.distance - b.distance);
     return hits[0] || null;
+  }
+
+  /** @param {THREE.Ray} ray In three.js' world. */
+  bodyHits({ origin, direction }) {
+    return this.scene.bodies.hits(fromThree(origin), fromThree(direction));
   }
 }

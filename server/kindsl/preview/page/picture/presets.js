@@ -5,27 +5,30 @@
 /** @typedef {Readonly<Record<string, number | "few">>} Opacities */
 
 /** @type {Opacities} */
-const COMMON = { body: 1, base: 1, revolute: 1, prismatic: 1, ghost: 0.3, ground: 1, "link-names": 1 };
+const COMMON = { ghost: 0.3, ground: 1, "link-names": 1 };
+/** @type {Opacities} */
+const RODS = { body: 1, base: 1, revolute: 1, prismatic: 1 };
 /**
  * The opacity of what is shown beside the common things.
  * @type {Readonly<Record<string, Opacities>>}
  */
 const PRESETS = {
-  Kinematics: { axis: 1, "optional-frame": "few", "frame-names": "few" },
+  Bodies: { core: 1, bone: 1, drum: 1, doubtful: 1, impossible: 1 },
+  Kinematics: { ...RODS, axis: 1, "optional-frame": "few", "frame-names": "few" },
   Inertia: { body: 0.3, base: 0.3, revolute: 0.35, prismatic: 0.35, com: 1, "robot-com": 1, inertia: 0.13 },
   Frames: {
     body: 0.25, base: 0.25, revolute: 0.3, prismatic: 0.3, "link-frame": 1, "joint-frame": 0.85, "optional-frame": 1,
     "joint-names": 1, "frame-names": 1,
   },
   All: {
-    body: 0.62, base: 0.75, axis: 1, "link-frame": 1, "joint-frame": 0.55, "optional-frame": 1, com: 1, "robot-com": 1,
+    ...RODS, body: 0.62, base: 0.75, axis: 1, "link-frame": 1, "joint-frame": 0.55, "optional-frame": 1, com: 1, "robot-com": 1,
     inertia: 0.13, "joint-names": 1, "frame-names": 1,
   },
 };
 /** @type {Readonly<Record<string, number>>} */
 const USUAL = { com: 1, inertia: 0.13, "joint-frame": 0.85 }; // opacities of what a preset leaves out
 const FEW = 8; // optional frames
-export const FIRST_PRESET = "Kinematics";
+export const FIRST_PRESET = "Bodies";
 
 export class Presets {
   name = FIRST_PRESET;

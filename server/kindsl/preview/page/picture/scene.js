@@ -1,5 +1,6 @@
 // The scene: applies the server's messages and places everything by forward kinematics.
 import { Batches } from "./batches.js";
+import { Bodies } from "./bodies.js";
 import { CATEGORIES, CATEGORY_OF, parsePath } from "./categories.js";
 import { Hidden } from "./hidden.js";
 import { centerOfMass, forwardKinematics, gravityTorques } from "./kinematics.js";
@@ -12,7 +13,7 @@ import { placeMark } from "./places.js";
 /** What has changed: the type of a message, or what the page itself shows otherwise. */
 /** @typedef {Part["type"] | "view" | "motion" | "colors" | "highlight"} News */
 
-const LIT = new Set(["body", "base", "revolute", "prismatic", "axis", "optional-frame"]);
+const LIT = new Set(["core", "bone", "drum", "doubtful", "impossible", "body", "base", "revolute", "prismatic", "axis", "optional-frame"]);
 
 // Stands where the viewer wants a folder of its own control panel, which we do not show and whose
 // cost grows with the square of the nodes.
@@ -24,8 +25,8 @@ class NoFolder {
   remove() {}
 }
 
-/** @returns {Record<"links" | "joints" | "frames", Map<string, any>>} */
-const noThings = () => ({ links: new Map(), joints: new Map(), frames: new Map() });
+/** @returns {Record<"links" | "joints" | "frames" | "solids", Map<string, any>>} */
+const noThings = () => ({ links: new Map(), joints: new Map(), frames: new Map(), solids: new Map() });
 
 /** @type {Look} */
 const SHOWN = { visible: true, opacity: 1 };
@@ -36,7 +37,7 @@ export class Scene {
   /** @type {Record<"robot" | "ghost", Poses>} */
   poses = { robot: noThings(), ghost: noThings() };
   /** @type {Omit<ModelMessage, "type" | "path">} */
-  model = { name: "", unit: 0.02, size: 1, center: [0, 0, 0], ground: 0, is_floating: false };
+  model = { name: "", unit: 0.02, size: 1, center: [0, 0, 0], ground: 0, density: 0, is_floating: false };
   /**
    * Where joints stand, by name, radians or metres.
    * @type {Map<string, number>}
@@ -80,6 +81,7 @@ export class Scene {
     this.view = new Map(CATEGORIES.map(({ key }) => [key, SHOWN]));
     viewer.scene_tree.folder = new NoFolder();
     this.marks = new Marks(viewer);
+    this.bodies = new Bodies(this);
     this.batches = new Batches(this);
   }
 
@@ -106,6 +108,7 @@ export class Scene {
     if (message.type === "delete") this.remove(message.path);
     else if (message.type === "set_object" || message.type === "set_transform") this.draw(message);
     else if (message.type === "model") Object.assign(this.model, message);
+    else if (message.type === "solid") this.treeOf(parsePath(message.path).tree)?.solids.set(message.name, message);
     else if (message.type === "link" || message.type === "joint" || message.type === "frame") this.learn(message);
     else if (message.type === "value") this.q.set(message.name, message.value);
     else if (message.type === "limits") this.limits.set(message.name, message);
@@ -126,7 +129,6 @@ export class Scene {
     this.#isTreeNew = true;
   }
 
-  /** @param {string} path */
   /**
    * Put a joint or frame at another place; whether it is there, on that link.
    * @param {Pick<FormulaMessage, "group" | "name" | "link">} which
@@ -137,7 +139,15 @@ export class Scene {
     if (group === "joints" && joint?.predecessor === link) joints.set(name, { ...joint, placement });
     else if (group === "frames" && frame?.link === link) frames.set(name, { ...frame, placement });
     else return false;
+    this.moveBone(name, link, [placement[12], placement[13], placement[14]]);
     return true;
+  }
+
+  /** @param {string} name @param {string} link @param {Vector} end */
+  moveBone(name, link, end) {
+    const { solids } = this.trees.robot, solid = solids.get(link), bones = solid?.bones ?? [];
+    if (!solid || !bones.some((bone) => bone.name === name)) return;
+    solids.set(link, { ...solid, bones: bones.map((bone) => (bone.name === name ? { name, end } : bone)) });
   }
 
   /** @param {string} path */
@@ -173,8 +183,9 @@ export class Scene {
     else if (tree === "limits") this.limits.delete(decodeURIComponent(group));
     const things = this.treeOf(tree);
     if (!things) return;
+    if (category === "solid") things.solids.delete(name);
     for (const [key, map] of Object.entries(things)) {
-      if (group && group !== key) continue;
+      if (group && group !== (key === "solids" ? "links" : key)) continue;
       if (!name) map.clear();
       else if (!category) map.delete(name);
     }
@@ -193,6 +204,7 @@ export class Scene {
     this.com = centerOfMass(robot, poses.robot, model.is_floating);
     this.torques = gravityTorques(robot, poses.robot);
     this.largestTorque = Math.max(1e-9, ...[...this.torques.values()].map(Math.abs));
+    this.bodies.update();
     this.batches.update();
   }
 
@@ -226,7 +238,7 @@ export class Scene {
 
   /**
    * Whether a piece of a body reaches to a place that is a guess.
-   * @param {Mark} mark
+   * @param {Pick<Mark, "tree" | "part">} mark
    */
   isGuess({ tree, part }) {
     const dash = part.indexOf("-");
@@ -236,7 +248,7 @@ export class Scene {
     return Boolean(thing?.is_guess);
   }
 
-  /** @param {Mark} mark */
+  /** @param {Pick<Mark, "tree" | "group" | "name" | "category">} mark */
   isLit({ tree, group, name, category }) {
     const chosen = this.highlighted;
     return chosen !== null && LIT.has(category) && tree === "robot" && group === `${chosen.kind}s` && name === chosen.name;
@@ -253,7 +265,7 @@ export class Scene {
 
   /**
    * What a mark belongs to, and how much it matters to a click on it; null for nothing.
-   * @param {Mark} mark
+   * @param {Pick<Mark, "tree" | "group" | "name" | "category">} mark
    */
   owner(mark) {
     const category = CATEGORY_OF.get(mark.category);

@@ -1,0 +1,107 @@
+// What a link and its joint are made of as bodies: the solid with its inertia, bones, a drum at the joint.
+import { blockMesh, capsuleMesh, coreMesh, drumMesh, icosphere } from "./shapes.js";
+
+/** @import { Group, Vector } from "../base/types.js" */
+/** @import { Core, JointMessage, SolidMessage } from "../messages.js" */
+/** @import { Mesh, Sphere } from "./shapes.js" */
+/** @typedef {"core" | "bone" | "drum" | "doubtful" | "impossible"} Category */
+
+/**
+ * @typedef {object} Piece
+ * @property {"robot" | "ghost"} tree
+ * @property {Category} category
+ * @property {Group} group Of what carries it.
+ * @property {string} name
+ * @property {string} part What it reaches to, after a dash.
+ * @property {SolidMessage} solid
+ * @property {Mesh} mesh In the coordinates of what carries it.
+ * @property {string} kind Of the joint that it is part of, else empty.
+ * @property {boolean} isRail Whether it is as long as the joint has slid; it is made for 1 m.
+ * @property {readonly number[]} ball Its middle and radius, metres.
+ */
+/** @typedef {Omit<Piece, "ball">} Made */
+
+const RAIL = 0.5, BLOCK = 1.6, DRUM = 1.25; // of a drum's radius: a rail's radius, half a block's length, half a drum's
+const SLAB = [3.5, 0.5]; // radii of the bodies: half a fixed base's slab is wide, and high
+
+/** @type {Map<number, Sphere>} */
+const SPHERES = new Map();
+/** @param {number} cuts @returns {Sphere} */
+function sphere(cuts) {
+  const known = SPHERES.get(cuts) ?? icosphere(cuts);
+  SPHERES.set(cuts, known);
+  return known;
+}
+
+/**
+ * What a solid is called.
+ * @param {Core} core
+ */
+export function shapeOf({ semi_axes: halves, exponents: [e1, e2] }) {
+  const [short, middle, long] = [...halves].sort((a, b) => a - b);
+  if (short > 0.8 * long && Math.min(e1, e2) > 0.5) return "ball";
+  if (long > 3 * middle) return "rod";
+  return middle > 3 * short ? "plate" : "block";
+}
+
+/**
+ * How finely so many links are drawn.
+ * @param {number} links
+ */
+export const fineness = (links) => (links > 120 ? 1 : links > 30 ? 2 : 3);
+
+/**
+ * The pieces of a link's body.
+ * @param {SolidMessage} solid
+ * @param {"robot" | "ghost"} tree
+ * @param {JointMessage | undefined} joint That supports it.
+ * @param {number} fine
+ * @param {number} slab Half the height of what a fixed base stands on, metres; 0 for nothing.
+ * @returns {Piece[]}
+ */
+export function piecesOf(solid, tree, joint, fine, slab) {
+  const coarse = sphere(Math.max(1, fine - 1));
+  /** @type {(category: Category, part: string, mesh: Mesh) => Made} */
+  const own = (category, part, mesh) => ({ tree, category, group: "links", name: solid.name, part, solid, mesh, kind: "", isRail: false });
+  const pieces = [...bones(solid, coarse).map(([part, mesh]) => own("bone", part, mesh)), ...(joint ? drums(solid, tree, joint) : [])];
+  if (solid.core) {
+    const { look } = solid, category = look === "doubtful" || look === "impossible" ? look : "core";
+    pieces.push(own(category, "core", coreMesh(solid.core, sphere(fine))));
+  } else if (slab) pieces.push(own("bone", "slab", blockMesh((SLAB[0] / SLAB[1]) * slab, -slab, slab)));
+  return pieces.map((piece) => ({ ...piece, ball: ballOf(piece.mesh) }));
+}
+
+/** @param {SolidMessage} solid @param {Sphere} coarse @returns {[string, Mesh][]} */
+function bones({ bones: rods, radius, strut }, coarse) {
+  /** @type {Vector} */
+  const origin = [0, 0, 0];
+  /** @type {[string, Mesh][]} */
+  const made = rods.map(({ name, end }) => [`bone-${encodeURIComponent(name)}`, capsuleMesh(origin, end, radius, coarse)]);
+  if (!rods.length) made.push(["ball", capsuleMesh(origin, origin, radius, coarse)]);
+  if (strut.length) made.push(["strut", capsuleMesh(strut[0], strut[1], radius, coarse)]);
+  return made;
+}
+
+/** @param {SolidMessage} solid @param {"robot" | "ghost"} tree @param {JointMessage} joint @returns {Made[]} */
+function drums(solid, tree, { name, kind }) {
+  const { drum: radius } = solid, shared = /** @type {const} */ ({ tree, category: "drum", group: "joints", name, solid, kind });
+  if (kind === "revolute") return [{ ...shared, part: "drum", mesh: drumMesh(radius, -DRUM * radius, DRUM * radius), isRail: false }];
+  return [
+    { ...shared, part: "block", mesh: blockMesh(radius, -BLOCK * radius, BLOCK * radius), isRail: false },
+    { ...shared, part: "rail", mesh: drumMesh(RAIL * radius, 0, 1), isRail: true },
+  ];
+}
+
+/**
+ * A ball around a mesh: its middle, x, y and z, and its radius.
+ * @param {Mesh} mesh
+ */
+function ballOf({ positions }) {
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  positions.forEach((value, i) => {
+    low[i % 3] = Math.min(low[i % 3], value);
+    high[i % 3] = Math.max(high[i % 3], value);
+  });
+  const middle = low.map((value, i) => (value + high[i]) / 2);
+  return [...middle, Math.hypot(...middle.map((value, i) => high[i] - value))];
+}
