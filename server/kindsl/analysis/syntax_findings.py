@@ -10,6 +10,10 @@ from kindsl.semantics.places import Place
 from kindsl.syntax.comment_problems import UNDECODABLE
 from kindsl.syntax.document import SyntaxDocument
 from kindsl.syntax.tree import Island, Problem, Repair
+from kindsl.text.facts import Fact
+
+_REPORT = "KD011"
+_PASTED = Fact[dict[int, Finding]]("findings of pasted passages")
 
 
 def syntax_findings(
@@ -23,7 +27,7 @@ def syntax_findings(
     problems = list(all_problems(document))
     is_read = bool(problems) and targets <= {ROBCOGEN2} and _is_read_by_robcogen2(model)
     for island, problem in problems:
-        finding = _finding(island, problem)
+        finding = _pasted(island, problem) or _finding(island, problem)
         if (targets == {ROBCOGEN} and _is_foreign_comment(island, problem)) or (
             targets == {ROBCOGEN2} and _is_foreign_number(island, problem)
         ):
@@ -31,6 +35,19 @@ def syntax_findings(
         elif is_read:
             finding = finding._replace(severity=Severity.WARNING)
         yield rules[problem.code], finding
+
+
+def _pasted(island: Island, problem: Problem) -> Finding | None:
+    """Return the finding of a passage of another format, read once; None for other problems."""
+    if problem.code != _REPORT:
+        return None
+    from kindsl.rules.pasted_reports import report_finding
+
+    at = Place(island, problem.start, problem.end)
+    known = island.facts.get(_PASTED) or island.facts.keep(_PASTED, {})
+    if problem.start not in known:
+        known[problem.start] = report_finding(at)
+    return known[problem.start]
 
 
 def _is_read_by_robcogen2(model: Model) -> bool:

@@ -10,6 +10,7 @@ from kindsl.syntax.characters import without_invalid
 from kindsl.syntax.comment_problems import OPEN_COMMENT
 from kindsl.syntax.habits.table import adapted
 from kindsl.syntax.meaning import meaning_problems
+from kindsl.syntax.passages import Foreign, Passage, foreign_passages
 from kindsl.syntax.recovery.island import recover
 from kindsl.syntax.scanner import BAD
 from kindsl.syntax.tables import PUNCTUATION
@@ -34,7 +35,8 @@ def mended(
         spans: Its comments.
         about_comments: What is wrong in them.
     """
-    tokens = tokens_as_meant(text, tokens, spans)
+    passages = foreign_passages(text)
+    tokens = tokens_as_meant(text, _outside(tokens, passages), spans)
     if len(tokens) > _MOST_TOKENS:
         tokens = _shortened(text, tokens)
     good, invalid, problems = without_invalid(text, tokens)
@@ -42,16 +44,39 @@ def mended(
     is_cut = any(problem.code == OPEN_COMMENT for problem in about_comments)
     recovered = recover(text, usual.tokens, is_cut=is_cut)
     written, skipped = recovered.tokens, recovered.skipped
-    invalid += usual.skipped
+    foreign = [_foreign(text, passage) for passage in passages]
+    invalid += [*usual.skipped, *foreign]
     if invalid:
         written = tuple(sorted((*written, *invalid), key=lambda t: (t.start, t.end)))
         skipped = (*skipped, *invalid)
-    touched = touched_nodes(recovered.nodes, recovered.skipped)
+    touched = touched_nodes(recovered.nodes, [*recovered.skipped, *foreign])
     said = [*problems, *usual.problems, *recovered.problems, *about_comments]
     said += _not_echoing(recovered.leftovers, said, tokens)
     said += _not_explained(meaning_problems(text, recovered.nodes, touched), said)
+    said = [problem for problem in said if not _is_within(problem.start, passages)]
+    said += map(_taken_over, passages)
     said.sort(key=lambda problem: problem.start)
     return Island(text, recovered.nodes, _with_leads(written), skipped, spans, tuple(said))
+
+
+def _outside(tokens: list[Token], passages: Sequence[Passage]) -> list[Token]:
+    return [t for t in tokens if not _is_within(t.start, passages)] if passages else tokens
+
+
+def _is_within(position: int, passages: Sequence[Passage]) -> bool:
+    return any(passage.start <= position < passage.end for passage in passages)
+
+
+def _foreign(text: str, passage: Passage) -> Token:
+    """Return a passage of another format as one token."""
+    return Token(BAD, text[passage.start : passage.end], 0, passage.start, passage.end)
+
+
+def _taken_over(passage: Passage) -> Problem:
+    """Return the problem of a passage; who reads what it says words it better."""
+    if passage.kind is Foreign.REPORT:
+        return Problem("KD011", "a report of mass properties", passage.start, passage.end)
+    return Problem("KD001", "an element of URDF", passage.start, passage.end)
 
 
 def _shortened(text: str, tokens: list[Token]) -> list[Token]:

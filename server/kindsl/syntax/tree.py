@@ -121,7 +121,7 @@ class Problem(NamedTuple):
     """Something that is not in the language.
 
     Attributes:
-        code: The rule it is reported under, `KD001` to `KD010`.
+        code: The rule it is reported under, `KD001` to `KD011`.
         message: One sentence, no final period.
         start: Code points from the island's start.
         end: End, exclusive.

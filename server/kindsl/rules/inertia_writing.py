@@ -1,0 +1,105 @@
+"""Changes that give a body the mass properties that a pasted passage has."""
+
+from collections.abc import Iterator
+
+from kindsl.cad.properties import MassProperties
+from kindsl.rules.base import Replacement
+from kindsl.semantics.declarations import Inertia, Link
+from kindsl.semantics.places import Place
+from kindsl.syntax.indentation import indentation
+from kindsl.syntax.tree import Node
+from kindsl.syntax.vocabulary import MOMENTS, words_of
+from kindsl.text.lines import is_first_on_line
+
+_STEP = "    "
+
+
+def body_around(bodies: tuple[Link, ...], at: Place) -> Link | None:
+    """Return the body in whose braces a passage stands."""
+    return next((body for body in bodies if body.start < at.start and at.end <= body.end), None)
+
+
+def inertia_changes(body: Link, found: MassProperties, at: Place) -> tuple[Replacement, ...]:
+    """Return the changes that put mass properties in a passage's place, or in that of the old ones.
+
+    An inertia that is whole keeps its layout and its comments.
+
+    Args:
+        body: What they belong to.
+        found: What to write.
+        at: The passage, of whole lines.
+    """
+    inertia, frame = body.inertia, _frame(body, found)
+    if inertia is not None and _is_whole(inertia) and frame == (inertia.frame or ""):
+        return (without_lines(at), *_values(inertia, found))
+    indent = _indent(body)
+    keyword = next(inertia.node.tokens()).text if inertia is not None else words_of("inertia")[0]
+    block = _with_newlines(body, found.block(keyword, indent, frame))
+    if inertia is None:
+        return _inserted(body, indent + block, at)
+    old = Replacement(Place(body.island, inertia.start, inertia.end), block)
+    is_inside = inertia.start <= at.start and at.end <= inertia.end
+    return (old,) if is_inside else (without_lines(at), old)
+
+
+def without_lines(at: Place) -> Replacement:
+    """Return the change that removes the lines of a passage."""
+    text = at.island.text
+    start, end = _line_start(text, at.start), at.end
+    while end < len(text) and text[end] in " \t\r":
+        end += 1
+    return Replacement(Place(at.island, start, min(end + 1, len(text))), "")
+
+
+def _frame(body: Link, found: MassProperties) -> str:
+    """Return the body's frame that the numbers are in: the one named there, or that of before."""
+    if found.system in {str(frame.name) for frame in body.frames}:
+        return found.system
+    return str(body.inertia.frame or "") if body.inertia is not None else ""
+
+
+def _is_whole(inertia: Inertia) -> bool:
+    com = inertia.com
+    values = [inertia.mass, *inertia.moments.values(), *(com.components if com else ())]
+    is_written = all(value is not None and value.start < value.end for value in values)
+    return is_written and com is not None and len(inertia.moments) == len(MOMENTS)
+
+
+def _values(inertia: Inertia, found: MassProperties) -> Iterator[Replacement]:
+    assert inertia.mass is not None and inertia.com is not None
+    texts = (found.mass, *found.com, *found.moments)
+    moments = (inertia.moments[name] for name in MOMENTS)
+    for value, text in zip((inertia.mass, *inertia.com.components, *moments), texts, strict=True):
+        yield Replacement(Place(inertia.island, value.start, value.end), text)
+
+
+def _inserted(body: Link, block: str, at: Place) -> tuple[Replacement, ...]:
+    """Return what writes a block in a passage's place if that is right, else behind the id."""
+    text = body.island.text
+    sections = [child for child in body.node.children if isinstance(child, Node)]
+    before = [section for section in sections if section.kind == "id"]
+    is_ahead = all(section.end <= at.start for section in before)
+    if is_ahead and all(section in before or at.end <= section.start for section in sections):
+        start = _line_start(text, at.start)
+        return (Replacement(Place(body.island, start, at.end), block),)
+    opening = next(child for child in body.node.children if child.kind == "{")
+    behind = before[0].end if before else opening.end
+    new = Replacement(Place(body.island, behind, behind), _with_newlines(body, f"\n{block}"))
+    return without_lines(at), new
+
+
+def _indent(body: Link) -> str:
+    """Return the blanks before the sections of a body."""
+    text = body.island.text
+    for child in body.node.children:
+        if isinstance(child, Node) and is_first_on_line(text, child.start):
+            return indentation(text, child.start)
+    return indentation(text, body.start) + _STEP
+
+
+def _with_newlines(body: Link, block: str) -> str:
+    return block.replace("\n", "\r\n") if "\r\n" in body.island.text else block
+
+
+def _line_start(text: str, position: int) -> int:
+    return max(text.rfind("\n", 0, position), text.rfind("\r", 0, position)) + 1
