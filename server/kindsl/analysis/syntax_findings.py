@@ -9,6 +9,7 @@ from kindsl.semantics.model import Model
 from kindsl.semantics.places import Place
 from kindsl.syntax.comment_problems import UNDECODABLE
 from kindsl.syntax.document import SyntaxDocument
+from kindsl.syntax.passages import URDF_ELEMENTS
 from kindsl.syntax.tree import Island, Problem, Repair
 from kindsl.text.facts import Fact
 
@@ -27,7 +28,7 @@ def syntax_findings(
     problems = list(all_problems(document))
     is_read = bool(problems) and targets <= {ROBCOGEN2} and _is_read_by_robcogen2(model)
     for island, problem in problems:
-        finding = _pasted(island, problem) or _finding(island, problem)
+        finding = _pasted(model, island, problem) or _finding(island, problem)
         if (targets == {ROBCOGEN} and _is_foreign_comment(island, problem)) or (
             targets == {ROBCOGEN2} and _is_foreign_number(island, problem)
         ):
@@ -37,17 +38,24 @@ def syntax_findings(
         yield rules[problem.code], finding
 
 
-def _pasted(island: Island, problem: Problem) -> Finding | None:
-    """Return the finding of a passage of another format, read once; None for other problems."""
-    if problem.code != _REPORT:
-        return None
+def _pasted(model: Model, island: Island, problem: Problem) -> Finding | None:
+    """Return the finding of a passage of another format, None for other problems."""
+    at = Place(island, problem.start, problem.end)
+    if problem.message == URDF_ELEMENTS:
+        from kindsl.analysis.pasted_urdf import urdf_finding
+
+        return urdf_finding(model, at)
+    return _report(at) if problem.code == _REPORT else None
+
+
+def _report(at: Place) -> Finding:
+    """Return the finding of a report, which is read once."""
     from kindsl.rules.pasted_reports import report_finding
 
-    at = Place(island, problem.start, problem.end)
-    known = island.facts.get(_PASTED) or island.facts.keep(_PASTED, {})
-    if problem.start not in known:
-        known[problem.start] = report_finding(at)
-    return known[problem.start]
+    known = at.island.facts.get(_PASTED) or at.island.facts.keep(_PASTED, {})
+    if at.start not in known:
+        known[at.start] = report_finding(at)
+    return known[at.start]
 
 
 def _is_read_by_robcogen2(model: Model) -> bool:

@@ -1,6 +1,6 @@
 """A robot description as a document of the Kinematics-DSL."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from math import pi
 
@@ -53,7 +53,7 @@ def kindsl_text(robot: RobotDescription) -> str:
         children.setdefault(link.parent, []).append(index)
     indices = range(len(robot.links))
     blocks = [_link(robot, index, children.get(index, []), names) for index in indices]
-    blocks += [_joint(robot.links[index], names.joints[index]) for index in indices[1:]]
+    blocks += [joint_text(robot.links[index], names.joints[index]) for index in indices[1:]]
     head = f"Robot {names.robot} {{"
     return "\n\n".join((head, *blocks)) + "\n}\n"
 
@@ -88,35 +88,56 @@ def _link(robot: RobotDescription, index: int, children: Sequence[int], names: _
     link = robot.links[index]
     if link.parent is None:
         floating = " floating" if robot.is_floating else ""
-        lines = [f"RobotBase {names.links[index]}{floating} {{"]
+        head = [f"RobotBase {names.links[index]}{floating} {{"]
     else:
-        lines = [f"link {names.links[index]} {{", f"    id = {index}"]
+        head = link_head(names.links[index], index)
+    edges = [f"{names.links[child]} via {names.joints[child]}" for child in children]
+    return body_text(head, link, edges, names.frames[index])
+
+
+def link_head(name: str, number: int) -> list[str]:
+    """Return the first lines of a link."""
+    return [f"link {name} {{", f"    id = {number}"]
+
+
+def body_text(
+    head: Sequence[str], link: DescribedLink, edges: Sequence[str], frames: Sequence[str]
+) -> str:
+    """Return the block of a link.
+
+    Args:
+        head: Its first lines.
+        link: Its inertia and its frames.
+        edges: Its children, as `link via joint`.
+        frames: Names of its frames.
+    """
+    lines = list(head)
     if link.body is not None:
-        lines += _inertia(link.body)
-    lines += _children(children, names)
+        lines += ["    inertia_params {", *_inertia(link.body), "    }"]
+    lines += _children(edges)
     if link.frames:
-        lines += ["    frames {", *_frames(link.frames, names.frames[index]), "    }"]
+        lines += ["    frames {", *_frames(link.frames, frames), "    }"]
     return "\n".join((*lines, "}"))
 
 
-def _children(children: Sequence[int], names: _Names) -> list[str]:
-    if not children:
+def _children(edges: Sequence[str]) -> list[str]:
+    if not edges:
         return ["    children {}"]
-    edges = [f"        {names.links[c]} via {names.joints[c]}" for c in children]
-    return ["    children {", *edges, "    }"]
+    return ["    children {", *(f"        {edge}" for edge in edges), "    }"]
 
 
-def _inertia(body: MassDistribution) -> list[str]:
-    """Return mass and moments with 15 digits of the greatest, however small the body."""
+def _inertia(body: MassDistribution) -> Iterator[str]:
+    mass, com, *moments = inertia_texts(body)
+    for name, text in zip(("mass", "CoM", *MOMENTS), (mass, com, *moments), strict=True):
+        yield f"        {name} = {text}"
+
+
+def inertia_texts(body: MassDistribution) -> list[str]:
+    """Return mass, centre of mass and moments with 15 digits of the greatest, however small."""
     decimals = digits_after_point(max(map(abs, body.moments)), _DIGITS)
     moments = (fixed_decimal(moment, decimals) for moment in body.moments)
-    return [
-        "    inertia_params {",
-        f"        mass = {significant_decimal(body.mass, _DIGITS)}",
-        f"        CoM = {_vector(map(_number, body.com))}",
-        *(f"        {name} = {moment}" for name, moment in zip(MOMENTS, moments, strict=True)),
-        "    }",
-    ]
+    mass = significant_decimal(body.mass, _DIGITS)
+    return [mass, _vector(map(_number, body.com)), *moments]
 
 
 def _frames(frames: Iterable[DescribedFrame], names: Iterable[str]) -> Iterable[str]:
@@ -126,7 +147,8 @@ def _frames(frames: Iterable[DescribedFrame], names: Iterable[str]) -> Iterable[
         yield "        }"
 
 
-def _joint(link: DescribedLink, name: str) -> str:
+def joint_text(link: DescribedLink, name: str) -> str:
+    """Return the block of a link's joint."""
     word = "r_joint" if link.joint_kind == "revolute" else "p_joint"
     lines = [f"{word} {name} {{", "    ref_frame {"]
     return "\n".join((*lines, *_pose(link.parent_T_joint, " " * 8), "    }", "}"))

@@ -29,17 +29,42 @@ def inertia_changes(body: Link, found: MassProperties, at: Place) -> tuple[Repla
         found: What to write.
         at: The passage, of whole lines.
     """
-    inertia, frame = body.inertia, _frame(body, found)
-    if inertia is not None and _is_whole(inertia) and frame == (inertia.frame or ""):
-        return (without_lines(at), *_values(inertia, found))
-    indent = _indent(body)
-    keyword = next(inertia.node.tokens()).text if inertia is not None else words_of("inertia")[0]
-    block = _with_newlines(body, found.block(keyword, indent, frame))
+    inertia, sections = body.inertia, _sections(body)
+    ids = [section for section in sections if section.kind == "id"]
+    if inertia is None and all(
+        section.end <= at.start if section in ids else at.end <= section.start
+        for section in sections
+    ):
+        start = _line_start(at.island.text, at.start)
+        return (Replacement(Place(body.island, start, at.end), _block(body, found)),)
+    changes = new_inertia(body, found)
+    if inertia is not None and len(changes) == 1 and inertia.start <= at.start <= inertia.end:
+        return changes
+    return (without_lines(at), *changes)
+
+
+def new_inertia(body: Link, found: MassProperties) -> tuple[Replacement, ...]:
+    """Return the changes that give a body other mass properties, wherever they come from."""
+    inertia = body.inertia
     if inertia is None:
-        return _inserted(body, indent + block, at)
-    old = Replacement(Place(body.island, inertia.start, inertia.end), block)
-    is_inside = inertia.start <= at.start and at.end <= inertia.end
-    return (old,) if is_inside else (without_lines(at), old)
+        ids = [section for section in _sections(body) if section.kind == "id"]
+        behind = ids[0] if ids else next(c for c in body.node.children if c.kind == "{")
+        new = _with_newlines(body, f"\n{_block(body, found)}")
+        return (Replacement(Place(body.island, behind.end, behind.end), new),)
+    if _is_whole(inertia) and _frame(body, found) == (inertia.frame or ""):
+        return tuple(_values(inertia, found))
+    block = _block(body, found).lstrip()
+    return (Replacement(Place(body.island, inertia.start, inertia.end), block),)
+
+
+def _sections(body: Link) -> list[Node]:
+    return [child for child in body.node.children if isinstance(child, Node)]
+
+
+def _block(body: Link, found: MassProperties) -> str:
+    indent, inertia = _indent(body), body.inertia
+    keyword = next(inertia.node.tokens()).text if inertia is not None else words_of("inertia")[0]
+    return _with_newlines(body, indent + found.block(keyword, indent, _frame(body, found)))
 
 
 def without_lines(at: Place) -> Replacement:
@@ -71,21 +96,6 @@ def _values(inertia: Inertia, found: MassProperties) -> Iterator[Replacement]:
     moments = (inertia.moments[name] for name in MOMENTS)
     for value, text in zip((inertia.mass, *inertia.com.components, *moments), texts, strict=True):
         yield Replacement(Place(inertia.island, value.start, value.end), text)
-
-
-def _inserted(body: Link, block: str, at: Place) -> tuple[Replacement, ...]:
-    """Return what writes a block in a passage's place if that is right, else behind the id."""
-    text = body.island.text
-    sections = [child for child in body.node.children if isinstance(child, Node)]
-    before = [section for section in sections if section.kind == "id"]
-    is_ahead = all(section.end <= at.start for section in before)
-    if is_ahead and all(section in before or at.end <= section.start for section in sections):
-        start = _line_start(text, at.start)
-        return (Replacement(Place(body.island, start, at.end), block),)
-    opening = next(child for child in body.node.children if child.kind == "{")
-    behind = before[0].end if before else opening.end
-    new = Replacement(Place(body.island, behind, behind), _with_newlines(body, f"\n{block}"))
-    return without_lines(at), new
 
 
 def _indent(body: Link) -> str:

@@ -10,7 +10,7 @@ from kindsl.syntax.characters import without_invalid
 from kindsl.syntax.comment_problems import OPEN_COMMENT
 from kindsl.syntax.habits.table import adapted
 from kindsl.syntax.meaning import meaning_problems
-from kindsl.syntax.passages import Foreign, Passage, foreign_passages
+from kindsl.syntax.passages import URDF_ELEMENTS, Foreign, Passage, foreign_passages
 from kindsl.syntax.recovery.island import recover
 from kindsl.syntax.scanner import BAD
 from kindsl.syntax.tables import PUNCTUATION
@@ -76,7 +76,7 @@ def _taken_over(passage: Passage) -> Problem:
     """Return the problem of a passage; who reads what it says words it better."""
     if passage.kind is Foreign.REPORT:
         return Problem("KD011", "a report of mass properties", passage.start, passage.end)
-    return Problem("KD001", "an element of URDF", passage.start, passage.end)
+    return Problem("KD001", URDF_ELEMENTS, passage.start, passage.end)
 
 
 def _shortened(text: str, tokens: list[Token]) -> list[Token]:

@@ -39,6 +39,9 @@ _FIRST = re.compile(r"^[ \t]*<(?:link|joint|inertial|robot|\?xml|!--)(?=[\s>/-])
 _OF_URDF = re.compile(r"<(?:link|joint|inertial)\b")
 
 
+URDF_ELEMENTS = "elements of URDF"
+
+
 class Foreign(StrEnum):
     """What a passage is of."""
 
