@@ -262,7 +262,7 @@ def test_paths_alone_mean_what_the_parser_says() -> None:
 def test_repeated_findings_are_told_as_one(kdsl_lint: Runner, folder: Path) -> None:
     text = arm(reach="1e-7").replace("(0.0, 0.0, 0.5)", "(1e-7, 2.5e-7, 0.5)")
     (folder / "a.kindsl").write_text(text)
-    many = ("--select", "KD507", "a.kindsl")
+    many = ("--select", "KD507", "--target", "robcogen2", "a.kindsl")
     told = kdsl_lint(*many)
     assert told.out.count("[KD507]") == 1
     assert told.out.endswith("  and 2 more like it in lines 18, 21 (--verbose lists them)\n")
@@ -276,7 +276,7 @@ def test_two_of_a_kind_and_unlike_errors_are_told_one_by_one(
     kdsl_lint: Runner, folder: Path
 ) -> None:
     (folder / "a.kindsl").write_text(arm().replace("(0.0, 0.0, 0.5)", "(1e-7, 0.0, 0.5)"))
-    assert kdsl_lint("--select", "KD507").out.count("[KD507]") == 2
+    assert kdsl_lint("--select", "KD507", "--target", "robcogen2").out.count("[KD507]") == 2
     text = GOOD.replace("p_joint elbow {", "p_joint elbow { }").replace("id = 2", "id == 2")
     (folder / "a.kindsl").write_text(text.replace("mass = 1.0", "mass 1.0"))
     told = kdsl_lint()

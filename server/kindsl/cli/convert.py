@@ -26,6 +26,7 @@ from kindsl.cli.documents.sources import STDIN, reason
 from kindsl.cli.documents.writing import write_output
 from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import Failure, as_failures
+from kindsl.cli.output.notes import rendered_notes
 from kindsl.config.configuration import ConfigurationError
 from kindsl.interchange.format import (
     Format,
@@ -38,7 +39,6 @@ from kindsl.interchange.format import (
 )
 from kindsl.interchange.registry import all_formats, format_named, format_of_suffix
 from kindsl.text.phrases import alternatives, counted
-from kindsl.text.printable import printable
 from kindsl.text.regular import require_regular
 
 if TYPE_CHECKING:
@@ -88,6 +88,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="write revolute joints without limits as continuous",
     )
     add("--no-config", action="store_true", help="write no kindsl.toml with limits of joints")
+    add("-v", "--verbose", action="store_true", help="report each thing that was dropped")
     add("-q", "--quiet", action="store_true", help="do not report what was dropped")
     add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
 
@@ -107,9 +108,9 @@ def run(args: argparse.Namespace) -> int:
     except ConfigurationError as error:
         return CommandError(as_failures(error)).tell()
     if not args.quiet:
-        name = shown_name(args.input)
-        notes = "".join(f"{name}: note: {printable(r)}\n" for r in (*remarks, *told))
-        write(sys.stderr, notes)
+        notes = (*remarks, *told)
+        shown = rendered_notes(shown_name(args.input), notes, is_verbose=args.verbose)
+        write(sys.stderr, shown)
     return 0
 
 

@@ -1,5 +1,6 @@
 """URDF to a robot description."""
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -14,6 +15,7 @@ from kindsl.interchange.rigid_links import (
     fixed_remarks,
     root_remarks,
 )
+from kindsl.interchange.robot_description import RobotDescription
 from kindsl.interchange.urdf.checking import Remarkable, UrdfError, checked, numbers_of, rotation_of
 from kindsl.rigid.body import MassDistribution, Symmetric
 from kindsl.rigid.pose import IDENTITY, RigidPose, Vector3, pose_from_fixed_axes
@@ -28,6 +30,8 @@ _KINDS: dict[str, LinkJoint] = {
     "prismatic": "prismatic",
     "fixed": "fixed",
 }
+_WORLD = "world"
+_OF_LEGS = re.compile(r"(?<![a-z])(foot|feet|leg|ankle|knee|thigh|calf|shank|toe)(?![a-z])", re.I)
 _X, _Z = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
 
 
@@ -72,10 +76,20 @@ def robot_of_urdf(text: bytes | str, name: str, *, floating: bool = False) -> Re
     base: BaseKind = "floating" if floating else "fixed"
     read = described(robot.get("name") or name, base, links)
     roots = (*lost, *root_remarks(links[0], base))
-    remarks = (*_remarks(remarkable), *roots, *fixed_remarks(links, "link"))
+    legs = _legged_remarks(read) if base == "fixed" and root != _WORLD else ()
+    remarks = (*_remarks(remarkable), *roots, *legs, *fixed_remarks(links, "link"))
     moving = (joint for joint in joints if joint.get("type") not in ("fixed", "floating"))
     told = {str(joint.get("name")): _properties(joint) for joint in moving}
     return ReadRobot(read, remarks, {name: own for name, own in told.items() if own != UNTOLD})
+
+
+def _legged_remarks(robot: RobotDescription) -> Iterator[str]:
+    """Yield that a robot may float: one with legs, whose base weighs something."""
+    names = (name for link in robot.links for name in (link.name, link.joint))
+    body = robot.links[0].body
+    if body is not None and body.mass and any(map(_OF_LEGS.search, names)):
+        base = f"the base '{robot.links[0].name}' is fixed, and its mass without effect"
+        yield f"{base}: for a robot on legs, use --floating-base"
 
 
 def _properties(joint: Any) -> JointProperties:

@@ -2,7 +2,7 @@
 
 ## What it does
 Reports `1.5708`, `3.14159`, `-0.785` and the like in a rotation, where the digits written are
-those of a fraction of pi.
+those of a fraction of pi. Off by default: a number is not wrong.
 
 ## Why is this bad?
 A right angle of 1.57 is not right: over an arm of one metre 0.0008 rad are 0.8 mm, and zeros of
@@ -54,6 +54,7 @@ RULE = Rule(
     "literal-pi",
     Severity.HINT,
     check_island=check_island,
+    is_default=False,
     good=(joint("elbow", rotation="PI/2.0, 1.5, 1.6"),),
     bad=(
         Example(pitched_joint("1.5708"), fixed=pitched_joint("PI/2.0")),

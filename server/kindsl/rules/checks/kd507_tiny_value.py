@@ -1,8 +1,8 @@
 """A value so small that RobCoGen2 treats it as zero.
 
 ## What it does
-Reports a value other than zero below 0.000005, once for each link or joint, unless the document is
-for robcogen alone. A product of inertia ten thousand times smaller than the link's moments does
+Reports a value other than zero below 0.000005, once for each link or joint, where RobCoGen2 is a
+target. A product of inertia ten thousand times smaller than the link's moments does
 not matter either way and is not reported.
 
 ## Why is this bad?
@@ -17,8 +17,8 @@ Ixy = 0.000003
 
 from collections.abc import Iterable, Iterator
 
-from kindsl.rules.base import Finding, Rule, Severity
-from kindsl.rules.context import ROBCOGEN, Context
+from kindsl.rules.base import Example, Finding, Rule, Severity
+from kindsl.rules.context import ROBCOGEN2, Context
 from kindsl.rules.examples import STEEL_BALL, link
 from kindsl.rules.tiny_values import is_negligible, is_tiny
 from kindsl.semantics.declarations import Declarations, Link, link_values, pose_values
@@ -29,7 +29,7 @@ from kindsl.text.phrases import counted
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
     """Yield a finding for each block with values that RobCoGen2 treats as zero."""
-    if context.targets == {ROBCOGEN}:
+    if ROBCOGEN2 not in context.targets:
         return
     for body in declared.bodies():
         tiny = _tiny(value for value, _ in link_values(body))
@@ -67,5 +67,5 @@ RULE = Rule(
     Severity.WARNING,
     check_island=check_island,
     good=(_ball("0.000006"),),
-    bad=(_ball("0.000003"), _ball("-0.000001")),
+    bad=tuple(Example(_ball(product), (ROBCOGEN2,)) for product in ("0.000003", "-0.000001")),
 )

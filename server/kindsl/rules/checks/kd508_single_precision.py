@@ -1,8 +1,8 @@
 """Numbers have more digits than RobCoGen keeps.
 
 ## What it does
-Reports the first number of a block with more than nine significant digits, unless the document is
-for the target robcogen2 alone.
+Reports the first number with more than nine significant digits, and how many there are, unless the
+document is for the target robcogen2 alone.
 
 ## Why is this bad?
 RobCoGen reads numbers in single precision, which nine digits determine completely; it keeps seven.
@@ -20,28 +20,38 @@ from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.context import ROBCOGEN2, Context
 from kindsl.rules.examples import STEEL_BALL, link
 from kindsl.rules.number_writing import significant_digits
-from kindsl.semantics.declarations import Declarations, link_values, pose_values
+from kindsl.semantics.declarations import link_values, pose_values
 from kindsl.semantics.expressions import Expression
+from kindsl.semantics.lowering import declarations
+from kindsl.semantics.model import Model
+from kindsl.syntax.tree import Island
+from kindsl.text.facts import Fact
 from kindsl.text.phrases import counted
 
 _KEPT = 9
+_LONG = Fact[tuple[Expression, ...]]("numbers of too many digits")
 
 
-def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each block with numbers of too many digits."""
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield one finding for all the numbers of a document that have too many digits."""
     if context.targets == {ROBCOGEN2}:
         return
-    for body in declared.bodies():
-        yield from _findings([value for value, _ in link_values(body) if _is_long(value)])
-    for moved in declared.joints:
-        yield from _findings([value for value, _ in pose_values(moved.pose) if _is_long(value)])
-
-
-def _findings(long: list[Expression]) -> Iterator[Finding]:
+    long = [value for island in model.islands for value in _long_values(island)]
     if long:
         more = counted(len(long) - 1, "more number")
         others = f" and {more} here have" if len(long) > 1 else " has"
         yield Finding(long[0], f"{long[0].text}{others} more digits than robcogen keeps")
+
+
+def _long_values(island: Island) -> tuple[Expression, ...]:
+    """Return the numbers of an island that have too many digits; looked for once in its life."""
+    known = island.facts.get(_LONG)
+    if known is None:
+        declared = declarations(island)
+        values = [value for body in declared.bodies() for value, _ in link_values(body)]
+        values += [value for moved in declared.joints for value, _ in pose_values(moved.pose)]
+        known = island.facts.keep(_LONG, tuple(filter(_is_long, values)))
+    return known
 
 
 def _is_long(value: Expression) -> bool:
@@ -59,7 +69,7 @@ RULE = Rule(
     "KD508",
     "single-precision",
     Severity.HINT,
-    check_island=check_island,
+    check_document=check_document,
     good=(_ball("4.10000001"),),
     bad=(_ball("4.100000000012"),),
 )
