@@ -6,6 +6,7 @@ import { selectInterpreter } from "./interpreterChoice";
 import { FrameScreen, previewAddress } from "./frameScreen";
 import type { Home } from "./launch";
 import { onSelectionChange } from "./msPython";
+import { registerPasting } from "./pasting";
 import { Previews } from "./preview";
 import { report, type Problem } from "./problems";
 import { Server } from "./server";
@@ -40,6 +41,7 @@ export function activate(context: vscode.ExtensionContext): Api {
   context.subscriptions.push(
     registerTasks(context, own),
     ...registerCommands(own, previews, log, desktopCommands(context, own, previews, log)),
+    ...registerPasting(own),
     ...restartOnChange(own),
   );
   void followPythonExtension(context, own);

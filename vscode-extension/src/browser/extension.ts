@@ -1,6 +1,7 @@
 // The extension where there is no process to start: the same server in a worker, the same page in the panel.
 import * as vscode from "vscode";
 import { registerCommands } from "../commands";
+import { registerPasting } from "../pasting";
 import { Previews } from "../preview";
 import { StatusItems } from "../status";
 import { KinematicTree } from "../tree";
@@ -19,7 +20,7 @@ export function activate(context: vscode.ExtensionContext): void {
   const previews = new Previews(context.extensionUri, own, (panel) => new PageScreen(panel, own, page));
   const status = new StatusItems(own);
   context.subscriptions.push(log, own, previews, status, new KinematicTree(own));
-  context.subscriptions.push(...registerCommands(own, previews, log));
+  context.subscriptions.push(...registerCommands(own, previews, log), ...registerPasting(own));
   void own.restart();
 }
 
