@@ -114,10 +114,6 @@ XML = '<robot name="Arm"><link name="upper"/></robot>'
 @pytest.mark.parametrize(
     ("name", "text", "what"),
     [
-        ("arm.urdf", XML, "is URDF"),
-        ("arm.SDF", XML, "is SDF"),
-        ("arm.xml", ARM, "is MJCF"),
-        ("arm.xacro", XML, "is xacro"),
         ("arm.kindsl", f"\ufeff \n{XML}", "is XML"),
         ("arm", XML, "is XML"),
         ("-", XML, "is XML"),
@@ -137,11 +133,11 @@ def test_another_format_is_not_read_as_ours(
     assert told.err.count("\n") == 1
 
 
-def test_a_folder_is_no_document(kindsl: Runner, folder: Path) -> None:
+def test_a_folder_without_generated_code_is_no_description(kindsl: Runner, folder: Path) -> None:
     (folder / "own.kindsl").write_text(ARM % ("2.0", "0.5", "0.3"))
     (folder / "code").mkdir()
     told = kindsl("diff", "own.kindsl", "code")
-    assert (told.status, told.err) == (2, "code: error: is a folder, not a file\n")
+    assert (told.status, told.err) == (2, "code: error: is a folder without generated code\n")
 
 
 def test_a_centre_of_mass_that_stays_in_the_base_has_not_moved(

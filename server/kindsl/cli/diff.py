@@ -1,7 +1,12 @@
-"""Compares two documents mechanically, for reviews.
+"""Compares two descriptions of a robot mechanically.
 
-Broken documents and parameters without values leave out what depends on them, which is reported.
-/dev/null stands for a document that is not there, as git has it for new and deleted files.
+Two documents are compared for reviews: names, frames and signs count. Broken documents and
+parameters without values leave out what depends on them, which is reported. /dev/null stands for a
+document that is not there, as git has it for new and deleted files.
+
+With --mechanics, and always where one of both is of another format (.urdf, .xacro, .xml, .mjcf,
+.sdf) or a folder of generated code, only the mechanics count: what moves where and what weighs
+what, within the digits written. Exit status 0: equal; 1: different; 2: one cannot be read.
 """
 
 import argparse
@@ -12,6 +17,7 @@ from typing import TYPE_CHECKING
 
 from kindsl.cli.console import write
 from kindsl.cli.documents.choices import choices_of
+from kindsl.cli.documents.compared_robots import is_foreign, read_robots
 from kindsl.cli.documents.document_reading import (
     CommandError,
     shown_name,
@@ -28,7 +34,7 @@ if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis
     from kindsl.comparison.difference import Difference
 
-SUMMARY = "report mechanical changes between two documents"
+SUMMARY = "report mechanical differences of two robots"
 SAME = 0
 CHANGED = 1
 
@@ -36,8 +42,17 @@ CHANGED = 1
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     add = parser.add_argument
-    add("old", metavar="OLD", help="the document before")
-    add("new", metavar="NEW", help="the document after")
+    add("old", metavar="OLD", help="the document before, or any description of a robot")
+    add("new", metavar="NEW", help="the document after, or another description")
+    add("--mechanics", action="store_true", help="compare mechanics only, not conventions")
+    add(
+        "--joint",
+        action="append",
+        default=[],
+        type=_joint_pair,
+        metavar="OLD=NEW",
+        help="which joint of NEW is which of OLD, where names and axes do not tell",
+    )
     add("--output-format", choices=("text", "json", "markdown"), default="text")
     add("--exit-zero", action="store_true", help="exit with 0 despite changes")
     add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
@@ -47,9 +62,11 @@ def run(args: argparse.Namespace) -> int:
     """Compare two documents.
 
     Returns:
-        0 if nothing changed, 1 if something did, 2 if a document has no tree to compare.
+        0 if nothing changed, 1 if something did, 2 if one cannot be read or built.
     """
     try:
+        if args.mechanics or is_foreign(args.old) or is_foreign(args.new):
+            return _mechanics(args)
         found, notes = _difference(args)
     except CommandError as error:
         error.tell()
@@ -60,6 +77,39 @@ def run(args: argparse.Namespace) -> int:
     write(sys.stdout, _rendered(found, names, notes, args.output_format))
     write(sys.stderr, "".join(f"note: {printable(note)}\n" for note in notes))
     return SAME if found.is_empty or args.exit_zero else CHANGED
+
+
+def _joint_pair(text: str) -> tuple[str, str]:
+    ours, equals, theirs = text.partition("=")
+    if not (ours and equals and theirs):
+        raise argparse.ArgumentTypeError(f"'{text}' is not OLD=NEW")
+    return ours, theirs
+
+
+def _mechanics(args: argparse.Namespace) -> int:
+    from kindsl.comparison.mechanical import compared_mechanics
+    from kindsl.reports.mechanics import report_of
+
+    read = read_robots((args.old, args.new), choices_of(args))
+    found = compared_mechanics(read.old.robot, read.new.robot, dict(args.joint))
+    report = report_of(read.old, read.new, found)
+    write(sys.stdout, _rendered_mechanics(report, args.output_format))
+    write(sys.stderr, "".join(f"note: {printable(note)}\n" for note in read.notes))
+    if read.failures:
+        return CommandError(list(read.failures)).tell()
+    return SAME if found.is_equal or args.exit_zero else CHANGED
+
+
+def _rendered_mechanics(report: "MechanicsReport", output_format: str) -> str:
+    from kindsl.reports.mechanics import facts, lines, markdown
+
+    if output_format == "json":
+        import json
+
+        return json.dumps(facts(report), indent=2) + "\n"
+    if output_format == "markdown":
+        return "".join(markdown(report))
+    return "".join(f"{printable(line)}\n" for line in lines(report))
 
 
 def _difference(args: argparse.Namespace) -> "tuple[Difference, tuple[str, ...]]":
@@ -116,3 +166,4 @@ def _markdown(rows: "list[ChangeRow]", names: tuple[str, str]) -> Iterator[str]:
 
 if TYPE_CHECKING:
     from kindsl.reports.difference_text import ChangeRow
+    from kindsl.reports.mechanics import MechanicsReport

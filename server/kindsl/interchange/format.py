@@ -11,6 +11,7 @@ from kindsl.text.phrases import counted
 
 if TYPE_CHECKING:
     from kindsl.interchange.robot_description import RobotDescription
+    from kindsl.interchange.written_numbers import FileNumbers
     from kindsl.mechanism.skeleton import Skeleton
     from kindsl.semantics.parameters import JointProperties
 
@@ -117,6 +118,8 @@ class Format:
             what is not installed.
         parse: The same of a text, which names no other files, and what to call a robot without a
             name. None where it takes more than the text.
+        find_numbers: Finds the numbers in a file's content, for comparing; None where that is not
+            known.
         write: Takes the robot's name, its skeleton and choices. Raises FormatError and
             ModuleNotFoundError.
     """
@@ -128,3 +131,4 @@ class Format:
     read: Reader | None = None
     parse: Parser | None = None
     write: Writer | None = None
+    find_numbers: "Callable[[bytes | str], FileNumbers] | None" = None

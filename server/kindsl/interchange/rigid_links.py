@@ -6,17 +6,17 @@ turned with their joints, and what is fixed to a link becomes a frame and a mass
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from math import hypot
 from typing import Literal
 
 from kindsl.interchange.format import FormatError
 from kindsl.interchange.robot_description import (
     DescribedFrame,
     DescribedLink,
+    DescribedPart,
     RobotDescription,
 )
-from kindsl.rigid.body import MassDistribution, Symmetric, seen_from
-from kindsl.rigid.pose import IDENTITY, RigidPose, Rotation, Vector3
+from kindsl.rigid.body import MassDistribution, Symmetric, lumped, seen_from
+from kindsl.rigid.pose import IDENTITY, RigidPose, Vector3, rotation_from_z
 
 LinkJoint = Literal["", "fixed", "revolute", "prismatic"]
 BaseKind = Literal["fixed", "floating"]
@@ -58,7 +58,9 @@ class _Body:
     link: RigidLink
     parent: int | None
     parent_T_joint: RigidPose
-    masses: list[MassDistribution] = field(default_factory=list)
+    parent_T_origin: RigidPose = IDENTITY
+    written_T_joint: RigidPose = IDENTITY
+    parts: list[DescribedPart] = field(default_factory=list)
     frames: list[DescribedFrame] = field(default_factory=list)
 
 
@@ -146,26 +148,10 @@ def _add_body(
         bodies.append(_Body(link, None, IDENTITY))
         return link.parent_T_joint if base == "fixed" else IDENTITY
     parent, body_T_parent = placed[link.parent]
-    joint_T_body = RigidPose(z_to(link.axis), _AT_ORIGIN)
-    bodies.append(_Body(link, parent, body_T_parent.then(link.parent_T_joint).then(joint_T_body)))
+    joint_T_body = RigidPose(rotation_from_z(link.axis), _AT_ORIGIN)
+    pose = body_T_parent.then(link.parent_T_joint).then(joint_T_body)
+    bodies.append(_Body(link, parent, pose, body_T_parent, joint_T_body))
     return joint_T_body.inverse().then(link.joint_T_link)
-
-
-def z_to(axis: Vector3) -> Rotation:
-    """Return a rotation that takes z to an axis; none if it is z already.
-
-    It is the smallest one on z's side; on the other, one after a half turn about x, since the
-    smallest is not defined near -z.
-    """
-    side = -1.0 if axis[2] < 0.0 else 1.0
-    length = hypot(*axis)
-    x, y, z = axis[0] / length, side * axis[1] / length, side * axis[2] / length
-    k = 1.0 / (1.0 + z)
-    return (
-        (1.0 - k * x * x, -k * x * y, x),
-        (side * (-k * x * y), side * (1.0 - k * y * y), side * y),
-        (side * -x, side * -y, side * z),
-    )
 
 
 def about_origin(mass: float, tensor: Symmetric, link_T_inertial: RigidPose) -> MassDistribution:
@@ -183,29 +169,23 @@ def about_origin(mass: float, tensor: Symmetric, link_T_inertial: RigidPose) -> 
 
 
 def _attach(link: RigidLink, body: _Body, body_T_link: RigidPose) -> None:
-    if link.body is not None:
-        body.masses.append(seen_from(link.body, body_T_link))
+    own = None if link.body is None else seen_from(link.body, body_T_link)
+    body.parts.append(DescribedPart(link.name, body_T_link, own))
     for frame in link.frames:
         body.frames.append(DescribedFrame(frame.name, body_T_link.then(frame.link_T_frame)))
 
 
 def _described(body: _Body) -> DescribedLink:
+    masses = [part.body for part in body.parts if part.body is not None]
     return DescribedLink(
         body.link.name,
-        _lumped(body.masses),
+        lumped(masses) if masses else None,
         tuple(body.frames),
         body.parent,
         body.link.joint,
         body.link.joint_kind,
         body.parent_T_joint,
+        tuple(body.parts),
+        body.parent_T_origin,
+        body.written_T_joint,
     )
-
-
-def _lumped(parts: list[MassDistribution]) -> MassDistribution | None:
-    if len(parts) < 2:
-        return parts[0] if parts else None
-    mass = sum(part.mass for part in parts)
-    x, y, z = (sum(part.mass * part.com[i] for part in parts) for i in range(3))
-    com = (x / mass, y / mass, z / mass) if mass else _AT_ORIGIN
-    xx, yy, zz, xy, xz, yz = map(sum, zip(*(part.moments for part in parts), strict=True))
-    return MassDistribution(mass, com, (xx, yy, zz, xy, xz, yz))

@@ -1,9 +1,10 @@
 """A robot as plain numbers and names, between another format and the Kinematics-DSL."""
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from kindsl.rigid.body import MassDistribution
-from kindsl.rigid.pose import RigidPose
+from kindsl.rigid.pose import IDENTITY, RigidPose
 
 
 @dataclass(frozen=True, slots=True)
@@ -12,6 +13,20 @@ class DescribedFrame:
 
     name: str
     link_T_frame: RigidPose
+
+
+class DescribedPart(NamedTuple):
+    """A link of the other format that is part of a body.
+
+    Attributes:
+        name: The link's name.
+        body_T_link: Its frame in the body's.
+        body: Its mass distribution in the body's frame, None where nothing is known.
+    """
+
+    name: str
+    body_T_link: RigidPose
+    body: MassDistribution | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,6 +41,9 @@ class DescribedLink:
         joint: Name of the supporting joint, empty for the base.
         joint_kind: `"revolute"` or `"prismatic"`, about or along the joint frame's z.
         parent_T_joint: The joint frame in the parent's link frame.
+        parts: The links that the body is made of.
+        parent_T_origin: What the joint's pose is written in, in the parent's link frame.
+        written_T_joint: The joint frame in the frame that is written.
     """
 
     name: str
@@ -35,6 +53,9 @@ class DescribedLink:
     joint: str
     joint_kind: str
     parent_T_joint: RigidPose
+    parts: tuple[DescribedPart, ...] = ()
+    parent_T_origin: RigidPose = IDENTITY
+    written_T_joint: RigidPose = IDENTITY
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,9 +22,11 @@ class XmlElement(Element):
 
     Attributes:
         sourceline: The line where it begins, from 1.
+        offset: Where its tag begins: in code points of a text, in bytes of a file's content.
     """
 
     sourceline: int
+    offset: int
 
 
 def parsed_xml(content: bytes | str) -> XmlElement:
@@ -46,6 +48,8 @@ class _Reading:
 
     def __init__(self) -> None:
         self._depth = 0
+        self._encoded: bytes | None = None
+        self._last = 0, 0
         self._builder = TreeBuilder(self._element)
         self._parser = expat.ParserCreate()
         self._parser.buffer_text = True
@@ -55,6 +59,8 @@ class _Reading:
         self._parser.EntityDeclHandler = self._refuse_entity
 
     def of(self, content: bytes | str) -> XmlElement:
+        if isinstance(content, str) and not content.isascii():
+            self._encoded = content.encode("utf-8", "surrogatepass")
         try:
             self._parser.Parse(content, True)
         except expat.ExpatError as error:
@@ -65,9 +71,18 @@ class _Reading:
             raise XmlError("in an encoding that is not supported") from error
         return cast(XmlElement, self._builder.close())
 
+    def _offset(self, index: int) -> int:
+        """Return an offset in what was given; the parser counts the bytes of a text in UTF-8."""
+        if self._encoded is None:
+            return index
+        known, offset = self._last
+        self._last = index, offset + len(self._encoded[known:index].decode("utf-8"))
+        return self._last[1]
+
     def _element(self, tag: str, attributes: dict[str, str]) -> XmlElement:
         element = XmlElement(tag, attributes)
         element.sourceline = self._parser.CurrentLineNumber
+        element.offset = self._offset(self._parser.CurrentByteIndex)
         return element
 
     def _start(self, tag: str, attributes: dict[str, str]) -> None:

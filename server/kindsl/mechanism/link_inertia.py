@@ -7,6 +7,8 @@ from kindsl.semantics.declarations import Inertia, Link, inertia_values
 from kindsl.semantics.numbers import mass_distribution, written_pose
 from kindsl.semantics.unknown import Unknown, pose_expressions, why_unknown
 
+NO_INERTIA = Unknown("it has no inertia section")
+
 
 def written_inertia(inertia: Inertia, values: Mapping[str, float]) -> MassDistribution | Unknown:
     """Return an inertia in the frame that it is written in, or why it is not known."""
@@ -17,7 +19,7 @@ def written_inertia(inertia: Inertia, values: Mapping[str, float]) -> MassDistri
 def link_inertia(link: Link, values: Mapping[str, float]) -> MassDistribution | Unknown:
     """Return a link's inertia in its link frame, or why it is not known."""
     if link.inertia is None:
-        return Unknown("it has no inertia section")
+        return NO_INERTIA
     written = written_inertia(link.inertia, values)
     if link.inertia.frame is None or isinstance(written, Unknown):
         return written

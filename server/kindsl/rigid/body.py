@@ -15,6 +15,7 @@ Source: Wensing, Kim, Slotine 2018, Linear matrix inequalities for physically co
 parameter identification; Traversaro et al. 2016.
 """
 
+from collections.abc import Sequence
 from math import copysign, hypot, inf, pi, sqrt
 from typing import NamedTuple
 
@@ -94,6 +95,18 @@ def seen_from(body: MassDistribution, pose: RigidPose) -> MassDistribution:
     xx, yy, zz, xy, xz, yz = _turned((Ix, Iy, Iz, -Ixy, -Ixz, -Iyz), pose)
     about_com = (xx, yy, zz, 0.0 - xy, 0.0 - xz, 0.0 - yz)
     return shifted(MassDistribution(body.mass, pose.point(body.com), about_com))
+
+
+def lumped(parts: Sequence[MassDistribution]) -> MassDistribution:
+    """Return bodies in one frame as one; masses may be negative, to take some away."""
+    if len(parts) < 2:
+        return parts[0] if parts else NO_BODY
+    mass = sum(part.mass for part in parts)
+    size = sum(abs(part.mass) for part in parts)
+    x, y, z = (sum(part.mass * part.com[i] for part in parts) for i in range(3))
+    com = (x / mass, y / mass, z / mass) if abs(mass) > 1e-14 * size else NO_BODY.com
+    xx, yy, zz, xy, xz, yz = map(sum, zip(*(part.moments for part in parts), strict=True))
+    return MassDistribution(mass, com, (xx, yy, zz, xy, xz, yz))
 
 
 def principal_moments(pairs: tuple[Eigenpair, Eigenpair, Eigenpair]) -> Vector3:

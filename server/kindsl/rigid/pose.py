@@ -83,6 +83,23 @@ def rotation_from_quaternion(x: float, y: float, z: float, w: float) -> Rotation
     )
 
 
+def rotation_from_z(axis: Vector3) -> Rotation:
+    """Return a rotation that takes z to an axis; none if it is z already.
+
+    It is the smallest one on z's side; on the other, one after a half turn about x, since the
+    smallest is not defined near -z.
+    """
+    side = -1.0 if axis[2] < 0.0 else 1.0
+    length = hypot(*axis)
+    x, y, z = axis[0] / length, side * axis[1] / length, side * axis[2] / length
+    k = 1.0 / (1.0 + z)
+    return (
+        (1.0 - k * x * x, -k * x * y, x),
+        (side * (-k * x * y), side * (1.0 - k * y * y), side * y),
+        (side * -x, side * -y, side * z),
+    )
+
+
 def pose_from_fixed_axes(translation: Vector3, angles: Vector3) -> RigidPose:
     """Return the pose after turns about the fixed x, y, z (roll, pitch, yaw), then a translation.
 

@@ -41,7 +41,7 @@ def analysed_versions(
         CommandError: The configuration cannot be read, or the document is another format's.
     """
     for text in texts:
-        _require_own(path, text or "")
+        require_own(path, text or "")
     return _analysed(path, texts, (path, path), choices)
 
 
@@ -67,11 +67,11 @@ def _text(path: str) -> str | None:
     text = read_source(path, shown_name(path))
     if isinstance(text, Failure):
         raise CommandError([text])
-    _require_own(path, text)
+    require_own(path, text)
     return text
 
 
-def _require_own(path: str, text: str) -> None:
+def require_own(path: str, text: str) -> None:
     """Raise CommandError for a document in another format, which might be read in part."""
     from kindsl.interchange.registry import format_of_suffix
 

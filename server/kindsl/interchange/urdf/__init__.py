@@ -15,6 +15,7 @@ from kindsl.interchange.format import (
 )
 
 if TYPE_CHECKING:
+    from kindsl.interchange.written_numbers import FileNumbers
     from kindsl.mechanism.skeleton import Skeleton
 
 
@@ -30,4 +31,10 @@ def _write(name: str, skeleton: "Skeleton", choices: WritingChoices) -> WrittenR
     return written_urdf(name, skeleton, choices)
 
 
-FORMAT = Format("urdf", "URDF", (".urdf",), "", file_reader(_parse), _parse, _write)
+def _find_numbers(content: bytes | str) -> "FileNumbers":
+    from kindsl.interchange.urdf.numbers import numbers_of_urdf
+
+    return numbers_of_urdf(content)
+
+
+FORMAT = Format("urdf", "URDF", (".urdf",), "", file_reader(_parse), _parse, _write, _find_numbers)

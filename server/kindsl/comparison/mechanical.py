@@ -1,0 +1,186 @@
+"""Two robots of any files: what moves where and what weighs what, apart from conventions."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from math import acos, hypot
+
+from kindsl.comparison.alignment import Alignment, aligned, base_frames, likely_base_frames
+from kindsl.comparison.conventions import conventions
+from kindsl.comparison.matching import MatchedJoints, matched
+from kindsl.comparison.number_differences import (
+    NumberDifference,
+    Tolerances,
+    frame_differences,
+    inertia_differences,
+    joint_differences,
+)
+from kindsl.comparison.written import Described, written_frame
+from kindsl.mechanism.skeleton import Skeleton
+from kindsl.rigid.pose import IDENTITY, RigidPose
+from kindsl.text.phrases import counted
+
+# Of gravity beside ours, radians: as much as the digits of an angle allow.
+_TILT = 3e-4
+_FAR = 2.0
+# So few differences are no base frame elsewhere, which moves all.
+_FEW = 1
+# Numbers explain a difference better than another direction of gravity.
+_OF_STRUCTURE = 10
+
+
+@dataclass(frozen=True, slots=True)
+class MechanicalComparison:
+    """What two robots have in common.
+
+    Attributes:
+        matching: Which joints match.
+        alignment: The conventions of the other beside ours.
+        numbers: The numbers that differ.
+        structure: What else differs, one sentence each: joints without a match, other kinds.
+        conventions: What differs without any meaning for the mechanics, one sentence each.
+    """
+
+    matching: MatchedJoints
+    alignment: Alignment
+    numbers: tuple[NumberDifference, ...]
+    structure: tuple[str, ...]
+    conventions: tuple[str, ...]
+
+    @property
+    def is_equal(self) -> bool:
+        """Whether the mechanics are equal within the digits written."""
+        return not self.numbers and not self.structure
+
+
+def compared_mechanics(
+    ours: Described,
+    theirs: Described,
+    joints: Mapping[str, str] | None = None,
+    tolerance: float = 0.0,
+) -> MechanicalComparison:
+    """Compare two robots.
+
+    Args:
+        ours: A robot.
+        theirs: Another, or the same in another file.
+        joints: Names of the other's joints by ours, where they do not tell.
+        tolerance: Relative, of what counts as equal besides what the digits leave open.
+    """
+    one, other = ours.skeleton, theirs.skeleton
+    matching = matched(one, other, joints or {}, lambda: base_frames(one, other))
+    bounds = Tolerances(_size(one), tolerance)
+    tried: list[MechanicalComparison] = []
+    for root in likely_base_frames(one, other, matching):
+        tried.append(_under(ours, theirs, matching, bounds, root))
+        if _n_differences(tried[-1]) <= (_FEW if root == IDENTITY else 0):
+            break
+    return min(tried, key=_n_differences)
+
+
+def _under(
+    ours: Described, theirs: Described, matching: MatchedJoints, bounds: Tolerances, root: RigidPose
+) -> MechanicalComparison:
+    """Compare with the other's base at a pose in ours."""
+
+    def cost(body: int, tried: Alignment) -> int:
+        rough = bounds._replace(is_rough=True)
+        return len(list(_body_numbers(ours, theirs, matching, tried, rough, body)))
+
+    alignment = aligned(ours.skeleton, theirs.skeleton, matching, root, cost)
+    structure = tuple(_structure(ours, theirs, matching, alignment))
+    if not _is_one_robot(ours.skeleton, theirs.skeleton, matching):
+        return MechanicalComparison(matching, alignment, (), structure[:1], ())
+    numbers = tuple(_numbers(ours, theirs, matching, alignment, bounds))
+    told = tuple(conventions(ours, theirs, matching, alignment))
+    return MechanicalComparison(matching, alignment, numbers, structure, told)
+
+
+def _n_differences(found: MechanicalComparison) -> int:
+    return len(found.numbers) + _OF_STRUCTURE * len(found.structure)
+
+
+def _is_one_robot(ours: Skeleton, theirs: Skeleton, matching: MatchedJoints) -> bool:
+    return _FAR * matching.n_joints > max(ours.n_links, theirs.n_links)
+
+
+def _size(skeleton: Skeleton) -> float:
+    return max(hypot(*pose.translation) for pose in skeleton.zero_poses()) or 1.0
+
+
+def _structure(
+    ours: Described, theirs: Described, matching: MatchedJoints, alignment: Alignment
+) -> Iterator[str]:
+    one, other = ours.skeleton, theirs.skeleton
+    if matching.only_ours or matching.only_theirs:
+        yield _unmatched(ours, theirs, matching)
+    for body, its in matching.theirs.items():
+        if body and one.joint_kinds[body - 1] != other.joint_kinds[its - 1]:
+            kinds = one.joint_kinds[body - 1], other.joint_kinds[its - 1]
+            name = one.joint_names[body - 1]
+            yield f"joint '{name}' is {kinds[0]} here and {kinds[1]} in {theirs.label}"
+    if one.is_floating != other.is_floating:
+        kind, its_kind = ("floating" if each.is_floating else "fixed" for each in (one, other))
+        yield f"the base is {kind} here and {its_kind} in {theirs.label}"
+    elif not one.is_floating:
+        tilt = acos(max(-1.0, min(1.0, alignment.frames[0].rotation[2][2])))
+        if tilt > _TILT:
+            yield f"gravity acts {tilt:.4g} rad apart: the fixed base of {theirs.label} is tilted"
+
+
+def _unmatched(ours: Described, theirs: Described, matching: MatchedJoints) -> str:
+    numbers = (counted(each.skeleton.n_links, "joint") for each in (ours, theirs))
+    here, there = numbers
+    told = f"{matching.n_joints} joints match: {here} here, {there} in {theirs.label}"
+    rest = [f"'{name}' only here" for name in matching.only_ours[:3]]
+    rest += [f"'{name}' only there" for name in matching.only_theirs[:3]]
+    return f"{told}; {', '.join(rest)}"
+
+
+def _numbers(
+    ours: Described,
+    theirs: Described,
+    matching: MatchedJoints,
+    alignment: Alignment,
+    bounds: Tolerances,
+) -> Iterator[NumberDifference]:
+    for body in sorted(matching.theirs):
+        yield from _body_numbers(ours, theirs, matching, alignment, bounds, body)
+    yield from _frames(ours, theirs, matching, alignment, bounds)
+
+
+def _body_numbers(
+    ours: Described,
+    theirs: Described,
+    matching: MatchedJoints,
+    alignment: Alignment,
+    bounds: Tolerances,
+    body: int,
+) -> Iterator[NumberDifference]:
+    """Yield the differences of a body's mass, and of the joint that carries it."""
+    one, other, its = ours.skeleton, theirs.skeleton, matching.theirs[body]
+    joint = one.joint_names[body - 1] if body else ""
+    if {one.body_names[body], joint} & (ours.unknown | theirs.unknown):
+        return
+    if body and one.joint_kinds[body - 1] == other.joint_kinds[its - 1]:
+        yield from joint_differences(ours, theirs, body, its, alignment, bounds)
+    if body or (one.is_floating and other.is_floating):
+        yield from inertia_differences(ours, theirs, body, its, alignment, bounds)
+
+
+def _frames(
+    ours: Described,
+    theirs: Described,
+    matching: MatchedJoints,
+    alignment: Alignment,
+    bounds: Tolerances,
+) -> Iterator[NumberDifference]:
+    """Yield the differences of frames that both have; that of a mass is a convention."""
+    its = {frame.name: frame for frame in theirs.skeleton.frames}
+    heavy = ours.heavy_frames | theirs.heavy_frames
+    for frame in ours.skeleton.frames:
+        other = its.get(frame.name)
+        if other is None or frame.name in heavy or matching.theirs.get(frame.body) != other.body:
+            continue
+        written = ours.frames.get(frame.name) or written_frame(frame.name, frame.pose)
+        pose = alignment.frames[frame.body].then(other.pose)
+        yield from frame_differences(written, pose, bounds)

@@ -1,0 +1,34 @@
+"""How many inertial parameters motions can tell: the rank of the regressor. Needs NumPy."""
+
+import numpy as np
+
+from kindsl.dynamics.bodies import Bodies
+from kindsl.dynamics.quantities import STANDARD_GRAVITY
+from kindsl.dynamics.regressor import PARAMETERS_PER_BODY, regressor
+
+_SEED = 26
+_STATES_PER_BODY = 12
+_SMALLEST = 1e-9
+
+
+def n_base_parameters(bodies: Bodies) -> tuple[int, int]:
+    """Return how many combinations of inertial parameters motions can tell, and how many there are.
+
+    What is left is the null space: changes of masses, centres of mass and moments that leave every
+    joint torque, and the wrench on a floating base, as it is.
+
+    Source: Wensing, Niemeyer, Slotine 2017, Observability in inertial parameter identification, on
+    what the rank means; it is taken here of random motions.
+    """
+    random = np.random.default_rng(_SEED)
+    n = bodies.n_links
+    states = _STATES_PER_BODY * (n + 1)
+    q, qd, qdd = random.uniform(-1.0, 1.0, (3, states, n))
+    v = random.uniform(-1.0, 1.0, (states, 6)) if bodies.is_floating else np.zeros((states, 6))
+    a = random.uniform(-1.0, 1.0, (states, 6)) if bodies.is_floating else np.zeros((states, 6))
+    a[:, 3:] -= np.array(STANDARD_GRAVITY)
+    Y = regressor(bodies, q, qd, qdd, v, a)
+    columns = Y.reshape(-1, Y.shape[-1])
+    moving = n + (1 if bodies.is_floating else 0)
+    rank = int(np.linalg.matrix_rank(columns, tol=_SMALLEST * np.linalg.norm(columns, 2)))
+    return rank, PARAMETERS_PER_BODY * moving

@@ -1,0 +1,34 @@
+"""A number that differs, in words."""
+
+from kindsl.comparison.number_differences import NumberDifference
+
+
+def told(number: NumberDifference, here: str, there: str) -> str:
+    """Return the sentence for a number that differs, without final period.
+
+    Args:
+        number: The difference.
+        here: Where our value stands: `"here"`, `"in a.kindsl (line 12)"`.
+        there: Where the other's stands.
+    """
+    values = f"{number.here:.6g}", f"{number.there:.6g}"
+    if values[0] == values[1]:
+        values = f"{number.here:.15g}", f"{number.there:.15g}"
+    other = f" (there '{number.other}')" if number.other not in (number.owner, "") else ""
+    subject = f"{number.quantity} of {number.kind} '{number.owner}'{other}"
+    left, right = (f"{value} {number.unit}" for value in values)
+    return f"{subject} is {left} {here} and {right} {there}"
+
+
+def verdict(is_equal: bool, is_seen: bool | None) -> str:
+    """Return what a comparison comes to.
+
+    Args:
+        is_equal: Whether the mechanics are equal.
+        is_seen: Whether a torque tells them apart, None where that is not known.
+    """
+    if is_equal:
+        return "the mechanics are equal"
+    if is_seen is False:
+        return "the mechanics differ, but no joint torque does"
+    return "the mechanics differ"

@@ -1,0 +1,31 @@
+"""Where the numbers of a URDF stand."""
+
+from kindsl.comparison.written import INERTIA, POSE, WrittenNumber
+from kindsl.interchange.written_numbers import FileNumbers, XmlNumbers, keyed
+from kindsl.rigid.pose import Rotation, pose_from_fixed_axes
+
+_MOMENTS = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
+
+
+def numbers_of_urdf(content: bytes | str) -> FileNumbers:
+    """Return the numbers of a URDF's links and joints, none of a text that is not XML."""
+    xml = XmlNumbers(content)
+    found: dict[tuple[str, str, str], WrittenNumber] = {}
+    turns: dict[str, Rotation] = {}
+    for link in xml.root.iterfind("link") if xml.root is not None else ():
+        name, inertial = link.get("name") or "", link.find("inertial")
+        if inertial is None:
+            continue
+        origin, inertia = inertial.find("origin"), inertial.find("inertia")
+        found |= keyed("link", name, ("mass",), xml.of_attribute(inertial.find("mass"), "value"))
+        found |= keyed("link", name, INERTIA[1:4], xml.of_attribute(origin, "xyz"))
+        moments = [number for m in _MOMENTS for number in xml.of_attribute(inertia, m)]
+        found |= keyed("link", name, INERTIA[4:], moments)
+        rpy = [number.value for number in xml.of_attribute(origin, "rpy")]
+        if len(rpy) == 3 and any(rpy):
+            turns[name] = pose_from_fixed_axes((0.0, 0.0, 0.0), (rpy[0], rpy[1], rpy[2])).rotation
+    for joint in xml.root.iterfind("joint") if xml.root is not None else ():
+        name, origin = joint.get("name") or "", joint.find("origin")
+        found |= keyed("joint", name, POSE[:3], xml.of_attribute(origin, "xyz"))
+        found |= keyed("joint", name, POSE[3:], xml.of_attribute(origin, "rpy"))
+    return FileNumbers(found, turns)

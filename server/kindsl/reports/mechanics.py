@@ -1,0 +1,221 @@
+"""What a comparison of two robots of any files comes to, in text, Markdown and JSON."""
+
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
+
+from kindsl.comparison.mechanical import MechanicalComparison
+from kindsl.comparison.number_differences import NumberDifference
+from kindsl.comparison.sentences import told, verdict
+from kindsl.comparison.written import Described, TextPlace, WrittenNumber
+from kindsl.semantics.places import Located
+
+LineOf = Callable[[Located], int]
+
+_DUST = 1e-9
+
+
+class ComparedRobot(NamedTuple):
+    """One side of a comparison.
+
+    Attributes:
+        name: Its file, as shown.
+        robot: What it describes.
+        line_of: Returns the line of a place in it, where it is a document.
+    """
+
+    name: str
+    robot: Described
+    line_of: LineOf | None = None
+
+    def line(self, number: WrittenNumber | None) -> int | None:
+        """Return the line of a number, None where it stands nowhere."""
+        if number is None:
+            return None
+        if isinstance(number.at, TextPlace):
+            return number.at.line
+        return self.line_of(number.at) if self.line_of else None
+
+
+class TorqueFacts(NamedTuple):
+    """What the dynamics say.
+
+    Attributes:
+        is_seen: Whether a torque tells the robots apart.
+        is_confirmed: Whether torques are equal where numbers are, None where these differ.
+        effects: By each differing number, N m and N.
+        base_parameters: How many combinations of inertial parameters motions can tell.
+        parameters: How many inertial parameters there are.
+    """
+
+    is_seen: bool
+    is_confirmed: bool | None
+    effects: tuple[float, ...]
+    base_parameters: int
+    parameters: int
+
+
+class MechanicsReport(NamedTuple):
+    """Two robots, and what was found.
+
+    Attributes:
+        old: A robot.
+        new: Another.
+        found: What differs.
+        torques: What the dynamics say, None where they were not asked.
+    """
+
+    old: ComparedRobot
+    new: ComparedRobot
+    found: MechanicalComparison
+    torques: TorqueFacts | None
+
+
+def report_of(
+    old: ComparedRobot, new: ComparedRobot, found: MechanicalComparison
+) -> MechanicsReport:
+    """Return the report; the dynamics are asked where all joints match and NumPy is there."""
+    matching = found.matching
+    if matching.only_ours or matching.only_theirs or old.robot.unknown or new.robot.unknown:
+        return MechanicsReport(old, new, found, None)
+    try:
+        return MechanicsReport(old, new, found, _torques(old, new, found))
+    except ModuleNotFoundError:
+        return MechanicsReport(old, new, found, None)
+
+
+def _torques(old: ComparedRobot, new: ComparedRobot, found: MechanicalComparison) -> TorqueFacts:
+    from kindsl.comparison.null_space import n_base_parameters
+    from kindsl.comparison.torques import torques
+    from kindsl.mechanism.bodies import bodies_of
+
+    of_torques = torques(old.robot, new.robot, found)
+    return TorqueFacts(*of_torques, *n_base_parameters(bodies_of(old.robot.skeleton)))
+
+
+def facts(report: MechanicsReport) -> dict[str, object]:
+    """Return the report as plain data."""
+    old, new, found, dynamics = report
+    return {
+        "old": old.name,
+        "new": new.name,
+        "equal": found.is_equal,
+        "verdict": _verdict(report),
+        "differences": [_entry(report, number, effect) for number, effect in _sorted(report)],
+        "structure": list(found.structure),
+        "conventions": list(found.conventions),
+        "joints": {
+            old.robot.skeleton.joint_names[a - 1]: new.robot.skeleton.joint_names[b - 1]
+            for a, b in sorted(found.matching.theirs.items())
+            if a
+        },
+        "confirmed": None if dynamics is None else dynamics.is_confirmed,
+        "base_parameters": None
+        if dynamics is None
+        else {"identifiable": dynamics.base_parameters, "total": dynamics.parameters},
+    }
+
+
+def lines(report: MechanicsReport) -> Iterator[str]:
+    """Yield the report as lines of text: the largest effect first, then conventions."""
+    yield _verdict(report)
+    yield from (f"  {sentence}" for sentence in report.found.structure)
+    for number, effect in _sorted(report):
+        yield f"  {_sentence(report, number)}{_effect(effect)}"
+    yield from (f"note: {sentence}" for sentence in report.found.conventions)
+
+
+def markdown(report: MechanicsReport) -> Iterator[str]:
+    """Yield the report as pieces of Markdown."""
+    yield f"### Mechanics of `{report.old.name}` and `{report.new.name}`\n\n"
+    told_verdict = _verdict(report)
+    yield f"{told_verdict[:1].upper()}{told_verdict[1:]}.\n"
+    if report.found.structure:
+        yield "\n" + "".join(f"- {sentence}\n" for sentence in report.found.structure)
+    if report.found.numbers:
+        yield f"\n| what | name | number | `{report.old.name}` | `{report.new.name}` | torque |\n"
+        yield "|---|---|---|---|---|---|\n"
+        yield from (_row(report, number, effect) for number, effect in _sorted(report))
+    if report.found.conventions:
+        yield "\nConventions:\n\n"
+        yield from (f"- {sentence}\n" for sentence in report.found.conventions)
+
+
+def _verdict(report: MechanicsReport) -> str:
+    dynamics = report.torques
+    found = verdict(report.found.is_equal, None if dynamics is None else dynamics.is_seen)
+    if dynamics is None or dynamics.is_confirmed is None:
+        return found
+    if dynamics.is_confirmed:
+        return f"{found}: inertia matrix and bias forces agree in 20 random states"
+    return (
+        "internal error: the numbers are equal, but inertia matrix or bias forces are not in 20 "
+        "random states; please report both files"
+    )
+
+
+def _sorted(report: MechanicsReport) -> list[tuple[NumberDifference, float | None]]:
+    numbers = report.found.numbers
+    if report.torques is None:
+        return [(number, None) for number in numbers]
+    effects = report.torques.effects
+    order = sorted(range(len(numbers)), key=lambda i: -effects[i])
+    return [(numbers[i], effects[i]) for i in order]
+
+
+def _sentence(report: MechanicsReport, number: NumberDifference) -> str:
+    old, new = report.old, report.new
+    lines = _lines(report, number)
+    places = (
+        f"in {side.name}" + ("" if line is None else f" (line {line})")
+        for side, line in zip((old, new), lines, strict=True)
+    )
+    return told(number, *places)
+
+
+def _lines(report: MechanicsReport, number: NumberDifference) -> tuple[int | None, int | None]:
+    """Return the lines of both values, or of what stands in their place."""
+    here = number.here_number or number.here_near
+    there = number.there_number or number.there_near
+    return report.old.line(here), report.new.line(there)
+
+
+def _effect(effect: float | None) -> str:
+    if effect is None:
+        return ""
+    return f" [{effect:.3g} N m or N]" if effect > _DUST else " [no joint torque]"
+
+
+def _entry(
+    report: MechanicsReport, number: NumberDifference, effect: float | None
+) -> dict[str, object]:
+    lines = _lines(report, number)
+    return {
+        "kind": number.kind,
+        "name": number.owner,
+        "name_in_new": number.other,
+        "quantity": number.quantity,
+        "unit": number.unit,
+        "old": number.here,
+        "new": number.there,
+        "old_line": lines[0],
+        "new_line": lines[1],
+        "torque": effect,
+        "message": _sentence(report, number),
+    }
+
+
+def _row(report: MechanicsReport, number: NumberDifference, effect: float | None) -> str:
+    lines = _lines(report, number)
+    cells = (
+        number.kind,
+        f"`{number.owner}`",
+        number.quantity,
+        f"{number.here:.6g} {number.unit}{_line(lines[0])}",
+        f"{number.there:.6g} {number.unit}{_line(lines[1])}",
+        "" if effect is None else f"{effect:.3g}",
+    )
+    return f"| {' | '.join(cells)} |\n"
+
+
+def _line(line: int | None) -> str:
+    return "" if line is None else f" (line {line})"

@@ -1,0 +1,178 @@
+"""`kindsl diff` of any two descriptions of a robot: mechanics count, conventions do not."""
+
+import json
+from pathlib import Path
+
+import pytest
+from tests.cli.conftest import Runner
+from tests.comparison.trials import described_text, random_document
+from tests.comparison.variants import urdf_of, variant
+
+from kindsl.interchange.registry import format_of_suffix
+
+ARM = """Robot arm {
+RobotBase base {
+    children { upper via shoulder }
+}
+link upper {
+    id = 1
+    inertia_params {
+        mass = 1.3
+        CoM = (0.1, 0.0, 0.02)
+        Ix = 0.01  Iy = 0.04  Iz = 0.04  Ixy = 0.0  Ixz = 0.002  Iyz = 0.0
+    }
+    children { lower via elbow }
+}
+link lower {
+    id = 2
+    inertia_params {
+        mass = 0.8
+        CoM = (0.2, 0.01, 0.0)
+        Ix = 0.005  Iy = 0.05  Iz = 0.05  Ixy = 0.001  Ixz = 0.0  Iyz = 0.0
+    }
+    children {}
+}
+r_joint shoulder {
+    ref_frame { translation = (0.0, 0.0, 0.3)  rotation = (PI/2.0, 0.0, 0.0) }
+}
+r_joint elbow {
+    ref_frame { translation = (0.35, 0.0, 0.0)  rotation = (0.0, 0.0, 0.0) }
+}
+}
+"""
+
+
+@pytest.fixture
+def arm(folder: Path) -> Path:
+    path = folder / "arm.kindsl"
+    path.write_text(ARM)
+    return path
+
+
+@pytest.mark.parametrize("suffix", [".urdf", ".sdf", ".xml"])
+def test_what_was_converted_is_equal_until_a_number_is_another(
+    kindsl: Runner, arm: Path, suffix: str
+) -> None:
+    if suffix == ".xml":
+        pytest.importorskip("mujoco")
+    other = arm.with_suffix(suffix)
+    assert kindsl("convert", "-q", arm, other).status == 0
+    run = kindsl("diff", "arm.kindsl", other.name)
+    assert run.status == 0, run.out
+    assert run.out.startswith("the mechanics are equal: inertia matrix and bias forces agree")
+    other.write_text(other.read_text().replace("1.3", "1.4", 1))
+    run = kindsl("diff", "arm.kindsl", other.name)
+    assert run.status == 1
+    assert f"is 1.3 kg in arm.kindsl (line 8) and 1.4 kg in {other.name}" in run.out
+
+
+def test_both_lines_are_named(kindsl: Runner, arm: Path) -> None:
+    kindsl("convert", "-q", arm, "arm.urdf")
+    text = Path("arm.urdf").read_text().replace('value="0.8"', 'value="0.9"')
+    Path("arm.urdf").write_text(text)
+    line = text[: text.index('value="0.9"')].count("\n") + 1
+    run = kindsl("diff", "arm.kindsl", "arm.urdf", "--output-format", "json")
+    facts = json.loads(run.out)
+    (found,) = facts["differences"]
+    assert (found["name"], found["quantity"]) == ("lower", "mass")
+    assert (found["old"], found["new"]) == (0.8, 0.9)
+    assert (found["old_line"], found["new_line"]) == (17, line)
+    assert facts["verdict"] == "the mechanics differ"
+    assert found["torque"] > 0.1
+
+
+def test_the_largest_effect_comes_first(kindsl: Runner, arm: Path) -> None:
+    text = ARM.replace("1.3", "1.4").replace("Ix = 0.005", "Ix = 0.006").replace("0.35", "0.45")
+    Path("other.kindsl").write_text(text)
+    run = kindsl("diff", "--mechanics", arm, "other.kindsl", "--output-format", "json")
+    found = json.loads(run.out)["differences"]
+    assert [each["torque"] for each in found] == sorted(
+        (each["torque"] for each in found), reverse=True
+    )
+    assert {each["quantity"] for each in found} == {"mass", "Ix", "x"}
+
+
+def test_a_variant_is_equal_and_its_conventions_are_told(kindsl: Runner, folder: Path) -> None:
+    text = random_document(3)
+    Path("robot.kindsl").write_text(text)
+    skeleton = described_text(text)[0].skeleton
+    Path("variant.urdf").write_text(urdf_of(variant(skeleton, 5)))
+    run = kindsl("diff", "robot.kindsl", "variant.urdf", "--output-format", "markdown")
+    assert run.status == 0, run.out
+    assert "Conventions:" in run.out
+
+
+def test_the_base_is_taken_as_ours_is(kindsl: Runner, folder: Path) -> None:
+    Path("a.kindsl").write_text(ARM.replace("RobotBase base {", "RobotBase base floating {"))
+    kindsl("convert", "-q", "a.kindsl", "a.urdf")
+    run = kindsl("diff", "a.kindsl", "a.urdf")
+    assert run.status == 0
+    assert run.err == (
+        "note: the base of a.urdf is compared as a floating one, which the other has\n"
+    )
+
+
+def test_conventions_count_for_two_documents_without_the_option(kindsl: Runner, arm: Path) -> None:
+    Path("b.kindsl").write_text(ARM.replace("shoulder", "hip"))
+    assert kindsl("diff", arm, "b.kindsl").status == 1
+    run = kindsl("diff", "--mechanics", arm, "b.kindsl")
+    assert run.status == 0
+    assert "note: 1 joint of another name in b.kindsl: 'shoulder' is 'hip'" in run.out
+
+
+def test_a_parameter_without_value_is_named_and_can_be_bound(kindsl: Runner, arm: Path) -> None:
+    Path("b.kindsl").write_text(ARM.replace("0.35", "reach"))
+    run = kindsl("diff", "--mechanics", arm, "b.kindsl")
+    assert run.status == 2
+    assert "no value for the parameter 'reach'" in run.err
+    assert kindsl("diff", "--mechanics", arm, "b.kindsl", "--param", "reach=0.35").status == 0
+    assert kindsl("diff", "--mechanics", arm, "b.kindsl", "--param", "reach=0.4").status == 1
+
+
+def test_the_rest_of_a_broken_document_is_compared(kindsl: Runner, arm: Path) -> None:
+    Path("b.kindsl").write_text(ARM.replace("mass = 1.3", "mass = ").replace("0.8", "0.9"))
+    run = kindsl("diff", "--mechanics", arm, "b.kindsl")
+    assert run.status == 2
+    assert "b.kindsl:8:" in run.err
+    assert "mass of link 'lower' is 0.8 kg" in run.out
+    assert "upper" not in run.out
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "message"),
+    [
+        ("gone.urdf", None, "no such file or folder"),
+        ("a.urdf", "<robot name='a'><link name='b'/>", "not a readable URDF"),
+        ("a.urdf", "<robot name='a'><link name='b'/></robot>", "no joint that moves"),
+        (
+            "a.urdf",
+            "<robot name='a'><link name='b'/><joint name='j' type='fixed'><parent link='b'/>"
+            "<child link='c'/></joint></robot>",
+            "names a link 'c' that does not exist",
+        ),
+        ("a.sdf", "<sdf/>", "no model"),
+        ("folder", "", "is a folder without generated code"),
+    ],
+)
+def test_what_cannot_be_read_is_said_in_a_sentence(
+    kindsl: Runner, arm: Path, name: str, content: str | None, message: str
+) -> None:
+    if name == "folder":
+        Path(name).mkdir()
+    elif content is not None:
+        Path(name).write_text(content)
+    for pair in ((arm, name), (name, arm)):
+        run = kindsl("diff", *pair)
+        assert run.status == 2
+        assert message in run.err
+        assert "Traceback" not in run.err
+
+
+def test_a_format_that_finds_numbers_has_places_for_them() -> None:
+    urdf = format_of_suffix(".urdf")
+    assert urdf is not None
+    assert urdf.find_numbers is not None
+    found = urdf.find_numbers("<robot name='ä'><link name='b'><inertial><mass value='1.50'/>"
+                              "</inertial></link></robot>").found  # fmt: skip
+    number = found["link", "b", "mass"]
+    assert (number.text, number.value, number.half) == ("1.50", 1.5, 0.005)

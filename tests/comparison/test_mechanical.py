@@ -1,0 +1,171 @@
+"""What moves where and what weighs what, apart from link frames, names, order, signs and parts."""
+
+import math
+from collections import Counter
+
+import pytest
+from tests.comparison.trials import described_text, equal_trial, off_trial, random_document
+from tests.support.amount import usually
+
+from kindsl.comparison.mechanical import compared_mechanics
+from kindsl.comparison.null_space import n_base_parameters
+from kindsl.comparison.torques import torques
+from kindsl.mechanism.bodies import bodies_of
+
+N_TRIALS = usually(25, 500)
+
+ARM = """Robot arm {
+RobotBase base {
+    children { upper via shoulder }
+}
+link upper {
+    id = 1
+    inertia_params {
+        mass = 1.3
+        CoM = (0.1, 0.0, 0.02)
+        Ix = 0.01  Iy = 0.04  Iz = 0.04  Ixy = 0.0  Ixz = 0.002  Iyz = 0.0
+    }
+    children { lower via elbow }
+}
+link lower {
+    id = 2
+    inertia_params {
+        mass = 0.8
+        CoM = (0.2, 0.01, 0.0)
+        Ix = 0.005  Iy = 0.05  Iz = 0.05  Ixy = 0.001  Ixz = 0.0  Iyz = 0.0
+    }
+    children {}
+}
+r_joint shoulder {
+    ref_frame { translation = (0.0, 0.0, 0.3)  rotation = (PI/2.0, 0.0, 0.0) }
+}
+r_joint elbow {
+    ref_frame { translation = (0.35, 0.0, 0.0)  rotation = (0.0, 0.0, 0.0) }
+}
+}
+"""
+
+
+def differences(text: str, other: str) -> list[tuple[str, str, float, float]]:
+    found = compared_mechanics(described_text(text)[0], described_text(other)[0])
+    assert found.structure == ()
+    return [(n.owner, n.quantity, n.here, n.there) for n in found.numbers]
+
+
+@pytest.mark.parametrize("seed", range(N_TRIALS))
+def test_conventions_make_no_difference(seed: int) -> None:
+    found = equal_trial(random_document(seed), seed)
+    assert found.numbers == ()
+    assert found.structure == ()
+
+
+def test_a_number_off_is_named_unless_no_motion_can_tell() -> None:
+    results = Counter(off_trial(random_document(seed), seed).result for seed in range(N_TRIALS))
+    assert results["missed"] == 0
+    assert results["right"] >= 0.6 * N_TRIALS
+    assert results["other number"] <= 0.02 * N_TRIALS
+
+
+def test_equal_numbers_agree_in_inertia_matrix_and_bias_forces() -> None:
+    ours = described_text(ARM)[0]
+    found = compared_mechanics(ours, ours)
+    assert torques(ours, ours, found) == (False, True, ())
+
+
+@pytest.mark.parametrize(
+    ("written", "other"),
+    [("PI/2.0", "1.5708"), ("PI/2.0", "1.570796282"), ("1.3", "1.30004"), ("0.35", "0.350002")],
+)
+def test_what_the_digits_leave_open_is_equal(written: str, other: str) -> None:
+    assert differences(ARM, ARM.replace(written, other)) == []
+
+
+@pytest.mark.parametrize(
+    ("written", "other", "owner", "quantity", "values"),
+    [
+        ("1.3", "1.313", "upper", "mass", (1.3, 1.313)),
+        ("PI/2.0", "1.57", "shoulder", "rx", (math.pi / 2.0, 1.57)),
+        ("(0.2, 0.01", "(0.2, 0.0101", "lower", "CoM y", (0.01, 0.0101)),
+        ("Ixz = 0.002", "Ixz = -0.002", "upper", "Ixz", (0.002, -0.002)),
+        ("(0.35, 0.0", "(0.35, 0.001", "elbow", "y", (0.0, 0.001)),
+        ("Ixy = 0.001", "Ixy = 0.00101", "lower", "Ixy", (0.001, 0.00101)),
+    ],
+)
+def test_a_number_is_named(
+    written: str, other: str, owner: str, quantity: str, values: tuple[float, float]
+) -> None:
+    (found,) = differences(ARM, ARM.replace(written, other))
+    assert found[:2] == (owner, quantity)
+    assert found[2:] == pytest.approx(values, rel=1e-12, abs=1e-15)
+
+
+def test_a_zero_a_quarter_turn_away_is_a_convention_and_a_degree_is_not() -> None:
+    ours = described_text(ARM)[0]
+    elsewhere = ARM.replace("(0.0, 0.0, 0.0) }\n}\n}", "(0.0, 0.0, PI/2.0) }\n}\n}")
+    found = compared_mechanics(ours, described_text(elsewhere)[0])
+    assert found.is_equal
+    assert "joint 'elbow' is at 90° where it is zero in a.kindsl" in found.conventions
+    assert differences(ARM, elsewhere.replace("PI/2.0) }\n}\n}", "0.015) }\n}\n}")) == [
+        ("elbow", "rz", 0.0, 0.015)
+    ]
+
+
+def test_what_the_first_axis_does_not_see_differs_without_a_torque() -> None:
+    """The first axis is vertical: only its moment about the axis is felt."""
+    upright = ARM.replace("(PI/2.0, 0.0, 0.0)", "(0.0, 0.0, 0.0)")
+    ours = described_text(upright)[0]
+    theirs = described_text(upright.replace("Ix = 0.01 ", "Ix = 0.02 "))[0]
+    found = compared_mechanics(ours, theirs)
+    assert [(n.owner, n.quantity) for n in found.numbers] == [("upper", "Ix")]
+    assert not torques(ours, theirs, found).is_seen
+    heavier = described_text(upright.replace("Iz = 0.04 ", "Iz = 0.05 "))[0]
+    assert torques(ours, heavier, compared_mechanics(ours, heavier)).is_seen
+
+
+def test_another_robot_is_one_finding() -> None:
+    ours, other = described_text(random_document(25))[0], described_text(ARM)[0]
+    found = compared_mechanics(other, ours)
+    assert found.numbers == ()
+    (told,) = found.structure
+    assert "2 joints here, 6 joints in a.kindsl" in told
+
+
+def test_a_map_names_the_joints() -> None:
+    ours = described_text(ARM)[0]
+    renamed = described_text(ARM.replace("shoulder", "elbow_").replace("elbow ", "shoulder "))[0]
+    found = compared_mechanics(ours, renamed, {"shoulder": "elbow_", "elbow": "shoulder"})
+    assert found.is_equal
+
+
+def chain(kinds: str, placements: list[str]) -> str:
+    """Return a document of a chain whose bodies are like no other."""
+    links, joints = [], []
+    for i, (kind, placement) in enumerate(zip(kinds, placements, strict=True), 1):
+        below = f"l{i + 1} via j{i + 1}" if i < len(kinds) else ""
+        links.append(
+            f"link l{i} {{ id = {i} inertia_params {{ mass = {i}.5 CoM = (0.1, 0.0{i}, 0.03) "
+            f"Ix = 1.{i} Iy = 1.3 Iz = 1.4 Ixy = 0.01 Ixz = 0.02 Iyz = 0.03 }} "
+            f"children {{ {below} }} }}"
+        )
+        joints.append(f"{kind}_joint j{i} {{ ref_frame {{ {placement} }} }}")
+    body = "\n".join((*links, *joints))
+    return f"Robot chain {{\nRobotBase base {{ children {{ l1 via j1 }} }}\n{body}\n}}\n"
+
+
+def base_parameters(text: str) -> tuple[int, int]:
+    return n_base_parameters(bodies_of(described_text(text)[0].skeleton))
+
+
+def test_a_six_axis_arm_has_the_published_number_of_base_parameters() -> None:
+    """36 of 60, as for the Puma 560: Gautier and Khalil 1990."""
+    turn = "translation = (0.4, 0.1, 0.2) rotation = ({}, 0.0, 0.0)"
+    first = "translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0)"
+    turns = [turn.format(angle) for angle in ("PI/2.0", "0.0", "PI/2.0", "-PI/2.0", "PI/2.0")]
+    assert base_parameters(chain("rrrrrr", [first, *turns])) == (36, 60)
+
+
+def test_a_scara_has_few_base_parameters() -> None:
+    """Of each turning body a moment and, but for the first, two first moments; a lifted mass."""
+    at = "translation = ({}, 0.0, 0.0) rotation = (0.0, 0.0, 0.0)"
+    placements = [at.format(x) for x in ("0.0", "0.4", "0.3", "0.0")]
+    assert base_parameters(chain("rrpr", placements)) == (8, 40)

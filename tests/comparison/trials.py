@@ -1,0 +1,136 @@
+"""Comparisons with a known answer: a robot and a variant of it, perhaps with one number off."""
+
+import random
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+from tests.comparison.variants import urdf_of, variant
+from tests.interchange.random_robots import random_robot
+
+from kindsl.analysis.analysis import Analysis, analyse
+from kindsl.comparison.document_side import described_document
+from kindsl.comparison.mechanical import MechanicalComparison, compared_mechanics
+from kindsl.comparison.torques import torques
+from kindsl.comparison.written import INERTIA, POSE, Described, TextPlace, WrittenNumber
+from kindsl.dynamics.evaluation.mechanics import Mechanics
+from kindsl.interchange.comparable import described_robot
+from kindsl.interchange.kindsl_writing import kindsl_text
+from kindsl.interchange.urdf.numbers import numbers_of_urdf
+from kindsl.interchange.urdf.urdf_reading import robot_of_urdf
+from kindsl.mechanism.bodies import bodies_of
+from kindsl.mechanism.skeleton import Skeleton
+
+_OFF = 1.01
+
+
+class Trial(NamedTuple):
+    """A comparison, and what came of it: `right`, `unseen`, `other number`, `missed`."""
+
+    result: str
+    found: MechanicalComparison
+    expected: tuple[str, str]
+
+
+def random_document(seed: int) -> str:
+    return kindsl_text(random_robot(seed))
+
+
+def described_text(text: str) -> tuple[Described, Analysis]:
+    analysis = analyse(text)
+    skeleton = analysis.skeleton()
+    values = analysis.context.values
+    return described_document("a.kindsl", analysis.model, values, skeleton), analysis
+
+
+def described_urdf(text: str, is_floating: bool) -> Described:
+    read = robot_of_urdf(text, "robot", floating=is_floating)
+    return described_robot("b.urdf", read.robot, numbers_of_urdf(text))
+
+
+def equal_trial(text: str, seed: int) -> MechanicalComparison:
+    """Compare a document with a variant of it in URDF."""
+    ours, _ = described_text(text)
+    urdf = urdf_of(variant(ours.skeleton, seed))
+    return compared_mechanics(ours, described_urdf(urdf, ours.skeleton.is_floating))
+
+
+def off_trial(text: str, seed: int) -> Trial:
+    """Compare a document with a variant of it, one number of either being 1 % off."""
+    chance = random.Random(f"off {seed}")
+    ours, analysis = described_text(text)
+    urdf = urdf_of(variant(ours.skeleton, seed))
+    theirs = described_urdf(urdf, ours.skeleton.is_floating)
+    if chance.random() < 0.5:
+        return _off_here(ours, analysis, theirs, chance)
+    return _off_there(ours, theirs, urdf, chance)
+
+
+def _off_here(
+    ours: Described, analysis: Analysis, theirs: Described, chance: random.Random
+) -> Trial:
+    owner, quantity, number = chance.choice(list(_numbers(ours)))
+    assert not isinstance(number.at, TextPlace)
+    changed, _ = described_text(_edited(analysis.text, analysis.resolver.span(number.at), number))
+    found = compared_mechanics(changed, theirs)
+    named = {(n.owner, n.quantity) for n in found.numbers if n.here_number is not None}
+    is_same = _is_same(ours.skeleton, changed.skeleton)
+    result = _result(found, changed, theirs, (owner, quantity) in named, is_same)
+    return Trial(result, found, (owner, quantity))
+
+
+def _off_there(ours: Described, theirs: Described, urdf: str, chance: random.Random) -> Trial:
+    owner, quantity, number = chance.choice(list(_numbers(theirs)))
+    assert isinstance(number.at, TextPlace)
+    text = _edited(urdf, (number.at.start, number.at.end), number)
+    changed = described_urdf(text, ours.skeleton.is_floating)
+    found = compared_mechanics(ours, changed)
+    named = {
+        n.there_number.at.start
+        for n in found.numbers
+        if n.there_number and isinstance(n.there_number.at, TextPlace)
+    }
+    is_same = _is_same(theirs.skeleton, changed.skeleton)
+    result = _result(found, ours, changed, number.at.start in named, is_same)
+    return Trial(result, found, (owner, quantity))
+
+
+def _numbers(described: Described) -> Iterator[tuple[str, str, WrittenNumber]]:
+    """Yield the numbers that can be 1 % off, with what they are of."""
+    first = 0 if described.skeleton.is_floating else 1
+    for parts in described.inertias[first:]:
+        for part in parts:
+            for name, number in zip(INERTIA, part.numbers, strict=True):
+                if number is not None and number.value:
+                    yield part.owner, name, number
+    for joint in described.joints:
+        for name, number in zip(POSE, joint.numbers, strict=True):
+            if number is not None and number.value:
+                yield joint.owner, name, number
+
+
+def _edited(text: str, span: tuple[int, int], number: WrittenNumber) -> str:
+    start, end = span
+    return f"{text[:start]}{number.value * _OFF:.17f}{text[end:]}"
+
+
+def _is_same(one: Skeleton, other: Skeleton) -> bool:
+    """Return whether no motion can tell the robot from that with a number off."""
+    random_numbers = np.random.default_rng(5)
+    q, qd = random_numbers.uniform(-1.0, 1.0, (2, 8, one.n_links))
+    a, b = (Mechanics(bodies_of(each)) for each in (one, other))
+    pairs = (
+        (a.joint_space_inertia(q), b.joint_space_inertia(q)),
+        (a.bias_torque(q, qd), b.bias_torque(q, qd)),
+    )
+    return all(bool(np.abs(x - y).max() <= 1e-10 * np.abs(x).max()) for x, y in pairs)
+
+
+def _result(
+    found: MechanicalComparison, ours: Described, theirs: Described, is_named: bool, is_same: bool
+) -> str:
+    if found.is_equal:
+        return "unseen" if is_same else "missed"
+    if is_same and not torques(ours, theirs, found).is_seen:
+        return "unseen"
+    return "right" if is_named else "other number"
