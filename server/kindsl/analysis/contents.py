@@ -9,16 +9,17 @@ from zlib import crc32
 
 from kindsl.semantics.expressions import ConstantUse, Expression, symbols
 from kindsl.syntax.tree import Island, Node, Token
+from kindsl.syntax.vocabulary import BLOCKS, SCALARS, of_kind
 from kindsl.text.facts import Fact
 
 Place: TypeAlias = tuple[object, ...]
 
 _PIECE = Fact["_Piece"]("contents")
-_VALUES = frozenset({"mass", "moment"})
+_VALUES = SCALARS
 _REFERENCES = frozenset({"child", "inertia_frame"})
 # What may be written once or in several pieces, and means the same.
-_PIECES = frozenset({"children", "frames", "frame_group"})
-_NAMED = frozenset({"head", "base", "link", "joint", "frame"})
+_PIECES = of_kind("list", "groups", "group")
+_NAMED = frozenset(("head", *BLOCKS, "frame"))
 _BLOCKS = _NAMED | {"inertia", "joint_frame"}
 # What the generators read in two ways.
 _AMBIGUOUS = frozenset({"POWER_FLOAT", "LOWER_PI"})

@@ -9,10 +9,10 @@ from kindsl.semantics.declarations import ValueKind
 from kindsl.semantics.expressions import Expression, name_of
 from kindsl.syntax.tables import FORMS
 from kindsl.syntax.tree import Island, Node
-from kindsl.syntax.vocabulary import of_kind
+from kindsl.syntax.vocabulary import BLOCKS, of_kind
 
 _SECTIONS = of_kind("scalar", "moments", "vector")
-_OWNERS = frozenset(("frame", "link", "base", "joint"))
+_OWNERS = frozenset((*BLOCKS, "frame"))
 _AXES = ("x", "y", "z")
 _TURNS = ("about x", "about the new y", "about the new z")
 VALUE_NODES = frozenset(FORMS)

@@ -8,6 +8,7 @@ from kindsl.syntax.sections import misplaced, title
 from kindsl.syntax.tables import ORDERS
 from kindsl.syntax.token_names import opened_block
 from kindsl.syntax.tree import Edit, Island, Node, Problem, Repair, Token
+from kindsl.syntax.vocabulary import BLOCKS
 
 _RANKS = {name.rstrip("?+"): rank for rank, name in enumerate(ORDERS["document"])}
 _ENDINGS = frozenset({"KD002", "KD003"})
@@ -210,7 +211,7 @@ def _lacking(
         if _explains_end(islands):
             return []
         return [_placed(last, _unclosed(blocks))]
-    lacking = [kind for kind in ("base", "link", "joint") if kind not in kinds]
+    lacking = [kind for kind in BLOCKS if kind not in kinds]
     if not lacking or told or any(island.problems for island in islands):
         return []
     head = next(block for block in blocks if block.node.kind == "head")

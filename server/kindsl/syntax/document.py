@@ -15,14 +15,17 @@ from typing import TYPE_CHECKING
 
 from kindsl.syntax.parser import parse_island
 from kindsl.syntax.splitter import LOOKAHEAD, split
+from kindsl.syntax.tables import HOLDS, ORDERS
 from kindsl.syntax.tree import Island
 from kindsl.text.edits import TextEdit, apply_edits
 
 if TYPE_CHECKING:
     from kindsl.syntax.block_order import PlacedProblem
 
-_LETTERS = {"head": "h", "base": "b", "link": "l", "joint": "j", "end": "e"}
-_IN_ORDER = re.compile("hbl+j+e")
+_LETTERS = {part: chr(ord("a") + index) for index, part in enumerate(HOLDS["document"])}
+_IN_ORDER = re.compile(
+    "".join(_LETTERS[p.rstrip("?+")] + p[len(p.rstrip("?+")) :] for p in ORDERS["document"])
+)
 _CHUNK = 96
 _MANY_EDITS = 64
 

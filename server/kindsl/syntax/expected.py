@@ -4,13 +4,12 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from kindsl.syntax.automaton import ROWS, Stack, initial, is_complete, settled, step
-from kindsl.syntax.tables import CONSTRUCTS
+from kindsl.syntax.tables import CONSTRUCTS, KEYWORDS, NEITHER
 from kindsl.syntax.token_names import BLOCK_STARTS
 from kindsl.syntax.tree import Island, Token
+from kindsl.syntax.vocabulary import NAMES, PIS
 
-_OTHER_NAMES = frozenset(
-    {"PI_PREFIXED", "UNICODE_NAME", "ESCAPED_NAME", "KEYWORD_NAME", "PIPE_PI", "MALFORMED_NUMBER"}
-)
+_OTHER_NAMES = (NAMES | PIS | NEITHER.keys()) - set(KEYWORDS.values()) - {"NAME"}
 
 
 class Expected(NamedTuple):

@@ -5,8 +5,7 @@ from collections.abc import Sequence
 from kindsl.syntax.sections import section_problems
 from kindsl.syntax.tree import Node, Problem
 from kindsl.syntax.values import value_problems
-
-BLOCKS = frozenset({"base", "link", "joint"})
+from kindsl.syntax.vocabulary import BLOCKS
 
 
 def meaning_problems(text: str, nodes: Sequence[Node], touched: frozenset[int]) -> list[Problem]:

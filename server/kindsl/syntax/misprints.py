@@ -12,14 +12,14 @@ from kindsl.syntax.lookalikes import is_ignorable
 from kindsl.syntax.scanner import COMMENT
 from kindsl.syntax.token_names import shown
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
+from kindsl.syntax.vocabulary import NUMBERS, OPERANDS
 from kindsl.text.decimals import plain_decimal
 from kindsl.text.phrases import listed
 
 _SIGNS = frozenset("+-")
 _FACTORS = frozenset("*/")
-_NUMBERS = frozenset({"FLOAT", "INT", "SCIENTIFIC", "POWER_FLOAT"})
-_OPERANDS = _NUMBERS | {"NAME", "PI", "LOWER_PI", "PI_PREFIXED", "UNICODE_NAME", ")", "]", ">"}
-_OPERANDS_OR_SIGNS = (_OPERANDS | _SIGNS | _FACTORS) - {")", "]", ">"}
+_CLOSED = OPERANDS | set(")]>")
+_OPERANDS_OR_SIGNS = OPERANDS | _SIGNS | _FACTORS
 _STRANGE = re.compile(r"[^\t\n\r -~]")
 _GAP = re.compile(rf"(?P<comment>{COMMENT.pattern})|(?P<blanks>\s+)|.", re.S)
 _MOST_NAMED = 2
@@ -96,8 +96,8 @@ def _goes_on(tokens: Sequence[Token], index: int) -> bool:
     """Return whether a token belongs to the value of the one before."""
     before, token = tokens[index - 1], tokens[index]
     if before.kind in _SIGNS | _FACTORS:
-        return token.kind in _SIGNS or token.kind in _OPERANDS or token.kind == "MALFORMED_NUMBER"
-    if before.kind not in _OPERANDS:
+        return token.kind in _SIGNS or token.kind in _CLOSED | NUMBERS
+    if before.kind not in _CLOSED:
         return False
     if token.kind in _SIGNS:
         is_apart = before.end < token.start
@@ -133,7 +133,7 @@ def _problem(
     group, written = tokens[first:behind], text[start:end]
     is_id = [token.kind for token in tokens[max(first - 2, 0) : first]] == ["id", "="]
     new = _rewritten(text, tokens, first, behind, is_id)
-    title = f"Write {new}" if group[-1].kind in _NUMBERS else f"Write '{new}'"
+    title = f"Write {new}" if group[-1].kind in NUMBERS else f"Write '{new}'"
     is_safe = not any(_is_guessed(text, token) for token in group)
     repair = Repair(title, (Edit(start, end, new),), is_safe)
     if not strange:
@@ -159,8 +159,8 @@ def _rewritten(text: str, tokens: Sequence[Token], first: int, behind: int, is_i
     for index, token in enumerate(group):
         if index:
             gap = _gap(text[group[index - 1].end : token.start])
-            is_sign = index == 1 and group[0].kind in _SIGNS and token.kind in _NUMBERS
-            is_alone = first == 0 or tokens[first - 1].kind not in _OPERANDS
+            is_sign = index == 1 and group[0].kind in _SIGNS and token.kind in NUMBERS
+            is_alone = first == 0 or tokens[first - 1].kind not in _CLOSED
             parts.append("" if is_sign and is_alone and gap.isspace() else gap)
         is_whole = token.kind == "INT" and not is_id
         if token.kind == "SCIENTIFIC":

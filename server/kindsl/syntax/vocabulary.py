@@ -5,7 +5,9 @@ number, a `name`, a `pose` (a block of vectors), another `block` whose sections 
 `list` in braces, some `groups` of them, one such `group`, or a `row` of words.
 """
 
-from kindsl.syntax.tables import CLASSES, HOLDS, KEYWORDS, KINDS, ORDERS, WORDS
+from collections.abc import Iterable
+
+from kindsl.syntax.tables import CLASSES, HOLDS, KEYWORDS, KINDS, NEITHER, ORDERS, WORDS
 
 
 def of_kind(*kinds: str) -> frozenset[str]:
@@ -24,6 +26,12 @@ def token_kind(construct: str) -> str:
     return KEYWORDS.get(word, word)
 
 
+def token_kinds(constructs: Iterable[str]) -> frozenset[str]:
+    """Return the kinds of the tokens that constructs begin with, but for those that begin bare."""
+    return frozenset(token_kind(name) for name in constructs if WORDS[name])
+
+
+BLOCK_WORDS = tuple(word for word in words_of(*HOLDS["document"]) if word in KEYWORDS)
 BLOCKS = tuple(name for name in HOLDS["document"] if name in ORDERS)
 BODIES = tuple(name for name in BLOCKS if "inertia" in HOLDS[name])
 SECTIONS = {part: KINDS[part] for name in ORDERS if name != "document" for part in HOLDS[name]}
@@ -34,4 +42,6 @@ POSE = tuple(dict.fromkeys(part for name in of_kind("pose") for part in HOLDS[na
 NAMES = frozenset(CLASSES["_name"])
 NUMBERS = frozenset(CLASSES["_number"])
 PIS = frozenset(CLASSES["_pi"])
+SECTION_TOKENS = token_kinds(SECTIONS)
 VALUE_TERMINALS = NUMBERS | PIS
+OPERANDS = (NAMES | VALUE_TERMINALS) - NEITHER.keys()

@@ -14,6 +14,7 @@ from kindsl.syntax.document import PlacedIsland
 from kindsl.syntax.sections import ORDER
 from kindsl.syntax.tables import KINDS
 from kindsl.syntax.tree import Node
+from kindsl.syntax.vocabulary import words_of
 from kindsl.text.edits import TextEdit
 from kindsl.text.phrases import listed
 
@@ -70,11 +71,12 @@ def _missing(analysis: Analysis, block: Node) -> Iterator[_AddedSection]:
 
 
 def _text(analysis: Analysis, kind: str) -> str:
-    if kind == "id":
-        return f"id = {next_id(analysis)}"
-    if kind == "children":
-        return "children {}"
-    is_frames = kind == "frames"
+    what = KINDS[kind]
+    if what == "whole":
+        return f"{words_of(kind)[0]} = {next_id(analysis)}"
+    if what == "list":
+        return f"{words_of(kind)[0]} {{}}"
+    is_frames = what == "groups"
     return without_placeholders(snippets.frames() if is_frames else snippets.section(kind))
 
 

@@ -9,10 +9,11 @@ from kindsl.features.actions.free_name import free_name
 from kindsl.features.tree_path import TokenAt, token_at
 from kindsl.features.value_place import ValuePlace, expression_at, value_place
 from kindsl.rules.context import ROBCOGEN
+from kindsl.syntax.vocabulary import NUMBERS, OPERANDS
 from kindsl.text.edits import TextEdit
 
 _KIND = "refactor.extract"
-_NUMBERS = frozenset(("FLOAT", "SCIENTIFIC", "POWER_FLOAT"))
+_NUMBERS = NUMBERS & OPERANDS - {"INT"}
 _NO_NAME = re.compile(r"\W+")
 
 

@@ -27,6 +27,8 @@ from kindsl.semantics.expressions import half_unit, symbols
 from kindsl.semantics.lowering import declarations
 from kindsl.semantics.numbers import written_pose
 from kindsl.semantics.unknown import Unknown, pose_expressions
+from kindsl.syntax.sections import ORDER
+from kindsl.syntax.tables import WORDS
 from kindsl.syntax.tree import Node
 from kindsl.syntax.vocabulary import MOMENTS
 from kindsl.text.decimals import fixed_decimal, rounded_decimal
@@ -123,8 +125,9 @@ def _link_of_inertia(path: Sequence[Node], bodies: Iterator[Link]) -> Link | Non
 def _is_movable(inertia: Inertia) -> bool:
     """Return whether every number stands there once, as a plain number."""
     kinds = [child.kind for child in inertia.node.children]
-    counts = [kinds.count(kind) for kind in ("mass", "com", "moment")]
-    return counts == [1, 1, len(MOMENTS)] and is_plain(inertia)
+    wanted = [kind for kind, place in ORDER["inertia"].items() if place.is_needed]
+    is_once = all(kinds.count(kind) == len(WORDS[kind]) for kind in wanted)
+    return is_once and is_plain(inertia)
 
 
 def _to_link_frame(moving: _Moving) -> Iterator[CodeAction]:

@@ -10,10 +10,11 @@ from kindsl.features.actions.layout_edits import newline_of
 from kindsl.features.tree_path import token_at
 from kindsl.rules.renumbering import regular_order, renumbering
 from kindsl.semantics.declarations import Link
+from kindsl.syntax.vocabulary import BODIES
 from kindsl.text.edits import TextEdit
 
 _KIND = "refactor.rewrite"
-_WHERE = frozenset(("head", "base", "link"))
+_WHERE = frozenset(("head", *BODIES))
 _REST_OF_LINE = re.compile(r"(?:[ \t]*(?://[^\r\n]*|/\*(?:[^*\r\n]|\*(?!/))*\*/))*")
 
 

@@ -16,14 +16,14 @@ from kindsl.syntax.expected import expected_at
 from kindsl.syntax.parser import parse_island
 from kindsl.syntax.sections import ORDER
 from kindsl.syntax.tree import Island, Node, Token
-from kindsl.syntax.vocabulary import of_kind
+from kindsl.syntax.vocabulary import of_kind, token_kinds
 from kindsl.text.span import Span
 
 _WORD_BEFORE = re.compile(r"[\^.]?\w*\Z")
 _NUMBER = re.compile(r"[\d.]")
 _BEHIND_WORD = re.compile(r"\W")
 _LONGEST_WORD = 200
-_BEFORE_LISTS = frozenset(("link", "JOINT_KIND", "via", "=", "(", ",", "<"))
+_BEFORE_LISTS = token_kinds(("link", "joint")) | {"via", "=", "(", ",", "<"}
 _BLOCKS = of_kind("block", "pose", "list", "group")
 
 

@@ -9,10 +9,11 @@ from kindsl.features.quantity_text import number
 from kindsl.features.value_place import ValuePlace
 from kindsl.rules.context import ROBCOGEN
 from kindsl.semantics.declarations import ValueKind
+from kindsl.syntax.vocabulary import MOMENTS
 
 _PI_FORMS = (("PI/2.0", "90°"), ("-PI/2.0", "-90°"), ("PI", "180°"), ("-PI", "-180°"))
 _DIVISORS = {"2.0": "90°", "4.0": "45°", "3.0": "60°", "6.0": "30°"}
-_NEVER_ZERO = frozenset(("mass", "Ix", "Iy", "Iz"))
+_NEVER_ZERO = frozenset(("mass", *MOMENTS[:3]))
 
 
 def value_items(

@@ -10,14 +10,19 @@ from collections.abc import Callable, Iterable, Sequence
 from functools import cached_property
 from typing import NamedTuple
 
+from kindsl.syntax.tables import CLASSES, KEYWORDS
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
+from kindsl.syntax.vocabulary import NAMES, PIS, POSE, SCALARS, of_kind, token_kind, token_kinds
 
 LETTERS = {
-    "NAME": "n", "PI_PREFIXED": "q", "PI": "P", "LOWER_PI": "P",
-    "FLOAT": "f", "INT": "i", "SCIENTIFIC": "e", "POWER_FLOAT": "p", "MALFORMED_NUMBER": "m",
-    "mass": "S", "MOMENT": "S", "CoM": "c", "translation": "V", "rotation": "V", "id": "D",
-    "Robot": "W", "RobotBase": "B", "link": "L", "JOINT_KIND": "J", "FLOATING": "W", "via": "v",
-    "INERTIA": "I", "children": "C", "frames": "W", "ref_frame": "R",
+    **dict.fromkeys(KEYWORDS.values(), "W"),
+    **dict.fromkeys(NAMES, "u"), "NAME": "n", "PI_PREFIXED": "q", **dict.fromkeys(PIS, "P"),
+    **dict(zip(CLASSES["_number"], "fiepm", strict=True)),
+    **dict.fromkeys(token_kinds(SCALARS), "S"), **dict.fromkeys(token_kinds(of_kind("whole")), "D"),
+    **dict.fromkeys(token_kinds(of_kind("vector")), "c"), **dict.fromkeys(token_kinds(POSE), "V"),
+    **dict.fromkeys(token_kinds(of_kind("pose")), "R"), "via": "v",
+    **dict(zip(map(token_kind, ("base", "link", "joint")), "BLJ", strict=True)),
+    **dict(zip(map(token_kind, ("inertia", "children")), "IC", strict=True)),
 }  # fmt: skip
 _SIGNS = frozenset("#\"'")
 

@@ -7,12 +7,11 @@ from kindsl.syntax.habits.vectors import is_value
 from kindsl.syntax.indentation import indentation
 from kindsl.syntax.token_names import supplied
 from kindsl.syntax.tree import Edit, Token
+from kindsl.syntax.vocabulary import MOMENTS, NUMBERS
 from kindsl.text.lines import is_first_on_line
 from kindsl.text.phrases import counted
 
-_MOMENTS = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")
 _SIGNS = frozenset(",([])")
-_NUMBERS = frozenset({"FLOAT", "INT", "SCIENTIFIC", "POWER_FLOAT", "MALFORMED_NUMBER"})
 
 
 def obsolete_moments(found: Sighting) -> Iterator[Rewrite]:
@@ -22,13 +21,13 @@ def obsolete_moments(found: Sighting) -> Iterator[Rewrite]:
     if not values:
         return
     word = tokens[0]
-    new = [Token("MOMENT", _MOMENTS[0], word.lead, word.start, word.end), tokens[1], *values[0]]
-    for index, name in enumerate(_MOMENTS[1:], 1):
+    new = [Token("MOMENT", MOMENTS[0], word.lead, word.start, word.end), tokens[1], *values[0]]
+    for index, name in enumerate(MOMENTS[1:], 1):
         end = new[-1].end
         value = values[index] if index < len(values) else [supplied("FLOAT", end)]
         new += [supplied("MOMENT", end, name), supplied("=", end), *value]
     at = (word.start, tokens[-1].end)
-    if len(values) == len(_MOMENTS):
+    if len(values) == len(MOMENTS):
         yield Rewrite(first, behind, new, at, (), _edits(found.text, tokens, values))
     else:
         message = f"obsolete 'moments' has {counted(len(values), 'value')} instead of 6"
@@ -41,11 +40,11 @@ def _values(tokens: Sequence[Token]) -> list[list[Token]]:
     before = ","
     for token in tokens:
         if token.kind not in _SIGNS:
-            if before in _SIGNS or {token.kind, before} <= _NUMBERS:
+            if before in _SIGNS or {token.kind, before} <= NUMBERS:
                 values.append([])
             values[-1].append(token)
         before = token.kind
-    is_list = all([t.kind for t in v] == ["MALFORMED_NUMBER"] or is_value(v) for v in values)
+    is_list = all((len(v) == 1 and v[0].kind in NUMBERS) or is_value(v) for v in values)
     return values if is_list else []
 
 
@@ -56,11 +55,11 @@ def _edits(
     start = tokens[0].start
     gap = "\n" + indentation(text, start) if is_first_on_line(text, start) else " "
     ends = [value[-1].end for value in values]
-    edits = [Edit(start, tokens[0].end, _MOMENTS[0])]
+    edits = [Edit(start, tokens[0].end, MOMENTS[0])]
     for token in tokens[2:]:
         if token.kind in _SIGNS and not ends[0] <= token.start < values[-1][0].start:
             edits.append(Edit(token.start, token.end, ""))
-    for name, end, value in zip(_MOMENTS[1:], ends, values[1:], strict=False):
+    for name, end, value in zip(MOMENTS[1:], ends, values[1:], strict=False):
         place = value[0].start
         if not text[end:place].strip(" \t\r\n,"):
             edits.append(Edit(end, place, f"{gap}{name} = "))

@@ -7,15 +7,14 @@ from kindsl.syntax.malformed import is_grouped
 from kindsl.syntax.token_names import called, shown, supplied
 from kindsl.syntax.tree import Edit, Token
 from kindsl.syntax.value_forms import form_kind, kinds_accepted_by
+from kindsl.syntax.vocabulary import NUMBERS, OPERANDS
 from kindsl.text.phrases import counted
 
 VECTOR = ("(", "FLOAT", ",", "FLOAT", ",", "FLOAT", ")")
 
 _COMPONENTS = 3
 _LONGEST_FORM = 12
-_NUMBERS = frozenset({"FLOAT", "INT", "SCIENTIFIC", "POWER_FLOAT"})
-_OPERANDS = _NUMBERS | {"NAME", "PI", "LOWER_PI"}
-_BEFORE_OPERATORS = _OPERANDS | {"PI_PREFIXED", ")", "]", ">"}
+_BEFORE_OPERATORS = OPERANDS | set(")]>")
 
 
 def half_vector(found: Sighting) -> Iterator[Rewrite]:
@@ -40,7 +39,7 @@ def no_vector(found: Sighting) -> Iterator[Rewrite]:
 def three_numbers(found: Sighting) -> Iterator[Rewrite]:
     """Read three numbers as URDF has them, `"0 0 1.57"`, as a vector."""
     (first, behind), value = found.span("value"), found.of("value")
-    numbers = [token for token in value if token.kind in _NUMBERS]
+    numbers = [token for token in value if token.kind in NUMBERS]
     x, y, z = (n.text if n.kind == "FLOAT" else f"{n.text}.0" for n in numbers)
     start, end = value[0].start, value[-1].end
     words = (shown("".join(f" {n.text}" for n in numbers)), f"({x}, {y}, {z})")
@@ -77,7 +76,7 @@ def lost_commas(found: Sighting) -> Iterator[Rewrite]:
     gaps = [
         index
         for index in range(2, len(value) - 1)
-        if value[index - 1].kind in _OPERANDS and _begins_value(value, index)
+        if value[index - 1].kind in OPERANDS and _begins_value(value, index)
     ]
     new = list(value)
     for gap in reversed(gaps):
@@ -104,7 +103,7 @@ def _begins_value(tokens: Sequence[Token], index: int) -> bool:
     if token.kind == "-":
         is_apart = tokens[index - 1].end < token.start
         return is_apart and token.end == tokens[index + 1].start
-    return token.kind in _OPERANDS
+    return token.kind in OPERANDS
 
 
 def other_numbers(found: Sighting) -> Iterator[Rewrite]:
@@ -162,7 +161,7 @@ def _may_go_on(text: str, tokens: Sequence[Token], index: int) -> bool:
 def _unsigned(text: str, tokens: Sequence[Token], index: int, is_whole: bool) -> tuple[Token, ...]:
     """Return a signed number behind an operand as an operator and a number: `x-1.0`."""
     token = tokens[index]
-    if token.kind not in _NUMBERS or token.text[:1] not in ("+", "-") or index == 0:
+    if token.kind not in NUMBERS or token.text[:1] not in ("+", "-") or index == 0:
         return (token,)
     before = tokens[index - 1]
     between = text[before.end : token.start]

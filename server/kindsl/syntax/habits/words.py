@@ -11,6 +11,7 @@ from kindsl.syntax.scanner import word_kind
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.token_names import called, shown, supplied, unknown_keyword
 from kindsl.syntax.tree import Edit, Token
+from kindsl.syntax.vocabulary import NUMBERS
 from kindsl.text.lines import is_first_on_line
 
 _MEANT = {
@@ -92,7 +93,7 @@ def repeated_words(found: Sighting) -> Iterator[Rewrite]:
     taken = _taken(found)
     for index, token, word in _called(found):
         kinds = [t.kind for t in found.tokens[index + 2 : index + 4]]
-        if word not in taken or kinds[:1] not in (["FLOAT"], ["INT"], ["SCIENTIFIC"]):
+        if word not in taken or not NUMBERS.intersection(kinds[:1]):
             continue
         if kinds[1:] and kinds[1] in "*/-":
             continue
