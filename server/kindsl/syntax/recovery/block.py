@@ -26,7 +26,7 @@ _GOES_ON = 3
 
 
 class BlockProgress:
-    """How far a block is read."""
+    """The progress of reading a block."""
 
     def __init__(self, island: RepairProgress, start: str) -> None:
         self.island = island
@@ -116,7 +116,7 @@ class BlockProgress:
         """Find a repair and apply it; return whether there was one."""
         island = self.island
         stacks = [self.stack, *self.history[: -_BACK - 1 : -1]]
-        costs = preferences(island.text, self.read_tokens, island.tokens, island.index)
+        costs = preferences(self.read_tokens, island.tokens, island.index)
         found = search(stacks, island.tokens, island.index, self.start, costs)
         if found is None:
             return self._skip_to_fit()

@@ -1,9 +1,11 @@
-"""Which block begins at a token, also where its keyword is lost, misspelt or wrong."""
+"""The kind of the block at a token, also where its keyword is lost, misspelt or wrong."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from kindsl.syntax.recovery.costs import cost
 from kindsl.syntax.scanner import word_kind
+from kindsl.syntax.tables import HOLDS
 from kindsl.syntax.token_names import (
     BLOCK_KINDS,
     BLOCK_STARTS,
@@ -14,9 +16,10 @@ from kindsl.syntax.token_names import (
     unknown_keyword,
 )
 from kindsl.syntax.tree import Edit, Problem, Repair, Token
+from kindsl.syntax.vocabulary import BLOCK_WORDS, NAMES, POSE, token_kind, token_kinds
 from kindsl.text.nearest import nearest_words
 
-_BLOCK_WORDS = ("Robot", "RobotBase", "link", "r_joint", "p_joint")
+LONGEST_FIRST = sorted(BLOCK_WORDS, key=len, reverse=True)
 _JOINT_KINDS = {
     "revolute": "r_joint",
     "rotational": "r_joint",
@@ -29,16 +32,14 @@ _JOINT_KINDS = {
     "sliding": "p_joint",
     "slider": "p_joint",
 }
-_NAME_KINDS = frozenset({"NAME", "PI_PREFIXED", "UNICODE_NAME", "ESCAPED_NAME", "LOWER_PI"})
 _BODY = frozenset({"{", "FLOATING"})
-_LINK_SECTIONS = frozenset({"INERTIA", "children", "frames"})
-_POSE = frozenset({"translation", "rotation"})
+_LINK_SECTIONS = token_kinds({*HOLDS["link"]} - {*HOLDS["joint"]})
+_POSE = token_kinds(POSE)
 _REACH = 200
-_WRITTEN = 1.5
 
 
 class Opening(NamedTuple):
-    """How a block begins.
+    """The opening of a block.
 
     Attributes:
         start: The construct it begins.
@@ -79,7 +80,7 @@ def opening(tokens: Sequence[Token], index: int, previous: str = "") -> Opening 
 
 
 def _is_word(token: Token) -> bool:
-    return token.kind in _NAME_KINDS
+    return token.kind in NAMES
 
 
 def _checked(tokens: Sequence[Token], index: int, start: str) -> Opening:
@@ -124,7 +125,7 @@ def _with_repairs(
 
 def _unglued(token: Token) -> Opening | None:
     """Return the opening of `linkl1 {`, which robcogen2 reads as `link l1 {`."""
-    for word in ("RobotBase", "Robot", "link", "r_joint", "p_joint"):
+    for word in LONGEST_FIRST:
         if token.text.startswith(word) and len(token.text) > len(word):
             pair = unglue(token, word)
             if pair is not None:
@@ -177,7 +178,7 @@ def _misspelt(tokens: Sequence[Token], index: int, previous: str) -> Opening | N
 def block_words(word: str) -> tuple[str, ...]:
     """Return the keywords that begin a block and may be meant by a word; r_joint before p_joint."""
     known = _JOINT_KINDS.get(word.casefold().partition("_")[0])
-    found = (known,) if known else nearest_words(word, _BLOCK_WORDS)
+    found = (known,) if known else nearest_words(word, BLOCK_WORDS)
     kinds = {word_kind(each) for each in found}
     return tuple(sorted(found, reverse=True)) if len(kinds) == 1 else found[:1]
 
@@ -213,15 +214,18 @@ def kind_by_content(tokens: Sequence[Token], index: int, written: str = "") -> s
 
     Whichever the sections up to the next block speak for, and what is written, if any is.
     """
-    scores = {kind: _WRITTEN if kind == written else 0.0 for kind in ("link", "joint")}
+    scores = {"link": 0.0, "joint": 0.0}
+    if written:
+        scores[written] += cost("believe a keyword")
     previous = ""
     for token in tokens[index + 1 : index + _REACH]:
         if token.kind in BLOCK_STARTS and token.kind != "}":
             break
         if token.kind in _LINK_SECTIONS:
-            scores["link"] += 1 if token.kind == "frames" else 2
+            is_frames = token.kind == token_kind("frames")
+            scores["link"] += cost("believe frames" if is_frames else "believe a section")
         elif previous == "ref_frame" and (token.kind == "{" or token.kind in _POSE):
-            scores["joint"] += 3
+            scores["joint"] += cost("believe a section")
         previous = token.kind
     if scores["link"] == scores["joint"]:
         return None

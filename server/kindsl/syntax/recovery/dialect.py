@@ -1,13 +1,13 @@
-"""What robcogen2 reads as names and keywords: `link link {`, `linkl1 {`."""
+"""Names and keywords as robcogen2 reads them: `link link {`, `linkl1 {`."""
 
 from collections.abc import Sequence
 
 from kindsl.syntax.automaton import Stack, step
-from kindsl.syntax.recovery.block_kinds import unglue
+from kindsl.syntax.recovery.block_kinds import LONGEST_FIRST, unglue
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Token
 
-_GLUED = ("RobotBase", "Robot", "link", "r_joint", "p_joint", "via")
+_GLUED = (*LONGEST_FIRST, "via")
 
 
 def goes_on(stack: Stack, tokens: Sequence[Token]) -> bool:

@@ -10,7 +10,7 @@ from kindsl.syntax.tree import Node, Problem, Token
 
 
 class Recovered(NamedTuple):
-    """What became of an island's tokens.
+    """The result of reading an island's tokens.
 
     Attributes:
         nodes: The blocks.

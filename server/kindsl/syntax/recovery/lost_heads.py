@@ -3,14 +3,21 @@
 from collections.abc import Sequence
 
 from kindsl.syntax.recovery.block_kinds import Opening, kind_by_content
+from kindsl.syntax.scanner import word_kind
+from kindsl.syntax.tables import HOLDS, ORDERS
 from kindsl.syntax.token_names import BLOCK_KINDS, called, shown, supplied
 from kindsl.syntax.tree import Problem, Token
+from kindsl.syntax.vocabulary import BLOCK_WORDS, BLOCKS, SECTIONS, of_kind, token_kind, token_kinds
 
-_LAST_SECTION = {"base": "children", "link": "children", "joint": "ref_frame"}
+_BRACED = of_kind("block", "pose", "list", "groups")
+_LAST_SECTION = {
+    name: token_kind([part for part in ORDERS[name] if not part.endswith("?")][-1])
+    for name in BLOCKS
+}
 _FAR_BACK = 4000
-_SECTIONS_OF_BLOCKS = frozenset({"id", "INERTIA", "children"})
-_GOES_ON = {"via": "NAME", "INERTIA": "{", "ref_frame": "{"}
-_HEADS = frozenset({"Robot", "RobotBase", "link", "JOINT_KIND", "FLOATING"})
+_SECTIONS_OF_BLOCKS = token_kinds(HOLDS["link"])
+_GOES_ON = {"via": "NAME", **dict.fromkeys(token_kinds(SECTIONS.keys() & _BRACED), "{")}
+_HEADS = {*map(word_kind, BLOCK_WORDS), "FLOATING"}
 
 
 def lost_head(

@@ -1,27 +1,24 @@
-"""What speaks for and against a repair at a place: its surroundings and its spelling."""
+"""Extra costs of a repair at a place: its surroundings and its spelling."""
 
 from collections.abc import Sequence
 
+from kindsl.syntax.recovery.costs import cost
 from kindsl.syntax.recovery.repair import Preferences
 from kindsl.syntax.scanner import word_kind
 from kindsl.syntax.tables import KEYWORDS
-from kindsl.syntax.token_names import BLOCK_STARTS, SPELLINGS
+from kindsl.syntax.token_names import SPELLINGS
 from kindsl.syntax.tree import Token
+from kindsl.syntax.vocabulary import SECTION_TOKENS
 from kindsl.text.nearest import is_near
 
-_SECTIONS = frozenset(SPELLINGS) - frozenset(BLOCK_STARTS) - {"via", "FLOATING", "PI", "LOWER_PI"}
 _OPEN, _CLOSED = frozenset("{("), frozenset("})")
-_WITHIN_VALUES = frozenset("(,-*/")
 _REACH = 400
 
 
-def preferences(
-    text: str, read: Sequence[Token], tokens: Sequence[Token], index: int
-) -> Preferences:
+def preferences(read: Sequence[Token], tokens: Sequence[Token], index: int) -> Preferences:
     """Return the extra costs of changes at a place.
 
     Args:
-        text: The island's text.
         read: What is read of the block so far.
         tokens: All tokens of the island.
         index: The first token that does not fit.
@@ -31,35 +28,27 @@ def preferences(
     if sum(count for word, count in words.items() if word_kind(word) == "MOMENT") < 6:
         present.discard("MOMENT")
 
-    def insertion(kind: str, place: int) -> float:
-        if kind in _SECTIONS and kind in present:
-            return 0.5
-        if kind == "(" and _is_within_value(tokens, place):
-            return 1.0
-        if kind in ("NAME", "FLOAT", "INT") and _is_at_line_end(text, tokens, place):
-            return -0.2
-        return 0.0
+    def insertion(kind: str) -> float:
+        is_present = kind in SECTION_TOKENS and kind in present
+        return cost("insert a present section, more") if is_present else 0.0
 
     def replacement(kind: str, place: int) -> float:
         old = tokens[place]
-        cost = 0.0
-        if kind in _SECTIONS:
-            cost = 0.5 if kind in present else -0.4
-        spellings = SPELLINGS.get(kind)
-        is_word = old.text[:1].isidentifier()
-        if spellings and is_word and old.text not in KEYWORDS:
-            return cost - (0.6 if any(is_near(old.text, word) for word in spellings) else 0.0)
-        if kind == "NAME" and old.text in KEYWORDS:
-            return cost + 0.6
-        if kind == "NAME" or bool(spellings) == is_word:
-            return cost
-        return cost + 0.3
+        price = 0.0
+        if kind in SECTION_TOKENS:
+            state = "present" if kind in present else "lacking"
+            price = cost(f"replace by a {state} section, more")
+        spellings = SPELLINGS.get(kind, ())
+        if old.text[:1].isidentifier() and old.text not in KEYWORDS:
+            is_near_one = any(is_near(old.text, word) for word in spellings)
+            price += cost("replace by a near word, more") if is_near_one else 0.0
+        return price
 
     def deletion(place: int) -> float:
         token = tokens[place]
         if place > 0 and token.text == tokens[place - 1].text and token.kind not in "{}":
-            return -0.3
-        return 0.8 if words.get(token.text) == 1 else 0.0
+            return cost("delete what is doubled, more")
+        return cost("delete the only section, more") if words.get(token.text) == 1 else 0.0
 
     return Preferences(insertion, replacement, deletion)
 
@@ -83,20 +72,6 @@ def _section_words(read: Sequence[Token], tokens: Sequence[Token], index: int) -
                 depth += 1 if token.kind in inward else -1
                 if depth < 0:
                     break
-            elif depth == 0 and token.kind in _SECTIONS:
+            elif depth == 0 and token.kind in SECTION_TOKENS:
                 words[token.text] = words.get(token.text, 0) + 1
     return words
-
-
-def _is_within_value(tokens: Sequence[Token], place: int) -> bool:
-    """Return whether no vector can begin at a place: a value goes on there, or one has begun."""
-    before = tokens[place - 1].kind if place > 0 else ""
-    return before in _WITHIN_VALUES or (place < len(tokens) and tokens[place].kind == "(")
-
-
-def _is_at_line_end(text: str, tokens: Sequence[Token], place: int) -> bool:
-    """Return whether the token at a place is the first on its line."""
-    if not 0 < place < len(tokens):
-        return place > 0
-    between = text[tokens[place - 1].end : tokens[place].start]
-    return "\n" in between or "\r" in between

@@ -1,4 +1,4 @@
-"""How far an island is read: what became of its tokens so far, and what was said of them."""
+"""The progress of reading an island: its tokens so far, and the problems found."""
 
 from collections.abc import Sequence
 
@@ -40,7 +40,7 @@ class RepairProgress:
 
     @property
     def is_hopeless(self) -> bool:
-        """Whether so much is wrong that no more repairs are sought."""
+        """True if so much is wrong that no more repairs are sought."""
         return len(self.problems) + len(self.leftovers) >= _MOST_PROBLEMS
 
     def skip(self, tokens: Sequence[Token]) -> None:

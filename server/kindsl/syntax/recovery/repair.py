@@ -10,22 +10,19 @@ from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from kindsl.syntax.automaton import ROWS, Stack, is_complete, step
+from kindsl.syntax.recovery.costs import cost
 from kindsl.syntax.token_names import BLOCK_STARTS, SPELLINGS
 from kindsl.syntax.tree import Token
 
 _SIGNS = frozenset("{}()=,]>")
 _VALUES = frozenset({"NAME", "FLOAT", "INT"})
 INSERTABLE = (frozenset(SPELLINGS) | _SIGNS | _VALUES) - {"PI", "LOWER_PI", "FLOATING"}
-_BRACES = frozenset("{}")
 
-_SHIFTS_TO_SUCCEED = 4
 _MOST_EXPANSIONS = 1200
 _MOST_GOALS = 30
 _MOST_COST = 4.2
-_SLACK = 0.65
-_SLACK_TO_READ_ON = 1.4
-_RUN = 14
-_IN_A_RUN = 0.6
+_FIT_BEHIND = 4
+_READ_FURTHER = 14
 
 
 class RepairStep(NamedTuple):
@@ -62,15 +59,15 @@ class _Candidate(NamedTuple):
 
 
 class Preferences(NamedTuple):
-    """What speaks for and against a change at a place, beyond its kind.
+    """Extra costs of a change at a place, beyond its kind.
 
     Attributes:
-        insertion: Extra cost of inserting a kind before the token `index`.
+        insertion: Extra cost of inserting a kind.
         replacement: Extra cost of taking the token `index` for a kind.
         deletion: Extra cost of leaving out the token `index`.
     """
 
-    insertion: Callable[[str, int], float]
+    insertion: Callable[[str], float]
     replacement: Callable[[str, int], float]
     deletion: Callable[[int], float]
 
@@ -92,14 +89,15 @@ def search(
         start: The construct being read.
         preferences: Extra costs.
     """
+    back = cost("go back by a token")
     queue = [
-        _Candidate(0.12 * back, back, stack, index - back, (), 0, index - back)
-        for back, stack in enumerate(stacks)
+        _Candidate(back * count, count, stack, index - count, (), 0, index - count)
+        for count, stack in enumerate(stacks)
     ]
     goals: list[_Candidate] = []
     seen: dict[object, float] = {}
     order = len(queue)
-    slack = _SLACK_TO_READ_ON
+    slack = cost("read to the end, slack")
     for _ in range(_MOST_EXPANSIONS):
         if not queue or len(goals) > _MOST_GOALS:
             break
@@ -108,8 +106,8 @@ def search(
             break
         if candidate.changes and _is_goal(candidate, tokens, index, start):
             goals.append(candidate)
-            if _run(candidate, tokens, start) == _RUN:
-                slack = _SLACK
+            if _run(candidate, tokens, start) == _READ_FURTHER:
+                slack = cost("read further, slack")
             continue
         key = _key(candidate)
         if seen.get(key, _MOST_COST + 1) <= candidate.cost:
@@ -120,7 +118,7 @@ def search(
             heapq.heappush(queue, following._replace(order=order))
     if not goals:
         return None
-    limit = goals[0].cost + _SLACK
+    limit = goals[0].cost + cost("read further, slack")
     fair = [goal for goal in goals if goal.cost <= limit or _is_lost_run(goal, tokens, start)]
     best = min(fair, key=lambda goal: (-_run(goal, tokens, start), goal.cost))
     return FoundRepair(best.first, best.changes, best.stack, best.at)
@@ -134,7 +132,7 @@ def completion(stack: Stack, start: str) -> list[str] | None:
     for _ in range(400):
         if not queue:
             return None
-        cost, _, stack, kinds = heapq.heappop(queue)
+        paid, _, stack, kinds = heapq.heappop(queue)
         if is_complete(stack, start):
             return list(kinds)
         key = (_top(stack), len(kinds))
@@ -145,8 +143,8 @@ def completion(stack: Stack, start: str) -> list[str] | None:
             following = step(stack, kind) if kind in INSERTABLE else None
             if following is not None:
                 order += 1
-                step_cost = 0.3 if kind in "})" else insertion_cost(kind)
-                heapq.heappush(queue, (cost + step_cost, order, following, (*kinds, kind)))
+                price = cost("close at the end") if kind in "})" else insertion_cost(kind)
+                heapq.heappush(queue, (paid + price, order, following, (*kinds, kind)))
     return None
 
 
@@ -154,28 +152,24 @@ def insertion_cost(kind: str) -> float:
     """Return how dear it is to suppose a lost token of that kind."""
     if kind in _SIGNS:
         return 1.0
-    return 1.1 if kind in _VALUES else 1.2
+    return cost("insert a value" if kind in _VALUES else "insert a word")
 
 
 def _deletion_cost(kind: str) -> float:
     if kind == "BAD":
-        return 0.5
-    if kind == "=":
-        return 1.8
-    return 1.3 if kind in _BRACES else 1.0
+        return cost("delete an odd character")
+    return cost("delete '='") if kind == "=" else 1.0
 
 
 def _replacement_cost(old: str, new: str) -> float:
-    cost = 0.8 if old == "BAD" else 1.25
-    if old in _BRACES:
-        cost = 1.5
-    elif old == "=" and new in _VALUES:
-        cost = 1.9
-    return cost if new in _VALUES else cost + 0.1
+    price = cost("replace an odd character" if old == "BAD" else "replace")
+    if old == "=" and new in _VALUES:
+        price = cost("replace '=' by a value")
+    return price if new in _VALUES else price + cost("replace by no value, more")
 
 
 def _is_goal(candidate: _Candidate, tokens: Sequence[Token], failed: int, start: str) -> bool:
-    if candidate.shifts >= _SHIFTS_TO_SUCCEED and candidate.at > failed:
+    if candidate.shifts >= _FIT_BEHIND and candidate.at > failed:
         return True
     index = candidate.at
     if index < len(tokens):
@@ -189,13 +183,13 @@ def _following(
     candidate: _Candidate, tokens: Sequence[Token], failed: int, preferences: Preferences
 ) -> list[_Candidate]:
     """Return what can come of a candidate in one step."""
-    cost, _, stack, index, changes, shifts, first = candidate
+    paid, _, stack, index, changes, shifts, first = candidate
     followers: list[_Candidate] = []
 
     def follow(extra: float, after: Stack, at: int, change: RepairStep | None) -> None:
         done = (*changes, change) if change else changes
         kept = 0 if change else shifts + 1
-        followers.append(_Candidate(cost + extra, 0, after, at, done, kept, first))
+        followers.append(_Candidate(paid + extra, 0, after, at, done, kept, first))
 
     at_end = index >= len(tokens)
     kind = "$END" if at_end else tokens[index].kind
@@ -204,7 +198,7 @@ def _following(
         if after is not None and (changes or index < failed):
             follow(0.0, after, index + 1, None)
         is_continued = bool(changes) and changes[-1][:2] == ("delete", index - 1)
-        price = 0.35 if is_continued else _deletion_cost(kind)
+        price = cost("delete on") if is_continued else _deletion_cost(kind)
         price += preferences.deletion(index)
         follow(price, stack, index + 1, RepairStep("delete", index, kind))
     for new in ROWS[stack.state]:
@@ -213,9 +207,9 @@ def _following(
         after = step(stack, new)
         if after is None:
             continue
-        price = insertion_cost(new) + preferences.insertion(new, index)
+        price = insertion_cost(new) + preferences.insertion(new)
         if changes and changes[-1][:2] == ("insert", index):
-            price *= _IN_A_RUN
+            price *= cost("insert on, factor")
         follow(price, after, index, RepairStep("insert", index, new))
         if not at_end and new != kind:
             price = _replacement_cost(kind, new) + preferences.replacement(new, index)
@@ -232,22 +226,22 @@ def _begins_block(tokens: Sequence[Token], index: int) -> bool:
 def _run(goal: _Candidate, tokens: Sequence[Token], start: str) -> int:
     """Return how many more tokens fit; many where they fit to the end."""
     stack, count = goal.stack, 0
-    for token in tokens[goal.at : goal.at + _RUN]:
+    for token in tokens[goal.at : goal.at + _READ_FURTHER]:
         after = step(stack, token.kind)
         if after is None:
             is_next = _begins_block(tokens, goal.at + count) and is_complete(stack, start)
-            return _RUN if is_next else count
+            return _READ_FURTHER if is_next else count
         stack = after
         count += 1
     if goal.at + count >= len(tokens) and not is_complete(stack, start):
         return count
-    return _RUN
+    return _READ_FURTHER
 
 
 def _is_lost_run(goal: _Candidate, tokens: Sequence[Token], start: str) -> bool:
     """Return whether a repair puts in what may be lost at one place, and all fits behind it."""
     is_one = {change[:2] for change in goal.changes} == {("insert", goal.changes[0].at)}
-    return is_one and _run(goal, tokens, start) == _RUN
+    return is_one and _run(goal, tokens, start) == _READ_FURTHER
 
 
 def _key(candidate: _Candidate) -> object:

@@ -1,4 +1,4 @@
-"""Which words a repair writes: the nearest spelling, and each moment of inertia but once."""
+"""The words that a repair writes: the nearest spelling, and each moment of inertia but once."""
 
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
@@ -12,7 +12,7 @@ from kindsl.text.nearest import nearest_words
 
 
 class Word(NamedTuple):
-    """What a change writes.
+    """The word that a change writes.
 
     Attributes:
         text: The word or sign; empty where it may be anything, or where something is taken away.
