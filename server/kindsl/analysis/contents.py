@@ -52,7 +52,7 @@ class FoundBlock(NamedTuple):
 
 
 class Contents(NamedTuple):
-    """What islands say.
+    """The contents of islands.
 
     Attributes:
         numbers: Each number by owner and component.

@@ -1,4 +1,4 @@
-"""What is said of elements of URDF in a document, and what takes them over."""
+"""Elements of URDF in a document: the message, and the action that takes them over."""
 
 from collections.abc import Iterator
 

@@ -40,7 +40,7 @@ class Effect(NamedTuple):
 
     @property
     def is_whole(self) -> bool:
-        """Whether no comment and no block is lost."""
+        """Return whether no comment and no block is lost."""
         return not self.lost_remarks and not self.lost_blocks
 
 

@@ -36,7 +36,7 @@ class TextFix:
 
     @property
     def is_safe(self) -> bool:
-        """Whether it keeps what the document means; tried out when that is asked for."""
+        """True if it keeps the document's meaning; tried out when that is asked for."""
         if not self._is_proven:
             self._claim, self._is_proven = _is_kept([self]), True
         return self._claim

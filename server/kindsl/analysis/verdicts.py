@@ -1,4 +1,4 @@
-"""Whether each generator reads a document, whatever the target is that it is for."""
+"""Verdicts of the generators on a document, whatever the target is that it is for."""
 
 from typing import NamedTuple
 
@@ -26,7 +26,7 @@ class TargetVerdict(NamedTuple):
 
     @property
     def reads(self) -> bool:
-        """Whether the generator reads the document."""
+        """True if the generator reads the document."""
         return not self.places
 
     def __str__(self) -> str:

@@ -1,4 +1,4 @@
-"""Whether the numbers of a report agree, for each sign that its products may have.
+"""Agreement of a report's numbers, for each sign that its products may have.
 
 With the CoM `c`, the tensor `I` at the output coordinate system and `L` at the CoM hold
 `Ixx - Lxx = m (y² + z²)` and `Ixy - Lxy = s m x y`; `s` is +1 where the products are the

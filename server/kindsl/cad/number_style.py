@@ -1,4 +1,4 @@
-"""How a report writes numbers: which mark is the decimal one, which one groups digits."""
+"""The style of a report's numbers: its decimal mark, and the mark that groups digits."""
 
 import re
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""Which program wrote a report."""
+"""The program that wrote a report."""
 
 import re
 

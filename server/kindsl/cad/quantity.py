@@ -30,7 +30,7 @@ class Quantity(NamedTuple):
 
     @property
     def error(self) -> Fraction:
-        """How far the value may be from the one before rounding, in SI units."""
+        """The greatest distance of the value from the one before rounding, in SI units."""
         return self.half * self.factor
 
     @property

@@ -1,4 +1,4 @@
-"""What a report says, before anything is concluded from it."""
+"""The content of a report, before anything is concluded from it."""
 
 from dataclasses import dataclass, field
 

@@ -1,4 +1,4 @@
-"""What a report comes to: mass, centre of mass and moments as the language has them."""
+"""The inertia of a report: mass, centre of mass and moments as the language has them."""
 
 from fractions import Fraction
 

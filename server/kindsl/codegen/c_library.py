@@ -15,7 +15,7 @@ OPTIONS = frozenset(("--real float", "--single-header"))
 
 
 class Wrapper(NamedTuple):
-    """What another language adds: headers by their names, and how they are used."""
+    """The additions of another language: headers by their names, and their use."""
 
     headers: dict[str, str]
     usage: str

@@ -1,4 +1,4 @@
-"""Whether a folder of generated code still fits its document."""
+"""Comparison of a folder of generated code with its document."""
 
 import shlex
 import shutil

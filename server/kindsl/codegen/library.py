@@ -1,4 +1,4 @@
-"""What a library of generated code consists of, whatever the language."""
+"""The parts of a library of generated code, whatever the language."""
 
 import math
 from collections.abc import Mapping
@@ -31,7 +31,7 @@ class GenerationError(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class Options:
-    """What is asked for.
+    """The options of a generation.
 
     Attributes:
         language: In which language, by the name of its module.
@@ -58,7 +58,7 @@ class Options:
 
 @dataclass(frozen=True, slots=True)
 class Stamp:
-    """Where generated code comes from.
+    """The origin of generated code.
 
     Attributes:
         generator: Name and version of this program.
@@ -115,7 +115,7 @@ class Library:
 
     @property
     def prefix(self) -> str:
-        """What all names begin with."""
+        """The prefix of all names."""
         return self.options.prefix
 
     @property
@@ -157,12 +157,12 @@ class Library:
 
     @property
     def is_bound(self) -> bool:
-        """Whether every parameter that stays an input has a default."""
+        """True if every parameter that stays an input has a default."""
         return all(value is not None for value in self.defaults.values())
 
     @cached_property
     def setup(self) -> list[Term]:
-        """What depends on parameters only and is used by what does not: the model's constants."""
+        """The model's constants: values that depend on parameters only and that others use."""
         graph = self.robot.graph
         values: list[Scalar] = []
         for function in self.all_functions:

@@ -1,4 +1,4 @@
-"""What a folder of generated code says about itself, so that it can be checked and replaced."""
+"""The manifest of a folder of generated code, so that it can be checked and replaced."""
 
 import hashlib
 import json

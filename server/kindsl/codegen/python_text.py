@@ -1,4 +1,4 @@
-"""What modules in Python share, whatever they compute with."""
+"""Text that generated modules in Python share, whatever they compute with."""
 
 from collections.abc import Iterator
 

@@ -1,4 +1,4 @@
-"""What generated functions should give, from the mechanics that the rest of this program uses."""
+"""Expected results of generated functions, from the mechanics that this program itself uses."""
 
 import random
 from collections.abc import Mapping

@@ -1,4 +1,4 @@
-"""Whether accelerations are defined: a motion that nothing resists makes code of no use."""
+"""Singular mechanisms: a motion without inertia makes generated code useless."""
 
 from collections.abc import Iterable
 

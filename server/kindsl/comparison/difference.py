@@ -125,7 +125,7 @@ class Difference:
 
     @property
     def is_empty(self) -> bool:
-        """Whether there is no mechanical change, names included."""
+        """True if there is no mechanical change, names included."""
         old_new = self.base_kind, self.total_mass, self.reach
         lists = (
             *(self.added_links, self.removed_links, self.renamed_links, self.reparented),

@@ -45,7 +45,7 @@ class Configuration(NamedTuple):
 
     @property
     def has_bindings(self) -> bool:
-        """Whether it binds any parameter, or limits any joint."""
+        """True if it binds any parameter, or limits any joint."""
         tables = (self.common, *(document.decisions for document in self.documents))
         return any(table.bindings or table.joints for table in tables)
 

@@ -1,4 +1,4 @@
-"""What a configuration file says of the joints of one document, written into it."""
+"""A configuration file's tables of the joints of one document, written into it."""
 
 import os
 import tomllib

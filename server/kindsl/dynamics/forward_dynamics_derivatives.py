@@ -11,7 +11,7 @@ from kindsl.spatial.arrays import Array
 
 
 class ForwardDynamicsDerivatives(NamedTuple):
-    """What the accelerations change by.
+    """The derivatives of the accelerations.
 
     A floating base's six rows come first, its spatial acceleration, and its six columns: small
     turns and shifts of the base about its own axes, changes of its velocity, and a wrench on it,

@@ -18,7 +18,7 @@ from kindsl.spatial.cross_products import cross, force_cross, motion_cross
 
 
 class InverseDynamicsDerivatives(NamedTuple):
-    """What the forces change by.
+    """The derivatives of the forces.
 
     A floating base's six rows come first, the wrench on it, and its six columns: small turns and
     shifts of the base about its own axes, and changes of its velocity and acceleration, all in

@@ -1,4 +1,4 @@
-"""What joints contribute: transforms, axes, inertias of what they carry, as lists over bodies."""
+"""Contributions of joints: transforms, axes, subtree inertias, as lists over bodies."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Where a name is given its meaning."""
+"""The definitions of names."""
 
 from typing import NamedTuple
 

@@ -1,4 +1,4 @@
-"""What can be folded away: blocks, runs of comments."""
+"""Foldable ranges: blocks, runs of comments."""
 
 from collections.abc import Iterator
 from typing import NamedTuple

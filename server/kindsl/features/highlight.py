@@ -1,4 +1,4 @@
-"""What lights up in the document when the cursor is on something."""
+"""Highlights in the document for the name or value at the cursor."""
 
 from typing import NamedTuple
 

@@ -32,7 +32,7 @@ class InlayHint(NamedTuple):
 
 
 class InlayHintOptions(NamedTuple):
-    """Which hints to show.
+    """The kinds of hints to show.
 
     Attributes:
         values: What an expression with a parameter, a constant or arithmetic comes to.

@@ -21,7 +21,7 @@ _VALUES = frozenset((EntityKind.PARAMETER, EntityKind.CONSTANT))
 
 
 class Renaming(NamedTuple):
-    """What a renaming changes.
+    """The edits of a renaming.
 
     Attributes:
         edits: Replacements in the document.
@@ -34,7 +34,7 @@ class Renaming(NamedTuple):
 
 
 class RenameRefusal(NamedTuple):
-    """Why nothing is renamed: one sentence without final period."""
+    """The reason why nothing is renamed: one sentence without final period."""
 
     message: str
 

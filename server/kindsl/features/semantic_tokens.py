@@ -1,4 +1,4 @@
-"""What each word means, for highlighting beyond the grammar's reach."""
+"""The meaning of each word, for highlighting beyond the grammar's reach."""
 
 from typing import NamedTuple
 

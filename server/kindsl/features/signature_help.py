@@ -1,4 +1,4 @@
-"""Which component of a vector is being typed, and in which unit."""
+"""The component of a vector that is being typed, and its unit."""
 
 from typing import NamedTuple
 

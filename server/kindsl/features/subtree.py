@@ -1,4 +1,4 @@
-"""What a link carries: how much it weighs, how many joints it has."""
+"""The subtree of a link: its mass, the number of its joints."""
 
 from typing import NamedTuple
 from weakref import WeakKeyDictionary

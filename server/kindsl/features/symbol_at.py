@@ -1,4 +1,4 @@
-"""What is named where: links, joints, frames, parameters, constants and the robot.
+"""Names and what they stand for: links, joints, frames, parameters, constants and the robot.
 
 One walk over an island finds all its names; the result lives as long as the island.
 """
@@ -17,7 +17,7 @@ _NAMED_PLACES = Fact["NamedPlaces"]("named places")
 
 
 class EntityKind(StrEnum):
-    """What kind of thing a name stands for."""
+    """The kind of thing that a name stands for."""
 
     ROBOT = "robot"
     LINK = "link"
@@ -28,7 +28,7 @@ class EntityKind(StrEnum):
 
 
 class Role(StrEnum):
-    """What a name does where it stands."""
+    """The role of a name at its place."""
 
     DECLARATION = "declaration"
     READ = "read"

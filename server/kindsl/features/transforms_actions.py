@@ -1,4 +1,4 @@
-"""What an editor offers to change in a transforms document."""
+"""Actions in a transforms document."""
 
 from collections.abc import Iterable, Iterator
 

@@ -1,4 +1,4 @@
-"""What may be typed in a transforms document."""
+"""Completions in a transforms document."""
 
 import re
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""Which token lies at an offset, and which constructs hold it."""
+"""The token at an offset, and the constructs that hold it."""
 
 from bisect import bisect_right
 from itertools import takewhile

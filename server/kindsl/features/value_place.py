@@ -1,4 +1,4 @@
-"""What a value is for: the mass, the CoM's y, a rotation about the new y."""
+"""The meaning of a value: the mass, the CoM's y, a rotation about the new y."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -39,7 +39,7 @@ class ValuePlace(NamedTuple):
 
     @property
     def label(self) -> str:
-        """What the value is: `mass`, `CoM y`, `rotation about the new y`."""
+        """The value's name: `mass`, `CoM y`, `rotation about the new y`."""
         if self.component is None:
             return self.section
         names = _TURNS if self.kind is ValueKind.ANGLE else _AXES
@@ -47,7 +47,7 @@ class ValuePlace(NamedTuple):
 
     @property
     def title(self) -> str:
-        """What the value is, and of what."""
+        """The value's name, and its owner's."""
         return f"{self.label} of {self.owner} {code(self.owner_name)}"
 
 

@@ -1,4 +1,4 @@
-"""Where links, joints and frames are when all joint variables are zero.
+"""Poses of links, joints and frames when all joint variables are zero.
 
 Only the joints between a body and the base are evaluated, and each once an analysis.
 """

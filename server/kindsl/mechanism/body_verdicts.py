@@ -1,4 +1,4 @@
-"""What is doubtful about the shape of a body: said once for rules, hovers, reports and the picture.
+"""Doubts about the shape of a body, said once for rules, hovers, reports and the picture.
 
 `body_verdicts(name, body, children, frames)` takes plain floats in the link frame and returns a
 `BodyVerdict` for each thing that is doubtful, the gravest first: its `kind` (a `BodyDoubt`, which
@@ -49,7 +49,7 @@ Pairs = tuple[Eigenpair, Eigenpair, Eigenpair]
 
 
 class BodyDoubt(StrEnum):
-    """What may be wrong with a body, as the picture calls it."""
+    """A possible defect of a body, as the picture calls it."""
 
     TOO_LIGHT = "too light"
     TOO_DENSE = "too dense"
@@ -200,12 +200,12 @@ class _Rod(NamedTuple):
 
     @property
     def is_between(self) -> bool:
-        """Whether the CoM is between the ends of the way, or hardly beyond."""
+        """True if the CoM is between the ends of the way, or hardly beyond."""
         return -_BEYOND <= self.ahead <= 1.0 + _BEYOND
 
     @property
     def is_beside(self) -> bool:
-        """Whether the CoM is away from the way."""
+        """True if the CoM is away from the way."""
         return self.beside > _BESIDE * self.way
 
     def is_as_long(self, limits: tuple[float, float]) -> bool:

@@ -1,4 +1,4 @@
-"""Why a document gives no mechanism."""
+"""Reasons why a document gives no mechanism."""
 
 from kindsl.semantics.places import Located
 

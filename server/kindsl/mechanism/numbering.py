@@ -1,4 +1,4 @@
-"""Which link is which body."""
+"""The numbering of links as bodies."""
 
 from kindsl.mechanism.errors import ModelError
 from kindsl.semantics.declarations import Link

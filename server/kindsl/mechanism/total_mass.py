@@ -29,7 +29,7 @@ class Weight(NamedTuple):
 
     @property
     def is_whole(self) -> bool:
-        """Whether the sum is the mass of all."""
+        """True if the sum is the mass of all."""
         return not self.n_missing
 
     @property

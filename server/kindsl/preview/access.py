@@ -1,4 +1,4 @@
-"""Who may talk to the preview's server.
+"""Access to the preview's server.
 
 Any web page that the user visits can send requests to a loopback port, and a name server can make
 `evil.example` mean 127.0.0.1. So a request must show the token, address the server by a loopback

@@ -1,4 +1,4 @@
-"""How much one page may ask for: enough for any hand, too little to keep a server busy."""
+"""The budget of one page: enough for any hand, too little to keep a server busy."""
 
 from collections.abc import Callable
 from time import monotonic

@@ -21,7 +21,7 @@ from kindsl.text.span import Span
 
 
 class Command(NamedTuple):
-    """What the command was told.
+    """The options of the command.
 
     Attributes:
         file: The document.

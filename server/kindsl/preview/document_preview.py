@@ -22,7 +22,7 @@ MOST_VALUES = 10_000
 
 
 class ShownVersion(NamedTuple):
-    """What there is to show of a version.
+    """The picture of a version.
 
     Attributes:
         given: The values that it was made with.
@@ -36,7 +36,7 @@ class ShownVersion(NamedTuple):
 
 
 class DocumentPreview:
-    """What the pages of one document show.
+    """The pages of one document.
 
     Attributes:
         channel: The state and the tabs.

@@ -1,4 +1,4 @@
-"""What is dragged in one document's pages: tried out while it moves, written when it is dropped.
+"""Drags in one document's pages: tried out while they go on, written when they end.
 
 A page sends names and numbers, never text. While something moves, the text as it would be is drawn
 and checked as if it were typed, but the document stays as it is.

@@ -1,4 +1,4 @@
-"""What the linter says, for the list over the picture."""
+"""The linter's findings, for the list over the picture."""
 
 from collections import Counter
 from collections.abc import Sequence

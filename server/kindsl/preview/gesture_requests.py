@@ -1,4 +1,4 @@
-"""What a page may ask to be moved or added: its messages, checked."""
+"""Requests of a page to move or add something: its messages, checked."""
 
 import math
 from collections.abc import Mapping

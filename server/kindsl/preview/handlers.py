@@ -30,15 +30,15 @@ POLICY = "; ".join((
 
 
 class Server(Protocol):
-    """What requests are answered from."""
+    """The server as requests see it."""
 
     @property
     def access(self) -> Access:
-        """Who may talk to it."""
+        """The access that is granted."""
 
     @property
     def token(self) -> str:
-        """What each request must show."""
+        """The token that each request must show."""
 
     def document(self, identifier: str | None) -> DocumentPreview | None:
         """Return the document of a page's address, the first for None."""

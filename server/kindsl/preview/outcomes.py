@@ -1,4 +1,4 @@
-"""What a page's request would do to a document, decided before anything is shown or written."""
+"""The outcome of a page's request, decided before anything is shown or written."""
 
 from collections.abc import Mapping
 from typing import NamedTuple
@@ -18,7 +18,7 @@ Bindings = tuple[tuple[str, float], ...]
 
 
 class Writing(NamedTuple):
-    """What is to be written, as one step of undo.
+    """The text to be written, as one step of undo.
 
     Attributes:
         label: What it does, in the imperative.
@@ -34,7 +34,7 @@ class Writing(NamedTuple):
 
 
 class RequestOutcome(NamedTuple):
-    """What a request would do.
+    """The outcome of a request.
 
     Attributes:
         writing: What would be written; nothing where all is so already.

@@ -1,4 +1,4 @@
-"""What a page may ask for: its messages, checked."""
+"""Requests of a page: its messages, checked."""
 
 import json
 import math

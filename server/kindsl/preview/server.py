@@ -51,7 +51,7 @@ class PreviewServer(DocumentPreviews):
 
     @property
     def access(self) -> Access:
-        """Who may talk to it."""
+        """The access that is granted."""
         return self._access
 
     def admit(self, origin: str) -> None:
@@ -64,12 +64,12 @@ class PreviewServer(DocumentPreviews):
 
     @property
     def token(self) -> str:
-        """What each request must show."""
+        """The token that each request must show."""
         return self._access.token
 
     @property
     def port(self) -> int:
-        """Where it listens, once started."""
+        """The port that it listens at, once started."""
         return self._access.port
 
     async def start(self) -> str:

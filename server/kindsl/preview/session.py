@@ -1,4 +1,4 @@
-"""Where a document's last server listened, so that open pages find the next one.
+"""The address of a document's last server, so that open pages find the next one.
 
 Kept in a folder that only its owner can read, because a token opens the preview.
 """
@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 
 class PreviewSession(NamedTuple):
-    """Where a server listens and what it asks for."""
+    """The port and the token of a server."""
 
     port: int
     token: str

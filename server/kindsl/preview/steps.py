@@ -1,4 +1,4 @@
-"""What was written from a page, so that it can be taken back there and made again."""
+"""Steps written from a page, so that they can be undone and redone there."""
 
 from collections.abc import Sequence
 from typing import NamedTuple

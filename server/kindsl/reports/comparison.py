@@ -15,7 +15,7 @@ _SYNTAX = "KD0"
 
 
 class Comparison(NamedTuple):
-    """What was found.
+    """The result of a comparison.
 
     Attributes:
         difference: None if a document has no tree at all.

@@ -14,7 +14,7 @@ from kindsl.spatial.arrays import Array
 
 
 class ComputationRequest(NamedTuple):
-    """What to compute.
+    """The quantities to compute.
 
     Attributes:
         motions: The configurations.
@@ -28,7 +28,7 @@ class ComputationRequest(NamedTuple):
 
 
 class Results(NamedTuple):
-    """What was computed; leading dimension k is the configurations'.
+    """The computed quantities; leading dimension k is the configurations'.
 
     Attributes:
         analysis: The document.
@@ -48,7 +48,7 @@ class Results(NamedTuple):
 
     @property
     def n_configurations(self) -> int:
-        """How many configurations there are."""
+        """The number of configurations."""
         return len(self.inputs["q"])
 
     def head(self) -> dict[str, Any]:

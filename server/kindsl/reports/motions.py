@@ -35,7 +35,7 @@ class Motion(NamedTuple):
 
 
 class ConfigurationSpace(NamedTuple):
-    """What configurations have to fit."""
+    """The space that configurations have to fit."""
 
     joints: Sequence[str]
     is_floating: bool

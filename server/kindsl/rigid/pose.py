@@ -15,7 +15,7 @@ _IDENTITY: Rotation = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
 class RigidPose(NamedTuple):
-    """Where a frame B is in a frame A.
+    """The pose of a frame B in a frame A.
 
     Attributes:
         rotation: `A_R_B`, rows; takes coordinates of B to those of A.

@@ -1,4 +1,4 @@
-"""How the bodies of a mechanism hang together: names, kinds of joints, parents."""
+"""The topology of a mechanism: names, kinds of joints, parents."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass

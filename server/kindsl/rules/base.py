@@ -1,4 +1,4 @@
-"""What a rule is, and what it finds."""
+"""Rules and their findings."""
 
 from collections.abc import Callable, Iterator
 from enum import StrEnum
@@ -11,7 +11,7 @@ from kindsl.semantics.places import Located
 
 
 class Severity(StrEnum):
-    """How bad a finding is."""
+    """The severity of a finding."""
 
     ERROR = "error"
     WARNING = "warning"
@@ -20,7 +20,7 @@ class Severity(StrEnum):
 
 
 class Tag(StrEnum):
-    """How an editor may draw a finding."""
+    """The way an editor may draw a finding."""
 
     UNNECESSARY = "unnecessary"
     DEPRECATED = "deprecated"
@@ -41,7 +41,7 @@ class Replacement(NamedTuple):
 
 
 class Fix(NamedTuple):
-    """What would mend a finding.
+    """The fix of a finding.
 
     Attributes:
         title: What it does, in the imperative.

@@ -1,4 +1,4 @@
-"""Where the syntax is broken, so that nothing is to be concluded from what stands there."""
+"""Places with broken syntax, of which nothing is to be concluded."""
 
 import unicodedata
 

@@ -1,4 +1,4 @@
-"""What has a pose or a length, for the rules about geometry."""
+"""Things with a pose or a length, for the rules about geometry."""
 
 from collections.abc import Iterator
 

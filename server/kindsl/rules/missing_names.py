@@ -1,4 +1,4 @@
-"""What is said of references to something that does not exist, and what mends them."""
+"""Messages and fixes for references to something that does not exist."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 

@@ -1,4 +1,4 @@
-"""Where the rules' pages lie: in the installed package, or in the checkout around it.
+"""The places of the rules' pages: in the installed package, or in the checkout around it.
 
 They travel with the package, so that a rule is explained wherever it is reported, offline.
 """

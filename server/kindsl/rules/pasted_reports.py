@@ -1,4 +1,4 @@
-"""What is said of a report of mass properties in a document, and what takes it over."""
+"""Reports of mass properties in a document: the message, and the action that takes them over."""
 
 from kindsl.cad.properties import MassProperties
 from kindsl.cad.report import ReportError

@@ -1,4 +1,4 @@
-"""Which references are wrong, each mistake counted once.
+"""Wrong references, each mistake counted once.
 
 A wrong reference leaves something else without a reference: who writes `foream via elbow` has an
 undefined link `foream`, and also a link `forearm` that nothing carries. Only the first is the
@@ -24,7 +24,7 @@ _Thing = TypeVar("_Thing", Link, Joint)
 
 
 class ReferenceDefects:
-    """What is wrong with who carries whom.
+    """The defects of parents and children.
 
     Attributes:
         undefined_links: Pairs whose link does not exist.

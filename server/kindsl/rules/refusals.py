@@ -1,4 +1,4 @@
-"""What a generator refuses: constructs, and defects of meaning at which it stops while it loads."""
+"""Refusals of a generator: constructs, and defects of meaning at which it stops while it loads."""
 
 from collections.abc import Iterator
 

@@ -1,4 +1,4 @@
-"""What robcogen2 makes of a document that it could parse, step by step, up to where it dies.
+"""The loading of a parsed document by robcogen2, step by step, up to the failing one.
 
 The steps are those of robot-model-tools 0.3.0: references, connectivity, numbering, joint frames,
 numbers. It tells no place; the findings here do.

@@ -1,4 +1,4 @@
-"""How places depend on parameters, for pages without a server to evaluate the document.
+"""Places as formulas of parameters, for pages without a server to evaluate the document.
 
 In this language a value is a number, or a number times a parameter. So each component of a
 translation or rotation is told as its value with all parameters zero, and a factor for each.

@@ -16,7 +16,7 @@ _DIGITS = 2
 
 
 class Guesses(NamedTuple):
-    """What is drawn in place of values that are missing.
+    """The values drawn in place of missing ones.
 
     Attributes:
         values: A length or angle by the name of each parameter without a value.

@@ -1,4 +1,4 @@
-"""What a page is told: each message, and what is in it.
+"""The messages to a page, and their content.
 
 `messages.d.ts` of the page is written from this file (`python -m kindsl.preview.message_types`).
 A message is the value of its `type` at its `path`, the place in the scene that it speaks of:
@@ -150,7 +150,7 @@ class Core:
 
 @dataclass(frozen=True, slots=True)
 class DoubtRow:
-    """What is wrong with a body, or may be.
+    """A defect of a body, or a possible one.
 
     Attributes:
         word: A short name of it.
@@ -256,7 +256,7 @@ class FrameMessage:
 
 @dataclass(frozen=True, slots=True)
 class LimitsMessage:
-    """How far a joint goes.
+    """The limits of a joint.
 
     Attributes:
         path: Of these limits.
@@ -274,7 +274,7 @@ class LimitsMessage:
 
 @dataclass(frozen=True, slots=True)
 class ValueMessage:
-    """Where a joint stands.
+    """The position of a joint.
 
     Attributes:
         path: Of this value.
@@ -320,7 +320,7 @@ class ParameterMessage:
 
 @dataclass(frozen=True, slots=True)
 class FormulaMessage:
-    """How a place depends on parameters, for pages without a server.
+    """A place as a formula of parameters, for pages without a server.
 
     Attributes:
         path: Of this formula.
@@ -370,7 +370,7 @@ class FindingMessage:
 
 @dataclass(frozen=True, slots=True)
 class StatusMessage:
-    """How what is drawn stands to the document.
+    """The picture's relation to the document.
 
     Attributes:
         state: See there; `gone` if the document cannot be read.
@@ -398,7 +398,7 @@ class StatusMessage:
 
 @dataclass(frozen=True, slots=True)
 class HighlightMessage:
-    """What the editor's cursor is on.
+    """The thing at the editor's cursor.
 
     Attributes:
         kind: `link`, `joint` or `frame`; empty for nothing.
@@ -414,7 +414,7 @@ class HighlightMessage:
 
 @dataclass(frozen=True, slots=True)
 class EditingMessage:
-    """That the document can be edited from the page.
+    """The permission to edit the document from the page.
 
     Attributes:
         revision: Of the text that is shown; to be sent back with what is dragged.
@@ -471,7 +471,7 @@ class HandlesMessage:
 
 @dataclass(frozen=True, slots=True)
 class DraggedMessage:
-    """What became of a handle's move.
+    """The result of a handle's move.
 
     Attributes:
         phase: That the page asked for: `move`, `drop` or `cancel`.
@@ -495,7 +495,7 @@ class DraggedMessage:
 
 @dataclass(frozen=True, slots=True)
 class PlanMessage:
-    """What a gesture would do.
+    """The preview of a gesture.
 
     Attributes:
         gesture: That the page asked for.
@@ -513,7 +513,7 @@ class PlanMessage:
 
 @dataclass(frozen=True, slots=True)
 class WrittenMessage:
-    """What became of a gesture that was accepted.
+    """The result of an accepted gesture.
 
     Attributes:
         gesture: That the page asked for.

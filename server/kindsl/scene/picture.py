@@ -1,4 +1,4 @@
-"""Which bodies to draw for a document, and what to say over them.
+"""The bodies to draw for a document, and the sentence over them.
 
 As long as there is a tree the document itself is drawn, whatever is wrong with its form or numbers.
 """
@@ -19,7 +19,7 @@ from kindsl.text.phrases import counted
 
 
 class PictureState(StrEnum):
-    """How what is drawn stands to the document."""
+    """The picture's relation to the document."""
 
     LIVE = "live"
     """It is the document."""
@@ -31,7 +31,7 @@ class PictureState(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Picture:
-    """What to draw.
+    """The picture to draw.
 
     Attributes:
         skeleton: None if there has never been anything.

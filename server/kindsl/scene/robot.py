@@ -1,4 +1,4 @@
-"""What is drawn of a mechanism, as pure data: messages by key.
+"""The drawing of a mechanism, as pure data: messages by key.
 
 Marks (joints, frames, centres of mass, bodies' thickness) have the unit size that the `model`
 message tells, so another size of robot changes one message. Bodies hang under their link's node,

@@ -1,4 +1,4 @@
-"""How large a mechanism is, and where its bodies reach to: what scales the picture."""
+"""The size of a mechanism and the reach of its bodies, which scale the picture."""
 
 import math
 from dataclasses import dataclass

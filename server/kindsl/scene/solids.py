@@ -1,4 +1,4 @@
-"""How each link is drawn as a body: the uniform solid with its inertia, and bones to its joints."""
+"""Links drawn as bodies: the uniform solid with the inertia, and bones to the joints."""
 
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
@@ -35,7 +35,7 @@ _MOST_KNOWN = 1 << 12
 
 
 class Doubt(NamedTuple):
-    """What is wrong with a body, or may be.
+    """A defect of a body, or a possible one.
 
     Attributes:
         word: A short name of it.

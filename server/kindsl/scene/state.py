@@ -9,7 +9,7 @@ from kindsl.scene.messages import ROOT, Part
 
 
 class Key(NamedTuple):
-    """What a message is the value of; a later one with the same key replaces it."""
+    """The key of a message; a later one with the same key replaces it."""
 
     path: str
     type: str

@@ -1,4 +1,4 @@
-"""What a document declares, as written: links, joints, frames, inertia."""
+"""The declarations of a document, as written: links, joints, frames, inertia."""
 
 from collections.abc import Iterator
 from enum import StrEnum
@@ -164,7 +164,7 @@ class Joint(Construct):
 
 
 class Declarations(NamedTuple):
-    """What one island declares."""
+    """The declarations of one island."""
 
     robot: Name | None
     bases: tuple[Link, ...]

@@ -1,4 +1,4 @@
-"""Who carries whom: the edges `link via joint`, and what is wrong with them as a tree."""
+"""Parents and children: the edges `link via joint`, and their defects as a tree."""
 
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple

@@ -52,7 +52,7 @@ class Model:
 
     @property
     def floating(self) -> bool:
-        """Whether the base floats."""
+        """True if the base floats."""
         return self.base is not None and self.base.is_floating
 
     @property

@@ -1,4 +1,4 @@
-"""What is written, as numbers: poses, vectors and bodies at given values of the parameters.
+"""Written values as numbers: poses, vectors and bodies at given values of the parameters.
 
 What comes from an island without parameters and constants is computed once in the island's life.
 """

@@ -74,7 +74,7 @@ class Binding(NamedTuple):
 
 
 class JointProperties(NamedTuple):
-    """How a joint moves, as told from outside the document; None where nothing is told.
+    """The motion of a joint, as told from outside the document; None where nothing is told.
 
     Units are those of the joint: radians and N m, or metres and N.
 

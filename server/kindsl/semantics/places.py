@@ -52,7 +52,7 @@ class Name(str):
 
 
 class Construct:
-    """What a node of the syntax means; it lies where the node lies.
+    """The meaning of a node of the syntax; it lies where the node lies.
 
     Attributes:
         node: Its syntax.

@@ -1,4 +1,4 @@
-"""What the names in a transforms document stand for, and what is wrong with it."""
+"""The meaning of names in a transforms document, and their defects."""
 
 from collections.abc import Iterator
 

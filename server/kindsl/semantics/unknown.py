@@ -1,4 +1,4 @@
-"""What cannot be said of a model, and why."""
+"""Unknown properties of a model, and the reasons."""
 
 from collections.abc import Iterable, Mapping
 from math import isfinite
@@ -9,7 +9,7 @@ from kindsl.semantics.expressions import ConstantUse, Expression, is_undecided, 
 
 
 class Unknown(NamedTuple):
-    """Why a number is not known: a clause for people, names in it as Markdown marks code."""
+    """The reason why a number is not known: a clause, names in it as Markdown marks code."""
 
     reason: str
 

@@ -16,7 +16,7 @@ from kindsl.syntax.tree import Node, Token
 
 
 class Built(NamedTuple):
-    """How far the tokens went.
+    """The node, and the number of tokens read.
 
     Attributes:
         node: The construct, None where a token did not fit.

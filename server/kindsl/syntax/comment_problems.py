@@ -1,4 +1,4 @@
-"""What is wrong in comments, and with bytes that are no UTF-8; asked of every island."""
+"""Problems of comments, and bytes that are no UTF-8; asked of every island."""
 
 import re
 from collections.abc import Iterator, Sequence

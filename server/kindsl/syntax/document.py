@@ -123,7 +123,7 @@ class SyntaxDocument:
 
     @cached_property
     def problems(self) -> "tuple[PlacedProblem, ...]":
-        """What is wrong with the row of blocks as a whole; each island has its own problems."""
+        """The problems of the row of blocks as a whole; each island has its own."""
         if _IN_ORDER.fullmatch("".join([chunk.letters for chunk in self.chunks])):
             return ()
         from kindsl.syntax.block_order import order_problems

@@ -1,4 +1,4 @@
-"""What the grammar allows at a place, also in half-typed text."""
+"""The tokens that the grammar allows at a place, also in half-typed text."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -13,7 +13,7 @@ _OTHER_NAMES = (NAMES | PIS | NEITHER.keys()) - set(KEYWORDS.values()) - {"NAME"
 
 
 class Expected(NamedTuple):
-    """What may come next.
+    """The tokens that may come next.
 
     Attributes:
         kinds: Token kinds; any name is `NAME`. Sections that the block has already are among them.

@@ -1,4 +1,4 @@
-"""What the layout tells about a lost brace."""
+"""Lost braces, as the layout tells of them."""
 
 from collections.abc import Sequence
 

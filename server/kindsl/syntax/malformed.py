@@ -1,4 +1,4 @@
-"""What a number was meant to be that is not written as the language wants it."""
+"""The meaning of a number that is not written as the language wants it."""
 
 import re
 

@@ -1,4 +1,4 @@
-"""What is wrong in blocks that have the shape of the grammar."""
+"""Problems in blocks that have the shape of the grammar."""
 
 from collections.abc import Sequence
 

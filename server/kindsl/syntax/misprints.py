@@ -1,4 +1,4 @@
-"""What to say of numbers, words and signs whose characters stand for others.
+"""Messages about numbers, words and signs whose characters stand for others.
 
 A value is told once, however many of its characters do: a number with its sign, factors and
 divisor.

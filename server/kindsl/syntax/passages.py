@@ -43,7 +43,7 @@ URDF_ELEMENTS = "elements of URDF"
 
 
 class Foreign(StrEnum):
-    """What a passage is of."""
+    """The kind of a foreign passage."""
 
     REPORT = "report"
     URDF = "urdf"

@@ -1,4 +1,4 @@
-"""What only one of the two generators takes, island by island.
+"""Constructs that only one of the two generators takes, island by island.
 
 Nothing here is an error of the language; a project that names its target is told of it.
 """

@@ -1,4 +1,4 @@
-"""What both generators read, and not as the same: which values these are, and how one reads them.
+"""Values that both generators read, and not as the same.
 
 `1.0e3` is 1000 for robcogen2 and the product of 1.0 and a parameter `e3` for robcogen; `pi` is a
 parameter for robcogen. What `2.0 - PI` looks like, a difference, no generator reads: robcogen takes

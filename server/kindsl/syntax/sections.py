@@ -15,7 +15,7 @@ _fine: set[tuple[str, ...]] = set()
 
 
 class SectionPlace(NamedTuple):
-    """Where a section stands in the order, and whether it must be there."""
+    """A section's place in the order; it must be there or not."""
 
     rank: int
     is_needed: bool

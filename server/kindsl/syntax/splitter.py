@@ -1,4 +1,4 @@
-"""Where the islands of a text begin.
+"""The starts of the islands of a text.
 
 A block keyword begins an island when it stands first on its line or behind a brace, or is followed
 by a name and `{`, unless what follows shows that it is a name itself (`link via j1`). Braces are
@@ -27,7 +27,7 @@ LOOKAHEAD = 6
 
 
 class Split(NamedTuple):
-    """Where islands begin, and whether a comment in them has no end."""
+    """The starts of islands, and whether a comment in them has no end."""
 
     starts: list[int]
     has_open_comment: bool

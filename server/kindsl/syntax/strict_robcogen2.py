@@ -34,7 +34,7 @@ _NUMBER_KINDS = [
 
 
 class StrictReading(NamedTuple):
-    """What robcogen2 makes of a piece of text.
+    """A piece of text as robcogen2 reads it.
 
     Attributes:
         blocks: A letter for each block that it reads: `h`, `b`, `l`, `j`, `e`.
@@ -235,7 +235,7 @@ _LETTERS = {"head": "h", "base": "b", "link": "l", "joint": "j", "end": "e"}
 
 
 class Stop(NamedTuple):
-    """Where robcogen2 stops: a place in an island, code points from the island's start."""
+    """The place where robcogen2 stops: code points from the island's start."""
 
     island: Island
     offset: int

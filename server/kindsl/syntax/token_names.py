@@ -1,4 +1,4 @@
-"""What kinds of tokens and blocks are called, and the words they stand for."""
+"""Names of tokens and blocks in messages, and the words they stand for."""
 
 from collections.abc import Sequence
 

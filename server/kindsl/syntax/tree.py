@@ -44,7 +44,7 @@ class Token:
 
     @property
     def is_missing(self) -> bool:
-        """Whether the parser supplied it."""
+        """True if the parser supplied it."""
         return self.start == self.end
 
     def __repr__(self) -> str:
@@ -67,7 +67,7 @@ class Node:
 
     @property
     def start(self) -> int:
-        """Where its first token begins."""
+        """The start of its first token."""
         child = self.children[0]
         while isinstance(child, Node):
             child = child.children[0]
@@ -75,7 +75,7 @@ class Node:
 
     @property
     def end(self) -> int:
-        """Where its last token ends."""
+        """The end of its last token."""
         child = self.children[-1]
         while isinstance(child, Node):
             child = child.children[-1]

@@ -1,4 +1,4 @@
-"""Which generators take a value, by the grammar's rule `value`."""
+"""The generators that take a value, by the grammar's rule `value`."""
 
 from collections.abc import Sequence
 from functools import lru_cache

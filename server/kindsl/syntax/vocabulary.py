@@ -1,4 +1,4 @@
-"""What the constructs and words of the grammar are for: whoever needs "the moments" asks here.
+"""The constructs and words of the grammar by their purpose: "the moments" are looked up here.
 
 `KINDS` tells of each construct what it is: a `vector`, a `scalar`, one of the `moments`, a `whole`
 number, a `name`, a `pose` (a block of vectors), another `block` whose sections have an order, a

@@ -1,4 +1,4 @@
-"""How things show themselves in notebooks: whoever can draw them says so."""
+"""The display of things in notebooks, by whoever can draw them."""
 
 from collections.abc import Callable
 

@@ -1,4 +1,4 @@
-"""What is derived from a thing that never changes, kept with the thing as long as it lives."""
+"""Facts derived from a thing that never changes, kept with it as long as it lives."""
 
 from typing import Any, Generic, TypeVar
 

@@ -7,7 +7,7 @@ _LINE_END = re.compile(r"\r\n|\n|\r")
 
 
 class LineIndex:
-    """Where the lines of a text begin; only CR LF, LF and CR end a line.
+    """The starts of a text's lines; only CR LF, LF and CR end a line.
 
     Lines and columns count from 0, columns in code points.
     """

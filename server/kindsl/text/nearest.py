@@ -1,4 +1,4 @@
-"""Which of the known words was probably meant.
+"""The known words that a misspelt one probably means.
 
 A slip is a letter left out, put in, mistaken, or two exchanged; a wrong case is half a slip. Words
 that all know, keywords and options, may also be abbreviated. Names that people invent may not, and

@@ -1,4 +1,4 @@
-"""What can be read to its end: a file, not a pipe that nobody writes to, nor a device."""
+"""Files that can be read to their end: no pipe that nobody writes to, no device."""
 
 import os
 import stat

@@ -1,4 +1,4 @@
-"""Whether a text in a file was saved again."""
+"""Saves of a text in a file."""
 
 import os
 

@@ -78,7 +78,7 @@ def _named(path: str) -> Iterator[None]:
 
 
 class _Staged(NamedTuple):
-    """What is ready to be put in its place.
+    """Text that is ready to be put in its place.
 
     Attributes:
         target: The file.

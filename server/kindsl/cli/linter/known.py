@@ -1,4 +1,4 @@
-"""What a run of the linter does with baselines: reads and writes them, tells what is stale."""
+"""Baselines in a run of the linter: reads and writes them, tells what is stale."""
 
 import os
 from collections.abc import Iterator, Mapping, Sequence

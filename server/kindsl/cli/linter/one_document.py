@@ -21,7 +21,7 @@ _NAME = "invalid-character"
 
 
 class Mending(Enum):
-    """How fixes are applied."""
+    """The way fixes are applied."""
 
     NONE = "none"
     SHOWN = "shown"

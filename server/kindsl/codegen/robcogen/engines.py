@@ -1,4 +1,4 @@
-"""What the classes for inverse and forward dynamics have in common."""
+"""Code that the classes for inverse and forward dynamics share."""
 
 from collections.abc import Sequence
 

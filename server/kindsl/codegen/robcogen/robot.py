@@ -20,7 +20,7 @@ DIALECT = TemplateDialect("class TRAIT", "TRAIT::Scalar", "TRAIT", "TRAIT::{}")
 
 @dataclass(frozen=True)
 class GeneratedRobot:
-    """What the headers are written from.
+    """The robot that the headers are written from.
 
     Attributes:
         library: The robot, its inputs, and where it comes from.
@@ -35,7 +35,7 @@ class GeneratedRobot:
 
     @property
     def is_floating(self) -> bool:
-        """Whether the base is free."""
+        """True if the base is free."""
         return self.tree.is_floating
 
     @cached_property
@@ -96,7 +96,7 @@ class GeneratedRobot:
 
     @property
     def has_parameters(self) -> bool:
-        """Whether anything is known only when the code runs."""
+        """True if anything is known only when the code runs."""
         return bool(self.library.robot.parameters)
 
     def depends_on_parameters(self, values: Iterable[Scalar]) -> bool:

@@ -1,4 +1,4 @@
-"""Which transforms and Jacobians the classes hold, by the names that RobCoGen gives them."""
+"""The transforms and Jacobians of the classes, by the names that RobCoGen gives them."""
 
 from collections.abc import Iterator
 from typing import NamedTuple

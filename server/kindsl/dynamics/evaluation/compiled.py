@@ -117,7 +117,7 @@ class _Extension:
 
 
 class _Forms:
-    """What `Mechanics` asks where a compiled function does not answer directly."""
+    """The forms for questions that a compiled function does not answer directly."""
 
     def __init__(self, owner: CompiledMechanics) -> None:
         self.at_rest: dict[str, Method] = {}

@@ -1,4 +1,4 @@
-"""What compiling needs of the system, and how to get it."""
+"""System requirements of compiling, and how to get them."""
 
 import os
 import shlex

@@ -27,7 +27,7 @@ AT_REST = np.zeros(6)
 
 
 class Differentiable:
-    """What `Mechanics` can tell of how its quantities change.
+    """Derivatives of the quantities of `Mechanics`.
 
     A floating base adds six rows, the wrench on it or its spatial acceleration, and six columns
     before the joints': small turns, then shifts of the base about its own axes (only gravity feels

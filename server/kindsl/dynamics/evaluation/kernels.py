@@ -1,4 +1,4 @@
-"""Which functions are compiled for a mechanism, with the arguments of `Mechanics`' methods."""
+"""The functions compiled for a mechanism, with the arguments of `Mechanics`' methods."""
 
 from collections.abc import Sequence
 

@@ -30,7 +30,7 @@ from kindsl.spatial.transforms import homogeneous, rotation_about_z
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Posture:
-    """Where all bodies are, in base coordinates; the base first.
+    """The poses of all bodies in base coordinates; the base first.
 
     Attributes:
         poses: `base_T_body`, shape (..., n + 1, 4, 4).

@@ -1,4 +1,4 @@
-"""What is asked of every form."""
+"""The questions asked of every form."""
 
 from typing import NamedTuple
 

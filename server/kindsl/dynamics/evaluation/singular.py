@@ -1,4 +1,4 @@
-"""Which motion nothing resists, where an inertia matrix is singular."""
+"""The motion without inertia, where an inertia matrix is singular."""
 
 from collections.abc import Iterable, Mapping
 

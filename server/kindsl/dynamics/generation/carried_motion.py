@@ -1,4 +1,4 @@
-"""What a body and all that it carries take when their points' accelerations change together.
+"""Forces of a body and its subtree when the accelerations of their points change together.
 
 Where a joint moves or speeds up a little, all that it carries takes part like one body: the point y
 of it accelerates differently by a field of three vectors,
@@ -28,7 +28,7 @@ from kindsl.dynamics.generation.vectors import (
 
 
 class Flow(NamedTuple):
-    """How mass moves about the origin of the link that carries it.
+    """The flow of mass about the origin of the link that carries it.
 
     Attributes:
         first: `integral V dm`, kg m/s.

@@ -41,7 +41,7 @@ from kindsl.dynamics.generation.vectors import (
 
 
 class ForceDerivatives(NamedTuple):
-    """What forces change by; a floating base's rows and columns first.
+    """The derivatives of forces; a floating base's rows and columns first.
 
     Attributes:
         dq: With positions.
@@ -137,7 +137,7 @@ def _fields(
 
 
 class _Column(NamedTuple):
-    """What a joint is for those that carry it, at the origin of one of them.
+    """A joint as its supporting bodies see it, at the origin of one of them.
 
     Attributes:
         by_position: What the wrench there changes by with its position.

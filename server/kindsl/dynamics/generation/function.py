@@ -1,4 +1,4 @@
-"""What a generated function takes and gives."""
+"""Arguments and results of a generated function."""
 
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -51,7 +51,7 @@ class Function(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Inputs:
-    """What a mechanism's functions may depend on; a fixed base's motion is zero.
+    """The inputs of a mechanism's functions; a fixed base's motion is zero.
 
     Attributes:
         q: Joint positions.

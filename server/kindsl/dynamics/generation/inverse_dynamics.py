@@ -65,7 +65,7 @@ def newton_euler(
 
 
 class BodyMotions(NamedTuple):
-    """How bodies move, base first, each in its own coordinates.
+    """The motions of bodies, base first, each in its own coordinates.
 
     Attributes:
         w: Angular velocities.

@@ -20,7 +20,7 @@ from kindsl.dynamics.generation.vectors import (
 
 @dataclass(frozen=True, slots=True)
 class BodyPoses:
-    """Where each body is in the base.
+    """The poses of the bodies in the base.
 
     Attributes:
         rotations: `base_R_i`, by body.

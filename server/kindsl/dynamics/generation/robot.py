@@ -28,7 +28,7 @@ class PlacedFrame:
 
 @dataclass(frozen=True, slots=True)
 class Robot:
-    """What code is generated from.
+    """The robot that code is generated from.
 
     Attributes:
         graph: Where everything is recorded.

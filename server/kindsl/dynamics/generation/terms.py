@@ -16,7 +16,7 @@ Node: TypeAlias = tuple[str, *tuple[Operand, ...]]
 
 
 class Graph:
-    """What was computed so far, each operation once, operands before results.
+    """The operations so far, each once, operands before results.
 
     Attributes:
         nodes: The operations.

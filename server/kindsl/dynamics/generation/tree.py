@@ -22,7 +22,7 @@ ROUNDING = 1e-15
 
 @dataclass(frozen=True, slots=True)
 class Tree:
-    """What the traced algorithms need to know; all lists by body index, base first.
+    """The tree as the traced algorithms see it; all lists by body index, base first.
 
     Attributes:
         parents: Body index of the parent; 0 for the base itself.

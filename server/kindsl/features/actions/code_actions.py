@@ -1,4 +1,4 @@
-"""What an editor offers at a selection: fixes, fixes of all like it, suppressions, refactorings."""
+"""Actions at a selection: fixes, fixes of all like it, suppressions, refactorings."""
 
 from collections.abc import Callable, Iterator
 from typing import TypeAlias

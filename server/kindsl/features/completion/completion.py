@@ -1,4 +1,4 @@
-"""What may be typed at an offset: all of it to whom asks, a careful choice to whom types on."""
+"""Completions at an offset: all of them on request, a careful choice during typing."""
 
 from collections.abc import Iterable, Iterator
 from itertools import islice
@@ -27,7 +27,7 @@ _MOST = 100
 
 
 class Completions(NamedTuple):
-    """What may be typed; to be asked for again at each key, since the word may be whole then.
+    """The completions; asked for again at each key, since the word may be whole then.
 
     Attributes:
         items: The best first.

@@ -1,4 +1,4 @@
-"""What may stand where someone types: read from the text before the cursor alone.
+"""The context of a completion, read from the text before the cursor alone.
 
 The island's text up to the word being typed is parsed by itself, so that nothing behind the cursor
 is taken for what goes on before it; the parser's repairs lead over earlier mistakes.
@@ -68,7 +68,7 @@ class CompletionContext(NamedTuple):
 
     @property
     def is_after_blank(self) -> bool:
-        """Whether something must go on behind a blank or bracket just typed on this line."""
+        """True if something must go on behind a blank or bracket just typed on this line."""
         text = self.place.island.text[self.previous.end : self.start - self.place.start]
         goes_on = self.previous.kind in _BEFORE_LISTS or "via" in self.expected
         return goes_on and not text.strip(" \t") and (bool(text) or self.previous.kind in "(<")

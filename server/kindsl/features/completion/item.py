@@ -1,4 +1,4 @@
-"""What a completion is made of."""
+"""The parts of a completion."""
 
 import re
 from typing import NamedTuple

@@ -1,4 +1,4 @@
-"""What may stand in `children`: links to carry and the joints that move them."""
+"""Completions in `children`: links to carry and the joints that move them."""
 
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -11,7 +11,7 @@ from kindsl.features.completion.item import CompletionItem
 
 
 class _Uses(NamedTuple):
-    """What the children of all bodies say, the child that is being typed left out.
+    """The children of all bodies, without the child that is being typed.
 
     Attributes:
         parents: The name of the body that carries a link, by the link's name.

@@ -1,4 +1,4 @@
-"""What may stand for a number: parameters of the right class, constants, forms of pi."""
+"""Completions of numbers: parameters of the right class, constants, forms of pi."""
 
 from collections.abc import Iterator
 

@@ -1,4 +1,4 @@
-"""What an editor shows under the pointer."""
+"""The hover under the pointer."""
 
 from collections.abc import Iterator
 

@@ -1,4 +1,4 @@
-"""What a hover tells of a joint: whom it moves, about which axis, where."""
+"""The hover of a joint: the links it connects, its axis, its place."""
 
 from collections.abc import Iterator
 

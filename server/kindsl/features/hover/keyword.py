@@ -1,4 +1,4 @@
-"""What a hover tells of a keyword: what it means in this language, conventions first."""
+"""The hover of a keyword: its meaning in this language, conventions first."""
 
 _ROTATION = (
     "Three angles in radians: turn about x, then about the **new** y, then about the **new** z "

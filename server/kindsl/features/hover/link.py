@@ -1,4 +1,4 @@
-"""What a hover tells of a link: its place in the tree, its mass, where it is."""
+"""The hover of a link: its place in the tree, its mass, its pose."""
 
 from collections.abc import Iterator
 

@@ -1,4 +1,4 @@
-"""What a hover tells of a parameter or a constant: its class, its value, where it stands."""
+"""The hover of a parameter or a constant: its class, its value, its uses."""
 
 from collections.abc import Iterator, Sequence
 

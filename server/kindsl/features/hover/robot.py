@@ -1,4 +1,4 @@
-"""What a hover tells of the robot as a whole."""
+"""The hover of the robot as a whole."""
 
 from collections.abc import Iterator
 

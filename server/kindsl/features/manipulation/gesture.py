@@ -1,4 +1,4 @@
-"""What a gesture adds or rewrites as a whole, to be previewed before it is accepted."""
+"""The text that a gesture adds or rewrites as a whole, previewed before it is accepted."""
 
 from typing import NamedTuple
 
@@ -20,6 +20,6 @@ class Gesture(NamedTuple):
 
 
 class Refusal(NamedTuple):
-    """Why nothing changes: one sentence without final period."""
+    """The reason why nothing changes: one sentence without final period."""
 
     reason: str

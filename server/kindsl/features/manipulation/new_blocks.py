@@ -1,4 +1,4 @@
-"""Where new children, frames and blocks go, laid out like what is around them."""
+"""Places for new children, frames and blocks, laid out like the text around them."""
 
 from collections.abc import Iterable, Sequence
 from itertools import count

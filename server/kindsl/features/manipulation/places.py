@@ -1,4 +1,4 @@
-"""Where else a parameter or constant stands, so that a card can say what moves along."""
+"""Other uses of a parameter or constant, so that a card can say what moves along."""
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.tree_path import path_at

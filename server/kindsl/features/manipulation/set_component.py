@@ -1,4 +1,4 @@
-"""What one drag writes: one number of one thing, or the parameter that carries it."""
+"""The edit of one drag: one number of one thing, or the parameter that carries it."""
 
 from collections.abc import Mapping
 from math import inf, isclose, isfinite
@@ -18,7 +18,7 @@ _UNCHANGED = 1e-12
 
 
 class ComponentChange(NamedTuple):
-    """What a new value of a component changes; nothing where it has the value already.
+    """The change of a component to a new value; empty where it has the value already.
 
     Attributes:
         text: The component, or the value that carries it, as it is written afterwards.

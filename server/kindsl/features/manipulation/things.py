@@ -1,4 +1,4 @@
-"""What can be moved in the picture: joints, optional frames, centres of mass, by their numbers."""
+"""Movable things in the picture: joints, optional frames, centres of mass, by their numbers."""
 
 from typing import NamedTuple
 
@@ -27,7 +27,7 @@ class Thing(NamedTuple):
 
 
 class Missing(NamedTuple):
-    """Why there is no number to move: one sentence without final period."""
+    """The reason why there is no number to move: one sentence without final period."""
 
     reason: str
 

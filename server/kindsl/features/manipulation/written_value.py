@@ -1,4 +1,4 @@
-"""How a new value is written: in the author's form, with his digits, for both generators."""
+"""The text of a new value: in the author's form, with his digits, for both generators."""
 
 from math import isclose, pi
 from typing import NamedTuple

@@ -1,4 +1,4 @@
-"""Where links, joints and frames of an SDF model are: a graph of poses relative to each other."""
+"""Poses of links, joints and frames of an SDF model: a graph of relative poses."""
 
 import re
 from typing import Any

@@ -1,4 +1,4 @@
-"""Whether a URDF describes a tree, with finite numbers: said before it is read, with its line.
+"""Defects of a URDF as a tree with finite numbers: said before it is read, with their lines.
 
 What is kept is what the Kinematics-DSL can say: links with their inertias, joints with their poses
 and axes. Meshes, materials, limits and whatever other programs add cannot be wrong for us.

@@ -1,4 +1,4 @@
-"""What runs by itself: writes the URDF of a xacro file to stdout.
+"""A process of its own that writes the URDF of a xacro file to stdout.
 
 A xacro file holds Python expressions, which may take for ever and all memory there is. The one
 argument is a JSON object: `file`, `arguments` of the file, `searched` folders of packages. Ends

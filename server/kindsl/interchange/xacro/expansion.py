@@ -1,4 +1,4 @@
-"""What the macros of a xacro file expand to: the text of a URDF."""
+"""The expansion of a xacro file's macros: the text of a URDF."""
 
 import json
 import subprocess

@@ -61,7 +61,7 @@ def _wanted(
 
 
 def _is_wanted(kind: str, only: object) -> bool:
-    """Whether a kind is one of those asked for, or below one."""
+    """Return whether a kind is one of those asked for, or below one."""
     if not isinstance(only, list | tuple):
         return True
     return any(f"{kind}.".startswith(f"{wanted}.") or not wanted for wanted in map(_text, only))

@@ -1,4 +1,4 @@
-"""What changed mechanically between two documents, by a command."""
+"""The command that tells the mechanical changes between two documents."""
 
 from pygls.exceptions import JsonRpcInvalidParams
 

@@ -83,7 +83,7 @@ def _found(view: View, offset: int, context: types.CompletionContext | None) -> 
 
 
 def _comes_by_itself(view: View, offset: int) -> bool:
-    """Whether a list is the first one for a word that was just typed.
+    """Return whether a list is the first one for a word that was just typed.
 
     The protocol does not tell it from one that the user asks for. Who wants to see more than comes
     by itself asks once more.
@@ -108,7 +108,7 @@ def _with_documentation(view: View, item: types.CompletionItem) -> types.Complet
 
 
 class _Form(NamedTuple):
-    """What all items of an answer have in common.
+    """The properties that all items of an answer share.
 
     Attributes:
         uri: The document.

@@ -117,7 +117,7 @@ async def _report(session: Session, document: Document) -> "_Report":
 
 
 class _Report(NamedTuple):
-    """What is wrong with a version under some settings, as it was told."""
+    """The findings of a version under some settings, as they were sent."""
 
     settings: "Settings"
     result_id: str

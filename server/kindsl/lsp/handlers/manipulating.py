@@ -1,4 +1,4 @@
-"""What is set by hand in the picture, or by a command, and written into the text."""
+"""Values set by hand in the picture, or by a command, and written into the text."""
 
 from collections.abc import Mapping
 from typing import Any

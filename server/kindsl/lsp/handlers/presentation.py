@@ -1,4 +1,4 @@
-"""What is shown beside the text: hovers, hints in and above the lines, help while typing."""
+"""Text beside the document: hovers, hints in and above the lines, help while typing."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""How a protocol method finds its handler: a table a module, registered capability by capability.
+"""Handlers by protocol method: a table a module, registered capability by capability.
 
 A handler of a document sees one version of it from the beginning to the end, the one that was
 there when the request came, however the editor goes on typing meanwhile.

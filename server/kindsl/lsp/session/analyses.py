@@ -22,7 +22,7 @@ _JOBS: "Fact[tuple[Settings, dict[str, _SharedJob[Any]]]]" = Fact("jobs")
 
 
 class Analyses:
-    """What is known about each version, shared by all who ask for it.
+    """The analyses of each version, shared by all who ask for them.
 
     Cancelling all who wait for something leaves it out, or ends it soon if it has begun.
     """

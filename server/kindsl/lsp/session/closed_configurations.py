@@ -1,4 +1,4 @@
-"""What is wrong with configuration files on disk that the editor does not show."""
+"""Problems of configuration files on disk that the editor does not show."""
 
 from collections.abc import Callable, Iterable
 from functools import partial
@@ -31,7 +31,7 @@ class ClosedConfigurations:
 
     @property
     def is_anything_told(self) -> bool:
-        """Whether something was wrong with a file when it was last looked at."""
+        """True if a file had problems when it was last looked at."""
         return bool(self._told)
 
     async def look(self, changed: Iterable[str] = ()) -> None:

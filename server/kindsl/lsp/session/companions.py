@@ -1,4 +1,4 @@
-"""What is wrong with documents that stand beside robots: configuration and transforms."""
+"""Problems of documents that stand beside robots: configuration and transforms."""
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 

@@ -1,4 +1,4 @@
-"""What is wrong in a configuration file as it is in the editor.
+"""Problems of a configuration file as it is in the editor.
 
 For bindings that nothing uses, open robots are known by their parameters, those on disk by the
 words in them.

@@ -20,7 +20,7 @@ _GLOB = frozenset("*?[")
 
 
 class BoundPlace(NamedTuple):
-    """Where a configuration file gives a parameter a value, and by which keys."""
+    """The place where a configuration file gives a parameter a value, and by which keys."""
 
     document: Document
     keys: "KeyPath"

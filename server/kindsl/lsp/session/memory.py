@@ -1,4 +1,4 @@
-"""When the garbage collector runs: seldom while someone types, surely when documents are closed.
+"""Runs of the garbage collector: seldom while someone types, surely when documents are closed.
 
 A document is many objects that live long: ten thousand links are some millions, and walking through
 them in vain takes a good part of a second, in which nothing else runs. So what is there once a

@@ -18,7 +18,7 @@ _LONGEST_DELAY = 60_000
 
 
 class EditorSettings(NamedTuple):
-    """What the user decided in the editor.
+    """The user's settings in the editor.
 
     Attributes:
         rules: Targets, silenced rules, severities, values of parameters.

@@ -1,4 +1,4 @@
-"""What belongs to one session with an editor, as all that takes part in it sees it."""
+"""The state of one session with an editor, as all that takes part in it sees it."""
 
 import asyncio
 import contextlib
@@ -25,7 +25,7 @@ _PATIENCE = 0.1
 
 
 class State:
-    """What one session knows; it decides nothing.
+    """The state of one session; it decides nothing.
 
     Attributes:
         editor: Who is told and asked.

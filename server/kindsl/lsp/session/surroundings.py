@@ -1,4 +1,4 @@
-"""What a session runs on: a process of its own, or a browser's worker."""
+"""The surroundings of a session: a process of its own, or a browser's worker."""
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 class Surroundings(NamedTuple):
-    """What a session is given.
+    """The surroundings of a session.
 
     Attributes:
         worker: Does the long work.

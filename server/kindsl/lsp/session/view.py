@@ -1,4 +1,4 @@
-"""What a handler sees: one version of a document, what is known about it, and the settings."""
+"""A handler's view: one version of a document, its analysis, and the settings."""
 
 import re
 from typing import TYPE_CHECKING
@@ -36,12 +36,12 @@ class Sight:
 
     @property
     def client(self) -> Client:
-        """What the editor can do."""
+        """The editor's capabilities."""
         return self.state.client
 
     @property
     def editor_settings(self) -> "EditorSettings":
-        """What the user decided in the editor."""
+        """The user's settings in the editor."""
         return self.state.workspace.editor_settings(self.document.uri)
 
     def markup(self, markdown: str, capability: str) -> types.MarkupContent:

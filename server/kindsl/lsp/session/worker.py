@@ -18,7 +18,7 @@ _running: set["asyncio.Task[Any]"] = set()
 
 
 class Urgency(IntEnum):
-    """What goes first: answers that someone waits for, then what we offer unasked."""
+    """The order of jobs: answers that someone waits for, then unasked ones."""
 
     ANSWER = 0
     DIAGNOSTICS = 1

@@ -92,11 +92,11 @@ class Workspace:
 
     @property
     def broken(self) -> "dict[Path, tuple[ConfigurationProblem, ...]]":
-        """What is wrong with configuration files that were read."""
+        """Problems of configuration files that were read."""
         return self._project.broken
 
     def is_outdated(self) -> bool:
-        """Whether a configuration file has changed since; looks at files, as `read_settings`."""
+        """True if a configuration file has changed since; looks at files, as `read_settings`."""
         return self._project.is_outdated()
 
     def forget(self) -> None:
@@ -125,7 +125,7 @@ class Workspace:
 
 
 class _Project:
-    """What the configuration files say, as of one moment."""
+    """The configuration files' content at one moment."""
 
     __slots__ = ("_configurations", "_stamps", "broken", "merged")
 
@@ -152,7 +152,7 @@ class _Project:
         return Path(found.path).absolute() if found is not None else None
 
     def is_outdated(self) -> bool:
-        """Whether a file that decides for a document has appeared, changed or gone."""
+        """True if a file that decides for a document has appeared, changed or gone."""
         return any(stamp(path) != known for path, known in self._stamps.items())
 
     def _known(self, configuration: "Configuration", document: Path) -> "Mapping[str, int]":

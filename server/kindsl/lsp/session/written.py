@@ -1,4 +1,4 @@
-"""What is done by hand outside the text, written into it: one labelled step of undo."""
+"""Changes by hand outside the text, written into it: one labelled step of undo."""
 
 from collections.abc import Sequence
 

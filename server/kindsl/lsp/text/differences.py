@@ -1,4 +1,4 @@
-"""What an edit of the text means to its syntax: the edits between two rows that share pieces."""
+"""An edit of the text as its syntax sees it: the edits between two rows that share pieces."""
 
 from collections.abc import Iterator, Sequence
 

@@ -54,22 +54,22 @@ class Document:
 
     @property
     def is_toml(self) -> bool:
-        """Whether it is a configuration file rather than a robot."""
+        """True if it is a configuration file rather than a robot."""
         return uris.basename(self.uri).endswith(".toml")
 
     @property
     def is_transforms(self) -> bool:
-        """Whether it lists the transforms that RobCoGen generates of a robot."""
+        """True if it lists the transforms that RobCoGen generates of a robot."""
         return uris.basename(self.uri).endswith(TRANSFORMS_SUFFIX)
 
     @property
     def is_robot(self) -> bool:
-        """Whether it describes a robot."""
+        """True if it describes a robot."""
         return not self.is_toml and not self.is_transforms
 
     @property
     def is_parsed(self) -> bool:
-        """Whether its syntax is known already."""
+        """True if its syntax is known already."""
         return self._tree is not None
 
     @property

@@ -11,7 +11,7 @@ _INDEX = Fact[LineIndex]("lines")
 
 
 class Lines:
-    """Where the lines of a text begin; only CR LF, LF and CR end a line.
+    """The starts of a text's lines; only CR LF, LF and CR end a line.
 
     Attributes:
         row: The text.

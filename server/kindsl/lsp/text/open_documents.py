@@ -70,11 +70,11 @@ class Documents:
         return self._open.get(uris.key(uri)) or self.read(uri)
 
     def is_current(self, document: Document) -> bool:
-        """Whether the editor shows that very version."""
+        """Return whether the editor shows that very version."""
         return self._open.get(uris.key(document.uri)) is document
 
     def is_open(self, uri: str) -> bool:
-        """Whether the editor shows it."""
+        """Return whether the editor shows it."""
         return uris.key(uri) in self._open
 
     def __iter__(self) -> Iterator[Document]:

@@ -68,7 +68,7 @@ class Row:
 
     @property
     def is_ascii(self) -> bool:
-        """Whether all code points are as wide in any encoding."""
+        """True if all code points are as wide in any encoding."""
         return not self._n_wide
 
     def piece_at(self, offset: int) -> int:

@@ -1,4 +1,4 @@
-"""What the editor at the other end can do."""
+"""The capabilities of the editor at the other end."""
 
 import logging
 from collections.abc import Awaitable
@@ -23,7 +23,7 @@ async def asked(request: Awaitable[T]) -> T | None:
 
 
 class DiagnosticParts(NamedTuple):
-    """What of a diagnostic a client can show."""
+    """The parts of a diagnostic that a client can show."""
 
     links: bool
     related: bool
@@ -45,7 +45,7 @@ class Client:
         self.options: dict[str, Any] = options if isinstance(options, dict) else {}
 
     def can(self, capability: str) -> bool:
-        """Whether a capability, named like `text_document.hover.link_support`, is there."""
+        """Return whether a capability, named like `text_document.hover.link_support`, is there."""
         return bool(get_capability(self.capabilities, capability, False))
 
     def values(self, capability: str) -> tuple[Any, ...]:
@@ -54,12 +54,12 @@ class Client:
 
     @property
     def is_told_to_pull(self) -> bool:
-        """Whether it can be asked to pull diagnostics again that it has pulled."""
+        """True if it can be asked to pull diagnostics again that it has pulled."""
         return self.can("workspace.diagnostics.refresh_support")
 
     @property
     def is_invited_to_pull(self) -> bool:
-        """Whether it is told that it may pull diagnostics.
+        """True if it is told that it may pull diagnostics.
 
         One that says nothing of it might show what is pushed as well. One that cannot be asked to
         pull again would go on showing what the documents around have changed; but one that takes
@@ -70,7 +70,7 @@ class Client:
 
     @property
     def shows_in_diagnostics(self) -> "DiagnosticParts":
-        """What it can show of a diagnostic; everything, if it does not speak of diagnostics."""
+        """The parts of a diagnostic that it can show; all, if it does not speak of diagnostics."""
         told = (
             self.capabilities.text_document and self.capabilities.text_document.publish_diagnostics
         )
@@ -83,7 +83,7 @@ class Client:
         )
 
     def announces(self, name: str) -> bool:
-        """Whether it says that it knows something of ours.
+        """Return whether it says that it knows something of ours.
 
         It says so by a true value of that name in its experimental capabilities or in its
         initialization options.

@@ -46,7 +46,7 @@ def workspace_edit(
 
 
 def makes_files(client: Client) -> bool:
-    """Whether the client makes files that an edit asks for.
+    """Return whether the client makes files that an edit asks for.
 
     One that knows plain changes only opens what they name, also what is not there yet.
     """

@@ -27,7 +27,7 @@ async def wait_for_exit(process_id: int) -> None:
 
 
 def is_alive(process_id: int) -> bool:
-    """Whether a process of that id exists."""
+    """Return whether a process of that id exists."""
     if sys.platform == "win32":
         return _is_alive_on_windows(process_id)
     try:

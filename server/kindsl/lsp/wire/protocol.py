@@ -61,7 +61,7 @@ class KindslProtocol(LanguageServerProtocol):
 
     @property
     def exit_code(self) -> int:
-        """What the process should end with: 0 only after `shutdown`."""
+        """The exit status of the process: 0 only after `shutdown`."""
         return 0 if self._shutdown else 1
 
     def receive(self, body: bytes) -> bool:
@@ -290,7 +290,7 @@ class KindslProtocol(LanguageServerProtocol):
 
 
 def _is_id(value: object) -> bool:
-    """Whether a value can name a request: a string or a number that JSON knows."""
+    """Return whether a value can name a request: a string or a number that JSON knows."""
     if isinstance(value, float):
         return math.isfinite(value)
     return isinstance(value, str | int) and not isinstance(value, bool)

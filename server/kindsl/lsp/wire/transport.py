@@ -17,7 +17,7 @@ _READ = 1 << 16
 
 
 class MessageWriter(Protocol):
-    """Where framed messages go."""
+    """The way out for framed messages."""
 
     def write(self, data: bytes) -> None:
         """Send, or keep until the other side reads; never waits."""
@@ -105,7 +105,7 @@ async def _open_writer(descriptor: int) -> MessageWriter:
 
 
 def _can_be_watched(descriptor: int) -> bool:
-    """Whether the event loop can wait for it: pipes and sockets on POSIX."""
+    """Return whether the event loop can wait for it: pipes and sockets on POSIX."""
     mode = os.fstat(descriptor).st_mode
     return os.name == "posix" and (stat.S_ISFIFO(mode) or stat.S_ISSOCK(mode))
 

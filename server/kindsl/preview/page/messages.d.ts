@@ -113,7 +113,7 @@ export interface Core {
   readonly shell: number;
 }
 
-/** What is wrong with a body, or may be. */
+/** A defect of a body, or a possible one. */
 export interface DoubtRow {
   /** A short name of it. */
   readonly word: string;
@@ -194,7 +194,7 @@ export interface FrameMessage {
   readonly is_guess: boolean;
 }
 
-/** How far a joint goes. */
+/** The limits of a joint. */
 export interface LimitsMessage {
   readonly type: "limits";
   /** Of these limits. */
@@ -207,7 +207,7 @@ export interface LimitsMessage {
   readonly maximum: number | null;
 }
 
-/** Where a joint stands. */
+/** The position of a joint. */
 export interface ValueMessage {
   readonly type: "value";
   /** Of this value. */
@@ -243,7 +243,7 @@ export interface ParameterMessage {
   readonly is_overridden: boolean;
 }
 
-/** How a place depends on parameters, for pages without a server. */
+/** A place as a formula of parameters, for pages without a server. */
 export interface FormulaMessage {
   readonly type: "formula";
   /** Of this formula. */
@@ -283,7 +283,7 @@ export interface FindingMessage {
   readonly column: number;
 }
 
-/** How what is drawn stands to the document. */
+/** The picture's relation to the document. */
 export interface StatusMessage {
   readonly type: "status";
   /** See there; `gone` if the document cannot be read. */
@@ -306,7 +306,7 @@ export interface StatusMessage {
   readonly path: string;
 }
 
-/** What the editor's cursor is on. */
+/** The thing at the editor's cursor. */
 export interface HighlightMessage {
   readonly type: "highlight";
   /** `link`, `joint` or `frame`; empty for nothing. */
@@ -317,7 +317,7 @@ export interface HighlightMessage {
   readonly path: string;
 }
 
-/** That the document can be edited from the page. */
+/** The permission to edit the document from the page. */
 export interface EditingMessage {
   readonly type: "editing";
   /** Of the text that is shown; to be sent back with what is dragged. */
@@ -359,7 +359,7 @@ export interface HandlesMessage {
   readonly path: string;
 }
 
-/** What became of a handle's move. */
+/** The result of a handle's move. */
 export interface DraggedMessage {
   readonly type: "dragged";
   /** That the page asked for: `move`, `drop` or `cancel`. */
@@ -378,7 +378,7 @@ export interface DraggedMessage {
   readonly path: string;
 }
 
-/** What a gesture would do. */
+/** The preview of a gesture. */
 export interface PlanMessage {
   readonly type: "plan";
   /** That the page asked for. */
@@ -391,7 +391,7 @@ export interface PlanMessage {
   readonly path: string;
 }
 
-/** What became of a gesture that was accepted. */
+/** The result of an accepted gesture. */
 export interface WrittenMessage {
   readonly type: "written";
   /** That the page asked for. */

@@ -19,7 +19,7 @@ _UP = (-sin(_ELEVATION) * cos(_AZIMUTH), -sin(_ELEVATION) * sin(_AZIMUTH), cos(_
 
 
 class Camera(NamedTuple):
-    """What is seen where.
+    """The projection of points onto the paper.
 
     Attributes:
         scale: Pixels a metre.

@@ -1,4 +1,4 @@
-"""What each construct of the grammar is: a vector, a scalar, a block, what it holds, its words."""
+"""The constructs of the grammar: vectors, scalars, blocks; their parts and words."""
 
 import re
 from collections.abc import Iterator, Mapping, Sequence

@@ -28,7 +28,7 @@ _SIGNS = frozenset("#\"'")
 
 
 class Rewrite(NamedTuple):
-    """What some tokens mean.
+    """The meaning of some tokens.
 
     Attributes:
         first: The index of the first of them.
@@ -50,7 +50,7 @@ class Rewrite(NamedTuple):
 
 
 class Sighting:
-    """Where a pattern was found.
+    """The place where a pattern was found.
 
     Attributes:
         text: The island's text.
@@ -88,7 +88,7 @@ class Sighting:
 
 
 class Habit(NamedTuple):
-    """What people write, what it means and what is said of it.
+    """A habit of writing, its meaning and its message.
 
     Attributes:
         example: What is written, in a link or joint where it is one.
@@ -167,7 +167,7 @@ class _Row:
 
     @cached_property
     def blocks(self) -> list[tuple[str, int]]:
-        """What opens the block around each token, and how deep it is."""
+        """The opener of the block around each token, and its depth."""
         opened = [""]
         found = []
         letters = self.kinds.replace("\n", "")

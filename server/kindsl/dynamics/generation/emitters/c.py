@@ -25,7 +25,7 @@ WORKSPACE = "w"
 
 @dataclass(frozen=True, slots=True)
 class Dialect:
-    """How numbers are written.
+    """The notation of numbers.
 
     Attributes:
         type: The type of all values.
@@ -55,7 +55,7 @@ class CArray(NamedTuple):
 
 
 class CBody(NamedTuple):
-    """What a function computes.
+    """The body of a function in C.
 
     Attributes:
         name: The function's name.

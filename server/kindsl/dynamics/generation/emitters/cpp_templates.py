@@ -22,7 +22,7 @@ Place = tuple[str, int]
 
 
 class TemplateDialect(NamedTuple):
-    """How numbers and functions are written.
+    """The notation of numbers and functions.
 
     Attributes:
         template: The template's parameter: `class TRAIT`.
@@ -38,7 +38,7 @@ class TemplateDialect(NamedTuple):
 
 
 class Template(NamedTuple):
-    """What a function computes.
+    """The body of a function.
 
     Attributes:
         name: Its name.

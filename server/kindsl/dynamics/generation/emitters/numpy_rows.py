@@ -128,7 +128,7 @@ def _cosines_and_sines(angles: Array) -> tuple[Array, Array]:
 
 
 class Rows:
-    """Where each value of a trace lies: in an argument, an output or a scratch row.
+    """The place of each value of a trace: in an argument, an output or a scratch row.
 
     Attributes:
         constants: The names of constants.
