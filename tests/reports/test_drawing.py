@@ -6,24 +6,25 @@ from math import cos, hypot, radians, sin
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from tests.preview.robots import ARM, plain_robot, skeleton_in, skeleton_of
+from tests.preview.robots import ARM, skeleton_of
 
+from kindsl.reports.drawing.bodies import BODY, EDGE, JOINTS, JUDGED, SHADED, hatching
 from kindsl.reports.drawing.camera import HEIGHT, WIDTH, Camera, camera_for, depth
 from kindsl.reports.drawing.robot import (
-    BODY,
+    AXIS,
     COM,
     FRAME,
-    JOINT,
     NAME,
     _overlap,
     points_of,
     robot_drawing,
 )
-from kindsl.reports.drawing.shapes import Disc, Drawing, Label, Line, Spot
+from kindsl.reports.drawing.shapes import Disc, Drawing, Label, Line, Polygon, Spot
 from kindsl.reports.drawing.svg import svg_text
 from kindsl.reports.drawing.tikz import tikz_text
-from kindsl.rigid.pose import Vector3
+from kindsl.rigid.pose import transposed, turned
 from kindsl.scene.size import extent
+from kindsl.scene.solids import link_solids
 
 numbers = st.floats(-5.0, 5.0).map(lambda x: round(x, 3))
 points = st.lists(st.tuples(numbers, numbers, numbers), min_size=2, max_size=8, unique=True)
@@ -33,6 +34,7 @@ DRAWING = Drawing(
     (
         Line((100.0, 50.0), (200.0, 150.0), 7.0, "7d93ab"),
         Disc((300.0, 60.0), 5.0, "2b4562"),
+        Polygon(((1.0, 2.0), (30.0, 2.0), (30.0, 40.0)), "93a6bc", "2b3540", 1.0, 0.4),
         Label((10.0, 20.0), "a_<b>", 12.0, "33404d"),
     ),
 )
@@ -92,28 +94,54 @@ def test_what_is_nearer_is_drawn_over_what_is_farther() -> None:
     for place, is_above in ((front, True), (back, False)):
         text = ARM.replace(shoulder, place, 1)
         shapes = robot_drawing(skeleton_of(text), colors={"base": "000001"}).shapes
-        lines = [s.color for s in shapes if isinstance(s, Line) and s.width == 7.0]
-        assert lines == (["000001", BODY, BODY] if is_above else [BODY, BODY, "000001"])
+        bodies = [s.color for s in shapes if isinstance(s, Polygon)]
+        of_base, others = bodies.index("000001"), [bodies.index(c) for c in (BODY, SHADED)]
+        assert of_base < min(others) if is_above else of_base > max(others)
 
 
-@given(links=st.integers(2, 12), seed=st.integers(0, 50))
-def test_rods_are_drawn_in_the_order_of_their_middles(links: int, seed: int) -> None:
-    skeleton = skeleton_in(plain_robot(links, seed))
-    color_of = {name: f"{n:06x}" for n, name in enumerate(skeleton.body_names)}
-    shapes = robot_drawing(skeleton, colors=color_of).shapes
-    drawn = [s.color for s in shapes if isinstance(s, Line) and s.width == 7.0]
-    middles = []
-    for name, pose, own in zip(
-        skeleton.body_names, skeleton.zero_poses(), extent(skeleton).segments, strict=True
-    ):
-        middles += [(depth(pose.point(_half(s.end))), color_of[name]) for s in own]
-    assert len(middles) >= links
-    assert drawn == [color for _, color in sorted(middles, key=lambda middle: round(middle[0], 9))]
+def test_a_core_is_as_large_on_the_sheet_as_it_is() -> None:
+    skeleton = skeleton_of(ARM)
+    camera = Camera(100.0, (0.0, 0.5))
+    solid = link_solids(skeleton, extent(skeleton))[1]
+    pose = skeleton.zero_poses()[1]
+    assert solid.core is not None
+    shapes = robot_drawing(skeleton, camera, {"upper": "000001"}).shapes
+    (x, y) = camera.spot(pose.point(solid.core.center))
+    around = [
+        s.corners
+        for s in shapes
+        if isinstance(s, Polygon) and s.color == "000001"
+        if (sum(c[0] for c in s.corners) / 48, sum(c[1] for c in s.corners) / 48)
+        == pytest.approx((x, y), abs=1e-6)
+    ]
+    widths = [max(c[0] for c in own) - min(c[0] for c in own) for own in around]
+    turn = radians(50.0)
+    right = (sin(turn), cos(turn), 0.0)
+    local = turned(transposed(pose.rotation), right)
+    far = pose.point(solid.core.support(local))
+    assert max(widths) == pytest.approx(2.0 * (camera.spot(far)[0] - x), rel=0.01)
 
 
-def _half(end: Vector3) -> Vector3:
-    x, y, z = end
-    return 0.5 * x, 0.5 * y, 0.5 * z
+def test_what_is_judged_is_striped_within_its_outline() -> None:
+    text = ARM.replace("Ix = 0.02", "Ix = 0.06", 1)
+    drawing = robot_drawing(skeleton_of(text))
+    edges = [s for s in drawing.shapes if isinstance(s, Polygon) and s.edge != EDGE]
+    stripes = [s for s in drawing.shapes if isinstance(s, Line) and s.color in JUDGED.values()]
+    assert len(edges) == 1
+    assert len(stripes) > 3
+    xs, ys = zip(*edges[0].corners, strict=True)
+    for stripe in stripes:
+        for x, y in (stripe.start, stripe.end):
+            assert min(xs) - 1e-6 <= x <= max(xs) + 1e-6
+            assert min(ys) - 1e-6 <= y <= max(ys) + 1e-6
+
+
+def test_stripes_cross_a_square_from_edge_to_edge() -> None:
+    square = ((0.0, 0.0), (12.0, 0.0), (12.0, 12.0), (0.0, 12.0))
+    found = list(hatching(square))
+    assert found[0] == ((0.0, 3.0), (3.0, 0.0))
+    assert len(found) == 4
+    assert all(x + y == pytest.approx(u + v) for (x, y), (u, v) in found)
 
 
 def test_each_thing_has_its_mark_where_it_is() -> None:
@@ -121,15 +149,17 @@ def test_each_thing_has_its_mark_where_it_is() -> None:
     camera = Camera(100.0, (0.0, 0.5))
     drawing = robot_drawing(skeleton, camera)
     shoulder, lift = camera.spot((0.0, 0.0, 0.5)), camera.spot((0.4, 0.0, 0.5))
-    assert {d.center for d in discs(drawing, JOINT)} == {shoulder, lift}
-    (white,) = discs(drawing, "ffffff")
-    assert white.center == lift and white.radius < discs(drawing, JOINT)[0].radius
+    for color, place in ((JOINTS["revolute"], shoulder), (JOINTS["prismatic"], lift)):
+        (drum,) = (s for s in drawing.shapes if isinstance(s, Polygon) and s.color == color)
+        xs, ys = zip(*drum.corners, strict=True)
+        middle = (min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2
+        assert middle == pytest.approx(place, abs=1e-6)
     # The joints turn by a quarter about x and back: the last link's axes are the base's.
     (tool,) = discs(drawing, FRAME)
     assert tool.center == pytest.approx(camera.spot((0.4, 0.0, 0.8)))
     coms = {camera.spot((0.2, 0.0, 0.5)), camera.spot((0.4, 0.0, 0.6))}
     assert {rounded(d.center) for d in discs(drawing, COM)} == set(map(rounded, coms))
-    axes = [s for s in drawing.shapes if isinstance(s, Line) and s.width == 2.0]
+    axes = [s for s in drawing.shapes if isinstance(s, Line) and s.color == AXIS]
     size = hypot(0.4, 0.8)  # of the box around all bodies
     y, z = (0.0, -0.05 * size, 0.5), (0.4, 0.0, 0.5 + 0.05 * size)
     assert {(rounded(axis.start), rounded(axis.end)) for axis in axes} == {
@@ -140,18 +170,11 @@ def test_each_thing_has_its_mark_where_it_is() -> None:
 
 def test_marks_lie_over_bodies_a_little_nearer_and_names_over_all() -> None:
     """A mark is drawn as if it were nearer by a twentieth of the robot's size."""
-    text = ARM.replace("CoM = (0.2, 0.0, 0.0)", "CoM = (0.19, 0.0, 0.0)", 1)
-    shapes = robot_drawing(skeleton_of(text), colors={"upper": "000001", "tool": "000002"}).shapes
+    shapes = robot_drawing(skeleton_of(ARM), colors={"upper": "000001", "tool": "000002"}).shapes
     colors = [s.color for s in shapes]
-    rod = next(i for i, s in enumerate(shapes) if isinstance(s, Line) and s.width == 7.0)
-    assert shapes[rod].color == BODY  # the base's, behind
-    upper = colors.index("000001", rod)
-    assert upper < colors.index(COM)
-    slider = max(i for i, s in enumerate(shapes) if isinstance(s, Line) and s.width == 7.0)
-    assert slider < colors.index("000002")
-    discs_of_joints = [i for i, s in enumerate(shapes) if isinstance(s, Disc) and s.radius == 5.0]
-    assert min(discs_of_joints) > rod
-    assert shapes[discs_of_joints[1] + 1] == Disc(shapes[discs_of_joints[1]].center, 2.0, "ffffff")
+    assert colors.index("000001") < colors.index(COM)
+    last = max(i for i, s in enumerate(shapes) if isinstance(s, Polygon) and s.color == BODY)
+    assert last < colors.index("000002")
     kinds = [type(s) for s in shapes]
     assert kinds.index(Label) > max(i for i, kind in enumerate(kinds) if kind is not Label)
 
@@ -232,9 +255,9 @@ def test_boxes_that_touch_do_not_overlap() -> None:
 
 def test_links_frames_and_joints_take_the_colours_that_are_given() -> None:
     drawing = robot_drawing(skeleton_of(ARM), colors={"slider": "111111", "tool": "222222"})
-    widths = {s.width for s in drawing.shapes if isinstance(s, Line) and s.color == "111111"}
-    assert widths == {7.0, 2.0}
-    assert [d.radius for d in discs(drawing, "111111")] == [5.0]
+    own = [s for s in drawing.shapes if s.color == "111111"]
+    assert {type(s) for s in own} == {Polygon, Line, Label}
+    assert not any(s.color == JOINTS["prismatic"] for s in drawing.shapes)
     assert len(discs(drawing, "222222")) == 1 and not discs(drawing, FRAME)
     assert {n: shape.color for n, shape in labels(drawing).items()}["slider"] == "111111"
 
@@ -244,7 +267,11 @@ def test_all_points_of_a_robot_are_in_its_picture() -> None:
     wanted = [(0.0, 0.0, 0.0), (0.0, 0.0, 0.5), (0.4, 0.0, 0.5), (0.4, 0.0, 0.8)]
     for place in wanted:
         assert any(point == pytest.approx(place, abs=1e-12) for point in found), place
-    assert all(any(p == pytest.approx(w, abs=1e-12) for w in wanted) for p in found)
+    camera = camera_for(found)
+    for shape in robot_drawing(skeleton_of(ARM)).shapes:
+        for x, y in shape.corners if isinstance(shape, Polygon) else ():
+            assert 0.0 < x < WIDTH and 0.0 < y < HEIGHT
+    assert camera == camera_for([*found, *wanted])
 
 
 def test_svg_says_each_shape() -> None:
@@ -255,6 +282,8 @@ def test_svg_says_each_shape() -> None:
         '<line x1="100.0" y1="50.0" x2="200.0" y2="150.0" stroke="#7d93ab" stroke-width="7"'
         ' stroke-linecap="round"/>',
         '<circle cx="300.0" cy="60.0" r="5.0" fill="#2b4562"/>',
+        '<polygon points="1.0,2.0 30.0,2.0 30.0,40.0" fill="#93a6bc" fill-opacity="0.4"'
+        ' stroke="#2b3540" stroke-width="1" stroke-linejoin="round"/>',
         '<text x="10.0" y="20.0" font-family="sans-serif" font-size="12" fill="#33404d"'
         ' stroke="#ffffff" stroke-width="3" paint-order="stroke">a_&lt;b&gt;</text>',
         "</svg>",
@@ -264,11 +293,15 @@ def test_svg_says_each_shape() -> None:
 def test_tikz_says_each_shape_in_centimetres_and_up() -> None:
     assert tikz_text(DRAWING).splitlines() == [
         r"\begin{tikzpicture}[line cap=round]",
+        r"\definecolor{k2b3540}{HTML}{2B3540}",
         r"\definecolor{k2b4562}{HTML}{2B4562}",
         r"\definecolor{k33404d}{HTML}{33404D}",
         r"\definecolor{k7d93ab}{HTML}{7D93AB}",
+        r"\definecolor{k93a6bc}{HTML}{93A6BC}",
         r"\draw[k7d93ab, line width=0.140cm] (2.000,-1.000) -- (4.000,-3.000);",
         r"\fill[k2b4562] (6.000,-1.200) circle (0.100);",
+        r"\filldraw[fill=k93a6bc, draw=k2b3540, line width=0.020cm, line join=round,"
+        r" fill opacity=0.4] (0.020,-0.040) -- (0.600,-0.040) -- (0.600,-0.800) -- cycle;",
         r"\node[k33404d, anchor=base west, inner sep=0, font=\scriptsize] at (0.200,-0.400)"
         r" {a\_<b>};",
         r"\end{tikzpicture}",

@@ -36,6 +36,13 @@ class Camera(NamedTuple):
         return WIDTH / 2 + self.scale * (x - right), HEIGHT / 2 - self.scale * (y - up)
 
 
+def across(angle: float) -> Vector3:
+    """Return a unit vector in the sheet, in the base's frame: angle 0 is right, a quarter up."""
+    c, s = cos(angle), sin(angle)
+    x, y, z = (c * right + s * up for right, up in zip(_RIGHT, _UP, strict=True))
+    return x, y, z
+
+
 def depth(point: Vector3) -> float:
     """Return how far out of the sheet a point is, metres."""
     return _dot(_OUT, point)

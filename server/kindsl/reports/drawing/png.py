@@ -4,7 +4,7 @@ from io import BytesIO
 
 from PIL import Image, ImageDraw, ImageFont
 
-from kindsl.reports.drawing.shapes import Disc, Drawing, Line, Shape
+from kindsl.reports.drawing.shapes import Disc, Drawing, Line, Polygon, Shape
 
 # Drawn larger and made smaller, since Pillow's edges are hard.
 _FINER = 3
@@ -15,7 +15,7 @@ def png_bytes(drawing: Drawing) -> bytes:
     """Return the content of a file."""
     size = round(drawing.width), round(drawing.height)
     sheet = Image.new("RGB", (size[0] * _FINER, size[1] * _FINER), _WHITE)
-    pen = ImageDraw.Draw(sheet)
+    pen = ImageDraw.Draw(sheet, "RGBA")
     for shape in drawing.shapes:
         _draw(pen, shape)
     file = BytesIO()
@@ -30,6 +30,10 @@ def _draw(pen: ImageDraw.ImageDraw, shape: Shape) -> None:
         pen.line(ends, color, round(shape.width * _FINER))
         for x, y in ends:
             pen.circle((x, y), shape.width * _FINER / 2, color)
+    elif isinstance(shape, Polygon):
+        corners = [(x * _FINER, y * _FINER) for x, y in shape.corners]
+        pen.polygon(corners, f"{color}{round(255 * shape.opacity):02x}")
+        pen.line([*corners, corners[0]], f"#{shape.edge}", round(shape.width * _FINER), "curve")
     elif isinstance(shape, Disc):
         x, y = shape.center
         pen.circle((x * _FINER, y * _FINER), shape.radius * _FINER, color)

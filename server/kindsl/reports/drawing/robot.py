@@ -1,26 +1,19 @@
 """A robot on paper at zero: bodies, joints with their axes, centres of mass, frames, names."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
 
 from kindsl.mechanism.skeleton import Skeleton
+from kindsl.reports.drawing.bodies import Deep, body_shapes, reach
 from kindsl.reports.drawing.camera import HEIGHT, WIDTH, Camera, camera_for, depth
-from kindsl.reports.drawing.shapes import Disc, Drawing, Label, Line, Shape, Spot
+from kindsl.reports.drawing.shapes import Disc, Drawing, Label, Line, Spot
 from kindsl.rigid.pose import RigidPose, Vector3
 from kindsl.scene.size import extent
 
-BODY, JOINT, COM, FRAME, NAME = "7d93ab", "2b4562", "b8860b", "4c9a5b", "33404d"
-_BODY_WIDTH, _AXIS_WIDTH, _JOINT_RADIUS, _COM_RADIUS, _FRAME_RADIUS = 7.0, 2.0, 5.0, 2.6, 3.0
+AXIS, COM, FRAME, NAME = "2b4562", "b8860b", "3f9a52", "33404d"
+_AXIS_WIDTH, _COM_RADIUS, _FRAME_RADIUS = 1.6, 2.6, 3.0
 _AXIS_LENGTH = 0.05  # of the robot's size
 _FONT = 12.0
 NO_COLORS: Mapping[str, str] = {}
-
-
-class _Deep(NamedTuple):
-    """A shape with its distance out of the sheet."""
-
-    depth: float
-    shape: Shape
 
 
 def points_of(skeleton: Skeleton) -> list[Vector3]:
@@ -29,7 +22,8 @@ def points_of(skeleton: Skeleton) -> list[Vector3]:
     ends = zip(poses, extent(skeleton).segments, strict=True)
     segments = [pose.point(piece.end) for pose, own in ends for piece in own]
     frames = [poses[f.body].point(f.pose.translation) for f in skeleton.frames]
-    return [*(pose.translation for pose in poses), *segments, *frames]
+    origins = (pose.translation for pose in poses)
+    return [*origins, *segments, *frames, *reach(skeleton, poses)]
 
 
 def robot_drawing(
@@ -45,48 +39,32 @@ def robot_drawing(
     camera = camera or camera_for(points_of(skeleton))
     poses = skeleton.zero_poses()
     deep = sorted(
-        [*_bodies(skeleton, poses, camera, colors), *_marks(skeleton, poses, camera, colors)],
+        [*body_shapes(skeleton, poses, camera, colors), *_marks(skeleton, poses, camera, colors)],
         key=lambda thing: thing.depth,
     )
     labels = _labels(skeleton, poses, camera, colors)
-    return Drawing(WIDTH, HEIGHT, (*(thing.shape for thing in deep), *labels))
-
-
-def _bodies(
-    skeleton: Skeleton, poses: Sequence[RigidPose], camera: Camera, colors: Mapping[str, str]
-) -> Iterator[_Deep]:
-    segments = extent(skeleton).segments
-    for name, pose, own in zip(skeleton.body_names, poses, segments, strict=True):
-        start = camera.spot(pose.translation)
-        for piece in own:
-            end = pose.point(piece.end)
-            middle = depth(_between(pose.translation, end))
-            color = colors.get(name, BODY)
-            yield _Deep(middle, Line(start, camera.spot(end), _BODY_WIDTH, color))
+    return Drawing(WIDTH, HEIGHT, (*(shape for thing in deep for shape in thing.shapes), *labels))
 
 
 def _marks(
     skeleton: Skeleton, poses: Sequence[RigidPose], camera: Camera, colors: Mapping[str, str]
-) -> Iterator[_Deep]:
+) -> Iterator[Deep]:
     length = _AXIS_LENGTH * extent(skeleton).size
     for link, _ in skeleton.links():
         pose = poses[link]
         tip = pose.point((0.0, 0.0, length))
+        color = colors.get(skeleton.body_names[link], AXIS)
         spots = camera.spot(pose.translation), camera.spot(tip)
-        color = colors.get(skeleton.body_names[link], JOINT)
-        yield _Deep(depth(tip), Line(*spots, _AXIS_WIDTH, color))
-        yield _Deep(depth(pose.translation) + length, Disc(spots[0], _JOINT_RADIUS, color))
-        if skeleton.joint_kinds[link - 1] == "prismatic":
-            yield _Deep(depth(pose.translation) + length, Disc(spots[0], 2.0, "ffffff"))
+        yield Deep(depth(tip) + length, (Line(*spots, _AXIS_WIDTH, color),))
     for frame in skeleton.frames:
         place = poses[frame.body].point(frame.pose.translation)
         color = colors.get(frame.name, FRAME)
-        yield _Deep(depth(place) + length, Disc(camera.spot(place), _FRAME_RADIUS, color))
+        yield Deep(depth(place) + length, (Disc(camera.spot(place), _FRAME_RADIUS, color),))
     first = 0 if skeleton.is_floating else 1
     for pose, body in list(zip(poses, skeleton.masses, strict=True))[first:]:
         if body.mass:
             com = pose.point(body.com)
-            yield _Deep(depth(com) + length, Disc(camera.spot(com), _COM_RADIUS, COM))
+            yield Deep(depth(com) + length, (Disc(camera.spot(com), _COM_RADIUS, COM),))
 
 
 def _labels(
@@ -112,7 +90,3 @@ def _beside(spot: Spot, name: str) -> Spot:
 
 def _overlap(a: tuple[float, float, float, float], b: tuple[float, float, float, float]) -> bool:
     return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
-
-
-def _between(a: Vector3, b: Vector3) -> Vector3:
-    return (a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2

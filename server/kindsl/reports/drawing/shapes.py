@@ -14,6 +14,16 @@ class Line(NamedTuple):
     color: str
 
 
+class Polygon(NamedTuple):
+    """A filled convex polygon with an edge of its own colour, `width` in pixels."""
+
+    corners: tuple[Spot, ...]
+    color: str
+    edge: str
+    width: float
+    opacity: float = 1.0
+
+
 class Disc(NamedTuple):
     """A filled circle."""
 
@@ -31,7 +41,7 @@ class Label(NamedTuple):
     color: str
 
 
-Shape = Line | Disc | Label
+Shape = Line | Polygon | Disc | Label
 
 
 class Drawing(NamedTuple):

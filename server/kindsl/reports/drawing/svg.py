@@ -2,7 +2,7 @@
 
 from html import escape
 
-from kindsl.reports.drawing.shapes import Disc, Drawing, Line, Shape
+from kindsl.reports.drawing.shapes import Disc, Drawing, Line, Polygon, Shape
 
 
 def svg_text(drawing: Drawing) -> str:
@@ -22,6 +22,13 @@ def _shape(shape: Shape) -> str:
         ends = f'x1="{x1:.1f}" y1="{y1:.1f}" x2="{x2:.1f}" y2="{y2:.1f}"'
         width = f'stroke-width="{shape.width:.2g}" stroke-linecap="round"'
         return f'<line {ends} stroke="#{shape.color}" {width}/>'
+    if isinstance(shape, Polygon):
+        corners = " ".join(f"{x:.1f},{y:.1f}" for x, y in shape.corners)
+        edge = f'stroke="#{shape.edge}" stroke-width="{shape.width:.2g}" stroke-linejoin="round"'
+        fill = f'fill="#{shape.color}"'
+        if shape.opacity < 1.0:
+            fill += f' fill-opacity="{shape.opacity:g}"'
+        return f'<polygon points="{corners}" {fill} {edge}/>'
     if isinstance(shape, Disc):
         x, y = shape.center
         return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{shape.radius:.1f}" fill="#{shape.color}"/>'
