@@ -5,6 +5,7 @@ from typing import NamedTuple
 from kindsl.codegen.robcogen.parameters import parameter_array, parameters_of_class, setters
 from kindsl.codegen.robcogen.robot import GeneratedRobot
 from kindsl.codegen.robcogen.wanted_names import NamedPair, transform_pairs
+from kindsl.dynamics.generation.emitters.straight_line import operations
 from kindsl.dynamics.generation.jacobians import body_poses, frame_pose
 from kindsl.dynamics.generation.vectors import (
     Matrix,
@@ -90,6 +91,46 @@ _TYPE = """\
 """
 
 
+# Rotation and position of a point's transform to the blocks of the others.
+_FILLING = """\
+template <class S>
+inline void fill(const S* T, S* X, int coupling)
+{
+    for (int j = 0; j < 3; j++) {
+        const S *e = T + 4 * j, *r = T + 12;
+        S *first = X + 6 * j, *second = X + 6 * j + 21, *cross = X + 6 * j + coupling;
+        for (int i = 0; i < 3; i++) {
+            first[i] = second[i] = e[i];
+        }
+        cross[0] = r[1] * e[2] - r[2] * e[1];
+        cross[1] = r[2] * e[0] - r[0] * e[2];
+        cross[2] = r[0] * e[1] - r[1] * e[0];
+    }
+}
+template <class S>
+inline void m_fill(const S* T, S* X) { fill(T, X, 3); }
+template <class S>
+inline void f_fill(const S* T, S* X) { fill(T, X, 18); }
+"""
+
+_SHARING = """\
+template <class TRAIT>
+inline void @LETTER@_@NAME@_constants(typename TRAIT::Scalar* X) { (void)X; }
+template <class TRAIT>
+inline void @LETTER@_@NAME@(
+    @TAKES@const typename TRAIT::Scalar* q, typename TRAIT::Scalar* X)
+{
+    typename TRAIT::Scalar T[16] = {};
+    h_@NAME@_constants<TRAIT>(T);
+    h_@NAME@<TRAIT>(@P@q, T);
+    @LETTER@_fill(T, X);
+}
+"""
+
+# What takes more operations than this is written once for all three kinds of a transform.
+MOST_REPEATED = 300
+
+
 class _Kind(NamedTuple):
     letter: str
     name: str
@@ -108,11 +149,9 @@ def transforms(robot: GeneratedRobot) -> dict[str, str]:
     """Return both headers by their names."""
     pairs = transform_pairs(robot)
     poses = [_relative(robot, pair) for pair in pairs]
-    functions = []
-    for kind in KINDS:
-        for pair, (E, p) in zip(pairs, poses, strict=True):
-            columns = transpose(_matrix(kind.letter, E, p))
-            functions += robot.matrix_kernels(f"{kind.letter}_{pair.name}", columns)
+    functions = [_FILLING]
+    for pair, (E, p) in zip(pairs, poses, strict=True):
+        functions += _pose_kernels(robot, pair.name, E, p)
     functions.append(_across(robot))
     moving = {
         pair.name: robot.depends_on_parameters(x for row in (*E, p) for x in row)
@@ -130,6 +169,25 @@ def transforms(robot: GeneratedRobot) -> dict[str, str]:
         "transforms.h": robot.header("transforms.h", includes, body),
         "transforms.impl.h": robot.header("transforms.impl.h", ['"declarations.h"'], kernels),
     }
+
+
+def _pose_kernels(robot: GeneratedRobot, name: str, E: Matrix, p: Vector) -> list[str]:
+    """Return the functions of a pair's three matrices; long ones are computed by one."""
+    T = transpose(_matrix("h", E, p))
+    n_operations = operations(robot.library.robot.graph, [x for column in T for x in column])
+    functions = robot.matrix_kernels(f"h_{name}", T)
+    for letter in "mf":
+        if n_operations > MOST_REPEATED:
+            functions.append(robot.filled(_SHARING, NAME=name, LETTER=letter, **_handed(robot)))
+        else:
+            columns = transpose(_matrix(letter, E, p))
+            functions += robot.matrix_kernels(f"{letter}_{name}", columns)
+    return functions
+
+
+def _handed(robot: GeneratedRobot) -> dict[str, str]:
+    takes = "const typename TRAIT::Scalar* p, " if robot.has_parameters else ""
+    return {"TAKES": takes, "P": "p, " if takes else ""}
 
 
 def _relative(robot: GeneratedRobot, pair: NamedPair) -> tuple[Matrix, Vector]:
@@ -208,13 +266,12 @@ def _memory(across: dict[str, int]) -> str:
 
 def _across(robot: GeneratedRobot) -> str:
     """Return the function that fills in the motion transform to any link from its parent."""
-    p = "p, " if robot.has_parameters else ""
+    takes, p = _handed(robot).values()
     cases = "".join(
         f"    case {i}:\n        m_{robot.across(i)}_constants<TRAIT>(X);\n"
         f"        m_{robot.across(i)}<TRAIT>({p}q, X);\n        break;\n"
         for i in robot.tree.links()
     )
-    takes = "const typename TRAIT::Scalar* p, " if p else ""
     return (
         "template <class TRAIT>\n"
         f"inline void across(int link, {takes}const typename TRAIT::Scalar* q, "
