@@ -22,6 +22,8 @@ from kindsl.codegen.reference import Reference, sample
 from kindsl.codegen.resistance import refuse_unresisted
 from kindsl.codegen.wanted import restricted, wanted_pairs
 from kindsl.features.transforms_actions import transforms_document
+from kindsl.interchange.generated_folder import robot_record
+from kindsl.mechanism.bodies import skeleton_of_bodies
 from kindsl.mechanism.symbolic import symbolic_robot
 from kindsl.semantics.model import Model
 from kindsl.text.nearest import hint, nearest_name
@@ -88,7 +90,8 @@ def generate(
         files = language.files(library, reference, parameters)
     except OverflowError as error:
         raise GenerationError(str(error)) from None
-    files[NAME] = manifest_text(stamp, options, source.bindings, source.transforms, files)
+    numbers = robot_record(skeleton_of_bodies(mechanics.bodies))
+    files[NAME] = manifest_text(stamp, options, source.bindings, source.transforms, files, numbers)
     return library, files
 
 

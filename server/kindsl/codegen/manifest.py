@@ -9,8 +9,9 @@ from typing import Any, NamedTuple
 
 from kindsl.codegen.language import language_names
 from kindsl.codegen.library import GenerationError, Options, Stamp
+from kindsl.interchange.generated_folder import KEY, MANIFEST
 
-NAME = "kindsl-generated.json"
+NAME = MANIFEST
 
 
 class Manifest(NamedTuple):
@@ -42,8 +43,9 @@ def manifest_text(
     bindings: Mapping[str, float],
     transforms: str | None,
     files: Mapping[str, str],
+    robot: Mapping[str, object],
 ) -> str:
-    """Return the manifest of some files."""
+    """Return the manifest of some files, with the robot's numbers, so that it can be compared."""
     record = {
         "generator": stamp.generator,
         "document": stamp.document,
@@ -52,6 +54,7 @@ def manifest_text(
         "options": asdict(options),
         "bindings": dict(bindings),
         "transforms": transforms,
+        KEY: robot,
         "files": {name: digest(text.encode("utf-8")) for name, text in files.items()},
     }
     return json.dumps(record, indent=2, ensure_ascii=False) + "\n"

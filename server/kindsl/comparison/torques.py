@@ -137,7 +137,7 @@ def _gap(one: tuple[Array, Array], other: tuple[Array, Array]) -> float:
 def _effect(
     ours: Described, theirs: Described, found: MechanicalComparison, number: NumberDifference
 ) -> float:
-    """Return the greatest change of a joint's force in any of the states, if this changed alone."""
+    """Return the greatest change of a force, the base's too, if this number changed alone."""
     side = theirs if number.is_theirs else ours
     changed = _changed(side, found, number)
     states = _states(side.skeleton)

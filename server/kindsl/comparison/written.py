@@ -36,11 +36,19 @@ _FRACTIONS_OF_TURN = 24
 
 
 class TextPlace(NamedTuple):
-    """Where a number stands in a file that is no document of ours; offsets in code points."""
+    """Where a number stands in a file that is no document of ours; offsets in code points.
+
+    Attributes:
+        line: From 1.
+        start: First code point.
+        end: One past the last.
+        file: Its name where the robot is a folder of files, else empty.
+    """
 
     line: int
     start: int
     end: int
+    file: str = ""
 
 
 class WrittenNumber(NamedTuple):

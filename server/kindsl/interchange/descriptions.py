@@ -7,7 +7,9 @@ from typing import NamedTuple
 from kindsl.comparison.written import Described
 from kindsl.interchange.comparable import described_robot
 from kindsl.interchange.format import Format, FormatError, ReadingChoices
+from kindsl.interchange.generated_folder import MANIFEST, described_generated
 from kindsl.interchange.registry import all_formats, format_of_suffix
+from kindsl.interchange.robcogen_folder import described_robcogen, is_robcogen_folder
 from kindsl.interchange.written_numbers import NO_NUMBERS
 from kindsl.rigid.body import NO_BODY
 from kindsl.text.phrases import alternatives
@@ -38,7 +40,7 @@ def read_description(path: Path, label: str, floating: bool | None) -> ReadDescr
         ModuleNotFoundError: What the format needs is not installed.
     """
     if path.is_dir():
-        raise FormatError("is a folder without generated code")
+        return ReadDescription(_of_folder(path, label))
     format = _format(path)
     assert format.read is not None, "only formats that can be read are found"
     require_regular(str(path))
@@ -50,6 +52,14 @@ def read_description(path: Path, label: str, floating: bool | None) -> ReadDescr
     kind = "floating" if floating else "fixed"
     note = f"the base of {label} is compared as a {kind} one, which the other has"
     return ReadDescription(with_base(robot, floating), (note,))
+
+
+def _of_folder(folder: Path, label: str) -> Described:
+    if (folder / MANIFEST).is_file():
+        return described_generated(folder, label)
+    if is_robcogen_folder(folder):
+        return described_robcogen(folder, label)
+    raise FormatError("is a folder without generated code")
 
 
 def with_base(robot: Described, floating: bool) -> Described:

@@ -35,6 +35,15 @@ class ComparedRobot(NamedTuple):
             return number.at.line
         return self.line_of(number.at) if self.line_of else None
 
+    def place(self, number: WrittenNumber | None) -> str:
+        """Return where a number stands, in words."""
+        line = self.line(number)
+        if number is None or line is None:
+            return f"in {self.name}"
+        file = number.at.file if isinstance(number.at, TextPlace) else ""
+        name = f"{self.name.rstrip('/')}/{file}" if file else self.name
+        return f"in {name} (line {line})"
+
 
 class TorqueFacts(NamedTuple):
     """What the dynamics say.
@@ -164,12 +173,8 @@ def _sorted(report: MechanicsReport) -> list[tuple[NumberDifference, float | Non
 
 def _sentence(report: MechanicsReport, number: NumberDifference) -> str:
     old, new = report.old, report.new
-    lines = _lines(report, number)
-    places = (
-        f"in {side.name}" + ("" if line is None else f" (line {line})")
-        for side, line in zip((old, new), lines, strict=True)
-    )
-    return told(number, *places)
+    here, there = number.here_number or number.here_near, number.there_number or number.there_near
+    return told(number, old.place(here), new.place(there))
 
 
 def _lines(report: MechanicsReport, number: NumberDifference) -> tuple[int | None, int | None]:
