@@ -9,7 +9,7 @@ import pytest
 from tests.interchange.round_trips import mechanism_of, read
 from tests.support.urdf_mutants import mutant
 
-from kindsl.interchange.format import FormatError, ReadRobot
+from kindsl.interchange.format import AS_WRITTEN, FormatError, ReadingChoices, ReadRobot
 from kindsl.interchange.kindsl_writing import kindsl_text
 from kindsl.interchange.registry import format_named
 
@@ -85,7 +85,7 @@ def test_world_is_the_base_of_what_turns_on_it(tmp_path: Path) -> None:
     [
         ("</sdf>", "", "not a readable SDF: not well-formed XML at line .*"),
         ("sdf", "robot", "not an SDF: its root element is <robot>, not <sdf>"),
-        ('type="prismatic"', 'type="ball"', "line 8: <joint name='slider'> is of type ball.*"),
+        ('type="prismatic"', 'type="ball"', "line 8: <joint name='slider'> is a ball joint.*"),
         ('name="lower"', 'name="upper"', "line 5: <link name='upper'> has the name of .* line 4"),
         ("<parent>upper</parent>", "", "line 8: <joint name='slider'> has no <parent>"),
         ("<parent>upper<", "<parent>uper<", ".*names 'uper', .*; did you mean 'upper'."),
@@ -95,7 +95,7 @@ def test_world_is_the_base_of_what_turns_on_it(tmp_path: Path) -> None:
         ("<mass>2<", "<mass>two<", "line 4: <mass> has 'two', which is not a finite number"),
         ("0.1 0 0 0 0 0", "0.1 0", "line 6: <pose> has 2 numbers, not 6"),
         ("<xyz>0 0 -1<", "<xyz>0 0 0<", "line 9: <xyz> of joint 'slider' has no length"),
-        ("<frame name=\"mark\"", "<include/><frame name=\"mark\"", ".*includes another model.*"),
+        ('<frame name="mark"', '<include/><frame name="mark"', ".*none of .*: --model-path DIR"),
         ("<mass>2", "<origin/><mass>2", "line 4: <origin> is the pose of SDF before 1.2.*"),
         ("</model>", "</model><world><joint name='w'/></world>", ".*is a joint of the world.*"),
         ("<pose>0.1 0 0 0 0 0", "<pose relative_to='base'>0.1 0 0 0 0 0", ".*another frame.*"),
@@ -134,3 +134,55 @@ def test_each_loss_is_one_sentence(tmp_path: Path) -> None:
 def test_model_without_links_is_refused_where_it_begins(tmp_path: Path) -> None:
     with pytest.raises(FormatError, match=r"^line 2: <model name='a'> has no link$"):
         robot("<sdf>\n<model name='a'/></sdf>", tmp_path)
+
+
+FOREARM = f"""<sdf version="1.9"><model name="forearm" canonical_link="upper">
+<pose>7 7 7 0 0 0</pose>
+<frame name="middle"><pose relative_to="upper">0.5 0 0 0 0 0</pose></frame>
+<link name="upper"><pose>0 0 0.75 0 0.5 0</pose>{MASS}</link>
+<include><name>hand</name><uri>model://hand</uri>
+<pose relative_to="upper">1 0 0 0 0 1.5707963267948966</pose></include>
+<joint name="slider" type="prismatic"><parent>upper</parent><child>hand::lower</child>
+<axis><xyz>0 0 -1</xyz><limit><lower>-1</lower><upper>2</upper></limit></axis></joint>
+</model></sdf>"""
+HAND = f"""<sdf version="1.9"><model name="any">
+<link name="lower">{MASS}</link>
+<frame name="tool" attached_to="lower"><pose>0 0 1 0 0 0</pose></frame>
+</model></sdf>"""
+NESTED = """<sdf version="1.9"><model name="arm">
+<joint name="weld" type="fixed"><parent>world</parent><child>base</child></joint>
+<link name="base"/>
+<include><name>leg</name><uri>model://forearm/arm.sdf</uri><pose>0 0 0.25 0 0 0</pose></include>
+<joint name="shoulder" type="revolute"><pose>0.1 0 0 0 0 0</pose><parent>base</parent>
+<child>leg::upper</child><axis><xyz expressed_in="__model__">0 1 0</xyz></axis></joint>
+<frame name="mark"><pose relative_to="leg::hand::tool">1 0 0 0 0 0</pose></frame>
+</model></sdf>"""
+
+
+def test_included_models_are_the_robot_that_they_make(tmp_path: Path) -> None:
+    models = tmp_path / "models"
+    for name, file, text in (("forearm", "arm.sdf", FOREARM), ("hand", "v2.sdf", HAND)):
+        (models / name).mkdir(parents=True)
+        (models / name / file).write_text(text)
+    manifest = "<model><sdf version='1.6'>old.sdf</sdf><sdf version='1.9'>v2.sdf</sdf></model>"
+    (models / "hand" / "model.config").write_text(manifest)
+    path = tmp_path / "arm.sdf"
+    path.write_text(NESTED)
+    format = format_named("sdf")
+    with pytest.raises(FormatError, match=r"^line 4: <include> names 'model://forearm/arm.sdf'"):
+        format.read(path, AS_WRITTEN)
+    found = format.read(path, ReadingChoices(model_paths=(models,)))
+    ours, plain = (mechanism_of(kindsl_text(read.robot)) for read in (found, robot(ARM, tmp_path)))
+    for q in ([0.0, 0.0], [0.4, -0.3]):
+        poses, expected = ours.forward_kinematics(q), plain.forward_kinematics(q)
+        for name, other in (("mark", "mark"), ("leg_hand_tool", "tool")):
+            np.testing.assert_allclose(poses[name], expected[other], atol=1e-12)
+        H, other_H = ours.joint_space_inertia(q), plain.joint_space_inertia(q)
+        np.testing.assert_allclose(H, other_H, atol=1e-12)
+    assert found.joints["leg::slider"].limits == (-1.0, 2.0)
+
+
+def test_a_model_that_includes_itself_is_refused(tmp_path: Path) -> None:
+    text = ARM.replace("</model>", "<include><uri>robot.sdf</uri></include></model>")
+    with pytest.raises(FormatError, match="is the 20th model in a model"):
+        robot(text, tmp_path)

@@ -204,7 +204,7 @@ def test_arguments_are_for_xacro_files(tmp_path: Path, capsys) -> None:
     path = tmp_path / "leg.urdf"
     path.write_text(MEANT)
     assert main(["convert", str(path), str(tmp_path / "leg.kindsl"), "name:=hip"]) == 2
-    assert "arguments are for a xacro file" in capsys.readouterr().err
+    assert "arguments are for xacro files" in capsys.readouterr().err
     with pytest.raises(SystemExit):
         main(["convert", str(path), str(tmp_path / "leg.kindsl"), "hip"])
     assert "'hip' is not NAME:=VALUE" in capsys.readouterr().err

@@ -75,6 +75,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default=[],
         help="a folder of packages, for $(find PACKAGE) in a xacro file (repeatable)",
     )
+    add(
+        "--model-path",
+        metavar="DIR",
+        type=Path,
+        action="append",
+        default=[],
+        help="a folder of models that an SDF includes (repeatable)",
+    )
     add("--from", dest="source", choices=read, help=untold.format("IN"))
     add("--to", dest="target", choices=written, help=untold.format("OUT"))
     add(
@@ -226,10 +234,15 @@ def _read(args: argparse.Namespace, source: Format) -> ReadRobot:
 
 
 def _choices(args: argparse.Namespace, source: Format) -> ReadingChoices:
-    for given, what in ((args.arguments, "arguments"), (args.package_path, "--package-path")):
-        if given and source.name != "xacro":
-            raise CommandError([Failure(args.input, f"{what} are for a xacro file")])
-    return ReadingChoices(args.floating_base, tuple(args.package_path), dict(args.arguments))
+    for given, what, wanted in (
+        (args.arguments, "arguments are", "xacro"),
+        (args.package_path, "--package-path is", "xacro"),
+        (args.model_path, "--model-path is", "sdf"),
+    ):
+        if given and source.name != wanted:
+            raise CommandError([Failure(args.input, f"{what} for {wanted} files")])
+    packages, models = tuple(args.package_path), tuple(args.model_path)
+    return ReadingChoices(args.floating_base, packages, dict(args.arguments), models)
 
 
 def _argument(text: str) -> tuple[str, str]:

@@ -57,11 +57,13 @@ class ReadingChoices(NamedTuple):
         floating: Whether the root floats, whatever the file says.
         package_paths: Folders with packages, for a xacro file.
         arguments: Of a xacro file, by their names.
+        model_paths: Folders with models, for an SDF.
     """
 
     floating: bool = False
     package_paths: tuple[Path, ...] = ()
     arguments: Mapping[str, str] = MappingProxyType({})
+    model_paths: tuple[Path, ...] = ()
 
 
 class WritingChoices(NamedTuple):

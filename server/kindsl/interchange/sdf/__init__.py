@@ -3,6 +3,7 @@
 Must not know the other formats.
 """
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kindsl.interchange.format import (
@@ -11,7 +12,6 @@ from kindsl.interchange.format import (
     ReadRobot,
     WritingChoices,
     WrittenRobot,
-    file_reader,
 )
 
 if TYPE_CHECKING:
@@ -24,10 +24,19 @@ def _parse(text: bytes | str, name: str, choices: ReadingChoices) -> ReadRobot:
     return robot_of_sdf(text, name, floating=choices.floating)
 
 
+def _read(path: Path, choices: ReadingChoices) -> ReadRobot:
+    from kindsl.interchange.sdf.including import searched_folders
+    from kindsl.interchange.sdf.sdf_reading import robot_of_sdf
+
+    searched = searched_folders(path, choices.model_paths)
+    content = path.read_bytes()
+    return robot_of_sdf(content, path.stem, floating=choices.floating, searched=searched)
+
+
 def _write(name: str, skeleton: "Skeleton", choices: WritingChoices) -> WrittenRobot:
     from kindsl.interchange.sdf.writing import written_sdf
 
     return written_sdf(name, skeleton, choices)
 
 
-FORMAT = Format("sdf", "SDF", (".sdf",), "", file_reader(_parse), _parse, _write)
+FORMAT = Format("sdf", "SDF", (".sdf",), "", _read, _parse, _write)

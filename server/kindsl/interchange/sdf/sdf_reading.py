@@ -1,7 +1,8 @@
 """SDF to a robot description: one model, its links in a tree."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 from kindsl.interchange.format import FormatError, ReadRobot
@@ -26,8 +27,10 @@ from kindsl.interchange.sdf.elements import (
     text_of,
 )
 from kindsl.interchange.sdf.frame_graph import MODEL, WORLD, FrameGraph
+from kindsl.interchange.sdf.including import include, not_found
 from kindsl.interchange.sdf.joint_properties import joint_properties
 from kindsl.interchange.sdf.losses import losses, world_losses
+from kindsl.interchange.sdf.nesting import flatten
 from kindsl.rigid.body import MassDistribution, Symmetric
 from kindsl.rigid.pose import IDENTITY, Vector3
 from kindsl.semantics.parameters import UNTOLD
@@ -42,20 +45,25 @@ _KINDS: dict[str, LinkJoint] = {
 _UNIT: Symmetric = (1.0, 1.0, 1.0, 0.0, 0.0, 0.0)
 
 
-def robot_of_sdf(text: bytes | str, name: str, *, floating: bool = False) -> ReadRobot:
+def robot_of_sdf(
+    text: bytes | str, name: str, *, floating: bool = False, searched: Sequence[Path] = ()
+) -> ReadRobot:
     """Return the robot of an SDF's text.
 
     Args:
-        text: As in the file. Files that it includes are not read.
+        text: As in the file.
         name: Not needed: a model has a name.
         floating: Whether the root floats though it is fixed to the world.
+        searched: Folders of the models that it includes.
 
     Raises:
         FormatError: The text is unreadable or beyond the Kinematics-DSL.
     """
     del name
     root = parsed(text)
-    model, others = _only_model(root)
+    include(root, searched)
+    model, others = _only_model(root, searched)
+    flatten(model)
     graph = FrameGraph(model, root.get("version") or "")
     joints = _joints_by_child(model, graph)
     start, is_fixed = _root(model, graph, joints)
@@ -76,31 +84,32 @@ def robot_of_sdf(text: bytes | str, name: str, *, floating: bool = False) -> Rea
     return ReadRobot(described(name_of(model), base, links), told, known)
 
 
-def _only_model(root: Any) -> tuple[Any, tuple[str, ...]]:
+def _only_model(root: Any, searched: Sequence[Path]) -> tuple[Any, tuple[str, ...]]:
     """Return the model, and what is said of the others, which are static."""
     models = [*root.findall("model"), *root.findall("world/model")]
     moving = [model for model in models if not is_true(model, "static")] if models[1:] else models
     if len(moving) != 1:
+        missing = root.find("world/include")
+        if missing is not None and not moving:
+            raise not_found(missing, searched)
         told = listed(f"'{m.get('name')}'" for m in models[:5])
         found = f"{len(models)} models" if models else "no model"
         raise FormatError(f"the SDF has {found}, exactly one is required" + (told and f": {told}"))
-    _check_model(root, moving[0])
+    _check_model(root, moving[0], searched)
     static = (f"'{name_of(model)}'" for model in models if model is not moving[0])
     return moving[0], tuple(f"the static model {name} dropped" for name in static)
 
 
-def _check_model(root: Any, model: Any) -> None:
+def _check_model(root: Any, model: Any, searched: Sequence[Path]) -> None:
     """Raise where what a model is made of is not all in it."""
     joint = root.find("world/joint")
     if joint is not None:
         raise defect(joint, "is a joint of the world, which is not supported")
-    for tag in ("include", "model"):
-        for element in model.iterfind(tag):
-            what = "includes another model" if tag == "include" else "is a model in a model"
-            raise defect(element, f"{what}, which is not supported: expand it first")
+    for inclusion in model.iter("include"):
+        raise not_found(inclusion, searched)
     for origin in model.iter("origin"):
         raise defect(origin, "is the pose of SDF before 1.2, which is not supported")
-    if model.find("link") is None:
+    if next(model.iter("link"), None) is None:
         raise defect(model, "has no link")
 
 
@@ -110,7 +119,7 @@ def _joints_by_child(model: Any, graph: FrameGraph) -> dict[str, Any]:
     for joint in model.iterfind("joint"):
         kind = joint.get("type")
         if kind not in _KINDS:
-            raise defect(joint, f"is of type {kind}, which the language does not support")
+            raise defect(joint, f"is a {kind} joint, which the language does not support")
         child = graph.link_of(text_of(joint, "child"), joint)
         if child == WORLD:
             raise defect(joint, "has the world as its child")
