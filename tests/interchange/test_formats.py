@@ -15,9 +15,10 @@ from tests.support.published import published_models
 
 import kindsl
 from kindsl.analysis.settings import Settings
-from kindsl.interchange.format import ORDINARY, Format, FormatError, WritingChoices
+from kindsl.interchange.format import ORDINARY, Format, WritingChoices
 from kindsl.interchange.kindsl_writing import kindsl_text
 from kindsl.interchange.registry import all_formats, format_named, format_of_suffix
+from kindsl.interchange.repairing import repaired
 from kindsl.mechanism.bodies import skeleton_of_bodies
 from kindsl.mechanism.errors import ModelError, UnboundParameterError
 from kindsl.semantics.parameters import JointProperties
@@ -89,20 +90,41 @@ def test_a_plate_whose_digits_break_the_triangle_inequality_is_written() -> None
     assert "fullinertia" in written(
         kindsl.parse(plate, Settings()).mechanism(), format_named("mjcf")
     )
-    with pytest.raises(FormatError, match="'c' is physically impossible"):
-        written(
-            kindsl.parse(plate.replace("0.3 Ixy", "0.4 Ixy"), Settings()).mechanism(),
-            format_named("mjcf"),
-        )
+
+
+def test_an_impossible_body_is_written_and_told_or_repaired() -> None:
+    text = MASSLESS.replace(
+        "Ix = 1.0 Iy = 1.1 Iz = 1.2 Ixy = 0.1", "Ix = 0.1 Iy = 0.2 Iz = 0.4 Ixy = 0.0"
+    )
+    document = kindsl.parse(text.replace("CoM = (0.1, 0.2, 0.3)", "CoM = (0.0, 0.0, 0.0)"))
+    skeleton, mjcf = document.skeleton(), format_named("mjcf")
+    found = mjcf.write("arm", skeleton, ORDINARY)
+    assert found.remarks[-1] == (
+        "inertia of 'c' is physically impossible: MuJoCo refuses the file; "
+        "--repair-inertia writes the nearest possible one"
+    )
+    with pytest.raises(ValueError, match="inertia"):
+        mujoco.MjModel.from_xml_string(found.text)
+    possible, notes = repaired(skeleton)
+    assert notes == ("inertia of 'c' is impossible: the nearest possible one written",)
+    model = mujoco.MjModel.from_xml_string(mjcf.write("arm", possible, ORDINARY).text)
+    moments = sorted(model.body("c").inertia)
+    np.testing.assert_allclose(moments, [0.15, 0.25, 0.4], atol=1e-9)
+    assert repaired(possible) == (possible, ())
 
 
 @pytest.mark.parametrize("path", published_models())
 def test_published_documents_have_our_numbers_in_mujoco(path: Path) -> None:
     try:
         ours = kindsl.load(path, Settings()).mechanism()
-        text = written(ours, format_named("mjcf"))
-    except (ModelError, UnboundParameterError, FormatError) as error:
-        assert re.search("same id|no value|physically impossible", str(error))
+    except (ModelError, UnboundParameterError) as error:
+        assert re.search("same id|no value", str(error))
+        return
+    found = format_named("mjcf").write("robot", skeleton_of_bodies(ours.bodies), ORDINARY)
+    text = found.text
+    if any("MuJoCo refuses the file" in remark for remark in found.remarks):
+        with pytest.raises(ValueError, match=r"inertia|mass"):
+            mujoco.MjModel.from_xml_string(text)
         return
     assert (
         max(gap(ours, mujoco.MjModel.from_xml_string(text), np.random.default_rng(1))) < TOLERANCE

@@ -38,6 +38,7 @@ from kindsl.interchange.format import (
     joints_dropped,
 )
 from kindsl.interchange.registry import all_formats, format_named, format_of_suffix
+from kindsl.interchange.repairing import repaired
 from kindsl.text.phrases import alternatives, counted
 from kindsl.text.regular import require_regular
 
@@ -94,6 +95,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--continuous",
         action="store_true",
         help="write revolute joints without limits as continuous",
+    )
+    add(
+        "--repair-inertia",
+        action="store_true",
+        help="write the nearest possible inertia where one is impossible",
     )
     add("--no-config", action="store_true", help="write no kindsl.toml with limits of joints")
     add("-v", "--verbose", action="store_true", help="report each thing that was dropped")
@@ -256,8 +262,10 @@ def _written(args: argparse.Namespace, target: Format, analysis: "Analysis") -> 
     assert target.write is not None
     skeleton = skeleton_of_document(args.input, analysis)
     choices = WritingChoices(args.continuous, analysis.settings.joints)
+    skeleton, notes = repaired(skeleton) if args.repair_inertia else (skeleton, ())
     try:
-        return target.write(analysis.model.name or "robot", skeleton, choices)
+        written = target.write(analysis.model.name or "robot", skeleton, choices)
+        return written._replace(remarks=(*written.remarks, *notes))
     except ModuleNotFoundError as error:
         raise missing_module(args.input, error, target.extra) from None
     except FormatError as error:

@@ -120,6 +120,21 @@ def principal_moments_about_com(body: MassDistribution) -> Vector3:
     return principal_moments(eigensystem(second_moments_about_com(body)))
 
 
+def nearest_possible(body: MassDistribution) -> MassDistribution:
+    """Return the body whose second moments are the nearest ones that a body can have.
+
+    Mass and centre of mass stay; of the second moments about it what is negative is left out.
+    Source: the nearest positive semidefinite matrix in the Frobenius norm, Higham 1988.
+    """
+    pairs = eigensystem(second_moments_about_com(body))
+    if pairs[0].value >= 0.0:
+        return body
+    kept = [(max(value, 0.0), axis) for value, axis in pairs]
+    entries = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
+    xx, yy, zz, xy, xz, yz = (sum(s * a[i] * a[j] for s, a in kept) for i, j in entries)
+    return shifted(body._replace(moments=moments_of((xx, yy, zz, xy, xz, yz))))
+
+
 def is_clearly_positive(matrix: Symmetric) -> bool:
     """Return whether a matrix is positive definite far beyond the rounding of arithmetic.
 

@@ -10,7 +10,7 @@ from xml.etree.ElementTree import Element
 import numpy as np
 
 from kindsl.dynamics.bodies import Bodies
-from kindsl.interchange.format import ORDINARY, FormatError, WritingChoices, WrittenRobot
+from kindsl.interchange.format import ORDINARY, WritingChoices, WrittenRobot
 from kindsl.interchange.mjcf.compiling import checked_text
 from kindsl.interchange.xml_writing import added, document_text, numbers
 from kindsl.mechanism.bodies import bodies_of
@@ -43,7 +43,7 @@ def written_mjcf(name: str, skeleton: Skeleton, choices: WritingChoices = ORDINA
         choices: What is told of joints.
 
     Raises:
-        FormatError: A body cannot move in MuJoCo.
+        FormatError: MuJoCo refuses it, though all bodies are possible.
         ModuleNotFoundError: mujoco is not installed.
     """
     import mujoco  # noqa: F401
@@ -55,14 +55,18 @@ def written_mjcf(name: str, skeleton: Skeleton, choices: WritingChoices = ORDINA
     elements = [_base(added(root, "worldbody"), bodies)]
     for link, parent in bodies.links():
         elements.append(_link(elements[parent], bodies, link, choices))
-    for body in range(0 if bodies.is_floating else 1, bodies.n_links + 1):
+    bodies_that_move = range(0 if bodies.is_floating else 1, bodies.n_links + 1)
+    for body in bodies_that_move:
         elements[body].insert(0, Element("inertial", inertials[body]))
     for frame in bodies.frames:
         pose = _pose(frame.body_R_frame, frame.body_r_frame)
         added(elements[frame.body], "site", name=frame.name, **pose)
     text = document_text(root)
-    checked_text(text)
-    return WrittenRobot(text, (*_remarks(bodies), *_mass_remarks(bodies)))
+    impossible = [body for body in bodies_that_move if _is_impossible(bodies, body)]
+    refused = [_impossible(bodies, body) for body in impossible]
+    if not refused:
+        checked_text(text)
+    return WrittenRobot(text, (*_remarks(bodies), *_mass_remarks(bodies), *refused))
 
 
 def _base(world: Element, bodies: Bodies) -> Element:
@@ -115,24 +119,32 @@ def _link_name(bodies: Bodies, i: int) -> str:
 
 
 def _inertial(bodies: Bodies, body: int) -> dict[str, str]:
-    """Return the attributes of a body's inertia, which MuJoCo must take for possible.
-
-    Raises:
-        FormatError: No body has that inertia.
-    """
+    """Return the attributes of a body's inertia, as much more of it as MuJoCo requires."""
     I = _about_com(bodies, body)  # noqa: E741
-    lowest, middle, highest = np.linalg.eigvalsh(I)
-    missing = max(_LEAST - lowest, highest - lowest - middle, 0.0)
-    moves = body > 0 or bodies.is_floating
-    if moves and (missing > 2.0 * _LEAST + _ROUNDING * abs(highest) or bodies.masses[body] < 0.0):
-        raise FormatError(_impossible(bodies, body, (lowest, middle, highest)))
+    missing = 0.0 if _is_impossible(bodies, body) else _missing(I)
     I = I + (missing + DUST if missing else 0.0) * np.eye(3)  # noqa: E741
     moments = [I[0, 0], I[1, 1], I[2, 2], I[0, 1], I[0, 2], I[1, 2]]
+    mass = float(bodies.masses[body])
     return {
         "pos": numbers(bodies.coms[body]),
-        "mass": numbers([max(bodies.masses[body], DUST)]),
+        "mass": numbers([mass if mass < 0.0 else max(mass, DUST)]),
         "fullinertia": numbers(moments),
     }
+
+
+def _is_impossible(bodies: Bodies, body: int) -> bool:
+    """Return whether a body that moves has an inertia that MuJoCo refuses."""
+    if body == 0 and not bodies.is_floating:
+        return False
+    I = _about_com(bodies, body)  # noqa: E741
+    allowed = 2.0 * _LEAST + _ROUNDING * abs(np.linalg.eigvalsh(I)[2])
+    return bool(_missing(I) > allowed or bodies.masses[body] < 0.0)
+
+
+def _missing(I: Array) -> float:  # noqa: E741
+    """Return how much is missing of each principal moment, kg m^2, by what MuJoCo requires."""
+    lowest, middle, highest = np.linalg.eigvalsh(I)
+    return float(max(_LEAST - lowest, highest - lowest - middle, 0.0))
 
 
 def _about_com(bodies: Bodies, body: int) -> Array:
@@ -150,13 +162,12 @@ def _pose(R: Array, r: Array) -> dict[str, str]:
     return pose | ({"quat": numbers(quaternion)} if turned else {})
 
 
-def _impossible(bodies: Bodies, body: int, moments: tuple[float, ...]) -> str:
+def _impossible(bodies: Bodies, body: int) -> str:
     name = (bodies.base_name, *bodies.link_names)[body]
     if bodies.masses[body] < 0.0:
-        return f"mass of '{name}' is negative, and MuJoCo refuses it"
-    told = ", ".join(f"{moment:.6g}" for moment in moments)
-    what = f"inertia of '{name}' is physically impossible, principal moments {told}"
-    return f"{what}, and MuJoCo refuses it"
+        return f"mass of '{name}' is negative: MuJoCo refuses the file"
+    what = f"inertia of '{name}' is physically impossible: MuJoCo refuses the file"
+    return f"{what}; --repair-inertia writes the nearest possible one"
 
 
 def _mass_remarks(bodies: Bodies) -> Iterator[str]:
