@@ -83,7 +83,7 @@ def test_a_new_link_has_a_number_that_is_missing_above_its_parents(
     model = analyse(robot(*links)).model
     fix = new_link(model, "hand", parent_id=parent)
     assert fix is not None
-    assert fix.title == "Add a link 'hand'"
+    assert fix.title == "Create link 'hand'"
     assert f"link hand {{\n    id = {number}\n" in fix.changes[0].text
     after = (model.links or model.bases)[-1]
     at = fix.changes[0].at

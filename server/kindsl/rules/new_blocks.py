@@ -29,7 +29,7 @@ def new_link(model: Model, name: str, *, parent_id: int = 0) -> Fix | None:
     if not blocks or not name.isidentifier():
         return None
     text = _LINK.format(name=name, number=_free_id(model, parent_id))
-    return Fix(f"Add a link '{name}'", (_behind(blocks[-1].island, blocks[-1].end, text),))
+    return Fix(f"Create link '{name}'", (_behind(blocks[-1].island, blocks[-1].end, text),))
 
 
 def new_joint(model: Model, name: str) -> Fix | None:
@@ -38,7 +38,7 @@ def new_joint(model: Model, name: str) -> Fix | None:
     if not blocks or not name.isidentifier():
         return None
     text = _JOINT.format(name=name)
-    return Fix(f"Add a joint '{name}'", (_behind(blocks[-1].island, blocks[-1].end, text),))
+    return Fix(f"Create joint '{name}'", (_behind(blocks[-1].island, blocks[-1].end, text),))
 
 
 def _free_id(model: Model, parent_id: int) -> int:

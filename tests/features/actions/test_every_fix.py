@@ -30,9 +30,15 @@ def fixes(analysis):
     found = {}
     for finding in analysis.findings:
         for action in quick_fixes(analysis, finding.start, finding.end):
-            if action.edits and action.diagnostics:
+            if action.edits and action.diagnostics and not is_beside(action):
                 found[action.edits] = action
     return found.values()
+
+
+def is_beside(action):
+    """Whether it creates a name beside another that is probably meant, which then is unused."""
+    (finding, *_) = action.diagnostics
+    return action.title.startswith("Create ") and "did you mean" in finding.message
 
 
 def told(analysis):

@@ -176,22 +176,22 @@ def frames_offered(text: str) -> list[str]:
         for finding in analysis.findings
         if finding.code == "KD107"
         for action in quick_fixes(analysis, finding.start, finding.start)
-        if "Add a frame" in action.title
+        if "Create frame" in action.title
     ]
 
 
 @pytest.mark.parametrize(
     ("old", "new", "offered"),
     [
-        ("mid", "mid", ["Add a frame 'mid' to 'lower'"]),
-        # Probably another name is meant,
-        ("mid", "tipp", []),
-        # or the name is that of something else, which a frame cannot have.
+        ("mid", "mid", ["Create frame 'mid' in 'lower'"]),
+        # Beside the name that is probably meant.
+        ("mid", "tipp", ["Create frame 'tipp' in 'lower'"]),
+        # The name is that of something else, which a frame cannot have.
         ("mid", "upper", []),
         ("mid", "Elbow", []),
         ("Ixz=0.0 Iyz=0.0\n", "Ixz=0.0 Iyz=0.0 ref_frame = new\n",
-         [f"Add a frame 'new' to '{link}'" for link in ("base", "upper")]
-         + ["Add a frame 'mid' to 'lower'"]),
+         [f"Create frame 'new' in '{link}'" for link in ("base", "upper")]
+         + ["Create frame 'mid' in 'lower'"]),
     ],
 )  # fmt: skip
 def test_a_frame_is_offered_where_only_it_is_missing(
@@ -212,7 +212,7 @@ def test_a_frame_that_is_added_is_the_link_s_own() -> None:
 def test_a_link_without_its_brace_takes_no_frame() -> None:
     start = ARM.index("link upper")
     referring = ARM[start:].replace("Iyz=0.0\n    }\n", "Iyz=0.0 ref_frame = new\n    }\n", 1)
-    assert frames_offered(ARM[:start] + referring) == ["Add a frame 'new' to 'upper'"]
+    assert frames_offered(ARM[:start] + referring) == ["Create frame 'new' in 'upper'"]
     assert frames_offered(ARM[:start] + referring.replace("upper {", "upper", 1)) == []
 
 
@@ -241,7 +241,7 @@ def test_links_without_inertia_do_not_matter() -> None:
         ARM.index("    children {\n        low"),
     )
     without = ARM[end:].replace("Iyz=0.0\n    }\n", "Iyz=0.0 ref_frame = new\n    }\n")
-    assert frames_offered(ARM[:start] + without) == ["Add a frame 'new' to 'lower'"]
+    assert frames_offered(ARM[:start] + without) == ["Create frame 'new' in 'lower'"]
 
 
 def rounded_rod(generator: random.Random) -> str:

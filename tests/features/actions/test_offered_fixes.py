@@ -150,7 +150,7 @@ def test_a_frame_is_offered_once_where_more_is_told_of_its_name() -> None:
     start = text.index("^gone")
     assert [f.code for f in analysis.findings if f.start == start] == ["KD107", "KD602"]
     titles = [action.title for action in quick_fixes(analysis, start, start)]
-    assert titles.count("Add a frame 'gone' to 'base'") == 1
+    assert titles.count("Create frame 'gone' in 'base'") == 1
 
 
 def test_a_refactoring_that_is_a_fix_already_is_not_offered_twice() -> None:
@@ -158,3 +158,49 @@ def test_a_refactoring_that_is_a_fix_already_is_not_offered_twice() -> None:
     (finding,) = (f for f in analysis.findings if f.code == "KD008")
     offered = code_actions(analysis, finding.start, finding.start)
     assert [a.kind for a in offered if a.title == "Add the missing 'id'"] == ["quickfix"]
+
+
+_WITH_SLIPS = """Robot arm {
+RobotBase ground { children { uper via shoulder } }
+link upper { id = 1
+    inertia_params { mass = 1.0 CoM = (0.0, 0.0, 0.0)
+        Ix=0.01 Iy=0.01 Iz=0.01 Ixy=0.0 Ixz=0.0 Iyz=0.0 ref_frame = cg }
+    children { hand via wirst }
+    frames { cog { translation = (0.0, 0.0, 0.1) rotation = (0.0, 0.0, 0.0) } } }
+link hand { id = 2 children {} }
+r_joint shoulder { ref_frame { translation = (0.0, 0.0, 1.0) rotation = (0.0, 0.0, 0.0) } }
+r_joint wrist { ref_frame { translation = (0.0, 0.0, 1.0) rotation = (0.0, 0.0, 0.0) } }
+}
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "titles"),
+    [
+        ("wirst", ["Replace 'wirst' with 'wrist'", "Create joint 'wirst'"]),
+        ("uper", ["Replace 'uper' with 'upper'", "Create link 'uper'"]),
+        ("cg", ["Replace 'cg' with 'cog'", "Create frame 'cg' in 'upper'"]),
+    ],
+)
+def test_a_name_that_nothing_has_is_replaced_or_created(name: str, titles: list[str]) -> None:
+    analysis = analyse(_WITH_SLIPS)
+    at = _WITH_SLIPS.index(f" {name} ") + 1
+    fixes = quick_fixes(analysis, at, at)
+    assert [fix.title for fix in fixes] == titles
+    for fix in fixes:
+        after = analyse(apply_edits(_WITH_SLIPS, fix.edits))
+        assert f"'{name}'" not in " ".join(
+            f.message for f in after.findings if "not exist" in f.message
+        )
+
+
+def test_what_is_created_anyway_is_offered_once() -> None:
+    text = _WITH_SLIPS.replace("wirst", "neck")
+    at = text.index("neck")
+    assert [fix.title for fix in quick_fixes(analyse(text), at, at)] == ["Create joint 'neck'"]
+
+
+def test_to_ignore_is_no_fix() -> None:
+    actions = code_actions(analyse(JOINT), 0, len(JOINT))
+    kinds = {action.kind for action in actions if action.title.startswith("Ignore")}
+    assert kinds == {"suppress.kindsl"}

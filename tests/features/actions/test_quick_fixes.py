@@ -177,7 +177,7 @@ def test_a_frame_that_an_inertia_names_can_be_added():
     assert text != ARM
     (finding,) = [d for d in analyse(text).findings if d.code == "KD107"]
     (action,) = quick_fixes(analyse(text), finding.start, finding.start)
-    assert (action.title, action.kind) == ("Add a frame 'lower_com' to 'lower'", "quickfix")
+    assert (action.title, action.kind) == ("Create frame 'lower_com' in 'lower'", "quickfix")
     assert action.diagnostics == (finding,)
     assert codes(apply_edits(text, action.edits)) == codes(ARM)
 

@@ -10,12 +10,12 @@ from kindsl.analysis.fixing import made
 from kindsl.analysis.text_fix import TextFix
 from kindsl.features.actions.action import CodeAction
 from kindsl.features.actions.add_sections import add_missing, add_sections
+from kindsl.features.actions.create_missing import create_missing
 from kindsl.features.actions.extract_parameter import extract_parameter
 from kindsl.features.actions.fix_all import fix_all
 from kindsl.features.actions.inline_parameter import inline_parameter
 from kindsl.features.actions.layout_edits import newline_of
 from kindsl.features.actions.move_inertia import move_inertia
-from kindsl.features.actions.new_frame import add_referenced_frame
 from kindsl.features.actions.sort_links import renumber_links, sort_links
 from kindsl.features.symbol_at import EntityKind, symbol_at
 from kindsl.semantics.declarations import ValueKind
@@ -25,6 +25,8 @@ from kindsl.text.lines import LineIndex
 
 FIX_ALL = "source.fixAll.kindsl"
 QUICK_FIX = "quickfix"
+# No kind of fix, so that no editor shows a bulb for a finding that can only be ignored.
+IGNORE = "suppress.kindsl"
 _Mending: TypeAlias = tuple[int, tuple[TextEdit, ...]]
 _fixed: "WeakKeyDictionary[Analysis, tuple[TextEdit, ...]]" = WeakKeyDictionary()
 _alike: "WeakKeyDictionary[Analysis, dict[str, _Mending]]" = WeakKeyDictionary()
@@ -39,7 +41,6 @@ _REFACTORINGS: tuple[Callable[[Analysis, int, int], Iterator[CodeAction]], ...] 
 )
 _UNBOUND = "KD401"
 _OMITTED = "KD008"
-_UNDEFINED_FRAME = "KD107"
 
 
 def code_actions(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, ...]:
@@ -64,13 +65,8 @@ def quick_fixes(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, .
         for finding in omitted
         for action in add_missing(analysis, finding.start)
     ]
-    frames = [
-        action
-        for finding in touched
-        if finding.code == _UNDEFINED_FRAME
-        for action in add_referenced_frame(analysis, finding)
-    ]
-    return (*fixes, *additions, *frames, *_fixes_of_rules(analysis, touched))
+    created = [action for finding in touched for action in create_missing(analysis, finding)]
+    return (*fixes, *additions, *created, *_fixes_of_rules(analysis, touched))
 
 
 def fix_all_action(analysis: Analysis) -> CodeAction | None:
@@ -114,7 +110,7 @@ def suppressions(analysis: Analysis, start: int, end: int) -> Iterator[CodeActio
     for code in dict.fromkeys(d.code for d in touched if not d.code.startswith("KD0")):
         finding = next(d for d in touched if d.code == code)
         edit = _ignoring(analysis.text, finding)
-        yield CodeAction(f"Ignore {code} here", QUICK_FIX, (edit,), (finding,))
+        yield CodeAction(f"Ignore {code} here", IGNORE, (edit,), (finding,))
 
 
 def _touched(analysis: Analysis, start: int, end: int) -> list[Diagnostic]:

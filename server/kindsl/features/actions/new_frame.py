@@ -18,10 +18,8 @@ _ORIGIN = (0.0, 0.0, 0.0)
 def add_referenced_frame(analysis: Analysis, finding: Diagnostic) -> Iterator[CodeAction]:
     """Offer the frame that the `ref_frame` at a finding names, at the origin of its link.
 
-    Not where the finding tells another name that is probably meant, nor one that something has.
+    Not where something else has the name.
     """
-    if finding.fix is not None:
-        return
     model = analysis.model
     taken = {name.lower() for name in (*model.body_named, *model.joint_named)}
     for link in model.bodies:
@@ -32,7 +30,7 @@ def add_referenced_frame(analysis: Analysis, finding: Diagnostic) -> Iterator[Co
         if edit is not None and name.lower() not in taken:
             at = Place(link.island, edit.start, edit.end)
             moved = TextEdit(*analysis.resolver.span(at), edit.text)
-            title = f"Add a frame '{name}' to '{link.name}'"
+            title = f"Create frame '{name}' in '{link.name}'"
             yield CodeAction(title, "quickfix", (moved,), (finding,))
 
 
