@@ -22,8 +22,8 @@ from kindsl.interchange.format import AS_WRITTEN, FormatError
 from kindsl.interchange.kindsl_writing import written_kindsl
 from kindsl.interchange.registry import format_named
 from kindsl.limbs.comparison import compared
-from kindsl.limbs.conventions import LOOSE
 from kindsl.limbs.limb import limbs_of
+from kindsl.limbs.mounts import LOOSE
 from kindsl.limbs.names import label_of
 from kindsl.semantics.declarations import Vector
 from kindsl.semantics.kinematic_tree import Edge
@@ -248,7 +248,7 @@ def agreeing(analysis: Analysis) -> dict[str, list[str]]:
             alike: dict[object, list[tuple[str, list[str]]]] = {}
             for one, other, how in limbs.pairs():
                 twins = compared(limbs.heads[one], limbs.heads[other], how, LOOSE)
-                if twins.is_whole and twins.n_slips == 0:
+                if twins is not None and twins.n_slips == 0:
                     alike.setdefault(one, []).append((how, [row.one.name for row in twins.rows]))
                     alike.setdefault(other, []).append(
                         (how, [row.other.name for row in twins.rows])

@@ -1,19 +1,32 @@
-"""Two limbs compared: what takes one to the other, and which single triple prevents it."""
+"""How a limb goes over into its twin, and which single triple of numbers prevents it.
 
-from collections.abc import Iterable, Iterator
+Frames of twins differ by a convention C, `x_one = C x_other`: a signed permutation that keeps the
+joint's axis z up to its sign. Conventions are hidden, poses are seen. At the head a mount tells the
+convention; below, a rotation hands the parent's on to the link, `C = R_one' C_parent R_other`, and
+a translation agrees where it is `C_parent' p_one`. One triple may break this: behind a rotation
+that is wrong any convention may follow.
+"""
+
+from collections.abc import Iterator, Sequence
+from itertools import product as combinations
 from typing import NamedTuple
 
-from kindsl.limbs.conventions import Freed, Labelling, Matching, Mount, Tolerance, Way
-from kindsl.limbs.limb import Body, LimbPart, rows_of
-from kindsl.limbs.mounts import ANY_WAY, mounts
+from kindsl.limbs.limb import Body, LimbPart, Row, rows_of
+from kindsl.limbs.mounts import ANY_WAY, Mount, Tolerance, Way, diagonal, is_proper, mounts
 from kindsl.limbs.names import is_held
 from kindsl.limbs.slips import SlipOfHand, angles_near, slip_between
-from kindsl.rigid.pose import RigidPose, Vector3
+from kindsl.rigid.body import Symmetric
+from kindsl.rigid.pose import IDENTITY, Rotation, Vector3, product, transposed, turned
 
+# Cost of a CoM or tensor that differs: it breaks ties, and many are less than a slip.
+_OF_MASS, _NO_MASS = 0.004, 0.002
 _NEAR = 0.35
-_WORST = 99.0
 _SEEN = 1e-3
-_NO_MASS = 0.002
+_ALL: list[Rotation] = []
+for _x, _y, _z in combinations((1.0, -1.0), repeat=3):
+    _ALL += [diagonal(_x, _y, _z), ((0.0, _x, 0.0), (_y, 0.0, 0.0), (0.0, 0.0, _z))]
+_KNOWN = frozenset(_ALL)
+_ALIKE = {kind: [C for C in _ALL if is_proper(C) == kind] for kind in (True, False)}
 
 
 class Suspect(NamedTuple):
@@ -38,8 +51,7 @@ class Accusation(NamedTuple):
         place: Where it stands.
         twin: The link that says so.
         meant: What should be written.
-        pose: The joint's pose then, to be compared with what other twins say.
-        cost: Of the comparison then.
+        cost: Of what is odd besides.
         slip: What makes the written triple of the meant one.
         change: The greatest difference of a number.
         free_axis: Along which the twin can say nothing, if any.
@@ -48,176 +60,273 @@ class Accusation(NamedTuple):
     place: Suspect
     twin: str
     meant: Vector3
-    pose: RigidPose
     cost: float
     slip: SlipOfHand
     change: float
     free_axis: int | None
 
 
-class LimbComparison:
+class Reading(NamedTuple):
+    """A way to read a limb as its twin.
+
+    Attributes:
+        mount: What takes head to head.
+        slip: The row and the triple (`translation`, `angles`) that is wrong then, if one is.
+        cost: Of the mount, and of masses that differ.
+        conventions: Of each row.
+    """
+
+    mount: Mount
+    slip: tuple[int, str] | None
+    cost: float
+    conventions: dict[int, Rotation]
+
+
+_Labels = tuple[float, dict[int, Rotation]]
+_Slips = Iterator[tuple[tuple[int, str] | None, _Labels]]
+
+
+class Comparison:
     """Two limbs at a tolerance.
 
     Attributes:
-        one: The head of the first.
-        other: The head of its twin.
         how: `LR`, `ROW` or `TURN`.
+        tolerance: Within which numbers are equal.
         part: What is compared.
         rows: The pairs of bodies, the heads first.
         is_whole: Whether they match body by body to their ends.
-        matching: The rows at the tolerance.
-        best: The cheapest labelling.
-        way: In which it takes the one limb to the other.
+        readings: All with one slip at most, the cheapest first.
     """
 
     def __init__(
-        self,
-        one: Body,
-        other: Body,
-        how: str,
-        tolerance: Tolerance,
-        part: LimbPart = LimbPart.WHOLE,
+        self, rows: Sequence[Row], how: str, tolerance: Tolerance, part: LimbPart = LimbPart.WHOLE
     ) -> None:
-        self.one, self.other, self.how, self.part = one, other, how, part
-        self.rows, self.is_whole = rows_of(one, other, part)
-        self.matching = Matching(self.rows, tolerance)
-        is_held_only = part is LimbPart.HELD
-        self._mounts = list(ANY_WAY) if is_held_only else mounts(how, one, other, tolerance)
-        self._accusations: list[tuple[Accusation, Accusation]] | None = None
-        self._choose()
-
-    def keep_to(self, way: Way) -> None:
-        """Compare again, the one limb being taken to the other in one way, if that can be."""
-        self._mounts = [mount for mount in self._mounts if mount.way == way] or self._mounts
-        self._choose()
-
-    def _choose(self) -> None:
-        self.best, self.way = Labelling(_WORST, []), self._mounts[0].way
-        for mount in self._mounts:
-            # What costs more from the start cannot win.
-            if self.is_whole and mount.extra < self.best.cost:
-                found = self._labelling(mount)
-                if found.cost < self.best.cost:
-                    self.best, self.way = found, mount.way
+        self.rows, self.how, self.tolerance, self.part = rows, how, tolerance, part
+        self._below: list[list[int]] = [[] for _ in rows]
+        for index, row in enumerate(rows[1:], 1):
+            self._below[row.up].append(index)
+        self._known: dict[tuple[int, Rotation], _Labels | None] = {}
+        _, one, other = rows[0]
+        self._mounts = ANY_WAY if part is LimbPart.HELD else mounts(how, one, other, tolerance)
+        self.readings = self._readings()
 
     @property
     def n_slips(self) -> int:
-        """How many triples differ."""
-        return _whole(self.best.cost)
+        """How many triples differ: 0, 1, or 2 for more."""
+        return min((int(reading.slip is not None) for reading in self.readings), default=2)
+
+    @property
+    def best(self) -> Reading:
+        """The cheapest without a slip; there must be one."""
+        return next(reading for reading in self.readings if reading.slip is None)
 
     @property
     def other_kinds(self) -> list[int]:
         """The rows whose joints are of different kinds."""
         return [i for i, row in enumerate(self.rows) if row.one.kind != row.other.kind]
 
+    def keep_to(self, way: Way) -> None:
+        """Read one limb as the other in one way, unless that is the cheapest, or none of theirs."""
+        is_cheapest = bool(self.readings) and self.readings[0].mount.way == way
+        if not is_cheapest and any(mount.way == way for mount in self._mounts):
+            self.readings = [reading for reading in self.readings if reading.mount.way == way]
+
     def accusations(self) -> list[tuple[Accusation, Accusation]]:
         """Return the single triples that explain the difference, as of either limb."""
-        if self._accusations is None:
-            found = list(self._explaining()) if self.n_slips == 1 else []
-            least = min((one.cost for one, _ in found), default=0.0)
-            self._accusations = [both for both in found if both[0].cost <= least + _NEAR]
-        return self._accusations
+        if self.n_slips != 1:
+            return []
+        first = 1 + (len(self._below[0]) == 1) if self.part is LimbPart.HELD else 0
+        found = [r for r in self.readings if r.slip is not None and r.slip[0] >= first]
+        near = [r for r in found if r.cost <= found[0].cost + _NEAR]
+        return [self._accused(reading) for reading in sorted(near, key=lambda r: r.slip or ())]
 
     def turnings(self) -> list[tuple[Accusation, Accusation]]:
         """Return the rotations that, written otherwise, make unlike masses alike."""
-        ways = [(mount, row) for mount in self._mounts for row in range(len(self.rows))]
-        found = ((m, row, self._labelling(m, Freed(row, "angles"))) for m, row in ways)
-        return [
-            self._accused(mount, labelling, row, "angles")
-            for mount, row, labelling in (found if self.differing_masses() else ())
-            if labelling.cost - mount.extra < _NO_MASS
-        ]
-
-    def _labelling(self, mount: Mount, freed: Freed | None = None) -> Labelling:
-        """Return the cheapest conventions for a mount, its own cost included."""
-        station, tolerance = 0.0, self.matching.tolerance
-        if mount.map is not None:
-            here, there = self.one.translation, self.other.translation
-            at_one_place = self.how == "ROW" and tolerance.is_same(there, here)
-            station = float(at_one_place or not tolerance.is_same(there, mount.place))
-        found = self.matching.labelling(mount, station, freed)
-        return Labelling(found.cost + mount.extra, found.conventions)
-
-    def _explaining(self) -> Iterator[tuple[Accusation, Accusation]]:
-        first = 0
-        if self.part is LimbPart.HELD:
-            first = 1 + (len(self.matching.below[0]) == 1)
-        for mount in self._mounts:
-            if self._labelling(mount).cost >= self.best.cost + 0.9:
-                continue
-            for row in range(first, len(self.rows)):
-                for what in ("translation", "angles"):
-                    found = self._labelling(mount, Freed(row, what))
-                    if _whole(found.cost) == 0:
-                        yield self._accused(mount, found, row, what)
-
-    def _accused(
-        self, mount: Mount, found: Labelling, index: int, what: str
-    ) -> tuple[Accusation, Accusation]:
-        _, one, other = self.rows[index]
-        free_axis = mount.free_axis if index == 0 and what == "translation" else None
-        backward = self.matching.expected_back(mount, found.conventions, index)
-        forward = self.matching.expected(mount, found.conventions, index)
-        sides = ((one, other, backward), (other, one, forward))
-        here, there = (
-            _accusation(body, twin, what, pose, found.cost, free_axis) for body, twin, pose in sides
-        )
-        return here, there
+        found = [r for r in self.readings if r.slip is not None and r.slip[1] == "angles"]
+        like = [r for r in found if r.cost - r.mount.extra < _NO_MASS]
+        return [self._accused(reading) for reading in like if self.differing_masses()]
 
     def differing_masses(self) -> list[tuple[int, str]]:
         """Return rows with `com` or `moments` where these are not alike."""
-        found = zip(self.rows, self.best.conventions, strict=True)
-        return [
-            (index, what)
-            for index, (row, convention) in enumerate(found)
-            for what in self.matching.differing_masses(row, convention)
-        ]
+        found = sorted(self.best.conventions.items())
+        return [(i, what) for i, C in found for what in self._differing(self.rows[i], C)]
 
     def is_seen_below(self, joint: str) -> bool:
         """Return whether offsets beyond a joint tell how its frame lies; a tool may lie anyhow."""
-        names = [(row.one.joint, row.other.joint) for row in self.rows]
-        at = next(i for i, both in enumerate(names) if joint in both)
-        below = list(self.matching.below[at])
+        at = next(i for i, row in enumerate(self.rows) if joint in (row.one.joint, row.other.joint))
+        below = list(self._below[at])
         for index in below:
-            below += self.matching.below[index]
+            below += self._below[index]
         return any(max(map(abs, self.rows[i].one.translation)) > _SEEN for i in below)
 
+    def _readings(self) -> list[Reading]:
+        """Return for each mount and slip the cheapest reading."""
+        found: dict[object, Reading] = {}
+        for order, mount in enumerate(self._mounts):
+            for slip, (cost, labels) in self._of_mount(mount):
+                reading = Reading(mount, slip, cost + mount.extra, labels)
+                if reading.cost < found.setdefault((order, slip), reading).cost:
+                    found[order, slip] = reading
+        return sorted(found.values(), key=lambda r: r.cost + (r.slip is not None))
 
-def compared(one: Body, other: Body, how: str, tolerance: Tolerance) -> LimbComparison:
-    """Compare two limbs; where something differs, without what they hold in their hands."""
-    whole = LimbComparison(one, other, how, tolerance)
-    if (whole.is_whole and whole.n_slips == 0) or _holds(one):
-        return whole
-    bare = LimbComparison(one, other, how, tolerance, LimbPart.BARE)
-    return bare if len(bare.rows) < len(whole.rows) else whole
+    def _of_mount(self, mount: Mount) -> _Slips:
+        _, one, other = self.rows[0]
+        if mount.map is None:
+            for C in _ALIKE[mount.is_copy]:
+                yield from self._from(0, C)
+            return
+        turn = product(transposed(one.rotation), transposed(mount.map))
+        to = self._convention(product(turn, other.rotation))
+        if mount.is_copy and to is not None:
+            to = IDENTITY.rotation
+        there, is_same = other.translation, self.tolerance.is_same
+        is_moved = self.how != "ROW" or not is_same(there, one.translation)
+        is_alike = mount.is_copy or is_proper(mount.map)
+        yield from self._at(0, is_moved and is_same(there, mount.place), to, is_alike)
+
+    def _at(self, index: int, is_placed: bool, to: Rotation | None, is_alike: bool) -> _Slips:
+        """Yield the slips at a row and below it; None for no slip.
+
+        Args:
+            index: Of the row.
+            is_placed: Whether its translation agrees.
+            to: The convention that its rotation makes, None where it makes none.
+            is_alike: Whether conventions are rotations.
+        """
+        if to is not None and is_placed:
+            yield from self._from(index, to)
+        what = "angles" if is_placed else "translation"
+        for C in _ALIKE[is_alike]:
+            labels = self._plain(index, C) if (to == C) != is_placed else None
+            if labels is not None:
+                yield (index, what), labels
+
+    def _from(self, index: int, C: Rotation) -> _Slips:
+        """Yield the slips below a row of a convention; None for no slip."""
+        whole = self._plain(index, C)
+        if whole is not None:
+            yield None, whole
+        for child in self._below[index]:
+            rest = self._children([other for other in self._below[index] if other != child], C)
+            if rest is not None:
+                for slip, labels in self._at(child, *self._handed(child, C), is_proper(C)):
+                    if slip is not None:
+                        yield slip, self._joined(index, C, [labels, *rest])
+
+    def _plain(self, index: int, C: Rotation) -> _Labels | None:
+        """Return conventions of a row and all below it, None where something differs."""
+        if (index, C) not in self._known:
+            below = self._children(self._below[index], C)
+            self._known[index, C] = None if below is None else self._joined(index, C, below)
+        return self._known[index, C]
+
+    def _children(self, children: Sequence[int], C: Rotation) -> list[_Labels] | None:
+        """Return the same of some children of a row, None where something differs in one."""
+        found = []
+        for child in children:
+            is_placed, to = self._handed(child, C)
+            labels = self._plain(child, to) if is_placed and to is not None else None
+            if labels is None:
+                return None
+            found.append(labels)
+        return found
+
+    def _handed(self, child: int, C: Rotation) -> tuple[bool, Rotation | None]:
+        """Return whether a child's translation agrees, and the convention its rotation makes."""
+        _, one, other = self.rows[child]
+        expected = turned(transposed(C), one.translation)
+        turn = product(product(transposed(one.rotation), C), other.rotation)
+        return self.tolerance.is_same(other.translation, expected), self._convention(turn)
+
+    def _joined(self, index: int, C: Rotation, below: Sequence[_Labels]) -> _Labels:
+        cost = _OF_MASS * len(self._differing(self.rows[index], C)) + sum(c for c, _ in below)
+        return cost, {index: C} | {i: own for _, labels in below for i, own in labels.items()}
+
+    def _accused(self, reading: Reading) -> tuple[Accusation, Accusation]:
+        mount, slip, cost, conventions = reading
+        assert slip is not None
+        (index, what), (up, one, other) = slip, self.rows[slip[0]]
+        forth = transposed(conventions[up]) if up >= 0 else mount.map or IDENTITY.rotation
+        back, here = transposed(forth), turned(forth, one.translation)
+        there = mount.place if up < 0 else here
+        pairs = zip(other.translation, here, there, strict=True)
+        x, y, z = (place + own - moved for place, own, moved in pairs)
+        forward = product(product(forth, one.rotation), conventions[index])
+        backward = product(product(back, other.rotation), transposed(conventions[index]))
+        free_axis = mount.free_axis if index == 0 and what == "translation" else None
+        return (
+            _accusation((one, other), what, turned(back, (x, y, z)), backward, cost, free_axis),
+            _accusation((other, one), what, there, forward, cost, free_axis),
+        )
+
+    def _differing(self, row: Row, C: Rotation) -> list[str]:
+        """Return `com` and `moments` where they differ under a convention."""
+        (_, one, other), found = row, []
+        expected = turned(transposed(C), one.com) if one.com else None
+        if expected and other.com and not self.tolerance.is_same(other.com, expected):
+            found.append("com")
+        if one.moments and other.moments:
+            moments = seen_by(one.moments, C)
+            allowed = max(1e-7, self.tolerance.share * max(map(abs, moments)))
+            if any(abs(x - y) > allowed for x, y in zip(moments, other.moments, strict=True)):
+                found.append("moments")
+        return found
+
+    def _convention(self, matrix: Rotation) -> Rotation | None:
+        """Return the convention that a matrix is, None if none."""
+        rows = []
+        for a, b, c in matrix:
+            x, y, z = float(round(a)), float(round(b)), float(round(c))
+            if max(abs(a - x), abs(b - y), abs(c - z)) > self.tolerance.angle:
+                return None
+            rows.append((x, y, z))
+        found = rows[0], rows[1], rows[2]
+        return found if found in _KNOWN else None
 
 
-def held_parts(comparison: LimbComparison) -> Iterable[LimbComparison]:
+def seen_by(moments: Symmetric, C: Rotation) -> Symmetric:
+    """Return the moments of a body as they are in the frame of its twin."""
+    xx, yy, zz, xy, xz, yz = moments
+    tensor = (xx, -xy, -xz), (-xy, yy, -yz), (-xz, -yz, zz)
+    (xx, xy, xz), (_, yy, yz), (_, _, zz) = product(product(transposed(C), tensor), C)
+    return xx, yy, zz, -xy, -xz, -yz
+
+
+def compared(one: Body, other: Body, how: str, tolerance: Tolerance) -> Comparison | None:
+    """Return two limbs compared, None where they do not match body by body.
+
+    Where something differs, they are compared without what they hold in their hands.
+    """
+    rows, is_whole = rows_of(one, other, LimbPart.WHOLE)
+    whole = Comparison(rows, how, tolerance) if is_whole else None
+    if (whole is None or whole.n_slips > 0) and not is_held(one.name, one.joint):
+        bare, is_bare_whole = rows_of(one, other, LimbPart.BARE)
+        if len(bare) < len(rows):
+            return Comparison(bare, how, tolerance, LimbPart.BARE) if is_bare_whole else None
+    return whole
+
+
+def held_parts(comparison: Comparison) -> Iterator[Comparison]:
     """Yield what two limbs hold, each compared in itself: how it is mounted is not."""
-    for row in comparison.rows if comparison.part is LimbPart.BARE else ():
-        if any(map(_holds, row.one.children)) and not _holds(row.one):
-            tolerance = comparison.matching.tolerance
-            part = LimbComparison(row.one, row.other, comparison.how, tolerance, LimbPart.HELD)
-            if part.is_whole:
-                yield part
+    for _, one, other in comparison.rows if comparison.part is LimbPart.BARE else ():
+        is_hand = any(is_held(child.name, child.joint) for child in one.children)
+        rows, is_whole = rows_of(one, other, LimbPart.HELD)
+        if is_hand and is_whole and not is_held(one.name, one.joint):
+            yield Comparison(rows, comparison.how, comparison.tolerance, LimbPart.HELD)
 
 
 def _accusation(
-    body: Body, twin: Body, what: str, pose: RigidPose, cost: float, free_axis: int | None
+    bodies: tuple[Body, Body],
+    what: str,
+    place: Vector3,
+    rotation: Rotation,
+    cost: float,
+    free_axis: int | None,
 ) -> Accusation:
-    if what == "translation":
-        written, meant = body.translation, pose.translation
-    else:
-        written, meant = body.angles, angles_near(pose.rotation, body.angles, twin.angles)
+    body, twin = bodies
+    written, meant = body.translation, place
+    if what == "angles":
+        written, meant = body.angles, angles_near(rotation, body.angles, twin.angles)
     change = max(abs(x - y) for x, y in zip(written, meant, strict=True))
-    slip = slip_between(written, meant, what)
-    place = Suspect(body.name, body.joint, what)
-    return Accusation(place, twin.name, meant, pose, cost, slip, change, free_axis)
-
-
-def _whole(cost: float) -> int:
-    return int(cost + _NEAR)
-
-
-def _holds(body: Body) -> bool:
-    return is_held(body.name, body.joint)
+    suspect, slip = Suspect(body.name, body.joint, what), slip_between(written, meant, what)
+    return Accusation(suspect, twin.name, meant, cost, slip, change, free_axis)

@@ -2,21 +2,24 @@
 
 from collections.abc import Iterator, Mapping
 from enum import Enum
+from itertools import combinations
 from typing import NamedTuple
 
 from kindsl.limbs.names import is_held, label_of
+from kindsl.mechanism.link_inertia import link_inertia
 from kindsl.rigid.body import Symmetric
-from kindsl.rigid.pose import RigidPose, Rotation, Vector3
+from kindsl.rigid.pose import Rotation, Vector3
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.kinematic_tree import Edge
 from kindsl.semantics.model import Model
-from kindsl.semantics.numbers import mass_distribution, triple, written_pose
+from kindsl.semantics.numbers import triple, written_pose
+from kindsl.semantics.unknown import Unknown
 
 # No robot has more or longer ones that are written by hand, and comparing takes their square.
-_MOST_LIMBS = 12
-_MOST_BODIES = 48
+_MOST_LIMBS, _MOST_BODIES = 12, 48
 
 Side = tuple[object, ...]
+Values = Mapping[str, float]
 
 
 class Body(NamedTuple):
@@ -26,7 +29,8 @@ class Body(NamedTuple):
         name: The link's.
         joint: The supporting joint's name.
         kind: `revolute` or `prismatic`.
-        pose: Of the joint frame in the parent's frame, metres.
+        rotation: Of the joint frame in the parent's frame.
+        translation: The same, metres.
         angles: The rotation as written, radians.
         com: In the link frame, metres; None where it is not known.
         moments: `Ix Iy Iz Ixy Ixz Iyz` in the link frame, kg m²; None where they are not known.
@@ -36,21 +40,12 @@ class Body(NamedTuple):
     name: str
     joint: str
     kind: str
-    pose: RigidPose
+    rotation: Rotation
+    translation: Vector3
     angles: Vector3
     com: Vector3 | None
     moments: Symmetric | None
     children: tuple["Body", ...]
-
-    @property
-    def translation(self) -> Vector3:
-        """Of the joint frame in the parent's frame, metres."""
-        return self.pose.translation
-
-    @property
-    def rotation(self) -> Rotation:
-        """Of the joint frame, as a matrix."""
-        return self.pose.rotation
 
 
 class Limbs(NamedTuple):
@@ -66,18 +61,16 @@ class Limbs(NamedTuple):
 
     def pairs(self) -> Iterator[tuple[Side, Side, str]]:
         """Yield two labels and how their limbs lie to each other: `LR`, `ROW` or `TURN`."""
-        labels = sorted(self.heads, key=repr)
-        for index, one in enumerate(labels):
-            for other in labels[index + 1 :]:
-                if not self.is_named:
-                    yield one, other, "TURN"
-                elif one[1] == other[1] and one[0] != other[0] and one[0] and other[0]:
-                    yield one, other, "LR"
-                elif one[0] == other[0] and one[1] != other[1]:
-                    yield one, other, "ROW"
+        for one, other in combinations(sorted(self.heads, key=repr), 2):
+            if not self.is_named:
+                yield one, other, "TURN"
+            elif one[1] == other[1] and one[0] != other[0] and one[0] and other[0]:
+                yield one, other, "LR"
+            elif one[0] == other[0] and one[1] != other[1]:
+                yield one, other, "ROW"
 
 
-def limbs_of(carrier: Link, model: Model, values: Mapping[str, float]) -> Iterator[Limbs]:
+def limbs_of(carrier: Link, model: Model, values: Values) -> Iterator[Limbs]:
     """Yield the groups of limbs that a body carries, those left out whose numbers are not known.
 
     Args:
@@ -97,56 +90,42 @@ def limbs_of(carrier: Link, model: Model, values: Mapping[str, float]) -> Iterat
     for (is_named, _), by_label in groups.items():
         if 1 < len(by_label) <= _MOST_LIMBS:
             single = {label: found[0] for label, found in by_label.items() if len(found) == 1}
-            limbs = {label: _limb(edge, model, values) for label, edge in single.items()}
+            limbs = {label: _limb(edge, model, values, []) for label, edge in single.items()}
             heads = {label: head for label, head in limbs.items() if head is not None}
             if len(heads) > 1:
                 yield Limbs(heads, is_named)
 
 
-def _limb(head: Edge, model: Model, values: Mapping[str, float]) -> Body | None:
+def _limb(edge: Edge, model: Model, values: Values, seen: list[Link]) -> Body | None:
     """Return what an edge leads to, None where it has very many bodies or no numbers."""
-    edges = [head]
-    for edge in edges:
-        if edge.link is None or len(edges) > _MOST_BODIES:
+    is_only = edge.link is not None and model.tree.supporting_edge(edge.link) is edge
+    if edge.link is None or not is_only or len(seen) >= _MOST_BODIES:
+        return None
+    seen.append(edge.link)
+    children = []
+    for each in model.tree.successor_edges(edge.link):
+        child = _limb(each, model, values, seen)
+        if child is None:
             return None
-        edges += model.tree.successor_edges(edge.link)
-    made: dict[Link, list[Body]] = {}
-    for edge in reversed(edges):
-        body = _body(edge, tuple(reversed(made.get(edge.link, ()))), model, values)  # type: ignore[arg-type]
-        if body is None:
-            return None
-        made.setdefault(edge.predecessor, []).append(body)
-    return made[head.predecessor][0]
+        children.append(child)
+    return body_of(edge, values, tuple(children))
 
 
-def _body(
-    edge: Edge, children: tuple[Body, ...], model: Model, values: Mapping[str, float]
-) -> Body | None:
+def body_of(edge: Edge, values: Values, children: tuple[Body, ...] = ()) -> Body | None:
+    """Return a link with its joint in numbers, None where they are not known."""
     link, joint = edge.link, edge.joint
-    if link is None or joint is None or model.tree.supporting_edge(link) is not edge:
+    pose = written_pose(joint.pose, values) if joint is not None else None
+    angles = triple(joint.pose.rotation, values) if joint is not None else None
+    if link is None or joint is None or pose is None or angles is None:
         return None
-    pose, angles = written_pose(joint.pose, values), triple(joint.pose.rotation, values)
-    if pose is None or angles is None:
-        return None
-    com, moments = _inertia(link, values)
+    inertia = link_inertia(link, values)
+    com = None if isinstance(inertia, Unknown) else inertia.com
+    moments = None if isinstance(inertia, Unknown) else inertia.moments
     names = str(link.name), str(joint.name)
-    return Body(*names, joint.kind, pose, angles, com, moments, children)
+    return Body(*names, joint.kind, *pose, angles, com, moments, children)
 
 
-def _inertia(link: Link, values: Mapping[str, float]) -> tuple[Vector3 | None, Symmetric | None]:
-    """Return CoM and moments in the link frame; of a frame of their own the CoM only."""
-    inertia = link.inertia
-    written = mass_distribution(inertia, values) if inertia is not None else None
-    if inertia is None or written is None:
-        return None, None
-    if inertia.frame is None:
-        return written.com, written.moments
-    frame = next((frame for frame in link.frames if frame.name == inertia.frame), None)
-    place = written_pose(frame.pose, values) if frame is not None else None
-    return (place.point(written.com) if place is not None else None), None
-
-
-class Match(NamedTuple):
+class Row(NamedTuple):
     """Two bodies that stand at the same place of two limbs.
 
     Attributes:
@@ -168,15 +147,15 @@ class LimbPart(Enum):
     HELD = "what these two bodies hold"
 
 
-def rows_of(one: Body, other: Body, part: LimbPart) -> tuple[list[Match], bool]:
+def rows_of(one: Body, other: Body, part: LimbPart) -> tuple[list[Row], bool]:
     """Return two limbs matched body by body, and whether they match to their ends."""
-    rows = [Match(-1, one, other)]
+    rows = [Row(-1, one, other)]
     is_whole = True
     for index, row in enumerate(rows):
         is_head = row.up < 0
         matched = _matched(_chosen(row.one, part, is_head), _chosen(row.other, part, is_head))
         is_whole = is_whole and matched is not None
-        rows += [Match(index, *pair) for pair in matched or ()]
+        rows += [Row(index, *pair) for pair in matched or ()]
     return rows, is_whole
 
 
@@ -191,16 +170,13 @@ def _matched(ones: list[Body], others: list[Body]) -> list[tuple[Body, Body]] | 
         return None
     if len(ones) < 2:
         return list(zip(ones, others, strict=True))
-    for key in (_words, _words_without_numbers):
-        here, there = {key(b): b for b in ones}, {key(b): b for b in others}
+    for with_numbers in (True, False):
+        here, there = _by_words(ones, with_numbers), _by_words(others, with_numbers)
         if len(here) == len(ones) and set(here) == set(there):
-            return [(here[k], there[k]) for k in here]
+            return [(here[words], there[words]) for words in here]
     return None
 
 
-def _words(body: Body) -> tuple[str, ...]:
-    return label_of(body.name).words
-
-
-def _words_without_numbers(body: Body) -> tuple[str, ...]:
-    return tuple(word for word in _words(body) if not word.isdigit())
+def _by_words(bodies: list[Body], with_numbers: bool) -> dict[tuple[str, ...], Body]:
+    found = ((label_of(body.name).words, body) for body in bodies)
+    return {tuple(w for w in words if with_numbers or not w.isdigit()): b for words, b in found}

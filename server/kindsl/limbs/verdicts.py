@@ -1,16 +1,19 @@
 """Which numbers of a robot's limbs do not fit their twins, and what they were meant to be."""
 
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from kindsl.limbs.comparison import Accusation, LimbComparison, Suspect, compared, held_parts
-from kindsl.limbs.conventions import LOOSE, TIGHT, Tolerance
-from kindsl.limbs.limb import Body, LimbPart, Limbs, Side
+from kindsl.limbs.comparison import Accusation, Comparison, Suspect, compared, held_parts
+from kindsl.limbs.limb import LimbPart, Limbs, Side
+from kindsl.limbs.mounts import LOOSE, TIGHT, Tolerance
 from kindsl.limbs.slips import SlipOfHand
-from kindsl.rigid.pose import Vector3, transposed, turned
+from kindsl.rigid.pose import Vector3, pose_from, transposed, turned
 
 _SMALLEST_PAIR = 3
 _SAME_PLACE, _SAME_TURN = 1e-3, 0.02
+_ByTwin = Sequence[Sequence[Accusation]]
+_Edges = Mapping[tuple[Side, Side], Comparison]
 
 
 class MeantNumbers(NamedTuple):
@@ -36,9 +39,6 @@ class LimbVerdict(NamedTuple):
     is_convicted: bool
 
 
-Edges = Mapping[tuple[Side, Side], LimbComparison]
-
-
 def verdicts(limbs: Limbs) -> list[LimbVerdict]:
     """Return what does not fit in a group of limbs, nothing where more than a slip or two does."""
     found = _verdicts_at(limbs, TIGHT)
@@ -47,16 +47,15 @@ def verdicts(limbs: Limbs) -> list[LimbVerdict]:
 
 def agreed(found: Sequence[Sequence[LimbVerdict]]) -> list[LimbVerdict]:
     """Return what is found at every assignment of parameters, with what is meant at each."""
-    first, *others = found
-    by_places = [{(v.places, v.is_convicted): v for v in each} for each in others]
     made = []
-    for verdict in first:
-        same = [verdict, *(each.get((verdict.places, verdict.is_convicted)) for each in by_places)]
-        known = [v.repairs for v in same if v is not None]
-        if len(known) == len(same):
+    for verdict in found[0]:
+        key = verdict.places, verdict.is_convicted
+        same = [[v for v in each if (v.places, v.is_convicted) == key][:1] for each in found]
+        if all(same):
+            together = zip(*(each[0].repairs for each in same), strict=False)
             repairs = tuple(
                 MeantNumbers(each[0].place, tuple(repair.meant[0] for repair in each))
-                for each in zip(*known, strict=False)
+                for each in together
             )
             made.append(verdict._replace(repairs=repairs))
     return made
@@ -64,40 +63,33 @@ def agreed(found: Sequence[Sequence[LimbVerdict]]) -> list[LimbVerdict]:
 
 def _verdicts_at(limbs: Limbs, tolerance: Tolerance) -> list[LimbVerdict] | None:
     """Return the verdicts at a tolerance, None where a wider one may tell more."""
-    made = {(a, b): compared(limbs.heads[a], limbs.heads[b], how, tolerance)
-            for a, b, how in limbs.pairs()}  # fmt: skip
-    edges = {pair: comparison for pair, comparison in made.items() if comparison.is_whole}
+    heads = limbs.heads
+    made = {(a, b): compared(heads[a], heads[b], how, tolerance) for a, b, how in limbs.pairs()}
+    edges = {pair: comparison for pair, comparison in made.items() if comparison is not None}
     _keep_to_one_way(edges)
     if any(comparison.other_kinds for comparison in edges.values()):
         return list(_other_kinds(edges))
     if all(c.part is LimbPart.WHOLE and c.n_slips == 0 for c in edges.values()):
-        has_like_masses = not any(c.differing_masses() for c in edges.values())
-        if tolerance is TIGHT and not has_like_masses:
-            return None
-        return [] if has_like_masses else _of_masses(limbs, edges)
+        if not any(c.differing_masses() for c in edges.values()):
+            return []
+        return None if tolerance is TIGHT else _of_masses(limbs, edges)
     found = [v for c in edges.values() for part in held_parts(c) for v in _of_pair(part)]
-    outvoted = _outvoted(edges, LimbComparison.accusations)
-    if outvoted:
-        found += _convicted(outvoted)
-    else:
-        found += [v for c in edges.values() for v in _of_pair(c)]
-    return found or None
+    outvoted = _outvoted(edges, Comparison.accusations)
+    pairs = [] if outvoted else [verdict for c in edges.values() for verdict in _of_pair(c)]
+    return found + _convicted(outvoted) + pairs or None
 
 
-def _keep_to_one_way(edges: Edges) -> None:
-    """Compare all pairs of a sort in the way in which one of them agrees best."""
+def _keep_to_one_way(edges: _Edges) -> None:
+    """Read all pairs of a sort in the way in which one of them agrees best."""
     for how in ("LR", "ROW"):
-        alike = sorted((c for c in edges.values() if c.how == how), key=lambda c: c.best.cost)
-        for comparison in alike[1:] if alike and alike[0].n_slips == 0 else ():
-            if comparison.way != alike[0].way:
-                comparison.keep_to(alike[0].way)
-
-
-_ByTwin = Sequence[Sequence[Accusation]]
+        alike = [c for c in edges.values() if c.how == how]
+        best = sorted((c.best for c in alike if c.n_slips == 0), key=lambda reading: reading.cost)
+        for comparison in alike if best else ():
+            comparison.keep_to(best[0].mount.way)
 
 
 def _outvoted(
-    edges: Edges, said_by: Callable[[LimbComparison], Sequence[tuple[Accusation, Accusation]]]
+    edges: _Edges, said_by: Callable[[Comparison], Sequence[tuple[Accusation, Accusation]]]
 ) -> list[_ByTwin]:
     """Return what two twins or more say of the one limb that they accuse, agreeing themselves."""
     cases: dict[tuple[Side, Suspect], dict[tuple[Side, Side], list[Accusation]]] = {}
@@ -114,21 +106,21 @@ def _outvoted(
     return [by_twin for by_twin in found if len(by_twin) == most]
 
 
-def _convicted(outvoted: Sequence[_ByTwin]) -> Iterator[LimbVerdict]:
-    """Yield the verdict on one limb; it names one place where that is the cheapest alone."""
-    ranked: list[tuple[float, SlipOfHand, Accusation, _ByTwin]] = []
+def _convicted(outvoted: Sequence[_ByTwin]) -> list[LimbVerdict]:
+    """Return the verdict on one limb; it names one place where that is the cheapest alone."""
+    ranked: list[tuple[tuple[float, SlipOfHand], Accusation, _ByTwin]] = []
     for by_twin in outvoted:
         meant = _agreed(by_twin)
         if meant is not None:
             least = [min(said.cost for said in each) for each in by_twin]
-            ranked.append((round(sum(least) / len(least), 2), meant.slip, meant, by_twin))
-    ranked.sort(key=lambda each: each[:2])
-    likeliest = [each for each in ranked if each[:2] == ranked[0][:2]]
-    if likeliest:
-        places = tuple(meant.place for _, _, meant, _ in likeliest)
-        _, _, meant, by_twin = likeliest[0]
-        repairs = (MeantNumbers(meant.place, (meant.meant,)),) if len(likeliest) == 1 else ()
-        yield LimbVerdict(places, repairs, tuple(each[0].twin for each in by_twin), True)
+            ranked.append(((round(sum(least) / len(least), 2), meant.slip), meant, by_twin))
+    likeliest = [each for each in ranked if each[0] == min(ranked, key=lambda r: r[0])[0]]
+    if not likeliest:
+        return []
+    _, meant, by_twin = likeliest[0]
+    places = tuple(each.place for _, each, _ in likeliest)
+    repairs = (MeantNumbers(meant.place, (meant.meant,)),) if len(likeliest) == 1 else ()
+    return [LimbVerdict(places, repairs, tuple(each[0].twin for each in by_twin), True)]
 
 
 def _agreed(by_twin: _ByTwin) -> Accusation | None:
@@ -147,17 +139,15 @@ def _agree(one: Accusation, other: Accusation) -> bool:
         pairs = enumerate(zip(one.meant, other.meant, strict=True))
         free = one.free_axis, other.free_axis
         return all(i in free or abs(x - y) < _SAME_PLACE for i, (x, y) in pairs)
-    rows = zip(one.pose.rotation, other.pose.rotation, strict=True)
-    return all(abs(x - y) < _SAME_TURN for row in rows for x, y in zip(*row, strict=True))
+    here, there = (pose_from((0.0, 0.0, 0.0), said.meant).numbers for said in (one, other))
+    return all(abs(x - y) < _SAME_TURN for x, y in zip(here, there, strict=True))
 
 
-def _of_pair(comparison: LimbComparison) -> Iterator[LimbVerdict]:
+def _of_pair(c: Comparison) -> Iterator[LimbVerdict]:
     """Yield what differs between a left and a right limb by one slip; either may be wrong."""
-    c = comparison
     if c.n_slips != 1 or c.how != "LR" or len(c.rows) < _SMALLEST_PAIR:
         return
-    is_tight = c.matching.tolerance is TIGHT
-    if is_tight and LimbComparison(c.one, c.other, c.how, LOOSE, c.part).n_slips == 0:
+    if c.tolerance is TIGHT and Comparison(c.rows, c.how, LOOSE, c.part).n_slips == 0:
         return
     ranked = [
         ((round(one.cost, 2), min(one.slip, other.slip)), other.change, order, (one, other))
@@ -166,24 +156,18 @@ def _of_pair(comparison: LimbComparison) -> Iterator[LimbVerdict]:
     ]
     ranked.sort(key=lambda each: each[:3])
     if ranked and ranked[0][0][1] is not SlipOfHand.OTHER:
-        tied = [each[3] for each in ranked if each[0] == ranked[0][0]]
+        tied = [both for likelihood, _, _, both in ranked if likelihood == ranked[0][0]]
         places = dict.fromkeys(said.place for both in tied for said in both)
-        one, other = tied[0]
-        repairs = MeantNumbers(other.place, (other.meant,)), MeantNumbers(one.place, (one.meant,))
+        repairs = tuple(MeantNumbers(said.place, (said.meant,)) for said in tied[0][::-1])
         yield LimbVerdict(tuple(places), repairs, (), False)
 
 
-def _other_kinds(edges: Edges) -> Iterator[LimbVerdict]:
+def _other_kinds(edges: _Edges) -> Iterator[LimbVerdict]:
     """Yield the joint that is prismatic where its twins are revolute, or the reverse."""
-    votes: dict[Suspect, int] = {}
-    for comparison in edges.values():
-        if len(comparison.other_kinds) > 1 or comparison.n_slips > 0:
-            return
-        for index in comparison.other_kinds:
-            _, one, other = comparison.rows[index]
-            for body in (one, other):
-                place = Suspect(body.name, body.joint, "kind")
-                votes[place] = votes.get(place, 0) + 1
+    if any(len(c.other_kinds) > 1 or c.n_slips > 0 for c in edges.values()):
+        return
+    rows = [c.rows[index] for c in edges.values() for index in c.other_kinds]
+    votes = Counter(Suspect(b.name, b.joint, "kind") for row in rows for b in (row.one, row.other))
     most = max(votes.values())
     odd = tuple(place for place, n in votes.items() if n == most)
     twins = tuple(place.link for place, n in votes.items() if n < most)
@@ -192,44 +176,35 @@ def _other_kinds(edges: Edges) -> Iterator[LimbVerdict]:
         yield LimbVerdict(odd, (), twins, len(odd) == 1)
 
 
-def _of_masses(limbs: Limbs, edges: Edges) -> list[LimbVerdict]:
+def _of_masses(limbs: Limbs, edges: _Edges) -> list[LimbVerdict]:
     """Return what masses tell where all joints agree: of themselves, or of a joint turned round."""
-    found = list(_odd_masses(limbs, edges))
+    found = [verdict for label in limbs.heads for verdict in _odd_masses(label, edges)]
     if any(verdict.places[0].what == "inertia" for verdict in found):
-        return list(_convicted(_outvoted(edges, LimbComparison.turnings))) or found
+        return _convicted(_outvoted(edges, Comparison.turnings)) or found
     return found
 
 
-def _odd_masses(limbs: Limbs, edges: Edges) -> Iterator[LimbVerdict]:
+def _odd_masses(label: Side, edges: _Edges) -> Iterator[LimbVerdict]:
     """Yield each CoM, and moments, that only one limb has so, where all joints agree."""
     differing = {pair: set(c.differing_masses()) for pair, c in edges.items()}
-    for label in limbs.heads:
-        mine = [pair for pair in edges if label in pair]
-        others = [pair for pair in edges if label not in pair]
-        if len(mine) > 1 and others:
-            odd = set.intersection(*(differing[pair] for pair in mine))
-            odd = odd.difference(*(differing[pair] for pair in others))
-            by_row = {
-                index: [what for row, what in sorted(odd) if row == index] for index, _ in odd
-            }
-            for index, words in sorted(by_row.items()):
-                what = words[0] if len(words) == 1 else "inertia"
-                yield _odd_mass([(edges[pair], label == pair[1]) for pair in mine], index, what)
-
-
-def _odd_mass(mine: Sequence[tuple[LimbComparison, bool]], index: int, what: str) -> LimbVerdict:
-    comparison, is_other = mine[0]
-    body, twin = _body_and_twin(comparison, index, is_other)
-    place = Suspect(body.name, body.joint, what)
-    convention = comparison.best.conventions[index]
-    repairs: tuple[MeantNumbers, ...] = ()
-    if what == "com" and twin.com is not None:
-        back = transposed(convention) if is_other else convention
-        repairs = (MeantNumbers(place, (turned(back, twin.com),)),)
-    twins = tuple(_body_and_twin(c, index, other)[1].name for c, other in mine)
-    return LimbVerdict((place,), repairs, twins, True)
-
-
-def _body_and_twin(comparison: LimbComparison, index: int, is_other: bool) -> tuple[Body, Body]:
-    _, one, other = comparison.rows[index]
-    return (other, one) if is_other else (one, other)
+    mine = [pair for pair in edges if label in pair]
+    others = [pair for pair in edges if label not in pair]
+    if len(mine) < 2 or not others:
+        return
+    odd = set.intersection(*(differing[pair] for pair in mine))
+    odd = odd.difference(*(differing[pair] for pair in others))
+    for index in sorted({index for index, _ in odd}):
+        words = [what for row, what in odd if row == index]
+        rows = [edges[pair].rows[index] for pair in mine]
+        sides = [
+            (row.other, row.one) if pair[1] == label else (row.one, row.other)
+            for pair, row in zip(mine, rows, strict=True)
+        ]
+        (body, twin), what = sides[0], words[0] if len(words) == 1 else "inertia"
+        place = Suspect(body.name, body.joint, what)
+        repairs: tuple[MeantNumbers, ...] = ()
+        if what == "com" and twin.com is not None:
+            C = edges[mine[0]].best.conventions[index]
+            back = transposed(C) if mine[0][1] == label else C
+            repairs = (MeantNumbers(place, (turned(back, twin.com),)),)
+        yield LimbVerdict((place,), repairs, tuple(twin.name for _, twin in sides), True)
