@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from itertools import product as combinations
 from typing import NamedTuple
 
-from kindsl.limbs.limb import Body, LimbPart, Row, rows_of
+from kindsl.limbs.limb import Body, LimbPart, Match, rows_of
 from kindsl.limbs.mounts import ANY_WAY, Mount, Tolerance, Way, diagonal, is_proper, mounts
 from kindsl.limbs.names import is_held
 from kindsl.limbs.slips import SlipOfHand, angles_near, slip_between
@@ -86,7 +86,7 @@ _Labels = tuple[float, dict[int, Rotation]]
 _Slips = Iterator[tuple[tuple[int, str] | None, _Labels]]
 
 
-class Comparison:
+class LimbComparison:
     """Two limbs at a tolerance.
 
     Attributes:
@@ -99,7 +99,7 @@ class Comparison:
     """
 
     def __init__(
-        self, rows: Sequence[Row], how: str, tolerance: Tolerance, part: LimbPart = LimbPart.WHOLE
+        self, rows: Sequence[Match], how: str, tolerance: Tolerance, part: LimbPart = LimbPart.WHOLE
     ) -> None:
         self.rows, self.how, self.tolerance, self.part = rows, how, tolerance, part
         self._below: list[list[int]] = [[] for _ in rows]
@@ -259,7 +259,7 @@ class Comparison:
             _accusation((other, one), what, there, forward, cost, free_axis),
         )
 
-    def _differing(self, row: Row, C: Rotation) -> list[str]:
+    def _differing(self, row: Match, C: Rotation) -> list[str]:
         """Return `com` and `moments` where they differ under a convention."""
         (_, one, other), found = row, []
         expected = turned(transposed(C), one.com) if one.com else None
@@ -292,27 +292,27 @@ def seen_by(moments: Symmetric, C: Rotation) -> Symmetric:
     return xx, yy, zz, -xy, -xz, -yz
 
 
-def compared(one: Body, other: Body, how: str, tolerance: Tolerance) -> Comparison | None:
+def compared(one: Body, other: Body, how: str, tolerance: Tolerance) -> LimbComparison | None:
     """Return two limbs compared, None where they do not match body by body.
 
     Where something differs, they are compared without what they hold in their hands.
     """
     rows, is_whole = rows_of(one, other, LimbPart.WHOLE)
-    whole = Comparison(rows, how, tolerance) if is_whole else None
+    whole = LimbComparison(rows, how, tolerance) if is_whole else None
     if (whole is None or whole.n_slips > 0) and not is_held(one.name, one.joint):
         bare, is_bare_whole = rows_of(one, other, LimbPart.BARE)
         if len(bare) < len(rows):
-            return Comparison(bare, how, tolerance, LimbPart.BARE) if is_bare_whole else None
+            return LimbComparison(bare, how, tolerance, LimbPart.BARE) if is_bare_whole else None
     return whole
 
 
-def held_parts(comparison: Comparison) -> Iterator[Comparison]:
+def held_parts(comparison: LimbComparison) -> Iterator[LimbComparison]:
     """Yield what two limbs hold, each compared in itself: how it is mounted is not."""
     for _, one, other in comparison.rows if comparison.part is LimbPart.BARE else ():
         is_hand = any(is_held(child.name, child.joint) for child in one.children)
         rows, is_whole = rows_of(one, other, LimbPart.HELD)
         if is_hand and is_whole and not is_held(one.name, one.joint):
-            yield Comparison(rows, comparison.how, comparison.tolerance, LimbPart.HELD)
+            yield LimbComparison(rows, comparison.how, comparison.tolerance, LimbPart.HELD)
 
 
 def _accusation(

@@ -125,7 +125,7 @@ def body_of(edge: Edge, values: Values, children: tuple[Body, ...] = ()) -> Body
     return Body(*names, joint.kind, *pose, angles, com, moments, children)
 
 
-class Row(NamedTuple):
+class Match(NamedTuple):
     """Two bodies that stand at the same place of two limbs.
 
     Attributes:
@@ -147,15 +147,15 @@ class LimbPart(Enum):
     HELD = "what these two bodies hold"
 
 
-def rows_of(one: Body, other: Body, part: LimbPart) -> tuple[list[Row], bool]:
+def rows_of(one: Body, other: Body, part: LimbPart) -> tuple[list[Match], bool]:
     """Return two limbs matched body by body, and whether they match to their ends."""
-    rows = [Row(-1, one, other)]
+    rows = [Match(-1, one, other)]
     is_whole = True
     for index, row in enumerate(rows):
         is_head = row.up < 0
         matched = _matched(_chosen(row.one, part, is_head), _chosen(row.other, part, is_head))
         is_whole = is_whole and matched is not None
-        rows += [Row(index, *pair) for pair in matched or ()]
+        rows += [Match(index, *pair) for pair in matched or ()]
     return rows, is_whole
 
 

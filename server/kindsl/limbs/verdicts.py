@@ -4,7 +4,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from kindsl.limbs.comparison import Accusation, Comparison, Suspect, compared, held_parts
+from kindsl.limbs.comparison import Accusation, LimbComparison, Suspect, compared, held_parts
 from kindsl.limbs.limb import LimbPart, Limbs, Side
 from kindsl.limbs.mounts import LOOSE, TIGHT, Tolerance
 from kindsl.limbs.slips import SlipOfHand
@@ -13,7 +13,7 @@ from kindsl.rigid.pose import Vector3, pose_from, transposed, turned
 _SMALLEST_PAIR = 3
 _SAME_PLACE, _SAME_TURN = 1e-3, 0.02
 _ByTwin = Sequence[Sequence[Accusation]]
-_Edges = Mapping[tuple[Side, Side], Comparison]
+_Edges = Mapping[tuple[Side, Side], LimbComparison]
 
 
 class MeantNumbers(NamedTuple):
@@ -74,7 +74,7 @@ def _verdicts_at(limbs: Limbs, tolerance: Tolerance) -> list[LimbVerdict] | None
             return []
         return None if tolerance is TIGHT else _of_masses(limbs, edges)
     found = [v for c in edges.values() for part in held_parts(c) for v in _of_pair(part)]
-    outvoted = _outvoted(edges, Comparison.accusations)
+    outvoted = _outvoted(edges, LimbComparison.accusations)
     pairs = [] if outvoted else [verdict for c in edges.values() for verdict in _of_pair(c)]
     return found + _convicted(outvoted) + pairs or None
 
@@ -89,7 +89,7 @@ def _keep_to_one_way(edges: _Edges) -> None:
 
 
 def _outvoted(
-    edges: _Edges, said_by: Callable[[Comparison], Sequence[tuple[Accusation, Accusation]]]
+    edges: _Edges, said_by: Callable[[LimbComparison], Sequence[tuple[Accusation, Accusation]]]
 ) -> list[_ByTwin]:
     """Return what two twins or more say of the one limb that they accuse, agreeing themselves."""
     cases: dict[tuple[Side, Suspect], dict[tuple[Side, Side], list[Accusation]]] = {}
@@ -143,11 +143,11 @@ def _agree(one: Accusation, other: Accusation) -> bool:
     return all(abs(x - y) < _SAME_TURN for x, y in zip(here, there, strict=True))
 
 
-def _of_pair(c: Comparison) -> Iterator[LimbVerdict]:
+def _of_pair(c: LimbComparison) -> Iterator[LimbVerdict]:
     """Yield what differs between a left and a right limb by one slip; either may be wrong."""
     if c.n_slips != 1 or c.how != "LR" or len(c.rows) < _SMALLEST_PAIR:
         return
-    if c.tolerance is TIGHT and Comparison(c.rows, c.how, LOOSE, c.part).n_slips == 0:
+    if c.tolerance is TIGHT and LimbComparison(c.rows, c.how, LOOSE, c.part).n_slips == 0:
         return
     ranked = [
         ((round(one.cost, 2), min(one.slip, other.slip)), other.change, order, (one, other))
@@ -180,7 +180,7 @@ def _of_masses(limbs: Limbs, edges: _Edges) -> list[LimbVerdict]:
     """Return what masses tell where all joints agree: of themselves, or of a joint turned round."""
     found = [verdict for label in limbs.heads for verdict in _odd_masses(label, edges)]
     if any(verdict.places[0].what == "inertia" for verdict in found):
-        return _convicted(_outvoted(edges, Comparison.turnings)) or found
+        return _convicted(_outvoted(edges, LimbComparison.turnings)) or found
     return found
 
 
