@@ -69,3 +69,33 @@ def test_a_side_without_another_side_tells_nothing(name: str) -> None:
     chain = ("base", name, "head")
     pairs = pairwise(chain)
     assert misplaced(*(Attachment(b, a, f"{b}_joint") for a, b in pairs)) == ([], [])
+
+
+@pytest.mark.parametrize(
+    ("joints", "expected"),
+    [
+        ("joint1 joint2 joint3 joint4", []),
+        ("joint1 joint3 joint2 joint4", [("link2", "joint2"), ("link3", "joint3")]),
+        ("joint0 joint2 joint1 joint3", [("link2", "joint1"), ("link3", "joint2")]),
+        ("joint1 joint3 joint2 elbow", []),
+        ("joint4 joint3 joint2 joint1", []),
+    ],
+)
+def test_joints_of_an_arm_that_are_named_after_each_other_s_links(
+    joints: str, expected: list[object]
+) -> None:
+    chain = [f"link{number}" for number in range(5)]
+    arm = [Attachment(b, a, j) for (a, b), j in zip(pairwise(chain), joints.split(), strict=True)]
+    assert misplaced(*arm) == ([], expected)
+
+
+def test_joints_of_an_arm_that_have_their_links_words() -> None:
+    parts = ("shoulder", "upper_arm", "elbow", "wrist")
+    arm = [Attachment(f"{p}_link", "any", f"{p}_joint") for p in parts]
+    one, other = (arm[k]._replace(joint=arm[3 - k].joint) for k in (1, 2))
+    crossed = [arm[0], one, other, arm[3]]
+    assert misplaced(*arm) == ([], [])
+    assert misplaced(*crossed) == (
+        [],
+        [("upper_arm_link", "upper_arm_joint"), ("elbow_link", "elbow_joint")],
+    )

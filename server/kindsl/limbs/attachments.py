@@ -1,15 +1,16 @@
 """What names tell of who carries whom: limbs on another limb's body, exchanged joints."""
 
 from collections import Counter
-from collections.abc import Collection, Iterable, Mapping, Sequence
-from itertools import pairwise
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import combinations, pairwise
 from typing import NamedTuple
 
-from kindsl.limbs.names import label_of
+from kindsl.limbs.names import label_of, tokens
 
-_MOST_CROSSED = 2
-
+_MOST_CROSSED, _MOST_ODD, _ENOUGH = 2, 40, 2
+_SAYING_NOTHING = frozenset(("link", "joint"))
 _Side = tuple[str, str]
+_Words = tuple[str, ...]
 _Sided = Mapping[str, _Side]
 
 
@@ -22,12 +23,12 @@ class Attachment(NamedTuple):
 
 
 class Misplaced(NamedTuple):
-    """A link that is not attached as its twins are.
+    """A link that is not attached as its twins are, or as other links by their names.
 
     Attributes:
         attachment: Its names.
-        meant: The name of the parent, or of the joint, that its twins let expect, if there is one.
-        twins: The attachments of its twins.
+        meant: The name of the parent, or of the joint, that is expected, if there is one.
+        twins: The attachments of its twins; none where its own name tells.
     """
 
     attachment: Attachment
@@ -38,29 +39,26 @@ class Misplaced(NamedTuple):
 class _View(NamedTuple):
     """What carries a link, as its twins see it: its words, and whether it is of the same side."""
 
-    words: tuple[str, ...]
+    words: _Words
     side: str
 
 
 class LimbNames:
-    """The names of a robot's links and joints, and what they tell.
-
-    Attributes:
-        twins: Attachments by side and row, of each part that has several.
-    """
+    """The names of a robot's links and joints, and what they tell."""
 
     def __init__(self, attachments: Sequence[Attachment]) -> None:
+        self._attachments = attachments
         self._limb_words = _words_of_numbered(attachments)
         links = [a.parent for a in attachments] + [a.link for a in attachments]
         self._links = self._sided(dict.fromkeys(links))
         self._joints = self._sided(a.joint for a in attachments)
-        by_part: dict[tuple[str, ...], dict[_Side, list[Attachment]]] = {}
+        by_part: dict[_Words, dict[_Side, list[Attachment]]] = {}
         for attachment in attachments:
             label, words = self._read(attachment.link)
             if any(label):
                 by_part.setdefault(words, {}).setdefault(label, []).append(attachment)
-        self.twins = [
-            {label: found[0] for label, found in by_label.items()}
+        self._twins = [
+            [found[0] for found in by_label.values()]
             for by_label in by_part.values()
             if len(by_label) > 1 and all(len(found) == 1 for found in by_label.values())
         ]
@@ -70,19 +68,20 @@ class LimbNames:
         return self._misplaced(self._links, "parent")
 
     def crossed(self) -> list[Misplaced]:
-        """Return the links whose joint is another than their twins let expect."""
-        return self._misplaced(self._joints, "joint")
+        """Return the links whose joint is another than their twins, or names, let expect."""
+        return self._misplaced(self._joints, "joint") or self._crossed_by_name()
 
     def _misplaced(self, sided: _Sided, what: str) -> list[Misplaced]:
         """Return what is not attached as its twins; nothing where that is not a slip or two."""
         across: list[Misplaced] = []
         odd: list[tuple[set[_View], list[Misplaced]]] = []
-        for twins in self.twins:
-            views = {a: self._view(a, getattr(a, what), sided) for a in twins.values()}
+        for twins in self._twins:
+            views = {a: self._view(a, getattr(a, what), sided) for a in twins}
             count = Counter(views.values())
             crossed = [a for a, view in views.items() if view.side == "other"]
             accused = crossed or [a for a, view in views.items() if count[view] == 1]
-            is_odd = len(count) == 2 and self._is_odd(len(accused), twins.values(), what)
+            is_told = len(accused) == 1 if len(twins) > 2 else _is_sided(twins, what, sided)
+            is_odd = len(count) == 2 and is_told
             if len(crossed) > _MOST_CROSSED or (not crossed and len(count) > 1 and not is_odd):
                 return []
             found = [self._judged(a, views, accused, sided) for a in accused]
@@ -92,20 +91,12 @@ class LimbNames:
                 odd.append((set(count), found))
         if across:
             return across if not odd and len(across) <= _MOST_CROSSED else []
-        is_exchanged = what == "joint" and len(odd) == 2 and odd[0][0] == odd[1][0]
-        is_alone = len(odd) == 1 and (what == "parent" or len(odd[0][1]) == 1)
-        found = [each for _, found in odd for each in found]
-        if is_exchanged:
+        found = [each for _, group in odd for each in group]
+        if what == "joint" and len(odd) == 2 and odd[0][0] == odd[1][0]:
             return found
-        return _placed(found) if is_alone else []
-
-    def _is_odd(self, n_odd: int, twins: Collection[Attachment], what: str) -> bool:
-        """Return whether one of several differs, or names can tell that two do."""
-        if len(twins) > 2:
-            return n_odd == 1
-        if what == "parent":
-            return any(a.parent in self._links for a in twins)
-        return all(a.joint in self._joints for a in twins)
+        # A part that is only named otherwise has no place elsewhere.
+        is_alone = len(odd) == 1 and (what == "parent" or len(found) == 1)
+        return found if is_alone and all(each.meant is not None for each in found) else []
 
     def _judged(
         self,
@@ -124,7 +115,25 @@ class LimbNames:
             meant = words[0] if side == "none" else next(alike, None)
         return Misplaced(accused, meant, twins)
 
-    def _read(self, name: str) -> tuple[_Side, tuple[str, ...]]:
+    def _crossed_by_name(self) -> list[Misplaced]:
+        """Return two links that have each other's joints, as the names of all others go."""
+        count = Counter(c for a in self._attachments for c in _customs(a.link, a.joint))
+
+        def is_usual(link: str, joint: str) -> bool:
+            return any(count[custom] >= _ENOUGH for custom in _customs(link, joint))
+
+        odd = [a for a in self._attachments if not is_usual(a.link, a.joint)]
+        pairs = [
+            (one, other)
+            for one, other in combinations(odd[:_MOST_ODD], 2)
+            if is_usual(one.link, other.joint) and is_usual(other.link, one.joint)
+        ]
+        if len(pairs) != 1:
+            return []
+        one, other = pairs[0]
+        return [Misplaced(one, other.joint, ()), Misplaced(other, one.joint, ())]
+
+    def _read(self, name: str) -> tuple[_Side, _Words]:
         """Return side and row, or for them the number of a limb, and the other words."""
         side, row, words = label_of(name)
         for index, word in enumerate(words[1:] if not (side or row) else (), 1):
@@ -134,7 +143,7 @@ class LimbNames:
 
     def _sided(self, names: Iterable[str]) -> _Sided:
         """Return side and row of the names that have a twin: `torso_l3` has none."""
-        found: dict[tuple[str, ...], list[tuple[str, _Side]]] = {}
+        found: dict[_Words, list[tuple[str, _Side]]] = {}
         for name in names:
             label, words = self._read(name)
             found.setdefault(words, []).append((name, label))
@@ -150,14 +159,26 @@ class LimbNames:
         return _View(self._read(name)[1], "same" if is_same else "other")
 
 
-def _placed(found: list[Misplaced]) -> list[Misplaced]:
-    """Return what has a place elsewhere; a part that is only named otherwise has none."""
-    return found if all(each.meant is not None for each in found) else []
+def _is_sided(twins: Sequence[Attachment], what: str, sided: _Sided) -> bool:
+    """Return whether names can tell of two twins that one differs."""
+    known = [getattr(a, what) in sided for a in twins]
+    return any(known) if what == "parent" else all(known)
+
+
+def _customs(link: str, joint: str) -> Iterator[object]:
+    """Yield how a joint is named after its link: with its words, or a number so much higher."""
+    here, there = ([w for w in tokens(n) if w not in _SAYING_NOTHING] for n in (link, joint))
+    if here == there:
+        yield "same"
+    numbers = [[int(word) for word in words if word.isdigit()] for words in (here, there)]
+    if all(len(each) == 1 for each in numbers):
+        words = [tuple(w for w in words if not w.isdigit()) for words in (here, there)]
+        yield (*words, numbers[1][0] - numbers[0][0])
 
 
 def _words_of_numbered(attachments: Iterable[Attachment]) -> set[str]:
     """Return the words before the numbers of three or more limbs: `leg` of `leg3_coxa`."""
-    heads: dict[tuple[str, tuple[str, ...]], dict[tuple[str, ...], set[str]]] = {}
+    heads: dict[tuple[str, _Words], dict[_Words, set[str]]] = {}
     for link, parent, _ in attachments:
         side, row, words = label_of(link)
         numbers = tuple(word for word in words if word.isdigit())
@@ -165,9 +186,5 @@ def _words_of_numbered(attachments: Iterable[Attachment]) -> set[str]:
             kept = tuple(word for word in words if not word.isdigit())
             before = {w for w, number in pairwise(words) if number.isdigit()}
             heads.setdefault((parent, kept), {})[numbers] = before
-    return {
-        word
-        for by_number in heads.values()
-        if len(by_number) > 2
-        for word in set.intersection(*by_number.values())
-    }
+    many = [by_number for by_number in heads.values() if len(by_number) > 2]
+    return {word for by_number in many for word in set.intersection(*by_number.values())}

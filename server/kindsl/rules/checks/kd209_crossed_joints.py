@@ -2,7 +2,9 @@
 
 ## What it does
 Reports a link whose joint is not what its twins let expect: `RF_thigh via RF_KFE` where the other
-legs have `LF_thigh via LF_HFE`. Twins are told by their names: sides, rows or numbers.
+legs have `LF_thigh via LF_HFE`. Twins are told by their names: sides, rows or numbers. Two links of
+one arm are reported, too, where each has the joint that is named after the other, and the rest of
+the robot's links have their own: `link2 via joint3` and `link3 via joint2`.
 
 ## Why is this bad?
 The joint's frame is then that of another part: the limb is bent where it should be long.
@@ -25,7 +27,7 @@ from collections.abc import Iterator
 from kindsl.limbs.attachments import Misplaced
 from kindsl.rules.base import Example, Finding, Fix, Related, Replacement, Rule, Severity
 from kindsl.rules.context import Context
-from kindsl.rules.examples import four_legs
+from kindsl.rules.examples import four_legs, joint, link, robot
 from kindsl.rules.limb_places import child_of
 from kindsl.rules.limb_verdicts import limb_slips
 from kindsl.semantics.model import Model
@@ -41,7 +43,8 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
         (name, _, joint), meant, twins = misplaced
         partner = next((p for p in found if _are_exchanged(p, misplaced)), None)
         message = f"link '{name}' moves by joint '{joint}'"
-        message += f", by its twins by '{meant}'" if meant else ", unlike its twin"
+        expected = f", by its {'twins' if twins else 'name'} by '{meant}'"
+        message += expected if meant else ", unlike its twin"
         others = [partner.attachment] if partner is not None else []
         related = [
             Related(child_of(model, a.link).joint, f"'{a.link}' moves by '{a.joint}'")
@@ -66,11 +69,22 @@ _CROSSED = (four_legs().replace("via RF_HFE", "via X").replace("via RF_KFE", "vi
     "via X", "via RF_KFE"
 )
 
+
+def _arm(second: str, third: str) -> str:
+    chain = (f"link2 via {second}", f"link3 via {third}", "link4 via joint4", "")
+    links = [link(f"link{number}", number, below) for number, below in enumerate(chain, 1)]
+    joints = [joint(f"joint{number}") for number in range(1, 5)]
+    return robot(*links, *joints, base="link1 via joint1")
+
+
 RULE = Rule(
     "KD209",
     "crossed-joints",
     Severity.WARNING,
     check_document=check_document,
-    good=(four_legs(),),
-    bad=(Example(_CROSSED, fixed=four_legs()),),
+    good=(four_legs(), _arm("joint2", "joint3")),
+    bad=(
+        Example(_CROSSED, fixed=four_legs()),
+        Example(_arm("joint3", "joint2"), fixed=_arm("joint2", "joint3")),
+    ),
 )
