@@ -57,6 +57,11 @@ class Folder:
         except OSError as error:
             raise ToolError(f"'{given}' cannot be read: {error.strerror}") from None
 
+    def require_own_files(self, given: str) -> None:
+        """Raise ToolError if a folder holds a link that leads out."""
+        for path in sorted(self.path(given).rglob("*")):
+            self.path(str(path.relative_to(self.root)))
+
     def write(self, given: str, text: str) -> None:
         """Make a file hold a text, wholly or not at all.
 

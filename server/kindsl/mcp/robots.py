@@ -1,0 +1,81 @@
+"""Any description of a robot in the folder, to compare; only the named file is read."""
+
+import re
+from pathlib import Path
+
+from kindsl.comparison.document_side import described_document
+from kindsl.comparison.written import Described
+from kindsl.interchange.comparable import described_robot
+from kindsl.interchange.descriptions import read_description, with_base
+from kindsl.interchange.format import FormatError, ReadingChoices
+from kindsl.interchange.registry import format_of_suffix
+from kindsl.interchange.written_numbers import NO_NUMBERS
+from kindsl.mcp.documents import DocumentArguments, document
+from kindsl.mcp.errors import ToolError
+from kindsl.mcp.folder import Folder
+from kindsl.mcp.mechanics import skeleton_of
+from kindsl.reports.mechanics import ComparedRobot
+from kindsl.text.lines import LineIndex
+
+_DOCUMENT = ".kindsl"
+_EVALUATED = "xacro"
+_OTHER_FILES = re.compile(r"<include\b|\bfile\s*=")
+
+
+def is_document(given: str) -> bool:
+    """Return whether a path is a document's of ours."""
+    return given.endswith(_DOCUMENT)
+
+
+def compared_document(given: str, folder: Folder) -> ComparedRobot:
+    """Return the robot of a document.
+
+    Raises:
+        ToolError: It cannot be read, or is no tree of bodies.
+    """
+    path, analysis = document(DocumentArguments(path=given, text=None), folder)
+    skeleton, lines = skeleton_of(analysis), LineIndex(analysis.text)
+    robot = described_document(path, analysis.model, analysis.context.values, skeleton)
+    return ComparedRobot(
+        path, robot, lambda at: lines.position(analysis.resolver.span(at)[0])[0] + 1
+    )
+
+
+def compared_other(given: str, folder: Folder, floating: bool | None) -> ComparedRobot:
+    """Return the robot of another format, or of a folder of generated code.
+
+    Args:
+        given: The path.
+        folder: Where it counts from.
+        floating: Whether the root floats where the file leaves that open; None if nobody says.
+
+    Raises:
+        ToolError: It cannot be read, or needs other files.
+    """
+    path = folder.path(given)
+    try:
+        if path.is_dir():
+            folder.require_own_files(given)
+            return ComparedRobot(given, read_description(path, given, floating).robot)
+        return ComparedRobot(given, _described(given, folder, floating))
+    except (FormatError, OSError) as error:
+        raise ToolError(f"'{given}' cannot be read: {error}") from None
+    except ModuleNotFoundError as error:
+        raise ToolError(f"'{given}' cannot be read: {error.name} is not installed") from None
+
+
+def _described(given: str, folder: Folder, floating: bool | None) -> Described:
+    format = format_of_suffix(Path(given).suffix)
+    if format is None:
+        raise ToolError(f"'{given}' is no robot: name a .kindsl, .urdf, .sdf or .xml file")
+    if format.name == _EVALUATED:
+        raise ToolError("a xacro file runs expressions: convert it with 'kindsl convert' first")
+    text = folder.read(given)
+    if format.parse is None:
+        if _OTHER_FILES.search(text):
+            raise ToolError(f"'{given}' names other files, which this server does not read")
+        return read_description(folder.path(given), given, floating).robot
+    read = format.parse(text, Path(given).stem, ReadingChoices(bool(floating)))
+    numbers = format.find_numbers(text.encode("utf-8", "replace")) if format.find_numbers else None
+    robot = described_robot(given, read.robot, numbers or NO_NUMBERS)
+    return robot if floating is None else with_base(robot, floating)
