@@ -112,6 +112,11 @@ async def test_a_picture(folder: Path) -> None:
     straight = await said(folder, "view", path="arm.kindsl", format="svg")
     bent = await said(folder, "view", path="arm.kindsl", format="svg", q=[0.5, 0.1])
     assert straight.startswith("<svg") and straight != bent
+    looks = {
+        preset: await said(folder, "view", path="arm.kindsl", format="svg", preset=preset)
+        for preset in ("bodies", "kinematics", "inertia", "frames")
+    }
+    assert len(set(looks.values())) == 4 and looks["bodies"] == straight
     assert "nothing" in await refused(folder, "view", text="")
 
 

@@ -28,6 +28,9 @@ class ViewArguments(BoundArguments):
     q: list[float] | dict[str, float] | None = Field(
         None, description="Joint positions, radians and metres: a list by id, or by names"
     )
+    preset: Literal["bodies", "kinematics", "inertia", "frames", "all"] = Field(
+        "bodies", description="What to show"
+    )
     format: Literal["png", "svg"] = Field("png", description="The kind of picture")
 
 
@@ -37,7 +40,7 @@ def run(arguments: ViewArguments, folder: Folder) -> list[Content]:
     shown = picture(analysis.model, dict(analysis.context.values), None)
     if shown.skeleton is None:
         raise ToolError(shown.message or "there is nothing to draw")
-    drawing = robot_drawing(_moved(shown.skeleton, arguments.q))
+    drawing = robot_drawing(_moved(shown.skeleton, arguments.q), preset=arguments.preset)
     notes = [text(shown.message)] if shown.message else []
     return [_content(drawing, arguments.format), *notes]
 

@@ -34,7 +34,12 @@ class Deep(NamedTuple):
 
 
 def body_shapes(
-    skeleton: Skeleton, poses: Sequence[RigidPose], camera: Camera, colors: Mapping[str, str]
+    skeleton: Skeleton,
+    poses: Sequence[RigidPose],
+    camera: Camera,
+    colors: Mapping[str, str],
+    *,
+    is_solid: bool = True,
 ) -> Iterator[Deep]:
     """Yield the bodies of a robot.
 
@@ -43,12 +48,14 @@ def body_shapes(
         poses: Of its bodies in the base's frame.
         camera: Where it is seen from.
         colors: Of links that are not drawn in the usual colour, `rrggbb`.
+        is_solid: Whether solids are drawn, or bones and joints alone.
     """
     size = extent(skeleton)
     solids = link_solids(skeleton, size)
     for body, (name, solid) in enumerate(zip(skeleton.body_names, solids, strict=True)):
         own = BASE if body == 0 else SHADED if solid.is_shaded else BODY
         color = colors.get(name, JUDGED.get(solid.look, own))
+        solid = solid if is_solid else solid._replace(core=None)
         yield from _link(solid, size.segments[body], poses[body], camera, color)
     for link, parent in skeleton.links():
         pose = poses[parent].then(skeleton.placements[link - 1])

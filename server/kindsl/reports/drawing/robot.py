@@ -14,6 +14,14 @@ _AXIS_WIDTH, _COM_RADIUS, _FRAME_RADIUS = 1.6, 2.6, 3.0
 _AXIS_LENGTH = 0.05  # of the robot's size
 _FONT = 12.0
 NO_COLORS: Mapping[str, str] = {}
+# Parts of a picture by the name of what it is to show; bones and joints are in every one.
+PRESETS = {
+    "bodies": frozenset(("solids", "axes", "frames", "coms")),
+    "kinematics": frozenset(("axes", "frames")),
+    "inertia": frozenset(("solids", "coms")),
+    "frames": frozenset(("frames",)),
+    "all": frozenset(("solids", "axes", "frames", "coms")),
+}
 
 
 def points_of(skeleton: Skeleton) -> list[Vector3]:
@@ -27,7 +35,10 @@ def points_of(skeleton: Skeleton) -> list[Vector3]:
 
 
 def robot_drawing(
-    skeleton: Skeleton, camera: Camera | None = None, colors: Mapping[str, str] = NO_COLORS
+    skeleton: Skeleton,
+    camera: Camera | None = None,
+    colors: Mapping[str, str] = NO_COLORS,
+    preset: str = "bodies",
 ) -> Drawing:
     """Return the picture of a robot.
 
@@ -35,11 +46,16 @@ def robot_drawing(
         skeleton: Its bodies.
         camera: Where it is seen from; None for one that shows all of it.
         colors: Of links and frames that are not drawn in the usual colour, `rrggbb`.
+        preset: The name of what it is to show, one of `PRESETS`.
     """
+    parts = PRESETS[preset]
     camera = camera or camera_for(points_of(skeleton))
     poses = skeleton.zero_poses()
     deep = sorted(
-        [*body_shapes(skeleton, poses, camera, colors), *_marks(skeleton, poses, camera, colors)],
+        [
+            *body_shapes(skeleton, poses, camera, colors, is_solid="solids" in parts),
+            *(mark for part, mark in _marks(skeleton, poses, camera, colors) if part in parts),
+        ],
         key=lambda thing: thing.depth,
     )
     labels = _labels(skeleton, poses, camera, colors)
@@ -48,23 +64,25 @@ def robot_drawing(
 
 def _marks(
     skeleton: Skeleton, poses: Sequence[RigidPose], camera: Camera, colors: Mapping[str, str]
-) -> Iterator[Deep]:
+) -> Iterator[tuple[str, Deep]]:
+    """Yield marks, each with the part of the picture that it belongs to."""
     length = _AXIS_LENGTH * extent(skeleton).size
     for link, _ in skeleton.links():
         pose = poses[link]
         tip = pose.point((0.0, 0.0, length))
         color = colors.get(skeleton.body_names[link], AXIS)
         spots = camera.spot(pose.translation), camera.spot(tip)
-        yield Deep(depth(tip) + length, (Line(*spots, _AXIS_WIDTH, color),))
+        yield "axes", Deep(depth(tip) + length, (Line(*spots, _AXIS_WIDTH, color),))
     for frame in skeleton.frames:
         place = poses[frame.body].point(frame.pose.translation)
         color = colors.get(frame.name, FRAME)
-        yield Deep(depth(place) + length, (Disc(camera.spot(place), _FRAME_RADIUS, color),))
+        disc = Disc(camera.spot(place), _FRAME_RADIUS, color)
+        yield "frames", Deep(depth(place) + length, (disc,))
     first = 0 if skeleton.is_floating else 1
     for pose, body in list(zip(poses, skeleton.masses, strict=True))[first:]:
         if body.mass:
             com = pose.point(body.com)
-            yield Deep(depth(com) + length, (Disc(camera.spot(com), _COM_RADIUS, COM),))
+            yield "coms", Deep(depth(com) + length, (Disc(camera.spot(com), _COM_RADIUS, COM),))
 
 
 def _labels(
