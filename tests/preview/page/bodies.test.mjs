@@ -88,3 +88,11 @@ test("the rail of a sliding joint is as long as it has slid", () => {
   const heights = [...drawn(scene)[0].geometry.attributes.position.array].filter((_, i) => i % 3 === 2);
   assert.ok(Math.abs(Math.max(...heights) - (1.75 + 1.02)) < 1e-5);
 });
+
+test("a robot's size is that of its bodies and bones, at zero", () => {
+  const { scene, bodies } = makeScene(3), near = (a, b) => a.every((value, i) => Math.abs(value - b[i]) < 1e-9);
+  scene.q.set("j1", 1);
+  assert.ok(near(bodies.size(), [0.2, 0.2, 3.04]));
+  scene.trees.robot.solids.set("l1", solid("l1", { core: { ...core([0.5, 0, 0.5], 0.1), semi_axes: [0.1, 0.3, 0.1] } }));
+  assert.ok(near(bodies.size(), [0.7, 0.6, 3.04]));
+});

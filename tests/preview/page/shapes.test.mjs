@@ -32,7 +32,7 @@ test("all faces are seen from outside, and close", () => {
     for (const edge of edges) assert.ok(edges.has(edge.split(" ").reverse().join(" ")));
     assert.ok(gyration(at, faces(mesh)).every(Number.isFinite));
   }
-  for (const mesh of [drumMesh(0.5, -1, 1), blockMesh(0.5, 0, 1)]) {
+  for (const mesh of [drumMesh(0.5, -1, 1, 12), blockMesh(0.5, 0, 1)]) {
     const at = points(mesh);
     for (const [a, b, c] of faces(mesh)) {
       const [u, v] = [b, c].map((i) => at[i].map((value, k) => value - at[a][k]));
@@ -44,7 +44,7 @@ test("all faces are seen from outside, and close", () => {
 });
 
 test("a drum is a cylinder and a block a cuboid of the size asked for", () => {
-  const drum = points(drumMesh(0.5, -1, 2)), block = points(blockMesh(0.3, -1, 2));
+  const drum = points(drumMesh(0.5, -1, 2, 28)), block = points(blockMesh(0.3, -1, 2));
   assert.ok(drum.every(([x, y, z]) => Math.hypot(x, y) < 0.5 + 1e-6 && z >= -1 && z <= 2));
   for (const [x, y] of block) assert.ok([0, 0.3].some((value) => Math.abs(Math.abs(x) - value) < 1e-6) && Math.abs(y) < 0.3 + 1e-6);
 });

@@ -2,6 +2,7 @@
 import { makeActions, showText } from "./actions.js";
 import { Address, eyeOf, eyeText } from "./address.js";
 import { byId, partOf } from "./base/elements.js";
+import { inUnit } from "./base/quantities.js";
 import { Connection } from "./connection.js";
 import { Editing } from "./editing/editing.js";
 import { History } from "./history.js";
@@ -14,6 +15,7 @@ import { Legend } from "./panel/legend.js";
 import { ParameterRows } from "./panel/parameter_rows.js";
 import { showTitle } from "./panel/title.js";
 import { Tree } from "./panel/tree.js";
+import { Away } from "./picture/away.js";
 import { Camera } from "./picture/camera.js";
 import { Compass } from "./picture/compass.js";
 import { Labels } from "./picture/labels.js";
@@ -22,6 +24,7 @@ import { Measure } from "./picture/measure.js";
 import { Motion } from "./picture/motion.js";
 import { Picking } from "./picture/picking.js";
 import { Presets } from "./picture/presets.js";
+import { ScaleBar } from "./picture/scale_bar.js";
 import { Scene } from "./picture/scene.js";
 import { Stage } from "./picture/stage.js";
 import { Selection } from "./base/selection.js";
@@ -55,6 +58,8 @@ page.actions = makeActions(page);
 page.labels = new Labels(scene, pane, page.actions);
 page.picking = new Picking(scene, pane, page.actions);
 page.lineArt = new LineArt(scene, pane);
+page.scaleBar = new ScaleBar(scene, page.camera, page.stage, pane);
+page.away = new Away(scene, page.camera, pane, () => page.actions.frame());
 page.compass = new Compass(scene, pane, page.camera);
 page.joints = new JointRows(scene, page.units, page.actions);
 page.parameters = new ParameterRows(page.units, page.actions);
@@ -139,6 +144,7 @@ function showRows() {
   const { name } = scene.model;
   byId("robot").textContent = name;
   byId("pane-title").textContent = name;
+  byId("size").textContent = name ? inUnit(scene.bodies.size(), "m", 2) : "";
   showHead();
 }
 
@@ -167,6 +173,8 @@ viewer.render = () => {
   page.labels.place();
   page.editing.place();
   page.compass.update();
+  page.scaleBar.update();
+  page.away.update();
 };
 
 // Only meshcat's drawing commands and our own messages; anything else, such as `set_control`, is ignored.

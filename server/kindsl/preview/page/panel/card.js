@@ -1,5 +1,6 @@
 // The numbers of the selected link, joint or frame.
 import { format, make, partOf } from "../base/elements.js";
+import { inUnit } from "../base/quantities.js";
 import { shapeOf } from "../picture/pieces.js";
 import { IDENTITY, intrinsicXyz, originOf, zAxisOf } from "../picture/kinematics.js";
 
@@ -99,7 +100,7 @@ const rowsIf = (is, title, text) => (is ? [[title, text]] : []);
  * @param {Pick<StatusMessage, "mass" | "lacks" | "is_former">} status
  */
 export function summary(scene, { mass, lacks, is_former: isFormer }) {
-  const count = scene.trees.robot.joints.size, known = `${format(mass, 3)} kg`;
+  const count = scene.trees.robot.joints.size, known = inUnit([mass], "kg");
   const told = !lacks ? known : mass > 0 ? `at least ${known}` : "mass unknown";
   return `${count} joint${count === 1 ? "" : "s"}, ${told}${isFormer ? " (stale)" : ""}`;
 }

@@ -1,7 +1,7 @@
 // Links as bodies: few meshes for all of them, each made of the pieces of all links that look alike, placed link by link.
-import { originOf } from "./kinematics.js";
+import { IDENTITY, forwardKinematics, originOf, transformPoint } from "./kinematics.js";
 import { fineness, piecesOf } from "./pieces.js";
-import { hitOf } from "./shapes.js";
+import { halfWidth, hitOf } from "./shapes.js";
 
 /** @import { Matrix, Vector } from "../base/types.js" */
 /** @import { JointMessage, SolidMessage } from "../messages.js" */
@@ -9,14 +9,17 @@ import { hitOf } from "./shapes.js";
 /** @import { Pictured } from "./placed.js" */
 /** @typedef {"opaque" | "glass" | "striped" | "outline"} Layer */
 /** @typedef {{ readonly piece: Piece, readonly from: number, readonly to: number }} Span corners of a layer that a piece has */
-/** @typedef {THREE.Mesh<THREE.BufferGeometry, THREE.MeshPhongMaterial | THREE.MeshBasicMaterial>} Drawn */
+/** @typedef {THREE.Mesh<THREE.BufferGeometry, THREE.Material>} Drawn */
 /** @typedef {{ readonly mesh: Drawn, readonly own: Float32Array, readonly normals: Float32Array, readonly spans: readonly Span[] }} Filled */
 /** @typedef {{ readonly solid: SolidMessage, readonly joint: JointMessage | undefined, readonly fine: number, readonly slab: number, readonly pieces: readonly Piece[] }} Known */
 
-const { BackSide, BufferAttribute, BufferGeometry, Color, DoubleSide, FrontSide, Mesh, MeshBasicMaterial, MeshPhongMaterial } =
+const { BackSide, BufferAttribute, BufferGeometry, Color, DoubleSide, FrontSide, Mesh, MeshBasicMaterial, MeshLambertMaterial,
+  MeshPhongMaterial } =
   MeshCat.THREE;
 const OUTLINE = 0.1; // of the bodies' radius
 const GLASS = 0.4;
+/** @type {Vector} */
+const ORIGIN = [0, 0, 0];
 const SLAB = 0.5; // half its height, of the bodies' radius
 /** @type {Readonly<Record<Layer, number>>} */
 const ORDER = { opaque: 0, outline: 0, glass: 1, striped: 2 };
@@ -45,6 +48,9 @@ export class Bodies {
 
   // Whether links are drawn as bodies now, so that a ghost is too.
   get isOn() { return this.scene.lookOf("core").visible || this.scene.lookOf("bone").visible; }
+
+  // Of many links outlines and lights are simpler.
+  get isFine() { return fineness(this.scene.trees.robot.links.size) > 1; }
 
   /** @returns {Piece[]} */
   get pieces() { return [...this.#known.values()].flatMap(({ pieces }) => pieces); }
@@ -101,11 +107,11 @@ export class Bodies {
       mesh.geometry.dispose();
     }
     /** @type {Record<Layer, Piece[]>} */
-    const groups = { opaque: [], outline: [], glass: [], striped: [] };
+    const groups = { opaque: [], outline: [], glass: [], striped: [] }, isFine = this.isFine;
     for (const piece of this.shown()) {
       const layer = this.layerOf(piece);
       groups[layer].push(piece);
-      if (layer === "opaque") groups.outline.push(piece);
+      if (layer === "opaque" && (isFine || piece.category === "core")) groups.outline.push(piece);
     }
     const filled = Object.entries(groups).filter(([, pieces]) => pieces.length);
     this.#layers = new Map(filled.map(([layer, pieces]) => [/** @type {Layer} */ (layer), this.fill(/** @type {Layer} */ (layer), pieces)]));
@@ -155,7 +161,7 @@ export class Bodies {
     for (const [name, size] of /** @type {const} */ ([["position", 3], ["normal", 3], ["color", 4]])) {
       geometry.setAttribute(name, new BufferAttribute(new Float32Array(size * corners), size));
     }
-    const mesh = Object.assign(new Mesh(geometry, material(layer)), { frustumCulled: false, renderOrder: ORDER[layer] });
+    const mesh = Object.assign(new Mesh(geometry, material(layer, this.isFine)), { frustumCulled: false, renderOrder: ORDER[layer] });
     this.scene.viewer.scene.add(mesh);
     return { mesh, own, normals, spans };
   }
@@ -240,6 +246,29 @@ export class Bodies {
     }));
   }
 
+  /**
+   * How much room all bodies take along the base's axes, with all joints at zero, metres.
+   * @returns {Vector}
+   */
+  size() {
+    const { robot } = this.scene.trees, { links } = forwardKinematics(robot, new Map());
+    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+    /** @type {(axis: number, middle: number, half: number) => void} */
+    const take = (axis, middle, half) => {
+      low[axis] = Math.min(low[axis], middle - half);
+      high[axis] = Math.max(high[axis], middle + half);
+    };
+    for (const { name, core, bones, radius, is_oversized: isOversized } of robot.solids.values()) {
+      const T = links.get(name) ?? IDENTITY;
+      for (const axis of [0, 1, 2]) {
+        for (const end of [ORIGIN, ...bones.map((bone) => bone.end)]) take(axis, transformPoint(T, end)[axis], radius);
+        if (core && !isOversized) take(axis, transformPoint(T, core.center)[axis], halfWidth(core, [T[axis], T[4 + axis], T[8 + axis]]));
+      }
+    }
+    const [x, y, z] = high.map((value, axis) => Math.max(0, value - low[axis]));
+    return [x, y, z];
+  }
+
   // The names of the links whose bodies are left out for their size.
   oversized() {
     return [...this.scene.trees.robot.solids.values()].filter((solid) => solid.is_oversized).map(({ name }) => name);
@@ -256,14 +285,12 @@ const turnedBack = (T, [x, y, z]) => [
   T[0] * x + T[1] * y + T[2] * z, T[4] * x + T[5] * y + T[6] * z, T[8] * x + T[9] * y + T[10] * z,
 ];
 
-/** @param {Layer} layer */
-function material(layer) {
+/** @param {Layer} layer @param {boolean} isFine */
+function material(layer, isFine) {
   if (layer === "outline") return new MeshBasicMaterial({ vertexColors: true, side: BackSide });
   const isGlass = layer === "glass";
-  const look = new MeshPhongMaterial({
-    vertexColors: true, shininess: 20, specular: 0x1c2228, transparent: isGlass, depthWrite: !isGlass,
-    side: layer === "striped" ? DoubleSide : FrontSide,
-  });
+  const shared = { vertexColors: true, transparent: isGlass, depthWrite: !isGlass, side: layer === "striped" ? DoubleSide : FrontSide };
+  const look = isFine ? new MeshPhongMaterial({ ...shared, shininess: 20, specular: 0x1c2228 }) : new MeshLambertMaterial(shared);
   if (layer === "striped") look.onBeforeCompile = stripes;
   return look;
 }

@@ -22,6 +22,7 @@ import { blockMesh, capsuleMesh, coreMesh, drumMesh, icosphere } from "./shapes.
 /** @typedef {Omit<Piece, "ball">} Made */
 
 const RAIL = 0.5, BLOCK = 1.6, DRUM = 1.25; // of a drum's radius: a rail's radius, half a block's length, half a drum's
+const SIDES = [0, 8, 16, 28]; // of a drum, by fineness
 const SLAB = [3.5, 0.5]; // radii of the bodies: half a fixed base's slab is wide, and high
 
 /** @type {Map<number, Sphere>} */
@@ -60,10 +61,10 @@ export const fineness = (links) => (links > 120 ? 1 : links > 30 ? 2 : 3);
  * @returns {Piece[]}
  */
 export function piecesOf(solid, tree, joint, fine, slab) {
-  const coarse = sphere(Math.max(1, fine - 1));
+  const coarse = sphere(fine - 1);
   /** @type {(category: Category, part: string, mesh: Mesh) => Made} */
   const own = (category, part, mesh) => ({ tree, category, group: "links", name: solid.name, part, solid, mesh, kind: "", isRail: false });
-  const pieces = [...bones(solid, coarse).map(([part, mesh]) => own("bone", part, mesh)), ...(joint ? drums(solid, tree, joint) : [])];
+  const pieces = [...bones(solid, coarse).map(([part, mesh]) => own("bone", part, mesh)), ...(joint ? drums(solid, tree, joint, SIDES[fine]) : [])];
   if (solid.core) {
     const { look } = solid, category = look === "doubtful" || look === "impossible" ? look : "core";
     pieces.push(own(category, "core", coreMesh(solid.core, sphere(fine))));
@@ -82,13 +83,13 @@ function bones({ bones: rods, radius, strut }, coarse) {
   return made;
 }
 
-/** @param {SolidMessage} solid @param {"robot" | "ghost"} tree @param {JointMessage} joint @returns {Made[]} */
-function drums(solid, tree, { name, kind }) {
+/** @param {SolidMessage} solid @param {"robot" | "ghost"} tree @param {JointMessage} joint @param {number} sides @returns {Made[]} */
+function drums(solid, tree, { name, kind }, sides) {
   const { drum: radius } = solid, shared = /** @type {const} */ ({ tree, category: "drum", group: "joints", name, solid, kind });
-  if (kind === "revolute") return [{ ...shared, part: "drum", mesh: drumMesh(radius, -DRUM * radius, DRUM * radius), isRail: false }];
+  if (kind === "revolute") return [{ ...shared, part: "drum", mesh: drumMesh(radius, -DRUM * radius, DRUM * radius, sides), isRail: false }];
   return [
     { ...shared, part: "block", mesh: blockMesh(radius, -BLOCK * radius, BLOCK * radius), isRail: false },
-    { ...shared, part: "rail", mesh: drumMesh(RAIL * radius, 0, 1), isRail: true },
+    { ...shared, part: "rail", mesh: drumMesh(RAIL * radius, 0, 1, sides), isRail: true },
   ];
 }
 

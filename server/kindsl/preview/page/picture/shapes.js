@@ -5,8 +5,6 @@
 /** @typedef {{ readonly corners: readonly Vector[], readonly faces: readonly (readonly number[])[] }} Sphere unit vectors, triangles seen from outside */
 /** @typedef {{ readonly positions: Float32Array, readonly normals: Float32Array, readonly faces: Uint32Array }} Mesh three numbers a corner, three corners a face */
 
-const SIDES = 28; // of a drum
-
 /** @param {readonly number[]} a @param {readonly number[]} b */
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 /** @type {(v: readonly number[]) => Vector} */
@@ -63,6 +61,16 @@ export function support({ semi_axes: [a, b, c], exponents: [e1, e2] }, [n, m, k]
   const reach = Math.abs(co) > Math.abs(si) ? Math.abs(x) / Math.abs(co) ** across : Math.abs(y) / Math.abs(si) ** across;
   const rise = Math.atan2(power(z, 1 / (2 - e1)), reach ** (1 / (2 - e1))), ring = Math.cos(rise) ** e1;
   return [a * ring * power(co, e2), b * ring * power(si, e2), c * power(Math.sin(rise), e1)];
+}
+
+/**
+ * How far a superquadric reaches from its middle along a direction, a unit vector in the link's axes.
+ * @param {Core} core
+ * @param {Vector} direction
+ */
+export function halfWidth(core, direction) {
+  const { axes } = core, [x, y, z] = [0, 3, 6].map((axis) => dot(direction, axes.slice(axis, axis + 3)));
+  return dot([x, y, z], support(core, [x, y, z]));
 }
 
 /**
@@ -128,8 +136,9 @@ export function capsuleMesh(from, to, radius, { corners, faces }) {
  * @param {number} radius
  * @param {number} low
  * @param {number} high
+ * @param {number} sides
  */
-export const drumMesh = (radius, low, high) => prism(radius, low, high, SIDES, false);
+export const drumMesh = (radius, low, high, sides) => prism(radius, low, high, sides, false);
 /**
  * A cuboid along z whose sides are so far from it.
  * @param {number} half

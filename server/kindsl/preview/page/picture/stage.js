@@ -1,5 +1,7 @@
 // Lights and ground, sized to the robot. World z points up; the viewer turns it into three.js' y.
 
+import { roundUp } from "../base/quantities.js";
+
 /** @import { Viewer } from "../base/types.js" */
 /** @import { Scene } from "./scene.js" */
 
@@ -9,6 +11,8 @@ const { AmbientLight, BufferGeometry, DirectionalLight, Float32BufferAttribute, 
 export class Stage {
   /** @type {THREE.LineSegments<THREE.BufferGeometry, THREE.LineBasicMaterial> | null} */
   ground = null;
+  /** Between the grid's lines, metres. */
+  spacing = 1;
 
   /** @param {Viewer} viewer @param {Scene} scene */
   constructor(viewer, scene) {
@@ -33,7 +37,8 @@ export class Stage {
   // A grid with 1-2-5 spacing under the robot.
   drawGround() {
     const { size, ground, center } = this.scene.model;
-    const spacing = roundSpacing(size / 8), half = spacing * Math.ceil((1.1 * size) / spacing);
+    const spacing = roundUp(size / 8), half = spacing * Math.ceil((1.1 * size) / spacing);
+    this.spacing = spacing;
     const lines = [], at = (/** @type {number} */ value) => spacing * Math.round(value / spacing);
     for (let t = -half; t <= half + 1e-9; t += spacing) lines.push(t, -half, 0, t, half, 0, -half, t, 0, half, t, 0);
     const geometry = new BufferGeometry().setAttribute("position", new Float32BufferAttribute(lines, 3));
@@ -54,10 +59,4 @@ export class Stage {
     this.ground.material.color.setHex(this.scene.colors.ground);
     this.ground.position.z = this.scene.model.ground;
   }
-}
-
-/** @param {number} length */
-function roundSpacing(length) {
-  const power = 10 ** Math.floor(Math.log10(length));
-  return power * ([1, 2, 5].find((step) => step * power >= length) ?? 10);
 }
