@@ -107,3 +107,17 @@ def test_other_languages_have_no_runtime_and_no_layout(
     told = kindsl("generate", "arm.kindsl", "--language", "c", "-o", "out", *option.split())
     assert told.status == 2
     assert "cannot be used with --language c" in told.err
+
+
+@pytest.mark.parametrize("language", ["robcogen", "c"])
+def test_cmake_carries_the_robots_version(language: str, kindsl: Runner, document: Path) -> None:
+    generate = ("generate", "arm.kindsl", "--language", language, "-o", "out")
+    assert kindsl(*generate).status == 0
+    assert " VERSION 1.0.0 " in Path("out/CMakeLists.txt").read_text()
+    Path("kindsl.toml").write_text('version = "2.1"\n[[document]]\npath = "a*"\nversion = "3"\n')
+    assert kindsl(*generate).status == 0
+    assert " VERSION 3 " in Path("out/CMakeLists.txt").read_text()
+    Path("kindsl.toml").write_text('version = "v2"\n')
+    told = kindsl(*generate)
+    assert told.status == 2
+    assert "version 'v2' is not up to four numbers with dots, as '1.2.0'" in told.err

@@ -20,6 +20,7 @@ class Settings(NamedTuple):
         bindings: Values of parameters.
         joints: Limits of joints.
         known: How often the baseline knows each finding of the document, by its identity.
+        version: The robot's version.
     """
 
     targets: frozenset[str] = frozenset()
@@ -29,6 +30,7 @@ class Settings(NamedTuple):
     bindings: Mapping[str, Binding] = {}
     joints: Mapping[str, JointProperties] = {}
     known: Mapping[str, int] = {}
+    version: str = "1.0.0"
 
     def rebound(self, values: Mapping[str, float]) -> "Settings":
         """Return these settings with parameters bound to other values, in their former ranges."""

@@ -85,7 +85,9 @@ def generate(
         if options.frames:
             robot, wanted = restricted(robot, wanted, options.frames)
         library = library_of(robot, name, defaults, options, stamp, wanted)
-        library = replace(library, parameter_kinds=_kinds(model))
+        library = replace(
+            library, parameter_kinds=_kinds(model), version=source.analysis.settings.version
+        )
         reference = Reference(mechanics, values_of_arguments)
         files = language.files(library, reference, parameters)
     except OverflowError as error:

@@ -18,6 +18,7 @@ class Decisions(NamedTuple):
         severity: Severity by code or prefix.
         bindings: Values of parameters.
         joints: Limits of joints.
+        version: The robot's version.
     """
 
     targets: frozenset[str] | None = None
@@ -26,6 +27,7 @@ class Decisions(NamedTuple):
     severity: Mapping[str, Severity] = {}
     bindings: Mapping[str, Binding] = {}
     joints: Mapping[str, JointProperties] = {}
+    version: str | None = None
 
 
 def overridden(settings: Settings, table: Decisions) -> Settings:
@@ -37,6 +39,7 @@ def overridden(settings: Settings, table: Decisions) -> Settings:
         severity={**settings.severity, **table.severity},
         bindings={**settings.bindings, **_within(settings.bindings, table.bindings)},
         joints={**settings.joints, **table.joints},
+        version=table.version or settings.version,
     )
 
 

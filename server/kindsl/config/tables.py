@@ -1,6 +1,7 @@
 """Checks the tables of a configuration file: keys, types, values."""
 
 import math
+import re
 from collections.abc import Collection, Mapping
 from typing import Any
 
@@ -15,8 +16,14 @@ from kindsl.text.lines import LineIndex
 from kindsl.text.nearest import hint, nearest_word
 from kindsl.text.printable import printable
 
-KEYS = ("target", "select", "ignore", "baseline", "severity", "parameters", "joints", "document")
-DOCUMENT_KEYS = ("path", "target", "select", "ignore", "severity", "parameters", "joints")
+KEYS = (
+    "target", "select", "ignore", "baseline", "severity", "parameters", "joints", "version",
+    "document",
+)  # fmt: skip
+DOCUMENT_KEYS = (
+    "path", "target", "select", "ignore", "severity", "parameters", "joints", "version",
+)  # fmt: skip
+VERSION = re.compile(r"\d+(\.\d+){0,3}")
 BINDING_KEYS = ("value", "min", "max")
 LIMIT_KEYS = ("min", "max")
 JOINT_KEYS = (*LIMIT_KEYS, "effort", "velocity", "armature", "damping", "friction")
@@ -130,7 +137,16 @@ def decisions(checker: Checker, keys: KeyPath, table: Mapping[str, Any]) -> Deci
         _severities(checker, (*keys, "severity"), _table(checker, (*keys, "severity"), table)),
         bindings(checker, (*keys, "parameters"), _table(checker, (*keys, "parameters"), table)),
         _joints(checker, (*keys, "joints"), _table(checker, (*keys, "joints"), table)),
+        _version(checker, (*keys, "version"), table),
     )
+
+
+def _version(checker: Checker, keys: KeyPath, table: Mapping[str, Any]) -> str | None:
+    version = checker.text(keys, table)
+    if version and not VERSION.fullmatch(version):
+        checker.wrong(keys, f"version '{version}' is not up to four numbers with dots, as '1.2.0'")
+        return None
+    return version or None
 
 
 def bindings(checker: Checker, keys: KeyPath, table: Mapping[str, Any]) -> dict[str, Binding]:

@@ -1,5 +1,6 @@
 """RobCoGen's classes, called as programs call them, against the mechanics of this project."""
 
+import subprocess
 from pathlib import Path
 
 import numpy as np
@@ -349,3 +350,13 @@ void call(Own& own, Own::JointState& t) { own.call(t); }
     done = built(tmp_path, HEAD + text, "-std=c++14", "-fsyntax-only")
     assert done.returncode != 0
     assert "there are no passes to call" in done.stderr
+
+
+@needs_cpp
+def test_the_guide_closes_its_loop(tmp_path: Path) -> None:
+    guide = EXAMPLES.parent / "docs" / "guide"
+    generated((guide / "crane.kindsl").read_text(), {}, tmp_path)
+    done = built(tmp_path, (guide / "control.cpp").read_text(), "-std=c++14")
+    assert (done.returncode, done.stderr) == (0, "")
+    told = subprocess.run([tmp_path / "main"], capture_output=True, text=True, check=False)
+    assert told.stdout == "the crane is where it should be\n"

@@ -13,8 +13,8 @@ from kindsl.dynamics.generation.emitters.straight_line import OPERATORS, cut
 from kindsl.dynamics.generation.terms import Graph, Scalar, Term, operand_nodes
 
 # Compilers take one function of this size well; longer ones cost more than linear time.
-MOST_OPERATIONS = 6000
-OPERATIONS_PER_PART = 1000
+MOST_OPERATIONS = 3500
+OPERATIONS_PER_PART = 500
 
 _WORKSPACE = "w"
 
