@@ -7,7 +7,7 @@ from kindsl.dynamics.quantities import STANDARD_GRAVITY
 from kindsl.dynamics.regressor import PARAMETERS_PER_BODY, regressor
 
 _SEED = 26
-_STATES_PER_BODY = 12
+_ROWS_PER_PARAMETER = 3
 _SMALLEST = 1e-9
 
 
@@ -22,7 +22,8 @@ def n_base_parameters(bodies: Bodies) -> tuple[int, int]:
     """
     random = np.random.default_rng(_SEED)
     n = bodies.n_links
-    states = _STATES_PER_BODY * (n + 1)
+    n_velocities = n + (6 if bodies.is_floating else 0)
+    states = 1 + _ROWS_PER_PARAMETER * PARAMETERS_PER_BODY * (n + 1) // n_velocities
     q, qd, qdd = random.uniform(-1.0, 1.0, (3, states, n))
     v = random.uniform(-1.0, 1.0, (states, 6)) if bodies.is_floating else np.zeros((states, 6))
     a = random.uniform(-1.0, 1.0, (states, 6)) if bodies.is_floating else np.zeros((states, 6))
@@ -30,5 +31,6 @@ def n_base_parameters(bodies: Bodies) -> tuple[int, int]:
     Y = regressor(bodies, q, qd, qdd, v, a)
     columns = Y.reshape(-1, Y.shape[-1])
     moving = n + (1 if bodies.is_floating else 0)
-    rank = int(np.linalg.matrix_rank(columns, tol=_SMALLEST * np.linalg.norm(columns, 2)))
+    values = np.linalg.svd(columns, compute_uv=False)
+    rank = int(np.count_nonzero(values > _SMALLEST * values[0]))
     return rank, PARAMETERS_PER_BODY * moving
