@@ -245,7 +245,7 @@ def _mechanics_of(path: Path) -> Mechanics:
     from kindsl.semantics.model import Model
     from kindsl.syntax.document import parse
 
-    model = Model(parse(path.read_text()).islands)
+    model = Model(parse(path.read_text()))
     return mechanism_of(model, {str(parameter.name): 0.1 for parameter in model.parameters})
 
 

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from kindsl.semantics.declarations import Joint, Link, Vector
 from kindsl.semantics.lowering import declarations
 from kindsl.semantics.model import Model
-from kindsl.syntax.document import parse
+from kindsl.syntax.document import Chunk, SyntaxDocument, parse
 from kindsl.syntax.vocabulary import MOMENTS
 
 INERTIA = ("mass", "CoM", *MOMENTS)
@@ -106,7 +106,7 @@ def test_a_word_is_mentioned_in_the_broken_text_of_other_islands(
         for n, (word, broken) in enumerate(written, 1)
     ]
     islands = [island for block in blocks for island in parse(block).islands]
-    model = Model(islands)
+    model = Model(SyntaxDocument((Chunk(tuple(islands)),)))
     assert [bool(island.problems) for island in islands] == [broken for _, broken in written]
     for word in ("alpha", "beta", "gamma", "delta"):
         mentioned = [

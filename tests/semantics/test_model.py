@@ -18,7 +18,7 @@ POSE = "ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) }"
 
 
 def model_of(text: str) -> Model:
-    return Model(parse(text).islands)
+    return Model(parse(text))
 
 
 def robot(children: dict[str, str], base: str = "b") -> Model:
@@ -200,8 +200,8 @@ def test_the_first_default_that_is_a_number_counts() -> None:
 
 
 def test_what_an_island_uses_is_collected_once() -> None:
-    islands = parse("Robot R {\nr_joint j { ref_frame { translation = (x, 0.0, 0.0) } }").islands
-    assert all(a is b for a, b in zip(Model(islands).symbols, Model(islands).symbols, strict=True))
+    syntax = parse("Robot R {\nr_joint j { ref_frame { translation = (x, 0.0, 0.0) } }")
+    assert all(a is b for a, b in zip(Model(syntax).symbols, Model(syntax).symbols, strict=True))
 
 
 def test_a_broken_document_keeps_what_is_there() -> None:

@@ -26,6 +26,7 @@ from kindsl.syntax.document import SyntaxDocument, parse, paused_collector
 from kindsl.syntax.readings import as_read_for
 from kindsl.text.display import html_of
 from kindsl.text.edits import TextEdit
+from kindsl.text.facts import Fact
 from kindsl.text.phrases import counted
 
 if TYPE_CHECKING:
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
     from kindsl.mechanism.skeleton import Skeleton
 
 _NO_SETTINGS = Settings()
+_ENABLED = Fact[tuple[Settings, list[Rule]]]("rules that run")
 
 
 class Analysis:
@@ -59,7 +61,7 @@ class Analysis:
     @cached_property
     def model(self) -> Model:
         """The robot, as far as the text describes one."""
-        return Model(self.syntax.islands)
+        return Model(self.syntax)
 
     @cached_property
     def context(self) -> Context:
@@ -95,8 +97,8 @@ class Analysis:
             checkpoint: Called again and again while rules run; what it raises stops them.
         """
         if self._findings is None:
-            run = CheckRun(checkpoint)
             with paused_collector():
+                run = self._run(checkpoint)
                 found = [self._resolve(rule, finding) for rule, finding in self._found(run)]
             unsilenced = self._without_silenced(found)
             self._apart = set_apart(unsilenced, blocks_of(self.syntax), self.settings)
@@ -105,8 +107,8 @@ class Analysis:
 
     def unsilenced(self) -> list[Diagnostic]:
         """Return all findings, including those that comments or a baseline suppress."""
-        run = CheckRun(go_on)
-        return [self._resolve(rule, finding) for rule, finding in self._found(run)]
+        found = self._found(self._run(go_on))
+        return [self._resolve(rule, finding) for rule, finding in found]
 
     def edited(self, edits: Sequence[TextEdit]) -> Analysis:
         """Return the analysis of the edited text; only edited parts are computed again."""
@@ -171,17 +173,28 @@ class Analysis:
         severity = severity_of(rule, finding.severity, self.settings)
         return self.resolver.diagnostic(rule, finding, severity)
 
+    def _run(self, checkpoint: Checkpoint) -> CheckRun:
+        return CheckRun(checkpoint, self.model, self.context)
+
     def _found(self, run: CheckRun) -> list[tuple[Rule, Finding]]:
-        rules = [rule for rule in all_rules() if is_enabled(rule, self.settings)]
+        rules = self._rules()
         found = [*syntax_findings(self.syntax, self.model, self.settings.targets)]
-        of_meaning = run.document_findings(rules, self.model, self.context)
-        of_meaning += run.island_findings(rules, self.model, self.context)
+        of_meaning = run.document_findings(rules) + run.body_findings(rules)
+        of_meaning += run.island_findings(rules)
         return [*found, *(entry for entry in of_meaning if not is_explained(entry[1]))]
+
+    def _rules(self) -> list[Rule]:
+        """Return the rules that run, chosen once for all versions under the same settings."""
+        known = self.syntax.versions.get(_ENABLED)
+        if known is None or known[0] is not self.settings:
+            rules = [rule for rule in all_rules() if is_enabled(rule, self.settings)]
+            known = self.syntax.versions.keep(_ENABLED, (self.settings, rules))
+        return known[1]
 
     def _without_silenced(self, found: list[Diagnostic]) -> list[Diagnostic]:
         islands, starts = self.syntax.islands, self.syntax.starts
         if any("kindsl:" in island.text for island in islands):
-            enabled = [rule.code for rule in all_rules() if is_enabled(rule, self.settings)]
+            enabled = [rule.code for rule in self._rules()]
             if UNKNOWN_SUPPRESSION.code in enabled:
                 found += self._of(UNKNOWN_SUPPRESSION, unknown_suppressions(self._unknown(found)))
             silenced = suppressions(islands, starts, len(self.text))

@@ -1,21 +1,45 @@
 """Runs rules over a document; if one of them fails, the others still report."""
 
 from collections.abc import Callable, Iterable, Iterator
+from functools import partial, reduce
+from operator import or_
 from typing import NamedTuple, TypeAlias
 
 from kindsl.rules.base import Finding, Rule
 from kindsl.rules.context import Context
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Declarations
-from kindsl.semantics.model import Model
+from kindsl.semantics.model import Model, ModelPart
+from kindsl.syntax.document import Chunk
 from kindsl.syntax.tree import Island
 from kindsl.text.facts import Fact
 
-Found: TypeAlias = list[tuple[Rule, Finding]]
+_RuleFinding: TypeAlias = tuple[Rule, Finding]
+Found: TypeAlias = list[_RuleFinding]
+_Findings = Iterator[_RuleFinding]
 Checkpoint: TypeAlias = Callable[[], None]
 
-# What the findings of an island depend on besides it: the rules, and what they may see.
-_Key = tuple[tuple[Rule, ...], object]
-_FINDINGS: "Fact[tuple[_Key, Found]]" = Fact("findings")
+# What findings depend on besides what they are kept with.
+_Key = tuple[object, ...]
+
+
+class _Known(NamedTuple):
+    """Findings of rules.
+
+    Attributes:
+        key: What that depends on.
+        found: What it found.
+        islands: All islands to which that points.
+    """
+
+    key: _Key
+    found: Found
+    islands: frozenset[Island]
+
+
+_OF_ISLANDS = Fact[_Known]("findings of islands")
+_OF_BODIES = Fact[_Known]("findings of bodies")
+_BY_CODE = Fact[dict[str, _Known]]("findings of documents")
 
 
 class Fault(NamedTuple):
@@ -35,52 +59,102 @@ def go_on() -> None:
 
 
 class CheckRun:
-    """One run of rules.
+    """One run of rules over a version of a document; what holds since the last one is not run.
 
     Attributes:
         faults: The rules that failed so far.
     """
 
-    def __init__(self, checkpoint: Checkpoint) -> None:
+    def __init__(self, checkpoint: Checkpoint, model: Model, context: Context) -> None:
         self.faults: list[Fault] = []
-        self._checkpoint = checkpoint
+        self._checkpoint, self._model, self._context = checkpoint, model, context
+        self._islands = frozenset(model.islands)
+        self._keys: dict[Aspect, _Key] = {}
 
-    def document_findings(self, rules: Iterable[Rule], model: Model, context: Context) -> Found:
+    def document_findings(self, rules: Iterable[Rule]) -> Found:
         """Return the findings of the rules that see the whole model."""
+        versions = self._model.document.versions
+        last = versions.get(_BY_CODE) or versions.keep(_BY_CODE, {})
         found: Found = []
         for rule in rules:
             if rule.check_document is not None:
-                self._checkpoint()
-                found += self._of(rule, rule.check_document(model, context))
+                key = rule, self._key(rule.reads)
+                findings = rule.check_document(self._model, self._context)
+                known = self._known(last.get(rule.code), key, partial(self._of, rule, findings))
+                last[rule.code] = known
+                found += known.found
         return found
 
-    def island_findings(self, rules: Iterable[Rule], model: Model, context: Context) -> Found:
-        """Return the findings of the rules that see one island, from its memory if unchanged."""
+    def island_findings(self, rules: Iterable[Rule]) -> Found:
+        """Return the findings of the rules that see one island at a time."""
+        chosen = tuple(rule for rule in rules if rule.check_island is not None)
+
+        def check(declared: Declarations) -> _Findings:
+            for rule in chosen:
+                if rule.check_island is not None:
+                    yield from self._of(rule, rule.check_island(declared, self._context))
+
+        keys = (chosen, self._context.targets), (chosen, self._context.key)
+        return self._in_all_islands(_OF_ISLANDS, keys, check)
+
+    def body_findings(self, rules: Iterable[Rule]) -> Found:
+        """Return the findings of the rules that see one body and something of all others."""
+        chosen = tuple(rule for rule in rules if rule.check_body is not None)
+
+        def check(declared: Declarations) -> _Findings:
+            for body in declared.bodies():
+                for rule in chosen:
+                    if rule.check_body is not None:
+                        yield from self._of(rule, rule.check_body(body, self._model, self._context))
+
+        read = reduce(or_, (rule.reads for rule in chosen), Aspect.NOTHING)
+        key = chosen, *self._key(read)
+        return self._in_all_islands(_OF_BODIES, (key, key), check)
+
+    def _in_all_islands(
+        self,
+        fact: Fact[_Known],
+        keys: tuple[_Key, _Key],
+        check: Callable[[Declarations], _Findings],
+    ) -> Found:
+        """Return what is found in each island.
+
+        Args:
+            fact: What chunks and islands keep it as.
+            keys: What it depends on besides the island: without parameters in it, and with such.
+            check: Finds it in what an island declares.
+        """
         found: Found = []
-        local = tuple(rule for rule in rules if rule.check_island is not None)
-        for island, declared, symbols in zip(
-            model.islands, model.declared, model.symbols, strict=True
-        ):
-            uses_values = bool(symbols.parameters or symbols.constants)
-            key = (local, context.key if uses_values else context.targets)
-            known = island.facts.get(_FINDINGS)
-            if known is None or known[0] != key:
-                self._checkpoint()
-                known = self._remembered(island, declared, key, context)
-            found += known[1]
+        for chunk, part in zip(self._model.document.chunks, self._model.parts, strict=True):
+
+            def of_chunk(chunk: Chunk = chunk, part: ModelPart = part) -> _Findings:
+                rows = zip(chunk.islands, part.declared, part.symbols, strict=True)
+                for island, declared, symbols in rows:
+                    key = keys[any(symbols)]
+                    known = self._known(island.facts.get(fact), key, partial(check, declared))
+                    yield from island.facts.keep(fact, known).found
+
+            key = keys[bool(part.parameters or part.constants)]
+            known = self._known(chunk.facts.get(fact), key, of_chunk)
+            found += chunk.facts.keep(fact, known).found
         return found
 
-    def _remembered(
-        self, island: Island, declared: Declarations, key: _Key, context: Context
-    ) -> tuple[_Key, Found]:
-        found: Found = []
+    def _known(
+        self, known: _Known | None, key: _Key, find: Callable[[], Iterable[_RuleFinding]]
+    ) -> _Known:
+        """Return what is known, found again where it does not hold any more."""
+        if known is not None and known.key == key and known.islands <= self._islands:
+            return known
+        self._checkpoint()
         n_faults = len(self.faults)
-        for rule in key[0]:
-            if rule.check_island is not None:
-                found += self._of(rule, rule.check_island(declared, context))
-        if len(self.faults) == n_faults:
-            island.facts.keep(_FINDINGS, (key, found))
-        return key, found
+        found = list(find())
+        return _Known(key if len(self.faults) == n_faults else (), found, _islands(found))
+
+    def _key(self, reads: Aspect) -> _Key:
+        known = self._keys.get(reads)
+        if known is None:
+            known = self._context.key, *self._model.edition.reading(reads)
+        return self._keys.setdefault(reads, known)
 
     def _of(self, rule: Rule, findings: Iterator[Finding]) -> Found:
         """Return all findings of a rule, those before a fault too."""
@@ -91,3 +165,11 @@ class CheckRun:
         except Exception as error:
             self.faults.append(Fault(rule, error))
         return found
+
+
+def _islands(found: Found) -> frozenset[Island]:
+    """Return the islands to which findings point."""
+    fixes = {id(fix): fix for _, f in found for fix in (f.fix, *f.choices) if fix is not None}
+    places = [place for _, f in found for place in (f.at, *(related.at for related in f.related))]
+    places += [change.at for fix in fixes.values() for change in fix.changes]
+    return frozenset(place.island for place in places)

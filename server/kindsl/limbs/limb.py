@@ -16,7 +16,7 @@ from kindsl.semantics.numbers import triple, written_pose
 from kindsl.semantics.unknown import Unknown
 
 # No robot has more or longer ones that are written by hand, and comparing takes their square.
-_MOST_LIMBS, _MOST_BODIES = 12, 48
+_MOST_LIMBS, MOST_BODIES = 12, 48
 
 Side = tuple[object, ...]
 Values = Mapping[str, float]
@@ -99,7 +99,7 @@ def limbs_of(carrier: Link, model: Model, values: Values) -> Iterator[Limbs]:
 def _limb(edge: Edge, model: Model, values: Values, seen: list[Link]) -> Body | None:
     """Return what an edge leads to, None where it has very many bodies or no numbers."""
     is_only = edge.link is not None and model.tree.supporting_edge(edge.link) is edge
-    if edge.link is None or not is_only or len(seen) >= _MOST_BODIES:
+    if edge.link is None or not is_only or len(seen) >= MOST_BODIES:
         return None
     seen.append(edge.link)
     children = []

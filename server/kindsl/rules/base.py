@@ -5,7 +5,8 @@ from enum import StrEnum
 from typing import NamedTuple
 
 from kindsl.rules.context import Context
-from kindsl.semantics.declarations import Declarations
+from kindsl.semantics.aspects import Aspect
+from kindsl.semantics.declarations import Declarations, Link
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Located
 
@@ -98,16 +99,19 @@ class Example(NamedTuple):
 
 
 DocumentCheck = Callable[[Model, Context], Iterator[Finding]]
+BodyCheck = Callable[[Link, Model, Context], Iterator[Finding]]
 IslandCheck = Callable[[Declarations, Context], Iterator[Finding]]
 
 
 class Rule(NamedTuple):
     """A rule; its module's docstring is its page.
 
-    A rule has one of two checks. `check_document` sees the whole model and runs after every edit.
-    `check_island` sees what one island declares and its result is kept until that island, or a
-    value that it uses, changes; so whatever can be said of a link alone belongs there. The rules
-    of the syntax have neither: the parser finds them.
+    A rule has one of three checks. `check_island` sees what one island declares and its result is
+    kept until that island, or a value that it uses, changes; so whatever can be said of a link
+    alone belongs there. `check_body` sees a body, and of all others what `reads` names: its result
+    is kept until its island, or that, changes. `check_document` sees the whole model; its result is
+    kept until what `reads` names changes, or an island to which a finding points. The rules of the
+    syntax have none: the parser finds them.
 
     Attributes:
         code: `KD` and three digits, never reused.
@@ -115,6 +119,8 @@ class Rule(NamedTuple):
         severity: Unless configured otherwise.
         check_document: See above.
         check_island: See above.
+        check_body: See above.
+        reads: All that the check reads of the document besides.
         is_default: Whether it runs without being selected or needed by a target.
         good: Documents, or single blocks, in which it finds nothing.
         bad: The same, in which it finds something; with the fixed text where there is a fix.
@@ -125,6 +131,8 @@ class Rule(NamedTuple):
     severity: Severity
     check_document: DocumentCheck | None = None
     check_island: IslandCheck | None = None
+    check_body: BodyCheck | None = None
+    reads: Aspect = Aspect.ALL
     is_default: bool = True
     good: tuple[str | Example, ...] = ()
     bad: tuple[str | Example, ...] = ()

@@ -3,17 +3,18 @@
 The limbs of a body are compared again only where something in them has changed.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import NamedTuple
 from zlib import crc32
 
 from kindsl.limbs.attachments import Attachment, LimbNames, Misplaced
-from kindsl.limbs.limb import Limbs, limbs_of
+from kindsl.limbs.limb import MOST_BODIES, Limbs, limbs_of
 from kindsl.limbs.verdicts import LimbVerdict, agreed, verdicts
 from kindsl.rules.context import Context
 from kindsl.rules.memory import Memory
-from kindsl.semantics.declarations import ValueKind
+from kindsl.semantics.aspects import Aspect
+from kindsl.semantics.declarations import Link, ValueKind
 from kindsl.semantics.model import Model
 from kindsl.semantics.parameters import Parameter
 from kindsl.text.facts import Fact
@@ -44,6 +45,7 @@ class LimbSlips(NamedTuple):
 
 _SLIPS = Fact[tuple[Context, LimbSlips]]("slips in limbs")
 _MISPLACED = Memory[tuple[list[Misplaced], list[Misplaced]]]("links not attached as their twins")
+_GROUPS = Memory[list[tuple[Limbs, ...]]]("limbs in numbers")
 _COMPARED = Memory[list[LimbVerdict]]("limbs compared")
 
 
@@ -59,23 +61,59 @@ def _slips(model: Model, context: Context) -> LimbSlips:
     assignments = _assignments(model, context)
     if model.base is None:
         return LimbSlips([], [], [], assignments)
-    edges = [e for e in model.tree.edges if e.link is not None and e.joint is not None]
-    names = tuple(
-        Attachment(str(e.child.link), str(e.predecessor.name), str(e.child.joint)) for e in edges
-    )
-    elsewhere, crossed = _MISPLACED.of(model.base, names, partial(_misplaced, names))
+    structure = model.edition.reading(Aspect.STRUCTURE)
+    elsewhere, crossed = _MISPLACED.of(model.base, structure, partial(_misplaced, model))
     found: list[LimbVerdict] = []
-    carriers = dict.fromkeys(e.predecessor for e in edges) if not elsewhere + crossed else ()
-    for carrier in carriers:
-        groups = [tuple(limbs_of(carrier, model, values)) for values in assignments]
-        if groups[0]:
-            found += _COMPARED.of(carrier, (groups,), partial(_compared, groups))
+    if not elsewhere + crossed:
+        given = context.targets, assignments
+        for carrier, written in _limbs_as_written(model).items():
+            limbs = partial(_limbs_at_each, carrier, model, assignments)
+            groups = _GROUPS.of(carrier, (given, written), limbs)
+            if groups[0]:
+                found += _COMPARED.of(carrier, (groups,), partial(_compared, groups))
     return LimbSlips(elsewhere, crossed, found, assignments)
 
 
-def _misplaced(attachments: tuple[Attachment, ...]) -> tuple[list[Misplaced], list[Misplaced]]:
-    names = LimbNames(attachments)
+def _misplaced(model: Model) -> tuple[list[Misplaced], list[Misplaced]]:
+    edges = [e for e in model.tree.edges if e.link is not None and e.joint is not None]
+    names = LimbNames(
+        [Attachment(str(e.child.link), str(e.predecessor.name), str(e.child.joint)) for e in edges]
+    )
     return names.elsewhere(), names.crossed()
+
+
+def _limbs_as_written(model: Model) -> dict[Link, list[object]]:
+    """Return all that is written of each limb of the bodies that carry several.
+
+    Of a limb with very many bodies it is nothing: such are not compared.
+    """
+    tree = model.tree
+    roots = [body for body in model.bodies if body not in tree.above]
+    bodies = [*roots, *(link for root in roots for link in tree.in_topological_order(root))]
+    limbs: dict[Link, list[object]] = {}
+    sizes: dict[Link, int] = {}
+    for body in reversed(bodies):
+        edges = tree.successor_edges(body)
+        sizes[body] = 1 + sum(sizes.get(edge.link, 0) for edge in edges if edge.link is not None)
+        limbs[body] = [
+            (
+                str(link.name),
+                link.island.text,
+                joint.island.text,
+                limbs[link],
+                tree.above[link][0] is edge,
+            )
+            for edge in edges
+            if (link := edge.link) in limbs and (joint := edge.joint) and sizes[link] <= MOST_BODIES
+        ]
+    return {body: limbs[body] for body in bodies if len(tree.successor_edges(body)) > 1}
+
+
+def _limbs_at_each(
+    carrier: Link, model: Model, assignments: Sequence[Values]
+) -> list[tuple[Limbs, ...]]:
+    """Return the limbs of one body in numbers, at each assignment."""
+    return [tuple(limbs_of(carrier, model, values)) for values in assignments]
 
 
 def _compared(groups: list[tuple[Limbs, ...]]) -> list[LimbVerdict]:

@@ -6,8 +6,10 @@ from kindsl.rules.base import Finding, Fix, Replacement, Severity
 from kindsl.rules.context import ROBCOGEN, ROBCOGEN2, Context
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Place
+from kindsl.syntax.document import Chunk
 from kindsl.syntax.portability import PortabilityNote, portability
 from kindsl.syntax.tree import Island
+from kindsl.text.facts import kept
 
 _BLANKS = " \t\r\n"
 # The rules that tell best why a generator stops.
@@ -61,9 +63,9 @@ def _stop(target: str, model: Model, context: Context) -> Finding | None:
     if model.broken_islands:
         return None
     from kindsl.rules.robcogen2_loading import loading_defect
-    from kindsl.syntax.strict_robcogen2 import stop_of_robcogen2
+    from kindsl.syntax.robcogen2_stop import stop_of_robcogen2
 
-    stop = stop_of_robcogen2(model.islands)
+    stop = stop_of_robcogen2(model.document)
     if stop is None:
         defect = loading_defect(model)
         if defect is None or any(_of_rules(_REFERENCES, model, context)):
@@ -88,10 +90,15 @@ def _of_rules(codes: tuple[str, ...], model: Model, context: Context) -> Iterato
 
 
 def _constructs(target: str, model: Model) -> Iterator[Finding]:
-    for island in model.islands:
-        for note in portability(island):
+    for chunk in model.document.chunks:
+        for island, note in _notes(chunk):
             if note.target == target:
                 yield _finding(island, note)
+
+
+@kept
+def _notes(chunk: Chunk) -> list[tuple[Island, PortabilityNote]]:
+    return [(island, note) for island in chunk.islands for note in portability(island)]
 
 
 def _finding(island: Island, note: PortabilityNote) -> Finding:

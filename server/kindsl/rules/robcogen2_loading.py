@@ -9,18 +9,21 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from kindsl.rules.base import Finding
+from kindsl.rules.memory import Memory
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Declarations, Joint, Link, inertia_values, pose_values
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.lowering import declarations
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Name
+from kindsl.syntax.document import Chunk, SyntaxDocument
 from kindsl.syntax.parser import island_of_robcogen2
-from kindsl.syntax.strict_robcogen2 import stop_of_robcogen2
-from kindsl.syntax.tree import Node, Token
-from kindsl.text.facts import Fact
+from kindsl.syntax.robcogen2_stop import stop_of_robcogen2
+from kindsl.syntax.tree import Island, Node, Token
+from kindsl.text.facts import kept
 from kindsl.text.phrases import counted
 
-_NUMBERS = Fact[tuple[Finding, ...]]("values that robcogen2 cannot convert")
+_IS_SOUND = Memory[bool]("whether robcogen2 dies of names")
 
 
 class _Pair(NamedTuple):
@@ -33,17 +36,28 @@ class _Pair(NamedTuple):
 
 def is_read_by_robcogen2(model: Model) -> bool:
     """Return whether robcogen2 reads a document from its first character to its last number."""
-    if stop_of_robcogen2(model.islands) is not None:
+    if stop_of_robcogen2(model.document) is not None:
         return False
     if model.broken_islands:
         island = island_of_robcogen2("".join(island.text for island in model.islands))
-        model = Model([island]) if island is not None else model
+        model = Model(SyntaxDocument((Chunk((island,)),))) if island is not None else model
     return loading_defect(model) is None
 
 
 def loading_defect(model: Model) -> Finding | None:
     """Return what robcogen2 dies of, None where it loads the document; it could parse it."""
-    return next((found for step in _STEPS for found in step(model)), None)
+    if model.base is None:
+        return next(_structural_defects(model), None)
+    read = model.edition.reading(Aspect.STRUCTURE | Aspect.SYMBOLS)
+    is_sound = _IS_SOUND.of(model.base, read, lambda: not any(_structural_defects(model)))
+    steps = _numbers if is_sound else _structural_defects
+    return next(steps(model), None)
+
+
+def _structural_defects(model: Model) -> Iterator[Finding]:
+    """Yield what it dies of before it converts a number."""
+    for step in (_references, _numbering, _unused_joints):
+        yield from step(model)
 
 
 def _references(model: Model) -> Iterator[Finding]:
@@ -127,12 +141,18 @@ def _unused_joints(model: Model) -> Iterator[Finding]:
 
 def _numbers(model: Model) -> Iterator[Finding]:
     """Yield the values that it cannot convert; those of a fixed base's inertia it does not try."""
-    for island in model.islands:
-        found = island.facts.get(_NUMBERS)
-        if found is None:
-            unconverted = tuple(_unconverted(_tried(declarations(island))))
-            found = island.facts.keep(_NUMBERS, unconverted)
-        yield from found
+    for chunk in model.document.chunks:
+        yield from _unconverted_in(chunk)
+
+
+@kept
+def _unconverted_in(chunk: Chunk) -> list[Finding]:
+    return [found for island in chunk.islands for found in _unconverted_of(island)]
+
+
+@kept
+def _unconverted_of(island: Island) -> list[Finding]:
+    return list(_unconverted(_tried(declarations(island))))
 
 
 def _tried(declared: Declarations) -> Iterator[Expression]:
@@ -202,6 +222,3 @@ def _pairs(model: Model) -> list[_Pair]:
 
 def _called(body: Link) -> str:
     return f"{'base' if body.is_base else 'link'} '{body.name}'"
-
-
-_STEPS = (_references, _numbering, _unused_joints, _numbers)

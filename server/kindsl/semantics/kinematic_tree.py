@@ -1,6 +1,7 @@
 """Parents and children: the edges `link via joint`, and their defects as a tree."""
 
 from collections.abc import Iterable, Mapping
+from functools import cached_property
 from typing import NamedTuple
 
 from kindsl.semantics.declarations import Child, Joint, Link
@@ -23,11 +24,7 @@ class KinematicTree:
         below: The edges that leave a body.
         above: The edges that lead to a body; more than one is a defect.
         joint_uses: The edges that name a joint; more than one is a defect.
-        reachable: The bodies that the base carries, the base included.
-        loops: Each kinematic loop once, as the edges around it.
     """
-
-    __slots__ = ("above", "below", "edges", "joint_uses", "loops", "reachable")
 
     def __init__(
         self,
@@ -43,8 +40,27 @@ class KinematicTree:
         for body in bodies:
             for child in body.children:
                 self._add(Edge(body, child, links.get(child.link), joints.get(child.joint)))
-        self.reachable = self._below_and_itself(base)
-        self.loops = self._find_loops()
+        self._base = base
+
+    @cached_property
+    def reachable(self) -> set[Link]:
+        """The bodies that the base carries, the base included."""
+        if self._base is None:
+            return set()
+        return {self._base, *self.in_topological_order(self._base)}
+
+    @cached_property
+    def loops(self) -> list[tuple[Edge, ...]]:
+        """Each kinematic loop once, as the edges around it.
+
+        Depth-first search without recursion; an edge back to the path closes a loop.
+        """
+        loops: list[tuple[Edge, ...]] = []
+        done: set[Link] = set()
+        for start in self.below:
+            if start not in done:
+                self._search_loops(start, done, loops)
+        return loops
 
     def supporting_edge(self, link: Link) -> Edge | None:
         """Return the edge that carries a link, the first if there are several."""
@@ -77,20 +93,6 @@ class KinematicTree:
             self.above.setdefault(edge.link, []).append(edge)
         if edge.joint is not None:
             self.joint_uses.setdefault(edge.joint, []).append(edge)
-
-    def _below_and_itself(self, base: Link | None) -> set[Link]:
-        if base is None:
-            return set()
-        return {base, *self.in_topological_order(base)}
-
-    def _find_loops(self) -> list[tuple[Edge, ...]]:
-        """Depth-first search without recursion; an edge back to the path closes a loop."""
-        loops: list[tuple[Edge, ...]] = []
-        done: set[Link] = set()
-        for start in self.below:
-            if start not in done:
-                self._search_loops(start, done, loops)
-        return loops
 
     def _search_loops(self, start: Link, done: set[Link], loops: list[tuple[Edge, ...]]) -> None:
         path: list[Edge] = []

@@ -18,6 +18,7 @@ from kindsl.syntax.splitter import LOOKAHEAD, split
 from kindsl.syntax.tables import HOLDS, ORDERS
 from kindsl.syntax.tree import Island
 from kindsl.text.edits import TextEdit, apply_edits
+from kindsl.text.facts import Facts
 
 if TYPE_CHECKING:
     from kindsl.syntax.block_order import PlacedProblem
@@ -42,12 +43,17 @@ class PlacedIsland:
 
 
 class Chunk:
-    """Some neighbouring islands; never changed once made."""
+    """Some neighbouring islands; never changed once made.
 
-    __slots__ = ("_letters", "islands", "length", "offsets", "open_comments")
+    Attributes:
+        facts: What later layers derived from it alone, kept as long as it lives.
+    """
+
+    __slots__ = ("_letters", "facts", "islands", "length", "offsets", "open_comments")
 
     def __init__(self, islands: tuple[Island, ...]) -> None:
         self.islands = islands
+        self.facts = Facts()
         self.offsets = [0, *accumulate(len(island.text) for island in islands)]
         self.length = self.offsets.pop()
         self._letters: str | None = None
@@ -66,10 +72,16 @@ class SyntaxDocument:
     """A text and its islands; edits make new documents.
 
     All offsets are code points from the start of the text.
+
+    Attributes:
+        chunks: Its islands, some neighbours at a time.
+        versions: What was found out about the version that was last looked at: shared by all that
+            edits have made of each other.
     """
 
-    def __init__(self, chunks: tuple[Chunk, ...]) -> None:
+    def __init__(self, chunks: tuple[Chunk, ...], versions: Facts | None = None) -> None:
         self.chunks = chunks
+        self.versions = versions or Facts()
         self._chunk_starts = [0, *accumulate(chunk.length for chunk in chunks)]
         self._chunk_indices = [0, *accumulate(len(chunk.islands) for chunk in chunks)]
 
@@ -137,7 +149,7 @@ class SyntaxDocument:
             ValueError: Two edits overlap.
         """
         if len(edits) > _MANY_EDITS:
-            return _reparsed(apply_edits(self.text, edits), self.islands)
+            return _reparsed(apply_edits(self.text, edits), self.islands, self.versions)
         document, done = self, self.length
         for edit in sorted(enumerate(edits), key=lambda e: (e[1].start, e[1].end, e[0]))[::-1]:
             if edit[1].end > done:
@@ -149,7 +161,7 @@ class SyntaxDocument:
 
 def parse(text: str) -> SyntaxDocument:
     """Return the document of a text; never raises, whatever the text."""
-    return _reparsed(text, ())
+    return _reparsed(text, (), Facts())
 
 
 def has_open_comment(island: Island) -> bool:
@@ -173,10 +185,10 @@ def paused_collector() -> Iterator[None]:
             gc.enable()
 
 
-def _reparsed(text: str, known: Iterable[Island]) -> SyntaxDocument:
+def _reparsed(text: str, known: Iterable[Island], versions: Facts) -> SyntaxDocument:
     """Return a document, its islands taken from the known ones where the text is the same."""
     islands = _islands(text, split(text).starts, known)
-    return SyntaxDocument(_chunks(islands))
+    return SyntaxDocument(_chunks(islands), versions)
 
 
 def _islands(text: str, starts: list[int], known: Iterable[Island]) -> list[Island]:
@@ -277,5 +289,6 @@ def _replaced(
     base = indices[low]
     old[first - base : stop - base] = islands
     return SyntaxDocument(
-        (*document.chunks[:low], *_chunks(old), *document.chunks[high:]) or _chunks(islands)
+        (*document.chunks[:low], *_chunks(old), *document.chunks[high:]) or _chunks(islands),
+        document.versions,
     )

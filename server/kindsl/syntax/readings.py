@@ -13,7 +13,7 @@ from kindsl.syntax.document import Chunk, SyntaxDocument
 from kindsl.syntax.portability import ROBCOGEN, ROBCOGEN2
 from kindsl.syntax.tree import Island, Node, Token
 from kindsl.syntax.value_forms import formed_values, is_signed_product
-from kindsl.text.facts import Fact
+from kindsl.text.facts import Fact, kept
 
 _POWER = re.compile(r"([-+]?[0-9]*\.[0-9]+)([eE][0-9]+)")
 _READINGS = Fact["tuple[TwoReadings, ...]"]("two readings")
@@ -57,18 +57,22 @@ def as_read_for(document: SyntaxDocument, targets: frozenset[str]) -> SyntaxDocu
     """
     if targets == {ROBCOGEN2}:
         return document
-    rewrite = _for_robcogen if targets == {ROBCOGEN} else _undecided
-    chunks = [_chunk_as_read(chunk, rewrite) for chunk in document.chunks]
-    if all(new is old for new, old in zip(chunks, document.chunks, strict=True)):
+    if not any(map(_is_read_in_two_ways, document.chunks)):
         return document
-    return SyntaxDocument(tuple(chunks))
+    rewrite = _for_robcogen if targets == {ROBCOGEN} else _undecided
+    chunks = tuple(_chunk_as_read(chunk, rewrite) for chunk in document.chunks)
+    return SyntaxDocument(chunks, document.versions)
+
+
+@kept
+def _is_read_in_two_ways(chunk: Chunk) -> bool:
+    return any(map(two_readings, chunk.islands))
 
 
 def _chunk_as_read(chunk: Chunk, rewrite: _Rewrite) -> Chunk:
-    islands = [_island_as_read(island, rewrite) for island in chunk.islands]
-    if all(new is old for new, old in zip(islands, chunk.islands, strict=True)):
+    if not _is_read_in_two_ways(chunk):
         return chunk
-    return Chunk(tuple(islands))
+    return Chunk(tuple(_island_as_read(island, rewrite) for island in chunk.islands))
 
 
 def _island_as_read(island: Island, rewrite: _Rewrite) -> Island:

@@ -6,15 +6,14 @@ begin right behind a keyword or a number, and digits are those of any alphabet.
 """
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import NamedTuple
 
-from kindsl.syntax.portability import ROBCOGEN2, portability
+from kindsl.syntax.portability import ROBCOGEN2
 from kindsl.syntax.tables import IGNORED, KEYWORDS, ORDERS, PATTERNS, WORDS
-from kindsl.syntax.tree import Island, Token
+from kindsl.syntax.tree import Token
 from kindsl.syntax.value_forms import targets_of
 from kindsl.syntax.vocabulary import MOMENTS, SECTIONS
-from kindsl.text.facts import Fact
 
 _TRIVIA = re.compile(
     f"(?:{'|'.join(PATTERNS[kind] for kind in IGNORED if ROBCOGEN2 in targets_of(kind))})*+"
@@ -25,7 +24,6 @@ _INT = re.compile(r"[-+]?[0-9]+")
 _STRICT_FLOAT = re.compile(
     r"[+-]?(?:(?:\d+\.\d*|\.\d+)(?:[eE][+-]?\d+)?|\d+[eE][+-]?\d+)(?<=[\w.])(?![\w.])"
 )
-_IN_ORDER = re.compile("hbl+j+e")
 _NUMBER_KINDS = [
     (kind, re.compile(pattern))
     for kind, pattern in PATTERNS.items()
@@ -223,74 +221,3 @@ _BLOCKS: tuple[tuple[str, Callable[[_Reader], bool]], ...] = (
     ("j", lambda r: r.any_of(f"JOINT_KEYWORD NAME {_JOINT}")),
     ("e", lambda r: r.any_of("}")),
 )
-
-
-_UNDECODED = re.compile("[\ud800-\udfff]")
-_READING = Fact["StrictReading"]("as robcogen2 reads it")
-# Text in which robcogen2 sees the tokens that the grammar's tables have.
-_PLAIN = re.compile(r"[\w\s{}()=,.+*/-]*", re.ASCII)
-_REMARK = re.compile(r"//[^\r\n]*")
-_SPECIAL = re.compile(r"(?<!\w)(?:[\d.]+[A-Za-z_]|[pP][iI](?:\w|(?<!PI)))|/\*", re.ASCII)
-_LETTERS = {"head": "h", "base": "b", "link": "l", "joint": "j", "end": "e"}
-
-
-class Stop(NamedTuple):
-    """The place where robcogen2 stops: code points from the island's start."""
-
-    island: Island
-    offset: int
-
-
-def stop_of_robcogen2(islands: Sequence[Island]) -> Stop | None:
-    """Return where robcogen2 stops reading a document, None where it reads all of it.
-
-    Args:
-        islands: The document's, in order.
-    """
-    blocks = ""
-    for island in islands:
-        reading = _kept_reading(island)
-        blocks += reading.blocks
-        if reading.failure is not None:
-            return _stop_in(islands)
-    return None if _IN_ORDER.fullmatch(blocks) else Stop(islands[-1], len(islands[-1].text))
-
-
-def _stop_in(islands: Sequence[Island]) -> Stop | None:
-    """Read the document as one, since it may be cut into islands where robcogen2 cuts none."""
-    whole = _reading("".join(island.text for island in islands))
-    if whole.failure is None and _IN_ORDER.fullmatch(whole.blocks):
-        return None
-    offset = whole.failure or 0
-    for island in islands[:-1]:
-        if offset < len(island.text):
-            return Stop(island, offset)
-        offset -= len(island.text)
-    return Stop(islands[-1], offset)
-
-
-def _kept_reading(island: Island) -> StrictReading:
-    known = island.facts.get(_READING)
-    if known is None:
-        blocks = _plain_blocks(island)
-        known = StrictReading(blocks, (), None) if blocks is not None else _reading(island.text)
-        known = island.facts.keep(_READING, known._replace(tokens=()))
-    return known
-
-
-def _plain_blocks(island: Island) -> str | None:
-    """Return the blocks of an island that robcogen2 surely reads as we do, else None."""
-    text = _REMARK.sub("", island.text)
-    if island.problems or not _PLAIN.fullmatch(text) or _SPECIAL.search(text):
-        return None
-    if any(note.target == ROBCOGEN2 for note in portability(island)):
-        return None
-    if any(token.kind == "NAME" and token.text in KEYWORDS for token in island.tokens):
-        return None
-    return "".join(_LETTERS[node.kind] for node in island.nodes)
-
-
-def _reading(text: str) -> StrictReading:
-    undecoded = None if text.isascii() else _UNDECODED.search(text)
-    reading = strict_reading(text)
-    return reading if undecoded is None else reading._replace(failure=undecoded.start())

@@ -1,6 +1,8 @@
 """Facts derived from a thing that never changes, kept with it as long as it lives."""
 
-from typing import Any, Generic, TypeVar
+from collections.abc import Callable
+from functools import wraps
+from typing import Any, Generic, Protocol, TypeVar
 
 T = TypeVar("T")
 
@@ -42,3 +44,26 @@ class Facts:
     def forget(self, fact: Fact[Any]) -> None:
         """Forget what is known, if it is."""
         self._kept.pop(fact, None)
+
+
+class HasFacts(Protocol):
+    """Thing that never changes."""
+
+    @property
+    def facts(self) -> Facts:
+        """Facts derived from it."""
+
+
+_Thing = TypeVar("_Thing", bound=HasFacts)
+
+
+def kept(make: Callable[[_Thing], T]) -> Callable[[_Thing], T]:
+    """Return a function that derives the same, once in the life of each thing."""
+    fact = Fact[tuple[T]](make.__name__)
+
+    @wraps(make)
+    def known(thing: _Thing) -> T:
+        found = thing.facts.get(fact)
+        return (found or thing.facts.keep(fact, (make(thing),)))[0]
+
+    return known

@@ -30,6 +30,7 @@ from kindsl.rules.context import Context
 from kindsl.rules.duplicates import repeats
 from kindsl.rules.examples import link, robot
 from kindsl.rules.renumbering import CopiedId, copied_id, renumbering
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
 
@@ -74,6 +75,7 @@ RULE = Rule(
     "duplicate-link-id",
     Severity.ERROR,
     check_document=check_document,
+    reads=Aspect.STRUCTURE,
     good=(_arm(2),),
     bad=(Example(_arm(1), fixed=_arm(2)),),
 )

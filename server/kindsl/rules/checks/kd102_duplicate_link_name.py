@@ -20,6 +20,7 @@ from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.duplicates import repeated_names
 from kindsl.rules.examples import link, robot
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 
 
@@ -39,6 +40,7 @@ RULE = Rule(
     "duplicate-link-name",
     Severity.ERROR,
     check_document=check_document,
+    reads=Aspect.STRUCTURE,
     good=(robot(link("finger", 1), link("thumb", 2), base=_BASE, joints="left right"),),
     bad=(
         robot(link("finger", 1), link("finger", 2), base=_BASE, joints="left right"),

@@ -20,6 +20,7 @@ from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.duplicates import repeated_names
 from kindsl.rules.examples import link, robot
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 
 
@@ -37,6 +38,7 @@ RULE = Rule(
     "duplicate-joint-name",
     Severity.ERROR,
     check_document=check_document,
+    reads=Aspect.STRUCTURE,
     good=(robot(*_LINKS, base="arm via shoulder", joints="shoulder wrist"),),
     bad=(
         robot(*_LINKS, base="arm via shoulder", joints="shoulder wrist wrist"),

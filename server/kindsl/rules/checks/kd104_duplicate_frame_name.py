@@ -22,6 +22,7 @@ from collections.abc import Iterator
 from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.duplicates import repeated_names
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Frame
 from kindsl.semantics.model import Model
 
@@ -54,6 +55,7 @@ RULE = Rule(
     "duplicate-frame-name",
     Severity.ERROR,
     check_document=check_document,
+    reads=Aspect.STRUCTURE,
     good=(_EYES % "right",),
     bad=(_EYES % "left",),
 )

@@ -26,6 +26,7 @@ from kindsl.rules.examples import link, robot
 from kindsl.rules.missing_names import missing_names
 from kindsl.rules.new_blocks import new_link
 from kindsl.rules.reference_defects import reference_defects
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Child
 from kindsl.semantics.model import Model
 
@@ -65,6 +66,7 @@ RULE = Rule(
     "undefined-link",
     Severity.ERROR,
     check_document=check_document,
+    reads=Aspect.STRUCTURE,
     good=(_arm("upper via shoulder"),),
     bad=(
         Example(_arm("uper via shoulder"), fixed=_arm("upper via shoulder")),

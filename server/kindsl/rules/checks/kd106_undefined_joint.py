@@ -26,6 +26,7 @@ from kindsl.rules.examples import link, robot
 from kindsl.rules.missing_names import missing_names
 from kindsl.rules.new_blocks import new_joint
 from kindsl.rules.reference_defects import reference_defects
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 
 
@@ -58,6 +59,7 @@ RULE = Rule(
     "undefined-joint",
     Severity.ERROR,
     check_document=check_document,
+    reads=Aspect.STRUCTURE,
     good=(_arm("elbow", "shoulder elbow"),),
     bad=(
         Example(_arm("elbow", "shoulder elbwo"), fixed=_arm("elbwo", "shoulder elbwo")),

@@ -25,6 +25,7 @@ from collections.abc import Iterator
 
 from kindsl.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
 from kindsl.rules.context import Context
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
 from kindsl.text.nearest import hint, nearest_name
@@ -69,6 +70,7 @@ RULE = Rule(
     "undefined-frame",
     Severity.ERROR,
     check_document=check_document,
+    reads=Aspect.STRUCTURE,
     good=(_LINK % "fr_COM",),
     bad=(Example(_LINK % "fr_CoM", fixed=_LINK % "fr_COM"), _LINK % "gripper", _LINK % "upper"),
 )

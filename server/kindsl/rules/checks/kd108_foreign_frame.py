@@ -25,6 +25,7 @@ from collections.abc import Iterator
 from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import ROBCOGEN2, Context
 from kindsl.rules.examples import STEEL_BALL, link, robot
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
 
@@ -62,6 +63,7 @@ RULE = Rule(
     "foreign-frame",
     Severity.ERROR,
     check_document=check_document,
+    reads=Aspect.STRUCTURE,
     good=(_arm("fr_COM", "camera"),),
     bad=(_arm("camera", "fr_COM"),),
 )

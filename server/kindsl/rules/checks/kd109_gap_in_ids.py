@@ -28,6 +28,7 @@ from kindsl.rules.context import Context
 from kindsl.rules.examples import two_links
 from kindsl.rules.reference_defects import reference_defects
 from kindsl.rules.renumbering import renumbering
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
 
@@ -81,6 +82,7 @@ RULE = Rule(
     "gap-in-ids",
     Severity.ERROR,
     check_document=check_document,
+    reads=Aspect.STRUCTURE,
     good=(two_links(1, 2),),
     bad=(
         Example(two_links(1, 4), fixed=two_links(1, 2)),

@@ -27,6 +27,7 @@ from kindsl.rules.duplicates import repeats
 from kindsl.rules.examples import two_links
 from kindsl.rules.reference_defects import reference_defects
 from kindsl.rules.renumbering import renumbering
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
 
@@ -73,6 +74,7 @@ RULE = Rule(
     "id-order",
     Severity.WARNING,
     check_document=check_document,
+    reads=Aspect.STRUCTURE,
     good=(two_links(1, 2),),
     bad=(Example(two_links(2, 1), fixed=two_links(1, 2)),),
 )

@@ -20,6 +20,7 @@ from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.duplicates import repeats
 from kindsl.rules.examples import joint, link, robot
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 
 
@@ -48,6 +49,7 @@ RULE = Rule(
     "duplicate-joint-id",
     Severity.INFORMATION,
     check_document=check_document,
+    reads=Aspect.STRUCTURE,
     good=(_arm(2),),
     bad=(_arm(1),),
 )

@@ -21,6 +21,7 @@ from collections.abc import Iterator
 from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import ROBCOGEN2, Context
 from kindsl.rules.examples import link, robot
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Name
 
@@ -70,6 +71,7 @@ RULE = Rule(
     "name-clash",
     Severity.WARNING,
     check_document=check_document,
+    reads=Aspect.STRUCTURE,
     good=(_arm("wrist_roll"),),
     bad=(_arm("wrist"), _arm("Wrist"), _arm("arm")),
 )

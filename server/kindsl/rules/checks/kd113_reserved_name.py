@@ -19,6 +19,7 @@ from collections.abc import Iterator
 from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Name
 from kindsl.semantics.reserved_words import RESERVED_BY
@@ -54,6 +55,7 @@ RULE = Rule(
     "reserved-name",
     Severity.WARNING,
     check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
     good=(link("gripper", 1), _FRAMED % "fr_eye"),
     bad=(link("union", 1), link("until", 1), _FRAMED % "fr_head"),
 )

@@ -24,6 +24,7 @@ from kindsl.rules.base import Example, Finding, Fix, Related, Replacement, Rule,
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.reference_defects import reference_defects
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.kinematic_tree import Edge
 from kindsl.semantics.model import Model
 
@@ -66,6 +67,7 @@ RULE = Rule(
     "kinematic-loop",
     Severity.ERROR,
     check_document=check_document,
+    reads=Aspect.STRUCTURE,
     good=(_arm(""),),
     bad=(
         _arm("upper via wrist"),

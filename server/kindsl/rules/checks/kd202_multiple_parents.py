@@ -21,6 +21,7 @@ from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.reference_defects import reference_defects
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 
 
@@ -48,6 +49,7 @@ RULE = Rule(
     "multiple-parents",
     Severity.ERROR,
     check_document=check_document,
+    reads=Aspect.STRUCTURE,
     good=(_linkage(""),),
     bad=(_linkage("coupler via pin_right"),),
 )

@@ -21,6 +21,7 @@ from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.reference_defects import reference_defects
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
 from kindsl.text.phrases import counted
@@ -50,6 +51,7 @@ RULE = Rule(
     "unreachable-link",
     Severity.ERROR,
     check_document=check_document,
+    reads=Aspect.STRUCTURE,
     good=(robot(*_ARM, base="upper via shoulder", joints="shoulder elbow"),),
     bad=(
         robot(*_ARM, joints="elbow"),

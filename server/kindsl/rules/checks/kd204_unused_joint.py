@@ -20,6 +20,7 @@ from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.reference_defects import reference_defects
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 
 
@@ -38,6 +39,7 @@ RULE = Rule(
     "unused-joint",
     Severity.ERROR,
     check_document=check_document,
+    reads=Aspect.STRUCTURE,
     good=(_arm("shoulder"),),
     bad=(_arm("shoulder spare"),),
 )

@@ -19,6 +19,7 @@ from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.reference_defects import ReferenceDefects, reference_defects
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Joint
 from kindsl.semantics.model import Model
 
@@ -49,6 +50,7 @@ RULE = Rule(
     "reused-joint",
     Severity.ERROR,
     check_document=check_document,
+    reads=Aspect.STRUCTURE,
     good=(_hand("thumb"),),
     bad=(_hand("finger"),),
 )

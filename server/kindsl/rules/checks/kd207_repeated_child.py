@@ -26,6 +26,7 @@ from kindsl.rules.base import Example, Finding, Fix, Related, Replacement, Rule,
 from kindsl.rules.context import ROBCOGEN2, Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.reference_defects import reference_defects
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Child
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Located, Place
@@ -60,6 +61,7 @@ RULE = Rule(
     "repeated-child",
     Severity.WARNING,
     check_document=check_document,
+    reads=Aspect.STRUCTURE,
     good=(_arm(""),),
     bad=(
         Example(_arm(" arm via shoulder"), fixed=_arm("")),

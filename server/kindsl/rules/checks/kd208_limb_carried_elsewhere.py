@@ -31,6 +31,7 @@ from kindsl.rules.context import Context
 from kindsl.rules.examples import four_legs
 from kindsl.rules.limb_places import child_of
 from kindsl.rules.limb_verdicts import limb_slips
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Child
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Place
@@ -82,6 +83,7 @@ RULE = Rule(
     "limb-carried-elsewhere",
     Severity.WARNING,
     check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
     good=(four_legs(),),
     bad=(Example(_CROSSED, fixed=four_legs()),),
 )

@@ -30,6 +30,7 @@ from kindsl.rules.context import Context
 from kindsl.rules.examples import four_legs, joint, link, robot
 from kindsl.rules.limb_places import child_of
 from kindsl.rules.limb_verdicts import limb_slips
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 
 
@@ -82,6 +83,7 @@ RULE = Rule(
     "crossed-joints",
     Severity.WARNING,
     check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
     good=(four_legs(), _arm("joint2", "joint3")),
     bad=(
         Example(_CROSSED, fixed=four_legs()),

@@ -27,6 +27,7 @@ from kindsl.rules.context import Context
 from kindsl.rules.examples import four_legs
 from kindsl.rules.limb_places import joint_of
 from kindsl.rules.limb_verdicts import limb_slips
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Joint
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Place
@@ -63,6 +64,7 @@ RULE = Rule(
     "other-kind-than-twins",
     Severity.WARNING,
     check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
     good=(four_legs(),),
     bad=(
         Example(

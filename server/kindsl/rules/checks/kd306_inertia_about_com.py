@@ -35,6 +35,7 @@ from kindsl.rules.base import Example, Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link
 from kindsl.rules.inertia.suspects import explained
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 
 
@@ -57,6 +58,7 @@ RULE = Rule(
     "inertia-about-com",
     Severity.INFORMATION,
     check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
     good=(_upper("0.2"),),
     bad=(Example(_upper("0.020"), fixed=_upper("0.2")),),
 )

@@ -30,6 +30,7 @@ from kindsl.rules.base import Example, Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link
 from kindsl.rules.inertia.suspects import explained
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 
 
@@ -50,6 +51,7 @@ RULE = Rule(
     "inertia-signs",
     Severity.INFORMATION,
     check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
     good=(_LINK % "0.12",),
     bad=(Example(_LINK % "-0.12", fixed=_LINK % "0.12"),),
 )

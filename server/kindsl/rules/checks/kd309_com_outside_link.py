@@ -27,13 +27,15 @@ from collections.abc import Iterator
 from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint, link, robot
-from kindsl.rules.inertia.shapes import doubtful_bodies
+from kindsl.rules.inertia.shapes import shape_doubts
+from kindsl.semantics.aspects import Aspect
+from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
 
 
-def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each link whose mass is not where the link is."""
-    for body, verdict in doubtful_bodies(model, context, "KD309"):
+def check_body(body: Link, model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding where the mass of a link is not where the link is."""
+    for verdict in shape_doubts(model, context, body, "KD309"):
         if body.inertia is not None and body.inertia.com is not None:
             yield Finding(body.inertia.com, verdict.sentence)
 
@@ -55,7 +57,8 @@ RULE = Rule(
     "KD309",
     "com-outside-link",
     Severity.WARNING,
-    check_document=check_document,
+    check_body=check_body,
+    reads=Aspect.STRUCTURE | Aspect.PLACES,
     good=(_arm("0.15", "0.037"), _arm("150.0", "27100.0")),
     bad=(_arm("1.5", "2.71"),),
 )

@@ -18,39 +18,60 @@ inertia_params {
 ```
 """
 
-from collections.abc import Iterator
-from functools import partial
+from collections.abc import Iterable, Iterator
+from itertools import starmap
 
 from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.inertia.judgements import is_moving, keyword
 from kindsl.rules.inertia.twins import part_of
-from kindsl.rules.memory import Memory
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Inertia, Link
-from kindsl.semantics.model import Model
+from kindsl.semantics.model import Model, model_part
+from kindsl.syntax.document import Chunk
 from kindsl.syntax.vocabulary import MOMENTS
+from kindsl.text.facts import kept
 
 _ENOUGH = 3
 _MOST_RELATED = 20
 Numbers = tuple[float | None, ...]
-_NUMBERS = Memory[Numbers]("numbers")
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each unit inertia, and one for each inertia that many links have."""
     groups: dict[Numbers, list[tuple[Link, Inertia]]] = {}
-    for body in model.bodies:
-        if body.inertia is not None and is_moving(body):
-            numbers = _NUMBERS.of(body, (), partial(_numbers, body.inertia))
-            if numbers[:4] == (1.0, 1.0, 1.0, 1.0):
-                message = f"inertia of '{body.name}' is a placeholder: mass and moments are 1.0"
-                yield Finding(keyword(body.inertia), message)
-            elif numbers[0] and None not in numbers and any(numbers[1:]):
-                groups.setdefault(numbers, []).append((body, body.inertia))
-    for group in groups.values():
-        if len(group) >= _ENOUGH and len({part_of(b) for b, _ in group}) >= _ENOUGH:
+    for chunk in model.document.chunks:
+        for numbers, body, inertia in _moving(chunk):
+            groups.setdefault(numbers, []).append((body, inertia))
+    for numbers, group in groups.items():
+        if numbers[:4] == (1.0, 1.0, 1.0, 1.0):
+            yield from starmap(_placeholder, group)
+        elif numbers[0] and None not in numbers and any(numbers[1:]) and _are_unlike(group):
             yield _shared(group)
+
+
+@kept
+def _moving(chunk: Chunk) -> list[tuple[Numbers, Link, Inertia]]:
+    """Return the moving bodies of a chunk with their numbers."""
+    part = model_part(chunk)
+    bodies = ((body, body.inertia) for body in (*part.bases, *part.links) if is_moving(body))
+    return [(_numbers(inertia), body, inertia) for body, inertia in bodies if inertia is not None]
+
+
+def _are_unlike(group: Iterable[tuple[Link, Inertia]]) -> bool:
+    """Return whether some bodies are as many parts as one inertia cannot be of."""
+    parts: set[str] = set()
+    for body, _ in group:
+        parts.add(part_of(body))
+        if len(parts) >= _ENOUGH:
+            return True
+    return False
+
+
+def _placeholder(body: Link, inertia: Inertia) -> Finding:
+    message = f"inertia of '{body.name}' is a placeholder: mass and moments are 1.0"
+    return Finding(keyword(inertia), message)
 
 
 def _numbers(inertia: Inertia) -> Numbers:
@@ -90,6 +111,7 @@ RULE = Rule(
     "placeholder-inertia",
     Severity.WARNING,
     check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.MASSES,
     good=(_arm(_INERTIA % ("0.02", "0.02", "0.02")),),
     bad=(_arm(_SAME), link("upper", 1, inertia=_INERTIA % ("1.0", "1.0", "1.0"))),
 )

@@ -28,13 +28,17 @@ from kindsl.rules.examples import link, robot
 from kindsl.rules.inertia.judgements import is_impossible, keyword
 from kindsl.rules.inertia.mirror_images import mirror_difference
 from kindsl.rules.inertia.twins import right_twin_of
-from kindsl.semantics.model import Model
+from kindsl.semantics.aspects import Aspect
+from kindsl.semantics.declarations import Link
+from kindsl.semantics.model import Model, model_part
+from kindsl.syntax.document import Chunk
+from kindsl.text.facts import kept
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each pair of parts that is nearly the same."""
-    for left in model.bodies:
-        right = model.body_named.get(right_twin_of(left) or "")
+    for left, name in (pair for chunk in model.document.chunks for pair in _twins(chunk)):
+        right = model.body_named.get(name)
         if right is None or left.inertia is None or right.inertia is None:
             continue
         message = mirror_difference(left, right)
@@ -42,6 +46,14 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
         if message and not is_told:
             related = Related(keyword(left.inertia), f"inertia of '{left.name}'")
             yield Finding(keyword(right.inertia), message, (related,))
+
+
+@kept
+def _twins(chunk: Chunk) -> list[tuple[Link, str]]:
+    """Return the left parts of a chunk with the names that their twins would have."""
+    part = model_part(chunk)
+    named = ((body, right_twin_of(body)) for body in (*part.bases, *part.links))
+    return [(body, twin) for body, twin in named if twin]
 
 
 _INERTIA = """inertia_params {
@@ -64,6 +76,7 @@ RULE = Rule(
     "mirrored-pair-differs",
     Severity.WARNING,
     check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.MASSES,
     good=(_pair("1.24", "-0.004"),),
     bad=(_pair("1.42", "-0.004"), _pair("1.24", "0.004")),
 )

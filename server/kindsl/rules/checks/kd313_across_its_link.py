@@ -34,7 +34,8 @@ from kindsl.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint, link, placed_joint, robot
 from kindsl.rules.inertia.judgements import keyword
-from kindsl.rules.inertia.shapes import doubtful_bodies, link_ends
+from kindsl.rules.inertia.shapes import link_ends, shape_doubts
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Inertia, Link
 from kindsl.semantics.model import Model
 from kindsl.semantics.numbers import mass_distribution
@@ -45,9 +46,9 @@ _AXES = "xyz"
 _NEXT = (2, 0, 1, 5, 3, 4, 7, 8, 6)
 
 
-def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each link whose mass is a rod across the way to its only end."""
-    for body, verdict in doubtful_bodies(model, context, "KD313"):
+def check_body(body: Link, model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding where the mass of a link is a rod across the way to its only end."""
+    for verdict in shape_doubts(model, context, body, "KD313"):
         if body.inertia is not None:
             fix = _laid_along(model, context, body, body.inertia)
             yield Finding(keyword(body.inertia), verdict.sentence, fix=fix)
@@ -95,7 +96,8 @@ RULE = Rule(
     "KD313",
     "across-its-link",
     Severity.WARNING,
-    check_document=check_document,
+    check_body=check_body,
+    reads=Aspect.STRUCTURE | Aspect.PLACES,
     good=(_arm("0.107", "0.107", "0.001"), _arm("0.10", "0.11", "0.02")),
     bad=(
         _arm("0.081", "0.107", "0.027"),

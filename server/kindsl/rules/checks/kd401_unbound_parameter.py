@@ -32,6 +32,7 @@ from kindsl.rules.broken_text import is_doubtful, is_greek_pi
 from kindsl.rules.context import ROBCOGEN2, Context
 from kindsl.rules.examples import joint
 from kindsl.rules.units import numbers_with_unit
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 from kindsl.semantics.parameters import Parameter
 from kindsl.semantics.places import Place
@@ -62,6 +63,7 @@ RULE = Rule(
     "unbound-parameter",
     Severity.WARNING,
     check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
     good=(
         Example(_JOINT, parameters=(("length", 0.3),)),
         joint("elbow").replace("0.3", "length[0.3]"),

@@ -21,6 +21,7 @@ from collections.abc import Iterator
 from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import ValueKind
 from kindsl.semantics.model import Model
 
@@ -53,6 +54,7 @@ RULE = Rule(
     "mixed-parameter-class",
     Severity.WARNING,
     check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
     good=(_joint("tilt"),),
     bad=(_joint("offset"),),
 )

@@ -20,6 +20,7 @@ from collections.abc import Iterator
 from kindsl.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 from kindsl.semantics.parameters import Constant
 from kindsl.semantics.places import Name
@@ -55,6 +56,7 @@ RULE = Rule(
     "undefined-constant",
     Severity.ERROR,
     check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
     good=(_joint("<reach>"),),
     bad=(Example(_joint("<raech>"), fixed=_joint("<reach>")), _joint("<width>")),
 )

@@ -17,6 +17,7 @@ from collections.abc import Iterator
 from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 
 
@@ -40,6 +41,7 @@ RULE = Rule(
     "conflicting-constant",
     Severity.ERROR,
     check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
     good=(_joint("<reach>"), _joint("<reach=0.50>")),
     bad=(_joint("<reach=0.4>"),),
 )

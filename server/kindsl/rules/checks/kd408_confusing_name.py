@@ -27,6 +27,7 @@ from kindsl.rules.broken_text import is_doubtful, is_greek_pi
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint
 from kindsl.rules.units import NumberWithUnit, numbers_with_unit
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Located, Place
 from kindsl.syntax.readings import two_readings
@@ -89,6 +90,7 @@ RULE = Rule(
     "confusing-name",
     Severity.WARNING,
     check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
     good=(
         joint("elbow", rotation="PI/2.0, tilt, 0.0"),
         joint("elbow", rotation="2.0 m, 0.5tilt, 0.0"),

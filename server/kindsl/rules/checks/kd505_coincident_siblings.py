@@ -19,6 +19,7 @@ from kindsl.rigid.pose import RigidPose
 from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint, link, robot
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Joint
 from kindsl.semantics.kinematic_tree import Edge
 from kindsl.semantics.model import Model
@@ -57,6 +58,7 @@ RULE = Rule(
     "coincident-siblings",
     Severity.WARNING,
     check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.PLACES,
     good=(_hand(0.2),),
     bad=(_hand(0.1),),
 )

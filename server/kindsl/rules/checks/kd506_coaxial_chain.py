@@ -21,6 +21,7 @@ from math import hypot
 from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint, link, robot
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Joint
 from kindsl.semantics.model import Model
 from kindsl.semantics.numbers import written_pose
@@ -63,6 +64,7 @@ RULE = Rule(
     "coaxial-chain",
     Severity.INFORMATION,
     check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.PLACES,
     good=(_arm("PI/2.0, 0.0, 0.0"),),
     bad=(_arm("0.0, 0.0, PI/4.0"), _arm("PI, 0.0, 0.0")),
 )

@@ -41,6 +41,7 @@ from kindsl.rules.inertia.twins import right_twin_of
 from kindsl.rules.limb_places import OF_A_LINK, located, place_at, told, vector_at
 from kindsl.rules.limb_verdicts import limb_slips
 from kindsl.rules.limb_writing import as_triple, rewriting, written
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 
 
@@ -97,6 +98,7 @@ RULE = Rule(
     "differs-from-twins",
     Severity.WARNING,
     check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
     good=(four_legs(), four_legs(LH="0.1, 0.0, 0.0", RH="0.1, 0.0, 0.0")),
     bad=(Example(four_legs(RH="0.8, 0.0, 0.0"), fixed=four_legs()),),
 )

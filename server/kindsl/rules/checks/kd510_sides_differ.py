@@ -26,6 +26,7 @@ from kindsl.rules.examples import two_arms
 from kindsl.rules.limb_places import located, told, vector_at
 from kindsl.rules.limb_verdicts import limb_slips
 from kindsl.rules.limb_writing import as_triple, rewriting, written
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 
 
@@ -66,6 +67,7 @@ RULE = Rule(
     "sides-differ",
     Severity.WARNING,
     check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
     good=(two_arms("0.3, -0.1, 0.02"), two_arms("0.37, 0.0, -0.1")),
     bad=(two_arms("0.03, -0.1, 0.02"), two_arms("-0.1, 0.3, 0.02")),
 )

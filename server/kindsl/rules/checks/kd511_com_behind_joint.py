@@ -31,17 +31,18 @@ from kindsl.rigid.pose import Vector3
 from kindsl.rules.base import Finding, Fix, Replacement, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint, link, robot
-from kindsl.rules.inertia.shapes import doubtful_bodies, link_ends
+from kindsl.rules.inertia.shapes import link_ends, shape_doubts
 from kindsl.rules.number_writing import opposite
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Link, Vector
 from kindsl.semantics.model import Model
 
 _MOST = 0.9
 
 
-def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each rod that goes the other way than its link."""
-    for body, verdict in doubtful_bodies(model, context, "KD511"):
+def check_body(body: Link, model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding where a rod goes the other way than its link."""
+    for verdict in shape_doubts(model, context, body, "KD511"):
         if body.inertia is not None and body.inertia.com is not None:
             choices = tuple(_choices(model, context, body)) if verdict.number < 0.0 else ()
             yield Finding(body.inertia.com, verdict.sentence, choices=choices)
@@ -89,7 +90,8 @@ RULE = Rule(
     "KD511",
     "com-behind-joint",
     Severity.WARNING,
-    check_document=check_document,
+    check_body=check_body,
+    reads=Aspect.STRUCTURE | Aspect.PLACES,
     good=(_arm("0.15"),),
     bad=(_arm("-0.15"), _arm("0.45").replace("0.036", "0.252")),
 )

@@ -23,6 +23,7 @@ from collections.abc import Iterator
 from kindsl.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
 from kindsl.rules.context import ROBCOGEN, ROBCOGEN2, Context
 from kindsl.rules.examples import joint
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Place
 from kindsl.syntax.readings import TwoReadings, two_readings
@@ -65,6 +66,7 @@ RULE = Rule(
     "read-in-two-ways",
     Severity.WARNING,
     check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
     good=(_joint("0.3"), _joint("2.0e-3", ROBCOGEN2)),
     bad=(
         _joint("0.3e0", fixed="0.3"),

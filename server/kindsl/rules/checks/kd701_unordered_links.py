@@ -20,6 +20,7 @@ from itertools import pairwise
 from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 
 
@@ -40,6 +41,7 @@ RULE = Rule(
     "unordered-links",
     Severity.INFORMATION,
     check_document=check_document,
+    reads=Aspect.STRUCTURE,
     good=(robot(_UPPER, _LOWER, base="upper via shoulder", joints="shoulder elbow"),),
     bad=(robot(_LOWER, _UPPER, base="upper via shoulder", joints="shoulder elbow"),),
 )

@@ -22,6 +22,7 @@ from kindsl.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import STEEL_BALL, link, robot
 from kindsl.rules.inertia.judgements import keyword
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Place
 from kindsl.syntax.token_names import SPELLINGS
@@ -55,6 +56,7 @@ RULE = Rule(
     "mixed-inertia-keyword",
     Severity.HINT,
     check_document=check_document,
+    reads=Aspect.STRUCTURE,
     good=(_arm("inertia_params"),),
     bad=(Example(_arm("inertia_properties"), fixed=_arm("inertia_params")),),
 )

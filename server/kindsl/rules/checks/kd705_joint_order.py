@@ -19,6 +19,7 @@ from itertools import pairwise
 from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Joint
 from kindsl.semantics.model import Model
 
@@ -51,6 +52,7 @@ RULE = Rule(
     "joint-order",
     Severity.HINT,
     check_document=check_document,
+    reads=Aspect.STRUCTURE,
     good=(_arm("shoulder elbow"),),
     bad=(_arm("elbow shoulder"),),
 )

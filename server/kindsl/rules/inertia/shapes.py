@@ -18,21 +18,17 @@ from kindsl.semantics.numbers import written_pose
 from kindsl.semantics.unknown import Unknown
 from kindsl.text.facts import Fact
 
-Doubtful = tuple[Link, BodyVerdict]
-
-_VERDICTS = Fact[tuple[Context, list[Doubtful]]]("doubtful bodies")
+_VERDICTS = Fact[tuple[Context, Link, list[BodyVerdict]]]("shape of the last body")
 _OF_DENSITY = "KD311"
 
 
-def doubtful_bodies(model: Model, context: Context, code: str) -> Iterator[Doubtful]:
-    """Yield each moving body with what one rule reports of its shape."""
+def shape_doubts(model: Model, context: Context, body: Link, code: str) -> Iterator[BodyVerdict]:
+    """Yield what one rule reports of a body's shape; all rules ask of one body after the other."""
     known = model.facts.get(_VERDICTS)
-    if known is None or known[0] is not context:
-        found = [(body, v) for body in model.bodies for v in shape_verdicts(model, context, body)]
-        known = model.facts.keep(_VERDICTS, (context, found))
-    for body, verdict in known[1]:
-        if verdict.code == code:
-            yield body, verdict
+    if known is None or known[0] is not context or known[1] is not body:
+        verdicts = list(shape_verdicts(model, context, body))
+        known = model.facts.keep(_VERDICTS, (context, body, verdicts))
+    yield from (verdict for verdict in known[2] if verdict.code == code)
 
 
 def shape_verdicts(model: Model, context: Context, body: Link) -> Iterator[BodyVerdict]:

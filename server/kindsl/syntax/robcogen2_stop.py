@@ -1,0 +1,84 @@
+"""The place where robcogen2 stops reading a document; each island is read once in its life."""
+
+import re
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from kindsl.syntax.document import Chunk, SyntaxDocument
+from kindsl.syntax.portability import ROBCOGEN2, portability
+from kindsl.syntax.strict_robcogen2 import StrictReading, strict_reading
+from kindsl.syntax.tables import KEYWORDS
+from kindsl.syntax.tree import Island
+from kindsl.text.facts import kept
+
+_IN_ORDER = re.compile("hbl+j+e")
+_UNDECODED = re.compile("[\ud800-\udfff]")
+# Text in which robcogen2 sees the tokens that the grammar's tables have.
+_PLAIN = re.compile(r"[\w\s{}()=,.+*/-]*", re.ASCII)
+_REMARK = re.compile(r"//[^\r\n]*")
+_SPECIAL = re.compile(r"(?<!\w)(?:[\d.]+[A-Za-z_]|[pP][iI](?:\w|(?<!PI)))|/\*", re.ASCII)
+_LETTERS = {"head": "h", "base": "b", "link": "l", "joint": "j", "end": "e"}
+
+
+class Stop(NamedTuple):
+    """The place where robcogen2 stops: code points from the island's start."""
+
+    island: Island
+    offset: int
+
+
+def stop_of_robcogen2(document: SyntaxDocument) -> Stop | None:
+    """Return where robcogen2 stops reading a document, None where it reads all of it."""
+    readings = list(map(_reading_of_chunk, document.chunks))
+    islands = document.islands
+    if any(reading.failure is not None for reading in readings):
+        return _stop_in(islands)
+    is_whole = _IN_ORDER.fullmatch("".join([reading.blocks for reading in readings]))
+    return None if is_whole else Stop(islands[-1], len(islands[-1].text))
+
+
+@kept
+def _reading_of_chunk(chunk: Chunk) -> StrictReading:
+    """Return the blocks that robcogen2 reads in a chunk, island by island, and any failure."""
+    readings = list(map(_kept_reading, chunk.islands))
+    failure = next((each.failure for each in readings if each.failure is not None), None)
+    return StrictReading("".join([each.blocks for each in readings]), (), failure)
+
+
+def _stop_in(islands: Sequence[Island]) -> Stop | None:
+    """Read the document as one, since it may be cut into islands where robcogen2 cuts none."""
+    whole = _reading("".join(island.text for island in islands))
+    if whole.failure is None and _IN_ORDER.fullmatch(whole.blocks):
+        return None
+    offset = whole.failure or 0
+    for island in islands[:-1]:
+        if offset < len(island.text):
+            return Stop(island, offset)
+        offset -= len(island.text)
+    return Stop(islands[-1], offset)
+
+
+@kept
+def _kept_reading(island: Island) -> StrictReading:
+    blocks = _plain_blocks(island)
+    if blocks is not None:
+        return StrictReading(blocks, (), None)
+    return _reading(island.text)._replace(tokens=())
+
+
+def _plain_blocks(island: Island) -> str | None:
+    """Return the blocks of an island that robcogen2 surely reads as we do, else None."""
+    text = _REMARK.sub("", island.text)
+    if island.problems or not _PLAIN.fullmatch(text) or _SPECIAL.search(text):
+        return None
+    if any(note.target == ROBCOGEN2 for note in portability(island)):
+        return None
+    if any(token.kind == "NAME" and token.text in KEYWORDS for token in island.tokens):
+        return None
+    return "".join(_LETTERS[node.kind] for node in island.nodes)
+
+
+def _reading(text: str) -> StrictReading:
+    undecoded = None if text.isascii() else _UNDECODED.search(text)
+    reading = strict_reading(text)
+    return reading if undecoded is None else reading._replace(failure=undecoded.start())
