@@ -2,10 +2,11 @@
 
 from typing import NamedTuple
 
-from kindsl.syntax.tables import ACTIONS, GOTOS, RULES, STARTS
+from kindsl.syntax.tables import RULES, STARTS, STATES
 
-ROWS: list[dict[str, int]] = [dict(zip(*row, strict=True)) for row in ACTIONS]
-TARGETS: list[dict[str, int]] = [dict(zip(*row, strict=True)) for row in GOTOS]
+CONSTRUCTS = [state[0] for state in STATES]
+ROWS = [dict(zip(*state[1:3], strict=True)) for state in STATES]
+TARGETS = [dict(zip(*state[3:5], strict=True)) for state in STATES]
 
 
 class Stack(NamedTuple):

@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from kindsl.syntax.automaton import ROWS, Stack, initial, is_complete, settled, step
-from kindsl.syntax.tables import CONSTRUCTS, KEYWORDS, NEITHER
+from kindsl.syntax.automaton import CONSTRUCTS, ROWS, Stack, initial, is_complete, settled, step
+from kindsl.syntax.tables import KEYWORDS, NEITHER
 from kindsl.syntax.token_names import BLOCK_STARTS
 from kindsl.syntax.tree import Island, Token
 from kindsl.syntax.vocabulary import NAMES, PIS

@@ -24,7 +24,7 @@ TABLES = Path(__file__).with_name("tables.py")
 _HEADER = (
     '"""Generated from grammar/kindsl.lark by `python -m kindsl.syntax.generate`; do not edit."""\n'
 )
-_ROWS = "tuple[tuple[tuple[str, ...], tuple[int, ...]], ...]"
+_NUMBERED = "tuple[str, ...], tuple[int, ...]"
 _TYPES = {
     "KEYWORDS": "dict[str, str]",
     "PUNCTUATION": "str",
@@ -32,11 +32,9 @@ _TYPES = {
     "IGNORED": "tuple[str, ...]",
     "TRIVIA": "str",
     "COMMENTS": "str",
-    "ACTIONS": _ROWS,
-    "GOTOS": _ROWS,
+    "STATES": f"tuple[tuple[str, {_NUMBERED}, {_NUMBERED}], ...]",
     "STARTS": "dict[str, tuple[int, int]]",
     "RULES": "tuple[tuple[int, str, str, str], ...]",
-    "CONSTRUCTS": "tuple[str, ...]",
     "HOLDS": "dict[str, tuple[str, ...]]",
     "WORDS": "dict[str, tuple[str, ...]]",
     "KINDS": "dict[str, str]",
@@ -200,17 +198,6 @@ class _Automaton:
 
     def tables(self) -> dict[str, Any]:
         """Return the automaton's tables by name."""
-        actions, gotos = [], []
-        for state in self.numbers:
-            cells = {self.kinds.get(symbol, ""): cell for symbol, cell in self._row(state)}
-            terminals = {kind: self._code(*cell) for kind, cell in cells.items() if kind}
-            targets = {
-                symbol: self.numbers[argument]
-                for symbol, (_, argument) in self._row(state)
-                if symbol not in self.kinds
-            }
-            actions.append((tuple(terminals), tuple(terminals.values())))
-            gotos.append((tuple(targets), tuple(targets.values())))
         return {
             "STARTS": {
                 start: (
@@ -219,11 +206,21 @@ class _Automaton:
                 )
                 for start in self.starts
             },
-            "ACTIONS": tuple(actions),
-            "GOTOS": tuple(gotos),
+            "STATES": tuple(map(self._tabled, self.numbers)),
             "RULES": tuple(_rule(rule, self.kinds) for rule in self.rules),
-            "CONSTRUCTS": tuple(_construct(state) for state in self.numbers),
         }
+
+    def _tabled(self, state: Any) -> tuple[Any, ...]:
+        """Return what a state is in the middle of, its actions by tokens, its targets by rules."""
+        cells = {self.kinds.get(symbol, ""): cell for symbol, cell in self._row(state)}
+        actions = {kind: self._code(*cell) for kind, cell in cells.items() if kind}
+        targets = {
+            symbol: self.numbers[argument]
+            for symbol, (_, argument) in self._row(state)
+            if symbol not in self.kinds
+        }
+        ends = tuple(targets), tuple(targets.values())
+        return _construct(state), tuple(actions), tuple(actions.values()), *ends
 
     def _code(self, action: Any, argument: Any) -> int:
         """Return a state to shift to, or the complement of the number of a rule to reduce."""
