@@ -6,7 +6,7 @@ divisor.
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from unicodedata import category
+from unicodedata import category, name
 
 from kindsl.syntax.lookalikes import is_ignorable
 from kindsl.syntax.scanner import COMMENT
@@ -54,26 +54,13 @@ def misprints(text: str, tokens: Sequence[Token], invalid: Iterable[Token]) -> I
 
 def named(character: str) -> str:
     """Return how a message names a character."""
-    name, code = _NAMED.get(character), f"U+{ord(character):04X}"
-    if name is None and character.isprintable():
-        name = f"'{character}'"
-    return f"{name} ({code})" if name else code
+    known = f"'{character}'" if character.isprintable() else name(character, "").lower()
+    called, code = _NAMED.get(character, known), f"U+{ord(character):04X}"
+    return f"{called} ({code})" if called else code
 
 
-_NAMED = {
-    "\ufeff": "byte order mark",
-    "\xa0": "no-break space",
-    "\x0c": "form feed",
-    "\x0b": "vertical tab",
-    "\x00": "null character",
-    "\xad": "soft hyphen",
-    "\u200b": "zero-width space",
-    "\u2009": "thin space",
-    "\u202f": "narrow no-break space",
-    "\u2028": "line separator",
-    "\u2029": "paragraph separator",
-    "\ufffd": "undecodable byte",
-}
+_NAMED = {"\ufeff": "byte order mark", "\x00": "null character", "\ufffd": "undecodable byte"}
+_NAMED |= {"\x0b": "vertical tab", "\x0c": "form feed", "\u200b": "zero-width space"}
 
 
 def _values(text: str, tokens: Sequence[Token]) -> Iterator[tuple[int, int]]:
