@@ -86,7 +86,7 @@ HAS = """(messages) => {
   const { robot } = kindsl.scene.trees, groups = ["link", "joint", "frame"];
   const state = messages.map((message) => JSON.parse(message));
   const editing = state.find(({ type }) => type === "editing");
-  if (editing?.revision !== kindsl.editing.revision) return false;
+  if (editing?.revision !== kindsl.editing.exchange.revision) return false;
   const told = state.filter(({ type, path }) =>
     groups.includes(type) && path.startsWith("/kindsl/robot/"));
   const known = groups.flatMap((group) => [...robot[`${group}s`].values()]);

@@ -50,12 +50,12 @@ BARE = """(link) => {
 IS_GRASPED = """([kind, name]) => {
   const { shown, shapes } = kindsl.editing.handles;
   return shown && shown.kind === kind && shown.name === name && shapes.size > 0
-    && !kindsl.editing.isWaiting;
+    && !kindsl.editing.exchange.isWaiting;
 }"""
 SMALL = {"width": 720, "height": 420}  # quickly drawn
 IS_FRAMED = """(height) =>
   kindsl.camera.framedSize > 0 && kindsl.viewer.renderer.domElement.clientHeight === height"""
-IS_ANSWERED = "() => !kindsl.editing.isWaiting"
+IS_ANSWERED = "() => !kindsl.editing.exchange.isWaiting"
 
 
 class Owner:

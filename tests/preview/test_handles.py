@@ -84,12 +84,12 @@ async def test_escape_writes_nothing_and_puts_all_back(arm):
         "() => document.querySelector('#editing output').textContent.includes('→')"
     )
     field = page.get_by_role("textbox", name="joint lift along x")
-    await page.wait_for_function("() => !kindsl.editing.isWaiting")
+    await page.wait_for_function("() => !kindsl.editing.exchange.isWaiting")
     told = await page.locator("#editing output").text_content()
     assert told == f"x: 0.4 → {await field.input_value()}"
     await page.keyboard.press("Escape")
     await page.mouse.up()
-    await page.wait_for_function("() => !kindsl.editing.isWaiting")
+    await page.wait_for_function("() => !kindsl.editing.exchange.isWaiting")
     assert await field.input_value() == "0.4"
     assert owner.text == ARM
     assert await page.evaluate(PLACE, ["joints", "lift"]) == pytest.approx(before, abs=0.5)
@@ -101,7 +101,7 @@ async def test_a_number_is_typed_and_an_arrow_key_nudges(arm):
     await page.fill("#editing .number-row.x input >> nth=0", "55 cm")
     await page.keyboard.press("Enter")
     await eventually(lambda: "(0.55, 0.0, 0.0)" in owner.text)
-    await page.wait_for_function("() => !kindsl.editing.isWaiting")
+    await page.wait_for_function("() => !kindsl.editing.exchange.isWaiting")
     await page.focus(".handle[data-component=y]")
     await page.keyboard.press("ArrowUp")
     await eventually(lambda: "(0.55, 0.01, 0.0)" in owner.text)
@@ -117,7 +117,7 @@ async def write_x_of_lift(page, owner):
     await page.fill("#editing .number-row.x input >> nth=0", "0.55")
     await page.keyboard.press("Enter")
     await eventually(lambda: "(0.55, 0.0, 0.0)" in owner.text)
-    await page.wait_for_function("() => !kindsl.editing.isWaiting")
+    await page.wait_for_function("() => !kindsl.editing.exchange.isWaiting")
 
 
 async def test_the_key_takes_back_what_was_done_last_edit_or_pose(arm):
@@ -130,10 +130,10 @@ async def test_the_key_takes_back_what_was_done_last_edit_or_pose(arm):
     assert "(0.55, 0.0, 0.0)" in owner.text
     await page.keyboard.press("Control+z")
     await eventually(lambda: owner.text == ARM)
-    await page.wait_for_function("() => !kindsl.editing.isWaiting")
+    await page.wait_for_function("() => !kindsl.editing.exchange.isWaiting")
     await page.keyboard.press("Control+y")
     await eventually(lambda: "(0.55, 0.0, 0.0)" in owner.text)
-    await page.wait_for_function("() => !kindsl.editing.isWaiting")
+    await page.wait_for_function("() => !kindsl.editing.exchange.isWaiting")
     await page.keyboard.press("Control+y")
     assert await page.evaluate(LIFTED) == 0.25
     assert "(0.55, 0.0, 0.0)" in owner.text
@@ -152,7 +152,7 @@ async def test_the_key_waits_for_what_is_being_written(arm):
 async def test_what_somebody_typed_since_is_not_tried_twice_by_the_key(arm):
     owner, page = arm
     await write_x_of_lift(page, owner)
-    typed, revision = owner.text + "\n", await page.evaluate("kindsl.editing.revision")
+    typed, revision = owner.text + "\n", await page.evaluate("kindsl.editing.exchange.revision")
     await owner.show(typed)
     await page.wait_for_function("(old) => kindsl.editing.numbers?.revision > old", arg=revision)
     await page.focus("#pane")
