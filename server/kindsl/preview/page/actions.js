@@ -152,10 +152,11 @@ async function copy(text) {
  * @param {string} text
  */
 export function showText(title, text) {
-  const dialog = make("dialog"), close = make("button", "", "Close");
+  const dialog = make("dialog"), form = make("form");
   dialog.ariaLabel = title;
-  dialog.append(make("h2", "", title), make("pre", "", text), close);
-  close.addEventListener("click", () => dialog.close());
+  dialog.append(make("h2", "", title), make("pre", "", text), form);
+  form.method = "dialog";
+  form.append(make("button", "", "Close"));
   dialog.addEventListener("close", () => dialog.remove());
   document.body.append(dialog);
   dialog.showModal();

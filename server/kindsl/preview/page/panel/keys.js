@@ -70,7 +70,7 @@ export class Keys {
   /** @param {KeyboardEvent} event */
   press(event) {
     const target = event.target instanceof HTMLElement ? event.target : document.body;
-    const isText = target.matches("input:not([type=range]):not([type=checkbox]), textarea");
+    const isText = target.matches("input:not([type=range], [type=checkbox], [type=radio]), textarea");
     if (document.querySelector("dialog[open]")) return;
     const binding = isText && event.key !== "Escape" ? undefined : this.byKey.get(nameOf(event));
     if (!binding) {
@@ -103,7 +103,6 @@ export class Keys {
       const [key, what] = text.split(/: (.*)/s);
       if (text) list.append(make("dt", "", key), make("dd", "", what));
     }
-    partOf(this.dialog, "button").addEventListener("click", () => this.dialog.close());
   }
 
   show() { if (!this.dialog.open) this.dialog.showModal(); }

@@ -10,8 +10,6 @@ import { PRESET_NAMES } from "../picture/presets.js";
 /** @import { Presets } from "../picture/presets.js" */
 /** @import { Scene } from "../picture/scene.js" */
 /** @typedef {{ readonly box: HTMLInputElement, readonly fade: HTMLInputElement, readonly swatch: HTMLElement }} Row */
-/** @type {Readonly<Record<string, number>>} */
-const STEPS = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 };
 /** @typedef {Pick<Actions, "setView" | "choosePreset" | "resetPreset" | "showOversized">} Choices */
 
 export class Legend {
@@ -19,9 +17,9 @@ export class Legend {
   rows = new Map();
   /**
    * Of presets.
-   * @type {Map<string, HTMLElement>}
+   * @type {Map<string, { readonly box: HTMLInputElement, readonly text: HTMLElement }>}
    */
-  buttons = new Map();
+  choices = new Map();
 
   /** @param {Scene} scene @param {Presets} presets @param {Choices} actions */
   constructor(scene, presets, actions) {
@@ -40,28 +38,14 @@ export class Legend {
   /** @param {HTMLElement} group */
   fillPresets(group) {
     for (const name of PRESET_NAMES) {
-      const button = make("button", "", name);
-      Object.assign(button, { type: "button", role: "radio" });
-      button.dataset.preset = name;
-      button.addEventListener("click", () => this.actions.choosePreset(name));
-      button.addEventListener("keydown", (event) => this.step(event, name));
-      this.buttons.set(name, button);
-      group.append(button);
+      const label = make("label"), box = make("input"), text = make("span");
+      Object.assign(box, { type: "radio", name: "preset" });
+      label.dataset.preset = name;
+      label.append(box, text);
+      box.addEventListener("change", () => this.actions.choosePreset(name));
+      this.choices.set(name, { box, text });
+      group.append(label);
     }
-  }
-
-  /**
-   * The arrow keys go from one preset to the next, as in any group of radio buttons.
-   * @param {KeyboardEvent} event
-   * @param {string} name
-   */
-  step(event, name) {
-    const by = STEPS[event.key];
-    if (!by) return;
-    const names = PRESET_NAMES, next = names[(names.indexOf(name) + by + names.length) % names.length];
-    this.actions.choosePreset(next);
-    this.buttons.get(next)?.focus();
-    event.preventDefault();
   }
 
   /** @param {Category} category */
@@ -89,11 +73,9 @@ export class Legend {
       if (document.activeElement !== fade) fade.value = String(opacity);
       if (color !== undefined) swatch.style.background = cssColor(color);
     }
-    for (const [name, button] of this.buttons) {
-      const isChosen = name === this.presets.name;
-      button.ariaChecked = String(isChosen);
-      button.tabIndex = isChosen ? 0 : -1;
-      button.textContent = isChosen && this.presets.own.size ? `${name} *` : name;
+    for (const [name, { box, text }] of this.choices) {
+      box.checked = name === this.presets.name;
+      text.textContent = box.checked && this.presets.own.size ? `${name} *` : name;
     }
     this.showMore();
   }
