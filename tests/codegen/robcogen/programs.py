@@ -59,13 +59,17 @@ V numbers(double seed)
 
 
 def generated(
-    text: str, values: Mapping[str, float], folder: Path, **options: object
+    text: str,
+    values: Mapping[str, float],
+    folder: Path,
+    language: str = "robcogen",
+    **options: object,
 ) -> tuple[Analysis, Library]:
     """Write a robot's classes, with the runtime headers, to a folder."""
     bindings = {name: Binding(value) for name, value in values.items()}
     analysis = kindsl.parse(text, Settings(bindings=bindings))
     chosen = {"parameters": "all", "has_runtime": True, **options}
-    asked = Options("robcogen", PLAIN, "double", False, prefix=_prefix(analysis), **chosen)
+    asked = Options(str(language), PLAIN, "double", False, prefix=_prefix(analysis), **chosen)
     library, files = generate(Source("robot.kindsl", analysis, {}), asked)
     for name, content in files.items():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)

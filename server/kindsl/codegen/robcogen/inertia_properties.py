@@ -97,7 +97,7 @@ def inertia_properties(robot: GeneratedRobot) -> dict[str, str]:
         f"    const Vec3d& getCOM_{n}() const {{ return com_{n}; }}\n"
         for _, n in named
     )
-    values = [value for i in robot.inertial_bodies for value in _ten(robot, i)]
+    values = [value for i in robot.inertial_bodies for value in ten_of(robot, i)]
     construction, parameters, members = _parameters(robot)
     body = robot.filled(
         _TEXT,
@@ -124,7 +124,7 @@ def inertia_properties(robot: GeneratedRobot) -> dict[str, str]:
     }
 
 
-def _ten(robot: GeneratedRobot, body: int) -> list[Scalar]:
+def ten_of(robot: GeneratedRobot, body: int) -> list[Scalar]:
     """Return mass, centre, and the upper triangle of the inertia about the origin."""
     moments = robot.library.robot.bodies[body]
     (xx, xy, xz), (_, yy, yz), (_, _, zz) = moments.inertia()

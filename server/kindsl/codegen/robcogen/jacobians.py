@@ -61,7 +61,7 @@ _TYPE = """\
 def jacobians(robot: GeneratedRobot) -> dict[str, str]:
     """Return both headers by their names."""
     pairs = jacobian_pairs(robot)
-    columns = {pair.name: _columns(robot, pair) for pair in pairs}
+    columns = {pair.name: jacobian_columns(robot, pair) for pair in pairs}
     functions = [text for n, c in columns.items() for text in robot.matrix_kernels(n, c)]
     dependent = [n for n, c in columns.items() if robot.depends_on_parameters(chain(*c))]
     construction, values = setters(robot, "Jacobians", dependent)
@@ -83,7 +83,8 @@ def jacobians(robot: GeneratedRobot) -> dict[str, str]:
     }
 
 
-def _columns(robot: GeneratedRobot, pair: NamedPair) -> list[list[Scalar]]:
+def jacobian_columns(robot: GeneratedRobot, pair: NamedPair) -> list[list[Scalar]]:
+    """Return the columns of a pair's Jacobian, one a joint between both."""
     library = robot.library
     (function,) = relative_jacobians(library.robot, library.inputs, [(pair.base, pair.target)])
     entries, n = function.results[0].entries, len(joints_of(robot, pair))

@@ -148,7 +148,7 @@ KINDS = (
 def transforms(robot: GeneratedRobot) -> dict[str, str]:
     """Return both headers by their names."""
     pairs = transform_pairs(robot)
-    poses = [_relative(robot, pair) for pair in pairs]
+    poses = [relative_pose(robot, pair) for pair in pairs]
     functions = [_FILLING]
     for pair, (E, p) in zip(pairs, poses, strict=True):
         functions += _pose_kernels(robot, pair.name, E, p)
@@ -173,14 +173,14 @@ def transforms(robot: GeneratedRobot) -> dict[str, str]:
 
 def _pose_kernels(robot: GeneratedRobot, name: str, E: Matrix, p: Vector) -> list[str]:
     """Return the functions of a pair's three matrices; long ones are computed by one."""
-    T = transpose(_matrix("h", E, p))
+    T = transpose(matrix_of("h", E, p))
     n_operations = operations(robot.library.robot.graph, [x for column in T for x in column])
     functions = robot.matrix_kernels(f"h_{name}", T)
     for letter in "mf":
         if n_operations > MOST_REPEATED:
             functions.append(robot.filled(_SHARING, NAME=name, LETTER=letter, **_handed(robot)))
         else:
-            columns = transpose(_matrix(letter, E, p))
+            columns = transpose(matrix_of(letter, E, p))
             functions += robot.matrix_kernels(f"{letter}_{name}", columns)
     return functions
 
@@ -190,7 +190,7 @@ def _handed(robot: GeneratedRobot) -> dict[str, str]:
     return {"TAKES": takes, "P": "p, " if takes else ""}
 
 
-def _relative(robot: GeneratedRobot, pair: NamedPair) -> tuple[Matrix, Vector]:
+def relative_pose(robot: GeneratedRobot, pair: NamedPair) -> tuple[Matrix, Vector]:
     """Return rotation and position of a pair's target in its base."""
     found = body_poses(robot.tree, robot.library.inputs.q)
     (base_R, base_r), (R, r) = frame_pose(found, pair.base), frame_pose(found, pair.target)
@@ -198,7 +198,8 @@ def _relative(robot: GeneratedRobot, pair: NamedPair) -> tuple[Matrix, Vector]:
     return multiply(E, R), transform(E, subtract(r, base_r))
 
 
-def _matrix(letter: str, E: Matrix, p: Vector) -> Matrix:
+def matrix_of(letter: str, E: Matrix, p: Vector) -> Matrix:
+    """Return a transform of motions, forces or points (m, f, h) from rotation and position."""
     if letter == "h":
         return [[*E[row], p[row]] for row in range(3)] + [[0.0, 0.0, 0.0, 1.0]]
     crossed: Matrix = [[0.0, 0.0 - p[2], p[1]], [p[2], 0.0, 0.0 - p[0]], [0.0 - p[1], p[0], 0.0]]

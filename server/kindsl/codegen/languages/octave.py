@@ -1,0 +1,13 @@
+"""RobCoGen's functions in Octave, which MATLAB takes as well."""
+
+from kindsl.codegen.language import Language
+from kindsl.codegen.library import Library
+from kindsl.codegen.reference import Reference
+from kindsl.codegen.robcogen.octave import octave_files
+
+
+def _files(library: Library, _: Reference, _parameters: dict[str, float]) -> dict[str, str]:
+    return octave_files(library)
+
+
+LANGUAGE = Language(_files, parameters="all", makes_transforms=True)
