@@ -110,6 +110,26 @@ def test_many_configurations_equal_single_ones(kindsl: Runner, folder: Path) -> 
             assert _flat(alone[key]) == pytest.approx(_flat(value))
 
 
+def test_a_pose_of_the_configuration(kindsl: Runner, folder: Path, document: Path) -> None:
+    (folder / "kindsl.toml").write_text(
+        "[poses.up]\nshoulder = 0.4\n"
+        "[[document]]\npath = 'arm.kindsl'\n[document.poses.down]\nshoulder = -0.4\n"
+        "[poses.odd]\ntail = 1.0\n"
+    )
+    for name, q in (("up", "0.4"), ("down", "-0.4")):
+        posed = json.loads(kindsl("compute", "arm.kindsl", "--pose", name).out)
+        given = json.loads(kindsl("compute", "arm.kindsl", f"--q=shoulder={q}").out)
+        assert posed == given
+    for arguments, told in (
+        (["--pose", "pu"], "kindsl.toml names no pose 'pu'"),
+        (["--pose", "odd"], "pose 'odd' names 'tail', which the robot does not have"),
+        (["--pose", "up", "--q", "1"], "--pose cannot be combined with --q or --q-file"),
+    ):
+        refused = kindsl("compute", "arm.kindsl", *arguments)
+        assert refused.status == 2
+        assert told in refused.err
+
+
 def _flat(value: object) -> list[float]:
     if isinstance(value, dict):
         return [number for inner in value.values() for number in _flat(inner)]

@@ -17,3 +17,9 @@ def test_limits_of_joints_are_put_over_others_by_name() -> None:
     first = overridden(Settings(), Decisions(joints={"a": JointProperties(-1.0, 1.0)}))
     both = overridden(first, Decisions(joints={"b": JointProperties(None, 2.0)}))
     assert both.joints == {"a": JointProperties(-1.0, 1.0), "b": JointProperties(None, 2.0)}
+
+
+def test_poses_are_put_over_others_by_name() -> None:
+    first = overridden(Settings(), Decisions(poses={"stand": {"a": 1.0}, "sit": {"a": 2.0}}))
+    both = overridden(first, Decisions(poses={"stand": {"b": 3.0}}))
+    assert both.poses == {"stand": {"b": 3.0}, "sit": {"a": 2.0}}

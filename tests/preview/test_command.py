@@ -150,6 +150,15 @@ async def test_a_parameter_is_bound(tmp_path, file):
         assert joint["placement"][12] == 0.25
 
 
+async def test_it_begins_with_a_pose_of_the_configuration(tmp_path, file):
+    page = tmp_path / "page.html"
+    (tmp_path / "kindsl.toml").write_text("[poses.up]\nshoulder = 0.25\n")
+    assert await run(tmp_path, file, "--export", page, "--pose", "up") == (0, "", "")
+    code, _, err = await run(tmp_path, file, "--export", page, "--pose", "down")
+    assert code == 2
+    assert "kindsl.toml names no pose 'down'" in err
+
+
 async def test_export_writes_a_page_and_ends(tmp_path, file):
     page = tmp_path / "arm.html"
     assert await run(tmp_path, file, "--export", page) == (0, "", "")

@@ -19,6 +19,7 @@ class Settings(NamedTuple):
         severity: Severity by code or prefix, the longest match wins.
         bindings: Values of parameters.
         joints: Limits of joints.
+        poses: Positions of joints by the names of poses, radians or metres.
         known: How often the baseline knows each finding of the document, by its identity.
         version: The robot's version.
     """
@@ -29,6 +30,7 @@ class Settings(NamedTuple):
     severity: Mapping[str, Severity] = {}
     bindings: Mapping[str, Binding] = {}
     joints: Mapping[str, JointProperties] = {}
+    poses: Mapping[str, Mapping[str, float]] = {}
     known: Mapping[str, int] = {}
     version: str = "1.0.0"
 

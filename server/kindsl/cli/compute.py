@@ -44,6 +44,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("file", metavar="FILE", help="the document, or '-' for stdin")
     add("--q", metavar="LIST", help="joint positions (default: zero)")
+    add("--pose", metavar="NAME", help="joint positions of a pose in kindsl.toml: [poses.NAME]")
     add("--qd", metavar="LIST", help="joint velocities")
     add("--qdd", metavar="LIST", help="joint accelerations")
     add(
@@ -73,7 +74,7 @@ def run(args: argparse.Namespace) -> int:
         note_readings(args.file, analysis)
         note_errors(args.file, analysis)
         robot = ConfigurationSpace(mechanism.bodies.joint_names, mechanism.bodies.is_floating)
-        return _show(args, analysis, mechanism, motions_of(args, robot))
+        return _show(args, analysis, mechanism, motions_of(args, robot, analysis.settings))
     except CommandError as error:
         return error.tell()
     except ConfigurationError as error:

@@ -4,6 +4,8 @@ import argparse
 import json
 import sys
 
+from kindsl.analysis.poses import PoseError, pose_named
+from kindsl.analysis.settings import Settings
 from kindsl.reports.motions import (
     KEYS,
     ConfigurationSpace,
@@ -17,7 +19,9 @@ from kindsl.text.regular import require_regular
 STDIN = "-"
 
 
-def motions_of(args: argparse.Namespace, robot: ConfigurationSpace) -> list[Motion]:
+def motions_of(
+    args: argparse.Namespace, robot: ConfigurationSpace, settings: Settings
+) -> list[Motion]:
     """Return the configurations that the options give.
 
     Raises:
@@ -29,8 +33,18 @@ def motions_of(args: argparse.Namespace, robot: ConfigurationSpace) -> list[Moti
         raise MotionError("--tau needs --forward")
     if args.forward and args.qdd is not None:
         raise MotionError("--qdd cannot be used with --forward")
+    if args.pose is not None:
+        if args.q is not None or args.q_file is not None:
+            raise MotionError("--pose cannot be combined with --q or --q-file")
+        try:
+            given["q"] = dict(pose_named(settings, args.pose, robot.joints))
+        except PoseError as error:
+            raise MotionError(str(error)) from None
     if args.q_file is None:
-        values = {key: _listed(options[key], text) for key, text in given.items()}
+        values = {
+            key: text if isinstance(text, dict) else _listed(options[key], text)
+            for key, text in given.items()
+        }
         return [motion(values, robot, options)]
     if given:
         raise MotionError(f"{options[next(iter(given))]} cannot be combined with --q-file")

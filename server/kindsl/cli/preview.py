@@ -31,6 +31,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--port", metavar="N", type=_port, default=0, help="listen here (default: a free port)")
     add("--no-open", action="store_true", help="do not open a browser")
     add("--compare", metavar="OLD.kindsl", help="show another document behind it, translucent")
+    add("--pose", metavar="NAME", help="begin with a pose of kindsl.toml: [poses.NAME]")
     add("--export", metavar="FILE.html", help="write a self-contained page and exit")
     add("--screenshot", metavar="FILE.png", type=Path, help="write a picture and exit")
     add("--edit", action="store_true", help="write what is dragged in the page to FILE")
@@ -62,6 +63,7 @@ class UnreadableError(Exception):
 
 def _run(args: argparse.Namespace) -> int:
     old = _read(args, args.compare) if args.compare else None
+    from kindsl.analysis.poses import PoseError
     from kindsl.mechanism.errors import ModelError
     from kindsl.preview.viewer import PreviewUnavailableError
 
@@ -74,6 +76,8 @@ def _run(args: argparse.Namespace) -> int:
             _serve(args, old)
     except PreviewUnavailableError as error:
         return _fail(str(error))
+    except PoseError as error:
+        return _fail(f"{args.file}: {error}")
     except ModelError as error:
         return _fail(f"{args.compare}: {error}")
     return 0
@@ -93,7 +97,10 @@ def _write(args: argparse.Namespace, old: "Analysis | None") -> None:
     from kindsl.scene.formulas import formula_messages
 
     analysis = _read(args, args.file)
-    state = _document(args.file, analysis, old).channel.state
+    document = _document(args.file, analysis, old)
+    if args.pose is not None:
+        document.take_pose(args.pose)
+    state = document.channel.state
     formulas = formula_messages(analysis.model, analysis.context.values)
     page = exported_page([*state, *formulas])
     if args.export:
@@ -134,7 +141,8 @@ def _serve(args: argparse.Namespace, old: "Analysis | None") -> None:
     write = partial(_write_dragged, args) if args.edit else None
     opens = not args.no_open
     command = Command(
-        args.file, reread, first, old, args.port, opens, paths, known, parameter_table, write
+        *(args.file, reread, first, old, args.port, opens, paths, known),
+        *(parameter_table, write, args.pose),
     )
     asyncio.run(serve(command))
 

@@ -19,6 +19,7 @@ class Decisions(NamedTuple):
         bindings: Values of parameters.
         joints: Limits of joints.
         version: The robot's version.
+        poses: Positions of joints by the names of poses, radians or metres.
     """
 
     targets: frozenset[str] | None = None
@@ -28,6 +29,7 @@ class Decisions(NamedTuple):
     bindings: Mapping[str, Binding] = {}
     joints: Mapping[str, JointProperties] = {}
     version: str | None = None
+    poses: Mapping[str, Mapping[str, float]] = {}
 
 
 def overridden(settings: Settings, table: Decisions) -> Settings:
@@ -40,6 +42,7 @@ def overridden(settings: Settings, table: Decisions) -> Settings:
         bindings={**settings.bindings, **_within(settings.bindings, table.bindings)},
         joints={**settings.joints, **table.joints},
         version=table.version or settings.version,
+        poses={**settings.poses, **table.poses},
     )
 
 

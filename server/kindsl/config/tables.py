@@ -18,10 +18,11 @@ from kindsl.text.printable import printable
 
 KEYS = (
     "target", "select", "ignore", "baseline", "severity", "parameters", "joints", "version",
-    "document",
+    "poses", "document",
 )  # fmt: skip
 DOCUMENT_KEYS = (
     "path", "target", "select", "ignore", "severity", "parameters", "joints", "version",
+    "poses",
 )  # fmt: skip
 VERSION = re.compile(r"\d+(\.\d+){0,3}")
 BINDING_KEYS = ("value", "min", "max")
@@ -138,6 +139,7 @@ def decisions(checker: Checker, keys: KeyPath, table: Mapping[str, Any]) -> Deci
         bindings(checker, (*keys, "parameters"), _table(checker, (*keys, "parameters"), table)),
         _joints(checker, (*keys, "joints"), _table(checker, (*keys, "joints"), table)),
         _version(checker, (*keys, "version"), table),
+        _poses(checker, (*keys, "poses"), _table(checker, (*keys, "poses"), table)),
     )
 
 
@@ -204,6 +206,18 @@ def _joints(
         checker.known_keys((*keys, name), value, JOINT_KEYS)
         rest = (_amount(checker, (*keys, name, key), value) for key in JOINT_KEYS[2:])
         found[name] = JointProperties(*_range(checker, (*keys, name), value), *rest)
+    return found
+
+
+def _poses(
+    checker: Checker, keys: KeyPath, table: Mapping[str, Any]
+) -> dict[str, Mapping[str, float]]:
+    """Return the poses of a table, each the positions of some joints."""
+    found: dict[str, Mapping[str, float]] = {}
+    for name in table:
+        own = _table(checker, (*keys, name), table)
+        numbers = {j: _number(checker, (*keys, name, j), own[j], "a number") for j in own}
+        found[name] = {joint: value for joint, value in numbers.items() if value is not None}
     return found
 
 

@@ -34,6 +34,7 @@ class Command(NamedTuple):
         fingerprint: Of these files, taken before they were read.
         table: Returns values of parameters as lines of the configuration file.
         write: Writes what was dragged; returns why not, or an empty text. None if nothing may be.
+        pose: Name of the pose in the configuration to begin with.
     """
 
     file: str
@@ -46,6 +47,7 @@ class Command(NamedTuple):
     fingerprint: Fingerprint
     table: Callable[[Mapping[str, float]], str]
     write: Callable[[Writing], str] | None = None
+    pose: str | None = None
 
 
 async def serve(command: Command) -> None:
@@ -54,6 +56,7 @@ async def serve(command: Command) -> None:
     Raises:
         PreviewUnavailableError: Something is not installed, or the port is taken.
         ModelError: The document to compare with has no bodies.
+        PoseError: The robot has no such pose.
     """
     follower = _Follower(command)
     server = follower.server
@@ -62,6 +65,8 @@ async def serve(command: Command) -> None:
     await follower.show(command.first)
     if command.old is not None:
         server.compare(command.file, command.old)
+    if command.pose is not None:
+        server.take_pose(command.file, command.pose)
     print(address, flush=True)
     if command.opens_browser:
         _open_browser(address)

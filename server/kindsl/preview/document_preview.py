@@ -7,11 +7,12 @@ from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.analysis.diagnostics import Diagnostic
+from kindsl.analysis.poses import pose_named
 from kindsl.mechanism.drawable import drawable_skeleton
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.preview.channel import Channel, Tab
 from kindsl.preview.findings import finding_messages, lost_message, status_message
-from kindsl.scene.messages import HighlightMessage, ValueMessage
+from kindsl.scene.messages import HighlightMessage, PoseMessage, ValueMessage
 from kindsl.scene.parameters import parameter_messages
 from kindsl.scene.picture import Picture, PictureState, picture
 from kindsl.scene.robot import ghost_messages, robot_messages
@@ -149,6 +150,18 @@ class DocumentPreview:
             told = ValueMessage(path_of("values", name), name, value)
             self.channel.put("joints", told, sender)
 
+    def take_pose(self, name: str) -> None:
+        """Put all joints into a pose of the configuration.
+
+        Raises:
+            PoseError: There is none of that name for this robot.
+        """
+        assert self.analysis is not None
+        joints = [str(joint.name) for joint in self.analysis.model.joints]
+        pose = pose_named(self.analysis.settings, name, joints)
+        for joint in joints:
+            self.set_joint(joint, pose.get(joint, 0.0))
+
     def set_parameters(self, values: Mapping[str, float | None]) -> None:
         """Give parameters values, or their own back for None; draws once."""
         before = dict(self._parameters)
@@ -190,6 +203,9 @@ class DocumentPreview:
             analysis.model, analysis.settings.bindings, self._parameters, guessed
         )
         self.channel.replace("parameters", rows)
+        poses = analysis.settings.poses.items()
+        told = (PoseMessage(path_of("poses", name), name, joints) for name, joints in poses)
+        self.channel.replace("poses", keyed(told))
         self._picture = drawing.picture
         self._tell_status(self.findings)
         self._draw_ghost()

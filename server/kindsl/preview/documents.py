@@ -126,6 +126,14 @@ class DocumentPreviews(ABC):
         if key in self._documents:
             self._documents[key].lose(message)
 
+    def take_pose(self, key: str, name: str) -> None:
+        """Put a document's joints into a pose of its configuration.
+
+        Raises:
+            PoseError: There is none of that name for this robot.
+        """
+        self._document(key, "").take_pose(name)
+
     def saved(self, key: str) -> None:
         """Let the version that is shown stand as a ghost behind later ones."""
         if key in self._documents:

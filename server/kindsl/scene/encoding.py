@@ -3,6 +3,7 @@
 import json
 import math
 from array import array
+from collections.abc import Mapping
 from dataclasses import is_dataclass
 from typing import Any
 
@@ -58,6 +59,8 @@ def _plain(value: Any) -> Any:
         # Numbers and texts, of which there are most, are plain already.
         has_more = bool(value) and not isinstance(value[0], float | str)
         return [_plain(item) for item in value] if has_more else value
+    if isinstance(value, Mapping):
+        return dict(value)
     if not is_dataclass(value):
         return value
     return plain(value) if hasattr(value, "type") else _fields(value)  # type: ignore[arg-type]

@@ -289,6 +289,22 @@ class ValueMessage:
 
 
 @dataclass(frozen=True, slots=True)
+class PoseMessage:
+    """A pose that the configuration names.
+
+    Attributes:
+        path: Of this pose.
+        name: In the configuration.
+        joints: Positions by the names of joints, radians or metres; the others are zero.
+    """
+
+    type: ClassVar[Literal["pose"]] = "pose"
+    path: str
+    name: str
+    joints: Mapping[str, float]
+
+
+@dataclass(frozen=True, slots=True)
 class ParameterMessage:
     """A parameter's row in the panel; its numbers are in metres, radians or kg, kg m, kg m^2.
 
@@ -545,7 +561,8 @@ class LinesMessage:
 
 Part: TypeAlias = (
     SetObject | SetTransform | Delete | ModelMessage | LinkMessage | SolidMessage | JointMessage
-    | FrameMessage | LimitsMessage | ValueMessage | ParameterMessage | FormulaMessage
+    | FrameMessage | LimitsMessage | ValueMessage | PoseMessage | ParameterMessage
+    | FormulaMessage
     | FindingMessage | StatusMessage | HighlightMessage | EditingMessage | HandlesMessage
     | DraggedMessage | PlanMessage | WrittenMessage | LinesMessage
 )  # fmt: skip

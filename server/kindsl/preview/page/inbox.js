@@ -3,10 +3,10 @@ import { isOfEditing } from "./editing/editing.js";
 import { applyFormulas } from "./formulas.js";
 
 /** @import { Message as EditingMessage } from "./editing/editing.js" */
-/** @import { Change, FindingMessage, FormulaMessage, HighlightMessage, ParameterMessage, Part, StatusMessage } from "./messages.js" */
+/** @import { Change, FindingMessage, FormulaMessage, HighlightMessage, ParameterMessage, Part, PoseMessage, StatusMessage } from "./messages.js" */
 /** @import { News, Scene } from "./picture/scene.js" */
 
-/** @typedef {"rows" | "marks" | "values" | "parameters" | "findings" | "camera"} Stale what is to be shown anew */
+/** @typedef {"rows" | "marks" | "values" | "parameters" | "findings" | "camera" | "poses"} Stale what is to be shown anew */
 
 /** @type {readonly News[]} */
 const ROW_NEWS = ["model", "link", "joint", "frame", "limits", "delete"]; // other rows
@@ -32,6 +32,11 @@ export class Inbox {
    */
   findings = new Map();
   /**
+   * By path.
+   * @type {Map<string, PoseMessage>}
+   */
+  poses = new Map();
+  /**
    * Of an exported page.
    * @type {FormulaMessage[]}
    */
@@ -43,7 +48,7 @@ export class Inbox {
    */
   #own = new Map();
   /** @type {Set<Stale>} */
-  stale = new Set(["rows", "parameters", "findings", "camera"]);
+  stale = new Set(["rows", "parameters", "findings", "camera", "poses"]);
 
   /** @param {Scene} scene */
   constructor(scene) {
@@ -82,6 +87,7 @@ export class Inbox {
   /** @param {Part} message */
   learn(message) {
     if (message.type === "parameter") this.keep("parameters", this.parameters, message);
+    else if (message.type === "pose") this.keep("poses", this.poses, message);
     else if (message.type === "formula") this.formulas.push(message);
     else if (message.type === "finding") this.keep("findings", this.findings, message);
     else if (message.type === "status") {
@@ -109,6 +115,7 @@ export class Inbox {
     this.onForget(path);
     this.drop("parameters", this.parameters, path);
     this.drop("findings", this.findings, path);
+    this.drop("poses", this.poses, path);
   }
 
   /** @param {Stale} what @param {Map<string, unknown>} list @param {string} path */

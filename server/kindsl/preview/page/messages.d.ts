@@ -218,6 +218,17 @@ export interface ValueMessage {
   readonly value: number;
 }
 
+/** A pose that the configuration names. */
+export interface PoseMessage {
+  readonly type: "pose";
+  /** Of this pose. */
+  readonly path: string;
+  /** In the configuration. */
+  readonly name: string;
+  /** Positions by the names of joints, radians or metres; the others are zero. */
+  readonly joints: { readonly [name: string]: number };
+}
+
 /** A parameter's row in the panel; its numbers are in metres, radians or kg, kg m, kg m^2. */
 export interface ParameterMessage {
   readonly type: "parameter";
@@ -434,6 +445,7 @@ export type Part =
   | FrameMessage
   | LimitsMessage
   | ValueMessage
+  | PoseMessage
   | ParameterMessage
   | FormulaMessage
   | FindingMessage

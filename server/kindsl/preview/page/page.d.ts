@@ -11,6 +11,7 @@ import type { JointRows } from "./panel/joint_rows.js";
 import type { Keys } from "./panel/keys.js";
 import type { Legend } from "./panel/legend.js";
 import type { ParameterRows } from "./panel/parameter_rows.js";
+import type { Poses } from "./panel/poses.js";
 import type { Tree } from "./panel/tree.js";
 import type { Away } from "./picture/away.js";
 import type { Camera } from "./picture/camera.js";
@@ -64,6 +65,7 @@ export interface Page {
   away: Away;
   joints: JointRows;
   parameters: ParameterRows;
+  poses: Poses;
   tree: Tree;
   findings: Findings;
   legend: Legend;

@@ -12,6 +12,7 @@ import { Findings, GREY } from "./panel/findings.js";
 import { JointRows } from "./panel/joint_rows.js";
 import { Keys } from "./panel/keys.js";
 import { Legend } from "./panel/legend.js";
+import { Poses } from "./panel/poses.js";
 import { ParameterRows } from "./panel/parameter_rows.js";
 import { showTitle } from "./panel/title.js";
 import { Tree } from "./panel/tree.js";
@@ -63,6 +64,7 @@ page.away = new Away(scene, page.camera, pane, () => page.actions.frame());
 page.compass = new Compass(scene, pane, page.camera);
 page.joints = new JointRows(scene, page.units, page.actions);
 page.parameters = new ParameterRows(page.units, page.actions);
+page.poses = new Poses(scene, page.actions, (lines) => showText("A pose for kindsl.toml: give it a name", lines));
 page.tree = new Tree(scene, page.selection, page.actions);
 page.findings = new Findings(pane, page.inbox, page.actions);
 page.legend = new Legend(scene, page.presets, page.actions);
@@ -127,6 +129,7 @@ function refresh() {
   if (page.inbox.isStale("marks")) page.legend.showMore();
   if (page.inbox.isStale("values")) page.joints.update();
   if (page.inbox.isStale("parameters")) page.parameters.update([...page.inbox.parameters.values()]);
+  if (page.inbox.isStale("poses")) page.poses.show([...page.inbox.poses.values()]);
   if (page.inbox.isStale("findings")) {
     page.findings.show();
     showHead();
@@ -138,6 +141,7 @@ function refresh() {
 }
 
 function showRows() {
+  page.inbox.stale.add("poses");
   page.joints.update();
   page.tree.update();
   page.legend.show();
