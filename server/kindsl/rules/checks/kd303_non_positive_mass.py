@@ -6,7 +6,7 @@ be an expression; parameters are taken at their bound values. A fixed base may h
 
 ## Why is this bad?
 A link without mass at the end of a chain makes the joint-space inertia matrix singular: forward
-dynamics divides by zero. Both generators accept it in silence.
+dynamics divides by zero. Both generators accept it silently.
 
 ## Example
 ```kindsl
@@ -14,8 +14,7 @@ mass = -1.5
 ```
 
 ## Fix
-Writes the mass without its sign where the inertia is that of a possible body then. Unsafe: it is a
-guess.
+Writes the mass without its sign where the body is possible then. Unsafe: it is a guess.
 """
 
 from collections.abc import Iterator, Mapping

@@ -2,8 +2,8 @@
 
 ## What it does
 Reports a moving link without an `inertia_params` section: a warning, and an error for a floating
-base and for the target robcogen. That robcogen wants the section in a fixed base too is told by
-KD601.
+base and for the target robcogen. KD601 reports the section missing in a fixed base, which robcogen
+requires too.
 
 ## Why is this bad?
 RobCoGen2 reads the document and takes zero for everything, so all dynamics are wrong; RobCoGen

@@ -1,7 +1,7 @@
 """A body has no extent in some direction.
 
 ## What it does
-Says that the inertia about the centre of mass is that of a plate without thickness, a rod without
+Reports an inertia about the centre of mass that describes an infinitely thin plate, a rod without
 radius, or a point.
 
 ## Why is this bad?

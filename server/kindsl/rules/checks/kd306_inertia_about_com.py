@@ -1,12 +1,12 @@
 """Moments were given about the centre of mass.
 
 ## What it does
-Says of an impossible inertia (KD301, KD302) that it would be consistent if its moments were taken
+Reports an impossible inertia (KD301, KD302) that would be consistent if its moments were taken
 about the centre of mass. All mistakes that explain the numbers are weighed against each other:
-wrong signs, another unit, another reference point, two at once. What is left is listed, the most
-likely first, with what speaks for it: the density, axes of the link that become principal, a twin
-on the other side, the next joint. Other links of the document with the same slip count too, and
-where every link shows it, it is told once.
+wrong signs, another unit, another reference point, two at once. The remaining causes are listed,
+the most likely first, with their evidence: the density, axes of the link that become principal, a
+twin on the other side, the next joint. Other links of the document with the same slip count too,
+and a slip of every link is reported once.
 
 ## Why is this bad?
 The language wants moments and products about the origin of the link frame, or of the frame that

@@ -1,13 +1,13 @@
 """Products of inertia have the wrong sign.
 
 ## What it does
-Says of an impossible inertia (KD301, KD302) that it would be consistent if the signs of some
-products, or of one component of the CoM, were changed. KD306 tells how causes are weighed.
+Reports an impossible inertia (KD301, KD302) that would be consistent if the signs of some products,
+or of one component of the CoM, were changed. KD306 explains how causes are weighed.
 
 ## Why is this bad?
 The language wants the products themselves, `Ixy = sum m x y`. The off-diagonal entries of an
-inertia tensor, as in URDF, MJCF and most CAD programs, are `-Ixy`. Who pastes a tensor gets all
-signs wrong; a mirrored leg often gets one wrong.
+inertia tensor, as in URDF, MJCF and most CAD programs, are `-Ixy`. A pasted tensor has all signs
+wrong, a mirrored leg often one.
 
 ## Example
 ```kindsl

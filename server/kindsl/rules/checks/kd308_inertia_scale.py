@@ -1,8 +1,8 @@
 """Moments of inertia were given in another unit.
 
 ## What it does
-Says of an impossible inertia (KD301, KD302) or one of implausible density (KD311) that it would be
-consistent and plausible if its moments were in another unit. KD306 tells how causes are weighed.
+Reports an impossible inertia (KD301, KD302), or one of implausible density (KD311), that would be
+consistent and plausible with its moments in another unit. KD306 explains how causes are weighed.
 
 ## Why is this bad?
 CAD programs give g·mm², kg·mm² or g·cm², finite elements t·mm². The language wants kg·m², which is
@@ -19,8 +19,8 @@ inertia_params {
 
 ## Fix
 Converts the moments, keeping the significant digits. Offered only where no other cause is left, and
-not where RobCoGen2 would treat all moments as zero (KD507); for that target not where it would
-treat any of them as zero that matters. Unsafe: it is a guess, though a likely one.
+not where RobCoGen2 would treat all moments as zero (KD507), nor, for that target, where it would
+treat one that matters as zero. Unsafe: it is a guess, though a likely one.
 """
 
 from collections.abc import Iterator

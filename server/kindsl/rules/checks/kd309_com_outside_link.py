@@ -1,14 +1,14 @@
 """The centre of mass is far away from the link.
 
 ## What it does
-Compares a moving link's centre of mass with what is known of the link's place: its own joint, the
+Compares a moving link's centre of mass with the known places of the link: its own joint, the
 joints of its children, its frames. Reports a distance of more than the link's length and three
 times its radius of gyration together, and a radius of gyration of more than five times the length,
 unless its density is reported (KD311): both come from the same moments.
 
 ## Why is this bad?
-A body's mass is where the body is. Mostly a digit is lost, a unit is wrong, or the numbers are
-those of another frame.
+A body's mass is where the body is. Mostly a digit is lost, a unit is wrong, or the numbers
+belong to another frame.
 
 ## Example
 ```kindsl

@@ -2,8 +2,8 @@
 
 ## What it does
 Reports a mass of 1.0 with three moments of 1.0, and the same mass and moments in three or more
-moving links of different parts. Parts are told by the names without sides and numbers: `LF_hip` and
-`RH_hip` are one part, and so are `segment1` and `segment2`.
+moving links of different parts. Parts are recognised by names without sides and numbers: `LF_hip`
+and `RH_hip` are one part, and so are `segment1` and `segment2`.
 
 ## Why is this bad?
 A placeholder looks like data. Simulations run, and are wrong.

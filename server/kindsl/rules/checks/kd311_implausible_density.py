@@ -6,8 +6,8 @@ about the centre of mass, has a density outside 10 to 30 000 kg/m³.
 
 ## Why is this bad?
 Foam has 15 kg/m³, water 1000, aluminium 2700, steel 7850, tungsten 19 300. Robots' links, hollow as
-they are, lie between 50 and 3000. What lies far outside has its moments or its mass in another unit
-(KD308), or a digit too many.
+they are, lie between 50 and 3000. A density far outside points to moments or a mass in another
+unit (KD308), or to a digit too many.
 
 ## Example
 ```kindsl
