@@ -1,6 +1,7 @@
 """The house keeps its shape: no circle of files, and no folder that takes more than one glance.
 
-What must not import what is import-linter's; see `pyproject.toml`.
+Docstrings begin with the thing that they are about, or with a verb. What must not import what is
+import-linter's; see `pyproject.toml`.
 """
 
 import ast
@@ -18,6 +19,8 @@ HOUSE = Path(kindsl.__file__).parent
 ROOT = Path(__file__).parents[1]
 FILES_OF_ONE_GLANCE = 35
 FOLDERS_OF_ONE_FILE_RULES = {"rules/checks"}
+CLAUSE = re.compile(r"(?:What|That|Whether|Who|Which|How|Where|Why|When)\b")
+DOCUMENTED = (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)
 
 
 def circles(names: Iterable[str], imported: Callable[[str], Iterable[str]]) -> Iterator[list[str]]:
@@ -123,3 +126,29 @@ def test_who_drives_a_browser_runs_alone() -> None:
         if re.search(r"^from playwright", file.read_text(encoding="utf-8"), re.MULTILINE)
     ]
     assert set(driving) == set(folders.split())
+
+
+def clauses(source: str) -> Iterator[str]:
+    """The first lines of docstrings that are the clause of a sentence."""
+    for node in ast.walk(ast.parse(source)):
+        text = ast.get_docstring(node) if isinstance(node, DOCUMENTED) else None
+        if text and CLAUSE.match(text):
+            yield text.splitlines()[0]
+
+
+@pytest.mark.parametrize(
+    ("source", "n_clauses"),
+    [
+        ('"""What a rule is."""', 1),
+        ('class Fix:\n    """What would mend it."""\n    def f(self):\n        """Who asks."""', 2),
+        ('"""Rules and their findings."""\ndef is_it():\n    """Return whether it is."""', 0),
+    ],
+)
+def test_clauses_are_seen(source: str, n_clauses: int) -> None:
+    assert len([*clauses(source)]) == n_clauses
+
+
+def test_docstrings_begin_with_the_thing() -> None:
+    """Say "The parts of a rule" or "True if it is safe", not "What a rule is"."""
+    found = [(p.name, line) for p in HOUSE.rglob("*.py") for line in clauses(p.read_text("utf-8"))]
+    assert found == []

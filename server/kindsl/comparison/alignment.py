@@ -1,4 +1,4 @@
-"""Where the link frames of one robot lie in those of another: conventions are found, not assumed.
+"""Alignment of the link frames of two robots: conventions are found, not assumed.
 
 A link frame may lie anywhere in its link, a joint turn the other way and be zero elsewhere. For
 each pair of bodies the pose is chosen under which most of what is fixed to them agrees: the axes of
@@ -45,7 +45,7 @@ _LIKELY = 0.5
 
 
 class AlignedJoint(NamedTuple):
-    """How a joint of the other is counted.
+    """The sign and zero of a joint of the other robot.
 
     Attributes:
         sign: Minus one where it turns or slides the other way.

@@ -1,4 +1,4 @@
-"""What two robots do otherwise without any meaning for the mechanics, one sentence each."""
+"""Differences of two robots without any meaning for the mechanics, one sentence each."""
 
 from collections.abc import Iterator
 from math import degrees, hypot

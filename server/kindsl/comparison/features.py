@@ -37,7 +37,7 @@ class AxisLine(NamedTuple):
 
 
 class Features(NamedTuple):
-    """What is fixed to a body, in its frame, in an order that two robots share.
+    """The vectors fixed to a body, in its frame, in an order that two robots share.
 
     Attributes:
         lines: Axes of joints.

@@ -1,4 +1,4 @@
-"""Which joint of one robot is which of another: by a map, by names, else by shape and place."""
+"""Matching of the joints of two robots: by a map, by names, else by shape and place."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from math import dist, hypot
@@ -30,7 +30,7 @@ class MatchedJoints(NamedTuple):
 
     @property
     def n_joints(self) -> int:
-        """How many joints match."""
+        """The number of matching joints."""
         return len(self.theirs) - 1
 
 

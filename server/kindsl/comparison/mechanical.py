@@ -30,7 +30,7 @@ _OF_STRUCTURE = 10
 
 @dataclass(frozen=True, slots=True)
 class MechanicalComparison:
-    """What two robots have in common.
+    """The result of comparing the mechanics of two robots.
 
     Attributes:
         matching: Which joints match.
@@ -48,7 +48,7 @@ class MechanicalComparison:
 
     @property
     def is_equal(self) -> bool:
-        """Whether the mechanics are equal within the digits written."""
+        """True if the mechanics are equal within the digits written."""
         return not self.numbers and not self.structure
 
 

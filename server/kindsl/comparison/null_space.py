@@ -1,4 +1,4 @@
-"""How many inertial parameters motions can tell: the rank of the regressor. Needs NumPy."""
+"""Inertial parameters that motions can tell: the rank of the regressor. Needs NumPy."""
 
 import numpy as np
 

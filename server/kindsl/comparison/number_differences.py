@@ -65,7 +65,7 @@ class NumberDifference(NamedTuple):
 
 
 class _WantedNumbers(NamedTuple):
-    """What one part of a file would have to say to agree with the other file."""
+    """The numbers of one part of a file that would agree with the other file."""
 
     form: WrittenInertia | WrittenPose
     values: tuple[float, ...]
@@ -73,7 +73,7 @@ class _WantedNumbers(NamedTuple):
 
 
 class Tolerances(NamedTuple):
-    """How much is nothing.
+    """The differences that count as none.
 
     Attributes:
         size: Of the robot, metres.

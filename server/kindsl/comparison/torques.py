@@ -1,4 +1,4 @@
-"""Whether torques tell two robots apart, and by which number the most. Needs NumPy."""
+"""Torques of two robots, and the number that tells them apart most. Needs NumPy."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -27,7 +27,7 @@ _TINY = 1e-300
 
 
 class Torques(NamedTuple):
-    """What torques say.
+    """The result of comparing torques.
 
     Attributes:
         is_seen: Whether some torque differs by what differs in the numbers.

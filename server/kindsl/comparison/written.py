@@ -36,7 +36,7 @@ _FRACTIONS_OF_TURN = 24
 
 
 class TextPlace(NamedTuple):
-    """Where a number stands in a file that is no document of ours; offsets in code points.
+    """The place of a number in a file that is no document of ours; offsets in code points.
 
     Attributes:
         line: From 1.
@@ -68,7 +68,7 @@ class WrittenNumber(NamedTuple):
 
     @property
     def slack(self) -> float:
-        """How far an equal number may be."""
+        """The greatest distance of an equal number."""
         size = abs(self.value)
         return max(min(self.half, _CAP * size), _FLOAT * size)
 

@@ -1,4 +1,4 @@
-"""What a text of another format becomes as it is pasted."""
+"""Text of another format, as it becomes when it is pasted."""
 
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple

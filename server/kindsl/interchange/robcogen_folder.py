@@ -74,7 +74,7 @@ class _Transform(NamedTuple):
 
 
 class _Carrier(NamedTuple):
-    """What carries a link: its parent, the joint, its kind, and where it is."""
+    """The carrier of a link: its parent, the joint, its kind, and its pose."""
 
     parent: str
     joint: str

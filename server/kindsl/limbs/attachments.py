@@ -1,4 +1,4 @@
-"""What names tell of who carries whom: limbs on another limb's body, exchanged joints."""
+"""Names that tell who carries whom: limbs on another limb's body, exchanged joints."""
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -37,7 +37,7 @@ class Misplaced(NamedTuple):
 
 
 class _View(NamedTuple):
-    """What carries a link, as its twins see it: its words, and whether it is of the same side."""
+    """The carrier of a link, as its twins see it: its words, and whether it is of the same side."""
 
     words: _Words
     side: str

@@ -1,4 +1,4 @@
-"""How a limb goes over into its twin, and which single triple of numbers prevents it.
+"""The way from a limb to its twin, and the single triple of numbers that prevents it.
 
 Frames of twins differ by a convention C, `x_one = C x_other`: a signed permutation that keeps the
 joint's axis z up to its sign. Conventions are hidden, poses are seen. At the head a mount tells the
@@ -112,7 +112,7 @@ class LimbComparison:
 
     @property
     def n_slips(self) -> int:
-        """How many triples differ: 0, 1, or 2 for more."""
+        """The number of triples that differ: 0, 1, or 2 for more."""
         return min((int(reading.slip is not None) for reading in self.readings), default=2)
 
     @property

@@ -140,7 +140,7 @@ class Match(NamedTuple):
 
 
 class LimbPart(Enum):
-    """Which bodies of two limbs are compared."""
+    """The bodies of two limbs that are compared."""
 
     WHOLE = "all"
     BARE = "all but what they hold"

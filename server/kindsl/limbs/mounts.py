@@ -1,4 +1,4 @@
-"""What may take the head of a limb to that of its twin, at the body that carries both."""
+"""Mounts of a limb's head and its twin's, at the body that carries both."""
 
 from collections.abc import Iterator, Sequence
 from math import atan2, cos, hypot, sin
@@ -13,7 +13,7 @@ _MOVED_ROW, _TURNED, _MOVED, _LIKE = 0.02, 0.1, 0.1, 0.3
 
 
 class Tolerance(NamedTuple):
-    """How far equal numbers may be apart: metres, a share of the number, radians."""
+    """The distances of equal numbers: metres, a share of the number, radians."""
 
     length: float
     share: float
@@ -30,7 +30,7 @@ Way = tuple[Rotation | None, bool]
 
 
 class Mount(NamedTuple):
-    """What may take the head of a limb to that of its twin.
+    """A map from the head of a limb to that of its twin.
 
     Attributes:
         map: Of directions at the carrier, None where the mounting may be any.
@@ -48,7 +48,7 @@ class Mount(NamedTuple):
 
     @property
     def way(self) -> Way:
-        """What pairs of one robot have in common: how directions and the limb itself go over."""
+        """The properties that pairs of one robot share: the map, and whether it is a copy."""
         return self.map, self.is_copy
 
 

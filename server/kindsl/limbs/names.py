@@ -25,7 +25,7 @@ _HELD = frozenset((
 
 
 class LimbLabel(NamedTuple):
-    """What a name says of a part's place.
+    """The place of a part, as its name has it.
 
     Attributes:
         side: `L`, `R` or nothing.

@@ -1,4 +1,4 @@
-"""Which slip of the hand makes a written triple of the one that was meant."""
+"""Slips of the hand that make a written triple of the one that was meant."""
 
 from collections.abc import Iterator
 from enum import IntEnum

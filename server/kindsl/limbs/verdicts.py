@@ -1,4 +1,4 @@
-"""Which numbers of a robot's limbs do not fit their twins, and what they were meant to be."""
+"""Numbers of a robot's limbs that do not fit their twins, and the numbers that were meant."""
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -24,7 +24,7 @@ class MeantNumbers(NamedTuple):
 
 
 class LimbVerdict(NamedTuple):
-    """What does not fit.
+    """The misfits of a limb.
 
     Attributes:
         places: Where: the one that is odd, or those among which nobody can choose.

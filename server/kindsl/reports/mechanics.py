@@ -1,4 +1,4 @@
-"""What a comparison of two robots of any files comes to, in text, Markdown and JSON."""
+"""The comparison of two robots of any files, in text, Markdown and JSON."""
 
 from collections.abc import Callable, Iterator
 from typing import NamedTuple
@@ -46,7 +46,7 @@ class ComparedRobot(NamedTuple):
 
 
 class TorqueFacts(NamedTuple):
-    """What the dynamics say.
+    """The result of comparing the dynamics.
 
     Attributes:
         is_seen: Whether a torque tells the robots apart.

@@ -1,4 +1,4 @@
-"""What a rule may know besides the document: targets, bindings, ranges."""
+"""The knowledge of a rule besides the document: targets, bindings, ranges."""
 
 from collections.abc import Mapping
 from functools import cached_property
@@ -31,7 +31,7 @@ class Context:
 
     @cached_property
     def key(self) -> tuple[object, ...]:
-        """What a result that uses values depends on."""
+        """The dependencies of a result that uses values."""
         return (
             self.targets,
             tuple(sorted(self.values.items())),

@@ -1,4 +1,4 @@
-"""Where the numbers of a limb stand, and what they are called."""
+"""Places of the numbers of a limb, and their names."""
 
 from kindsl.limbs.comparison import Suspect
 from kindsl.rules.inertia.judgements import keyword

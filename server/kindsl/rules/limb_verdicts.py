@@ -1,4 +1,4 @@
-"""What does not fit in the limbs of a robot: found once for all rules that tell of it.
+"""Misfits in the limbs of a robot: found once for all rules that tell of them.
 
 The limbs of a body are compared again only where something in them has changed.
 """
@@ -28,7 +28,7 @@ Values = Mapping[str, float]
 
 
 class LimbSlips(NamedTuple):
-    """What is told of a robot's limbs.
+    """The slips of a robot's limbs.
 
     Attributes:
         elsewhere: Links that another body carries than their twins let expect.

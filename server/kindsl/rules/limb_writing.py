@@ -1,4 +1,4 @@
-"""What twins have at a place, written in the author's hand: in his words where they say it."""
+"""The values of twins at a place, in the author's hand: in his words where they say it."""
 
 from collections.abc import Iterator, Mapping, Sequence
 

@@ -1,4 +1,4 @@
-"""What was made of a body before, as long as what it was made of stays the same."""
+"""Results made of a body before, as long as their sources stay the same."""
 
 from collections.abc import Callable
 from typing import Generic, TypeVar
@@ -11,7 +11,7 @@ Given = tuple[object, ...]
 
 
 class Memory(Generic[_T]):
-    """What one file makes of bodies; the last result is kept with each body's island."""
+    """The results of one file on bodies; the last is kept with each body's island."""
 
     __slots__ = ("_made",)
 

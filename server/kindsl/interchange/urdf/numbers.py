@@ -1,4 +1,4 @@
-"""Where the numbers of a URDF stand."""
+"""The places of a URDF's numbers."""
 
 from kindsl.comparison.written import INERTIA, POSE, WrittenNumber
 from kindsl.interchange.written_numbers import FileNumbers, XmlNumbers, keyed

@@ -1,4 +1,4 @@
-"""What may have happened to an inertia that is impossible or implausible.
+"""Possible causes of an inertia that is impossible or implausible.
 
 Every hypothesis is weighed: how common the mistake is, how likely a robot's link has the numbers
 that were meant (`likelihood`), and what the rest of the robot says (`surroundings`). All that

@@ -1,4 +1,4 @@
-"""How far the numbers of an inertia may be from what is written.
+"""The distance that numbers of an inertia may have from their digits.
 
 What is to be *proved* believes nothing of a writer but his digits: each number, by itself, stands
 for all that are rounded to it or cut off to it. That holds for the numbers in an expression and for

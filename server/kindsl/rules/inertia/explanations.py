@@ -1,4 +1,4 @@
-"""What explains the inertias of a document: each by itself, then in the light of all others.
+"""Explanations of a document's inertias: each by itself, then in the light of all others.
 
 A body is tried again only where its own numbers or its surroundings have changed; its causes are
 ranked again only where that has, or what all bodies together say. Copies of a body, which robots
@@ -28,7 +28,7 @@ class Explained(NamedTuple):
 
 
 class _Tried(NamedTuple):
-    """What explains an inertia by itself, and all that are written and lie alike.
+    """The explanations of an inertia by itself, and of all that are written and lie alike.
 
     Attributes:
         causes: In no order.

@@ -1,4 +1,4 @@
-"""Whether the inertia of each link is that of a possible body.
+"""Judgements on the inertia of each link: possible or not.
 
 Every number written stands for all that round to it. A body is called impossible only if along one
 axis no choice of its numbers within these intervals gives a second moment, or a moment of inertia,
@@ -52,7 +52,7 @@ _SINGULAR = 1e-9
 
 
 class Verdict(Enum):
-    """What is wrong with a mass distribution, if anything."""
+    """The defect of a mass distribution, if any."""
 
     POSSIBLE = "possible"
     SINGULAR = "singular"
@@ -93,7 +93,7 @@ class Judgement(NamedTuple):
 
     @property
     def is_impossible(self) -> bool:
-        """Whether no choice within the likely digits makes the body possible."""
+        """True if no choice within the likely digits makes the body possible."""
         return self.verdict in IMPOSSIBLE
 
 

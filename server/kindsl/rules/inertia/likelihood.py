@@ -1,4 +1,4 @@
-"""How likely ten numbers are those of a robot's link.
+"""The likelihood that ten numbers are those of a robot's link.
 
 A prior over bodies: how dense, how large against the distance of its CoM, of which proportions, and
 how it lies in the link frame. Links lie along their axes far more often than chance would have it,

@@ -1,4 +1,4 @@
-"""Whether an inertia is possible everywhere in its parameters' ranges, with proof.
+"""Possibility of an inertia everywhere in its parameters' ranges, with proof.
 
 The pseudo-inertia, which has `m`, `m c` and the second moments for entries, is positive definite
 for possible bodies alone, and its smallest eigenvalue is a concave function of these entries. Where
@@ -30,7 +30,7 @@ Values = Mapping[str, float]
 
 
 class Conclusion(Enum):
-    """What is known of an inertia over ranges."""
+    """The conclusion on an inertia over ranges."""
 
     POSSIBLE = "possible everywhere"
     IMPOSSIBLE = "impossible somewhere"
@@ -38,7 +38,7 @@ class Conclusion(Enum):
 
 
 class Proof(NamedTuple):
-    """What was proved, and where the inertia is impossible."""
+    """The result of a proof, and the places where the inertia is impossible."""
 
     outcome: Conclusion
     where: Values | None = None

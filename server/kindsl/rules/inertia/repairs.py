@@ -1,4 +1,4 @@
-"""What the rules KD306, KD307 and KD308 find, and the fix that they offer."""
+"""Findings of the rules KD306, KD307 and KD308, and the fix that they offer."""
 
 from collections.abc import Iterator, Sequence
 

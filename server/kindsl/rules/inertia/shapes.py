@@ -1,4 +1,4 @@
-"""What is doubtful about the bodies of a robot, as the rules report it.
+"""Doubts about the bodies of a robot, as the rules report them.
 
 `body_verdicts` takes numbers as they are. What is reported of a density leaves room for the digits
 written besides.

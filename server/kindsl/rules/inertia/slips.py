@@ -1,4 +1,4 @@
-"""What can go wrong when ten numbers are copied, and the numbers as they were meant."""
+"""Mistakes in copying ten numbers, and the numbers as they were meant."""
 
 from collections.abc import Iterator, Sequence
 from enum import StrEnum
@@ -65,12 +65,12 @@ class Hypothesis(NamedTuple):
 
     @property
     def is_last_resort(self) -> bool:
-        """Whether it is a digit too many or too few, which can mend nearly everything."""
+        """True if it is a digit too many or too few, which can mend nearly everything."""
         return bool(self.power) and not self.unit
 
     @property
     def kind(self) -> Kind:
-        """What is equal where the same mistake was made at another link."""
+        """The part that is equal where the same mistake was made at another link."""
         return self.slips, self.power, self.is_partial and self.names
 
     @property

@@ -1,4 +1,4 @@
-"""What the rest of the robot says of a link's inertia: its children's joints, and its twins."""
+"""Evidence from the rest of the robot on a link's inertia: its children's joints, its twins."""
 
 from collections.abc import Iterator, Sequence
 from math import hypot, log
@@ -45,7 +45,7 @@ class Twin(NamedTuple):
 
 
 class LinkSurroundings(NamedTuple):
-    """What is known of a link besides its inertia.
+    """The known facts of a link besides its inertia.
 
     Attributes:
         points: Origins of its frames and of its children's joints, in the link frame, m.
@@ -65,7 +65,7 @@ class LinkSurroundings(NamedTuple):
 
 
 class Evidence(NamedTuple):
-    """What speaks for a hypothesis: a logarithm to add, and why in words."""
+    """The evidence for a hypothesis: a logarithm to add, and why in words."""
 
     log_weight: float
     reasons: tuple[str, ...] = ()

@@ -1,4 +1,4 @@
-"""Which inertias need an explanation: those that are impossible or implausible."""
+"""Inertias that need an explanation: impossible or implausible ones."""
 
 from collections.abc import Iterator
 

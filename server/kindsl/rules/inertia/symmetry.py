@@ -1,4 +1,4 @@
-"""How a part of a robot lies to its twin, as the joint frames have it."""
+"""Symmetry of a part and its twin, as the joint frames have it."""
 
 from collections.abc import Mapping, Sequence
 from itertools import product
@@ -17,7 +17,7 @@ _SAME = 0.02
 
 
 class _Symmetry(NamedTuple):
-    """What takes a part to its twin.
+    """The map from a part to its twin.
 
     Attributes:
         n_moved: Axes of the common carrier along which it moves the part besides.

@@ -1,4 +1,4 @@
-"""How mistakes in an inertia are put into words."""
+"""Sentences about mistakes in an inertia."""
 
 from collections.abc import Sequence
 

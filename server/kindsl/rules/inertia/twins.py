@@ -1,4 +1,4 @@
-"""What the names of links say of their twins, found once for a name."""
+"""Twins of links by their names, found once for a name."""
 
 from functools import lru_cache
 
