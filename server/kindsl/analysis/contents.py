@@ -10,11 +10,10 @@ from zlib import crc32
 from kindsl.semantics.expressions import ConstantUse, Expression, symbols
 from kindsl.syntax.tree import Island, Node, Token
 from kindsl.syntax.vocabulary import BLOCKS, SCALARS, of_kind
-from kindsl.text.facts import Fact
+from kindsl.text.facts import kept
 
 Place: TypeAlias = tuple[object, ...]
 
-_PIECE = Fact["_Piece"]("contents")
 _VALUES = SCALARS
 _REFERENCES = frozenset({"child", "inertia_frame"})
 # What may be written once or in several pieces, and means the same.
@@ -103,11 +102,9 @@ def _order(block: FoundBlock) -> Place:
     return ("link",) if is_link else block.place
 
 
+@kept
 def _piece(island: Island) -> _Piece:
-    known = island.facts.get(_PIECE)
-    if known is None:
-        known = island.facts.keep(_PIECE, _Walk(island).piece())
-    return known
+    return _Walk(island).piece()
 
 
 class _Walk:

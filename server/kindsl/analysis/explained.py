@@ -2,9 +2,8 @@
 
 from kindsl.rules.base import Finding
 from kindsl.syntax.tree import Island, Node, Token
-from kindsl.text.facts import Fact
+from kindsl.text.facts import kept
 
-_SPANS = Fact[list[tuple[int, int]]]("repaired spans")
 _NAME_PLACE = 1
 
 
@@ -16,12 +15,9 @@ def is_explained(finding: Finding) -> bool:
     return any(start <= at.start and at.end <= end for start, end in _repaired_spans(island))
 
 
+@kept
 def _repaired_spans(island: Island) -> list[tuple[int, int]]:
-    known = island.facts.get(_SPANS)
-    if known is None:
-        spans = [span for node in island.nodes for span in _spans(island, node)]
-        known = island.facts.keep(_SPANS, spans)
-    return known
+    return [span for node in island.nodes for span in _spans(island, node)]
 
 
 def _spans(island: Island, block: Node) -> list[tuple[int, int]]:

@@ -6,11 +6,9 @@ from typing import NamedTuple
 from kindsl.analysis.analysis import Analysis
 from kindsl.syntax.tree import Island, Node, Token
 from kindsl.syntax.vocabulary import of_kind
-from kindsl.text.facts import Fact
+from kindsl.text.facts import kept
 
 _BLOCKS = of_kind("block", "pose", "list", "groups", "group")
-
-_FOLDS: "Fact[tuple[Fold, ...]]" = Fact("folds")
 
 
 class Fold(NamedTuple):
@@ -37,13 +35,10 @@ def folds(analysis: Analysis) -> tuple[Fold, ...]:
     return tuple(sorted(found))
 
 
-def _island_folds(island: Island) -> tuple[Fold, ...]:
-    known = island.facts.get(_FOLDS)
-    if known is None:
-        blocks = [fold for node in island.nodes for fold in _blocks(node)]
-        found = [f for f in (*blocks, *_comments(island)) if _is_tall(island.text[f.start : f.end])]
-        known = island.facts.keep(_FOLDS, tuple(found))
-    return known
+@kept
+def _island_folds(island: Island) -> list[Fold]:
+    blocks = [fold for node in island.nodes for fold in _blocks(node)]
+    return [f for f in (*blocks, *_comments(island)) if _is_tall(island.text[f.start : f.end])]
 
 
 def _blocks(node: Node) -> Iterator[Fold]:

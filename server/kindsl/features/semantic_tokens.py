@@ -7,7 +7,7 @@ from kindsl.features.symbol_at import EntityKind, Role, Symbol, named_places
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Island, Token
 from kindsl.syntax.vocabulary import NUMBERS, PIS
-from kindsl.text.facts import Fact
+from kindsl.text.facts import kept
 
 _TYPE_OF = {
     EntityKind.ROBOT: "namespace",
@@ -18,7 +18,6 @@ _TYPE_OF = {
     EntityKind.CONSTANT: "variable",
 }
 _OPERATORS = frozenset("+-*/=")
-_TOKENS = Fact["tuple[SemanticToken, ...]"]("semantic tokens")
 
 
 class SemanticToken(NamedTuple):
@@ -47,16 +46,13 @@ def semantic_tokens(
     return tuple(found)
 
 
+@kept
 def island_tokens(island: Island) -> tuple[SemanticToken, ...]:
     """Return the tokens of an island, offsets from its start; computed once in its life."""
-    known = island.facts.get(_TOKENS)
-    if known is None:
-        names = {symbol.start: symbol for symbol in named_places(island).symbols}
-        found = [_token(token, names) for token in island.tokens if not token.is_missing]
-        found += _comments(island)
-        tokens = tuple(sorted(token for token in found if token is not None))
-        known = island.facts.keep(_TOKENS, tokens)
-    return known
+    names = {symbol.start: symbol for symbol in named_places(island).symbols}
+    found = [_token(token, names) for token in island.tokens if not token.is_missing]
+    found += _comments(island)
+    return tuple(sorted(token for token in found if token is not None))
 
 
 def _token(token: Token, names: dict[int, Symbol]) -> SemanticToken | None:

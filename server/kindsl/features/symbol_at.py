@@ -11,9 +11,7 @@ from typing import NamedTuple
 from kindsl.analysis.analysis import Analysis
 from kindsl.semantics.lowering import NAME
 from kindsl.syntax.tree import Island, Node, Token
-from kindsl.text.facts import Fact
-
-_NAMED_PLACES = Fact["NamedPlaces"]("named places")
+from kindsl.text.facts import kept
 
 
 class EntityKind(StrEnum):
@@ -86,14 +84,11 @@ def occurrences(analysis: Analysis, entity: Entity) -> tuple[Symbol, ...]:
     )
 
 
+@kept
 def named_places(island: Island) -> NamedPlaces:
     """Return the names in an island, offsets from its start; computed once in its life."""
-    known = island.facts.get(_NAMED_PLACES)
-    if known is None:
-        symbols = sorted(s for node in island.nodes for s in _symbols(node, ""))
-        places = NamedPlaces(tuple(symbols), _by_entity(symbols))
-        known = island.facts.keep(_NAMED_PLACES, places)
-    return known
+    symbols = sorted(s for node in island.nodes for s in _symbols(node, ""))
+    return NamedPlaces(tuple(symbols), _by_entity(symbols))
 
 
 def _by_entity(symbols: list[Symbol]) -> dict[Entity, tuple[Symbol, ...]]:

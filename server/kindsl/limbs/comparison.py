@@ -286,10 +286,11 @@ class LimbComparison:
 
 def seen_by(moments: Symmetric, C: Rotation) -> Symmetric:
     """Return the moments of a body as they are in the frame of its twin."""
+    (a, b, _), (c, d, _), (_, _, e) = C
     xx, yy, zz, xy, xz, yz = moments
-    tensor = (xx, -xy, -xz), (-xy, yy, -yz), (-xz, -yz, zz)
-    (xx, xy, xz), (_, yy, yz), (_, _, zz) = product(product(transposed(C), tensor), C)
-    return xx, yy, zz, -xy, -xz, -yz
+    if a:
+        return xx, yy, zz, a * d * xy, a * e * xz, d * e * yz
+    return yy, xx, zz, b * c * xy, c * e * yz, b * e * xz
 
 
 def compared(one: Body, other: Body, how: str, tolerance: Tolerance) -> LimbComparison | None:

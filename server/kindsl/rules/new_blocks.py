@@ -6,9 +6,8 @@ from kindsl.rules.base import Fix, Replacement
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Place
 from kindsl.syntax.tree import Island
-from kindsl.text.facts import Fact
+from kindsl.text.facts import kept
 
-_FREE_IDS = Fact[tuple[int, ...]]("free ids")
 _LINK = "\n\nlink {name} {{\n    id = {number}\n    children {{}}\n}}"
 _JOINT = """
 
@@ -42,12 +41,15 @@ def new_joint(model: Model, name: str) -> Fix | None:
 
 
 def _free_id(model: Model, parent_id: int) -> int:
-    free = model.facts.get(_FREE_IDS)
-    if free is None:
-        taken = {link.id or 0 for link in model.links}
-        missing = (number for number in range(1, len(taken) + 1) if number not in taken)
-        free = model.facts.keep(_FREE_IDS, (*missing, 1 + max(taken, default=0)))
+    free = _free_ids(model)
     return free[bisect_right(free, parent_id)]
+
+
+@kept
+def _free_ids(model: Model) -> list[int]:
+    taken = {link.id or 0 for link in model.links}
+    missing = (number for number in range(1, len(taken) + 1) if number not in taken)
+    return [*missing, 1 + max(taken, default=0)]
 
 
 def _behind(island: Island, end: int, text: str) -> Replacement:

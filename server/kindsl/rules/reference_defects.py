@@ -15,10 +15,9 @@ from kindsl.rules.duplicates import repeated_names
 from kindsl.semantics.declarations import Joint, Link
 from kindsl.semantics.kinematic_tree import Edge
 from kindsl.semantics.model import Model
-from kindsl.text.facts import Fact
+from kindsl.text.facts import kept
 from kindsl.text.nearest import nearest_name, nearest_names
 
-_DEFECTS: "Fact[ReferenceDefects]" = Fact("reference defects")
 _MOST_SUGGESTIONS = 20
 _Thing = TypeVar("_Thing", Link, Joint)
 
@@ -61,14 +60,6 @@ class ReferenceDefects:
         self.idle_links: list[Link] = []
 
 
-def reference_defects(model: Model) -> ReferenceDefects:
-    """Return the wrong references of a model; computed once in its life."""
-    known = model.facts.get(_DEFECTS)
-    if known is None:
-        known = model.facts.keep(_DEFECTS, _defects(model))
-    return known
-
-
 def suggestions(
     name: str, position: int, idle: Iterable[str], others: Iterable[str]
 ) -> tuple[str, ...]:
@@ -81,7 +72,9 @@ def suggestions(
     return nearest_names(name, idle) or nearest_names(name, others)
 
 
-def _defects(model: Model) -> ReferenceDefects:
+@kept
+def reference_defects(model: Model) -> ReferenceDefects:
+    """Return the wrong references of a model; computed once in its life."""
     found = ReferenceDefects()
     for edge in model.tree.edges:
         if edge.link is None or edge.joint is None or edge.link.is_base:

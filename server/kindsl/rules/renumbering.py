@@ -8,11 +8,10 @@ from kindsl.rules.base import Fix, Replacement
 from kindsl.rules.duplicates import repeats
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
-from kindsl.text.facts import Fact
+from kindsl.text.facts import kept
 
 _TITLE = "Renumber the links"
 _MOST_CHANGES = 200_000
-_RENUMBERING = Fact[tuple[Fix | None]]("renumbering")
 
 
 def renumbering(model: Model, findings: int = 1) -> Fix | None:
@@ -22,10 +21,7 @@ def renumbering(model: Model, findings: int = 1) -> Fix | None:
         model: The model.
         findings: How many findings carry it; None when that would be too much text in total.
     """
-    known = model.facts.get(_RENUMBERING)
-    if known is None:
-        known = model.facts.keep(_RENUMBERING, (_renumbering(model),))
-    (fix,) = known
+    fix = _renumbering(model)
     if fix is None or len(fix.changes) * findings > _MOST_CHANGES:
         return None
     return fix
@@ -117,6 +113,7 @@ def _parent(model: Model, link: Link) -> bool:
     return edge is not None and not edge.predecessor.is_base
 
 
+@kept
 def _renumbering(model: Model) -> Fix | None:
     order = regular_order(model)
     if order is None or any(link.id_place is None for link in order):

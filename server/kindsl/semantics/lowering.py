@@ -17,21 +17,14 @@ from kindsl.semantics.declarations import (
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.places import Name, Place
 from kindsl.syntax.tree import Island, Node, Token
-from kindsl.text.facts import Fact
+from kindsl.text.facts import kept
 
 NAME = "NAME"
-_DECLARATIONS = Fact[Declarations]("declarations")
 
 
+@kept
 def declarations(island: Island) -> Declarations:
     """Return what an island declares; computed once in its life."""
-    known = island.facts.get(_DECLARATIONS)
-    if known is None:
-        known = island.facts.keep(_DECLARATIONS, _lower(island))
-    return known
-
-
-def _lower(island: Island) -> Declarations:
     robot: Name | None = None
     bases: list[Link] = []
     links: list[Link] = []

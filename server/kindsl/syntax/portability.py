@@ -19,7 +19,7 @@ from kindsl.syntax.value_forms import (
     targets_of,
 )
 from kindsl.syntax.vocabulary import BLOCKS, SECTIONS, VALUE_TERMINALS
-from kindsl.text.facts import Fact
+from kindsl.text.facts import kept
 
 ROBCOGEN, ROBCOGEN2 = "robcogen", "robcogen2"
 
@@ -38,7 +38,6 @@ _REASONS = {
     ROBCOGEN: "robcogen does not take the form of '{}'",
     ROBCOGEN2: "robcogen2 does not take the form of '{}'",
 }
-_NOTES: "Fact[tuple[PortabilityNote, ...]]" = Fact("portability")
 
 
 class PortabilityNote(NamedTuple):
@@ -61,13 +60,10 @@ class PortabilityNote(NamedTuple):
     repair: Repair | None = None
 
 
+@kept
 def portability(island: Island) -> tuple[PortabilityNote, ...]:
     """Return what one of the targets refuses in an island, in order; kept with the island."""
-    known = island.facts.get(_NOTES)
-    if known is None:
-        notes = sorted(_notes(island), key=lambda note: (note.start, note.end, note.target))
-        known = island.facts.keep(_NOTES, tuple(notes))
-    return known
+    return tuple(sorted(_notes(island), key=lambda note: (note.start, note.end, note.target)))
 
 
 def _notes(island: Island) -> Iterator[PortabilityNote]:

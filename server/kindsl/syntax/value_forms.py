@@ -8,14 +8,13 @@ from kindsl.syntax.scanner import word_kind
 from kindsl.syntax.tables import NEITHER, ONLY, RULES, STARTS
 from kindsl.syntax.tree import Island, Node, Token
 from kindsl.syntax.vocabulary import NAMES, VALUE_HOLDERS
-from kindsl.text.facts import Fact
+from kindsl.text.facts import kept
 
 TARGETS_OF_ALL = frozenset({"robcogen", "robcogen2"})
 
 _LONGEST = 12
 _MOST_KNOWN = 4096
 _known: dict[tuple[str, ...], frozenset[str]] = {}
-_FORMED = Fact[tuple[Node, ...]]("values that are more than a decimal")
 
 
 def accepted_by(tokens: Sequence[Token]) -> frozenset[str]:
@@ -52,13 +51,9 @@ def _name_kind(name: str) -> str:
     return kind if kind in NAMES else "KEYWORD_NAME"
 
 
-def formed_values(island: Island) -> tuple[Node, ...]:
+@kept
+def formed_values(island: Island) -> list[Node]:
     """Return the values of an island that are more than a decimal, in order; kept with it."""
-    known = island.facts.get(_FORMED)
-    return island.facts.keep(_FORMED, tuple(_formed(island))) if known is None else known
-
-
-def _formed(island: Island) -> list[Node]:
     found: list[Node] = []
     pending = [*island.nodes]
     while pending:

@@ -4,10 +4,8 @@ from bisect import bisect_right
 
 from kindsl.lsp.text import code_units as convert
 from kindsl.lsp.text.row import Piece, Row
-from kindsl.text.facts import Fact
+from kindsl.text.facts import kept
 from kindsl.text.lines import LineIndex
-
-_INDEX = Fact[LineIndex]("lines")
 
 
 class Lines:
@@ -93,8 +91,6 @@ class Lines:
         return line, origin + starts[within] if within else self.start(line)
 
 
+@kept
 def _starts(piece: Piece) -> list[int]:
-    index = piece.facts.get(_INDEX)
-    if index is None:
-        index = piece.facts.keep(_INDEX, LineIndex(piece.text))
-    return index.starts
+    return LineIndex(piece.text).starts

@@ -22,6 +22,7 @@ from collections.abc import Iterator
 from kindsl.rules.base import Example, Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 from kindsl.semantics.parameters import Binding
 
@@ -56,6 +57,7 @@ RULE = Rule(
     "parameter-out-of-range",
     Severity.WARNING,
     check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.SYMBOLS,
     good=(_joint(0.3), _joint(0.5)),
     bad=(_joint(0.9), _joint(0.1)),
 )

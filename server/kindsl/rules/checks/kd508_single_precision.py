@@ -20,38 +20,42 @@ from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.context import ROBCOGEN2, Context
 from kindsl.rules.examples import STEEL_BALL, link
 from kindsl.rules.number_writing import significant_digits
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import link_values, pose_values
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.lowering import declarations
 from kindsl.semantics.model import Model
+from kindsl.syntax.document import Chunk
 from kindsl.syntax.tree import Island
-from kindsl.text.facts import Fact
+from kindsl.text.facts import kept
 from kindsl.text.phrases import counted
 
 _KEPT = 9
-_LONG = Fact[tuple[Expression, ...]]("numbers of too many digits")
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield one finding for all the numbers of a document that have too many digits."""
     if context.targets == {ROBCOGEN2}:
         return
-    long = [value for island in model.islands for value in _long_values(island)]
+    long = [value for chunk in model.document.chunks for value in _long_in(chunk)]
     if long:
         more = counted(len(long) - 1, "more number")
         others = f" and {more} here have" if len(long) > 1 else " has"
         yield Finding(long[0], f"{long[0].text}{others} more digits than robcogen keeps")
 
 
-def _long_values(island: Island) -> tuple[Expression, ...]:
+@kept
+def _long_in(chunk: Chunk) -> list[Expression]:
+    return [value for island in chunk.islands for value in _long_values(island)]
+
+
+@kept
+def _long_values(island: Island) -> list[Expression]:
     """Return the numbers of an island that have too many digits; looked for once in its life."""
-    known = island.facts.get(_LONG)
-    if known is None:
-        declared = declarations(island)
-        values = [value for body in declared.bodies() for value, _ in link_values(body)]
-        values += [value for moved in declared.joints for value, _ in pose_values(moved.pose)]
-        known = island.facts.keep(_LONG, tuple(filter(_is_long, values)))
-    return known
+    declared = declarations(island)
+    values = [value for body in declared.bodies() for value, _ in link_values(body)]
+    values += [value for moved in declared.joints for value, _ in pose_values(moved.pose)]
+    return list(filter(_is_long, values))
 
 
 def _is_long(value: Expression) -> bool:
@@ -70,6 +74,7 @@ RULE = Rule(
     "single-precision",
     Severity.HINT,
     check_document=check_document,
+    reads=Aspect.PLACES | Aspect.MASSES | Aspect.STRUCTURE,
     good=(_ball("4.10000001"),),
     bad=(_ball("4.100000000012"),),
 )

@@ -15,9 +15,8 @@ from kindsl.rules.inertia.twins import part_of, right_twin_of
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
 from kindsl.semantics.numbers import mass_distribution, written_pose
-from kindsl.text.facts import Fact
+from kindsl.text.facts import kept
 
-_PARTS = Fact[dict[str, list[Link]]]("parts")
 _MOST_PARTS = 8
 _NEAR = 0.02
 _ELONGATED = 2.5
@@ -195,14 +194,12 @@ def _mirror(model: Model, link: Link) -> str | None:
     return next((str(o.name) for o in others if right_twin_of(o) == link.name), None)
 
 
+@kept
 def _parts(model: Model) -> dict[str, list[Link]]:
     """Return the bodies that are the same part on another side or at another leg, by its name."""
-    known = model.facts.get(_PARTS)
-    if known is not None:
-        return known
     parts: dict[str, list[Link]] = {}
     for body in model.bodies:
         part = part_of(body)
         if part and len(parts.setdefault(part, [])) < _MOST_PARTS:
             parts[part].append(body)
-    return model.facts.keep(_PARTS, parts)
+    return parts
