@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
 from kindsl.analysis.check_run import Checkpoint, CheckRun, Fault, go_on
@@ -66,7 +66,14 @@ class Analysis:
     @cached_property
     def context(self) -> Context:
         """Targets and values that the rules see."""
-        return Context(self.settings.targets, self.settings.bindings, self.model)
+        settings = self.settings
+        if not settings.twins:
+            return Context(settings.targets, settings.bindings, self.model)
+        from kindsl.analysis.twins import compared_twins
+
+        compare = partial(compared_twins, settings.twins)
+        twins = settings.twins
+        return Context(settings.targets, settings.bindings, self.model, compare, twins)
 
     @cached_property
     def resolver(self) -> Resolver:

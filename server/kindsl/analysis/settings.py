@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from kindsl.comparison.twins import TwinFile
 from kindsl.rules.base import Rule, Severity
 from kindsl.semantics.parameters import Binding, JointProperties
 
@@ -22,6 +23,7 @@ class Settings(NamedTuple):
         poses: Positions of joints by the names of poses, radians or metres.
         known: How often the baseline knows each finding of the document, by its identity.
         version: The robot's version.
+        twins: Other files of the same robot.
     """
 
     targets: frozenset[str] = frozenset()
@@ -33,6 +35,7 @@ class Settings(NamedTuple):
     poses: Mapping[str, Mapping[str, float]] = {}
     known: Mapping[str, int] = {}
     version: str = "1.0.0"
+    twins: tuple[TwinFile, ...] = ()
 
     def rebound(self, values: Mapping[str, float]) -> "Settings":
         """Return these settings with parameters bound to other values, in their former ranges."""

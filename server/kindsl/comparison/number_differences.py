@@ -28,6 +28,13 @@ _UNITS = dict(zip(INERTIA, ("kg", *("m",) * 3, *("kg m²",) * 6), strict=True)) 
 )
 
 
+class NumberChange(NamedTuple):
+    """A number, and what it would have to be for the files to agree."""
+
+    number: WrittenNumber
+    value: float
+
+
 class NumberDifference(NamedTuple):
     """A number that is another in the other file.
 
@@ -46,6 +53,8 @@ class NumberDifference(NamedTuple):
         there_near: What the other does.
         body: Our body that it moves or weighs.
         is_theirs: Whether it is the other's number that would have to be another.
+        our_changes: What to write in our file for both to agree; none where that is not known.
+        their_changes: The same in the other file.
     """
 
     kind: str
@@ -62,6 +71,8 @@ class NumberDifference(NamedTuple):
     there_near: WrittenNumber | None = None
     body: int = 0
     is_theirs: bool = False
+    our_changes: tuple[NumberChange, ...] = ()
+    their_changes: tuple[NumberChange, ...] = ()
 
 
 class _WantedNumbers(NamedTuple):
@@ -290,6 +301,7 @@ def _difference(
     names = INERTIA if isinstance(wanted.form, WrittenInertia) else POSE
     value, there = wanted.form.values[k], wanted.values[k]
     number = other.numbers[k] if others is not None else None
+    needed = () if others is None else others.unlike if wanted.unlike == (k,) else (k,)
     is_one = others is not None and others.unlike == wanted.unlike == (k,)
     is_equal = number is not None and abs(other.values[k] - there) <= number.slack + _ROUNDING
     is_there = number is not None and (is_one or is_equal)
@@ -305,7 +317,18 @@ def _difference(
         number if is_there else None,
         others.values[k] if is_one and others is not None else None,
         there_near=number,
+        our_changes=_changes(wanted, (k,)),
+        their_changes=_changes(others, needed) if others is not None else (),
     )
+
+
+def _changes(wanted: _WantedNumbers, indices: Sequence[int]) -> tuple[NumberChange, ...]:
+    numbers = [wanted.form.numbers[k] for k in indices]
+    if any(k not in wanted.unlike for k in indices):
+        return ()
+    changes = zip(numbers, (wanted.values[k] for k in indices), strict=True)
+    found = [NumberChange(number, value) for number, value in changes if number is not None]
+    return tuple(found) if len(found) == len(numbers) else ()
 
 
 def _reversed(found: NumberDifference) -> NumberDifference:
@@ -321,4 +344,6 @@ def _reversed(found: NumberDifference) -> NumberDifference:
         here_near=found.there_near,
         there_near=None,
         is_theirs=True,
+        our_changes=found.their_changes,
+        their_changes=found.our_changes,
     )

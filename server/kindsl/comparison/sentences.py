@@ -1,9 +1,12 @@
 """A number that differs, in words."""
 
-from kindsl.comparison.number_differences import NumberDifference
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from kindsl.comparison.number_differences import NumberDifference
 
 
-def told(number: NumberDifference, here: str, there: str) -> str:
+def told(number: "NumberDifference", here: str, there: str) -> str:
     """Return the sentence for a number that differs, without final period.
 
     Args:

@@ -3,7 +3,8 @@
 from typing import NamedTuple
 
 from kindsl.analysis.settings import Settings
-from kindsl.config.decisions import Decisions, overridden
+from kindsl.comparison.twins import TwinFile
+from kindsl.config.decisions import Decisions, TwinTable, overridden
 from kindsl.config.errors import ConfigurationError, ConfigurationProblem
 from kindsl.config.toml_places import KeyPath, Places
 
@@ -33,6 +34,7 @@ class Configuration(NamedTuple):
         places: Where each key stands, by its path of keys and list indices.
         root: The keys before ours: `("tool", "kindsl")` in a pyproject.toml.
         baseline: The file of known findings, from the file's folder; empty without one.
+        twins: Other files of robots.
     """
 
     path: str
@@ -42,6 +44,12 @@ class Configuration(NamedTuple):
     places: Places
     root: tuple[str, ...]
     baseline: str = ""
+    twins: tuple[TwinTable, ...] = ()
+
+    @property
+    def twin_files(self) -> tuple[TwinFile, ...]:
+        """All twins, whatever the document."""
+        return tuple(table.twin for table in self.twins)
 
     @property
     def has_bindings(self) -> bool:
@@ -81,4 +89,12 @@ class Configuration(NamedTuple):
         settings = Settings()
         for table in self.tables_for(document):
             settings = overridden(settings, table)
-        return settings
+        return settings._replace(twins=self.twins_for(document)) if self.twins else settings
+
+    def twins_for(self, document: str) -> tuple[TwinFile, ...]:
+        """Return the other files of a document's robot."""
+        from kindsl.config.patterns import is_match
+
+        return tuple(
+            table.twin for table in self.twins if is_match(self.path, table.pattern, document)
+        )

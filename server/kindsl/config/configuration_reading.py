@@ -8,7 +8,7 @@ from typing import Any
 from kindsl.config.configuration import Configuration, DocumentTable
 from kindsl.config.errors import ConfigurationError, ConfigurationProblem, KeyPlace
 from kindsl.config.file_names import PYTHON_FILE, PYTHON_TABLE
-from kindsl.config.tables import DOCUMENT_KEYS, KEYS, Checker, bindings, decisions
+from kindsl.config.tables import DOCUMENT_KEYS, KEYS, Checker, bindings, decisions, twin_of
 from kindsl.config.toml_places import toml_places
 from kindsl.semantics.parameters import Binding
 from kindsl.text.lines import LineIndex
@@ -66,11 +66,15 @@ def configuration_of(path: str, text: str) -> Configuration:
         DocumentTable(pattern, decisions(checker, ("document", number), entry))
         for number, entry in enumerate(checker.tables(("document",), table))
         if checker.known_keys(("document", number), entry, DOCUMENT_KEYS)
-        and (pattern := checker.pattern(("document", number), entry))
+        and (pattern := checker.pattern(("document", number, "path"), entry))
     )
+    entries = enumerate(checker.tables(("twins",), table))
+    twins = [twin_of(checker, ("twins", number), entry) for number, entry in entries]
     baseline = checker.text(("baseline",), table)
     checker.raise_if_wrong()
-    return Configuration(path, text, common, documents, checker.places, root, baseline)
+    return Configuration(
+        path, text, common, documents, checker.places, root, baseline, tuple(filter(None, twins))
+    )
 
 
 def read_parameters(path: str) -> dict[str, Binding]:

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from kindsl.analysis.settings import Settings
+from kindsl.comparison.twins import TwinFile
 from kindsl.rules.base import Severity
 from kindsl.semantics.parameters import Binding, JointProperties
 
@@ -30,6 +31,20 @@ class Decisions(NamedTuple):
     joints: Mapping[str, JointProperties] = {}
     version: str | None = None
     poses: Mapping[str, Mapping[str, float]] = {}
+
+
+class TwinTable(NamedTuple):
+    """A table of `[[twins]]`.
+
+    Attributes:
+        pattern: The documents it is for, in the manner of `.gitignore`.
+        twin: Another file of their robot.
+        place: Where that file is named.
+    """
+
+    pattern: str
+    twin: TwinFile
+    place: tuple[int, int]
 
 
 def overridden(settings: Settings, table: Decisions) -> Settings:

@@ -1,11 +1,13 @@
 """Checks the tables of a configuration file: keys, types, values."""
 
 import math
+import os
 import re
 from collections.abc import Collection, Mapping
 from typing import Any
 
-from kindsl.config.decisions import Decisions
+from kindsl.comparison.twins import TwinFile
+from kindsl.config.decisions import Decisions, TwinTable
 from kindsl.config.errors import ConfigurationError, ConfigurationProblem, KeyPlace
 from kindsl.config.toml_places import KeyPath, Places
 from kindsl.rules.base import Severity
@@ -18,12 +20,13 @@ from kindsl.text.printable import printable
 
 KEYS = (
     "target", "select", "ignore", "baseline", "severity", "parameters", "joints", "version",
-    "poses", "document",
+    "poses", "document", "twins",
 )  # fmt: skip
 DOCUMENT_KEYS = (
     "path", "target", "select", "ignore", "severity", "parameters", "joints", "version",
     "poses",
 )  # fmt: skip
+TWIN_KEYS = ("document", "file", "joints", "tolerance")
 VERSION = re.compile(r"\d+(\.\d+){0,3}")
 BINDING_KEYS = ("value", "min", "max")
 LIMIT_KEYS = ("min", "max")
@@ -41,20 +44,21 @@ class Checker:
     Attributes:
         path: The file.
         places: Where its keys stand, by the whole path of keys.
+        root: The keys before ours.
     """
 
-    __slots__ = ("_lines", "_problems", "_root", "path", "places")
+    __slots__ = ("_lines", "_problems", "path", "places", "root")
 
     def __init__(self, path: str, text: str, places: Places, root: tuple[str, ...]) -> None:
         self.path = path
         self.places = places
         self._lines = LineIndex(text)
-        self._root = root
+        self.root = root
         self._problems: list[ConfigurationProblem] = []
 
     def wrong(self, keys: KeyPath, message: str) -> None:
         """Report an error at a key, or at the nearest key above that has a place."""
-        known = (*self._root, *keys)
+        known = (*self.root, *keys)
         while known and known not in self.places:
             known = known[:-1]
         start, end = self.places.get(known, (0, 0))
@@ -100,17 +104,20 @@ class Checker:
             self.wrong(keys, f"'{dotted(keys)}' is empty")
         return value.strip()
 
-    def pattern(self, keys: KeyPath, table: Mapping[str, Any]) -> str:
-        """Return the `path` of a document's table; empty and reported if it is invalid."""
-        if "path" not in table:
-            self.wrong(keys, f"'{dotted(keys)}' has no 'path'")
+    def required_text(self, keys: KeyPath, table: Mapping[str, Any]) -> str:
+        """Return a text; empty and reported if there is none."""
+        if keys[-1] not in table:
+            self.wrong(keys[:-1], f"'{dotted(keys[:-1])}' has no '{keys[-1]}'")
             return ""
+        return self.text(keys, table)
+
+    def pattern(self, keys: KeyPath, table: Mapping[str, Any]) -> str:
+        """Return a pattern of documents; empty and reported if it is invalid."""
         from kindsl.config.patterns import can_match
 
-        pattern = self.text((*keys, "path"), table).removeprefix("./")
+        pattern = self.required_text(keys, table).removeprefix("./")
         if pattern and not can_match(pattern):
-            where = dotted((*keys, "path"))
-            self.wrong((*keys, "path"), f"'{where}' is a pattern that cannot match any document")
+            self.wrong(keys, f"'{dotted(keys)}' is a pattern that cannot match any document")
         return pattern
 
     def raise_if_wrong(self) -> None:
@@ -159,6 +166,24 @@ def bindings(checker: Checker, keys: KeyPath, table: Mapping[str, Any]) -> dict[
         if binding is not None:
             found[name] = binding
     return found
+
+
+def twin_of(checker: Checker, keys: KeyPath, table: Mapping[str, Any]) -> TwinTable | None:
+    """Return a table of `[[twins]]`; None and reported if it is invalid."""
+    checker.known_keys(keys, table, TWIN_KEYS)
+    pattern = checker.pattern((*keys, "document"), table)
+    file = checker.required_text((*keys, "file"), table)
+    joints = _table(checker, (*keys, "joints"), table)
+    for name, other in joints.items():
+        if not isinstance(other, str):
+            checker.wrong_type((*keys, "joints", name), other, "a string")
+    tolerance = _amount(checker, (*keys, "tolerance"), table)
+    if not pattern or not file:
+        return None
+    pairs = tuple((str(ours), str(theirs)) for ours, theirs in joints.items())
+    path = os.path.normpath(os.path.join(os.path.dirname(checker.path), file))
+    place = checker.places.get((*checker.root, *keys, "file"), (0, 0))
+    return TwinTable(pattern, TwinFile(path, file, pairs, tolerance or 0.0), place)
 
 
 def is_code(text: str) -> bool:

@@ -1,15 +1,26 @@
 """The knowledge of a rule besides the document: targets, bindings, ranges."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from kindsl.semantics.model import Model
 from kindsl.semantics.parameters import Binding, values_of
+
+if TYPE_CHECKING:
+    from kindsl.comparison.twins import ComparedTwin
 
 ROBCOGEN = "robcogen"
 ROBCOGEN2 = "robcogen2"
 TARGETS = (ROBCOGEN, ROBCOGEN2)
 ZERO_FOR_ROBCOGEN2 = 5e-6
+
+CompareTwins = Callable[[Model, Mapping[str, float]], "Iterable[ComparedTwin]"]
+
+
+def _no_twins(model: Model, values: Mapping[str, float]) -> "tuple[ComparedTwin, ...]":
+    del model, values
+    return ()
 
 
 class Context:
@@ -22,12 +33,23 @@ class Context:
     """
 
     def __init__(
-        self, targets: frozenset[str], bindings: Mapping[str, Binding], model: Model
+        self,
+        targets: frozenset[str],
+        bindings: Mapping[str, Binding],
+        model: Model,
+        twins: CompareTwins = _no_twins,
+        twins_key: object = (),
     ) -> None:
         self.targets = targets
         self.bindings = bindings
         given = {name: binding.value for name, binding in bindings.items()}
         self.values = values_of(model.parameters, model.constants, given)
+        self._model, self._compare_twins, self._twins_key = model, twins, twins_key
+
+    @cached_property
+    def twins(self) -> "tuple[ComparedTwin, ...]":
+        """Other files of the same robot, compared with the document."""
+        return tuple(self._compare_twins(self._model, self.values))
 
     @cached_property
     def key(self) -> tuple[object, ...]:
@@ -36,4 +58,5 @@ class Context:
             self.targets,
             tuple(sorted(self.values.items())),
             tuple(sorted(self.bindings.items())),
+            self._twins_key,
         )

@@ -17,6 +17,7 @@ _FAMILIES = {
     "KD6": "Portability",
     "KD7": "Style",
     "KD8": "Transforms documents",
+    "KD9": "Other files of the same robot",
 }
 
 

@@ -102,9 +102,8 @@ def _unused(
     files: list[LintedFile], configurations: "dict[str, Configuration]", plan: LintPlan
 ) -> list[LintedFile]:
     """Return the configuration files with their unused bindings."""
-    if STDIN in plan.paths or not any(
-        configuration.has_bindings for configuration in configurations.values()
-    ):
+    named = any(found.has_bindings or found.twins for found in configurations.values())
+    if STDIN in plan.paths or not named:
         return []
     from kindsl.cli.linter.unused_bindings import unused_bindings
 

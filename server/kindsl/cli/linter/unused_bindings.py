@@ -1,4 +1,4 @@
-"""KD404 over a run of the linter: linted documents use names, others may mention them."""
+"""KD404 and KD902 over a run of the linter: what configuration files name in vain."""
 
 import os
 from collections.abc import Collection, Iterator, Mapping, Sequence
@@ -10,6 +10,7 @@ from kindsl.cli.outcome import Failure, LintedFile
 from kindsl.config import unused_bindings as vain
 from kindsl.config.configuration import Configuration
 from kindsl.config.robots import Obstacle, walked
+from kindsl.config.unreadable_twins import unreadable_twins
 from kindsl.rules.checks.kd404_unused_binding import unused_bindings as vain_bindings
 
 
@@ -34,6 +35,7 @@ def unused_bindings(
         others = partial(_words_of_others, configuration, own, excluded)
         settings = choices.settings_for(path)
         findings = vain.unused_bindings(configuration, settings, own, others)
+        findings += unreadable_twins(configuration, settings)
         if findings:
             found.append(LintedFile(path, configuration.text, findings))
     return found

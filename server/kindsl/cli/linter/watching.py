@@ -6,6 +6,7 @@ import sys
 import time
 from collections.abc import Callable
 
+from kindsl.analysis.twins import watched_files
 from kindsl.cli.documents.walking import documents
 from kindsl.cli.linter.run import LINTED, LintPlan, lint
 from kindsl.cli.outcome import Failure, RunOutcome
@@ -54,15 +55,17 @@ def stamps(plan: LintPlan) -> dict[str, Stamp | None]:
             folder = os.path.dirname(os.path.abspath(path))
             configuration = plan.choices.configurations.fixed or nearest_configuration(folder)
             configurations |= {configuration} if configuration is not None else set()
-    deciding = (file for path in configurations for file in (path, _baseline_of(path)))
+    deciding = (file for path in configurations for file in (path, *_named_by(path)))
     return found | {file: stamp(file) for file in deciding}
 
 
-def _baseline_of(configuration: str) -> str:
+def _named_by(path: str) -> list[str]:
+    """Return the other files that a configuration file names."""
     try:
-        return baseline_path(read_configuration(configuration))
+        configuration = read_configuration(path)
+        return [baseline_path(configuration), *watched_files(configuration.twin_files)]
     except ConfigurationError:
-        return ""
+        return []
 
 
 def _afresh(plan: LintPlan) -> LintPlan:

@@ -91,7 +91,12 @@ async def _unused_bindings(state: State, document: Document) -> "list[Diagnostic
         from kindsl.config.unused_bindings import unused_bindings
 
         configuration = configuration_of(document)
-        return unused_bindings(configuration, settings, used, others) if configuration else []
+        if configuration is None:
+            return []
+        from kindsl.config.unreadable_twins import unreadable_twins
+
+        unreadable = unreadable_twins(configuration, settings, state.workspace.may_read)
+        return [*unused_bindings(configuration, settings, used, others), *unreadable]
 
     return await state.worker.run(check, Urgency.DIAGNOSTICS)
 

@@ -17,6 +17,7 @@ from kindsl.text.saves import Stamp, stamp
 
 if TYPE_CHECKING:
     from kindsl.analysis.settings import Settings
+    from kindsl.comparison.twins import TwinFile
     from kindsl.config.configuration import Configuration, ConfigurationProblem
     from kindsl.config.discovery import Configurations
     from kindsl.lsp.session.settings import EditorSettings
@@ -30,6 +31,7 @@ class Workspace:
 
     Attributes:
         folders: Their URIs.
+        is_trusted: Whether the user trusts what lies in them, as editors ask.
     """
 
     def __init__(self) -> None:
@@ -37,6 +39,11 @@ class Workspace:
         self._raw: dict[str | None, object] = {}
         self._understood: dict[str | None, EditorSettings] = {}
         self._project = _Project()
+        self.is_trusted = True
+
+    def may_read(self, path: str) -> bool:
+        """Return whether a file that a configuration names may be read: outside only if trusted."""
+        return self.is_trusted or any(Path(path).is_relative_to(each) for each in self.paths())
 
     def add_folders(self, folders: Iterable[types.WorkspaceFolder]) -> None:
         """Open folders."""
@@ -83,7 +90,9 @@ class Workspace:
             path = uris.path(document.uri)
             place = path or next((f / "untitled.kindsl" for f in self.paths()), None)
             editor = self.editor_settings(document.uri).rules
-            project.merged[key] = merged(project.settings(place), editor)
+            found = project.settings(place)
+            twins = tuple(twin for twin in found.twins if self.may_read(twin.path))
+            project.merged[key] = merged(found._replace(twins=twins), editor)
         return project.merged[key]
 
     def configuration_file(self, document: "Document") -> Path | None:
@@ -144,7 +153,9 @@ class _Project:
         found = self._above(document)
         if found is None:
             return Settings()
-        return found.settings_for(str(document))._replace(known=self._known(found, document))
+        settings = found.settings_for(str(document))
+        twins = tuple(map(self._watched, settings.twins))
+        return settings._replace(known=self._known(found, document), twins=twins)
 
     def file(self, document: Path | None) -> Path | None:
         """Return the nearest configuration file above a document, if it is valid."""
@@ -154,6 +165,15 @@ class _Project:
     def is_outdated(self) -> bool:
         """True if a file that decides for a document has appeared, changed or gone."""
         return any(stamp(path) != known for path, known in self._stamps.items())
+
+    def _watched(self, twin: "TwinFile") -> "TwinFile":
+        """Return a twin that is another one after each change of its files."""
+        from kindsl.analysis.twins import watched_files
+
+        files = list(watched_files([twin]))
+        for path in files:
+            self._stamps.setdefault(path, stamp(path))
+        return twin._replace(version=tuple(self._stamps[path] for path in files))
 
     def _known(self, configuration: "Configuration", document: Path) -> "Mapping[str, int]":
         from kindsl.config.baseline import baseline_path, known_findings

@@ -1,0 +1,95 @@
+"""Reads the twins of a document and compares them; what was read is kept until a file changes."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import lru_cache
+from pathlib import Path
+from typing import NamedTuple
+
+from kindsl.comparison.document_side import described_document
+from kindsl.comparison.mechanical import compared_mechanics
+from kindsl.comparison.twins import ComparedTwin, TwinFile
+from kindsl.comparison.written import Described
+from kindsl.mechanism.errors import ModelError
+from kindsl.mechanism.strict_reading import strict_skeleton
+from kindsl.semantics.model import Model
+
+_XACRO = ".xacro"
+_KEPT = 32
+# Whose change is a change of a folder of generated code.
+_OF_FOLDER = ("kindsl-generated.json", "inertia_properties.impl.h", "inertia_properties.h")
+
+
+class _TwinVersion(NamedTuple):
+    """A file as it was when it was read."""
+
+    path: str
+    changed: tuple[tuple[int, int], ...]
+
+
+def compared_twins(
+    twins: Sequence[TwinFile], model: Model, values: Mapping[str, float]
+) -> Iterator[ComparedTwin]:
+    """Yield the twins that can be read, compared with a document that describes a robot."""
+    if not twins:
+        return
+    try:
+        skeleton = strict_skeleton(model, values)
+    except ModelError:
+        return
+    ours = described_document("here", model, values, skeleton)
+    for twin in twins:
+        theirs = read_twin(twin, skeleton.is_floating)
+        if isinstance(theirs, Described):
+            found = compared_mechanics(ours, theirs, dict(twin.joints), twin.tolerance)
+            yield ComparedTwin(twin, Path(twin.path).is_dir(), found)
+
+
+def read_twin(twin: TwinFile, floating: bool | None = None) -> Described | str:
+    """Return the robot of a twin, or why it cannot be read: one sentence about the file.
+
+    Args:
+        twin: The file. A xacro file is not read, since that evaluates expressions in it.
+        floating: Whether its base floats, where the file leaves that open.
+    """
+    if Path(twin.path).suffix.lower() == _XACRO:
+        return "is xacro, which is not expanded here: name the URDF that it makes"
+    return _read(_version(twin.path), twin.label, floating)
+
+
+def watched_files(twins: Iterable[TwinFile]) -> Iterator[str]:
+    """Yield the files whose change is a change of a twin."""
+    for twin in twins:
+        yield twin.path
+        if Path(twin.path).is_dir():
+            yield from (str(Path(twin.path, name)) for name in _OF_FOLDER)
+
+
+def _version(path: str) -> _TwinVersion:
+    files = [Path(path), *(Path(path, name) for name in _OF_FOLDER)]
+    stats = (_stat(file) for file in files)
+    return _TwinVersion(path, tuple(each for each in stats if each is not None))
+
+
+def _stat(path: Path) -> tuple[int, int] | None:
+    try:
+        stat = path.stat()
+    except (OSError, ValueError):
+        return None
+    return stat.st_mtime_ns, stat.st_size
+
+
+@lru_cache(_KEPT)
+def _read(version: _TwinVersion, label: str, floating: bool | None) -> Described | str:
+    from kindsl.interchange.descriptions import read_description
+    from kindsl.interchange.format import FormatError
+
+    try:
+        return read_description(Path(version.path), label, floating).robot
+    except FormatError as error:
+        return str(error)
+    except ModuleNotFoundError as error:
+        return f"needs {error.name}, which is not installed"
+    except OSError as error:
+        return f"cannot be read: {error.strerror or error}"
+    except ValueError as error:
+        return f"cannot be read: {error}"

@@ -1,0 +1,53 @@
+"""Code was generated from other numbers than the document's.
+
+## What it does
+Compares a document with each folder of generated code that `kindsl.toml` names under `[[twins]]`:
+RobCoGen's C++, which is read as text, or what `kindsl generate` wrote. One finding a folder says
+which number differs and by how much.
+
+## Why is this bad?
+What runs on the robot is not what the document says.
+
+## Example
+```toml
+[[twins]]
+document = "quadrotor.kindsl"
+file = "generated/quadrotor"
+```
+"""
+
+from collections.abc import Iterator
+
+from kindsl.comparison.twins import ComparedTwin
+from kindsl.rules.base import Finding, Rule, Severity
+from kindsl.rules.context import Context
+from kindsl.rules.twin_findings import of_number, of_structure
+from kindsl.semantics.aspects import Aspect
+from kindsl.semantics.model import Model
+
+
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
+    """Yield a finding for each folder whose numbers are others."""
+    for each in context.twins:
+        if each.is_generated:
+            yield from _findings(model, each)
+
+
+def _findings(model: Model, each: ComparedTwin) -> Iterator[Finding]:
+    structure = list(of_structure(model, each))
+    found = [of_number(model, each.twin, number) for number in each.found.numbers]
+    findings = [*structure, *(finding for finding in found if finding is not None)]
+    if findings:
+        first, *rest = findings
+        more = f", and {len(rest)} more" if rest else ""
+        message = f"'{each.twin.label}' was generated from other numbers: {first.message}{more}"
+        yield Finding(first.at, message)
+
+
+RULE = Rule(
+    "KD903",
+    "generated-from-others",
+    Severity.WARNING,
+    check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES | Aspect.SYMBOLS,
+)
