@@ -114,7 +114,7 @@ def test_a_link_that_is_there_gets_its_inertia() -> None:
         (ELBOW.format(axis="0 0 1").replace("elbow", "shoulder"), "'shoulder' is already defined"),
         (ELBOW.format(axis="0 0 x"), "line 5: <axis> has 'x'"),
         (ELBOW.format(axis="0 0 1").replace("revolute", "planar"), "which the language does not"),
-        (INERTIAL.format(yaw="0"), "belongs into a link"),
+        (INERTIAL.format(yaw="0"), "belongs in a link"),
     ],
 )
 def test_what_cannot_be_taken_over_is_told(elements: str, said: str) -> None:

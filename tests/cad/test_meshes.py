@@ -86,6 +86,17 @@ def test_an_open_mesh_is_refused_with_where() -> None:
     )
 
 
+def test_corners_that_rounding_keeps_apart_are_one() -> None:
+    first, *rest = box()
+    apart = [[(x + 3e-9, y, z) for x, y, z in first], *rest]
+    found = mesh_properties(as_text(apart), mass=Decimal(3))
+    right = mesh_properties(as_text(box()), mass=Decimal(3))
+    for text, expected in zip(found.moments, right.moments, strict=True):
+        assert abs(float(text) - float(expected)) < 1e-7
+    assert "taken for one" in found.notes[0]
+    assert "not closed" in refusal(as_text([[(x + 1e-4, y, z) for x, y, z in first], *rest]))
+
+
 def test_a_triangle_turned_round_is_refused() -> None:
     first, *rest = box()
     assert "not closed" in refusal(as_text([first[::-1], *rest]))

@@ -100,7 +100,7 @@ def test_outside_of_links_there_is_nothing_to_write() -> None:
     text = robot(link("upper", 1), base="upper via shoulder", joints="shoulder")
     report = REPORTS["SolidWorks_upper_arm"]
     finding = only(analyse(text.replace("r_joint", f"{report}\nr_joint")))
-    assert finding.fix is None and finding.message.endswith("belong into a link")
+    assert finding.fix is None and finding.message.endswith("belong in a link")
 
 
 def test_line_ends_are_kept() -> None:

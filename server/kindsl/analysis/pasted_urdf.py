@@ -75,7 +75,7 @@ def _of_inertial(link: DescribedLink, at: Place) -> tuple[Replacement, ...]:
     declared = declarations(at.island)
     body = body_around((*declared.bases, *declared.links), at)
     if body is None:
-        raise _NotTakenError("it belongs into a link")
+        raise _NotTakenError("it belongs in a link")
     if link.body is None:
         raise _NotTakenError("it has no mass")
     return inertia_changes(body, _properties(link.body), at)

@@ -9,6 +9,7 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from decimal import Decimal
 from fractions import Fraction
+from itertools import product
 from math import frexp, isfinite
 
 from kindsl.cad.properties import MassProperties
@@ -17,6 +18,9 @@ from kindsl.cad.shape import ShapeError, rounded
 _DIGITS = 15
 _HEADER, _RECORD = 84, 50
 _MANTISSA_BITS = 24
+# Corners are one if they differ by the last bits of single precision, or by this, in metres.
+_SINGLE_BITS = 22
+_CLOSE = Fraction(1, 10**8)
 _VERTEX = re.compile(rb"vertex\s+(\S+)\s+(\S+)\s+(\S+)")
 
 Point = tuple[int, int, int]
@@ -45,8 +49,13 @@ def mesh_properties(
             raise ShapeError(f"the {name} is {value}, which is not positive")
     triangles, unit = _triangles(content)
     unit *= Fraction(scale)
-    _check_closed(triangles, unit)
-    return _properties(_integrals(triangles), unit, mass, density)
+    notes: tuple[str, ...] = ()
+    if _open_edges(triangles):
+        welded, reach = _welded(triangles, unit)
+        _check_closed(_open_edges(welded), unit)
+        triangles = welded
+        notes = (f"corners less than {float(reach * unit):.1g} m apart are taken for one",)
+    return _properties(_integrals(triangles), unit, mass, density, notes)
 
 
 def _triangles(content: bytes) -> tuple[list[Triangle], Fraction]:
@@ -101,8 +110,8 @@ def _points(numbers: Sequence[int]) -> list[Point]:
     return list(zip(each, each, each, strict=False))
 
 
-def _check_closed(triangles: Iterable[Triangle], unit: Fraction) -> None:
-    """Raise ShapeError unless each edge has as many triangles on one side as on the other."""
+def _open_edges(triangles: Iterable[Triangle]) -> list[tuple[Point, Point]]:
+    """Return the edges that have not as many triangles on one side as on the other."""
     edges: Counter[tuple[Point, Point]] = Counter()
     for a, b, c in triangles:
         for start, end in ((a, b), (b, c), (c, a)):
@@ -110,12 +119,42 @@ def _check_closed(triangles: Iterable[Triangle], unit: Fraction) -> None:
                 edges[start, end] += 1
             elif end < start:
                 edges[end, start] -= 1
-    open_edges = sorted(edge for edge, count in edges.items() if count)
+    return sorted(edge for edge, count in edges.items() if count)
+
+
+def _check_closed(open_edges: Sequence[tuple[Point, Point]], unit: Fraction) -> None:
+    """Raise ShapeError with the place of the first edge, if there is one."""
     if open_edges:
         ends = " to ".join(_place(point, unit) for point in open_edges[0])
         count = f"{len(open_edges)} edges have" if len(open_edges) > 1 else "an edge has"
         first = "the first is from" if len(open_edges) > 1 else "it is from"
         raise ShapeError(f"the mesh is not closed: {count} triangles on one side, {first} {ends}")
+
+
+def _welded(triangles: Sequence[Triangle], unit: Fraction) -> tuple[list[Triangle], int]:
+    """Return the triangles with corners made one that rounding keeps apart, and how far that is.
+
+    Modellers write a corner once for each triangle, and not always to the same last digit.
+    """
+    points = sorted({point for triangle in triangles for point in triangle})
+    greatest = max(max(map(abs, point)) for point in points)
+    reach = max(greatest >> _SINGLE_BITS, int(_CLOSE / unit))
+    if not reach:
+        return list(triangles), 0
+    cells: dict[Point, list[Point]] = {}
+    same: dict[Point, Point] = {}
+    for point in points:
+        x, y, z = (number // reach for number in point)
+        near = (
+            other
+            for i, j, k in product((x - 1, x, x + 1), (y - 1, y, y + 1), (z - 1, z, z + 1))
+            for other in cells.get((i, j, k), ())
+            if all(abs(a - b) <= reach for a, b in zip(point, other, strict=True))
+        )
+        same[point] = next(near, point)
+        if same[point] is point:
+            cells.setdefault((x, y, z), []).append(point)
+    return [(same[a], same[b], same[c]) for a, b, c in triangles], reach
 
 
 def _place(point: Point, unit: Fraction) -> str:
@@ -146,7 +185,11 @@ def _integrals(triangles: Iterable[Triangle]) -> Integrals:
 
 
 def _properties(
-    integrals: Integrals, unit: Fraction, mass: Decimal | None, density: Decimal | None
+    integrals: Integrals,
+    unit: Fraction,
+    mass: Decimal | None,
+    density: Decimal | None,
+    notes: tuple[str, ...],
 ) -> MassProperties:
     whole, first, second = integrals
     if not whole:
@@ -157,7 +200,8 @@ def _properties(
     spread = [[heavy * Fraction(one, 20 * whole) * unit**2 for one in row] for row in second]
     xx, yy, zz = (spread[i][i] for i in range(3))
     moments = (yy + zz, xx + zz, xx + yy, spread[0][1], spread[0][2], spread[1][2])
-    notes = ("the triangles face inwards: the volume inside is taken",) if whole < 0 else ()
+    if whole < 0:
+        notes = (*notes, "the triangles face inwards: the volume inside is taken")
     a, b, c, d, e, f = (rounded(moment, _DIGITS) for moment in moments)
     place = com[0], com[1], com[2]
     program = "a mesh"

@@ -1,7 +1,7 @@
 """Homogeneous shapes about their centre, `z` along their axis: mass and moments, exactly."""
 
 from collections.abc import Sequence
-from decimal import Decimal
+from decimal import Context, Decimal, InvalidOperation, localcontext
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -68,10 +68,31 @@ def shape_properties(
     return MassProperties(f"a {kind.name}", rounded(heavy, digits), zero, moments)
 
 
+def shape_called(text: str) -> MassProperties:
+    """Return the mass properties of a shape as a document names it: `box(1, 2, 3, mass = 4)`.
+
+    Raises:
+        ShapeError: It has not the sizes that it needs, or no body has them.
+    """
+    name, _, arguments = text.partition("(")
+    kind = next(kind for kind in KINDS if kind.name.replace(" ", "_") == name.strip())
+    *sizes, heavy = (part.strip() for part in arguments.rstrip(" )").split(","))
+    what, _, value = (part.strip() for part in heavy.partition("="))
+    if len(sizes) != len(kind.sizes) or what not in ("mass", "density"):
+        raise ShapeError(f"a {kind.name} needs {', '.join(kind.sizes)} and 'mass =' or 'density ='")
+    given = {what: _decimal(value)}
+    return shape_properties(kind, [_decimal(size) for size in sizes], **given)
+
+
+def _decimal(text: str) -> Decimal:
+    try:
+        return Decimal(text)
+    except InvalidOperation:
+        raise ShapeError(f"'{text}' is not a number") from None
+
+
 def rounded(value: Fraction, digits: int) -> str:
     """Return a value with so many significant digits at most, trailing zeros left out."""
-    from decimal import Context, localcontext
-
     with localcontext(Context(prec=digits)):
         number = (Decimal(value.numerator) / Decimal(value.denominator)).normalize()
     text = format(number + 0, "f") if number else "0.0"

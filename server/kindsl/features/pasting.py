@@ -49,7 +49,7 @@ def _as_lines(document: str, start: int, end: int, text: str) -> str:
     ]
     behind = document[end:].partition("\n")[0]
     lead = "\n" if before.strip() else ""
-    return lead + text + ("\n" if behind.strip() and not text.endswith("\n") else "")
+    return lead + text.strip("\r\n") + ("\n" if behind.strip() else "")
 
 
 def _fixes(after: Analysis, start: int, end: int) -> Iterator[tuple[TextFix, bool]]:

@@ -36,7 +36,10 @@ def inertia_changes(body: Link, found: MassProperties, at: Place) -> tuple[Repla
         for section in sections
     ):
         start = _line_start(at.island.text, at.start)
-        return (Replacement(Place(body.island, start, at.end), _block(body, found)),)
+        block = _block(body, found)
+        if at.island.text[start : at.start].strip():
+            start, block = at.start, block.lstrip()
+        return (Replacement(Place(body.island, start, at.end), block),)
     changes = new_inertia(body, found)
     if inertia is not None and len(changes) == 1 and inertia.start <= at.start <= inertia.end:
         return changes
@@ -68,11 +71,13 @@ def _block(body: Link, found: MassProperties) -> str:
 
 
 def without_lines(at: Place) -> Replacement:
-    """Return the change that removes the lines of a passage."""
+    """Return the change that removes a passage, and its lines if nothing else is in them."""
     text = at.island.text
     start, end = _line_start(text, at.start), at.end
     while end < len(text) and text[end] in " \t\r":
         end += 1
+    if text[start : at.start].strip() or text[end : end + 1] not in ("", "\n"):
+        return Replacement(at, "")
     return Replacement(Place(at.island, start, min(end + 1, len(text))), "")
 
 

@@ -2,12 +2,14 @@
 
 from kindsl.cad.properties import MassProperties
 from kindsl.cad.report import ReportError
+from kindsl.cad.shape import ShapeError, shape_called
 from kindsl.cad.taking_over import mass_properties
 from kindsl.rules.base import Finding, Fix
 from kindsl.rules.inertia_writing import body_around, inertia_changes
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.lowering import declarations
 from kindsl.semantics.places import Place
+from kindsl.syntax.passages import SHAPES
 from kindsl.text.phrases import listed
 
 _TITLE = "Take over the mass properties"
@@ -18,26 +20,46 @@ _CONVENTIONS = {
 
 
 def report_finding(at: Place) -> Finding:
-    """Return the finding of a report of mass properties.
+    """Return the finding of a report of mass properties, or of a shape.
 
     Args:
         at: Where it stands.
     """
+    text = at.island.text[at.start : at.end]
+    if text.startswith(SHAPES):
+        return _shape_finding(text, at)
     try:
-        found = mass_properties(at.island.text[at.start : at.end])
+        found = mass_properties(text)
     except ReportError as error:
         reasons = listed(error.reasons)
         return Finding(at, f"mass properties of {error.program} cannot be taken over: {reasons}")
-    declared = declarations(at.island)
-    body = body_around((*declared.bases, *declared.links), at)
+    body = _body(at)
     message = f"mass properties of {found.program}"
     if body is None:
-        return Finding(at, f"{message} belong into a link")
+        return Finding(at, f"{message} belong in a link")
     message = "; ".join((f"{message}: take them over", *_notes(found, body)))
     if found.sign is not None:
         return Finding(at, message, fix=_fix(_TITLE, body, found, at))
     choices = (_fix(title, body, found.by_sign(s), at) for s, title in _CONVENTIONS.items())
     return Finding(at, message, choices=tuple(choices))
+
+
+def _shape_finding(text: str, at: Place) -> Finding:
+    """Return the finding of a shape whose inertia is asked for."""
+    try:
+        found = shape_called(text)
+    except ShapeError as error:
+        return Finding(at, f"no inertia of this shape: {error}")
+    body = _body(at)
+    if body is None:
+        return Finding(at, f"{found.program} belongs in a link")
+    title = f"Write the inertia of {found.program}"
+    return Finding(at, f"{found.program} instead of its inertia", fix=_fix(title, body, found, at))
+
+
+def _body(at: Place) -> Link | None:
+    declared = declarations(at.island)
+    return body_around((*declared.bases, *declared.links), at)
 
 
 def _notes(found: MassProperties, body: Link) -> tuple[str, ...]:

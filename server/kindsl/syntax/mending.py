@@ -74,9 +74,9 @@ def _foreign(text: str, passage: Passage) -> Token:
 
 def _taken_over(passage: Passage) -> Problem:
     """Return the problem of a passage; who reads what it says words it better."""
-    if passage.kind is Foreign.REPORT:
-        return Problem("KD011", "a report of mass properties", passage.start, passage.end)
-    return Problem("KD001", URDF_ELEMENTS, passage.start, passage.end)
+    if passage.kind is Foreign.URDF:
+        return Problem("KD001", URDF_ELEMENTS, passage.start, passage.end)
+    return Problem("KD011", "mass properties", passage.start, passage.end)
 
 
 def _shortened(text: str, tokens: list[Token]) -> list[Token]:

@@ -1,4 +1,5 @@
-"""Passages of a text that are of another format: reports of mass properties, elements of URDF.
+"""Passages of a text that are of another format: reports of mass properties, elements of URDF,
+shapes.
 
 They consist of whole lines. What they say is for others to read.
 """
@@ -39,6 +40,12 @@ _FIRST = re.compile(r"^[ \t]*<(?:link|joint|inertial|robot|\?xml|!--)(?=[\s>/-])
 _OF_URDF = re.compile(r"<(?:link|joint|inertial)\b")
 
 
+SHAPES = ("box", "cylinder", "hollow_cylinder", "sphere", "capsule")
+_SHAPE = re.compile(
+    rf"(?:^[ \t]*(?=[^\r\n]*\)[ \t]*\r?$)|(?<=[\s{{}}])(?=[^)]*(?:mass|density)\s*=))"
+    rf"((?:{'|'.join(SHAPES)})[ \t]*\([^(){{}}\r\n]*\))",
+    re.MULTILINE,
+)
 URDF_ELEMENTS = "elements of URDF"
 
 
@@ -47,6 +54,7 @@ class Foreign(StrEnum):
 
     REPORT = "report"
     URDF = "urdf"
+    SHAPE = "shape"
 
 
 class Passage(NamedTuple):
@@ -66,6 +74,8 @@ class Passage(NamedTuple):
 def foreign_passages(text: str) -> list[Passage]:
     """Return the passages of a text that are of another format, in their order."""
     found = list(_elements(text)) if "<" in text else []
+    found += (Passage(Foreign.SHAPE, *match.span(1)) for match in _SHAPE.finditer(text))
+    found.sort(key=lambda passage: passage.start)
     if _INERTIA.search(text) and _CENTER.search(text):
         done = 0
         for passage in [*found, Passage(Foreign.URDF, len(text), len(text))]:

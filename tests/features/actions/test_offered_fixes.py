@@ -203,4 +203,4 @@ def test_what_is_created_anyway_is_offered_once() -> None:
 def test_to_ignore_is_no_fix() -> None:
     actions = code_actions(analyse(JOINT), 0, len(JOINT))
     kinds = {action.kind for action in actions if action.title.startswith("Ignore")}
-    assert kinds == {"suppress.kindsl"}
+    assert kinds == {"refactor.rewrite.suppress"}

@@ -12,7 +12,7 @@ class CodeAction(NamedTuple):
     Attributes:
         title: What it does, in the imperative.
         kind: `quickfix`, `refactor.extract`, `refactor.inline`, `refactor.rewrite`,
-            `source.fixAll.kindsl`, `suppress.kindsl` and the like.
+            `source.fixAll.kindsl`, `refactor.rewrite.suppress` and the like.
         edits: The change, disjoint.
         diagnostics: The findings that it mends.
         is_preferred: Whether an editor may do it unasked, by one key.

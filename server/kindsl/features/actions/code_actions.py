@@ -26,7 +26,7 @@ from kindsl.text.lines import LineIndex
 FIX_ALL = "source.fixAll.kindsl"
 QUICK_FIX = "quickfix"
 # No kind of fix, so that no editor shows a bulb for a finding that can only be ignored.
-IGNORE = "suppress.kindsl"
+IGNORE = "refactor.rewrite.suppress"
 _Mending: TypeAlias = tuple[int, tuple[TextEdit, ...]]
 _fixed: "WeakKeyDictionary[Analysis, tuple[TextEdit, ...]]" = WeakKeyDictionary()
 _alike: "WeakKeyDictionary[Analysis, dict[str, _Mending]]" = WeakKeyDictionary()

@@ -15,6 +15,7 @@ from kindsl.features.completion.fitting_names import (
 )
 from kindsl.features.completion.item import CompletionItem
 from kindsl.features.completion.keywords import block_items, keyword_items, section_items
+from kindsl.features.completion.shapes import shape_items
 from kindsl.features.completion.tree_names import child_items, joint_items
 from kindsl.features.completion.values import constant_items, value_items
 from kindsl.features.hover.joint import joint_hover
@@ -117,6 +118,7 @@ def _items(analysis: Analysis, context: CompletionContext) -> Iterator[Completio
         yield from block_items(analysis, context)
         yield from section_items(analysis, context)
         yield from keyword_items(context)
+        yield from shape_items(context)
         yield from _names(analysis, context)
 
 

@@ -9,6 +9,13 @@ from kindsl.syntax.vocabulary import MOMENTS, POSE
 
 MOMENT_DEFAULTS = dict(zip(MOMENTS, (*("0.01",) * 3, *("0.0",) * 3), strict=True))
 _DEFAULTS = {**MOMENT_DEFAULTS, "mass": "1.0", "ref_frame": "frame"}
+_SIZES = {
+    "box": ("0.1", "0.1", "0.1"),
+    "cylinder": ("0.05", "0.2"),
+    "hollow_cylinder": ("0.05", "0.04", "0.2"),
+    "sphere": ("0.05",),
+    "capsule": ("0.05", "0.2"),
+}
 _USUAL = {"scalar": "0.0", "moments": "0.0", "whole": "1", "name": "name"}
 
 
@@ -72,6 +79,13 @@ def _lines(kind: str, numbers: Iterator[int]) -> Iterator[str]:
         needed = [part for part, place in ORDER.get(kind, {}).items() if place.is_needed]
         lines = "\n".join(line for part in needed for line in _lines(part, numbers))
         yield _in_braces(words[0], lines)
+
+
+def shape(name: str, heavy: str) -> str:
+    """Return a shape whose inertia a fix writes, with its mass or its density."""
+    sizes = (f"${{{number}:{size}}}" for number, size in enumerate(_SIZES[name], 1))
+    value = {"mass": "1.0", "density": "2700.0"}[heavy]
+    return f"{name}({', '.join(sizes)}, {heavy} = ${{{len(_SIZES[name]) + 1}:{value}}})"
 
 
 def vector(first: int = 1) -> str:

@@ -19,7 +19,6 @@ if TYPE_CHECKING:
 handlers = Handlers()
 
 FIX_ALL = "source.fixAll.kindsl"
-IGNORE = "suppress.kindsl"
 _KINDS = types.CodeActionOptions(
     code_action_kinds=[
         types.CodeActionKind.QuickFix,
@@ -28,7 +27,6 @@ _KINDS = types.CodeActionOptions(
         types.CodeActionKind.RefactorRewrite,
         types.CodeActionKind.SourceFixAll,
         FIX_ALL,
-        IGNORE,
     ]
 )
 

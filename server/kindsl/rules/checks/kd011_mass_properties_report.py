@@ -3,7 +3,10 @@
 ## What it does
 Reports the text that SolidWorks, Onshape, Fusion 360, Inventor, Creo or FreeCAD shows for the mass
 properties of a body, pasted into a document, as one thing. A report that contradicts itself, that
-lacks a unit, or that is of several bodies is told as such, with its numbers.
+lacks a unit, or that is of several bodies is told as such, with its numbers. Also reports a shape
+on a line of a link, as completion offers it: `box(0.04, 0.04, 0.3, density = 2700)`, with `mass`
+or `density`; `cylinder` and `capsule` (radius, length), `hollow_cylinder` (outer and inner radius,
+length), `sphere` (radius).
 
 ## Why is this bad?
 It is not in the language. Copied by hand, units are mistaken and the signs of products of inertia
@@ -25,7 +28,7 @@ link upper {
 Writes the inertia of the link, in SI units, with all digits; the report must be given in the link
 frame. The sign of the products is proved by the tensor at the centre of mass or by the principal
 axes; where nothing proves it, one of two fixes is to be chosen. Unsafe: it replaces the inertia
-that the link has.
+that the link has. For a shape, writes its inertia about its centre.
 """
 
 from kindsl.rules.base import Example, Rule, Severity
@@ -50,5 +53,8 @@ RULE = Rule(
     "mass-properties-report",
     Severity.ERROR,
     good=(_LINK,),
-    bad=(Example(_LINK.replace("id = 1\n", f"id = 1\n{_REPORT[1:]}"), fixed=_LINK),),
+    bad=(
+        Example(_LINK.replace("id = 1\n", f"id = 1\n{_REPORT[1:]}"), fixed=_LINK),
+        _LINK.replace("id = 1\n", "id = 1\n    sphere(0.05, mass = 4.1)\n"),
+    ),
 )

@@ -1,0 +1,71 @@
+"""What is pasted from a CAD program becomes the inertia of a link, in a real VS Code."""
+
+from functools import partial
+from pathlib import Path
+
+from playwright.sync_api import expect
+from tests.cad.test_reports import REPORTS
+from tests.vscode.browser import UNDRAWN
+from tests.vscode.workbench import Workbench
+
+BROWSER_ARGUMENTS = UNDRAWN
+LINKS = ("upper", "lower", "hand")
+NAMES = ("SolidWorks_upper_arm", "Fusion 360_hip", "Creo_shank")
+POSE = "translation = (0.0, 0.0, 0.5) rotation = (0.0, 0.0, 0.0)"
+
+
+def arm() -> str:
+    """Return an arm of three links, each without inertia."""
+    joints = ("shoulder", "elbow", "wrist")
+    children = [f"{link} via {joint}" for link, joint in zip(LINKS, joints, strict=True)]
+    lines = ["Robot arm {", f"RobotBase ground {{ children {{ {children[0]} }} }}"]
+    for number, (link, child) in enumerate(zip(LINKS, (*children[1:], ""), strict=True), 1):
+        lines += [
+            f"link {link} {{",
+            f"    id = {number}",
+            "    ",
+            f"    children {{ {child} }}",
+            "}",
+        ]
+    lines += [f"r_joint {joint} {{ ref_frame {{ {POSE} }} }}" for joint in joints]
+    return "\n".join((*lines, "}", ""))
+
+
+def paste(workbench: Workbench, text: str) -> None:
+    """Paste a text as the browser does."""
+    workbench.page.evaluate("text => navigator.clipboard.writeText(text)", text)
+    workbench.press("Control+v")
+
+
+def _is_written(workbench: Workbench, path: Path, number: int) -> bool:
+    return workbench.text_of(path).count("inertia_params") == number
+
+
+def test_three_links_from_pasted_reports_alone(workbench: Workbench) -> None:
+    workbench.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    path = workbench.open("pasted.kindsl", arm())
+    # A server that is still starting is not waited for: the text is pasted, and the fix offered.
+    expect(workbench.page.locator(".statusbar-item", has_text="3 dof")).to_be_visible()
+    for number, (name, link) in enumerate(zip(NAMES, LINKS, strict=True), 1):
+        before = path.read_text(encoding="utf-8").partition(f"link {link} {{")[0]
+        workbench.go_to_place(before.count("\n") + 3, 5)
+        paste(workbench, REPORTS[name])
+        written = partial(_is_written, workbench, path, number)
+        workbench.wait_until(written)
+    workbench.screenshot("pasted")
+    assert "Moments" not in path.read_text(encoding="utf-8")
+    expect(workbench.squiggles("error")).to_have_count(0)
+
+
+def test_ignore_shows_no_bulb_of_a_fix(workbench: Workbench) -> None:
+    text = arm().replace("(0.0, 0.0, 0.5)", "(0.0, 0.0, 50.0)")
+    path = workbench.open("ignored.kindsl", text)
+    workbench.go_to("50.0", path)
+    workbench.press("Control+.")
+    row = workbench.page.locator(".action-widget .monaco-list-row", has_text="Ignore KD502")
+    expect(row).to_be_visible()
+    workbench.screenshot("ignored")
+    expect(row.locator(".codicon-light-bulb, .codicon-lightbulb")).to_have_count(0)
+    fix = workbench.page.locator(".action-widget .monaco-list-row", has_text="Convert to metres")
+    expect(fix.locator(".codicon-light-bulb, .codicon-lightbulb")).to_have_count(1)
+    workbench.press("Escape")
