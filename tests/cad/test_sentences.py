@@ -110,3 +110,17 @@ def test_both_halves_of_a_tensor_must_agree() -> None:
 def test_no_body_has_such_moments() -> None:
     said = refusal(ON_AXIS.format(notation="").replace("Izz = 0.0200", "Izz = 0.3000"))
     assert "no body has these moments" in said
+
+
+def test_a_moved_tensor_keeps_its_own_digits() -> None:
+    """Rounded to what a mass of one digit warrants it would be that of no body."""
+    text = """Mass 0.02 kg
+Center of mass: -205.6 mm, -118.7 mm, 93.6 mm
+Moments of inertia about the center of mass (kg x mm^2)
+Ixx = 2.035055 Ixy = -0.304957 Ixz = -0.543384
+Iyx = -0.304957 Iyy = 2.397169 Iyz = -0.324113
+Izx = -0.543384 Izy = -0.324113 Izz = 2.450501
+"""
+    found = kindsl.mass_properties(text)
+    assert found.moments[0] == "0.000459048055"
+    assert "moved from the CoM" in notes(text)

@@ -4,7 +4,7 @@ from fractions import Fraction
 
 from kindsl.cad.agreement import Numbers, disagreements, moved
 from kindsl.cad.properties import MassProperties
-from kindsl.cad.quantity import Quantity
+from kindsl.cad.quantity import Quantity, Rounded
 from kindsl.cad.report import PAIRS, Entry, NoReportError, Report, ReportError
 from kindsl.cad.report_reading import has_default_name, readings
 from kindsl.text.phrases import alternatives, listed
@@ -176,11 +176,18 @@ def _moments(numbers: Numbers, sign: int) -> tuple[str, str, str, str, str, str]
             texts.append(numbers.about_origin[entry].text(factor))
         else:
             assert numbers.about_com is not None
-            here = numbers.about_com[entry].bounds.times(factor)
-            arm = moved(numbers, entry, 1)
-            is_moved = bool(arm.value)
-            texts.append((here + arm).text() if is_moved else numbers.about_com[entry].text(factor))
+            texts.append(_moved(numbers.about_com[entry], moved(numbers, entry, 1).value, factor))
     return texts[0], texts[1], texts[2], texts[3], texts[4], texts[5]
+
+
+def _moved(entry: Quantity, arm: Fraction, sign: int) -> str:
+    """Return an entry with what it has more at the origin, to its own last digit.
+
+    However few digits mass and CoM have: the tensor at the CoM is to be found again.
+    """
+    if not arm:
+        return entry.text(sign)
+    return Rounded(sign * entry.value + arm, entry.error).text()
 
 
 def _notes(report: Report, numbers: Numbers, sign: int | None) -> list[str]:

@@ -76,6 +76,8 @@ def unit(text: str) -> Unit | None:
         position = part.end()
         if part["slash"]:
             sign = -1
+        elif part["name"] == "x":
+            continue
         elif part["name"] in _POWERS:
             pending = _POWERS[part["name"]]
         elif part["name"] in _NAMES:
