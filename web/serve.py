@@ -1,9 +1,9 @@
-"""Serve the playground on the loopback interface: `serve.py FOLDER [PORT]`; prints its address.
+"""Serve the playground on the loopback interface, and print its address.
 
 Only for looking at it: any web server can show the folder.
 """
 
-import sys
+import argparse
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any, ClassVar
@@ -35,4 +35,7 @@ def main(folder: str, port: int = 0) -> None:
 
 
 if __name__ == "__main__":
-    main(sys.argv[1], *map(int, sys.argv[2:3]))
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder", metavar="FOLDER", help="what `make playground` has built")
+    parser.add_argument("port", metavar="PORT", nargs="?", type=int, default=0)
+    main(**vars(parser.parse_args()))

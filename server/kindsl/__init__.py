@@ -27,6 +27,7 @@ __all__ = [
     "ReportError",
     "UnboundParameterError",
     "__version__",
+    "live",
     "load",
     "mass_properties",
     "parse",
@@ -93,6 +94,18 @@ def parse(text: str, settings: "Settings | None" = None) -> "Document":
     return analyse(text) if settings is None else analyse(text, settings)
 
 
+def live(document: "Document") -> object:
+    """Return a document's preview for a notebook, about a megabyte; needs the extra `preview`.
+
+    Raises:
+        ModuleNotFoundError: meshcat is not installed.
+    """
+    from importlib import import_module
+
+    page: object = import_module("kindsl.reports.notebook").LivePage(document)
+    return page
+
+
 def _notebook_html(thing: object) -> str | None:
     """Return what a notebook shows of a thing of ours, None without what that needs."""
     from importlib import import_module
@@ -114,6 +127,10 @@ def _settings_for(path: "str | os.PathLike[str]") -> "Settings":
     document = os.fspath(path)
     configuration = Configurations().above(document)
     return configuration.settings_for(document) if configuration else Settings()
+
+
+def __dir__() -> list[str]:
+    return __all__
 
 
 def __getattr__(name: str) -> Any:

@@ -13,7 +13,9 @@ from kindsl.analysis.settings import Settings
 async def test_the_frame_draws_the_robot_and_asks_nobody(browser, tmp_path):
     document = kindsl.parse(plain_robot(3, 1).text, Settings())
     file = tmp_path / "notebook.html"
-    file.write_text(f'<meta charset="utf-8">{document._repr_html_()}', encoding="utf-8")
+    file.write_text(
+        f'<meta charset="utf-8">{kindsl.live(document)._repr_html_()}', encoding="utf-8"
+    )
     page = await browser.new_page()
     page.set_default_timeout(TIMEOUT)
     requests, errors = [], []
@@ -30,7 +32,7 @@ async def test_the_frame_draws_the_robot_and_asks_nobody(browser, tmp_path):
 
 
 def test_the_frame_cannot_reach_the_notebook():
-    shown = kindsl.parse(plain_robot(3, 1).text, Settings())._repr_html_()
+    shown = kindsl.live(kindsl.parse(plain_robot(3, 1).text, Settings()))._repr_html_()
     (sandbox,) = re.findall(r'<iframe sandbox="([^"]*)"', shown)
     assert sandbox == "allow-scripts"
     assert "default-src 'none'" in html.unescape(shown)

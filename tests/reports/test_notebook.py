@@ -21,6 +21,7 @@ CELLS = (
     f"document = kindsl.parse({TEXT.replace('mass = 3.3', 'mass = -3.3')!r}, Settings())\ndocument",
     "document.findings",
     "document.mechanism()",
+    "kindsl.live(document)",
 )
 
 
@@ -28,10 +29,12 @@ def test_a_notebook_shows_them(tmp_path) -> None:
     cells = [nbformat.v4.new_code_cell(cell) for cell in CELLS]
     notebook = nbformat.v4.new_notebook(cells=cells)
     NotebookClient(notebook, timeout=60, resources={"metadata": {"path": str(tmp_path)}}).execute()
-    document, findings, mechanism = (cell["outputs"][0]["data"] for cell in notebook.cells[1:])
-    assert (
-        "<iframe sandbox" in document["text/html"] and "kindsl.Document" in document["text/plain"]
+    document, findings, mechanism, live = (
+        cell["outputs"][0]["data"] for cell in notebook.cells[1:]
     )
+    assert "<svg" in document["text/html"] and len(document["text/html"]) < 100_000
+    assert "kindsl.Document" in document["text/plain"]
+    assert "<iframe sandbox" in live["text/html"]
     assert "<mark>" in findings["text/html"] and "KD303" in findings["text/html"]
     assert "<svg" in mechanism["text/html"] and "LF_KFE" in mechanism["text/html"]
 
@@ -48,20 +51,10 @@ def test_a_mechanism_names_the_links_without_mass() -> None:
 
 
 def test_preview_is_inlined_and_may_reach_nothing() -> None:
-    shown = document()._repr_html_()
+    shown = kindsl.live(document())._repr_html_()
     page = html.unescape(re.search(r'srcdoc="([^"]*)"', shown)[1])
     assert "default-src 'none'" in page and 'id="embedded-state"' in page
     assert 'sandbox="allow-scripts"' in shown
-
-
-def test_without_the_preview_there_is_a_picture(monkeypatch) -> None:
-    from kindsl.preview.viewer import PreviewUnavailableError
-
-    def missing(_: object) -> str:
-        raise PreviewUnavailableError("meshcat is not installed")
-
-    monkeypatch.setattr("kindsl.reports.notebook.exported_page", missing)
-    assert "<svg" in document()._repr_html_()
 
 
 def test_without_numpy_there_is_text(monkeypatch) -> None:
@@ -72,7 +65,8 @@ def test_without_numpy_there_is_text(monkeypatch) -> None:
 @pytest.mark.parametrize("cut", [0, 1, 50, 500, 2500])
 def test_broken_documents_show_what_there_is(cut: int) -> None:
     broken = document(TEXT[:cut])
-    assert "<iframe" in broken._repr_html_()
+    assert "<iframe" in kindsl.live(broken)._repr_html_()
+    assert isinstance(broken._repr_html_(), str)
     assert broken.findings._repr_html_()
 
 
@@ -148,12 +142,13 @@ def test_a_mechanism_is_a_line_a_picture_and_a_table() -> None:
     assert "2 joints, 2 kg (lower without mass)</p>" in shown
 
 
-def test_a_document_is_its_preview_and_what_is_wrong_with_it() -> None:
+def test_a_document_is_its_picture_and_what_is_wrong_with_it() -> None:
     good, bad = (notebook_html(document(text)) for text in (GOOD, INTEGER))
-    assert good.count("<iframe ") == bad.count("<iframe ") == 1
-    assert 'title="arm"' in good and good.endswith("</iframe>")
+    assert good.count("<svg ") == bad.count("<svg ") == 1
+    assert good.endswith("</svg>\n") and "iframe" not in good
     assert bad.endswith("</pre></code></p></div>") and bad.count("<mark>1</mark>") == 1
-    assert 'title="unnamed"' in notebook_html(document(""))
+    pages = [kindsl.live(document(text))._repr_html_() for text in (GOOD, "")]
+    assert 'title="arm"' in pages[0] and 'title="unnamed"' in pages[1]
 
 
 def test_anything_else_is_nothing() -> None:

@@ -103,7 +103,7 @@ def test_files_hang_together_and_need_nothing_else(tmp_path: Path) -> None:
     assert set(files) == {"review.md", "review.html", "comment.md", "before.svg", "after.svg"}
     assert re.findall(r"\]\((\w+\.svg)\)", files["review.md"]) == ["before.svg", "after.svg"]
     assert "svg" not in files["comment.md"] and "Pictures" not in files["comment.md"]
-    assert "Masses" in files["comment.md"]
+    assert "What changed" in files["comment.md"]
     assert "http" not in re.sub('xmlns="[^"]*"|http-equiv', "", files["review.html"])
 
 

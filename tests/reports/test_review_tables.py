@@ -36,14 +36,15 @@ def titles(blocks: Page) -> list[str]:
 
 
 def test_sections_stand_in_an_order_and_only_where_there_is_something_to_say() -> None:
-    same = page(GOOD, GOOD)
-    assert same[0] == Heading("arm: old to new", 1)
-    assert titles(same) == [
-        "What changed", "Pictures", "Tree", "Masses", "Balance at zero", "Findings",
+    assert page(GOOD, GOOD) == (Paragraph("old and new: nothing changed."),)
+    other = page(GOOD, edited(("children { lower via elbow }", "children {}"), ("= 2.0", "= 3.0")))
+    assert other[0] == Heading("arm: old to new", 1)
+    assert titles(other) == ["What changed", "Numbers", "Pictures", "Tree", "Masses", "Findings"]
+    assert titles(page(GOOD, edited(("0.5,", "0.6,")))) == [
+        "What changed", "Numbers", "Pictures", "Balance at zero", "Findings",
     ]  # fmt: skip
-    assert titles(page(GOOD, edited(("0.5,", "0.6,")))).index("Numbers") == 1
-    assert titles(page("", "")) == ["Tree", "Findings"]
-    assert page("", "")[0] == Heading("(unnamed): old to new", 1)
+    assert titles(page("", "\n")) == ["Findings"]
+    assert page("", "\n")[0] == Heading("(unnamed): old to new", 1)
     assert page(GOOD, "")[0] == page("", GOOD)[0] == Heading("arm: old to new", 1)
 
 
@@ -92,16 +93,12 @@ def test_the_tree_marks_what_hangs_elsewhere() -> None:
         ("  upper", "base via shoulder", "base via shoulder", ""),
         ("  lower", "upper via elbow", "base via elbow", "changed"),
     ]
-    assert {row[3] for row in rows(page(GOOD, GOOD), "Tree")} == {""}
+    assert "Tree" not in titles(page(GOOD, f"\n{GOOD}"))
 
 
 def test_the_tree_follows_renamed_links_and_ends_with_those_that_are_gone() -> None:
     renamed = GOOD.replace("upper", "thigh")
-    assert rows(page(GOOD, renamed), "Tree") == [
-        ("base", "base", "base", ""),
-        ("  thigh", "base via shoulder", "base via shoulder", ""),
-        ("    lower", "thigh via elbow", "thigh via elbow", ""),
-    ]
+    assert "Tree" not in titles(page(GOOD, renamed))
     assert rows(page(GOOD, LONE), "Tree") == [
         ("base", "base", "base", ""),
         ("upper", "base via shoulder", "-", "changed"),
@@ -136,7 +133,7 @@ def test_numbers_are_flush_right() -> None:
     flush = {t: table.right for t in titles(blocks) for table in section(blocks, t)
              if isinstance(table, Table)}  # fmt: skip
     assert flush == {
-        "What changed": frozenset(), "Numbers": {3, 4}, "Tree": frozenset(), "Masses": {1, 2, 3},
+        "What changed": frozenset(), "Numbers": {3, 4}, "Masses": {1, 2, 3},
         "Balance at zero": {1, 2, 3},
     }  # fmt: skip
 
@@ -170,9 +167,7 @@ def test_balance_tells_where_the_mass_went_and_what_holds_it() -> None:
 
 def test_balance_without_mass_or_joints_says_what_is_left() -> None:
     weightless = GOOD.replace("mass = 2.0", "mass = 0.0").replace("mass = 1.0", "mass = 0.0")
-    (table,) = section(page(weightless, weightless), "Balance at zero")
-    assert isinstance(table, Table)
-    assert table.rows == (("shoulder", "0", "0", ""), ("elbow", "0", "0", ""))
+    assert "Balance at zero" not in titles(page(weightless, f"\n{weightless}"))
     (table,) = section(page(GOOD, GOOD.replace("elbow", "knee")), "Balance at zero")[1:]
     assert isinstance(table, Table)
     assert [row[0] for row in table.rows] == ["shoulder", "knee", "elbow"]
@@ -180,11 +175,12 @@ def test_balance_without_mass_or_joints_says_what_is_left() -> None:
 
 
 def test_a_floating_base_counts_in_the_balance_and_its_joints_keep_their_names() -> None:
-    shift, table = section(page(FLOATING, FLOATING), "Balance at zero")
+    renamed = FLOATING.replace("elbow", "knee")
+    shift, table = section(page(FLOATING, renamed), "Balance at zero")
     assert isinstance(shift, Paragraph) and isinstance(table, Table)
     # 2 kg at a height of 0.5 m, 1 kg at (0.5, 0, 0.5), and the base's 1 kg at the origin.
     assert shift.text.endswith("by 0 mm: (0.125, 0, 0.375) m to (0.125, 0, 0.375) m.")
-    assert [row[0] for row in table.rows] == ["shoulder", "elbow"]
+    assert [row[0] for row in table.rows] == ["shoulder", "knee", "elbow"]
 
 
 def test_findings_are_counted_and_have_their_own_places() -> None:
@@ -197,14 +193,15 @@ def test_findings_are_counted_and_have_their_own_places() -> None:
     (place,) = [row[0] for row in table.rows if row[2] == "KD303"]
     column = bad.splitlines()[line - 1].index("-2.0") + 1
     assert place == f"{line}:{column}"
-    assert section(page(GOOD, GOOD), "Findings") == [Paragraph("0 new, 0 gone, 0 kept")]
+    same = page(GOOD, f"\n{GOOD}")
+    assert section(same, "Findings") == [Paragraph("0 new, 0 gone, 0 kept")]
     down = page(bad, "\n" + bad)
     assert section(down, "Findings")[0] == Paragraph(f"0 new, 0 gone, {n} kept")
     assert rows(down, "Kept")[0][0].startswith(f"{line + 1}:")
 
 
 def test_hints_are_no_findings_of_a_review() -> None:
-    hinted = edited(("rotation = (0.0, 0.0, 0.0)", "rotation = (0.0, 1.5708, 0.0)"))
+    hinted = edited(("rotation = (0.0, 0.0, 0.0)", "rotation = (0.0, 1.2345678912, 0.0)"))
     found = kindsl.parse(hinted, Settings()).findings
     assert [finding.severity for finding in found] == [Severity.HINT]
     assert section(page(GOOD, hinted), "Findings") == [Paragraph("0 new, 0 gone, 0 kept")]

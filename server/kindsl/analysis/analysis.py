@@ -228,6 +228,11 @@ class Analysis:
         return [self._resolve(rule, finding) for finding in findings]
 
 
+# Its name in public is `kindsl.Document`.
+Analysis.__name__ = Analysis.__qualname__ = "Document"
+Analysis.__module__ = "kindsl"
+
+
 def analyse(text: str, settings: Settings = _NO_SETTINGS) -> Analysis:
     """Return the analysis of a text; never raises, whatever the text."""
     return Analysis(parse(text), settings)

@@ -1,7 +1,8 @@
 """Writes a page about a document for a wiki or a paper.
 
 It has a picture, the tree, joints, masses, frames, parameters, each joint's transform in closed
-form, and the document's health. Broken documents are shown as far as they go.
+form, and the document's health. Broken documents are shown as far as they go. Markdown that is
+written to a file has its picture in a file beside it.
 """
 
 import argparse
@@ -43,9 +44,15 @@ def run(args: argparse.Namespace) -> int:
         analysis = read_document(args.file, choices_of(args))
         require_parameters(args.file, analysis)
         from kindsl.reports.card import card_page
-        from kindsl.reports.page.rendering import rendered
+        from kindsl.reports.page.rendering import rendered, with_pictures
 
-        write_output(args.output or STDIN, rendered(card_page(analysis), args.output_format))
+        page = card_page(analysis)
+        if args.output_format == "markdown" and args.output is not None:
+            # What shows Markdown strips pictures that are in it.
+            text, pictures = with_pictures(page, args.output)
+            write_output(args.output, text, pictures)
+        else:
+            write_output(args.output or STDIN, rendered(page, args.output_format))
     except CommandError as error:
         return error.tell()
     except ConfigurationError as error:

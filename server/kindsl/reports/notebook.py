@@ -6,7 +6,6 @@ from kindsl.analysis.analysis import Analysis
 from kindsl.analysis.diagnostics import Findings
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.preview.export import exported_page
-from kindsl.preview.viewer import PreviewUnavailableError
 from kindsl.reports.card import card_page
 from kindsl.reports.drawing.robot import robot_drawing
 from kindsl.reports.drawing.svg import svg_text
@@ -31,18 +30,27 @@ def notebook_html(thing: object) -> str | None:
 
 
 def _document(analysis: Analysis) -> str:
-    """Return the preview in a frame of its own; where it is not installed, a picture."""
-    try:
-        page = _preview(analysis)
-    except (PreviewUnavailableError, ModuleNotFoundError):
-        shown = _picture(analysis)
-    else:
-        title = escape(analysis.model.name or "unnamed", quote=True)
-        shown = (
-            f'<iframe sandbox="allow-scripts" title="{title}" height="{_HEIGHT}" '
-            f'style="{_STYLE}" srcdoc="{escape(page, quote=True)}"></iframe>'
-        )
+    """Return the card's drawing; `kindsl.live` shows more."""
+    pictures = (block for block in card_page(analysis) if isinstance(block, Figure))
+    shown = next((svg_text(picture.drawing) for picture in pictures), "")
     return shown + (_findings(analysis.findings) if analysis.findings else "")
+
+
+class LivePage:
+    """A document's preview for a notebook, in a frame of its own: to turn and to move."""
+
+    def __init__(self, document: Analysis) -> None:
+        self._document = document
+
+    def __repr__(self) -> str:
+        return f"<live page of {self._document!r}>"
+
+    def _repr_html_(self) -> str:
+        title = escape(self._document.model.name or "unnamed", quote=True)
+        return (
+            f'<iframe sandbox="allow-scripts" title="{title}" height="{_HEIGHT}" '
+            f'style="{_STYLE}" srcdoc="{escape(_preview(self._document), quote=True)}"></iframe>'
+        )
 
 
 def _preview(analysis: Analysis) -> str:
@@ -52,11 +60,6 @@ def _preview(analysis: Analysis) -> str:
     preview.show(analysis, analysis.findings)
     formulas = formula_messages(analysis.model, analysis.context.values)
     return exported_page([*preview.channel.state, *formulas])
-
-
-def _picture(analysis: Analysis) -> str:
-    pictures = (block for block in card_page(analysis) if isinstance(block, Figure))
-    return next((svg_text(picture.drawing) for picture in pictures), "")
 
 
 def _mechanics(mechanics: Mechanics) -> str:

@@ -1,6 +1,6 @@
 """Checks what callers pass in."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -9,6 +9,9 @@ from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.quantities import STANDARD_GRAVITY
 from kindsl.spatial.arrays import Array
 from kindsl.text.nearest import hint, nearest_name
+
+# Values of all joints in their order, or of some by their names.
+JointVector = npt.ArrayLike | Mapping[str, npt.ArrayLike]
 
 
 def vectors(quantity: str, values: npt.ArrayLike, components: int) -> Array:
@@ -29,6 +32,24 @@ def vectors(quantity: str, values: npt.ArrayLike, components: int) -> Array:
     if not np.isfinite(array).all():
         raise ValueError(f"'{quantity}' holds a value that is not finite")
     return array
+
+
+def joint_vector(quantity: str, values: JointVector, joints: Sequence[str]) -> Array:
+    """Return values of joints as an array (..., n); those that a mapping lacks are zero.
+
+    Raises:
+        ValueError: A name is no joint's; besides, what `vectors` raises.
+    """
+    if not isinstance(values, Mapping):
+        return vectors(quantity, values, len(joints))
+    for name in values:
+        if name not in joints:
+            raise unknown_name("joint", name, joints)
+    try:
+        each = np.broadcast_arrays(*(np.asarray(values.get(name, 0.0)) for name in joints))
+    except ValueError:
+        raise ValueError(f"values in '{quantity}' have batch shapes that do not fit") from None
+    return vectors(quantity, np.stack(each, axis=-1), len(joints))
 
 
 def base_conditions(

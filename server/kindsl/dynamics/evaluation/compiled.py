@@ -10,9 +10,9 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from kindsl.dynamics.bodies import Bodies
+from kindsl.dynamics.evaluation.arguments import JointVector
 from kindsl.dynamics.evaluation.compiling import compiled_module
 from kindsl.dynamics.evaluation.differentiable import Differentiable
 from kindsl.dynamics.evaluation.kernels import DERIVATIVE_KERNELS, RESULT_CLASSES, kernels_of
@@ -82,14 +82,14 @@ class CompiledMechanics(Mechanics):
             for number, name in enumerate(self._pose_indices)
         }
 
-    def forward_kinematics(self, q: npt.ArrayLike) -> Poses:
+    def forward_kinematics(self, q: JointVector) -> Poses:
         """Return `base_T_x` (..., 4, 4) of each link and frame x by name, links first."""
         entries = self._pose_entries(q)
         if entries is None:
             return super().forward_kinematics(q)
         return Poses(self._pose_indices, entries if entries.ndim == 3 else entries.swapaxes(0, 1))
 
-    def jacobian(self, q: npt.ArrayLike, name: str) -> Array:
+    def jacobian(self, q: JointVector, name: str) -> Array:
         """Return the geometric Jacobian (..., 6, nv) of a link or frame; see `Mechanics`."""
         compiled = self._jacobians.get(name)
         answer: Array | None = compiled(q) if compiled is not None else None

@@ -9,7 +9,12 @@ import numpy as np
 import numpy.typing as npt
 
 from kindsl.dynamics.bodies import Bodies
-from kindsl.dynamics.evaluation.arguments import common_batch_shape, vectors
+from kindsl.dynamics.evaluation.arguments import (
+    JointVector,
+    common_batch_shape,
+    joint_vector,
+    vectors,
+)
 from kindsl.dynamics.evaluation.singular import not_finite, singular_inertia
 from kindsl.dynamics.forward_dynamics_derivatives import (
     ForwardDynamicsDerivatives,
@@ -42,9 +47,9 @@ class Differentiable:
 
     def inverse_dynamics_derivatives(
         self,
-        q: npt.ArrayLike,
-        qd: npt.ArrayLike,
-        qdd: npt.ArrayLike,
+        q: JointVector,
+        qd: JointVector,
+        qdd: JointVector,
         base_velocity: npt.ArrayLike | None = None,
         base_acceleration: npt.ArrayLike | None = None,
         gravity: npt.ArrayLike = STANDARD_GRAVITY,
@@ -65,9 +70,9 @@ class Differentiable:
 
     def forward_dynamics_derivatives(
         self,
-        q: npt.ArrayLike,
-        qd: npt.ArrayLike,
-        tau: npt.ArrayLike,
+        q: JointVector,
+        qd: JointVector,
+        tau: JointVector,
         base_velocity: npt.ArrayLike | None = None,
         gravity: npt.ArrayLike = STANDARD_GRAVITY,
     ) -> ForwardDynamicsDerivatives:
@@ -96,9 +101,9 @@ class Differentiable:
 
     def regressor(
         self,
-        q: npt.ArrayLike,
-        qd: npt.ArrayLike,
-        qdd: npt.ArrayLike,
+        q: JointVector,
+        qd: JointVector,
+        qdd: JointVector,
         base_velocity: npt.ArrayLike | None = None,
         base_acceleration: npt.ArrayLike | None = None,
         gravity: npt.ArrayLike = STANDARD_GRAVITY,
@@ -124,12 +129,14 @@ class Differentiable:
 
     def _motion(
         self,
-        joints: Mapping[str, npt.ArrayLike],
+        joints: Mapping[str, JointVector],
         base: Mapping[str, npt.ArrayLike | None],
         gravity: npt.ArrayLike,
     ) -> list[Array]:
         """Return all arguments checked, with one batch shape."""
-        arrays = {name: vectors(name, x, self.bodies.n_links) for name, x in joints.items()}
+        arrays = {
+            name: joint_vector(name, x, self.bodies.joint_names) for name, x in joints.items()
+        }
         for name, values in base.items():
             if values is not None and not self.bodies.is_floating:
                 raise ValueError(f"'{name}' is given, but the base is fixed")

@@ -10,8 +10,10 @@ from kindsl.dynamics import center_of_mass as masses
 from kindsl.dynamics import energy
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.evaluation.arguments import (
+    JointVector,
     base_conditions,
     common_batch_shape,
+    joint_vector,
     unknown_name,
     vectors,
 )
@@ -44,9 +46,10 @@ class Mechanics(Differentiable):
     """Kinematics and dynamics of a tree of bodies.
 
     Leading dimensions of all arguments are batches and broadcast. What concerns joints is in the
-    order of the links. All vectors are in base coordinates, and gravity is to be given so too. A
-    floating base adds six rows before the joints', angular then linear. Results of large batches
-    are views whose memory runs along the batch.
+    order of the links, or a mapping by their names, in which those that are zero may be missing.
+    All vectors are in base coordinates, and gravity is to be given so too. A floating base adds six
+    rows before the joints', angular then linear. Results of large batches are views whose memory
+    runs along the batch.
 
     All methods raise ValueError for arguments of a wrong shape or with values that are not finite.
     """
@@ -75,7 +78,7 @@ class Mechanics(Differentiable):
         """Number of joints."""
         return self.bodies.n_links
 
-    def forward_kinematics(self, q: npt.ArrayLike) -> Poses:
+    def forward_kinematics(self, q: JointVector) -> Poses:
         """Return `base_T_x` (..., 4, 4) of each link and frame x by name, links first."""
         try:
             return Poses(self._pose_indices, self._generated.pose_entries(q))  # type: ignore[misc]
@@ -83,7 +86,7 @@ class Mechanics(Differentiable):
             entries = self._evaluate("poses", (q,))
         return Poses(self._pose_indices, self._pose_by_pose(entries))
 
-    def joint_poses(self, q: npt.ArrayLike) -> dict[str, Array]:
+    def joint_poses(self, q: JointVector) -> dict[str, Array]:
         """Return `base_T_j` (..., 4, 4) of each joint frame j by the joint's name.
 
         The joint turns about, or slides along, the z axis.
@@ -91,7 +94,7 @@ class Mechanics(Differentiable):
         poses = joint_poses(self.bodies, self._body_poses(q))
         return dict(zip(self.bodies.joint_names, poses, strict=True))
 
-    def jacobian(self, q: npt.ArrayLike, name: str) -> Array:
+    def jacobian(self, q: JointVector, name: str) -> Array:
         """Return the geometric Jacobian (..., 6, nv) of a link or frame.
 
         It gives the velocity relative to the world in that frame's orientation, at its origin.
@@ -108,7 +111,7 @@ class Mechanics(Differentiable):
                 base_T_frame = poses[body] @ body_T_frame
         return jacobian(self.bodies, poses, body, base_T_frame)
 
-    def center_of_mass(self, q: npt.ArrayLike) -> Array:
+    def center_of_mass(self, q: JointVector) -> Array:
         """Return the centre of mass of all that moves, shape (..., 3), metres.
 
         A floating base moves; the mass of a fixed one counts nowhere.
@@ -119,7 +122,7 @@ class Mechanics(Differentiable):
         self._check_mass()
         return masses.center_of_mass(self.bodies, self._body_poses(q))
 
-    def center_of_mass_jacobian(self, q: npt.ArrayLike) -> Array:
+    def center_of_mass_jacobian(self, q: JointVector) -> Array:
         """Return the Jacobian (..., 3, nv) of the centre of mass.
 
         Raises:
@@ -137,7 +140,7 @@ class Mechanics(Differentiable):
         names = (self.bodies.base_name, *self.bodies.link_names)
         return dict(zip(names, masses.subtree_masses(self.bodies).tolist(), strict=True))
 
-    def joint_space_inertia(self, q: npt.ArrayLike) -> Array:
+    def joint_space_inertia(self, q: JointVector) -> Array:
         """Return the joint-space inertia (..., nv, nv)."""
         entries = self._evaluate("joint_space_inertia", (q,))
         nv = self.bodies.n_velocities
@@ -145,9 +148,9 @@ class Mechanics(Differentiable):
 
     def inverse_dynamics(
         self,
-        q: npt.ArrayLike,
-        qd: npt.ArrayLike,
-        qdd: npt.ArrayLike,
+        q: JointVector,
+        qd: JointVector,
+        qdd: JointVector,
         base_velocity: npt.ArrayLike | None = None,
         gravity: npt.ArrayLike = STANDARD_GRAVITY,
     ) -> Array | FreeMotionTorque:
@@ -174,9 +177,9 @@ class Mechanics(Differentiable):
 
     def forward_dynamics(
         self,
-        q: npt.ArrayLike,
-        qd: npt.ArrayLike,
-        tau: npt.ArrayLike,
+        q: JointVector,
+        qd: JointVector,
+        tau: JointVector,
         base_velocity: npt.ArrayLike | None = None,
         gravity: npt.ArrayLike = STANDARD_GRAVITY,
     ) -> Array | FreeMotion:
@@ -201,14 +204,14 @@ class Mechanics(Differentiable):
             return entries
         return FreeMotion(entries[..., :-6], entries[..., -6:])
 
-    def gravity_torque(self, q: npt.ArrayLike, gravity: npt.ArrayLike = STANDARD_GRAVITY) -> Array:
+    def gravity_torque(self, q: JointVector, gravity: npt.ArrayLike = STANDARD_GRAVITY) -> Array:
         """Return the forces (..., nv) that hold the mechanism at rest."""
         return self._evaluate("gravity_torque", (q,), None, gravity)
 
     def bias_torque(
         self,
-        q: npt.ArrayLike,
-        qd: npt.ArrayLike,
+        q: JointVector,
+        qd: JointVector,
         base_velocity: npt.ArrayLike | None = None,
         gravity: npt.ArrayLike = STANDARD_GRAVITY,
     ) -> Array:
@@ -216,22 +219,20 @@ class Mechanics(Differentiable):
         return self._evaluate("bias_torque", (q, qd), base_velocity, gravity)
 
     def kinetic_energy(
-        self, q: npt.ArrayLike, qd: npt.ArrayLike, base_velocity: npt.ArrayLike | None = None
+        self, q: JointVector, qd: JointVector, base_velocity: npt.ArrayLike | None = None
     ) -> Array:
         """Return the kinetic energy (...), joule."""
-        n = self.bodies.n_links
-        arrays = {"q": vectors("q", q, n), "qd": vectors("qd", qd, n)}
+        names = self.joint_names
+        arrays = {"q": joint_vector("q", q, names), "qd": joint_vector("qd", qd, names)}
         conditions = base_conditions(self.bodies, base_velocity, STANDARD_GRAVITY)
         common_batch_shape(arrays | conditions)
         v_base = conditions.get("base_velocity", AT_REST)
         return energy.kinetic_energy(self.bodies, arrays["q"], arrays["qd"], v_base)
 
-    def potential_energy(
-        self, q: npt.ArrayLike, gravity: npt.ArrayLike = STANDARD_GRAVITY
-    ) -> Array:
+    def potential_energy(self, q: JointVector, gravity: npt.ArrayLike = STANDARD_GRAVITY) -> Array:
         """Return the potential energy (...), joule, zero for all mass at the base's origin."""
         arrays = {
-            "q": vectors("q", q, self.bodies.n_links),
+            "q": joint_vector("q", q, self.joint_names),
             "gravity": vectors("gravity", gravity, 3),
         }
         common_batch_shape(arrays)
@@ -240,7 +241,7 @@ class Mechanics(Differentiable):
     def _evaluate(
         self,
         quantity: Quantity,
-        joint_vectors: tuple[npt.ArrayLike, ...],
+        joint_vectors: tuple[JointVector, ...],
         base_velocity: npt.ArrayLike | None = None,
         gravity: npt.ArrayLike = STANDARD_GRAVITY,
     ) -> Array:
@@ -251,7 +252,7 @@ class Mechanics(Differentiable):
             except NOT_READY:
                 pass
         arrays = {
-            name: vectors(name, values, self.bodies.n_links)
+            name: joint_vector(name, values, self.joint_names)
             for name, values in zip(JOINT_VECTORS[quantity], joint_vectors, strict=True)
         }
         conditions = base_conditions(self.bodies, base_velocity, gravity)
@@ -278,7 +279,7 @@ class Mechanics(Differentiable):
         except OverflowError:
             raise too_large(arrays) from None
 
-    def _body_poses(self, q: npt.ArrayLike) -> list[Array]:
+    def _body_poses(self, q: JointVector) -> list[Array]:
         poses = self._pose_by_pose(self._evaluate("poses", (q,)))
         base = np.broadcast_to(np.eye(4), poses.shape[1:])
         return [base, *poses[: self.bodies.n_links]]

@@ -1,8 +1,11 @@
 """A page in the format that somebody asks for."""
 
 from collections.abc import Callable, Mapping
+from pathlib import Path
+from urllib.parse import quote
 
-from kindsl.reports.page.blocks import Page
+from kindsl.reports.drawing.svg import svg_text
+from kindsl.reports.page.blocks import Figure, Page
 from kindsl.reports.page.html import html_text
 from kindsl.reports.page.latex import latex_text
 from kindsl.reports.page.markdown import markdown_text
@@ -12,6 +15,15 @@ RENDERERS: Mapping[str, Callable[[Page], str]] = {
     "html": html_text,
     "latex": latex_text,
 }
+
+
+def with_pictures(page: Page, path: str) -> tuple[str, dict[str, str]]:
+    """Return a page in Markdown that is written to a path, and its pictures by theirs."""
+    file = Path(path)
+    figures = [block for block in page if isinstance(block, Figure)]
+    names = {f.name: file.with_name(f"{file.stem}_{f.name}.svg") for f in figures}
+    pictures = {str(names[f.name]): svg_text(f.drawing) for f in figures}
+    return markdown_text(page, lambda figure: quote(names[figure.name].name)), pictures
 
 
 def rendered(page: Page, output_format: str) -> str:

@@ -32,6 +32,8 @@ def review_page(before: Analysis | None, after: Analysis | None, names: tuple[st
         after: The document after, None if it is not there.
         names: What to call them.
     """
+    if before is not None and after is not None and before.text == after.text:
+        return (Paragraph(f"{names[0]} and {names[1]}: nothing changed."),)
     found = compared(before, after)
     old, new = before or analyse(""), after or analyse("")
     joints = renamed_joints(old, new, found.difference)
@@ -149,8 +151,7 @@ def _colors(found: Difference | None) -> tuple[dict[str, str], dict[str, str]]:
 
 
 def _tree(old: Analysis, new: Analysis, found: Difference | None) -> Iterator[Block]:
-    """Yield the new tree beside what carried each link before; links that are gone last."""
-    yield Heading("Tree")
+    """Yield a tree that changed beside what carried each link before; links that are gone last."""
     links = _renamed_links(found)
     before = {links.get(name, name): text for name, text in _hangs_on(old, links).items()}
     after = _hangs_on(new, {})
@@ -159,6 +160,9 @@ def _tree(old: Analysis, new: Analysis, found: Difference | None) -> Iterator[Bl
         name = body["name"]
         rows.append(("  " * level + name, before.pop(name, "-"), after.get(name, "-")))
     rows += [(name, text, "-") for name, text in before.items()]
+    if all(row[1] == row[2] for row in rows):
+        return
+    yield Heading("Tree")
     marked = tuple((*row, "" if row[1] == row[2] else "changed") for row in rows)
     yield Table(("link", "before", "after", ""), marked)
 
@@ -186,7 +190,7 @@ def _masses(old: Analysis, new: Analysis, found: Difference | None) -> Iterator[
         (name, number(before.get(name)), number(after.get(name)), _change(before, after, name))
         for name in dict.fromkeys((*after, *before))
     )
-    if rows:
+    if before != after:
         yield Heading("Masses")
         yield Table(("link", "before / kg", "after / kg", "change"), rows, frozenset((1, 2, 3)))
 
@@ -202,17 +206,19 @@ def _change(
 
 def _balance(old: Mechanics, new: Mechanics) -> Iterator[Block]:
     """Yield how the centre of mass and the forces that hold the robot shift, at zero."""
-    yield Heading("Balance at zero")
     before, after = _com(old), _com(new)
-    if before is not None and after is not None:
-        shift = f"{dist(before, after) * 1e3:.4g} mm"
-        texts = (triple(before), triple(after))
-        yield Paragraph(f"The centre of mass shifts by {shift}: {texts[0]} m to {texts[1]} m.")
     held, now = _gravity_torques(old), _gravity_torques(new)
     rows = tuple(
         (name, number(held.get(name)), number(now.get(name)), _shift(held, now, name))
         for name in dict.fromkeys((*now, *held))
     )
+    if before == after and held.keys() == now.keys() and not any(row[-1] for row in rows):
+        return
+    yield Heading("Balance at zero")
+    if before is not None and after is not None:
+        shift = f"{dist(before, after) * 1e3:.4g} mm"
+        texts = (triple(before), triple(after))
+        yield Paragraph(f"The centre of mass shifts by {shift}: {texts[0]} m to {texts[1]} m.")
     header = ("joint", "gravity before / N m, N", "after", "shift")
     yield Table(header, rows, frozenset((1, 2, 3)))
 
