@@ -9,7 +9,6 @@ import argparse
 
 from kindsl.cli.documents.choices import choices_of
 from kindsl.cli.documents.document_reading import (
-    CommandError,
     note_errors,
     read_document,
     require_parameters,
@@ -17,8 +16,6 @@ from kindsl.cli.documents.document_reading import (
 from kindsl.cli.documents.sources import STDIN
 from kindsl.cli.documents.writing import write_output
 from kindsl.cli.options import add_parameter_arguments
-from kindsl.cli.outcome import as_failures
-from kindsl.config.errors import ConfigurationError
 
 SUMMARY = "write a page about a document: picture, tables, transforms"
 FORMATS = ("markdown", "html", "latex")
@@ -40,22 +37,17 @@ def run(args: argparse.Namespace) -> int:
     Returns:
         0, or 2 if the document cannot be read or the page cannot be written.
     """
-    try:
-        analysis = read_document(args.file, choices_of(args))
-        require_parameters(args.file, analysis)
-        from kindsl.reports.card import card_page
-        from kindsl.reports.page.rendering import rendered, with_pictures
+    analysis = read_document(args.file, choices_of(args))
+    require_parameters(args.file, analysis)
+    from kindsl.reports.card import card_page
+    from kindsl.reports.page.rendering import rendered, with_pictures
 
-        page = card_page(analysis)
-        if args.output_format == "markdown" and args.output is not None:
-            # What shows Markdown strips pictures that are in it.
-            text, pictures = with_pictures(page, args.output)
-            write_output(args.output, text, pictures)
-        else:
-            write_output(args.output or STDIN, rendered(page, args.output_format))
-    except CommandError as error:
-        return error.tell()
-    except ConfigurationError as error:
-        return CommandError(as_failures(error)).tell()
+    page = card_page(analysis)
+    if args.output_format == "markdown" and args.output is not None:
+        # What shows Markdown strips pictures that are in it.
+        text, pictures = with_pictures(page, args.output)
+        write_output(args.output, text, pictures)
+    else:
+        write_output(args.output or STDIN, rendered(page, args.output_format))
     note_errors(args.file, analysis)
     return 0

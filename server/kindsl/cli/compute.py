@@ -26,8 +26,7 @@ from kindsl.cli.documents.sources import STDIN
 from kindsl.cli.documents.writing import write_output
 from kindsl.cli.motion_options import motions_of
 from kindsl.cli.options import add_parameter_arguments
-from kindsl.cli.outcome import Failure, as_failures
-from kindsl.config.errors import ConfigurationError
+from kindsl.cli.outcome import Failure
 from kindsl.reports.motions import ConfigurationSpace, Motion, MotionError
 
 if TYPE_CHECKING:
@@ -75,10 +74,6 @@ def run(args: argparse.Namespace) -> int:
         note_errors(args.file, analysis)
         robot = ConfigurationSpace(mechanism.bodies.joint_names, mechanism.bodies.is_floating)
         return _show(args, analysis, mechanism, motions_of(args, robot, analysis.settings))
-    except CommandError as error:
-        return error.tell()
-    except ConfigurationError as error:
-        return CommandError(as_failures(error)).tell()
     except MotionError as error:
         write(sys.stderr, f"kindsl compute: error: {error}\n")
         return UNUSABLE

@@ -25,9 +25,8 @@ from kindsl.cli.documents.document_reading import (
 from kindsl.cli.documents.sources import STDIN, reason
 from kindsl.cli.documents.writing import write_output
 from kindsl.cli.options import add_parameter_arguments
-from kindsl.cli.outcome import Failure, as_failures
+from kindsl.cli.outcome import Failure
 from kindsl.cli.output.notes import rendered_notes
-from kindsl.config.configuration import ConfigurationError
 from kindsl.interchange.format import (
     Format,
     FormatError,
@@ -113,14 +112,9 @@ def run(args: argparse.Namespace) -> int:
     Returns:
         0; 1 if the input does not describe a mechanism; 2 if a file cannot be read or written.
     """
-    try:
-        text, remarks, joints = _converted(args)
-        beside, told = _told_of_joints(args, joints)
-        write_output(args.output, text, beside)
-    except CommandError as error:
-        return error.tell()
-    except ConfigurationError as error:
-        return CommandError(as_failures(error)).tell()
+    text, remarks, joints = _converted(args)
+    beside, told = _told_of_joints(args, joints)
+    write_output(args.output, text, beside)
     if not args.quiet:
         notes = (*remarks, *told)
         shown = rendered_notes(shown_name(args.input), notes, is_verbose=args.verbose)

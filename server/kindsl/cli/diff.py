@@ -25,8 +25,7 @@ from kindsl.cli.documents.document_reading import (
 )
 from kindsl.cli.documents.versions import read_versions
 from kindsl.cli.options import add_parameter_arguments
-from kindsl.cli.outcome import Failure, as_failures
-from kindsl.config.configuration import ConfigurationError
+from kindsl.cli.outcome import Failure
 from kindsl.rules.base import Severity
 from kindsl.text.printable import printable
 
@@ -71,8 +70,6 @@ def run(args: argparse.Namespace) -> int:
     except CommandError as error:
         error.tell()
         return 2
-    except ConfigurationError as error:
-        return CommandError(as_failures(error)).tell()
     names = shown_name(args.old), shown_name(args.new)
     write(sys.stdout, _rendered(found, names, notes, args.output_format))
     write(sys.stderr, "".join(f"note: {printable(note)}\n" for note in notes))

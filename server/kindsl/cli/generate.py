@@ -29,10 +29,9 @@ from kindsl.cli.documents.document_reading import (
 from kindsl.cli.documents.sources import STDIN, read_text, reason
 from kindsl.cli.documents.writing import unwritable
 from kindsl.cli.options import add_parameter_arguments
-from kindsl.cli.outcome import Failure, as_failures
+from kindsl.cli.outcome import Failure
 from kindsl.codegen.language import language_named, language_names
 from kindsl.codegen.layouts import LAYOUTS
-from kindsl.config.errors import ConfigurationError
 from kindsl.text.phrases import counted
 from kindsl.text.printable import printable
 
@@ -90,10 +89,6 @@ def run(args: argparse.Namespace) -> int:
     """
     try:
         return _run(args)
-    except CommandError as error:
-        return error.tell()
-    except ConfigurationError as error:
-        return CommandError(as_failures(error)).tell()
     except ModuleNotFoundError as error:
         if error.name != "numpy":
             raise

@@ -61,12 +61,9 @@ def run(args: argparse.Namespace) -> int:
         0; 1 if the report contradicts itself or lacks something, or no body has these sizes;
         2 if a file cannot be read or is no report.
     """
-    try:
-        _check(args)
-        link = _link(args)
-        found = _found(args)
-    except CommandError as error:
-        return error.tell()
+    _check(args)
+    link = _link(args)
+    found = _found(args)
     frame = _frame(found, link)
     for note in found.notes:
         if not frame or "coordinate system" not in note:

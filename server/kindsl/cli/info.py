@@ -6,15 +6,12 @@ import sys
 from kindsl.cli.console import write
 from kindsl.cli.documents.choices import choices_of
 from kindsl.cli.documents.document_reading import (
-    CommandError,
     note_errors,
     read_document,
     require_parameters,
     shown_name,
 )
 from kindsl.cli.options import add_parameter_arguments
-from kindsl.cli.outcome import as_failures
-from kindsl.config.errors import ConfigurationError
 from kindsl.reports.robot_facts import robot_facts
 
 SUMMARY = "show the tree, masses and parameters of a document"
@@ -33,13 +30,8 @@ def run(args: argparse.Namespace) -> int:
     Returns:
         0, or 2 if the document cannot be read.
     """
-    try:
-        analysis = read_document(args.file, choices_of(args))
-        require_parameters(args.file, analysis)
-    except CommandError as error:
-        return error.tell()
-    except ConfigurationError as error:
-        return CommandError(as_failures(error)).tell()
+    analysis = read_document(args.file, choices_of(args))
+    require_parameters(args.file, analysis)
     facts = robot_facts(analysis)
     if args.output_format == "json":
         import json

@@ -82,6 +82,10 @@ def _run(command: str, module: ModuleType, arguments: list[str]) -> int:
         return int(module.run(parse(with_joined_negatives(arguments))))
     except KeyboardInterrupt:
         return INTERRUPTED
+    except Exception as error:
+        from kindsl.cli.documents.document_reading import told
+
+        return told(error)
 
 
 def _unknown(command: str) -> str:

@@ -18,8 +18,7 @@ from kindsl.cli.documents.git_texts import commits_of, short, versions_of
 from kindsl.cli.documents.versions import analysed_versions, read_versions
 from kindsl.cli.documents.writing import unwritable
 from kindsl.cli.options import add_parameter_arguments
-from kindsl.cli.outcome import Failure, as_failures
-from kindsl.config.errors import ConfigurationError
+from kindsl.cli.outcome import Failure
 from kindsl.text.writing import write_folder
 
 if TYPE_CHECKING:
@@ -44,14 +43,9 @@ def run(args: argparse.Namespace) -> int:
     Returns:
         0, or 2 if a document cannot be read or the folder cannot be written.
     """
-    try:
-        _check_folder(args)
-        old, new, names = _documents(args, choices_of(args))
-        _write(args.output, _files(args, old, new, names))
-    except CommandError as error:
-        return error.tell()
-    except ConfigurationError as error:
-        return CommandError(as_failures(error)).tell()
+    _check_folder(args)
+    old, new, names = _documents(args, choices_of(args))
+    _write(args.output, _files(args, old, new, names))
     return 0
 
 

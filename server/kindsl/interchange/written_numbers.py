@@ -57,13 +57,6 @@ class XmlNumbers:
         group = 1 if match[1] is not None else 2
         return self._numbers(match[group], element.offset + match.start(group))
 
-    def of_text(self, element: Any) -> list[WrittenNumber]:
-        """Return the numbers that an element holds."""
-        if element is None or not element.text:
-            return []
-        tag = _TAG.match(self._text, element.offset)
-        return self._numbers(element.text, tag.end()) if tag else []
-
     def _numbers(self, text: str, offset: int) -> list[WrittenNumber]:
         return [self._number(word, offset) for word in _WORD.finditer(text)]
 

@@ -27,7 +27,6 @@ if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis
     from kindsl.cli.documents.choices import Choices
     from kindsl.interchange.descriptions import ReadDescription
-    from kindsl.mechanism.errors import ModelError
     from kindsl.semantics.places import Located
 
 
@@ -111,12 +110,6 @@ def _document(path: str, analysis: "Analysis") -> tuple[ComparedRobot, list[Fail
 
     name = shown_name(path)
     return ComparedRobot(name, described_document(name, model, values, skeleton), line_of), failures
-
-
-def _failures(path: str, analysis: "Analysis", error: "CommandError | ModelError") -> list[Failure]:
-    if isinstance(error, CommandError):
-        return error.failures
-    return defect(path, analysis, str(error), error.at).failures
 
 
 def _foreign(path: str, floating: bool | None) -> "ReadDescription":

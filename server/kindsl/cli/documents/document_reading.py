@@ -42,6 +42,15 @@ class CommandError(Exception):
         return self.status
 
 
+def told(error: Exception) -> int:
+    """Report what a command cannot do on stderr and return the exit status; raise other errors."""
+    if isinstance(error, ConfigurationError):
+        error = CommandError(as_failures(error))
+    if not isinstance(error, CommandError):
+        raise error
+    return error.tell()
+
+
 def shown_name(path: str) -> str:
     """Return the name to report for a document."""
     return UNNAMED if path == STDIN else path
