@@ -194,13 +194,17 @@ def test_eigen(tmp_path: Path) -> None:
         f"return std::fabs(tau(0) - ({tau!r})) < 1e-9 && std::fabs(M(7, 6) - "
         f"({entry!r})) < 1e-12 ? 0 : 1; }}\n"
     )
-    sources = [str(p) for p in tmp_path.glob("robot_*.c") if "test" not in p.name]
-    steps = [
-        [*COMPILERS[0].command, "-c", *sources],
-        ["g++", "-std=c++17", "-isystem", str(EIGEN), "-Wall", "-Wextra", "-Werror", "main.cpp",
-         *(Path(s).with_suffix(".o").name for s in sources), "-lm", "-o", "program"],
-        ["./program"],
+    strict = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]
+    compiled = [
+        [f"{name}++" if name == "clang" else "g++", f"-std=c++{standard}", *strict,
+         "-isystem", str(EIGEN), source, "-o", source[:-4]]
+        for name, standard, source in (
+            ("gcc", 14, "main.cpp"), ("clang", 17, "main.cpp"), ("clang", 14, "robot_test.cpp"),
+            ("gcc", 17, "robot_test.cpp"),
+        )
+        if name in {compiler.name for compiler in COMPILERS}
     ]  # fmt: skip
+    steps = [*compiled, ["./main"], ["./robot_test"]]
     for step in steps:
         done = subprocess.run(step, cwd=tmp_path, capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stdout + done.stderr

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from kindsl.codegen.library import Library
 
 
-def cmake_lists(library: Library, sources: Sequence[str], headers: Sequence[str]) -> str:
+def cmake_lists(library: Library, sources: Sequence[str]) -> str:
     """Return the CMakeLists.txt: a library to build, test, install and find."""
     p = library.prefix
     return f"""\
@@ -41,7 +41,7 @@ endif()
 # find_package({p}) gives the target {p}::{p}.
 set(PACKAGE_FOLDER ${{CMAKE_INSTALL_LIBDIR}}/cmake/{p})
 install(TARGETS {p} EXPORT {p}-targets)
-install(FILES {" ".join(headers)} DESTINATION ${{CMAKE_INSTALL_INCLUDEDIR}})
+install(FILES {p}.h DESTINATION ${{CMAKE_INSTALL_INCLUDEDIR}})
 install(EXPORT {p}-targets NAMESPACE {p}:: FILE {p}-config.cmake DESTINATION ${{PACKAGE_FOLDER}})
 write_basic_package_version_file(${{CMAKE_CURRENT_BINARY_DIR}}/{p}-config-version.cmake
   COMPATIBILITY SameMajorVersion)

@@ -1,7 +1,5 @@
 """All files of a library in C."""
 
-from typing import NamedTuple
-
 from kindsl.codegen.c_build import cmake_lists
 from kindsl.codegen.c_header import header
 from kindsl.codegen.c_sources import model_source, noinline, quantity_source, sources
@@ -14,29 +12,13 @@ from kindsl.codegen.reference import Reference
 OPTIONS = frozenset(("--real float", "--single-header"))
 
 
-class Wrapper(NamedTuple):
-    """The additions of another language: headers by their names, and their use."""
-
-    headers: dict[str, str]
-    usage: str
-
-
-NO_WRAPPER = Wrapper({}, "")
-
-
-def c_files(
-    library: Library,
-    reference: Reference,
-    parameters: dict[str, float],
-    wrapper: Wrapper = NO_WRAPPER,
-) -> dict[str, str]:
+def c_files(library: Library, reference: Reference, parameters: dict[str, float]) -> dict[str, str]:
     """Return the text of each file by its name.
 
     Args:
         library: What to write.
         reference: The right answers, for the test program.
         parameters: The values that these hold for.
-        wrapper: What comes besides.
     """
     p = library.prefix
     if library.options.is_single_header:
@@ -46,18 +28,15 @@ def c_files(
                 library, reference, parameters,
                 f'#define {macro(library)}_IMPLEMENTATION\n#include "{p}.h"',
             ),
-            "README.md": readme(library, _single_usage(library) + wrapper.usage),
-            **wrapper.headers,
+            "README.md": readme(library, _single_usage(library)),
         }  # fmt: skip
     files = {f"{p}.h": header(library), **dict(sources(library))}
     names = [name for name in files if name.endswith(".c")]
-    headers = [f"{p}.h", *wrapper.headers]
     return {
         **files,
         f"{p}_test.c": test_program(library, reference, parameters, f'#include "{p}.h"'),
-        "CMakeLists.txt": cmake_lists(library, names, headers),
-        "README.md": readme(library, _usage(library) + wrapper.usage),
-        **wrapper.headers,
+        "CMakeLists.txt": cmake_lists(library, names),
+        "README.md": readme(library, _usage(library)),
     }
 
 

@@ -1,53 +1,111 @@
-"""A thin header in C++17 over a library in C: Eigen's types, nothing to compute of its own."""
+"""A header in C++14 with Eigen's types, a template of the type of numbers."""
 
-from kindsl.codegen.c_library import OPTIONS, Wrapper, c_files
-from kindsl.codegen.c_text import EXTERNAL, macro, stamp_comment
+from collections.abc import Sequence
+
+from kindsl.codegen.c_test_program import test_program
+from kindsl.codegen.c_text import EXTERNAL, stamp_comment
 from kindsl.codegen.language import Language
 from kindsl.codegen.library import Library
 from kindsl.codegen.names_in_code import RESERVED, identifier
+from kindsl.codegen.readme import readme
 from kindsl.codegen.reference import Reference
+from kindsl.dynamics.generation.emitters.cpp_templates import (
+    Template,
+    TemplateDialect,
+    template_function,
+)
 from kindsl.dynamics.generation.function import Function, Result
+from kindsl.dynamics.generation.terms import Scalar
 
 FIXED = {"v0": 6, "a0": 6, "g": 3}
+# The argument that holds what parameters decide.
+CONSTANTS = "constants"
+DIALECT = TemplateDialect("class S", "S", "S", "detail::{}")
 
 
 def cpp_header(library: Library) -> str:
     """Return the header."""
-    p, P = library.prefix, macro(library)
-    bound = f"    Model() noexcept : model_({p}_default_model) {{}}\n" if library.is_bound else ""
-    methods = "\n".join(_method(library, function) for function in library.all_functions)
+    methods = "\n".join(_methods(library, function) for function in library.all_functions)
+    bound = "    BasicModel() { set(Parameters()); }\n" if library.is_bound else ""
+    fields = "".join(f"    double {n} = {v};\n" for n, v in _defaults(library).items())
+    given = "".join(f"parameters.{name}, " for name in library.parameter_names.values())
+    values = f"const double given[] = {{{given[:-2]}}};" if given else ""
+    n_given, n_constants = len(library.parameter_names), len(library.setup)
+    setting = (
+        f"        {values}\n        S p[{n_given}];\n"
+        f"        for (int i = 0; i < {n_given}; i++) {{\n"
+        "            p[i] = S(given[i]);\n        }\n"
+        "        detail::set_up(p, c_);\n"
+    )
     return f"""\
-{stamp_comment(library, f"{library.robot_name} in C++17, with Eigen.")}#pragma once
-#include "{p}.h"
+{stamp_comment(library, f"{library.robot_name} in C++14, with Eigen.")}#pragma once
+#include <cmath>
+#include <limits>
 
 #include <Eigen/Core>
 
 namespace {namespace(library)} {{
 
-constexpr int n_joints = {P}_NJ;
-constexpr int n_velocities = {P}_NV;
-constexpr int n_bodies = {P}_NB;
+constexpr int n_joints = {len(library.robot.joint_names)};
+constexpr int n_velocities = {library.robot.n_velocities};
+constexpr int n_bodies = {len(library.body_names)};
 
-/* By rows, but for columns. */
-template <int rows, int columns>
-using Matrix =
-    Eigen::Matrix<{p}_real, rows, columns, columns == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
-template <int rows>
-using Vector = Matrix<rows, 1>;
-using JointVector = Vector<n_joints>;
-/* One column a body: the wrench on it in its own coordinates. */
-using ExternalForces = Eigen::Matrix<{p}_real, 6, n_bodies>;
+/* What is known only at run time, with the values that it had when this was generated. */
+struct Parameters {{
+{fields}}};
 
-class Model {{
+namespace detail {{
+
+template <class S>
+inline S sin(const S& x)
+{{
+    using std::sin;
+    return sin(x);
+}}
+
+template <class S>
+inline S cos(const S& x)
+{{
+    using std::cos;
+    return cos(x);
+}}
+
+{_functions(library)}
+}} // namespace detail
+
+/* S is any type of numbers, automatic derivatives' too. All functions are pure. */
+template <class S>
+class BasicModel {{
 public:
-{bound}    explicit Model(const {p}_parameters &parameters) noexcept {{ set(parameters); }}
+    using Scalar = S;
+    /* By rows, but for columns. */
+    template <int rows, int columns>
+    using Matrix =
+        Eigen::Matrix<S, rows, columns, columns == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
+    template <int rows>
+    using Vector = Matrix<rows, 1>;
+    using JointVector = Vector<n_joints>;
+    /* One column a body: the wrench on it in its own coordinates. */
+    using ExternalForces = Eigen::Matrix<S, 6, n_bodies>;
 
-    void set(const {p}_parameters &parameters) noexcept {{ {p}_model_init(&model_, &parameters); }}
+{bound}    explicit BasicModel(const Parameters& parameters) {{ set(parameters); }}
+
+    void set(const Parameters& parameters)
+    {{
+{setting if given and n_constants else "        (void)parameters;" + chr(10)}    }}
 
 {methods}
 private:
-    {p}_model model_;
+    S c_[{max(1, n_constants)}] = {{}};
 }};
+
+using Model = BasicModel<{library.options.real}>;
+template <int rows, int columns>
+using Matrix = Model::Matrix<rows, columns>;
+template <int rows>
+using Vector = Model::Vector<rows>;
+using JointVector = Model::JointVector;
+using ExternalForces = Model::ExternalForces;
 
 }} // namespace {namespace(library)}
 """
@@ -58,31 +116,79 @@ def namespace(library: Library) -> str:
     return identifier(library.prefix) if library.prefix not in RESERVED else f"{library.prefix}_"
 
 
-def _method(library: Library, function: Function) -> str:
+def _defaults(library: Library) -> dict[str, str]:
+    nothing = "std::numeric_limits<double>::quiet_NaN()"
+    return {
+        safe: nothing if library.defaults[name] is None else repr(library.defaults[name])
+        for name, safe in library.parameter_names.items()
+    }
+
+
+def _functions(library: Library) -> str:
+    """Return the functions of pointers, of all that parameters decide first."""
+    graph, constants = library.robot.graph, list[Scalar](library.setup)
+    parameters: list[Scalar] = [*library.robot.parameters.values()]
+    templates = []
+    if parameters and constants:
+        templates.append(Template("set_up", {"p": parameters}, {CONSTANTS: constants}))
+    for function in library.all_functions:
+        name = library.function_names[function.name]
+        takes: dict[str, Sequence[Scalar]] = {CONSTANTS: constants}
+        takes |= {argument.name: argument.components for argument in function.arguments}
+        gives = {result.name: result.entries for result in function.results}
+        templates.append(Template(name, takes, gives))
+        if function.loaded is not None:
+            takes = {**takes, EXTERNAL: library.external}
+            gives = {result.name: result.entries for result in function.loaded}
+            templates.append(Template(f"{name}_loaded", takes, gives))
+    return "\n".join(template_function(graph, template, DIALECT) for template in templates)
+
+
+def _methods(library: Library, function: Function) -> str:
+    """Return a function of pointers, and one of Eigen's vectors."""
     name = library.function_names[function.name]
+    names = [argument.name for argument in function.arguments]
+    results = [result.name for result in function.results]
+    load = [EXTERNAL] if function.loaded is not None else []
+    declared = [f"const S* {n}" for n in names + load] + [f"S* {n}" for n in results]
+    free = f"detail::{name}({', '.join(['c_', *names, *results])});"
+    body = f"        {free}\n"
+    if load:
+        loaded = f"detail::{name}_loaded({', '.join(['c_', *names, *load, *results])});"
+        body = (
+            f"        if ({EXTERNAL} != nullptr) {{\n            {loaded}\n"
+            f"        }} else {{\n            {free}\n        }}\n"
+        )
+    raw = f"    void {name}({', '.join(declared)}) const\n    {{\n{body}    }}\n"
+    return f"{raw}{_of_vectors(function, name)}"
+
+
+def _of_vectors(function: Function, name: str) -> str:
     takes = [
-        f"const Vector<{FIXED.get(a.name, len(a.components))}> &{a.name}"
+        f"const Vector<{FIXED.get(a.name, len(a.components))}>& {a.name}"
         for a in function.arguments
     ]
-    passed = ["&model_", *(f"{a.name}.data()" for a in function.arguments)]
+    passed = [f"{argument.name}.data()" for argument in function.arguments]
     load = []
     if function.loaded is not None:
-        passed.append(f"{EXTERNAL} != nullptr ? {EXTERNAL}->data() : nullptr")
-        load = [f"const ExternalForces *{EXTERNAL} = nullptr"]
+        passed.append(
+            f"{EXTERNAL} != nullptr ? {EXTERNAL}->data() : static_cast<const S*>(nullptr)"
+        )
+        load = [f"const ExternalForces* {EXTERNAL} = nullptr"]
     passed += [f"{result.name}.data()" for result in function.results]
-    call = f"{library.prefix}_{name}({', '.join(passed)});"
+    call = f"{name}({', '.join(passed)});"
     head = f"    /* {function.summary[0].upper()}{function.summary[1:]}. */\n"
     if len(function.results) == 1:
         (result,) = function.results
         kind = _type(result)
         return (
-            f"{head}    {kind} {name}({', '.join([*takes, *load])}) const noexcept\n    {{\n"
+            f"{head}    {kind} {name}({', '.join([*takes, *load])}) const\n    {{\n"
             f"        {kind} {result.name};\n        {call}\n"
             f"        return {result.name};\n    }}\n"
         )
-    gives = [f"{_type(result)} &{result.name}" for result in function.results]
+    gives = [f"{_type(result)}& {result.name}" for result in function.results]
     return (
-        f"{head}    void {name}({', '.join([*takes, *gives, *load])}) const noexcept\n    {{\n"
+        f"{head}    void {name}({', '.join([*takes, *gives, *load])}) const\n    {{\n"
         f"        {call}\n    }}\n"
     )
 
@@ -100,8 +206,10 @@ def _usage(library: Library) -> str:
     p, space = library.prefix, namespace(library)
     given = "" if library.is_bound else "(parameters)"
     return f"""\
+## Use
 
-`{p}.hpp` has the functions as methods in C++17, with Eigen's types. A single result is returned,
+`{p}.hpp` is all there is; it needs Eigen and C++14. CMake installs it, and then
+`find_package({p})` and `target_link_libraries(program {p}::{p})`. A single result is returned,
 several are filled in, and `fext` comes last and may be left out:
 
 ```cpp
@@ -110,12 +218,82 @@ several are filled in, and `fext` comes last and may be left out:
 const {space}::Model model{given};
 const {space}::JointVector q = {space}::JointVector::Zero();
 ```
+
+`{space}::BasicModel<S>` is the same for other types of numbers, those of CppAD and ceres
+among them.
+"""
+
+
+def _test(library: Library, reference: Reference, parameters: dict[str, float]) -> str:
+    """Return the test program of C, which calls a model's functions of pointers."""
+    p, space = library.prefix, namespace(library)
+    calls = "".join(
+        f"template <class... A>\nvoid {p}_{name}(const {p}_model *m, A... a)\n"
+        f"{{\n    m->{name}(a...);\n}}\n"
+        for name in library.function_names.values()
+    )
+    include = f"""\
+#include "{p}.hpp"
+
+typedef {space}::Model {p}_model;
+typedef {space}::Model::Scalar {p}_real;
+typedef {space}::Parameters {p}_parameters;
+
+static {p}_parameters {p}_default_parameters() {{ return {p}_parameters(); }}
+static void {p}_model_init({p}_model *m, const {p}_parameters *parameters)
+{{
+    m->set(*parameters);
+}}
+{calls}"""
+    text = test_program(library, reference, parameters, include)
+    start = f"{p}_model model" + ("" if library.is_bound else f"{{{p}_parameters()}}")
+    return text.replace("NULL", "nullptr").replace(f"    {p}_model model;", f"    {start};")
+
+
+def _cmake(library: Library) -> str:
+    p, stamp = library.prefix, library.stamp
+    return f"""\
+# Generated by {stamp.generator} from {stamp.document}; do not edit.
+cmake_minimum_required(VERSION 3.13)
+project({p} VERSION {library.version} LANGUAGES CXX)
+include(CMakePackageConfigHelpers)
+include(CTest)
+include(GNUInstallDirs)
+
+find_package(Eigen3 REQUIRED NO_MODULE)
+add_library({p} INTERFACE)
+add_library({p}::{p} ALIAS {p})
+target_compile_features({p} INTERFACE cxx_std_14)
+target_link_libraries({p} INTERFACE Eigen3::Eigen)
+target_include_directories({p} INTERFACE
+  $<BUILD_INTERFACE:${{CMAKE_CURRENT_SOURCE_DIR}}>
+  $<INSTALL_INTERFACE:${{CMAKE_INSTALL_INCLUDEDIR}}>)
+
+if(BUILD_TESTING)
+  add_executable({p}_test {p}_test.cpp)
+  target_link_libraries({p}_test PRIVATE {p})
+  add_test(NAME {p}_test COMMAND {p}_test)
+endif()
+
+# find_package({p}) gives the target {p}::{p}.
+set(PACKAGE_FOLDER ${{CMAKE_INSTALL_LIBDIR}}/cmake/{p})
+install(TARGETS {p} EXPORT {p}-targets)
+install(FILES {p}.hpp DESTINATION ${{CMAKE_INSTALL_INCLUDEDIR}})
+install(EXPORT {p}-targets NAMESPACE {p}:: FILE {p}-config.cmake DESTINATION ${{PACKAGE_FOLDER}})
+write_basic_package_version_file(${{CMAKE_CURRENT_BINARY_DIR}}/{p}-config-version.cmake
+  COMPATIBILITY SameMajorVersion)
+install(FILES ${{CMAKE_CURRENT_BINARY_DIR}}/{p}-config-version.cmake
+  DESTINATION ${{PACKAGE_FOLDER}})
 """
 
 
 def _files(library: Library, reference: Reference, parameters: dict[str, float]) -> dict[str, str]:
-    wrapper = Wrapper({f"{library.prefix}.hpp": cpp_header(library)}, _usage(library))
-    return c_files(library, reference, parameters, wrapper)
+    return {
+        f"{library.prefix}.hpp": cpp_header(library),
+        f"{library.prefix}_test.cpp": _test(library, reference, parameters),
+        "CMakeLists.txt": _cmake(library),
+        "README.md": readme(library, _usage(library)),
+    }
 
 
-LANGUAGE = Language(_files, OPTIONS)
+LANGUAGE = Language(_files, frozenset(("--real float",)))
