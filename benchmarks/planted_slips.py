@@ -246,8 +246,9 @@ def agreeing(analysis: Analysis) -> dict[str, list[str]]:
     for carrier in model.bodies:
         for limbs in limbs_of(carrier, model, values):
             alike: dict[object, list[tuple[str, list[str]]]] = {}
+            heads = dict(limbs.heads)
             for one, other, how in limbs.pairs():
-                twins = compared(limbs.heads[one], limbs.heads[other], how, LOOSE)
+                twins = compared(heads[one], heads[other], how, LOOSE)
                 if twins is not None and twins.n_slips == 0:
                     alike.setdefault(one, []).append((how, [row.one.name for row in twins.rows]))
                     alike.setdefault(other, []).append(

@@ -1,12 +1,12 @@
 """What is told of limbs (KD208 to KD210, KD509, KD510), with which fixes, and what it costs."""
 
-from collections.abc import Sequence
-
 import pytest
 from tests.support.one_rule import found, section, told
 from tests.support.published import CORPUS, published
 
 from kindsl.analysis.analysis import analyse
+from kindsl.limbs.limb import Limbs
+from kindsl.limbs.verdicts import LimbVerdict, verdicts
 from kindsl.rules import limb_verdicts
 from kindsl.rules.examples import four_legs, link, placed_joint, robot, two_arms
 from kindsl.text.edits import TextEdit, apply_edits
@@ -114,13 +114,13 @@ def test_what_is_told_of_mirrored_inertias_is_not_told_twice() -> None:
 
 def test_only_limbs_that_changed_are_compared_again(monkeypatch: pytest.MonkeyPatch) -> None:
     compared: list[object] = []
-    compare = limb_verdicts._compared
 
-    def counted(groups: Sequence[object]) -> object:
-        compared.append(groups)
-        return compare(groups)  # type: ignore[arg-type]
+    def counted(limbs: Limbs) -> list[LimbVerdict]:
+        compared.append(limbs)
+        return verdicts(limbs)
 
-    monkeypatch.setattr(limb_verdicts, "_compared", counted)
+    monkeypatch.setattr(limb_verdicts, "verdicts", counted)
+    limb_verdicts._compared.cache_clear()
     text = four_legs()
     analysis = analyse(text)
     hip, mass = text.index("0.08"), text.index("mass = 4.1") + len("mass = ")
@@ -128,7 +128,8 @@ def test_only_limbs_that_changed_are_compared_again(monkeypatch: pytest.MonkeyPa
         (mass, "4.1", "4.2", 0, []),
         (hip, "0.08", "0.80", 1, ["KD509"]),
         (mass, "4.2", "4.1", 0, ["KD509"]),
-        (hip, "0.80", "0.08", 1, []),
+        (hip, "0.80", "0.81", 1, ["KD509"]),
+        (hip, "0.81", "0.08", 0, []),
     )
     assert [f.code for f in analysis.findings if f.code in CODES] == []
     for at, old, new, n_compared, expected in steps:
@@ -141,7 +142,7 @@ def test_only_limbs_that_changed_are_compared_again(monkeypatch: pytest.MonkeyPa
 
 
 def test_a_thousand_numbered_limbs_are_not_compared(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(limb_verdicts, "_compared", lambda _: pytest.fail("compared"))
+    monkeypatch.setattr(limb_verdicts, "verdicts", lambda _: pytest.fail("compared"))
     numbers = range(1, 1001)
     links = [link(f"finger{n}", n) for n in numbers]
     joints = [placed_joint(f"j{n}", f"0.{n}, 0.1, 0.0", "0.0, 0.0, 0.0") for n in numbers]

@@ -83,7 +83,7 @@ class Reading(NamedTuple):
 
 
 _Labels = tuple[float, dict[int, Rotation]]
-_Slips = Iterator[tuple[tuple[int, str] | None, _Labels]]
+_Slips = Iterator[tuple[tuple[int, str], _Labels]]
 
 
 class LimbComparison:
@@ -95,11 +95,16 @@ class LimbComparison:
         part: What is compared.
         rows: The pairs of bodies, the heads first.
         is_whole: Whether they match body by body to their ends.
-        readings: All with one slip at most, the cheapest first.
+        readings: All without a slip, or else all with one, the cheapest first.
     """
 
     def __init__(
-        self, rows: Sequence[Match], how: str, tolerance: Tolerance, part: LimbPart = LimbPart.WHOLE
+        self,
+        rows: Sequence[Match],
+        how: str,
+        tolerance: Tolerance,
+        part: LimbPart = LimbPart.WHOLE,
+        among: Sequence[Mount] = (),
     ) -> None:
         self.rows, self.how, self.tolerance, self.part = rows, how, tolerance, part
         self._below: list[list[int]] = [[] for _ in rows]
@@ -107,7 +112,8 @@ class LimbComparison:
             self._below[row.up].append(index)
         self._known: dict[tuple[int, Rotation], _Labels | None] = {}
         _, one, other = rows[0]
-        self._mounts = ANY_WAY if part is LimbPart.HELD else mounts(how, one, other, tolerance)
+        is_held = part is LimbPart.HELD
+        self._mounts = among or (ANY_WAY if is_held else mounts(how, one, other, tolerance))
         self.readings = self._readings()
 
     @property
@@ -128,8 +134,10 @@ class LimbComparison:
     def keep_to(self, way: Way) -> None:
         """Read one limb as the other in one way, unless that is the cheapest, or none of theirs."""
         is_cheapest = bool(self.readings) and self.readings[0].mount.way == way
-        if not is_cheapest and any(mount.way == way for mount in self._mounts):
-            self.readings = [reading for reading in self.readings if reading.mount.way == way]
+        mounts = [mount for mount in self._mounts if mount.way == way]
+        if mounts and not is_cheapest:
+            self._mounts = mounts
+            self.readings = self._readings()
 
     def accusations(self) -> list[tuple[Accusation, Accusation]]:
         """Return the single triples that explain the difference, as of either limb."""
@@ -142,9 +150,9 @@ class LimbComparison:
 
     def turnings(self) -> list[tuple[Accusation, Accusation]]:
         """Return the rotations that, written otherwise, make unlike masses alike."""
-        found = [r for r in self.readings if r.slip is not None and r.slip[1] == "angles"]
-        like = [r for r in found if r.cost - r.mount.extra < _NO_MASS]
-        return [self._accused(reading) for reading in like if self.differing_masses()]
+        found = self._with_a_slip() if self.differing_masses() else []
+        turns = [r for r in found if r.slip is not None and r.slip[1] == "angles"]
+        return [self._accused(r) for r in turns if r.cost - r.mount.extra < _NO_MASS]
 
     def differing_masses(self) -> list[tuple[int, str]]:
         """Return rows with `com` or `moments` where these are not alike."""
@@ -160,20 +168,31 @@ class LimbComparison:
         return any(max(map(abs, self.rows[i].one.translation)) > _SEEN for i in below)
 
     def _readings(self) -> list[Reading]:
+        found = [
+            Reading(mount, None, labels[0] + mount.extra, labels[1])
+            for mount in self._mounts
+            for is_placed, to, _ in self._at_head(mount)
+            if is_placed and to is not None and (labels := self._plain(0, to)) is not None
+        ]
+        return sorted(found, key=lambda reading: reading.cost) or self._with_a_slip()
+
+    def _with_a_slip(self) -> list[Reading]:
         """Return for each mount and slip the cheapest reading."""
         found: dict[object, Reading] = {}
         for order, mount in enumerate(self._mounts):
-            for slip, (cost, labels) in self._of_mount(mount):
-                reading = Reading(mount, slip, cost + mount.extra, labels)
-                if reading.cost < found.setdefault((order, slip), reading).cost:
-                    found[order, slip] = reading
-        return sorted(found.values(), key=lambda r: r.cost + (r.slip is not None))
+            for head in self._at_head(mount):
+                for slip, (cost, labels) in self._at(0, *head):
+                    reading = Reading(mount, slip, cost + mount.extra, labels)
+                    if reading.cost < found.setdefault((order, slip), reading).cost:
+                        found[order, slip] = reading
+        return sorted(found.values(), key=lambda reading: reading.cost)
 
-    def _of_mount(self, mount: Mount) -> _Slips:
+    def _at_head(self, mount: Mount) -> Iterator[tuple[bool, Rotation | None, bool]]:
+        """Yield what `_at` is to be told of the head; of a free mount, any convention."""
         _, one, other = self.rows[0]
         if mount.map is None:
             for C in _ALIKE[mount.is_copy]:
-                yield from self._from(0, C)
+                yield True, C, mount.is_copy
             return
         turn = product(transposed(one.rotation), transposed(mount.map))
         to = self._convention(product(turn, other.rotation))
@@ -182,10 +201,10 @@ class LimbComparison:
         there, is_same = other.translation, self.tolerance.is_same
         is_moved = self.how != "ROW" or not is_same(there, one.translation)
         is_alike = mount.is_copy or is_proper(mount.map)
-        yield from self._at(0, is_moved and is_same(there, mount.place), to, is_alike)
+        yield is_moved and is_same(there, mount.place), to, is_alike
 
     def _at(self, index: int, is_placed: bool, to: Rotation | None, is_alike: bool) -> _Slips:
-        """Yield the slips at a row and below it; None for no slip.
+        """Yield the slips at a row and below it.
 
         Args:
             index: Of the row.
@@ -194,24 +213,20 @@ class LimbComparison:
             is_alike: Whether conventions are rotations.
         """
         if to is not None and is_placed:
-            yield from self._from(index, to)
+            yield from self._below_row(index, to)
         what = "angles" if is_placed else "translation"
         for C in _ALIKE[is_alike]:
             labels = self._plain(index, C) if (to == C) != is_placed else None
             if labels is not None:
                 yield (index, what), labels
 
-    def _from(self, index: int, C: Rotation) -> _Slips:
-        """Yield the slips below a row of a convention; None for no slip."""
-        whole = self._plain(index, C)
-        if whole is not None:
-            yield None, whole
+    def _below_row(self, index: int, C: Rotation) -> _Slips:
+        """Yield the slips below a row of a convention."""
         for child in self._below[index]:
             rest = self._children([other for other in self._below[index] if other != child], C)
             if rest is not None:
                 for slip, labels in self._at(child, *self._handed(child, C), is_proper(C)):
-                    if slip is not None:
-                        yield slip, self._joined(index, C, [labels, *rest])
+                    yield slip, self._joined(index, C, [labels, *rest])
 
     def _plain(self, index: int, C: Rotation) -> _Labels | None:
         """Return conventions of a row and all below it, None where something differs."""

@@ -52,16 +52,16 @@ class Limbs(NamedTuple):
     """Limbs of one carrier that are meant to be alike.
 
     Attributes:
-        heads: The first body of each by its label: side and row, or its numbers.
+        heads: The first body of each with its label: side and row, or its numbers.
         is_named: Whether sides and rows tell them apart, else numbers do.
     """
 
-    heads: dict[Side, Body]
+    heads: tuple[tuple[Side, Body], ...]
     is_named: bool
 
     def pairs(self) -> Iterator[tuple[Side, Side, str]]:
         """Yield two labels and how their limbs lie to each other: `LR`, `ROW` or `TURN`."""
-        for one, other in combinations(sorted(self.heads, key=repr), 2):
+        for one, other in combinations(sorted((side for side, _ in self.heads), key=repr), 2):
             if not self.is_named:
                 yield one, other, "TURN"
             elif one[1] == other[1] and one[0] != other[0] and one[0] and other[0]:
@@ -91,7 +91,7 @@ def limbs_of(carrier: Link, model: Model, values: Values) -> Iterator[Limbs]:
         if 1 < len(by_label) <= _MOST_LIMBS:
             single = {label: found[0] for label, found in by_label.items() if len(found) == 1}
             limbs = {label: _limb(edge, model, values, []) for label, edge in single.items()}
-            heads = {label: head for label, head in limbs.items() if head is not None}
+            heads = tuple((label, head) for label, head in limbs.items() if head is not None)
             if len(heads) > 1:
                 yield Limbs(heads, is_named)
 

@@ -109,7 +109,7 @@ def _rows(
             is_mirrored = tolerance.is_same((-here[axis], 0.0, 0.0), (there[axis], 0.0, 0.0))
             for matrix in (mirror, _SAME):
                 extra = 0.0 if is_mirrored else _MOVED_ROW
-                yield Mount(matrix, _moved(here, there, axis), extra, axis)
+                yield Mount(matrix, moved(here, there, axis), extra, axis)
 
 
 def _numbered(here: Vector3, there: Vector3, apart: Sequence[bool]) -> Iterator[Mount]:
@@ -120,10 +120,11 @@ def _numbered(here: Vector3, there: Vector3, apart: Sequence[bool]) -> Iterator[
             turn = _turn(axis, atan2(there[k], there[j]) - atan2(here[k], here[j]))
             yield Mount(turn, turned(turn, here), 0.0)
         if apart[axis]:
-            yield Mount(_SAME, _moved(here, there, axis), _MOVED, axis)
+            yield Mount(_SAME, moved(here, there, axis), _MOVED, axis)
 
 
-def _moved(here: Vector3, there: Vector3, axis: int) -> Vector3:
+def moved(here: Vector3, there: Vector3, axis: int) -> Vector3:
+    """Return a place moved to another along an axis."""
     x, y, z = (there[i] if i == axis else here[i] for i in range(3))
     return x, y, z
 

@@ -63,7 +63,7 @@ def agreed(found: Sequence[Sequence[LimbVerdict]]) -> list[LimbVerdict]:
 
 def _verdicts_at(limbs: Limbs, tolerance: Tolerance) -> list[LimbVerdict] | None:
     """Return the verdicts at a tolerance, None where a wider one may tell more."""
-    heads = limbs.heads
+    heads = dict(limbs.heads)
     made = {(a, b): compared(heads[a], heads[b], how, tolerance) for a, b, how in limbs.pairs()}
     edges = {pair: comparison for pair, comparison in made.items() if comparison is not None}
     _keep_to_one_way(edges)
@@ -178,7 +178,7 @@ def _other_kinds(edges: _Edges) -> Iterator[LimbVerdict]:
 
 def _of_masses(limbs: Limbs, edges: _Edges) -> list[LimbVerdict]:
     """Return what masses tell where all joints agree: of themselves, or of a joint turned round."""
-    found = [verdict for label in limbs.heads for verdict in _odd_masses(label, edges)]
+    found = [verdict for label, _ in limbs.heads for verdict in _odd_masses(label, edges)]
     if any(verdict.places[0].what == "inertia" for verdict in found):
         return _convicted(_outvoted(edges, LimbComparison.turnings)) or found
     return found

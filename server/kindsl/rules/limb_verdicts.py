@@ -1,10 +1,10 @@
 """Misfits in the limbs of a robot: found once for all rules that tell of them.
 
-The limbs of a body are compared again only where something in them has changed.
+Limbs that are alike are compared again only where something in them has changed.
 """
 
 from collections.abc import Mapping, Sequence
-from functools import partial
+from functools import lru_cache, partial
 from typing import NamedTuple
 from zlib import crc32
 
@@ -20,6 +20,7 @@ from kindsl.semantics.parameters import Parameter
 from kindsl.text.facts import Fact
 
 _ASSIGNMENTS = range(3)
+_MOST_KNOWN = 1 << 10
 # Where arbitrary values of parameters begin and how far they go: what a robot may have.
 _ARBITRARY = {ValueKind.LENGTH: (0.1, 0.4), ValueKind.ANGLE: (0.2, 1.0)}
 _ANYTHING = (0.5, 1.0)
@@ -46,7 +47,6 @@ class LimbSlips(NamedTuple):
 _SLIPS = Fact[tuple[Context, LimbSlips]]("slips in limbs")
 _MISPLACED = Memory[tuple[list[Misplaced], list[Misplaced]]]("links not attached as their twins")
 _GROUPS = Memory[list[tuple[Limbs, ...]]]("limbs in numbers")
-_COMPARED = Memory[list[LimbVerdict]]("limbs compared")
 
 
 def limb_slips(model: Model, context: Context) -> LimbSlips:
@@ -68,9 +68,8 @@ def _slips(model: Model, context: Context) -> LimbSlips:
         given = context.targets, assignments
         for carrier, written in _limbs_as_written(model).items():
             limbs = partial(_limbs_at_each, carrier, model, assignments)
-            groups = _GROUPS.of(carrier, (given, written), limbs)
-            if groups[0]:
-                found += _COMPARED.of(carrier, (groups,), partial(_compared, groups))
+            for groups in _GROUPS.of(carrier, (given, written), limbs):
+                found += _compared(groups)
     return LimbSlips(elsewhere, crossed, found, assignments)
 
 
@@ -112,13 +111,14 @@ def _limbs_as_written(model: Model) -> dict[Link, list[object]]:
 def _limbs_at_each(
     carrier: Link, model: Model, assignments: Sequence[Values]
 ) -> list[tuple[Limbs, ...]]:
-    """Return the limbs of one body in numbers, at each assignment."""
-    return [tuple(limbs_of(carrier, model, values)) for values in assignments]
+    """Return the limbs of one body in numbers, each at all assignments."""
+    return list(zip(*(limbs_of(carrier, model, values) for values in assignments), strict=False))
 
 
-def _compared(groups: list[tuple[Limbs, ...]]) -> list[LimbVerdict]:
-    """Return the verdicts on the limbs of one body, given at each assignment."""
-    return agreed([[v for limbs in each for v in verdicts(limbs)] for each in groups])
+@lru_cache(maxsize=_MOST_KNOWN)
+def _compared(groups: tuple[Limbs, ...]) -> list[LimbVerdict]:
+    """Return the verdicts on limbs that are given at each assignment."""
+    return agreed([verdicts(limbs) for limbs in groups])
 
 
 def _assignments(model: Model, context: Context) -> tuple[Values, ...]:

@@ -1,6 +1,6 @@
 """Inertias of a left and a right part that are nearly mirror images."""
 
-from kindsl.rules.inertia.symmetry import SIGNS
+from kindsl.rules.inertia.surroundings import SIGNS
 from kindsl.semantics.declarations import Inertia, Link
 from kindsl.syntax.vocabulary import MOMENTS
 

@@ -1,22 +1,25 @@
 """Evidence from the rest of the robot on a link's inertia: its children's joints, its twins."""
 
 from collections.abc import Iterator, Sequence
+from itertools import product
 from math import hypot, log
 from typing import NamedTuple
 
+from kindsl.limbs.comparison import seen_by
+from kindsl.limbs.twin_frames import twin_frames
 from kindsl.rigid.body import MassDistribution
-from kindsl.rigid.pose import Vector3
+from kindsl.rigid.pose import Rotation, Vector3, transposed, turned
 from kindsl.rules.context import Context
 from kindsl.rules.inertia.judgements import Judgement, is_impossible
 from kindsl.rules.inertia.likelihood import MassShape
 from kindsl.rules.inertia.slips import Hypothesis, Slip
-from kindsl.rules.inertia.symmetry import SIGNS, twin_signs, with_signs
 from kindsl.rules.inertia.twins import part_of, right_twin_of
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
 from kindsl.semantics.numbers import mass_distribution, written_pose
 from kindsl.text.facts import kept
 
+SIGNS: tuple[Vector3, ...] = tuple(product((1.0, -1.0), repeat=3))  # type: ignore[arg-type]
 _MOST_PARTS = 8
 _NEAR = 0.02
 _ELONGATED = 2.5
@@ -146,7 +149,8 @@ def _are_near(one: Sequence[float], other: Sequence[float]) -> bool:
 
 def _reflected(body: MassDistribution, signs: Vector3) -> MassDistribution:
     moments = (signs[i] * signs[j] * m for (i, j), m in zip(_PAIRS, body.moments, strict=True))
-    return MassDistribution(body.mass, with_signs(signs, body.com), tuple(moments))  # type: ignore[arg-type]
+    com = (sign * c for sign, c in zip(signs, body.com, strict=True))
+    return MassDistribution(body.mass, tuple(com), tuple(moments))  # type: ignore[arg-type]
 
 
 def _alike(
@@ -166,7 +170,7 @@ def _twins(
     """Return those that are possible, and what all of them can expect, seeing how they lie."""
     twins = [(other, body) for other, body in alike if not is_impossible(other, context)]
     seen = [
-        [_reflected(body, signs) for signs in _signs(model, context, link, other)]
+        [_in_frame_of_twin(body, C) for C in _frames(model, context, link, other)]
         for other, body in twins
     ]
     agreed = (
@@ -178,12 +182,17 @@ def _twins(
     return tuple(Twin(str(other.name), body, expected) for other, body in twins)
 
 
-def _signs(model: Model, context: Context, link: Link, other: Link) -> list[Vector3]:
-    """Return `twin_signs`, none where an inertia is given in a frame that is not the link's."""
+def _in_frame_of_twin(body: MassDistribution, C: Rotation) -> MassDistribution:
+    moments = seen_by(body.moments, transposed(C))
+    return MassDistribution(body.mass, turned(C, body.com), moments)
+
+
+def _frames(model: Model, context: Context, link: Link, other: Link) -> list[Rotation]:
+    """Return `twin_frames`, none where an inertia is given in a frame that is not the link's."""
     inertias = [body.inertia for body in (link, other) if body.inertia is not None]
     if any(inertia.frame is not None for inertia in inertias):
         return []
-    return twin_signs(model.tree, link, other, context.values)
+    return twin_frames(model.tree, link, other, context.values)
 
 
 def _mirror(model: Model, link: Link) -> str | None:
