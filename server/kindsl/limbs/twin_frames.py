@@ -1,4 +1,4 @@
-"""How the link frame of a part of a robot lies to that of its twin, as the joint frames have it."""
+"""Link frames of a part of a robot and of its twin, as the joint frames place them."""
 
 from collections.abc import Iterator
 from itertools import product as combinations
