@@ -39,6 +39,19 @@ console.log(JSON.stringify(cases.map(({ links, joints, frames, q, isFloating }) 
 """
 
 
+DYNAMICS = """
+import { readFileSync } from "node:fs";
+const { inverseDynamics } = await import(process.argv[1]);
+const byName = (list) => new Map(list.map((item) => [item.name, item]));
+const cases = JSON.parse(readFileSync(0, "utf8"));
+console.log(JSON.stringify(cases.map(({ links, joints, frames, q, qd, qdd }) => {
+  const robot = { links: byName(links), joints: byName(joints), frames: byName(frames) };
+  const values = [q, qd, qdd].map((each) => new Map(Object.entries(each)));
+  return Object.fromEntries(inverseDynamics(robot, ...values));
+})));
+"""
+
+
 @pytest.fixture(scope="module")
 def cases():
     rng = np.random.default_rng(7)
@@ -59,10 +72,10 @@ def answers(cases):
     return answers_to([page_input(skeleton, q) for skeleton, q in cases])
 
 
-def answers_to(inputs):
+def answers_to(inputs, driver=DRIVER, script=SCRIPT):
     node = require("node", "nodejs")
     given = json.dumps(inputs)
-    command = [node, "--input-type=module", "-e", DRIVER, SCRIPT.as_uri()]
+    command = [node, "--input-type=module", "-e", driver, script.as_uri()]
     run = subprocess.run(
         command, input=given, capture_output=True, text=True, timeout=60, check=True
     )
@@ -106,6 +119,25 @@ def test_gravity_torques_are_ours(cases, answers):
         ours = np.asarray(mechanics_of(skeleton).gravity_torque(q))[-len(skeleton.link_names) :]
         theirs = [answer["torques"][name] for name in skeleton.joint_names]
         np.testing.assert_allclose(theirs, ours, atol=1e-7, rtol=1e-9)
+
+
+def test_inverse_dynamics_are_ours(cases):
+    rng = np.random.default_rng(8)
+    fixed = [(skeleton, q) for skeleton, q in cases if not skeleton.is_floating]
+    motions = [(skeleton, q, *rng.uniform(-2, 2, (2, len(q)))) for skeleton, q in fixed]
+    inputs = [
+        {
+            **page_input(skeleton, q),
+            "qd": dict(zip(skeleton.joint_names, qd.tolist(), strict=True)),
+            "qdd": dict(zip(skeleton.joint_names, qdd.tolist(), strict=True)),
+        }
+        for skeleton, q, qd, qdd in motions
+    ]
+    found = answers_to(inputs, DYNAMICS, SCRIPT.with_name("dynamics.js"))
+    for (skeleton, q, qd, qdd), answer in zip(motions, found, strict=True):
+        ours = mechanics_of(skeleton).inverse_dynamics(q, qd, qdd)
+        theirs = [answer[name] for name in skeleton.joint_names]
+        np.testing.assert_allclose(theirs, ours, atol=1e-7, rtol=1e-8)
 
 
 @pytest.mark.parametrize("number", [0, 3, 7])

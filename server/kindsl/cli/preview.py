@@ -32,6 +32,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--no-open", action="store_true", help="do not open a browser")
     add("--compare", metavar="OLD.kindsl", help="show another document behind it, translucent")
     add("--pose", metavar="NAME", help="begin with a pose of kindsl.toml: [poses.NAME]")
+    add("--trajectory", metavar="FILE", help="play a motion: CSV or JSON with time and joints")
     add("--export", metavar="FILE.html", help="write a self-contained page and exit")
     add("--screenshot", metavar="FILE.png", type=Path, help="write a picture and exit")
     add("--edit", action="store_true", help="write what is dragged in the page to FILE")
@@ -100,6 +101,9 @@ def _write(args: argparse.Namespace, old: "Analysis | None") -> None:
     document = _document(args.file, analysis, old)
     if args.pose is not None:
         document.take_pose(args.pose)
+    motion = _motion(args)
+    if motion is not None:
+        document.play(*motion)
     state = document.channel.state
     formulas = formula_messages(analysis.model, analysis.context.values)
     page = exported_page([*state, *formulas])
@@ -109,6 +113,16 @@ def _write(args: argparse.Namespace, old: "Analysis | None") -> None:
         from kindsl.preview.screenshot import take_screenshot
 
         take_screenshot(page, args.screenshot)
+
+
+def _motion(args: argparse.Namespace) -> tuple[str, str] | None:
+    """Return the name and text of the file with a motion, None without one."""
+    if args.trajectory is None:
+        return None
+    text = read_source(args.trajectory, args.trajectory)
+    if isinstance(text, Failure):
+        raise UnreadableError(str(text))
+    return os.path.basename(args.trajectory), text
 
 
 def _document(file: str, analysis: "Analysis", old: "Analysis | None") -> "DocumentPreview":
@@ -142,7 +156,7 @@ def _serve(args: argparse.Namespace, old: "Analysis | None") -> None:
     opens = not args.no_open
     command = Command(
         *(args.file, reread, first, old, args.port, opens, paths, known),
-        *(parameter_table, write, args.pose),
+        *(parameter_table, write, args.pose, _motion(args)),
     )
     asyncio.run(serve(command))
 

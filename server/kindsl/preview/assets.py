@@ -8,10 +8,12 @@ from kindsl.preview.linking import linked
 from kindsl.preview.viewer import viewer_script
 
 VIEWER = "viewer.js"
-SCRIPTS = (VIEWER, "page.js")
+PLOT = "plot.js"
+SCRIPTS = (VIEWER, PLOT, "page.js")
 CONNECTION = "connection.js"
 _ENTRY = "start.js"
-STYLES = ("theme.css", "page.css", "panel/panel.css", "editing/editing.css")
+PLOT_STYLE = "plot.css"
+STYLES = (PLOT_STYLE, "theme.css", "page.css", "panel/panel.css", "editing/editing.css")
 PAGE = "page.html"
 
 
@@ -29,7 +31,8 @@ def assets() -> dict[str, Asset]:
     Raises:
         PreviewUnavailableError: If meshcat is not installed.
     """
-    styles = {name: Asset(_read(name), "text/css") for name in STYLES}
+    styles = {name: Asset(_read(name), "text/css") for name in STYLES if name != PLOT_STYLE}
+    styles[PLOT_STYLE] = Asset(_vendored("uPlot.min.css"), "text/css")
     return {**scripts(_read(CONNECTION)), **styles}
 
 
@@ -44,7 +47,7 @@ def scripts(connection: str) -> dict[str, Asset]:
     """
     viewer = viewer_script().read_text(encoding="utf-8")
     own = linked(_ENTRY, lambda name: connection if name == CONNECTION else _read(name))
-    texts = zip(SCRIPTS, (viewer, own), strict=True)
+    texts = zip(SCRIPTS, (viewer, _vendored("uPlot.iife.min.js"), own), strict=True)
     return {name: Asset(text, "text/javascript") for name, text in texts}
 
 
@@ -58,6 +61,11 @@ def live_page(token: str) -> str:
 def page(head: str, end: str) -> str:
     """Return the page with these elements in its head and at its end."""
     return _read(PAGE).replace("<!--HEAD-->", head).replace("<!--SCRIPTS-->", end)
+
+
+def _vendored(name: str) -> str:
+    """Return a file of others, whose licence stands beside it."""
+    return (resources.files("kindsl.preview") / "vendored" / name).read_text(encoding="utf-8")
 
 
 def _read(name: str) -> str:

@@ -35,6 +35,7 @@ class Command(NamedTuple):
         table: Returns values of parameters as lines of the configuration file.
         write: Writes what was dragged; returns why not, or an empty text. None if nothing may be.
         pose: Name of the pose in the configuration to begin with.
+        motion: A file's name and text, to be played.
     """
 
     file: str
@@ -48,6 +49,7 @@ class Command(NamedTuple):
     table: Callable[[Mapping[str, float]], str]
     write: Callable[[Writing], str] | None = None
     pose: str | None = None
+    motion: tuple[str, str] | None = None
 
 
 async def serve(command: Command) -> None:
@@ -67,6 +69,8 @@ async def serve(command: Command) -> None:
         server.compare(command.file, command.old)
     if command.pose is not None:
         server.take_pose(command.file, command.pose)
+    if command.motion is not None:
+        server.play(command.file, *command.motion)
     print(address, flush=True)
     if command.opens_browser:
         _open_browser(address)

@@ -12,7 +12,7 @@ from kindsl.mechanism.drawable import drawable_skeleton
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.preview.channel import Channel, Tab
 from kindsl.preview.findings import finding_messages, lost_message, status_message
-from kindsl.scene.messages import HighlightMessage, PoseMessage, ValueMessage
+from kindsl.scene.messages import HighlightMessage, PoseMessage, TrajectoryMessage, ValueMessage
 from kindsl.scene.parameters import parameter_messages
 from kindsl.scene.picture import Picture, PictureState, picture
 from kindsl.scene.robot import ghost_messages, robot_messages
@@ -161,6 +161,10 @@ class DocumentPreview:
         pose = pose_named(self.analysis.settings, name, joints)
         for joint in joints:
             self.set_joint(joint, pose.get(joint, 0.0))
+
+    def play(self, name: str, text: str) -> None:
+        """Offer a motion, the text of a file, to be played."""
+        self.channel.replace("trajectory", keyed([TrajectoryMessage(name, text)]))
 
     def set_parameters(self, values: Mapping[str, float | None]) -> None:
         """Give parameters values, or their own back for None; draws once."""

@@ -134,6 +134,10 @@ class DocumentPreviews(ABC):
         """
         self._document(key, "").take_pose(name)
 
+    def play(self, key: str, name: str, text: str) -> None:
+        """Offer a motion of a document's robot, the text of a file, to be played."""
+        self._document(key, "").play(name, text)
+
     def saved(self, key: str) -> None:
         """Let the version that is shown stand as a ghost behind later ones."""
         if key in self._documents:

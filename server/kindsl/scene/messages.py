@@ -305,6 +305,22 @@ class PoseMessage:
 
 
 @dataclass(frozen=True, slots=True)
+class TrajectoryMessage:
+    """A motion to be played.
+
+    Attributes:
+        name: Of its file.
+        text: The file's, CSV or JSON.
+        path: Constant.
+    """
+
+    type: ClassVar[Literal["trajectory"]] = "trajectory"
+    name: str
+    text: str
+    path: str = f"{ROOT}/trajectory"
+
+
+@dataclass(frozen=True, slots=True)
 class ParameterMessage:
     """A parameter's row in the panel; its numbers are in metres, radians or kg, kg m, kg m^2.
 
@@ -562,7 +578,7 @@ class LinesMessage:
 Part: TypeAlias = (
     SetObject | SetTransform | Delete | ModelMessage | LinkMessage | SolidMessage | JointMessage
     | FrameMessage | LimitsMessage | ValueMessage | PoseMessage | ParameterMessage
-    | FormulaMessage
+    | TrajectoryMessage | FormulaMessage
     | FindingMessage | StatusMessage | HighlightMessage | EditingMessage | HandlesMessage
     | DraggedMessage | PlanMessage | WrittenMessage | LinesMessage
 )  # fmt: skip

@@ -3,7 +3,7 @@ import { isOfEditing } from "./editing/editing.js";
 import { applyFormulas } from "./formulas.js";
 
 /** @import { Message as EditingMessage } from "./editing/editing.js" */
-/** @import { Change, FindingMessage, FormulaMessage, HighlightMessage, ParameterMessage, Part, PoseMessage, StatusMessage } from "./messages.js" */
+/** @import { Change, FindingMessage, FormulaMessage, HighlightMessage, ParameterMessage, Part, PoseMessage, StatusMessage, TrajectoryMessage } from "./messages.js" */
 /** @import { News, Scene } from "./picture/scene.js" */
 
 /** @typedef {"rows" | "marks" | "values" | "parameters" | "findings" | "camera" | "poses"} Stale what is to be shown anew */
@@ -36,6 +36,11 @@ export class Inbox {
    * @type {Map<string, PoseMessage>}
    */
   poses = new Map();
+  /**
+   * That has come and is not yet played.
+   * @type {TrajectoryMessage | null}
+   */
+  motion = null;
   /**
    * Of an exported page.
    * @type {FormulaMessage[]}
@@ -94,6 +99,7 @@ export class Inbox {
       this.status = message;
       this.stale.add("findings");
     } else if (message.type === "highlight") this.onCursor(message.name ? message : null);
+    else if (message.type === "trajectory") this.motion = message;
     else if (message.type === "lines") this.onLines(message.text);
     else if (isOfEditing(message)) this.onEditing(message);
     this.scene.apply(message);

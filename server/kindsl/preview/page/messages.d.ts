@@ -229,6 +229,17 @@ export interface PoseMessage {
   readonly joints: { readonly [name: string]: number };
 }
 
+/** A motion to be played. */
+export interface TrajectoryMessage {
+  readonly type: "trajectory";
+  /** Of its file. */
+  readonly name: string;
+  /** The file's, CSV or JSON. */
+  readonly text: string;
+  /** Constant. */
+  readonly path: string;
+}
+
 /** A parameter's row in the panel; its numbers are in metres, radians or kg, kg m, kg m^2. */
 export interface ParameterMessage {
   readonly type: "parameter";
@@ -447,6 +458,7 @@ export type Part =
   | ValueMessage
   | PoseMessage
   | ParameterMessage
+  | TrajectoryMessage
   | FormulaMessage
   | FindingMessage
   | StatusMessage

@@ -11,6 +11,7 @@ import type { JointRows } from "./panel/joint_rows.js";
 import type { Keys } from "./panel/keys.js";
 import type { Legend } from "./panel/legend.js";
 import type { ParameterRows } from "./panel/parameter_rows.js";
+import type { Player } from "./panel/player.js";
 import type { Poses } from "./panel/poses.js";
 import type { Tree } from "./panel/tree.js";
 import type { Away } from "./picture/away.js";
@@ -65,6 +66,7 @@ export interface Page {
   away: Away;
   joints: JointRows;
   parameters: ParameterRows;
+  player: Player;
   poses: Poses;
   tree: Tree;
   findings: Findings;

@@ -12,6 +12,7 @@ import { Findings, GREY } from "./panel/findings.js";
 import { JointRows } from "./panel/joint_rows.js";
 import { Keys } from "./panel/keys.js";
 import { Legend } from "./panel/legend.js";
+import { Player } from "./panel/player.js";
 import { Poses } from "./panel/poses.js";
 import { ParameterRows } from "./panel/parameter_rows.js";
 import { showTitle } from "./panel/title.js";
@@ -33,7 +34,7 @@ import { Theme } from "./theme.js";
 import { Units } from "./base/units.js";
 
 /** @import { Request } from "./base/types.js" */
-/** @import { Change } from "./messages.js" */
+/** @import { Change, TrajectoryMessage } from "./messages.js" */
 /** @import { Page } from "./page.js" */
 
 /** @type {Readonly<Record<string, string>>} */
@@ -78,6 +79,10 @@ page.motion = new Motion(scene, {
     page.actions.tellPose(names.map((name) => [name, scene.q.get(name) ?? 0]));
     page.actions.note();
   },
+});
+page.player = new Player(scene, pane, (names) => {
+  page.actions.tellPose(names.map((name) => [name, scene.q.get(name) ?? 0]));
+  page.actions.note();
 });
 let connectionState = "connecting", isBegun = false;
 
@@ -129,6 +134,7 @@ function refresh() {
   if (page.inbox.isStale("marks")) page.legend.showMore();
   if (page.inbox.isStale("values")) page.joints.update();
   if (page.inbox.isStale("parameters")) page.parameters.update([...page.inbox.parameters.values()]);
+  if (isDrawn && page.inbox.motion) startMotion(page.inbox.motion);
   if (page.inbox.isStale("poses")) page.poses.show([...page.inbox.poses.values()]);
   if (page.inbox.isStale("findings")) {
     page.findings.show();
@@ -138,6 +144,12 @@ function refresh() {
   page.lineArt.update();
   page.measure.update((position) => page.labels.project(position));
   page.stage.styleGround();
+}
+
+/** @param {TrajectoryMessage} motion */
+function startMotion({ name, text }) {
+  page.inbox.motion = null;
+  page.player.load(name, text);
 }
 
 function showRows() {

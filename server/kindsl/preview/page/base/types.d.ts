@@ -136,6 +136,13 @@ export interface SceneNode {
 }
 
 declare global {
+  /** The plot's script, too. */
+  const uPlot: new (options: object, data: readonly (readonly number[])[], holder: HTMLElement) => {
+    setCursor(at: object): void;
+    setSize(size: object): void;
+    destroy(): void;
+    valToPos(value: number, scale: string): number;
+  };
   /** The viewer's script, which comes before ours. */
   const MeshCat: {
     readonly THREE: typeof THREE;
