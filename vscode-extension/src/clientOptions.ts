@@ -47,6 +47,7 @@ export function clientOptions(log: vscode.LogOutputChannel, hooks: ClientHooks):
       settings: JSON.parse(JSON.stringify(vscode.workspace.getConfiguration("kindsl"))) as unknown,
       // What this client knows beyond the protocol.
       "kindsl/status": true,
+      "kindsl/isTrusted": vscode.workspace.isTrusted,
       "kindsl.showReferences": true,
     },
     initializationFailedHandler: () => false,

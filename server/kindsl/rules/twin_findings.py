@@ -28,7 +28,7 @@ def of_structure(model: Model, each: "ComparedTwin") -> Iterator[Finding]:
 def of_number(model: Model, twin: "TwinFile", number: "NumberDifference") -> Finding | None:
     """Return the finding of a number that differs, with what takes over the twin's."""
     there = number.there_number or number.there_near
-    at = _place(model, number)
+    at = place_of(model, number)
     if at is None:
         return None
     message = told(number, "here", f"in {where(twin, there)}")
@@ -46,7 +46,8 @@ def where(twin: "TwinFile", number: "WrittenNumber | None") -> str:
     return f"{name} (line {line})"
 
 
-def _place(model: Model, number: "NumberDifference") -> Located | None:
+def place_of(model: Model, number: "NumberDifference") -> Located | None:
+    """Return where a number that differs stands, or the name of what it is of."""
     written = number.here_number or number.here_near
     if written is not None and isinstance(written.at, Expression):
         return written.at

@@ -6,6 +6,15 @@ from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.text.edits import TextEdit
 
 
+class OtherEdit(NamedTuple):
+    """A change of another file: what stands from `start` to `end`, and what is to stand there."""
+
+    start: int
+    end: int
+    old: str
+    new: str
+
+
 class CodeAction(NamedTuple):
     """A change that an editor offers.
 
@@ -19,6 +28,8 @@ class CodeAction(NamedTuple):
         cursor: Where to put the cursor in the new text, to rename what was made; None for nowhere.
         bindings: Values to give to parameters in `kindsl.toml` along with the change; without
             them the document does not mean the same.
+        other_file: The path of another file to change, empty for none.
+        other_edits: The changes there.
     """
 
     title: str
@@ -28,3 +39,5 @@ class CodeAction(NamedTuple):
     is_preferred: bool = False
     cursor: int | None = None
     bindings: tuple[tuple[str, float], ...] = ()
+    other_file: str = ""
+    other_edits: tuple[OtherEdit, ...] = ()

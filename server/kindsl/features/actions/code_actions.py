@@ -17,6 +17,7 @@ from kindsl.features.actions.inline_parameter import inline_parameter
 from kindsl.features.actions.layout_edits import newline_of
 from kindsl.features.actions.move_inertia import move_inertia
 from kindsl.features.actions.sort_links import renumber_links, sort_links
+from kindsl.features.actions.write_into_twin import write_into_twin
 from kindsl.features.symbol_at import EntityKind, symbol_at
 from kindsl.semantics.declarations import ValueKind
 from kindsl.syntax.indentation import indentation
@@ -50,6 +51,7 @@ def code_actions(analysis: Analysis, start: int, end: int) -> tuple[CodeAction, 
     return (
         *fixes,
         *bind_parameter(analysis, start, end),
+        *write_into_twin(analysis, start, end),
         *(r for r in refactorings(analysis, start, end) if r.edits not in known),
         *suppressions(analysis, start, end),
     )

@@ -7,6 +7,7 @@ from lsprotocol import types
 from kindsl.lsp.handlers.table import Handlers
 from kindsl.lsp.session.binding import bound
 from kindsl.lsp.session.findings import diagnostics
+from kindsl.lsp.session.other_files import other_file_edits
 from kindsl.lsp.session.transforms import TransformsView
 from kindsl.lsp.session.view import Sight, View
 from kindsl.lsp.wire.edits import makes_files, text_edits, workspace_edit
@@ -81,6 +82,11 @@ def _action(view: Sight, action: "CodeAction") -> types.CodeAction | None:
             return None
         edits.append((binding.document, text_edits(binding.document, [binding.edit])))
         new = [binding.document] if binding.is_new else []
+    if action.other_file:
+        other = other_file_edits(view.state, action)
+        if other is None:
+            return None
+        edits.append(other)
     return types.CodeAction(
         title=action.title,
         kind=action.kind,

@@ -17,6 +17,7 @@ from kindsl.lsp.wire.client import Client, asked
 handlers = Handlers()
 
 _SECTION = "kindsl"
+_TRUST = "kindsl/isTrusted"
 _WATCHED = ("**/*.kindsl", *(f"**/{name}" for name in CONFIGURATION_FILES))
 
 
@@ -28,6 +29,8 @@ def initialize(session: Session, params: types.InitializeParams) -> None:
     session.documents.encoding = ServerCapabilitiesBuilder.choose_position_encoding(capabilities)
     folders = params.workspace_folders or _root(params)
     session.workspace.add_folders(folders)
+    options = params.initialization_options
+    session.workspace.is_trusted = not isinstance(options, dict) or options.get(_TRUST) is not False
     session.workspace.set_editor_settings(params.initialization_options)
     session.on_parent_known(params.process_id)
 
