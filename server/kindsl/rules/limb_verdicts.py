@@ -46,6 +46,7 @@ class LimbSlips(NamedTuple):
 
 _SLIPS = Fact[tuple[Context, LimbSlips]]("slips in limbs")
 _MISPLACED = Memory[tuple[list[Misplaced], list[Misplaced]]]("links not attached as their twins")
+_WRITTEN = Fact[dict[str, list[object]]]("limbs as written, by carrier")
 _GROUPS = Memory[list[tuple[Limbs, ...]]]("limbs in numbers")
 
 
@@ -89,22 +90,24 @@ def _limbs_as_written(model: Model) -> dict[Link, list[object]]:
     tree = model.tree
     roots = [body for body in model.bodies if body not in tree.above]
     bodies = [*roots, *(link for root in roots for link in tree.in_topological_order(root))]
+    versions = model.document.versions
+    before, now = versions.get(_WRITTEN) or {}, versions.keep(_WRITTEN, {})
     limbs: dict[Link, list[object]] = {}
     sizes: dict[Link, int] = {}
     for body in reversed(bodies):
-        edges = tree.successor_edges(body)
-        sizes[body] = 1 + sum(sizes.get(edge.link, 0) for edge in edges if edge.link is not None)
-        limbs[body] = [
-            (
-                str(link.name),
-                link.island.text,
-                joint.island.text,
-                limbs[link],
-                tree.above[link][0] is edge,
-            )
-            for edge in edges
-            if (link := edge.link) in limbs and (joint := edge.joint) and sizes[link] <= MOST_BODIES
-        ]
+        written: list[object] = []
+        sizes[body] = 1
+        for edge in tree.successor_edges(body):
+            _, _, link, joint = edge
+            if link in limbs and link is not None and joint is not None:
+                sizes[body] += sizes[link]
+                if sizes[link] <= MOST_BODIES:
+                    is_only = tree.above[link][0] is edge
+                    texts = link.island.text, joint.island.text
+                    written.append((link.name.start, *texts, limbs[link], is_only))
+        # The same list as for the version before, for equal lists are slow to compare.
+        name = str(body.name)
+        limbs[body] = now[name] = before[name] if before.get(name) == written else written
     return {body: limbs[body] for body in bodies if len(tree.successor_edges(body)) > 1}
 
 

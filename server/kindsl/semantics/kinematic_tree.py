@@ -39,7 +39,14 @@ class KinematicTree:
         self.joint_uses: dict[Joint, list[Edge]] = {}
         for body in bodies:
             for child in body.children:
-                self._add(Edge(body, child, links.get(child.link), joints.get(child.joint)))
+                link, joint = links.get(child.link), joints.get(child.joint)
+                edge = Edge(body, child, link, joint)
+                self.edges.append(edge)
+                self.below.setdefault(body, []).append(edge)
+                if link is not None:
+                    self.above.setdefault(link, []).append(edge)
+                if joint is not None:
+                    self.joint_uses.setdefault(joint, []).append(edge)
         self._base = base
 
     @cached_property
@@ -85,14 +92,6 @@ class KinematicTree:
             ]
             order += row
         return order
-
-    def _add(self, edge: Edge) -> None:
-        self.edges.append(edge)
-        self.below.setdefault(edge.predecessor, []).append(edge)
-        if edge.link is not None:
-            self.above.setdefault(edge.link, []).append(edge)
-        if edge.joint is not None:
-            self.joint_uses.setdefault(edge.joint, []).append(edge)
 
     def _search_loops(self, start: Link, done: set[Link], loops: list[tuple[Edge, ...]]) -> None:
         path: list[Edge] = []

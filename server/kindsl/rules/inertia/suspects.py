@@ -5,9 +5,10 @@ from collections.abc import Iterator
 from kindsl.rules.base import Finding
 from kindsl.rules.context import Context
 from kindsl.rules.inertia.judgements import Judgement, Verdict, judgements
-from kindsl.semantics.model import Model
+from kindsl.semantics.model import Model, ModelPart
 from kindsl.text.facts import Fact
 
+_SUSPECTS = Fact[list[Judgement]]("suspects")
 _CAUSES = Fact[tuple[Context, list[tuple[str, Finding]]]]("inertia causes")
 
 
@@ -23,9 +24,19 @@ def explained(model: Model, context: Context, code: str) -> Iterator[Finding]:
 
 def suspects_of(model: Model, context: Context) -> list[Judgement]:
     """Return what was judged of each inertia that needs an explanation."""
+    found: list[Judgement] = []
+    for chunk, part in zip(model.document.chunks, model.parts, strict=True):
+        known = chunk.facts.get(_SUSPECTS)
+        if known is None or part.parameters or part.constants:
+            known = chunk.facts.keep(_SUSPECTS, _suspects(part, context))
+        found += known
+    return found
+
+
+def _suspects(part: ModelPart, context: Context) -> list[Judgement]:
     return [
         found
-        for declared in model.declared
+        for declared in part.declared
         for found in judgements(declared, context)
         if found.is_impossible or found.verdict is Verdict.IMPLAUSIBLE
     ]
