@@ -23,7 +23,7 @@ from collections.abc import Iterator
 
 from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.context import Context
-from kindsl.rules.examples import link
+from kindsl.rules.examples import inertia, link
 from kindsl.rules.inertia.judgements import Judgement, Verdict, judgements, keyword
 from kindsl.semantics.declarations import Declarations
 
@@ -49,21 +49,15 @@ def _shape(found: Judgement) -> str:
     return "an infinitely thin plate"
 
 
-_INERTIA = """inertia_params {
-        mass = 1.0
-        CoM = (0.0, 0.0, 0.5)
-        Ix=%s Iy=%s Iz=%s Ixy=0.0 Ixz=0.0 Iyz=0.0
-    }"""
-
 RULE = Rule(
     "KD305",
     "degenerate-inertia",
     Severity.INFORMATION,
     check_island=check_island,
-    good=(link("bar", 1, inertia=_INERTIA % (0.34, 0.34, 0.01)),),
+    good=(link("bar", 1, inertia=inertia("1.0", "0.5", "0.34", "0.34", "0.01")),),
     bad=(
-        link("mass", 1, inertia=_INERTIA % (0.25, 0.25, 0.0)),
-        link("rod", 1, inertia=_INERTIA % (0.34, 0.34, 0.0)),
-        link("plate", 1, inertia=_INERTIA % (0.26, 0.26, 0.02)),
+        link("mass", 1, inertia=inertia("1.0", "0.5", "0.25", "0.25", "0.0")),
+        link("rod", 1, inertia=inertia("1.0", "0.5", "0.34", "0.34", "0.0")),
+        link("plate", 1, inertia=inertia("1.0", "0.5", "0.26", "0.26", "0.02")),
     ),
 )

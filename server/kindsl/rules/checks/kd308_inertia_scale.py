@@ -27,7 +27,7 @@ from collections.abc import Iterator
 
 from kindsl.rules.base import Example, Finding, Rule, Severity
 from kindsl.rules.context import Context
-from kindsl.rules.examples import link
+from kindsl.rules.examples import inertia, link
 from kindsl.rules.inertia.suspects import explained
 from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
@@ -38,12 +38,7 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     yield from explained(model, context, "KD308")
 
 
-_INERTIA = """inertia_params {
-        mass = 0.5
-        CoM = (0.0, 0.0, 0.0)
-        Ix=%s Iy=%s Iz=%s Ixy=0.0 Ixz=0.0 Iyz=0.0
-    }"""
-_LINK = link("motor", 1, inertia=_INERTIA)
+_LINK = link("motor", 1, inertia=inertia("0.5", "0.0", "%s", "%s", "%s"))
 _MOMENTS = ("0.00015", "0.00015", "0.00009")
 
 RULE = Rule(

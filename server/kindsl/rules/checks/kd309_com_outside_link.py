@@ -26,7 +26,7 @@ from collections.abc import Iterator
 
 from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.context import Context
-from kindsl.rules.examples import joint, link, robot
+from kindsl.rules.examples import inertia, joint, link, robot
 from kindsl.rules.inertia.shapes import shape_doubts
 from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Link
@@ -40,15 +40,8 @@ def check_body(body: Link, model: Model, context: Context) -> Iterator[Finding]:
             yield Finding(body.inertia.com, verdict.sentence)
 
 
-_INERTIA = """inertia_params {
-        mass = 1.2
-        CoM = (0.0, 0.0, %s)
-        Ix=%s Iy=%s Iz=0.001 Ixy=0.0 Ixz=0.0 Iyz=0.0
-    }"""
-
-
 def _arm(com: str, moment: str) -> str:
-    forearm = link("forearm", 1, "hand via wrist", _INERTIA % (com, moment, moment))
+    forearm = link("forearm", 1, "hand via wrist", inertia("1.2", com, moment, moment, "0.001"))
     joints = joint("elbow"), joint("wrist", 0.3)
     return robot(forearm, link("hand", 2), *joints, base="forearm via elbow")
 

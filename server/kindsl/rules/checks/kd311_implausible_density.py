@@ -25,7 +25,7 @@ from collections.abc import Iterator
 from kindsl.mechanism.body_verdicts import density_verdict
 from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.context import Context
-from kindsl.rules.examples import link
+from kindsl.rules.examples import inertia, link
 from kindsl.rules.inertia.judgements import Verdict, judgements, keyword
 from kindsl.semantics.declarations import Declarations
 
@@ -39,20 +39,14 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
                 yield Finding(keyword(found.inertia), verdict.sentence)
 
 
-_INERTIA = """inertia_params {
-        mass = %s
-        CoM = (0.0, 0.0, 0.0)
-        Ix=%s Iy=%s Iz=%s Ixy=0.0 Ixz=0.0 Iyz=0.0
-    }"""
-
 RULE = Rule(
     "KD311",
     "implausible-density",
     Severity.WARNING,
     check_island=check_island,
-    good=(link("motor", 1, inertia=_INERTIA % ("0.5", "0.00015", "0.00015", "0.00009")),),
+    good=(link("motor", 1, inertia=inertia("0.5", "0.0", "0.00015", "0.00015", "0.00009")),),
     bad=(
-        link("motor", 1, inertia=_INERTIA % ("0.5", "150.0", "150.0", "90.0")),
-        link("motor", 1, inertia=_INERTIA % ("500.0", "0.00150", "0.00150", "0.00090")),
+        link("motor", 1, inertia=inertia("0.5", "0.0", "150.0", "150.0", "90.0")),
+        link("motor", 1, inertia=inertia("500.0", "0.0", "0.00150", "0.00150", "0.00090")),
     ),
 )

@@ -32,7 +32,7 @@ from kindsl.mechanism.body_verdicts import lies_along
 from kindsl.rigid.body import MassDistribution
 from kindsl.rules.base import Example, Finding, Fix, Replacement, Rule, Severity
 from kindsl.rules.context import Context
-from kindsl.rules.examples import joint, link, placed_joint, robot
+from kindsl.rules.examples import inertia, joint, link, placed_joint, robot
 from kindsl.rules.inertia.judgements import keyword
 from kindsl.rules.inertia.shapes import link_ends, shape_doubts
 from kindsl.semantics.aspects import Aspect
@@ -73,15 +73,8 @@ def _laid_along(model: Model, context: Context, body: Link, inertia: Inertia) ->
     return None
 
 
-_INERTIA = """inertia_params {
-        mass = 2.0
-        CoM = (0.0, 0.0, 0.2)
-        Ix=%s Iy=%s Iz=%s Ixy=0.0 Ixz=0.0 Iyz=0.0
-    }"""
-
-
 def _arm(*moments: str) -> str:
-    upper = link("upper", 1, "lower via elbow", _INERTIA % moments)
+    upper = link("upper", 1, "lower via elbow", inertia("2.0", "0.2", *moments))
     joints = joint("shoulder"), joint("elbow", 0.4)
     return robot(upper, link("lower", 2), *joints, base="upper via shoulder")
 

@@ -25,7 +25,7 @@ from collections.abc import Iterable, Iterator
 from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.broken_text import has_problem_within
 from kindsl.rules.context import Context
-from kindsl.rules.examples import link
+from kindsl.rules.examples import inertia, link
 from kindsl.rules.inertia.judgements import is_moving, is_plain, keyword
 from kindsl.rules.units import is_unit
 from kindsl.semantics.declarations import Declarations, Inertia
@@ -70,24 +70,18 @@ def _parameters(value: Expression) -> list[ParameterUse]:
     return [use for use in symbols(value) if isinstance(use, ParameterUse)]
 
 
-_INERTIA = """inertia_params {
-        mass = %s
-        CoM = (0.0, 0.0, %s)
-        Ix=%s Iy=0.05 Iz=0.05 Ixy=0.0 Ixz=0.0 Iyz=0.0
-    }"""
-
 RULE = Rule(
     "KD405",
     "partly-parametric-inertia",
     Severity.WARNING,
     check_island=check_island,
     good=(
-        link("hand", 1, inertia=_INERTIA % ("payload", "0.1", "payload/20.0")),
-        link("hand", 1, inertia=_INERTIA % ("2.0", "0.1", "0.05")),
+        link("hand", 1, inertia=inertia("payload", "0.1", "payload/20.0", "0.05", "0.05")),
+        link("hand", 1, inertia=inertia("2.0", "0.1", "0.05", "0.05", "0.05")),
     ),
     bad=(
-        link("hand", 1, inertia=_INERTIA % ("payload", "0.1", "0.05")),
-        link("hand", 1, inertia=_INERTIA % ("2.0", "reach", "0.05")),
-        link("hand", 1, inertia=_INERTIA % ("2.0", "0.1", "ix")),
+        link("hand", 1, inertia=inertia("payload", "0.1", "0.05", "0.05", "0.05")),
+        link("hand", 1, inertia=inertia("2.0", "reach", "0.05", "0.05", "0.05")),
+        link("hand", 1, inertia=inertia("2.0", "0.1", "ix", "0.05", "0.05")),
     ),
 )

@@ -27,7 +27,7 @@ from collections.abc import Iterator
 
 from kindsl.rules.base import Example, Finding, Rule, Severity
 from kindsl.rules.context import Context
-from kindsl.rules.examples import link
+from kindsl.rules.examples import inertia, link
 from kindsl.rules.inertia.judgements import is_moving, is_plain, keyword
 from kindsl.rules.inertia.over_ranges import Conclusion, is_possible, over_ranges
 from kindsl.semantics.declarations import Declarations, Inertia, Link, inertia_values
@@ -74,15 +74,8 @@ def _ranges(inertia: Inertia, context: Context) -> dict[str, tuple[float, float]
     return bounds
 
 
-_INERTIA = """inertia_params {
-        mass = payload
-        CoM = (0.0, 0.0, 0.3)
-        Ix=%s Iy=%s Iz=payload/100.0 Ixy=0.0 Ixz=0.0 Iyz=0.0
-    }"""
-
-
 def _hand(moment: str) -> Example:
-    text = link("hand", 1, inertia=_INERTIA % (moment, moment))
+    text = link("hand", 1, inertia=inertia("payload", "0.3", moment, moment, "payload/100.0"))
     return Example(text, parameters=(("payload", 1.0),), ranges=(("payload", 0.5, 4.0),))
 
 
