@@ -114,7 +114,7 @@ def test_a_format(add: Add, tmp_path: Path, capfd: pytest.CaptureFixture[str]) -
     (tmp_path / "arm.kindsl").write_text(GOOD)
     written = tmp_path / "arm.roster"
     assert main(["convert", str(tmp_path / "arm.kindsl"), str(written)]) == 0
-    assert "arm.kindsl: note: poses dropped\n" in capfd.readouterr().err
+    assert "arm.kindsl:\n  note: poses dropped\n" in capfd.readouterr().err
     assert written.read_text() == "arm: shoulder, elbow"
     assert main(["convert", str(written), str(tmp_path / "arm.urdf")]) == 2
     assert "list of names cannot be read" in capfd.readouterr().err
