@@ -18,9 +18,9 @@ _ASSIGNED, _WORDS = (
 )
 _HEADS = "|".join(sorted(words_of(*BLOCKS)))
 _OURS = re.compile(
-    rf"\s*(?:(?:(?:{_ASSIGNED})\s*=\s*(?:\([^()]*\)|[-+\w.<>/*\[\]^]+)\s*)+"
+    rf"\s*(?:(?:(?:{_ASSIGNED})\s*=\s*(?:\([^()]*\)|[-+\w.<>/*\[\]^]++)\s*)+"
     rf"|(?:{_WORDS})\s*|(?:{_HEADS})\s+\^?\w+\s*(?:floating\s*)?"
-    r"|(?:\w+\s+via\s+\w+\s*)+)(?://.*)?"
+    r"|(?:\w++\s+via\s+\w++\s*)+)(?://.*)?"
 )
 _COMMENT = re.compile(r"\s*(?://|/\*)")
 _MATERIAL = re.compile(r"\s*(?:physical )?material\b", re.IGNORECASE)
@@ -30,20 +30,20 @@ _CENTER = re.compile(
     r"cent(?:er|re) ?of ?(?:mass|gravity)|\bcentroid\b|\b(?:com|cog)\s*[:(\[\t]", re.IGNORECASE
 )
 _MASS = re.compile(
-    r"^\W*(?:total |body |part )?(?:mass|weight)\b(?!\s*(?:prop|mom|cent))"
+    r"^[^\w\r\n]*(?:total |body |part )?(?:mass|weight)\b(?!\s*(?:prop|mom|cent))"
     r"[^=:\d{}\n]*[=:\s]\s*[-+\d.]",
     re.IGNORECASE | re.MULTILINE,
 )
-_SKIPPED = re.compile(r"\s*(?:<!--.*?-->|<\?.*?\?>)", re.DOTALL)
-_ELEMENT = re.compile(r"\s*<(?P<name>[A-Za-z_][\w:.-]*)(?:\s[^<>]*?)?(?P<end>/?)>", re.DOTALL)
+_SKIPPED = re.compile(r"\s*+(?:<!--(?:[^-]|-(?!->))*+-->|<\?[^<>]*\?>)")
+_ELEMENT = re.compile(r"\s*<(?P<name>[A-Za-z_][\w:.-]*)(?:\s[^<>]*?)?(?P<end>/?)>")
 _FIRST = re.compile(r"^[ \t]*<(?:link|joint|inertial|robot|\?xml|!--)(?=[\s>/-])", re.MULTILINE)
 _OF_URDF = re.compile(r"<(?:link|joint|inertial)\b")
 
 
 SHAPES = ("box", "cylinder", "hollow_cylinder", "sphere", "capsule")
+_NAMED = rf"(?:{'|'.join(SHAPES)})[ \t]*\([^(){{}}\r\n]*"
 _SHAPE = re.compile(
-    rf"(?:^[ \t]*(?=[^\r\n]*\)[ \t]*\r?$)|(?<=[\s{{}}])(?=[^)]*(?:mass|density)\s*=))"
-    rf"((?:{'|'.join(SHAPES)})[ \t]*\([^(){{}}\r\n]*\))",
+    rf"^[ \t]*({_NAMED}\))[ \t]*\r?$|(?<=[\s{{}}])({_NAMED}\b(?:mass|density)\s*=[^(){{}}\r\n]*\))",
     re.MULTILINE,
 )
 URDF_ELEMENTS = "elements of URDF"
@@ -74,7 +74,8 @@ class Passage(NamedTuple):
 def foreign_passages(text: str) -> list[Passage]:
     """Return the passages of a text that are of another format, in their order."""
     found = list(_elements(text)) if "<" in text else []
-    found += (Passage(Foreign.SHAPE, *match.span(1)) for match in _SHAPE.finditer(text))
+    shapes = (match.span(match.lastindex or 0) for match in _SHAPE.finditer(text))
+    found += (Passage(Foreign.SHAPE, *span) for span in shapes)
     found.sort(key=lambda passage: passage.start)
     if _INERTIA.search(text) and _CENTER.search(text):
         done = 0
@@ -86,22 +87,35 @@ def foreign_passages(text: str) -> list[Passage]:
 
 def _elements(text: str) -> Iterator[Passage]:
     """Yield each row of XML elements that has a link, a joint or an inertia."""
-    position = 0
+    position, unclosed = 0, set[str]()
+    text = text[: _unclosed_comment(text)]
     while first := _FIRST.search(text, position):
         start = first.start() + len(first[0]) - len(first[0].lstrip())
-        end = _end_of_row(text, start)
+        end = _end_of_row(text, start, unclosed)
         if end > start and _OF_URDF.search(text, start, end):
             yield Passage(Foreign.URDF, start, end)
         position = max(end, first.end())
 
 
-def _end_of_row(text: str, position: int) -> int:
-    """Return where the last of some elements ends that follow each other."""
+def _unclosed_comment(text: str) -> int:
+    """Return where a comment begins that has no end, the end of the text if there is none."""
+    place = text.find("<!--", text.rfind("-->") + 1)
+    return place if place >= 0 else len(text)
+
+
+def _end_of_row(text: str, position: int, unclosed: set[str]) -> int:
+    """Return where the last of some elements ends that follow each other.
+
+    Args:
+        text: The text.
+        position: Where the first begins.
+        unclosed: Names of elements that were found to have no end; they are looked for once.
+    """
     while True:
         skipped, element = _SKIPPED.match(text, position), _ELEMENT.match(text, position)
         if skipped is not None:
             position = skipped.end()
-        elif element is None:
+        elif element is None or element["name"] in unclosed:
             return position
         elif element["end"]:
             position = element.end()
@@ -109,6 +123,7 @@ def _end_of_row(text: str, position: int) -> int:
             closing = re.compile(rf"<(/?){re.escape(element['name'])}(?=[\s>/])[^<>]*?(/?)>")
             end = _closed(text, element.end(), closing)
             if end is None:
+                unclosed.add(element["name"])
                 return position
             position = end
 
