@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from kindsl.comparison.number_differences import NumberDifference
+    from kindsl.comparison.written import WrittenNumber
 
 
 def told(number: "NumberDifference", here: str, there: str) -> str:
@@ -20,7 +21,16 @@ def told(number: "NumberDifference", here: str, there: str) -> str:
     other = f" (there '{number.other}')" if number.other not in (number.owner, "") else ""
     subject = f"{number.quantity} of {number.kind} '{number.owner}'{other}"
     left, right = (f"{value} {number.unit}" for value in values)
+    if not _stands(number.here_number or number.here_near, number.here):
+        return f"{subject} is {right} {there} and would be {left} as it is {here}"
+    if not _stands(number.there_number or number.there_near, number.there):
+        return f"{subject} is {left} {here} and would be {right} as it is {there}"
     return f"{subject} is {left} {here} and {right} {there}"
+
+
+def _stands(written: "WrittenNumber | None", value: float) -> bool:
+    """Return whether a value stands as it is at its place: it may be about another point there."""
+    return written is None or abs(written.value - value) <= max(written.slack, 1e-12)
 
 
 def verdict(is_equal: bool, is_seen: bool | None) -> str:
