@@ -13,8 +13,7 @@ from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(ROOT))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from tests.comparison.trials import (
     described_text,
@@ -28,7 +27,7 @@ from tests.comparison.variants import links_of, urdf_of, variant
 from kindsl.analysis.analysis import analyse
 from kindsl.comparison.mechanical import compared_mechanics
 
-QUADRUPED = ROOT / "examples" / "quadruped.kindsl"
+QUADRUPED = Path(__file__).resolve().parents[1] / "examples" / "quadruped.kindsl"
 _ROUNDS = 15
 
 

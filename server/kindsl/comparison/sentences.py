@@ -22,9 +22,9 @@ def told(number: "NumberDifference", here: str, there: str) -> str:
     subject = f"{number.quantity} of {number.kind} '{number.owner}'{other}"
     left, right = (f"{value} {number.unit}" for value in values)
     if not _stands(number.here_number or number.here_near, number.here):
-        return f"{subject} is {right} {there} and would be {left} as it is {here}"
+        return f"{subject} is {right} {there} and would be {left} to match what is {here}"
     if not _stands(number.there_number or number.there_near, number.there):
-        return f"{subject} is {left} {here} and would be {right} as it is {there}"
+        return f"{subject} is {left} {here} and would be {right} to match what is {there}"
     return f"{subject} is {left} {here} and {right} {there}"
 
 
