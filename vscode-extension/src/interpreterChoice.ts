@@ -2,7 +2,7 @@
 import * as vscode from "vscode";
 import { detectedCandidates, probeIn, type Home } from "./launch";
 import { isPythonExtensionPresent } from "./msPython";
-import type { Command } from "./python";
+import { isRecent, OLDEST_PYTHON, type Command, type Interpreter } from "./python";
 
 interface Choice extends vscode.QuickPickItem {
   readonly run: () => unknown;
@@ -11,19 +11,27 @@ interface Choice extends vscode.QuickPickItem {
 export async function selectInterpreter(home: Home, log: vscode.LogOutputChannel): Promise<void> {
   const probe = probeIn(home);
   const choices: Choice[] = [];
-  for (const command of await detectedCandidates(log)) {
-    const interpreter = await probe(command).catch(() => undefined);
-    if (interpreter === undefined) continue;
-    const numbers = interpreter.missing.length > 0 ? "without NumPy" : "with NumPy";
-    const description = `Python ${interpreter.version.join(".")}, ${numbers}`;
-    choices.push({ label: command.join(" "), description, run: () => store(command) });
-  }
+  const commands = await detectedCandidates(log);
+  const found = await Promise.all(commands.map((command) => probe(command).catch(() => undefined)));
+  for (const interpreter of found.filter((one) => one !== undefined)) choices.push(choiceOf(interpreter));
   choices.push({ label: "$(edit) Enter a path...", run: enterPath });
   if (isPythonExtensionPresent()) {
     choices.push({ label: "$(list-selection) Choose in the Python extension...", run: chooseInPythonExtension });
   }
   const chosen = await vscode.window.showQuickPick(choices, { placeHolder: "Python that runs the Kinematics-DSL server" });
   await chosen?.run();
+}
+
+/** One line of the list; a Python that is too old is shown, and cannot be taken. */
+function choiceOf(interpreter: Interpreter): Choice {
+  const { command, version, missing } = interpreter, label = command.join(" "), number = `Python ${version.join(".")}`;
+  if (!isRecent(version)) {
+    const wanted = `needs Python ${OLDEST_PYTHON.join(".")} or later`;
+    const told = (): unknown => vscode.window.showWarningMessage(`${label} is ${number}: the server ${wanted}.`);
+    return { label: `$(circle-slash) ${label}`, description: `${number}, too old`, run: told };
+  }
+  const description = `${number}, ${missing.length > 0 ? "without" : "with"} NumPy`;
+  return { label, description, run: () => store(command) };
 }
 
 async function enterPath(): Promise<void> {

@@ -1,5 +1,8 @@
 // What is run to get a language server, or why nothing can be.
+import { readdir } from "node:fs/promises";
+import { homedir } from "node:os";
 import * as vscode from "vscode";
+import { installedPythons } from "./installedPythons";
 import { selectedInterpreter } from "./msPython";
 import { candidates, probeWith, search, type Command, type Hints, type Interpreter, type Probe } from "./python";
 import { readSettings, workspaceFolder, type Settings } from "./settings";
@@ -25,7 +28,11 @@ export async function findLaunch(home: Home, log: vscode.LogOutputChannel): Prom
   if (program !== undefined) {
     return { command: program, args: [...options, ...settings.args], cwd: workspaceFolder() };
   }
-  const result = await search(await allCandidates(settings, log), probeIn(home));
+  let result = await search(await allCandidates(settings, log), probeIn(home));
+  if (result.found === undefined && settings.interpreter.length === 0) {
+    const more = await search(await installed(), probeIn(home));
+    result = { ...more, rejected: [...result.rejected, ...more.rejected.filter((line) => !line.endsWith(": not found"))] };
+  }
   for (const line of result.rejected) log.warn(`Not used: ${line}`);
   if (result.found === undefined) return { rejected: result.rejected };
   log.info(`Using ${result.found.command.join(" ")}, Python ${result.found.version.join(".")}`);
@@ -50,7 +57,14 @@ export function launchWith(
 
 /** The interpreters to choose from when the user has configured none. */
 export async function detectedCandidates(log: vscode.LogOutputChannel): Promise<Command[]> {
-  return candidates(await hints([], log));
+  const first = candidates(await hints([], log));
+  const known = new Set(first.map((command) => command.join(" ")));
+  return [...first, ...(await installed()).filter((command) => !known.has(command.join(" ")))];
+}
+
+function installed(): Promise<Command[]> {
+  const list = (folder: string): Promise<string[]> => readdir(folder).catch(() => []);
+  return installedPythons({ home: homedir(), env: process.env, list }, process.platform);
 }
 
 async function allCandidates(settings: Settings, log: vscode.LogOutputChannel): Promise<Command[]> {

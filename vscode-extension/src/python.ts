@@ -30,6 +30,8 @@ export type Probe = (command: Command) => Promise<Interpreter>;
 
 export const OLDEST_PYTHON = [3, 11] as const;
 const PROBE_MILLISECONDS = 20_000;
+/** How long others may take once one is found that can be used. */
+const PATIENCE_MILLISECONDS = 2_000;
 
 /** The commands to try; a configured one is the only one. */
 export function candidates(hints: Hints): Command[] {
@@ -43,13 +45,22 @@ export function candidates(hints: Hints): Command[] {
   return isWindows ? [...found, ["py", "-3"], ["python"]] : [...found, ["python3"], ["python"]];
 }
 
-/** Return the first candidate that has NumPy, else the first that can run the server at all. */
-export async function search(commands: readonly Command[], probe: Probe): Promise<Search> {
+/**
+ * Return the first candidate that has NumPy, else the first that can run the server at all.
+ *
+ * All are asked at once; one that does not answer delays the others for two seconds at most.
+ */
+export async function search(
+  commands: readonly Command[],
+  probe: Probe,
+  patience = PATIENCE_MILLISECONDS,
+): Promise<Search> {
   const rejected: string[] = [];
   let usable: Interpreter | undefined;
-  for (const command of commands) {
+  const answers = inTime(commands.map((command) => probe(command)), patience);
+  for (const [index, command] of commands.entries()) {
     try {
-      const interpreter = await probe(command);
+      const interpreter = await answers[index]!;
       if (!isRecent(interpreter.version)) {
         rejected.push(`${command.join(" ")}: Python ${interpreter.version.join(".")} is too old`);
       } else if (interpreter.missing.includes("numpy")) {
@@ -62,6 +73,23 @@ export async function search(commands: readonly Command[], probe: Probe): Promis
     }
   }
   return usable === undefined ? { rejected } : { found: usable, rejected };
+}
+
+/** Return the answers, those refused that come too late after the first that can be used. */
+function inTime(answers: readonly Promise<Interpreter>[], patience: number): Promise<Interpreter>[] {
+  const recent = answers.map((answer) => answer.then((one) => (isRecent(one.version) ? one : Promise.reject())));
+  const late = Promise.any(recent).then(
+    () =>
+      new Promise<never>((_, reject) => {
+        setTimeout(() => reject(new Error("does not answer")), patience);
+      }),
+    () => new Promise<never>(() => undefined),
+  );
+  late.catch(() => undefined);
+  return answers.map((answer) => {
+    answer.catch(() => undefined);
+    return Promise.race([answer, late]);
+  });
 }
 
 /** Run the probe script in the interpreter. Throws an error with a message for the user. */
@@ -97,7 +125,8 @@ function reason(error: Error & { code?: unknown; killed?: boolean }, stderr: str
   return stderr.trim().split("\n").at(-1) || error.message;
 }
 
-function isRecent(version: readonly number[]): boolean {
+/** Whether a version of Python can run the server. */
+export function isRecent(version: readonly number[]): boolean {
   const [major = 0, minor = 0] = version;
   return major > OLDEST_PYTHON[0] || (major === OLDEST_PYTHON[0] && minor >= OLDEST_PYTHON[1]);
 }

@@ -3,6 +3,7 @@ import { chmod, mkdtemp, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { test } from "node:test";
+import { installedPythons } from "../../src/installedPythons";
 import { candidates, probeWith, search, type Command, type Interpreter, type Probe } from "../../src/python";
 
 const posix = { configured: [], platform: "linux" } as const;
@@ -39,6 +40,36 @@ test("one without NumPy is better than none", async () => {
 test("an old Python is rejected with its version", async () => {
   const probe: Probe = async (command) => ({ command, version: [3, 9, 2], missing: [] });
   assert.deepEqual(await search([["python3"]], probe), { rejected: ["python3: Python 3.9.2 is too old"] });
+});
+
+test("one that hangs delays the others for a moment only", async () => {
+  const probe: Probe = (command) =>
+    command[0] === "hangs"
+      ? new Promise(() => undefined)
+      : Promise.resolve({ command, version: [3, 12, 0], missing: [] });
+  const result = await search([["hangs"], ["python3"]], probe, 5);
+  assert.deepEqual(result.found?.command, ["python3"]);
+  assert.deepEqual(result.rejected, ["hangs: does not answer"]);
+});
+
+test("Pythons are found where tools install them, the newest first", async () => {
+  const folders: Record<string, string[]> = {
+    "/home/u/.pyenv/versions": ["3.9.1", "3.12.4", "3.11.7"],
+    "/home/u/.local/share/uv/python": ["cpython-3.13.0-linux"],
+    "/home/u/miniforge3": ["bin"],
+    "/home/u/miniforge3/envs": ["ros"],
+    "/usr/bin": ["python3", "python3.10", "python3.12", "python3.12-config"],
+  };
+  const disk = { home: "/home/u", env: {}, list: async (folder: string) => folders[folder] ?? [] };
+  const found = (await installedPythons(disk, "linux")).map(([program]) => program);
+  assert.deepEqual(found, [
+    "python3.14", "python3.13", "python3.12", "python3.11",
+    "/home/u/.pyenv/versions/3.12.4/bin/python3", "/home/u/.pyenv/versions/3.11.7/bin/python3",
+    "/home/u/.pyenv/versions/3.9.1/bin/python3", "/home/u/.local/share/uv/python/cpython-3.13.0-linux/bin/python3",
+    "/home/u/miniforge3/bin/python3", "/home/u/miniforge3/envs/ros/bin/python3",
+    "/usr/bin/python3.12", "/usr/bin/python3.10",
+  ]);
+  assert.deepEqual(await installedPythons(disk, "win32"), []);
 });
 
 test("the probe tells a missing program from one that is no Python and from one that fails", async () => {
