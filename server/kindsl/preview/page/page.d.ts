@@ -4,6 +4,7 @@ import type { Selection } from "./base/selection.js";
 import type { Actions, Request, Viewer } from "./base/types.js";
 import type { Units } from "./base/units.js";
 import type { Editing } from "./editing/editing.js";
+import type { PullDrag } from "./editing/pull_drag.js";
 import type { History } from "./history.js";
 import type { Inbox } from "./inbox.js";
 import type { Findings } from "./panel/findings.js";
@@ -73,6 +74,7 @@ export interface Page {
   legend: Legend;
   address: Address;
   editing: Editing;
+  pull: PullDrag;
   history: History;
   keys: Keys;
   motion: Motion;

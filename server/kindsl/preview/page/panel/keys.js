@@ -10,6 +10,7 @@ import { byId, make, partOf } from "../base/elements.js";
  * @property {Actions} actions
  * @property {{ undo(): void, redo(): void }} history
  * @property {{ choose(mode: "move" | "turn"): void }} editing
+ * @property {{ toggle(): void }} pull
  * @property {{ readonly isFramed: boolean }} theme
  */
 /** @typedef {readonly [key: string, text: string, act: () => void, where?: "pane"]} Binding */
@@ -29,7 +30,7 @@ const BROWSERS = "acvxyz";
  * @param {Parts} parts
  * @returns {readonly Binding[]}
  */
-function bindings({ camera, actions, history, editing }) {
+function bindings({ camera, actions, history, editing, pull }) {
   return [
     ["ArrowLeft", "", () => camera.turn(-TURN, 0), "pane"], ["ArrowRight", "", () => camera.turn(TURN, 0), "pane"],
     ["ArrowUp", "", () => camera.turn(0, TURN), "pane"], ["ArrowDown", "Arrows: turn the view", () => camera.turn(0, -TURN), "pane"],
@@ -42,6 +43,7 @@ function bindings({ camera, actions, history, editing }) {
     ["Escape", "Esc: choose nothing", () => actions.clear()],
     ["0", "0: all joints to zero", () => actions.zero()],
     ["a", "A: move all joints between their limits", () => actions.animate(null)],
+    ["g", "G: pull links, their limb's joints follow", () => pull.toggle()],
     ["m", "M: measure between two frames", () => actions.measure()],
     ["t", "T: arrows that move what is chosen, where it can be edited", () => editing.choose("move")],
     ["r", "R: rings that turn it", () => editing.choose("turn")],

@@ -53,7 +53,7 @@ const cross = (a, b) => [
  * @param {number} q
  * @returns {Matrix}
  */
-function jointMotion(kind, q) {
+export function jointMotion(kind, q) {
   if (kind === "prismatic") return [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, q, 1];
   const c = Math.cos(q), s = Math.sin(q);
   return [c, s, 0, 0, -s, c, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
