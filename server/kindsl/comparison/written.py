@@ -23,8 +23,9 @@ from kindsl.rigid.pose import (
     transposed,
 )
 from kindsl.semantics.places import Located
+from kindsl.syntax.vocabulary import MOMENTS
 
-INERTIA = ("mass", "CoM x", "CoM y", "CoM z", "Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")
+INERTIA = ("mass", "CoM x", "CoM y", "CoM z", *MOMENTS)
 POSE = ("x", "y", "z", "rx", "ry", "rz")
 _ORIGIN = (0.0, 0.0, 0.0)
 _GIMBAL = 1e-9
