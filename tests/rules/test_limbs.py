@@ -112,6 +112,18 @@ def test_what_is_told_of_mirrored_inertias_is_not_told_twice() -> None:
     assert told("KD509", legs_with()) == []
 
 
+def test_a_com_behind_its_joint_is_told_once() -> None:
+    """It is not what its twins have, either, which KD509 leaves to KD511."""
+    text = four_legs()
+    for leg in ("LF", "RF", "LH", "RH"):
+        at = text.index("inertia_params", text.index(f"link {leg}_thigh"))
+        end = text.index("}", at) + 1
+        com = "-0.17, 0.0, 0.0" if leg == "RH" else "0.17, 0.0, 0.0"
+        text = text[:at] + section(2.0, com, 0.006, 0.0807, 0.0807) + text[end:]
+    told_of_one = [f.code for f in analyse(text).findings if f.code in (*CODES, "KD312", "KD511")]
+    assert told_of_one == ["KD511"]
+
+
 def test_only_limbs_that_changed_are_compared_again(monkeypatch: pytest.MonkeyPatch) -> None:
     compared: list[object] = []
 

@@ -11,7 +11,7 @@ sign that was forgotten, makes the robot drift to that side.
 
 A pair in which many numbers differ was measured part by part and is not reported, nor are
 differences below 5 % of the greatest number of their kind. Impossible inertias are left to KD301
-and KD302.
+and KD302, a centre of mass behind its joint to KD511.
 
 ## Example
 ```kindsl
@@ -27,6 +27,7 @@ from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.inertia.judgements import is_impossible, keyword
 from kindsl.rules.inertia.mirror_images import mirror_difference
+from kindsl.rules.inertia.shapes import shape_doubts
 from kindsl.rules.inertia.twins import right_twin_of
 from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Link
@@ -42,10 +43,14 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
         if right is None or left.inertia is None or right.inertia is None:
             continue
         message = mirror_difference(left, right)
-        is_told = is_impossible(left, context) or is_impossible(right, context)
-        if message and not is_told:
+        if message and not any(_is_told(model, context, body) for body in (left, right)):
             related = Related(keyword(left.inertia), f"inertia of '{left.name}'")
             yield Finding(keyword(right.inertia), message, (related,))
+
+
+def _is_told(model: Model, context: Context, body: Link) -> bool:
+    """Return whether a body is reported as impossible, or behind its joint."""
+    return is_impossible(body, context) or any(shape_doubts(model, context, body, "KD511"))
 
 
 @kept
@@ -76,7 +81,7 @@ RULE = Rule(
     "mirrored-pair-differs",
     Severity.WARNING,
     check_document=check_document,
-    reads=Aspect.STRUCTURE | Aspect.MASSES,
+    reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
     good=(_pair("1.24", "-0.004"),),
     bad=(_pair("1.42", "-0.004"), _pair("1.24", "0.004")),
 )

@@ -37,6 +37,7 @@ from kindsl.rules.context import Context
 from kindsl.rules.examples import four_legs
 from kindsl.rules.inertia.judgements import is_impossible
 from kindsl.rules.inertia.mirror_images import mirror_difference
+from kindsl.rules.inertia.shapes import shape_doubts
 from kindsl.rules.inertia.twins import right_twin_of
 from kindsl.rules.limb_places import OF_A_LINK, located, place_at, told, vector_at
 from kindsl.rules.limb_verdicts import limb_slips
@@ -80,13 +81,14 @@ def _message(model: Model, context: Context, verdict: LimbVerdict) -> tuple[str,
 
 
 def _is_told_elsewhere(model: Model, context: Context, verdict: LimbVerdict) -> bool:
-    """Return whether the inertia is reported as impossible, or beside its mirrored twin."""
+    """Return whether the mass is reported as impossible, behind its joint, or beside its twin."""
     body = model.body_named[verdict.places[0].link]
     twins = [model.body_named[name] for name in verdict.twins]
     mirrored = [(body, t) for t in twins if right_twin_of(body) == t.name]
     mirrored += [(t, body) for t in twins if right_twin_of(t) == body.name]
     is_told = any(mirror_difference(left, right) for left, right in mirrored)
-    return is_told or is_impossible(body, context)
+    is_behind = any(shape_doubts(model, context, body, "KD511"))
+    return is_told or is_behind or is_impossible(body, context)
 
 
 def _are_impossible(model: Model, context: Context, twins: tuple[str, ...]) -> bool:
