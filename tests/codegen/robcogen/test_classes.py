@@ -8,7 +8,7 @@ import pytest
 from tests.codegen.robcogen.programs import COMPILERS, HEAD, built, generated, needs_cpp, printed
 
 from kindsl.codegen.library import Library
-from kindsl.codegen.robcogen import transforms
+from kindsl.codegen.robcogen import long_transforms
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.dynamics.generation.emitters import cpp_templates
 from kindsl.spatial.arrays import Array
@@ -167,8 +167,8 @@ def case(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactor
     """Return a robot's mechanics, its library, and what a program with its classes prints."""
     folder = tmp_path_factory.mktemp(request.param)
     with pytest.MonkeyPatch.context() as patch:
-        if request.param == "crab":  # as with large robots: in parts, kinds of transforms as one
-            patch.setattr(transforms, "MOST_REPEATED", 60)
+        if request.param == "crab":  # as with large robots: in parts, and products
+            patch.setattr(long_transforms, "MOST_JOINTS", 1)
             patch.setattr(cpp_templates, "MOST_OPERATIONS", 100)
             patch.setattr(cpp_templates, "OPERATIONS_PER_PART", 70)
         analysis, library = generated(ROBOTS[request.param], VALUES, folder)

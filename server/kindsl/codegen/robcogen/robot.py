@@ -12,6 +12,7 @@ from kindsl.dynamics.generation.emitters.cpp_templates import (
     TemplateDialect,
     template_function,
 )
+from kindsl.dynamics.generation.jacobians import BodyPoses, body_poses
 from kindsl.dynamics.generation.terms import Scalar, needed
 from kindsl.dynamics.generation.tree import Tree
 
@@ -37,6 +38,11 @@ class GeneratedRobot:
     def is_floating(self) -> bool:
         """True if the base is free."""
         return self.tree.is_floating
+
+    @cached_property
+    def poses(self) -> BodyPoses:
+        """The poses of all bodies in the base."""
+        return body_poses(self.tree, self.library.inputs.q)
 
     @cached_property
     def space(self) -> str:

@@ -1,12 +1,13 @@
 """`transforms.h` and `transforms.impl.h`: coordinate transforms of motions, forces and points."""
 
+from itertools import chain
 from typing import NamedTuple
 
-from kindsl.codegen.robcogen.parameters import parameter_array, parameters_of_class, setters
+from kindsl.codegen.robcogen.long_transforms import HELPERS, is_long, long_kernels
+from kindsl.codegen.robcogen.parameters import groups, parameter_array, parameters_of_class, setters
 from kindsl.codegen.robcogen.robot import GeneratedRobot
 from kindsl.codegen.robcogen.wanted_names import NamedPair, transform_pairs
-from kindsl.dynamics.generation.emitters.straight_line import operations
-from kindsl.dynamics.generation.jacobians import body_poses, frame_pose
+from kindsl.dynamics.generation.jacobians import frame_pose
 from kindsl.dynamics.generation.vectors import (
     Matrix,
     Vector,
@@ -91,46 +92,6 @@ _TYPE = """\
 """
 
 
-# Rotation and position of a point's transform to the blocks of the others.
-_FILLING = """\
-template <class S>
-inline void fill(const S* T, S* X, int coupling)
-{
-    for (int j = 0; j < 3; j++) {
-        const S *e = T + 4 * j, *r = T + 12;
-        S *first = X + 6 * j, *second = X + 6 * j + 21, *cross = X + 6 * j + coupling;
-        for (int i = 0; i < 3; i++) {
-            first[i] = second[i] = e[i];
-        }
-        cross[0] = r[1] * e[2] - r[2] * e[1];
-        cross[1] = r[2] * e[0] - r[0] * e[2];
-        cross[2] = r[0] * e[1] - r[1] * e[0];
-    }
-}
-template <class S>
-inline void m_fill(const S* T, S* X) { fill(T, X, 3); }
-template <class S>
-inline void f_fill(const S* T, S* X) { fill(T, X, 18); }
-"""
-
-_SHARING = """\
-template <class TRAIT>
-inline void @LETTER@_@NAME@_constants(typename TRAIT::Scalar* X) { (void)X; }
-template <class TRAIT>
-inline void @LETTER@_@NAME@(
-    @TAKES@const typename TRAIT::Scalar* q, typename TRAIT::Scalar* X)
-{
-    typename TRAIT::Scalar T[16] = {};
-    h_@NAME@_constants<TRAIT>(T);
-    h_@NAME@<TRAIT>(@P@q, T);
-    @LETTER@_fill(T, X);
-}
-"""
-
-# What takes more operations than this is written once for all three kinds of a transform.
-MOST_REPEATED = 300
-
-
 class _Kind(NamedTuple):
     letter: str
     name: str
@@ -148,15 +109,16 @@ KINDS = (
 def transforms(robot: GeneratedRobot) -> dict[str, str]:
     """Return both headers by their names."""
     pairs = transform_pairs(robot)
-    poses = [relative_pose(robot, pair) for pair in pairs]
-    functions = [_FILLING]
-    for pair, (E, p) in zip(pairs, poses, strict=True):
-        functions += _pose_kernels(robot, pair.name, E, p)
-    functions.append(_across(robot))
-    moving = {
-        pair.name: robot.depends_on_parameters(x for row in (*E, p) for x in row)
-        for pair, (E, p) in zip(pairs, poses, strict=True)
-    }
+    functions, products, moving = [HELPERS], [], {}
+    for pair in pairs:
+        if is_long(robot, pair):
+            products += long_kernels(robot, pair)
+            moving[pair.name] = bool(groups(robot))
+        else:
+            E, p = relative_pose(robot, pair)
+            functions += _kernels(robot, pair.name, E, p)
+            moving[pair.name] = robot.depends_on_parameters(chain(*E, p))
+    functions += [*products, _across(robot)]
     classes = "".join(_container(robot, kind, moving) for kind in KINDS)
     body = robot.filled(_BASES, CLASSES=classes)
     includes = [
@@ -171,18 +133,15 @@ def transforms(robot: GeneratedRobot) -> dict[str, str]:
     }
 
 
-def _pose_kernels(robot: GeneratedRobot, name: str, E: Matrix, p: Vector) -> list[str]:
-    """Return the functions of a pair's three matrices; long ones are computed by one."""
-    T = transpose(matrix_of("h", E, p))
-    n_operations = operations(robot.library.robot.graph, [x for column in T for x in column])
-    functions = robot.matrix_kernels(f"h_{name}", T)
-    for letter in "mf":
-        if n_operations > MOST_REPEATED:
-            functions.append(robot.filled(_SHARING, NAME=name, LETTER=letter, **_handed(robot)))
-        else:
-            columns = transpose(matrix_of(letter, E, p))
-            functions += robot.matrix_kernels(f"{letter}_{name}", columns)
-    return functions
+def _kernels(robot: GeneratedRobot, name: str, E: Matrix, p: Vector) -> list[str]:
+    """Return the functions of a pair's three matrices."""
+    return [
+        function
+        for kind in KINDS
+        for function in robot.matrix_kernels(
+            f"{kind.letter}_{name}", transpose(matrix_of(kind.letter, E, p))
+        )
+    ]
 
 
 def _handed(robot: GeneratedRobot) -> dict[str, str]:
@@ -192,7 +151,7 @@ def _handed(robot: GeneratedRobot) -> dict[str, str]:
 
 def relative_pose(robot: GeneratedRobot, pair: NamedPair) -> tuple[Matrix, Vector]:
     """Return rotation and position of a pair's target in its base."""
-    found = body_poses(robot.tree, robot.library.inputs.q)
+    found = robot.poses
     (base_R, base_r), (R, r) = frame_pose(found, pair.base), frame_pose(found, pair.target)
     E = transpose(base_R)
     return multiply(E, R), transform(E, subtract(r, base_r))
