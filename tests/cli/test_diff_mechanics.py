@@ -60,10 +60,12 @@ def test_what_was_converted_is_equal_until_a_number_is_another(
     run = kindsl("diff", "arm.kindsl", other.name)
     assert run.status == 0, run.out
     assert run.out.startswith("the mechanics are equal: inertia matrix and bias forces agree")
-    other.write_text(other.read_text().replace("1.3", "1.4", 1))
+    text = other.read_text()
+    other.write_text(text.replace("1.3", "1.4", 1))
+    line = text[: text.index("1.3")].count("\n") + 1
     run = kindsl("diff", "arm.kindsl", other.name)
     assert run.status == 1
-    assert f"is 1.3 kg in arm.kindsl (line 8) and 1.4 kg in {other.name}" in run.out
+    assert f"is 1.3 kg in arm.kindsl (line 8) and 1.4 kg in {other.name} (line {line})" in run.out
 
 
 def test_both_lines_are_named(kindsl: Runner, arm: Path) -> None:

@@ -57,6 +57,11 @@ class XmlNumbers:
         group = 1 if match[1] is not None else 2
         return self._numbers(match[group], element.offset + match.start(group))
 
+    def of_text(self, element: Any) -> list[WrittenNumber]:
+        """Return the numbers that an element holds, none where there is no element or text."""
+        tag = None if element is None else _TAG.match(self._text, element.offset)
+        return self._numbers(element.text, tag.end()) if tag and element.text else []
+
     def _numbers(self, text: str, offset: int) -> list[WrittenNumber]:
         return [self._number(word, offset) for word in _WORD.finditer(text)]
 

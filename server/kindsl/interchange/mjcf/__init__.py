@@ -15,6 +15,7 @@ from kindsl.interchange.format import (
 )
 
 if TYPE_CHECKING:
+    from kindsl.interchange.written_numbers import FileNumbers
     from kindsl.mechanism.skeleton import Skeleton
 
 
@@ -30,4 +31,12 @@ def _write(name: str, skeleton: "Skeleton", choices: WritingChoices) -> WrittenR
     return written_mjcf(name, skeleton, choices)
 
 
-FORMAT = Format("mjcf", "MJCF", (".xml", ".mjcf"), "mjcf", _read, write=_write)
+def _find_numbers(content: bytes | str) -> "FileNumbers":
+    from kindsl.interchange.mjcf.numbers import numbers_of_mjcf
+
+    return numbers_of_mjcf(content)
+
+
+FORMAT = Format(
+    "mjcf", "MJCF", (".xml", ".mjcf"), "mjcf", _read, write=_write, find_numbers=_find_numbers
+)

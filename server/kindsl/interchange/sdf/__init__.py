@@ -15,6 +15,7 @@ from kindsl.interchange.format import (
 )
 
 if TYPE_CHECKING:
+    from kindsl.interchange.written_numbers import FileNumbers
     from kindsl.mechanism.skeleton import Skeleton
 
 
@@ -39,4 +40,10 @@ def _write(name: str, skeleton: "Skeleton", choices: WritingChoices) -> WrittenR
     return written_sdf(name, skeleton, choices)
 
 
-FORMAT = Format("sdf", "SDF", (".sdf",), "", _read, _parse, _write)
+def _find_numbers(content: bytes | str) -> "FileNumbers":
+    from kindsl.interchange.sdf.numbers import numbers_of_sdf
+
+    return numbers_of_sdf(content)
+
+
+FORMAT = Format("sdf", "SDF", (".sdf",), "", _read, _parse, _write, find_numbers=_find_numbers)
