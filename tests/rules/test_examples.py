@@ -14,7 +14,9 @@ from kindsl.rules.registry import all_rules, page_of
 from kindsl.text.edits import apply_edits
 
 DEFAULT = ("KD0", "KD1", "KD2", "KD3", "KD4", "KD5", "KD7")
-NEEDS_NO_EXAMPLE = {"KD404", "KD800", "KD801", "KD802", "KD803", "KD804"}
+# What they are about is in another file.
+OF_FILES = {"KD800", "KD801", "KD802", "KD803", "KD804", "KD901", "KD902", "KD903"}
+NEEDS_NO_EXAMPLE = {"KD404", *OF_FILES}
 # A new link has no inertia yet, and a new pose is where another may be: that is to be filled in.
 LEFT_BY_FIXES = {"KD006": {"KD508"}, "KD105": {"KD304", "KD705"}, "KD106": {"KD506"}}
 
@@ -90,7 +92,7 @@ def test_rule_is_complete(rule: Rule) -> None:
     for heading in ("## What it does", "## Why is this bad?", "## Example"):
         assert heading in page
     has_fixed_example = any(fixed_document_of(example) is not None for example in rule.bad)
-    assert has_fixed_example == ("## Fix" in page)
+    assert has_fixed_example == ("## Fix" in page) or rule.code in OF_FILES
 
 
 def test_codes_and_names_are_unique() -> None:

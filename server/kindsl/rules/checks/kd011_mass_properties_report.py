@@ -48,6 +48,8 @@ _REPORT = """
         Izx = 0.0000 Izy = 0.0000 Izz = 0.0041
 """
 
+_SPHERE = "    sphere(0.05, mass = 4.1)\n"
+
 RULE = Rule(
     "KD011",
     "mass-properties-report",
@@ -55,6 +57,6 @@ RULE = Rule(
     good=(_LINK,),
     bad=(
         Example(_LINK.replace("id = 1\n", f"id = 1\n{_REPORT[1:]}"), fixed=_LINK),
-        _LINK.replace("id = 1\n", "id = 1\n    sphere(0.05, mass = 4.1)\n"),
+        Example(_LINK.replace("id = 1\n", f"id = 1\n{_SPHERE}"), fixed=_LINK),
     ),
 )
