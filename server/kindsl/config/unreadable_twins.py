@@ -4,7 +4,6 @@ from collections.abc import Callable
 
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.analysis.settings import Settings, is_enabled, severity_of
-from kindsl.analysis.twins import read_twin
 from kindsl.config.configuration import Configuration
 from kindsl.rules.base import Severity
 from kindsl.rules.checks.kd902_twin_unreadable import RULE
@@ -26,6 +25,9 @@ def unreadable_twins(
     """
     if not (configuration.twins and is_enabled(RULE, settings)):
         return []
+    # Imported where a twin is named, since it delays the linter's start.
+    from kindsl.analysis.twins import read_twin
+
     found = []
     for _, twin, (start, end) in configuration.twins:
         is_allowed = may_read is None or may_read(twin.path)
