@@ -35,7 +35,7 @@ from kindsl.rigid.body import MassDistribution, shifted
 from kindsl.text.edits import apply_edits
 
 PAGE = Path(__file__).parents[1] / "docs" / "inertia_causes.md"
-CAUSES = ("KD306", "KD307", "KD308")
+CAUSES = ("KD306", "KD307", "KD308", "KD310", "KD314")
 LOOKED_AT = Settings(select=("KD3", "KD507"), ignore=("KD310",))
 NUMBER = re.compile(r"(?:mass =|CoM = \(|, |I[xyz]+=)\s*(-?[\d.]+)")
 Body = MassDistribution

@@ -111,8 +111,8 @@ KINDS = (
     Kind("moments in another unit", scale, frozenset({"KD308"})),
     Kind("angles in degrees", in_degrees, frozenset({"KD501"})),
     Kind("lengths in millimetres", in_millimetres, frozenset({"KD502"})),
-    Kind("two moments swapped", swapped, frozenset()),
-    Kind("mass ten times too great or small", heavy, frozenset({"KD311"})),
+    Kind("two moments swapped", swapped, frozenset({"KD307"})),
+    Kind("mass ten times too great or small", heavy, frozenset({"KD314"})),
 )
 
 
@@ -138,7 +138,7 @@ def codes(sample: Sample) -> list[str]:
     return [f.code for f in found if f.severity in ("error", "warning") or f.code in CAUSES]
 
 
-CAUSES = frozenset({"KD306", "KD307", "KD308"})
+CAUSES = frozenset({"KD306", "KD307", "KD308", "KD310", "KD314"})
 
 
 def measure(kind: Kind, seed: int = 2018) -> tuple[int, int, Counter[str]]:

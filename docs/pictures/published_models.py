@@ -25,7 +25,7 @@ SOURCES = "SOURCES.tsv"
 GENERATORS = (("A", "robcogen", "KD601"), ("B", "robcogen2", "KD602"))
 SEVERITIES = ("error", "warning", "info", "hint")
 NOTHING_SET = Settings()
-CAUSES = ("KD306", "KD307", "KD308")
+CAUSES = ("KD306", "KD307", "KD308", "KD314")
 HEAD = """\
 # What kindsl finds in published models
 

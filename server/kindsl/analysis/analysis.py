@@ -209,6 +209,9 @@ class Analysis:
             found = [d for d in found if not any(s.covers(d.code, d.start) for s in silenced)]
             if UNUSED_SUPPRESSION.code in enabled:
                 found += self._of(UNUSED_SUPPRESSION, unused_suppressions(unused, enabled))
+        explained = [d.explains for d in found if d.explains is not None]
+        if explained:
+            found = [d for d in found if not any(each.covers(d) for each in explained)]
         return sorted(found, key=lambda d: (d.start, d.end, d.code, d.message))
 
     def _unknown(self, found: list[Diagnostic]) -> Iterator[tuple[Directive, list[str]]]:

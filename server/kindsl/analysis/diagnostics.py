@@ -20,6 +20,19 @@ class RelatedPlace(NamedTuple):
     message: str
 
 
+class Explained(NamedTuple):
+    """Where findings are that another one explains, and their codes."""
+
+    start: int
+    end: int
+    codes: frozenset[str]
+
+    def covers(self, finding: "Diagnostic") -> bool:
+        """Return whether a finding is among them: it offers nothing of its own."""
+        offers = finding.fix is not None or finding.choices
+        return finding.code in self.codes and self.start <= finding.start < self.end and not offers
+
+
 class Diagnostic(NamedTuple):
     """A finding as it is shown; offsets in code points of the document, `end` exclusive."""
 
@@ -33,6 +46,7 @@ class Diagnostic(NamedTuple):
     fix: TextFix | None = None
     tag: Tag | None = None
     choices: tuple[TextFix, ...] = ()
+    explains: "Explained | None" = None
 
     @property
     def url(self) -> str | None:
@@ -93,6 +107,9 @@ class Resolver:
             self._fix(finding.fix) if finding.fix else None,
             finding.tag,
             tuple(map(self._fix, finding.choices)),
+            Explained(*self.span(finding.evidence.at), finding.evidence.codes)
+            if finding.evidence
+            else None,
         )
 
     def _fix(self, fix: Fix) -> TextFix:

@@ -58,6 +58,18 @@ class Fix(NamedTuple):
     is_within_digits: bool = False
 
 
+class Evidence(NamedTuple):
+    """Findings that another one explains, so that they are not told beside it.
+
+    Attributes:
+        at: Where they are.
+        codes: Of their rules; those that offer a fix are told.
+    """
+
+    at: Located
+    codes: frozenset[str]
+
+
 class Finding(NamedTuple):
     """Something that a rule found.
 
@@ -69,6 +81,7 @@ class Finding(NamedTuple):
         choices: What would mend it where several things may be meant; then there is no `fix`.
         severity: Where it differs from the rule's.
         tag: How to draw it.
+        evidence: The findings that it explains.
     """
 
     at: Located
@@ -78,6 +91,7 @@ class Finding(NamedTuple):
     severity: Severity | None = None
     tag: Tag | None = None
     choices: tuple[Fix, ...] = ()
+    evidence: Evidence | None = None
 
 
 class Example(NamedTuple):

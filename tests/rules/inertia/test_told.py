@@ -11,7 +11,7 @@ from kindsl.rigid.pose import Vector3
 from kindsl.rules.inertia.causes import Cause
 from kindsl.rules.inertia.likelihood import MassShape
 from kindsl.rules.inertia.slips import Hypothesis, Slip
-from kindsl.rules.inertia.told import clause, likely_cause, several_causes, shared_cause, title
+from kindsl.rules.inertia.told import clause, likely_cause, rivals, shared_cause, title
 from kindsl.text.quantities import sum_below, with_unit
 
 BODY = MassDistribution(1.0, (0.0, 0.0, 0.0), (1.0, 1.0, 1.0, 0.0, 0.0, 0.0))
@@ -34,9 +34,6 @@ def test_a_title_names_the_power(power: int) -> None:
 @pytest.mark.parametrize(("slip", "what"), [(Slip.SCALE, "moments"), (Slip.MASS, "mass")])
 def test_a_clause_names_the_factor(slip: Slip, what: str, power: int) -> None:
     told = clause(scaled(slip, power))
-    if slip is Slip.MASS and power == -3:
-        assert told == "the mass were in g"
-        return
     head, number = told.rsplit(" ", 1)
     factor = Fraction(int(number)) if "multiplied" in told else 1 / Fraction(int(number))
     assert head in (f"the {what} were multiplied by", f"the {what} were divided by")
@@ -47,6 +44,10 @@ def test_a_unit_is_named_instead() -> None:
     of_unit = scaled(Slip.SCALE, -9, "g·mm²")
     assert clause(of_unit) == "the moments were in g·mm²"
     assert title(of_unit) == "Convert the moments to kg·m²"
+    in_grams = scaled(Slip.MASS, -3, "g")
+    assert clause(in_grams) == "the mass were in g"
+    assert title(in_grams) == "Convert the mass to kg"
+    assert title(scaled(Slip.MASS, -1)) == "Multiply the mass by 10⁻¹"
 
 
 def of(*slips: Slip, names: tuple[str, ...] = (), **given: Any) -> Hypothesis:
@@ -84,8 +85,45 @@ def test_slips_are_told_in_words(h: Hypothesis, what: str, step: str) -> None:
     assert title(h) == step
 
 
-def test_swapped_moments_are_named() -> None:
-    assert clause(of(Slip.SWAP, names=("Ix", "Iz"))) == "Ix and Iz were swapped"
+@pytest.mark.parametrize(
+    ("h", "what", "step"),
+    [
+        (of(Slip.SWAP, names=("Ix", "Iz")), "Ix and Iz were swapped", "Swap Ix and Iz"),
+        (
+            of(Slip.COM_ORDER, names=("x", "z of the CoM")),
+            "x and z of the CoM were swapped",
+            "Swap x and z of the CoM",
+        ),
+        (
+            of(Slip.ROWS),
+            "the moments were in the order xx xy xz yy yz zz",
+            "Put the moments in order",
+        ),
+        (
+            of(Slip.AXES, names=("y, z and x",)),
+            "the moments were about the axes y, z and x",
+            "Turn the moments to the link's axes",
+        ),
+        (
+            of(Slip.TWICE),
+            "the moments were shifted to the frame origin once, not twice",
+            "Shift the moments back once",
+        ),
+        (
+            of(Slip.PLACEHOLDER, names=("0.001",)),
+            "is a placeholder: Ix, Iy and Iz are all 0.001",
+            "",
+        ),
+        (
+            of(Slip.COPY, names=("hand", "moments")),
+            "has the moments of 'hand', which is another part",
+            "",
+        ),
+    ],
+)
+def test_what_stands_in_another_place_is_named(h: Hypothesis, what: str, step: str) -> None:
+    assert clause(h) == what
+    assert title(h) == step
 
 
 def ball(com: Vector3, *reasons: str, slip: Slip = Slip.REFERENCE, tilt: float = 0.0) -> Cause:
@@ -114,20 +152,33 @@ ALONG = ", principal axes along the link's"
 def test_axes_along_the_links_speak_for_a_cause_where_the_com_lies_off_them(
     com: Vector3, tilt: float, along: str
 ) -> None:
-    assert likely_cause("arm", ball(com, "long", tilt=tilt), " at m = 2") == (
+    told = likely_cause("inertia of 'arm'", [ball(com, "long", tilt=tilt)], " at m = 2")
+    assert told == (
         f"inertia of 'arm' would be consistent if {REFERENCE} at m = 2"
         f" (density 1000 kg/m³{along}, long)"
     )
+    assert rivals([ball(com, "long")]) == []
 
 
 def test_of_several_causes_what_speaks_for_all_of_them_is_left_out() -> None:
     com = (0.0, 0.0, 0.0)
     one, two = ball(com, "long", "near"), ball(com, "near", "equal", slip=Slip.SIGNS)
-    assert several_causes("arm", [one, two], " at m = 2") == (
-        f"inertia of 'arm' would be consistent at m = 2 if {REFERENCE}"
-        " (density 1000 kg/m³, long); or if the sign of Ixy were changed"
-        " (density 1000 kg/m³, equal)"
+    causes = [one, two, ball(com, "near")._replace(is_left_odd=True)]
+    assert likely_cause("inertia of 'arm'", causes, " at m = 2") == (
+        f"inertia of 'arm' would most likely be consistent if {REFERENCE} at m = 2"
+        " (density 1000 kg/m³, long)"
     )
+    assert rivals(causes) == [
+        "or if the sign of Ixy were changed (density 1000 kg/m³, equal)",
+        f"or if {REFERENCE} (density 1000 kg/m³, what remains is judged again)",
+    ]
+
+
+def test_what_leaves_no_trace_is_told_without_reasons() -> None:
+    placeholder = ball((0.0, 0.0, 0.0), slip=Slip.PLACEHOLDER)
+    told = "is a placeholder: Ix, Iy and Iz are all Ixy"
+    assert likely_cause("inertia of 'arm'", [placeholder]) == f"inertia of 'arm' {told}"
+    assert rivals([ball((0.0, 0.0, 0.0)), placeholder]) == [f"or it {told}"]
 
 
 @pytest.mark.parametrize(

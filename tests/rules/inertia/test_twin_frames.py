@@ -241,5 +241,6 @@ def test_three_wrong_legs_may_be_wrong_in_two_ways() -> None:
     assert len(told) == 3
     for finding in told:
         assert finding.fix is None
-        assert "y of the CoM" in finding.message
-        assert "sign of Ixy" in finding.message
+        said = " ".join((finding.message, *(related.message for related in finding.related)))
+        assert "y of the CoM" in said
+        assert "sign of Ixy" in said

@@ -1,12 +1,14 @@
 """Moments were given about the centre of mass.
 
 ## What it does
-Reports an impossible inertia (KD301, KD302) that would be consistent if its moments were taken
-about the centre of mass. All mistakes that explain the numbers are weighed against each other:
-wrong signs, another unit, another reference point, two at once. The remaining causes are listed,
-the most likely first, with their evidence: the density, axes of the link that become principal, a
-twin on the other side, the next joint. Other links of the document with the same slip count too,
-and a slip of every link is reported once.
+Says of an impossible inertia (KD301, KD302) that it would be consistent if its moments were taken
+about the centre of mass, or shifted once where they were shifted twice. All mistakes that explain
+the numbers are weighed against each other: another reference point, wrong signs or order, another
+unit, a wrong mass, a placeholder, a copy. The most likely one is told, its rivals as places beside
+it, each with what speaks for it: the density, axes of the link that become principal, a twin on the
+other side, the next joint, what other links weigh. Other links of the document with the same slip
+count too, and where every link shows it, it is told once. A unit or a mass is mended first; what
+remains is judged again.
 
 ## Why is this bad?
 The language wants moments and products about the origin of the link frame, or of the frame that

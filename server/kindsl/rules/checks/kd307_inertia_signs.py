@@ -1,8 +1,10 @@
 """Products of inertia have the wrong sign.
 
 ## What it does
-Reports an impossible inertia (KD301, KD302) that would be consistent if the signs of some products,
-or of one component of the CoM, were changed. KD306 explains how causes are weighed.
+Says of an impossible inertia (KD301, KD302) that it would be consistent if the signs of some
+products, or of one component of the CoM, were changed, or the order of numbers: two moments or two
+coordinates of the CoM swapped, the moments written in URDF's order, or about other axes. KD306
+tells how causes are weighed.
 
 ## Why is this bad?
 The language wants the products themselves, `Ixy = sum m x y`. The off-diagonal entries of an
@@ -20,8 +22,8 @@ inertia_params {
 The mass alone contributes 2.0 * 0.2 * 0.3 = 0.12 kg·m² to `Ixz`.
 
 ## Fix
-Changes these signs. Offered only where no other cause is left. Unsafe: it is a guess, though a
-likely one.
+Changes these signs, or the order. Offered only where no other cause is left. Unsafe: it is a guess,
+though a likely one.
 """
 
 from collections.abc import Iterator
@@ -41,10 +43,11 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
 
 _INERTIA = """inertia_params {
         mass = 2.0
-        CoM = (0.2, 0.0, 0.3)
-        Ix=0.22 Iy=0.32 Iz=0.12 Ixy=0.0 Ixz=%s Iyz=0.0
+        CoM = (0.2, 0.1, 0.3)
+        Ix=0.22 Iy=0.28 Iz=0.12 Ixy=%s Ixz=%s Iyz=%s
     }"""
 _LINK = link("upper", 1, inertia=_INERTIA)
+_RIGHT, _WRONG = ("0.04", "0.12", "0.06"), ("-0.04", "-0.12", "-0.06")
 
 RULE = Rule(
     "KD307",
@@ -52,6 +55,6 @@ RULE = Rule(
     Severity.INFORMATION,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
-    good=(_LINK % "0.12",),
-    bad=(Example(_LINK % "-0.12", fixed=_LINK % "0.12"),),
+    good=(_LINK % _RIGHT,),
+    bad=(Example(_LINK % _WRONG, fixed=_LINK % _RIGHT),),
 )

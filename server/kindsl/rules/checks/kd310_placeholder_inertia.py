@@ -5,6 +5,10 @@ Reports a mass of 1.0 with three moments of 1.0, and the same mass and moments i
 moving links of different parts. Parts are recognised by names without sides and numbers: `LF_hip`
 and `RH_hip` are one part, and so are `segment1` and `segment2`.
 
+Says of an impossible inertia (KD301, KD302) or one of implausible density (KD311) that it is a
+placeholder where its three moments are one round number and the products zero, and which link of
+another part has the same moments, or the same centre of mass. KD306 tells how causes are weighed.
+
 ## Why is this bad?
 A placeholder looks like data. Simulations run, and are wrong.
 
@@ -25,6 +29,7 @@ from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.inertia.judgements import is_moving, keyword
+from kindsl.rules.inertia.suspects import explained
 from kindsl.rules.inertia.twins import part_of
 from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Inertia, Link
@@ -38,8 +43,11 @@ _MOST_RELATED = 20
 Numbers = tuple[float | None, ...]
 
 
-def check_document(model: Model, _: Context) -> Iterator[Finding]:
+def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each unit inertia, and one for each inertia that many links have."""
+    told = list(explained(model, context, "KD310"))
+    yield from told
+    places = {(id(finding.at.island), finding.at.start) for finding in told}
     groups: dict[Numbers, list[tuple[Link, Inertia]]] = {}
     for chunk in model.document.chunks:
         for numbers, body, inertia in _moving(chunk):
@@ -48,7 +56,9 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
         if numbers[:4] == (1.0, 1.0, 1.0, 1.0):
             yield from starmap(_placeholder, group)
         elif numbers[0] and None not in numbers and any(numbers[1:]) and _are_unlike(group):
-            yield _shared(group)
+            finding = _shared(group)
+            if (id(finding.at.island), finding.at.start) not in places:
+                yield finding
 
 
 @kept
@@ -111,7 +121,7 @@ RULE = Rule(
     "placeholder-inertia",
     Severity.WARNING,
     check_document=check_document,
-    reads=Aspect.STRUCTURE | Aspect.MASSES,
+    reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
     good=(_arm(_INERTIA % ("0.02", "0.02", "0.02")),),
     bad=(_arm(_SAME), link("upper", 1, inertia=_INERTIA % ("1.0", "1.0", "1.0"))),
 )

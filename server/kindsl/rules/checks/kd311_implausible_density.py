@@ -2,7 +2,8 @@
 
 ## What it does
 Reports a moving link whose equivalent ellipsoid, the homogeneous one with the same mass and moments
-about the centre of mass, has a density outside 10 to 30 000 kg/m³.
+about the centre of mass, has a density outside 10 to 30 000 kg/m³. Where a cause is told (KD308,
+KD310, KD314), the density is evidence for that, and not told twice.
 
 ## Why is this bad?
 Foam has 15 kg/m³, water 1000, aluminium 2700, steel 7850, tungsten 19 300. Robots' links, hollow as
@@ -46,7 +47,7 @@ RULE = Rule(
     check_island=check_island,
     good=(link("motor", 1, inertia=inertia("0.5", "0.0", "0.00015", "0.00015", "0.00009")),),
     bad=(
-        link("motor", 1, inertia=inertia("0.5", "0.0", "150.0", "150.0", "90.0")),
-        link("motor", 1, inertia=inertia("500.0", "0.0", "0.00150", "0.00150", "0.00090")),
+        link("motor", 1, inertia=inertia("0.5", "0.0", "0.03", "0.03", "0.018")),
+        link("motor", 1, inertia=inertia("20.0", "0.0", "0.00150", "0.00150", "0.00090")),
     ),
 )

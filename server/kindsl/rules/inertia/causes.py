@@ -9,21 +9,33 @@ likely here. With `w` the weight of a slip alone and `q` what the other links sa
 weighs `0.2 w + 0.8 q`.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from math import exp, inf, isclose, log
 from typing import NamedTuple
 
 from kindsl.mechanism.body_verdicts import density_of
-from kindsl.rigid.body import MassDistribution
+from kindsl.rigid.body import (
+    Eigenpair,
+    MassDistribution,
+    eigensystem,
+    second_moments_about_com,
+    shifted,
+)
 from kindsl.rules.inertia.judgements import (
     IMPOSSIBLE,
     Judgement,
-    Verdict,
     can_be_of_matter,
+    is_round,
     verdict_of,
 )
-from kindsl.rules.inertia.likelihood import MassShape, log_likelihood, shape_of
-from kindsl.rules.inertia.slips import Hypothesis, Kind, Slip, hypotheses
+from kindsl.rules.inertia.likelihood import (
+    MassShape,
+    errors_of,
+    log_likelihood,
+    log_likelihood_of_mass,
+    shape_of,
+)
+from kindsl.rules.inertia.slips import TABLE, Hypothesis, Kind, Slip, hypotheses
 from kindsl.rules.inertia.surroundings import LinkSurroundings, of_points, of_twins
 
 _NEGLIGIBLE = 0.1
@@ -33,7 +45,11 @@ _UNLIKELY = 0.01
 _WEIGHT_AS_WRITTEN = 3.0
 _LOG_TEN = log(10.0)
 _LEAST_ODD, _GREATEST_ODD = 1.0, 1e5
-_OF_DENSITY = frozenset((Slip.SCALE, Slip.MASS))
+_OF_DENSITY = frozenset((Slip.SCALE, Slip.MASS, Slip.TWICE))
+# Of 101 published documents 21 had an impossible inertia: what remains without a slip may be odd.
+_LOG_ODD = log(0.1)
+_GREATEST_OF_ODD = -4
+_LEAST_LEFT, _NOTHING, _MORE_THAN_MATTER = 1e-3, 0.1, 1e6
 
 
 class Cause(NamedTuple):
@@ -46,6 +62,7 @@ class Cause(NamedTuple):
         log_likelihood: How likely the numbers are under it, apart from how common it is.
         log_alone: The same without what its twins say.
         probability: Of it among all that were tried.
+        is_left_odd: Whether the body is impossible or implausible without it, too.
     """
 
     hypothesis: Hypothesis
@@ -54,20 +71,53 @@ class Cause(NamedTuple):
     log_likelihood: float
     log_alone: float
     probability: float = 0.0
+    is_left_odd: bool = False
+
+    @property
+    def has_twin(self) -> bool:
+        """Whether a twin speaks for it."""
+        return self.log_likelihood > self.log_alone
 
 
 def candidates(found: Judgement, around: LinkSurroundings) -> list[Cause]:
     """Return all mistakes that explain an inertia, in no order."""
     explained: list[Cause] = []
     for h in hypotheses(found.body, found.half):
-        is_of_matter = not _OF_DENSITY.isdisjoint(h.slips)
-        if found.verdict is Verdict.IMPLAUSIBLE and not is_of_matter:
-            continue
-        shape = shape_of(h.body, h.half)
-        if shape is not None and _fits(h, shape):
-            explained.append(_weighed(h, shape, around))
+        if found.is_impossible or not _OF_DENSITY.isdisjoint(h.slips):
+            shape = shape_of(h.body, h.half)
+            if shape is not None and _fits(h, shape):
+                explained.append(_simple_first(_weighed(h, shape, around)))
+            elif _leaves_odd(h, found.body):
+                explained += _left_odd(h, around)
     common = [cause for cause in explained if not cause.hypothesis.is_last_resort]
-    return _merged(common if common and found.is_impossible else explained)
+    kept = _merged(common if common and found.is_impossible else explained)
+    return [*kept, *_without_meaning(found, around, kept)]
+
+
+def _without_meaning(
+    found: Judgement, around: LinkSurroundings, causes: Sequence[Cause]
+) -> Iterator[Cause]:
+    """Yield what leaves no trace of the numbers that were meant, as likely as the likeliest cause.
+
+    But for its mass: a placeholder, or a copy, beside a mass that no other link has, is a rival.
+    """
+    body = found.body
+    best = max(causes, key=lambda cause: cause.log_likelihood, default=None)
+    log_weight = best.log_likelihood if best is not None else 0.0
+    if best is not None:
+        log_weight += log_likelihood_of_mass(body.mass, around.mass)
+        log_weight -= log_likelihood_of_mass(best.hypothesis.body.mass, around.mass)
+    slips: list[tuple[Slip, tuple[str, ...]]] = []
+    if found.is_impossible and _NOTHING < _size(body) < _MORE_THAN_MATTER:
+        slips += [(Slip.COPY, copy) for copy in around.copies[:1]]
+    for moments, where in ((body.moments, ""), (shifted(body, -1.0).moments, " about the CoM")):
+        if is_round(moments):
+            slips.append((Slip.PLACEHOLDER, (f"{moments[0]:.1g}{where}",)))
+            break
+    for slip, names in slips:
+        h = Hypothesis((slip,), body, found.half, TABLE[slip].weight, names)
+        shape = MassShape(second_moments_about_com(body), body.moments, found.second_moments)
+        yield Cause(h, shape, (), log_weight, log_weight)
 
 
 def likelihood_as_written(found: Judgement, around: LinkSurroundings) -> float:
@@ -75,7 +125,7 @@ def likelihood_as_written(found: Judgement, around: LinkSurroundings) -> float:
     shape = shape_of(found.body, found.half)
     if shape is None or found.is_impossible:
         return -inf
-    return log_likelihood(found.body.mass, shape, around.reach(found.body.com))
+    return _weighed(Hypothesis((), found.body, found.half, 1.0), shape, around).log_likelihood
 
 
 def ranked(
@@ -105,9 +155,51 @@ def ranked(
 def _weighed(h: Hypothesis, shape: MassShape, around: LinkSurroundings) -> Cause:
     here, twins = of_points(h, shape, around), of_twins(h, around)
     alone = log_likelihood(h.body.mass, shape, around.reach(h.body.com)) + here.log_weight
+    alone += log_likelihood_of_mass(h.body.mass, around.mass)
     if Slip.SCALE in h.slips:
         alone += 6.0 * h.power * _LOG_TEN
     return Cause(h, shape, here.reasons + twins.reasons, alone + twins.log_weight, alone)
+
+
+def _simple_first(cause: Cause) -> Cause:
+    """Return the cause with the one slip that is mended first; what remains is judged again."""
+    simple = cause.hypothesis.simple
+    if simple is None:
+        return cause
+    shape = shape_of(simple.body, simple.half)
+    return cause._replace(
+        hypothesis=simple._replace(weight=cause.hypothesis.weight),
+        is_left_odd=shape is None or not _fits(simple, shape),
+    )
+
+
+def _leaves_odd(h: Hypothesis, body: MassDistribution) -> bool:
+    """Return whether a body was of no size with a slip, though odd without it, too."""
+    if h.slips == (Slip.SCALE,):
+        return bool(h.unit) and h.power <= _GREATEST_OF_ODD and _size(body) < _NOTHING
+    return h.slips == (Slip.MASS,) and bool(h.unit) and _size(body) > _MORE_THAN_MATTER
+
+
+def _left_odd(h: Hypothesis, around: LinkSurroundings) -> Iterator[Cause]:
+    """Yield a simple slip without which a body is still odd, yet of a size that bodies have."""
+    if (_LEAST_LEFT if Slip.MASS in h.slips else _NOTHING) < _size(h.body) < _GREATEST_ODD:
+        second_moments = second_moments_about_com(h.body)
+        shape = MassShape(second_moments, errors_of(h.body, h.half), _sizes(h.body))
+        cause = _weighed(h, shape, around)
+        odd = cause.log_likelihood + _LOG_ODD, cause.log_alone + _LOG_ODD
+        yield Cause(h, shape, cause.reasons, *odd, is_left_odd=True)
+
+
+def _sizes(body: MassDistribution) -> tuple[Eigenpair, Eigenpair, Eigenpair]:
+    """Return the eigenpairs of a body's second moments as if none of them were negative."""
+    pairs = eigensystem(second_moments_about_com(body))
+    small, middle, large = sorted(Eigenpair(abs(value), axis) for value, axis in pairs)
+    return small, middle, large
+
+
+def _size(body: MassDistribution) -> float:
+    """Return how dense a body is, possible or not."""
+    return density_of(body.mass, _sizes(body))
 
 
 def _fits(h: Hypothesis, shape: MassShape) -> bool:
@@ -116,13 +208,15 @@ def _fits(h: Hypothesis, shape: MassShape) -> bool:
         return False
     if h.slips in ((Slip.SIGNS,), (Slip.REFERENCE,), (Slip.COM_SIGN,)):
         return _LEAST_ODD < density_of(h.body.mass, shape.pairs) < _GREATEST_ODD
+    if h.slips == (Slip.MASS,) and not h.unit and shape.pairs[0].value <= max(shape.errors[:3]):
+        return False
     return can_be_of_matter(h.body, h.half, shape.pairs)
 
 
 def _merged(causes: Sequence[Cause]) -> list[Cause]:
     """Return the causes with those that mean the same numbers taken together."""
     kept: list[Cause] = []
-    for cause in sorted(causes, key=lambda cause: -cause.hypothesis.weight):
+    for cause in sorted(causes, key=lambda c: -log(c.hypothesis.weight) - c.log_likelihood):
         if not any(_are_equal(cause.hypothesis.body, k.hypothesis.body) for k in kept):
             kept.append(cause)
     return kept

@@ -22,6 +22,7 @@ from kindsl.mechanism.body_verdicts import (
 from kindsl.rigid.body import (
     Eigenpair,
     MassDistribution,
+    Symmetric,
     eigensystem,
     greatest_moment,
     greatest_second_moment,
@@ -128,6 +129,14 @@ def is_moving(body: Link) -> bool:
 def is_placeholder(body: MassDistribution) -> bool:
     """Return whether mass and moments are all 1.0, which no body is by chance."""
     return body.mass == 1.0 and body.moments[:3] == (1.0, 1.0, 1.0)
+
+
+def is_round(moments: Symmetric) -> bool:
+    """Return whether all moments are one number of one digit within a hundredth, no products."""
+    size = float(f"{moments[0]:.1e}")
+    meant = (size, size, size, 0.0, 0.0, 0.0)
+    is_same = all(abs(a - b) <= 0.01 * size for a, b in zip(moments, meant, strict=True))
+    return 0.0 < size <= 1.0 and is_same and f"{size:.1e}"[2] == "0"
 
 
 def is_plain(inertia: Inertia) -> bool:

@@ -2,8 +2,9 @@
 
 from collections.abc import Iterator, Sequence
 
+from kindsl.mechanism.body_verdicts import density_of
 from kindsl.rigid.body import MassDistribution, eigensystem, second_moments_about_com
-from kindsl.rules.base import Finding, Fix, Related, Replacement, Severity
+from kindsl.rules.base import Evidence, Finding, Fix, Related, Replacement, Severity
 from kindsl.rules.context import ROBCOGEN, ROBCOGEN2, Context
 from kindsl.rules.inertia.causes import Cause
 from kindsl.rules.inertia.digits import (
@@ -23,24 +24,19 @@ from kindsl.rules.inertia.judgements import (
     verdict_of,
 )
 from kindsl.rules.inertia.slips import Slip
-from kindsl.rules.inertia.told import likely_cause, several_causes, shared_cause, title
+from kindsl.rules.inertia.told import likely_cause, rivals, shared_cause, title
 from kindsl.rules.memory import Memory
 from kindsl.rules.number_writing import rescaled, rewritten
 from kindsl.rules.tiny_values import is_negligible, is_tiny
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.model import Model
 from kindsl.syntax.vocabulary import MOMENTS
+from kindsl.text.quantities import with_unit
 
-_SURE = 0.85
+_LIKELY, _SURE = 0.5, 0.85
 _MOST_RELATED = 20
 _LEAST_SHARED = 3
-_RULES = {
-    Slip.REFERENCE: "KD306",
-    Slip.SIGNS: "KD307",
-    Slip.COM_SIGN: "KD307",
-    Slip.SCALE: "KD308",
-}
-
+_EVIDENCE = frozenset(("KD309", "KD311"))
 # The code of the rule that tells it, and what it tells.
 _Told = tuple[str, Finding]
 _TELLINGS = Memory[_Told | None]("told causes")
@@ -60,8 +56,10 @@ def _told(explained: Explained, context: Context) -> _Told | None:
     at = at_values(found.inertia, context.values)
 
     def telling() -> _Told | None:
-        code = next((_RULES[c.hypothesis.slips[0]] for c in causes if _has_rule(c)), None)
-        return None if code is None else (code, _finding(explained, at, context))
+        # Less likely than not: the numbers may be right as they are written.
+        if sum(cause.probability for cause in causes) < _LIKELY:
+            return None
+        return causes[0].hypothesis.code, _finding(explained, at, context)
 
     return _TELLINGS.of(found.link, (causes, at, context.targets), telling)
 
@@ -85,42 +83,54 @@ def _shared(explained: Sequence[Explained], told: Sequence[_Told], model: Model)
     finding = Finding(
         keyword(first.inertia), message, tuple(related[:_MOST_RELATED]), whole, Severity.INFORMATION
     )
-    return _RULES[cause.hypothesis.slips[0]], finding
-
-
-def _has_rule(cause: Cause) -> bool:
-    return cause.hypothesis.slips[0] in _RULES
+    return cause.hypothesis.code, finding
 
 
 def _finding(explained: Explained, at: str, context: Context) -> Finding:
     found, causes = explained
-    name = found.link.name
-    if len(causes) > 1:
-        message, fix = several_causes(name, causes, at), None
-    else:
-        message, fix = likely_cause(name, causes[0], at), _fix(found, causes[0], context)
-    return Finding(keyword(found.inertia), message, fix=fix, severity=Severity.INFORMATION)
+    section = keyword(found.inertia)
+    told = f"inertia of '{found.link.name}'"
+    if not found.is_impossible:
+        density = density_of(found.body.mass, found.second_moments)
+        told += f" implies a density of {with_unit(density, 'kg/m³')} and"
+    fix = _fix(found, causes[0], context) if len(causes) == 1 else None
+    return Finding(
+        section,
+        likely_cause(told, causes, at),
+        tuple(Related(section, rival) for rival in rivals(causes)),
+        fix,
+        Severity.INFORMATION if found.is_impossible else Severity.WARNING,
+        evidence=Evidence(section, _EVIDENCE),
+    )
 
 
 def _fix(found: Judgement, cause: Cause, context: Context) -> Fix | None:
-    if cause.probability < _SURE:
+    is_guess = cause.hypothesis.is_last_resort and not cause.has_twin
+    if cause.probability < _SURE or is_guess or not title(cause.hypothesis):
         return None
     changes = _changes(found, cause)
-    if not changes or not _holds(found, changes, context):
+    if not changes or not _holds(found, changes, cause.is_left_odd, context):
         return None
     return Fix(title(cause.hypothesis), tuple(changes))
 
 
 def _changes(found: Judgement, cause: Cause) -> list[Replacement] | None:
     """Return the changes that write the numbers as they were meant."""
-    h, (_, *others) = cause.hypothesis, _ten_values(found)
-    if Slip.COM_SIGN in h.slips:
+    h, (mass, *others) = cause.hypothesis, _ten_values(found)
+    if Slip.MASS in h.slips:
+        return rescaled([mass], [h.body.mass])
+    if h.body.com != found.body.com:
         return rewritten(others[:3], h.body.com)
     return (rescaled if h.power else rewritten)(others[3:], h.body.moments)
 
 
-def _holds(found: Judgement, changes: Sequence[Replacement], context: Context) -> bool:
-    """Return whether no rule finds anything in the numbers as they would stand there."""
+def _holds(
+    found: Judgement, changes: Sequence[Replacement], is_left_odd: bool, context: Context
+) -> bool:
+    """Return whether no rule finds anything in the numbers as they would stand there.
+
+    What a simple slip leaves odd is judged again.
+    """
     texts = {change.at.start: change.text for change in changes}
     written = numbers_written(found.inertia, context.values)
     numbers = [
@@ -137,6 +147,8 @@ def _holds(found: Judgement, changes: Sequence[Replacement], context: Context) -
     if ROBCOGEN2 in context.targets and is_lost:
         return False
     body = MassDistribution(mass, (x, y, z), tuple(moments))  # type: ignore[arg-type]
+    if is_left_odd:
+        return True
     pairs = eigensystem(second_moments_about_com(body))
     half = likely_half_widths(numbers)
     if verdict_of(body, half, pairs) in IMPOSSIBLE:

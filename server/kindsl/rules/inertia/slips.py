@@ -1,6 +1,11 @@
-"""Mistakes in copying ten numbers, and the numbers as they were meant."""
+"""What can go wrong when ten numbers are copied: one table, and the numbers as they were meant.
 
-from collections.abc import Iterator, Sequence
+A row has its rule, its weight against the others and what that rests on. Two at a time are tried as
+far as `_PAIRS` says, for a share of their weight. A unit is mended first, and what remains judged
+again: what may have been done to the moments besides only speaks for the unit.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
 from enum import StrEnum
 from itertools import combinations
 from typing import NamedTuple, TypeVar
@@ -16,15 +21,20 @@ Kind = tuple[object, ...]
 _PRODUCTS = (3, 4, 5)
 # What people write moments in: CAD programs in grams or kilograms, finite elements in tonnes.
 _UNITS = (
-    (-9, "g·mm²", 0.4),
-    (-6, "kg·mm²", 0.4),
-    (-7, "g·cm²", 0.4),
-    (-4, "kg·cm²", 0.4),
-    (-3, "t·mm²", 0.1),
+    (-9, "g·mm²", 1.0),
+    (-6, "kg·mm²", 1.0),
+    (-7, "g·cm²", 1.0),
+    (-4, "kg·cm²", 1.0),
+    (-3, "t·mm²", 0.25),
 )
 _OTHER_POWERS = (-1, 1, -2, 2, 3, 4, 6)
-_RARE = 1e-5
-_MASS_POWERS = ((-3, 1e-3), (-1, _RARE), (1, _RARE))
+_RARE = 2.5e-5
+# A second slip is looked for beside the units of CAD programs only.
+_GREATEST_OF_PAIR = -4
+_MASSES = ((-3, "g", 1.0), (-1, "", 0.1), (1, "", 0.1))
+# Where the six moments stand in the rows of half a matrix, as in URDF, and with axes turned round.
+_ROWS = (0, 3, 5, 1, 2, 4)
+_TURNS = (((1, 2, 0, 5, 3, 4), "y, z and x"), ((2, 0, 1, 4, 5, 3), "z, x and y"))
 
 
 class Slip(StrEnum):
@@ -32,10 +42,16 @@ class Slip(StrEnum):
 
     SIGNS = "signs"
     REFERENCE = "reference"
+    TWICE = "shifted twice"
     SCALE = "scale"
     COM_SIGN = "sign of the CoM"
+    COM_ORDER = "two coordinates of the CoM swapped"
     SWAP = "two moments swapped"
+    ROWS = "moments in rows of the tensor"
+    AXES = "moments about other axes"
     MASS = "mass"
+    PLACEHOLDER = "placeholder"
+    COPY = "copied from another link"
 
 
 class Hypothesis(NamedTuple):
@@ -43,14 +59,15 @@ class Hypothesis(NamedTuple):
 
     Attributes:
         slips: What was done wrong, one or more things; none if nothing was.
-        body: The numbers as they were meant.
+        body: The numbers as they were meant; as written where that is not known.
         half: How far each of them may be from that.
         weight: How common the mistake is, against the others.
-        names: The numbers whose sign is wrong, or that were swapped.
+        names: The numbers whose sign is wrong, or that were swapped; the link that was copied.
         power: The moments, or the mass, are to be multiplied by ten to this power.
         unit: The unit that explains that, or empty.
         is_partial: Whether only some of the products' signs are wrong.
         has_products: Whether there are signs to be wrong.
+        simple: The one slip to mend first where another one may remain, None for itself.
     """
 
     slips: tuple[Slip, ...]
@@ -62,11 +79,17 @@ class Hypothesis(NamedTuple):
     unit: str = ""
     is_partial: bool = False
     has_products: bool = True
+    simple: "Hypothesis | None" = None
+
+    @property
+    def code(self) -> str:
+        """The rule that tells it: that of its first slip."""
+        return TABLE[self.slips[0]].code
 
     @property
     def is_last_resort(self) -> bool:
-        """True if it is a digit too many or too few, which can mend nearly everything."""
-        return bool(self.power) and not self.unit
+        """Whether it is a digit too many or too few, which can mend nearly everything."""
+        return Slip.SCALE in self.slips and not self.unit
 
     @property
     def kind(self) -> Kind:
@@ -83,39 +106,32 @@ class Hypothesis(NamedTuple):
 
 
 def hypotheses(body: MassDistribution, half: MassDistribution) -> Iterator[Hypothesis]:
-    """Yield all mistakes that are told apart, one or two of them at a time."""
+    """Yield all mistakes of the table that give numbers, one or two of them at a time."""
     written = Hypothesis((), body, half, 1.0, has_products=any(body.moments[3:]))
-    yield from _about_tensor(written)
-    for scaled in _scaled(written):
-        yield scaled
-        if scaled.unit:
-            for h in _about_tensor(scaled):
-                share = 0.002 if h.is_partial else 0.03
-                yield h._replace(weight=share * h.weight)
-    yield from _with_com_sign(written)
-    yield from _swapped(written)
-    yield from _with_other_mass(written)
+    for slip, row in TABLE.items():
+        for single in row.meant(written):
+            h = _with(slip, single, row.weight)
+            yield h
+            for other, share, of_some in _PAIRS.get(slip, ()):
+                if slip is Slip.SCALE and h.power > _GREATEST_OF_PAIR:
+                    continue
+                for both in TABLE[other].meant(h):
+                    weight = TABLE[other].weight * (of_some if both.is_partial else share)
+                    simple = h if slip is Slip.SCALE else None
+                    yield _with(other, both, weight)._replace(simple=simple)
 
 
-def _about_tensor(h: Hypothesis) -> Iterator[Hypothesis]:
-    """Yield slips of signs and reference point, and both together."""
-    signs = list(_with_other_signs(h))
-    yield from signs
-    if any(h.body.com):
-        yield _about_origin(h)
-        for other in signs:
-            share = 0.01 if other.is_partial else 0.8
-            yield _about_origin(other._replace(weight=share * other.weight))
+def _with(slip: Slip, h: Hypothesis, weight: float) -> Hypothesis:
+    return h._replace(slips=(slip, *h.slips), weight=weight * h.weight)
 
 
-def _with_other_signs(h: Hypothesis) -> Iterator[Hypothesis]:
+def _other_signs(h: Hypothesis) -> Iterator[Hypothesis]:
     """Yield products negated: all of them first, as in a pasted tensor."""
     present = [index for index in _PRODUCTS if h.body.moments[index]]
     for count in (len(present), *range(1, len(present))) if present else ():
         share = 1.0 if count == len(present) else 0.35 if count == 1 else 0.1
         for chosen in combinations(present, count):
             yield h._replace(
-                slips=(Slip.SIGNS, *h.slips),
                 body=h.body._replace(moments=_negated(h.body.moments, chosen)),
                 weight=share * h.weight,
                 names=tuple(MOMENTS[index] for index in chosen),
@@ -123,58 +139,116 @@ def _with_other_signs(h: Hypothesis) -> Iterator[Hypothesis]:
             )
 
 
-def _about_origin(h: Hypothesis) -> Hypothesis:
-    slips = (Slip.REFERENCE, *h.slips)
-    return h._replace(slips=slips, body=shifted(h.body))
+def _about_origin(h: Hypothesis) -> Iterator[Hypothesis]:
+    if any(h.body.com):
+        yield h._replace(body=shifted(h.body))
+
+
+def _shifted_once(h: Hypothesis) -> Iterator[Hypothesis]:
+    if any(h.body.com):
+        yield h._replace(body=shifted(h.body, -1.0))
 
 
 def _scaled(h: Hypothesis) -> Iterator[Hypothesis]:
-    powers = (*_UNITS, *((power, "", _RARE) for power in _OTHER_POWERS))
-    for power, unit, weight in powers:
+    for power, unit, share in (*_UNITS, *((power, "", _RARE) for power in _OTHER_POWERS)):
         yield h._replace(
-            slips=(Slip.SCALE, *h.slips),
             body=h.body._replace(moments=_times(10.0**power, h.body.moments)),
             half=h.half._replace(moments=_times(10.0**power, h.half.moments)),
-            weight=weight * h.weight,
+            weight=share * h.weight,
             power=power,
             unit=unit,
         )
 
 
-def _with_com_sign(h: Hypothesis) -> Iterator[Hypothesis]:
+def _other_com_sign(h: Hypothesis) -> Iterator[Hypothesis]:
     for index, axis in enumerate("xyz"):
         if h.body.com[index]:
-            com: Vector3 = _negated(h.body.com, (index,))
-            body = h.body._replace(com=com)
-            name = f"the {axis} of the CoM"
-            slips = (Slip.COM_SIGN,)
-            yield h._replace(slips=slips, body=body, weight=0.05, names=(name,), is_partial=True)
+            body = h.body._replace(com=_negated(h.body.com, (index,)))
+            yield h._replace(body=body, names=(f"the {axis} of the CoM",), is_partial=True)
+
+
+def _other_com_order(h: Hypothesis) -> Iterator[Hypothesis]:
+    for one, other in combinations(range(3), 2):
+        if h.body.com[one] != h.body.com[other]:
+            order = _exchanged(range(3), one, other)
+            yield h._replace(
+                body=h.body._replace(com=_ordered(h.body.com, order)),
+                half=h.half._replace(com=_ordered(h.half.com, order)),
+                names=("xyz"[one], f"{'xyz'[other]} of the CoM"),
+            )
 
 
 def _swapped(h: Hypothesis) -> Iterator[Hypothesis]:
     for group in ((0, 1, 2), (3, 4, 5)):
         for one, other in combinations(group, 2):
             if h.body.moments[one] != h.body.moments[other]:
-                order = list(range(6))
-                order[one], order[other] = other, one
-                yield h._replace(
-                    slips=(Slip.SWAP,),
-                    body=h.body._replace(moments=_ordered(h.body.moments, order)),
-                    half=h.half._replace(moments=_ordered(h.half.moments, order)),
-                    weight=0.02,
-                    names=(MOMENTS[one], MOMENTS[other]),
-                )
+                yield _in_order(h, _exchanged(range(6), one, other), MOMENTS[one], MOMENTS[other])
 
 
-def _with_other_mass(h: Hypothesis) -> Iterator[Hypothesis]:
-    for power, weight in _MASS_POWERS:
+def _by_rows(h: Hypothesis) -> Iterator[Hypothesis]:
+    if h.has_products:
+        yield _in_order(h, _ROWS)
+
+
+def _about_other_axes(h: Hypothesis) -> Iterator[Hypothesis]:
+    for order, names in _TURNS:
+        yield _in_order(h, order, names)
+
+
+def _other_mass(h: Hypothesis) -> Iterator[Hypothesis]:
+    for power, unit, share in _MASSES:
         yield h._replace(
-            slips=(Slip.MASS,),
             body=h.body._replace(mass=h.body.mass * 10.0**power),
             half=h.half._replace(mass=h.half.mass * 10.0**power),
-            weight=weight,
+            weight=share * h.weight,
             power=power,
+            unit=unit,
         )
+
+
+def _unknown(_: Hypothesis) -> Iterator[Hypothesis]:
+    """What was meant cannot be told from the numbers."""
+    return iter(())
+
+
+class Row(NamedTuple):
+    """A mistake as the table has it.
+
+    Attributes:
+        code: The rule that tells it.
+        weight: How common it is, against moments about the CoM.
+        data: What the weight rests on.
+        meant: The numbers that may have been meant.
+    """
+
+    code: str
+    weight: float
+    data: str
+    meant: Callable[[Hypothesis], Iterator[Hypothesis]]
+
+
+TABLE = {
+    Slip.REFERENCE: Row("KD306", 1.0, "corrected so in 3 published histories", _about_origin),
+    Slip.SIGNS: Row("KD307", 1.0, "URDF, MJCF and most CAD programs negate them", _other_signs),
+    Slip.SCALE: Row("KD308", 0.4, "each unit as CAD programs have it; else a digit", _scaled),
+    Slip.MASS: Row("KD314", 0.1, "in no published history; CAD programs give g", _other_mass),
+    Slip.COM_SIGN: Row("KD307", 0.15, "HyQ's legs, mirrored by hand", _other_com_sign),
+    Slip.SWAP: Row("KD307", 0.02, "in no published history", _swapped),
+    Slip.ROWS: Row("KD307", 0.02, "the order of URDF's attributes", _by_rows),
+    Slip.TWICE: Row("KD306", 0.02, "in no published history", _shifted_once),
+    Slip.COM_ORDER: Row("KD307", 0.01, "in no published history", _other_com_order),
+    Slip.AXES: Row("KD307", 0.01, "the UR5 of three repositories", _about_other_axes),
+    Slip.PLACEHOLDER: Row("KD310", 20.0, "equal round moments are no body's by chance", _unknown),
+    Slip.COPY: Row("KD310", 5.0, "nor are the same digits in two unlike links", _unknown),
+}
+
+# With which slip another one is tried, and the share of its weight that is left: of all signs
+# or none, and of some. URDF negates what it has in rows.
+_PAIRS = {
+    Slip.SIGNS: ((Slip.REFERENCE, 0.8, 0.01),),
+    Slip.SCALE: ((Slip.REFERENCE, 0.03, 0.03), (Slip.SIGNS, 0.03, 0.002)),
+    Slip.ROWS: ((Slip.SIGNS, 0.5, 0.01),),
+}
 
 
 def _negated(values: _Values, chosen: Sequence[int]) -> _Values:
@@ -185,5 +259,17 @@ def _times(factor: float, moments: Symmetric) -> Symmetric:
     return tuple(factor * moment for moment in moments)  # type: ignore[return-value]
 
 
-def _ordered(moments: Symmetric, order: Sequence[int]) -> Symmetric:
-    return tuple(moments[index] for index in order)  # type: ignore[return-value]
+def _in_order(h: Hypothesis, order: Sequence[int], *names: str) -> Hypothesis:
+    return h._replace(
+        body=h.body._replace(moments=_ordered(h.body.moments, order)),
+        half=h.half._replace(moments=_ordered(h.half.moments, order)),
+        names=names,
+    )
+
+
+def _ordered(values: _Values, order: Sequence[int]) -> _Values:
+    return tuple(values[index] for index in order)  # type: ignore[return-value]
+
+
+def _exchanged(places: Sequence[int], one: int, other: int) -> list[int]:
+    return [other if place == one else one if place == other else place for place in places]

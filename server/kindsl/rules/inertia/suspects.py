@@ -1,13 +1,17 @@
 """Inertias that need an explanation: impossible or implausible ones."""
 
 from collections.abc import Iterator
+from math import inf
 
+from kindsl.mechanism.body_verdicts import density_of
 from kindsl.rules.base import Finding
 from kindsl.rules.context import Context
 from kindsl.rules.inertia.judgements import Judgement, Verdict, judgements
 from kindsl.semantics.model import Model, ModelPart
 from kindsl.text.facts import Fact
 
+# Density is told from the thickness, which is not known here: a hundredfold is none.
+_LEAST_THIN, _GREATEST_THIN = 0.1, 1e6
 _SUSPECTS = Fact[list[Judgement]]("suspects")
 _CAUSES = Fact[tuple[Context, list[tuple[str, Finding]]]]("inertia causes")
 
@@ -38,8 +42,15 @@ def _suspects(part: ModelPart, context: Context) -> list[Judgement]:
         found
         for declared in part.declared
         for found in judgements(declared, context)
-        if found.is_impossible or found.verdict is Verdict.IMPLAUSIBLE
+        if found.is_impossible or found.verdict is Verdict.IMPLAUSIBLE or _is_of_no_size(found)
     ]
+
+
+def _is_of_no_size(found: Judgement) -> bool:
+    """Return whether a body that is thin within its digits is beyond all material besides."""
+    density = density_of(found.body.mass, found.second_moments)
+    is_thin = found.verdict in (Verdict.WITHIN_ROUNDING, Verdict.SINGULAR)
+    return is_thin and density < inf and not _LEAST_THIN < density < _GREATEST_THIN
 
 
 def _findings(model: Model, context: Context) -> list[tuple[str, Finding]]:

@@ -9,22 +9,53 @@ from kindsl.text.phrases import listed
 from kindsl.text.quantities import with_unit
 
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-_GRAMS = -3
+_WITHOUT_MEANING = (Slip.PLACEHOLDER, Slip.COPY)
+_CLAUSES = {
+    Slip.REFERENCE: "the moments were taken about the CoM rather than the frame origin",
+    Slip.TWICE: "the moments were shifted to the frame origin once, not twice",
+    Slip.ROWS: "the moments were in the order xx xy xz yy yz zz",
+    Slip.AXES: "the moments were about the axes {}",
+    Slip.PLACEHOLDER: "is a placeholder: Ix, Iy and Iz are all {}",
+}
+_STEPS = {
+    Slip.REFERENCE: "Shift the moments to the frame origin",
+    Slip.TWICE: "Shift the moments back once",
+    Slip.ROWS: "Put the moments in order",
+    Slip.AXES: "Turn the moments to the link's axes",
+    Slip.SWAP: "Swap {} and {}",
+    Slip.COM_ORDER: "Swap {} and {}",
+}
 
 
-def likely_cause(name: str, cause: Cause, at: str = "") -> str:
-    """Return what a single explanation of a link's inertia says."""
-    return (
-        f"inertia of '{name}' would be consistent if {clause(cause.hypothesis)}{at} ({_why(cause)})"
-    )
+def likely_cause(found: str, causes: Sequence[Cause], at: str = "") -> str:
+    """Return what the most likely explanation of a link's inertia says.
+
+    Args:
+        found: What is said of the inertia before, `inertia of 'x'`.
+        causes: The explanations, the most likely first.
+        at: The parameters' values.
+    """
+    first = _by_itself(causes)[0]
+    if first.hypothesis.slips[0] in _WITHOUT_MEANING:
+        return f"{found} {clause(first.hypothesis)}{at}"
+    likely = "would most likely" if len(causes) > 1 else "would"
+    return f"{found} {likely} be consistent if {clause(first.hypothesis)}{at} ({_why(first)})"
 
 
-def several_causes(name: str, causes: Sequence[Cause], at: str = "") -> str:
-    """Return what several explanations say, the most likely first."""
-    common = set.intersection(*(set(cause.reasons) for cause in causes))
-    own = [c._replace(reasons=tuple(r for r in c.reasons if r not in common)) for c in causes]
-    told = "; or if ".join(f"{clause(c.hypothesis)} ({_why(c)})" for c in own)
-    return f"inertia of '{name}' would be consistent{at} if {told}"
+def rivals(causes: Sequence[Cause]) -> list[str]:
+    """Return a sentence for each explanation but the first."""
+    return [
+        f"or it {clause(cause.hypothesis)}"
+        if cause.hypothesis.slips[0] in _WITHOUT_MEANING
+        else f"or if {clause(cause.hypothesis)} ({_why(cause)})"
+        for cause in _by_itself(causes)[1:]
+    ]
+
+
+def _by_itself(causes: Sequence[Cause]) -> list[Cause]:
+    """Return explanations without the reasons that all of them have."""
+    common = set.intersection(*(set(c.reasons) for c in causes)) if len(causes) > 1 else set()
+    return [c._replace(reasons=tuple(r for r in c.reasons if r not in common)) for c in causes]
 
 
 def shared_cause(n_links: int, cause: Cause) -> str:
@@ -52,23 +83,25 @@ def clause(hypothesis: Hypothesis) -> str:
 
 
 def _slip(slip: Slip, h: Hypothesis) -> str:
-    if slip is Slip.REFERENCE:
-        return "the moments were taken about the CoM rather than the frame origin"
     if slip in (Slip.SIGNS, Slip.COM_SIGN):
         return f"the {'sign' if len(h.names) == 1 else 'signs'} of {listed(h.names)} were changed"
-    if slip is Slip.SWAP:
+    if slip in (Slip.SWAP, Slip.COM_ORDER):
         return f"{listed(h.names)} were swapped"
-    if slip is Slip.MASS:
-        return "the mass were in g" if h.power == _GRAMS else f"the mass were {_times(h.power)}"
-    return f"the moments were in {h.unit}" if h.unit else f"the moments were {_times(h.power)}"
+    if slip in (Slip.MASS, Slip.SCALE):
+        what = "the mass were" if slip is Slip.MASS else "the moments were"
+        return f"{what} in {h.unit}" if h.unit else f"{what} {_times(h.power)}"
+    if slip is Slip.COPY:
+        return f"has the {h.names[1]} of '{h.names[0]}', which is another part"
+    return _CLAUSES[slip].format(*h.names)
 
 
 def _step(slip: Slip, h: Hypothesis) -> str:
-    if slip is Slip.REFERENCE:
-        return "Shift the moments to the frame origin"
-    if slip is Slip.SCALE:
-        return "Convert the moments to kg·m²" if h.unit else f"Multiply the moments by {_ten(h)}"
-    return f"Change sign of {', '.join(h.names)}"
+    if slip in (Slip.SCALE, Slip.MASS):
+        what, unit = ("mass", "kg") if slip is Slip.MASS else ("moments", "kg·m²")
+        return f"Convert the {what} to {unit}" if h.unit else f"Multiply the {what} by {_ten(h)}"
+    if slip in (Slip.SIGNS, Slip.COM_SIGN):
+        return f"Change sign of {', '.join(h.names)}"
+    return _STEPS.get(slip, "").format(*h.names)
 
 
 def _times(power: int) -> str:
@@ -86,4 +119,5 @@ def _why(cause: Cause) -> str:
     is_telling = any((x * y, x * z, y * z))
     if is_telling and all(vanishing_products(cause.shape)):
         said.append("principal axes along the link's")
-    return ", ".join((*said, *cause.reasons))
+    remaining = ["what remains is judged again"] if cause.is_left_odd else []
+    return ", ".join((*said, *cause.reasons, *remaining))
