@@ -20,8 +20,8 @@ class RelatedPlace(NamedTuple):
     message: str
 
 
-class Explained(NamedTuple):
-    """Where findings are that another one explains, and their codes."""
+class ExplainedFindings(NamedTuple):
+    """Place and codes of findings that another one explains."""
 
     start: int
     end: int
@@ -46,7 +46,7 @@ class Diagnostic(NamedTuple):
     fix: TextFix | None = None
     tag: Tag | None = None
     choices: tuple[TextFix, ...] = ()
-    explains: "Explained | None" = None
+    explains: "ExplainedFindings | None" = None
 
     @property
     def url(self) -> str | None:
@@ -107,7 +107,7 @@ class Resolver:
             self._fix(finding.fix) if finding.fix else None,
             finding.tag,
             tuple(map(self._fix, finding.choices)),
-            Explained(*self.span(finding.evidence.at), finding.evidence.codes)
+            ExplainedFindings(*self.span(finding.evidence.at), finding.evidence.codes)
             if finding.evidence
             else None,
         )

@@ -58,7 +58,7 @@ class Fix(NamedTuple):
     is_within_digits: bool = False
 
 
-class Evidence(NamedTuple):
+class ExplainedPlace(NamedTuple):
     """Findings that another one explains, so that they are not told beside it.
 
     Attributes:
@@ -91,7 +91,7 @@ class Finding(NamedTuple):
     severity: Severity | None = None
     tag: Tag | None = None
     choices: tuple[Fix, ...] = ()
-    evidence: Evidence | None = None
+    evidence: ExplainedPlace | None = None
 
 
 class Example(NamedTuple):

@@ -75,7 +75,7 @@ class Cause(NamedTuple):
 
     @property
     def has_twin(self) -> bool:
-        """Whether a twin speaks for it."""
+        """True if a twin speaks for it."""
         return self.log_likelihood > self.log_alone
 
 

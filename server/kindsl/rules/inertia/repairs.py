@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from kindsl.mechanism.body_verdicts import density_of
 from kindsl.rigid.body import MassDistribution, eigensystem, second_moments_about_com
-from kindsl.rules.base import Evidence, Finding, Fix, Related, Replacement, Severity
+from kindsl.rules.base import ExplainedPlace, Finding, Fix, Related, Replacement, Severity
 from kindsl.rules.context import ROBCOGEN, ROBCOGEN2, Context
 from kindsl.rules.inertia.causes import Cause
 from kindsl.rules.inertia.digits import (
@@ -100,7 +100,7 @@ def _finding(explained: Explained, at: str, context: Context) -> Finding:
         tuple(Related(section, rival) for rival in rivals(causes)),
         fix,
         Severity.INFORMATION if found.is_impossible else Severity.WARNING,
-        evidence=Evidence(section, _EVIDENCE),
+        evidence=ExplainedPlace(section, _EVIDENCE),
     )
 
 

@@ -1,4 +1,4 @@
-"""What can go wrong when ten numbers are copied: one table, and the numbers as they were meant.
+"""Mistakes in copying ten numbers, in one table, and the numbers as they were meant.
 
 A row has its rule, its weight against the others and what that rests on. Two at a time are tried as
 far as `_PAIRS` says, for a share of their weight. A unit is mended first, and what remains judged
@@ -88,7 +88,7 @@ class Hypothesis(NamedTuple):
 
     @property
     def is_last_resort(self) -> bool:
-        """Whether it is a digit too many or too few, which can mend nearly everything."""
+        """True if it is a digit too many or too few, which can mend nearly everything."""
         return Slip.SCALE in self.slips and not self.unit
 
     @property
@@ -207,11 +207,11 @@ def _other_mass(h: Hypothesis) -> Iterator[Hypothesis]:
 
 
 def _unknown(_: Hypothesis) -> Iterator[Hypothesis]:
-    """What was meant cannot be told from the numbers."""
+    """Return nothing: the numbers that were meant leave no trace."""
     return iter(())
 
 
-class Row(NamedTuple):
+class SlipRow(NamedTuple):
     """A mistake as the table has it.
 
     Attributes:
@@ -228,18 +228,20 @@ class Row(NamedTuple):
 
 
 TABLE = {
-    Slip.REFERENCE: Row("KD306", 1.0, "corrected so in 3 published histories", _about_origin),
-    Slip.SIGNS: Row("KD307", 1.0, "URDF, MJCF and most CAD programs negate them", _other_signs),
-    Slip.SCALE: Row("KD308", 0.4, "each unit as CAD programs have it; else a digit", _scaled),
-    Slip.MASS: Row("KD314", 0.1, "in no published history; CAD programs give g", _other_mass),
-    Slip.COM_SIGN: Row("KD307", 0.15, "HyQ's legs, mirrored by hand", _other_com_sign),
-    Slip.SWAP: Row("KD307", 0.02, "in no published history", _swapped),
-    Slip.ROWS: Row("KD307", 0.02, "the order of URDF's attributes", _by_rows),
-    Slip.TWICE: Row("KD306", 0.02, "in no published history", _shifted_once),
-    Slip.COM_ORDER: Row("KD307", 0.01, "in no published history", _other_com_order),
-    Slip.AXES: Row("KD307", 0.01, "the UR5 of three repositories", _about_other_axes),
-    Slip.PLACEHOLDER: Row("KD310", 20.0, "equal round moments are no body's by chance", _unknown),
-    Slip.COPY: Row("KD310", 5.0, "nor are the same digits in two unlike links", _unknown),
+    Slip.REFERENCE: SlipRow("KD306", 1.0, "corrected so in 3 published histories", _about_origin),
+    Slip.SIGNS: SlipRow("KD307", 1.0, "URDF, MJCF and most CAD programs negate them", _other_signs),
+    Slip.SCALE: SlipRow("KD308", 0.4, "each unit as CAD programs have it; else a digit", _scaled),
+    Slip.MASS: SlipRow("KD314", 0.1, "in no published history; CAD programs give g", _other_mass),
+    Slip.COM_SIGN: SlipRow("KD307", 0.15, "HyQ's legs, mirrored by hand", _other_com_sign),
+    Slip.SWAP: SlipRow("KD307", 0.02, "in no published history", _swapped),
+    Slip.ROWS: SlipRow("KD307", 0.02, "the order of URDF's attributes", _by_rows),
+    Slip.TWICE: SlipRow("KD306", 0.02, "in no published history", _shifted_once),
+    Slip.COM_ORDER: SlipRow("KD307", 0.01, "in no published history", _other_com_order),
+    Slip.AXES: SlipRow("KD307", 0.01, "the UR5 of three repositories", _about_other_axes),
+    Slip.PLACEHOLDER: SlipRow(
+        "KD310", 20.0, "equal round moments are no body's by chance", _unknown
+    ),
+    Slip.COPY: SlipRow("KD310", 5.0, "nor are the same digits in two unlike links", _unknown),
 }
 
 # With which slip another one is tried, and the share of its weight that is left: of all signs
