@@ -108,7 +108,9 @@ class Analysis:
                 run = self._run(checkpoint)
                 found = [self._resolve(rule, finding) for rule, finding in self._found(run)]
             unsilenced = self._without_silenced(found)
-            self._apart = set_apart(unsilenced, blocks_of(self.syntax), self.settings)
+            self._apart = Apart(unsilenced)
+            if self.settings.known:
+                self._apart = set_apart(unsilenced, blocks_of(self.syntax), self.settings)
             self._findings, self._faults = Findings(self._apart.told, self.text), tuple(run.faults)
         return self._findings
 

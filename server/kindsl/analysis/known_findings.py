@@ -43,8 +43,6 @@ def lines_of(text: str) -> list[str]:
 
 def set_apart(findings: Sequence[Diagnostic], blocks: Sequence[str], settings: Settings) -> Apart:
     """Return which findings are reported, and which are known."""
-    if not settings.known:
-        return Apart(findings)
     left = Counter(settings.known)
     told: list[Diagnostic] = []
     known: list[Diagnostic] = []

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 from functools import cached_property
 from typing import NamedTuple, TypeVar
 
-from kindsl.semantics.aspects import Edition, edition
+from kindsl.semantics.aspects import edition
 from kindsl.semantics.declarations import Declarations, Frame, Joint, Link
 from kindsl.semantics.expressions import ConstantUse
 from kindsl.semantics.kinematic_tree import KinematicTree
@@ -88,6 +88,7 @@ class Model:
         bases: All bases.
         links: The links without the base, in the order of the document.
         joints: The joints in the order of the document.
+        edition: This version, as it follows the one before.
         facts: What later layers derived from it, kept as long as the model lives.
     """
 
@@ -100,16 +101,12 @@ class Model:
         self.links = [link for part in self.parts for link in part.links]
         self.joints = [joint for part in self.parts for joint in part.joints]
         self.base = self.bases[0] if self.bases else None
+        self.edition = edition(document)
 
     @property
     def islands(self) -> Sequence[Island]:
         """The pieces of the document, in order."""
         return self.document.islands
-
-    @cached_property
-    def edition(self) -> Edition:
-        """This version, as it follows the one before."""
-        return edition(self.document)
 
     @cached_property
     def declared(self) -> list[Declarations]:
