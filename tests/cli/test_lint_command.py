@@ -113,7 +113,7 @@ def test_target_is_checked(kdsl_lint: Runner, folder: Path) -> None:
         ),
         (["--select", "KD1,"], "argument --select: 'KD1,' has an empty element"),
         (["--target", " ,robcogen"], "argument --target: ' ,robcogen' has an empty element"),
-        (["--select", "KD9"], "no rule has a code that begins with 'KD9'"),
+        (["--select", "KD98"], "no rule has a code that begins with 'KD98'"),
         (["--target", "robcogn"], "unknown target 'robcogn', did you mean 'robcogen'?"),
         (["--param", "x"], "'x' is not NAME=VALUE"),
         (["--param", "x=nan"], "'nan', the value of 'x', is not a number"),

@@ -13,6 +13,7 @@ from kindsl.text.nearest import is_near
 
 _OPEN, _CLOSED = frozenset("{("), frozenset("})")
 _REACH = 400
+_WITHIN_VALUES = frozenset("(,-*/")
 
 
 def preferences(read: Sequence[Token], tokens: Sequence[Token], index: int) -> Preferences:
@@ -28,7 +29,9 @@ def preferences(read: Sequence[Token], tokens: Sequence[Token], index: int) -> P
     if sum(count for word, count in words.items() if word_kind(word) == "MOMENT") < 6:
         present.discard("MOMENT")
 
-    def insertion(kind: str) -> float:
+    def insertion(kind: str, place: int) -> float:
+        if kind == "(" and _is_within_value(tokens, place):
+            return cost("insert '(' in a value, more")
         is_present = kind in SECTION_TOKENS and kind in present
         return cost("insert a present section, more") if is_present else 0.0
 
@@ -51,6 +54,12 @@ def preferences(read: Sequence[Token], tokens: Sequence[Token], index: int) -> P
         return cost("delete the only section, more") if words.get(token.text) == 1 else 0.0
 
     return Preferences(insertion, replacement, deletion)
+
+
+def _is_within_value(tokens: Sequence[Token], place: int) -> bool:
+    """Return whether no vector can begin at a place: a value goes on there, or one has begun."""
+    before = tokens[place - 1].kind if place > 0 else ""
+    return before in _WITHIN_VALUES or (place < len(tokens) and tokens[place].kind == "(")
 
 
 def moments_around(read: Sequence[Token], tokens: Sequence[Token], index: int) -> set[str]:

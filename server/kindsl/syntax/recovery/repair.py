@@ -62,12 +62,12 @@ class Preferences(NamedTuple):
     """Extra costs of a change at a place, beyond its kind.
 
     Attributes:
-        insertion: Extra cost of inserting a kind.
+        insertion: Extra cost of inserting a kind before the token of an index.
         replacement: Extra cost of taking the token `index` for a kind.
         deletion: Extra cost of leaving out the token `index`.
     """
 
-    insertion: Callable[[str], float]
+    insertion: Callable[[str, int], float]
     replacement: Callable[[str, int], float]
     deletion: Callable[[int], float]
 
@@ -207,7 +207,7 @@ def _following(
         after = step(stack, new)
         if after is None:
             continue
-        price = insertion_cost(new) + preferences.insertion(new)
+        price = insertion_cost(new) + preferences.insertion(new, index)
         if changes and changes[-1][:2] == ("insert", index):
             price *= cost("insert on, factor")
         follow(price, after, index, RepairStep("insert", index, new))
