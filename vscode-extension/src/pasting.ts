@@ -48,7 +48,11 @@ export function registerPasting(server: ServerAccess): vscode.Disposable[] {
     },
   };
   const metadata = { providedPasteEditKinds: [kind], pasteMimeTypes: [PLAIN] };
-  return [editor.languages.registerDocumentPasteEditProvider(LANGUAGE, provider, metadata)];
+  try {
+    return [editor.languages.registerDocumentPasteEditProvider(LANGUAGE, provider, metadata)];
+  } catch {
+    return []; // An older one has it, and refuses it to extensions.
+  }
 }
 
 async function waysToPaste(
