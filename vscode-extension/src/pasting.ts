@@ -29,8 +29,16 @@ interface Pasting {
 
 const PLAIN = "text/plain";
 
-/** Have the editor ask the server what a pasted text becomes. */
+/** Have the editor ask the server what a pasted text becomes, where it lets extensions do so. */
 export function registerPasting(server: ServerAccess): vscode.Disposable[] {
+  try {
+    return provided(server);
+  } catch {
+    return []; // An older one has the interface, and refuses it.
+  }
+}
+
+function provided(server: ServerAccess): vscode.Disposable[] {
   const editor = vscode as unknown as Pasting;
   if (editor.languages.registerDocumentPasteEditProvider === undefined) return [];
   const kind = editor.DocumentDropOrPasteEditKind.Empty.append("kindsl");
@@ -48,11 +56,7 @@ export function registerPasting(server: ServerAccess): vscode.Disposable[] {
     },
   };
   const metadata = { providedPasteEditKinds: [kind], pasteMimeTypes: [PLAIN] };
-  try {
-    return [editor.languages.registerDocumentPasteEditProvider(LANGUAGE, provider, metadata)];
-  } catch {
-    return []; // An older one has it, and refuses it to extensions.
-  }
+  return [editor.languages.registerDocumentPasteEditProvider(LANGUAGE, provider, metadata)];
 }
 
 async function waysToPaste(
