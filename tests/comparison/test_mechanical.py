@@ -63,7 +63,7 @@ def test_a_number_off_is_named_unless_no_motion_can_tell() -> None:
     results = Counter(off_trial(random_document(seed), seed).result for seed in range(N_TRIALS))
     assert results["missed"] == 0
     assert results["right"] >= 0.6 * N_TRIALS
-    assert results["other number"] <= 0.02 * N_TRIALS
+    assert results["other number"] <= 0.04 * N_TRIALS
 
 
 def test_equal_numbers_agree_in_inertia_matrix_and_bias_forces() -> None:
