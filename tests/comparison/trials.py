@@ -21,6 +21,37 @@ from kindsl.interchange.urdf.urdf_reading import robot_of_urdf
 from kindsl.mechanism.bodies import bodies_of
 from kindsl.mechanism.skeleton import Skeleton
 
+ARM = """Robot arm {
+RobotBase base {
+    children { upper via shoulder }
+}
+link upper {
+    id = 1
+    inertia_params {
+        mass = 1.3
+        CoM = (0.1, 0.0, 0.02)
+        Ix = 0.01  Iy = 0.04  Iz = 0.04  Ixy = 0.0  Ixz = 0.002  Iyz = 0.0
+    }
+    children { lower via elbow }
+}
+link lower {
+    id = 2
+    inertia_params {
+        mass = 0.8
+        CoM = (0.2, 0.01, 0.0)
+        Ix = 0.005  Iy = 0.05  Iz = 0.05  Ixy = 0.001  Ixz = 0.0  Iyz = 0.0
+    }
+    children {}
+}
+r_joint shoulder {
+    ref_frame { translation = (0.0, 0.0, 0.3)  rotation = (PI/2.0, 0.0, 0.0) }
+}
+r_joint elbow {
+    ref_frame { translation = (0.35, 0.0, 0.0)  rotation = (0.0, 0.0, 0.0) }
+}
+}
+"""
+
 _OFF = 1.01
 
 
