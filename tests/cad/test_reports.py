@@ -64,10 +64,15 @@ LAYOUTS: dict[str, Callable[[str], str]] = {
 _WITH_MARKS = ("SolidWorks_komma", "Inventor_groups")
 
 
-@pytest.mark.parametrize("layout", LAYOUTS)
-@pytest.mark.parametrize("name", EXPECTED)
+@pytest.mark.parametrize(
+    ("name", "layout"),
+    [
+        (name, layout)
+        for name in EXPECTED
+        for layout in LAYOUTS
+        if name not in _WITH_MARKS or not ("group" in layout or "commas" in layout)
+    ],
+)
 def test_the_layout_does_not_matter(name: str, layout: str) -> None:
-    if name in _WITH_MARKS and ("group" in layout or "commas" in layout):
-        pytest.skip("has marks already")
     found = kindsl.mass_properties(LAYOUTS[layout](REPORTS[name]))
     assert numbers(found) == numbers(kindsl.mass_properties(REPORTS[name]))
