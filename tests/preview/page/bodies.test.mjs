@@ -41,6 +41,17 @@ test("a robot of many links is drawn by two meshes", () => {
   for (const { geometry } of drawn(scene)) assert.ok([...geometry.attributes.position.array].every(Number.isFinite));
 });
 
+test("a body of few pixels takes few triangles, and none is lit pixel by pixel", () => {
+  const { scene, bodies } = makeScene(12), large = solid("l3", { core: core([0, 0, 0.5], 1.5) });
+  bodies.update();
+  const count = () => drawn(scene).reduce((sum, { geometry }) => sum + geometry.index.count / 3, 0), before = count();
+  assert.ok(before < 13_000, String(before));
+  assert.deepEqual(drawn(scene).map(({ material }) => material.type), ["MeshLambertMaterial", "MeshBasicMaterial"]);
+  scene.trees.robot.solids.set("l3", large);
+  bodies.update();
+  assert.equal(count() - before, 2 * (1280 - 320) + 2 * 16);
+});
+
 test("only a link that has changed is made anew, and none for another pose or view", () => {
   const { scene, bodies } = makeScene(50);
   bodies.update();

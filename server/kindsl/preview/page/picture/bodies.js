@@ -1,6 +1,6 @@
 // Links as bodies: few meshes for all of them, each made of the pieces of all links that look alike, placed link by link.
 import { IDENTITY, forwardKinematics, originOf, transformPoint } from "./kinematics.js";
-import { fineness, piecesOf } from "./pieces.js";
+import { MANY, fineness, piecesOf } from "./pieces.js";
 import { halfWidth, hitOf } from "./shapes.js";
 
 /** @import { Matrix, Vector } from "../base/types.js" */
@@ -13,8 +13,7 @@ import { halfWidth, hitOf } from "./shapes.js";
 /** @typedef {{ readonly mesh: Drawn, readonly own: Float32Array, readonly normals: Float32Array, readonly spans: readonly Span[] }} Filled */
 /** @typedef {{ readonly solid: SolidMessage, readonly joint: JointMessage | undefined, readonly fine: number, readonly slab: number, readonly pieces: readonly Piece[] }} Known */
 
-const { BackSide, BufferAttribute, BufferGeometry, Color, DoubleSide, FrontSide, Mesh, MeshBasicMaterial, MeshLambertMaterial,
-  MeshPhongMaterial } =
+const { BackSide, BufferAttribute, BufferGeometry, Color, DoubleSide, FrontSide, Mesh, MeshBasicMaterial, MeshLambertMaterial } =
   MeshCat.THREE;
 const OUTLINE = 0.1; // of the bodies' radius
 const GLASS = 0.4;
@@ -22,7 +21,7 @@ const GLASS = 0.4;
 const ORIGIN = [0, 0, 0];
 const SLAB = 0.5; // half its height, of the bodies' radius
 /** @type {Readonly<Record<Layer, number>>} */
-const ORDER = { opaque: 0, outline: 0, glass: 1, striped: 2 };
+const ORDER = { opaque: 0, outline: 0.5, glass: 1, striped: 2 }; // what lies over an outline keeps it from being painted
 const JUDGED = ["doubtful", "impossible"];
 const TREES = /** @type {const} */ (["robot", "ghost"]);
 const color = new Color();
@@ -49,8 +48,8 @@ export class Bodies {
   // Whether links are drawn as bodies now, so that a ghost is too.
   get isOn() { return this.scene.lookOf("core").visible || this.scene.lookOf("bone").visible; }
 
-  // Of many links outlines and lights are simpler.
-  get isFine() { return fineness(this.scene.trees.robot.links.size) > 1; }
+  // Of many links only the solids have outlines.
+  get isFine() { return this.scene.trees.robot.links.size <= MANY; }
 
   /** @returns {Piece[]} */
   get pieces() { return [...this.#known.values()].flatMap(({ pieces }) => pieces); }
@@ -81,8 +80,9 @@ export class Bodies {
   learn() {
     const wanted = new Set();
     for (const tree of TREES) {
-      const { joints, links, solids } = this.scene.trees[tree], fine = fineness(links.size);
+      const { joints, links, solids } = this.scene.trees[tree];
       for (const solid of solids.values()) {
+        const fine = fineness(solid, links.size, this.scene.model.size);
         const key = `${tree} ${solid.name}`, joint = joints.get(links.get(solid.name)?.joint ?? ""), known = this.#known.get(key);
         const slab = joint || this.scene.model.is_floating || tree === "ghost" ? 0 : SLAB * this.scene.model.unit;
         wanted.add(key);
@@ -161,7 +161,7 @@ export class Bodies {
     for (const [name, size] of /** @type {const} */ ([["position", 3], ["normal", 3], ["color", 4]])) {
       geometry.setAttribute(name, new BufferAttribute(new Float32Array(size * corners), size));
     }
-    const mesh = Object.assign(new Mesh(geometry, material(layer, this.isFine)), { frustumCulled: false, renderOrder: ORDER[layer] });
+    const mesh = Object.assign(new Mesh(geometry, material(layer)), { frustumCulled: false, renderOrder: ORDER[layer] });
     this.scene.viewer.scene.add(mesh);
     return { mesh, own, normals, spans };
   }
@@ -285,12 +285,12 @@ const turnedBack = (T, [x, y, z]) => [
   T[0] * x + T[1] * y + T[2] * z, T[4] * x + T[5] * y + T[6] * z, T[8] * x + T[9] * y + T[10] * z,
 ];
 
-/** @param {Layer} layer @param {boolean} isFine */
-function material(layer, isFine) {
+/** @param {Layer} layer */
+function material(layer) {
   if (layer === "outline") return new MeshBasicMaterial({ vertexColors: true, side: BackSide });
-  const isGlass = layer === "glass";
-  const shared = { vertexColors: true, transparent: isGlass, depthWrite: !isGlass, side: layer === "striped" ? DoubleSide : FrontSide };
-  const look = isFine ? new MeshPhongMaterial({ ...shared, shininess: 20, specular: 0x1c2228 }) : new MeshLambertMaterial(shared);
+  const isGlass = layer === "glass", side = layer === "striped" ? DoubleSide : FrontSide;
+  // Lit at corners, not at pixels: a software renderer takes half the time.
+  const look = new MeshLambertMaterial({ vertexColors: true, transparent: isGlass, depthWrite: !isGlass, side });
   if (layer === "striped") look.onBeforeCompile = stripes;
   return look;
 }

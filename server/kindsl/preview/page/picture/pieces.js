@@ -22,7 +22,10 @@ import { blockMesh, capsuleMesh, coreMesh, drumMesh, icosphere } from "./shapes.
 /** @typedef {Omit<Piece, "ball">} Made */
 
 const RAIL = 0.5, BLOCK = 1.6, DRUM = 1.25; // of a drum's radius: a rail's radius, half a block's length, half a drum's
-const SIDES = [0, 8, 16, 28]; // of a drum, by fineness
+const SIDES = [0, 8, 16, 20]; // of a drum, by fineness
+const LARGE = 0.1; // of the robot's size: from this radius on a body's edge is seen to have corners
+const SOME = 30; // links, and from so many more on simple shapes will do
+export const MANY = 120;
 const SLAB = [3.5, 0.5]; // radii of the bodies: half a fixed base's slab is wide, and high
 
 /** @type {Map<number, Sphere>} */
@@ -46,10 +49,15 @@ export function shapeOf({ semi_axes: halves, exponents: [e1, e2] }) {
 }
 
 /**
- * How finely so many links are drawn.
+ * How finely a body is drawn, one of so many links.
+ * @param {SolidMessage} solid
  * @param {number} links
+ * @param {number} size The robot's, metres.
  */
-export const fineness = (links) => (links > 120 ? 1 : links > 30 ? 2 : 3);
+export function fineness({ core }, links, size) {
+  if (links > MANY) return 1;
+  return core && links <= SOME && Math.max(...core.semi_axes) > LARGE * size ? 3 : 2;
+}
 
 /**
  * The pieces of a link's body.
@@ -61,7 +69,7 @@ export const fineness = (links) => (links > 120 ? 1 : links > 30 ? 2 : 3);
  * @returns {Piece[]}
  */
 export function piecesOf(solid, tree, joint, fine, slab) {
-  const coarse = sphere(fine - 1);
+  const coarse = sphere(Math.min(1, fine - 1));
   /** @type {(category: Category, part: string, mesh: Mesh) => Made} */
   const own = (category, part, mesh) => ({ tree, category, group: "links", name: solid.name, part, solid, mesh, kind: "", isRail: false });
   const pieces = [...bones(solid, coarse).map(([part, mesh]) => own("bone", part, mesh)), ...(joint ? drums(solid, tree, joint, SIDES[fine]) : [])];
