@@ -128,12 +128,12 @@ def test_units_of_what_is_there():
     assert hints(text, 0, len(text), units=True) == [(36, "kg"), (78, "rad")]
 
 
-def test_moments_stand_behind_the_brace_of_a_moving_body():
+def test_the_box_stands_behind_the_brace_of_a_moving_body():
     body = "{ mass = 1.0 CoM = (0.0, 0.0, 0.0) Ix=1.0 Iy=2.0 Iz=2.5 Ixy=0.0 Ixz=0.0 Iyz=0.0 }"
     text = f"RobotBase b {{ inertia_params {body} }}"
     assert hints(text, 0, len(text), inertia=True) == []
     text = text.replace("b {", "b floating {")
-    told = "about the CoM 1, 2, 2.5 kg·m²"
+    told = "as a 1.7 × 3 × 4.6 m box of 0.042 kg/m³"
     assert hints(text, 0, len(text), inertia=True) == [(text.index("mass") - 1, told)]
     assert hints(text.replace("params {", "params"), 0, 40, inertia=True) == [(37, told)]
 

@@ -1,6 +1,7 @@
 import pytest
 from tests.features.samples import ARM, PARAMETRIC
 from tests.support.cursor import at_cursor
+from tests.support.published import published_models
 
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.settings import Settings
@@ -34,12 +35,23 @@ def test_plain_numbers_need_no_hint():
     assert not [h for h in hints(ARM.replace("0.25, 0.0", "- 0.25, 0.0")) if h[2] == "value"]
 
 
-def test_moments_about_the_com_are_hinted_for_moving_bodies():
+def test_a_moving_body_is_hinted_as_the_box_that_has_its_inertia():
     found = [hint for hint in hints(ARM) if hint[2] == "inertia"]
     assert [hint[1] for hint in found] == [
-        "about the CoM 0.01, 0.075, 0.075 kg·m²",
-        "about the CoM 0.01, 0.0375, 0.0375 kg·m²",
+        "as a 173 × 173 × 648 mm box of 0.1 g/cm³",
+        "as a 245 × 245 × 624 mm box of 0.027 g/cm³",
     ]
+
+
+def test_an_impossible_body_is_hinted_by_its_moments():
+    found = hints(PARAMETRIC.replace("Iz=0.001", "Iz=0.1"), bindings={"width": Binding(0.3)})
+    texts = [text for _, text, kind in found if kind == "inertia"]
+    assert texts[-1] == "about CoM 0.009, 0.009, 0.1 kg·m²"
+
+
+@pytest.mark.parametrize("path", published_models())
+def test_hints_fit_the_43_characters_that_vs_code_shows(path):
+    assert all(len(text) <= 43 for _, text, _ in hints(path.read_text()))
 
 
 def test_hints_can_be_turned_off():

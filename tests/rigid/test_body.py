@@ -18,6 +18,7 @@ from kindsl.rigid.body import (
     Symmetric,
     determinant,
     eigensystem,
+    equivalent_box,
     equivalent_density,
     greatest_moment,
     greatest_second_moment,
@@ -274,3 +275,25 @@ def test_a_body_moves_as_in_batches(
 def _tensor(body: MassDistribution) -> np.ndarray:
     ix, iy, iz, ixy, ixz, iyz = body.moments
     return np.array([[ix, -ixy, -ixz], [-ixy, iy, -iyz], [-ixz, -iyz, iz]])
+
+
+def test_a_box_is_told_by_its_inertia():
+    sides, mass = (0.03, 0.04, 0.3), 1.5
+    x, y, z = (mass * side * side / 12 for side in sides)
+    box = MassDistribution(mass, (0.1, -0.2, 0.3), (y + z, x + z, x + y, 0.0, 0.0, 0.0))
+    found = equivalent_box(shifted(box))
+    assert found is not None
+    assert found[0] == pytest.approx(sides)
+    assert found[1] == pytest.approx(mass / (0.03 * 0.04 * 0.3))
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        MassDistribution(1.0, (0.0, 0.0, 0.0), (1.0, 1.0, 2.1, 0.0, 0.0, 0.0)),  # impossible
+        MassDistribution(1.0, (0.0, 0.0, 0.0), (1.0, 1.0, 2.0, 0.0, 0.0, 0.0)),  # flat
+        NO_BODY,
+    ],
+)
+def test_what_is_impossible_or_flat_is_like_no_box(body):
+    assert equivalent_box(body) is None

@@ -1,12 +1,12 @@
-"""Small grey texts behind what is written: values of expressions, degrees, principal moments."""
+"""Small grey texts behind what is written: values of expressions, degrees, the box like a body."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.quantity_text import INERTIA, angle, number
 from kindsl.mechanism.link_inertia import link_inertia
-from kindsl.rigid.body import principal_moments_about_com
+from kindsl.rigid.body import equivalent_box, principal_moments_about_com
 from kindsl.semantics.declarations import (
     Declarations,
     Inertia,
@@ -38,7 +38,8 @@ class InlayHintOptions(NamedTuple):
         values: What an expression with a parameter, a constant or arithmetic comes to.
         angles: Angles in degrees.
         units: The unit behind a vector and a mass.
-        inertia: Principal moments about the CoM behind an inertia section.
+        inertia: The uniform box with a body's mass and inertia, or its principal moments where
+            none has them, behind an inertia section.
     """
 
     values: bool = True
@@ -104,10 +105,27 @@ def _inertia_hints(analysis: Analysis, body: Link) -> Iterator[InlayHint]:
     inertia = link_inertia(body, analysis.context.values)
     if isinstance(inertia, Unknown):
         return
-    moments = ", ".join(number(m) for m in principal_moments_about_com(inertia))
     opening = next(c for c in body.inertia.node.children if c.kind == "{")
-    text = f"about the CoM {moments} {INERTIA}"
-    yield InlayHint(opening.end, text, "inertia", "Principal moments about the centre of mass")
+    principal = principal_moments_about_com(inertia)
+    moments = ", ".join(number(moment) for moment in principal)
+    tooltip = f"Principal moments about the centre of mass {moments} {INERTIA}"
+    box = equivalent_box(inertia)
+    if box is None:
+        text = f"about CoM {', '.join(f'{moment:.3g}' for moment in principal)} {INERTIA}"
+    else:
+        text = _box_text(*box)
+        tooltip = f"The uniform box with this mass and inertia. {tooltip}"
+    yield InlayHint(opening.end, text, "inertia", tooltip)
+
+
+def _box_text(sides: Sequence[float], density: float) -> str:
+    """Return a box in the 43 characters that VS Code shows."""
+    if max(sides) < 1.0:
+        lengths = " × ".join(f"{1e3 * side:.{0 if side >= 0.01 else 1}f}" for side in sides) + " mm"
+    else:
+        lengths = " × ".join(f"{side:.2g}" for side in sides) + " m"
+    heavy = f"{density:.2g} kg/m³" if density < 1.0 else f"{density / 1e3:.2g} g/cm³"
+    return f"as a {lengths} box of {heavy}"
 
 
 def _units(declared: Declarations) -> Iterator[tuple[Located, str]]:

@@ -24,6 +24,7 @@ from kindsl.rigid.pose import RigidPose, Vector3
 Symmetric = tuple[float, float, float, float, float, float]
 
 _SWEEPS = 30
+_LOST = 1e-4  # of the largest second moment: a thickness that is told by rounding alone
 
 
 class MassDistribution(NamedTuple):
@@ -256,6 +257,19 @@ def equivalent_density(mass: float, eigenvalues: Vector3) -> float:
     for value in eigenvalues:
         volume *= sqrt(5.0 * max(value, least) / mass)
     return mass / volume if volume else inf
+
+
+def equivalent_box(body: MassDistribution) -> tuple[Vector3, float] | None:
+    """Return the sides of the uniform box with a body's mass and inertia, and its density.
+
+    Of an impossible body, or one whose thickness is lost in rounding, there is none. The sides are
+    in metres, ascending; the density is in kg/m³.
+    """
+    least, middle, most = (pair.value for pair in eigensystem(second_moments_about_com(body)))
+    if body.mass <= 0.0 or least <= _LOST * most:
+        return None
+    a, b, c = (sqrt(12.0 * value / body.mass) for value in (least, middle, most))
+    return (a, b, c), body.mass / (a * b * c)
 
 
 def _turned(matrix: Symmetric, pose: RigidPose) -> Symmetric:
