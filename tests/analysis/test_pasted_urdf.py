@@ -125,3 +125,17 @@ def test_what_cannot_be_taken_over_is_told(elements: str, said: str) -> None:
 def test_limits_are_told() -> None:
     limited = ELBOW.format(axis="0 0 1").replace("</joint>", '<limit lower="-1"/></joint>')
     assert "limits belong in kindsl.toml" in only(pasted(limited)).message
+
+
+@pytest.mark.parametrize("place", PLACES)
+def test_comments_of_the_elements_stay_as_comments(place):
+    joint = ELBOW.format(axis="0 0 1").replace("<parent", "<!--a\n b--><parent")
+    after = taken_over(pasted(FOREARM.format(yaw="0") + joint, place))
+    kept = [line for line in after.text.splitlines() if line.startswith("//")]
+    assert kept == ["// bends", "// a", "// b"]
+    assert not [finding for finding in after.findings if finding.code == "KD001"]
+
+
+def test_comments_of_an_inertial_stay():
+    text = INERTIAL.format(yaw="0").replace("<mass", "<!-- weighed --><mass")
+    assert "// weighed\n" in taken_over(pasted(text, "in a link")).text

@@ -1,5 +1,6 @@
 """Elements of URDF in a document: the message, and the action that takes them over."""
 
+import re
 from collections.abc import Iterator
 
 from kindsl.cad.properties import MassProperties
@@ -17,6 +18,8 @@ from kindsl.semantics.places import Place
 from kindsl.syntax.indentation import indentation
 from kindsl.text.phrases import listed
 
+_COMMENT = re.compile(r"<!--(.*?)-->", re.DOTALL)
+
 
 class _NotTakenError(Exception):
     """Elements that cannot be taken over; the message is a sentence."""
@@ -33,7 +36,7 @@ def urdf_finding(model: Model, at: Place) -> Finding:
     try:
         fragment = fragment_of_urdf(at.island.text[at.start : at.end])
         told = f"{_told(fragment)} of URDF"
-        changes = _changes(model, fragment, at)
+        changes = _with_comments(_changes(model, fragment, at), at)
     except (FormatError, _NotTakenError) as error:
         return Finding(at, f"{told} cannot be taken over: {error}")
     title = f"Take over {_told(fragment)}"
@@ -67,6 +70,17 @@ def _changes(model: Model, fragment: Fragment, at: Place) -> tuple[Replacement, 
     texts = [list(_links(model, fragment, new)), list(_joints(fragment))]
     changes += _behind(last, texts)
     return tuple(changes)
+
+
+def _with_comments(changes: tuple[Replacement, ...], at: Place) -> tuple[Replacement, ...]:
+    """Return changes that leave the comments of the elements where these stood."""
+    written = _COMMENT.findall(at.island.text[at.start : at.end])
+    lines = [line.strip() for comment in written for line in comment.splitlines()]
+    indent = indentation(at.island.text, at.start)
+    kept = "".join(f"{indent}// {line}\n" for line in lines if line)
+    first = next((c for c in changes if c.at.start <= at.start <= c.at.end), changes[0])
+    with_them = first._replace(text=kept + first.text)
+    return tuple(with_them if change is first else change for change in changes)
 
 
 def _of_inertial(link: DescribedLink, at: Place) -> tuple[Replacement, ...]:
