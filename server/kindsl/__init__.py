@@ -69,7 +69,7 @@ def mass_properties(text: str) -> "MassProperties":
     """Return the mass properties that a report of a CAD program has.
 
     Args:
-        text: What the program shows for one body.
+        text: The program's report of one body.
 
     Raises:
         ReportError: There is no report in the text, something in it is missing, or its numbers

@@ -42,7 +42,7 @@ class Analysis:
 
     Attributes:
         syntax: Its text and syntax, as its targets read it.
-        settings: What the user decided.
+        settings: Decisions of the user.
     """
 
     def __init__(self, syntax: SyntaxDocument, settings: Settings = _NO_SETTINGS) -> None:

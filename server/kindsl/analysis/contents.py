@@ -33,7 +33,7 @@ class Number(NamedTuple):
 
     Attributes:
         words: Its tokens, and what stands among them that nothing reads.
-        value: What it comes to, each parameter having a value of its own; None if that is not
+        value: Its value, each parameter having a value of its own; None if that is not
             known, or if it is read in two ways.
         rounding: How far the true value may be from the written one.
     """

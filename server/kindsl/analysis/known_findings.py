@@ -23,7 +23,7 @@ class Apart(NamedTuple):
     Attributes:
         told: Those that are reported.
         known: Those that the baseline knows.
-        stale: What the baseline knows of rules that ran, and is no longer there.
+        stale: Findings of the baseline, of rules that ran, that are no longer there.
     """
 
     told: Sequence[Diagnostic] = ()

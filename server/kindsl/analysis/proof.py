@@ -49,7 +49,7 @@ def effect(before: SyntaxDocument, after: SyntaxDocument, *, within_digits: bool
 
     Args:
         before: The document.
-        after: What edits made of it.
+        after: The same after the edits.
         within_digits: Whether a number keeps its value where the digits written are the new one's.
     """
     old, new = _differing(before.islands, after.islands)

@@ -11,7 +11,7 @@ class TextFix:
     """A change of the document's text.
 
     Attributes:
-        title: What it does, in the imperative.
+        title: Its title, in the imperative.
         edits: Disjoint, in the order of the text.
         is_within_digits: Whether it may give a number a value that has the digits written.
     """

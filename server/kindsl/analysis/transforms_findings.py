@@ -37,7 +37,7 @@ def transforms_findings(
     Args:
         text: The transforms document.
         model: The robot that it is about, None if that is not known.
-        settings: What the user decided.
+        settings: Decisions of the user.
     """
     document = read_transforms(text)
     found = [(SYNTAX, defect) for defect in document.defects]

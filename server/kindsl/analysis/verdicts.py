@@ -18,7 +18,7 @@ class TargetVerdict(NamedTuple):
 
     Attributes:
         target: `robcogen` or `robcogen2`.
-        places: What it refuses, in the order of the text; empty where it reads the document.
+        places: Those that it refuses, in the order of the text; empty where it reads the document.
     """
 
     target: str

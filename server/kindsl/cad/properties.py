@@ -12,7 +12,7 @@ class MassProperties:
     """Mass properties in the frame that they were reported in; numbers as the document takes them.
 
     Attributes:
-        program: What reported them, or has them.
+        program: The program or shape that they come from.
         mass: Kilograms.
         com: Centre of mass, metres.
         moments: `Ix Iy Iz Ixy Ixz Iyz` about the frame's origin and axes, kg·m².
@@ -20,7 +20,7 @@ class MassProperties:
             where its digits do not decide, and then the moments have them as reported.
         other_moments: The moments by the other sign, where that is not decided.
         system: The coordinate system that the report names, empty for the default one.
-        notes: What was noticed, a sentence each.
+        notes: Remarks, a sentence each.
     """
 
     program: str

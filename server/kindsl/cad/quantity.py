@@ -12,7 +12,7 @@ class Quantity(NamedTuple):
     """A number of a report.
 
     Attributes:
-        name: What the report calls it, as `Ixy`.
+        name: The report's name for it, as `Ixy`.
         printed: The number as printed, with a decimal point.
         half: Half a unit of its last digit, before the unit's factor.
         factor: SI units in its unit.

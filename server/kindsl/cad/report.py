@@ -13,7 +13,7 @@ class ReportError(ValueError):
 
     Attributes:
         reasons: A sentence each.
-        program: What wrote the report.
+        program: Its program.
     """
 
     def __init__(self, program: str, *reasons: str) -> None:
@@ -31,7 +31,7 @@ class Report:
     """Numbers as they are printed.
 
     Attributes:
-        program: What wrote it.
+        program: Its program.
         masses: Each mass in it; one is usual.
         center: Centre of mass by axis.
         about_com: Entries of the tensor about the centre of mass, each as often as it is printed.
@@ -43,7 +43,7 @@ class Report:
         system: The output coordinate system, if it is named and is not the default one.
         systems: All that are named, as printed.
         bodies: Names of the bodies whose properties these are.
-        notation: What the report says of the sign of products.
+        notation: The report's own words on the sign of products.
         is_overridden: Whether a person overrode numbers.
     """
 

@@ -21,8 +21,8 @@ class Kind(NamedTuple):
     """A kind of shape.
 
     Attributes:
-        name: What it is called.
-        sizes: What its sizes are, metres.
+        name: Its name.
+        sizes: Names of its sizes, metres.
     """
 
     name: str
@@ -49,7 +49,7 @@ def shape_properties(
     more than what is given.
 
     Args:
-        kind: What it is.
+        kind: Its kind.
         sizes: As `kind.sizes` says, metres.
         mass: kg; either this or a density.
         density: kg/m³.

@@ -97,8 +97,8 @@ class RunOutcome(NamedTuple):
     """A whole run.
 
     Attributes:
-        files: What was linted, in the order asked for.
-        failures: What could not be.
+        files: The linted files, in the order asked for.
+        failures: Those that could not be.
         failing: The severities that make the run fail.
         remarks: Sentences about what the run rested on.
         is_verbose: Whether people are told each finding, however often it is repeated.

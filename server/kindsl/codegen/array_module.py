@@ -33,8 +33,8 @@ def array_module(library: Library, imports: str, how: str) -> dict[str, str]:
     """Return the text of a module by its file's name.
 
     Args:
-        library: What to write.
+        library: The functions to write.
         imports: They define `np`, `sin` and `cos`.
-        how: What the module needs and how it is used.
+        how: Requirements and use of the module.
     """
     return {f"{library.prefix}.py": module_text(library, how, (imports, ANSWER, POSES))}

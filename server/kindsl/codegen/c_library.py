@@ -16,7 +16,7 @@ def c_files(library: Library, reference: Reference, parameters: dict[str, float]
     """Return the text of each file by its name.
 
     Args:
-        library: What to write.
+        library: The functions to write.
         reference: The right answers, for the test program.
         parameters: The values that these hold for.
     """

@@ -22,7 +22,7 @@ def test_program(
     """Return the program.
 
     Args:
-        library: What is tested.
+        library: The functions under test.
         reference: The right answers.
         parameters: The values that these hold for.
         include: The lines that include the library.

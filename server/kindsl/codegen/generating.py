@@ -54,8 +54,8 @@ def generate(
 
     Args:
         source: The document.
-        options: What to write.
-        stamp: What the files tell about their origin; None for the truth.
+        options: Choice of the files and functions.
+        stamp: Origin that the files tell; None for the truth.
 
     Raises:
         GenerationError: A quantity or a name cannot be generated.

@@ -20,7 +20,7 @@ class Language(NamedTuple):
     Attributes:
         files: Takes a library, the right answers, and the values of parameters that these hold
             for; returns the text of each file by its name.
-        options: What it takes of the options that not every language takes, as they are typed.
+        options: Those options that not every language takes and this one does, as typed.
         parameters: Which parameters stay inputs where that is not said.
         makes_transforms: Whether it has transforms where no transforms document lists them.
     """

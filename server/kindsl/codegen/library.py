@@ -39,7 +39,7 @@ class Options:
         real: The type of all numbers, in C.
         is_single_header: Whether C is one file.
         parameters: `unbound`, `all`, or names separated by commas: what stays an input.
-        prefix: What all names begin with.
+        prefix: Beginning of all names.
         layout: Whose folders RobCoGen's classes are laid out for.
         has_runtime: Whether the headers that all robots share are written too.
         frames: The links and frames to restrict poses and Jacobians to; all if empty.
@@ -85,10 +85,10 @@ class Library:
     """Functions of one robot, named.
 
     Attributes:
-        options: What was asked for.
+        options: Options of the command.
         stamp: Where it comes from.
         robot_name: As in the document.
-        robot: What the functions are recorded for.
+        robot: The robot that the functions are recorded for.
         functions: By quantity.
         defaults: The values of the parameters that stay inputs, None where unbound.
         inputs: All that functions may depend on.
@@ -198,7 +198,7 @@ def library_of(
         robot: The robot.
         robot_name: As in the document.
         defaults: The values of the parameters that stay inputs.
-        options: What to record.
+        options: Choice of the functions.
         stamp: Where it comes from.
         wanted: Pairs of frames whose poses and Jacobians are asked for besides.
 

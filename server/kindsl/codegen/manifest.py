@@ -19,7 +19,7 @@ class Manifest(NamedTuple):
 
     Attributes:
         stamp: Where the code comes from.
-        options: What was asked for.
+        options: Options of the command.
         bindings: Parameters bound on the command line.
         transforms: The text of the transforms document, None without one.
         files: SHA-256 of each file, by its name.

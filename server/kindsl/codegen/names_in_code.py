@@ -33,7 +33,7 @@ def prefix_of(robot: str, given: str | None) -> str:
 
     Args:
         robot: The robot's name.
-        given: What was asked for, if anything.
+        given: The name asked for, if any.
 
     Raises:
         UnusableNameError: What was asked for is not a name in C, C++ and Python.

@@ -18,8 +18,8 @@ def module_text(library: Library, how: str, own: tuple[str, str, str]) -> str:
     """Return a whole module.
 
     Args:
-        library: What to write.
-        how: What the module needs and how it is used, for its docstring.
+        library: The functions to write.
+        how: Requirements and use of the module, for its docstring.
         own: Its imports, its `_answer` and its `forward_kinematics`.
     """
     imports, answer, poses = own

@@ -10,7 +10,7 @@ def readme(library: Library, usage: str) -> str:
     """Return the README.
 
     Args:
-        library: What it describes.
+        library: The functions that it describes.
         usage: How to build and use it, in Markdown.
     """
     stamp, robot = library.stamp, library.robot

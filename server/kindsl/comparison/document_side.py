@@ -31,7 +31,7 @@ def described_document(
     """Return a document's robot; what cannot be read is named in `unknown`.
 
     Args:
-        label: What to call the document.
+        label: Name of the document.
         model: Its model.
         values: Of parameters by name, and of constants by `<name>`.
         skeleton: Its bodies at these values.

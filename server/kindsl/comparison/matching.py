@@ -42,7 +42,7 @@ class _ViewAtZero(NamedTuple):
         children: Of each body.
         poses: Of the bodies.
         subtrees: The mass of each body with all that it carries.
-        shapes: What each body carries, whatever the order.
+        shapes: Form of each body's subtree, whatever the order.
     """
 
     skeleton: Skeleton

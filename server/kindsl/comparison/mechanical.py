@@ -36,8 +36,8 @@ class MechanicalComparison:
         matching: Which joints match.
         alignment: The conventions of the other beside ours.
         numbers: The numbers that differ.
-        structure: What else differs, one sentence each: joints without a match, other kinds.
-        conventions: What differs without any meaning for the mechanics, one sentence each.
+        structure: Other differences, one sentence each: joints without a match, other kinds.
+        conventions: Differences without any meaning for the mechanics, one sentence each.
     """
 
     matching: MatchedJoints

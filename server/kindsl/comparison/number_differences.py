@@ -41,19 +41,19 @@ class NumberDifference(NamedTuple):
     Attributes:
         kind: `"link"`, `"joint"` or `"frame"`.
         owner: Whose number it is, in our file.
-        other: What the other file calls that.
+        other: Its name in the other file.
         quantity: Of `INERTIA` or `POSE`.
         unit: Of both values.
-        here: What our file says, or would have to say where only the other's number is to blame.
-        there: What the other says, or would have to say.
+        here: Our file's value, or the one it needs where only the other's number is to blame.
+        there: The other's value, or the one it needs.
         here_number: Our number, None if it is not written or not the one that differs.
         there_number: The other's.
-        others_value: What the other's number would have to be for ours; None if not one number.
-        here_near: What our file writes in its place, about another point or along other axes.
-        there_near: What the other does.
+        others_value: The other's number that agrees with ours; None if not one number.
+        here_near: Our file's text in its place, about another point or along other axes.
+        there_near: The other's.
         body: Our body that it moves or weighs.
         is_theirs: Whether it is the other's number that would have to be another.
-        our_changes: What to write in our file for both to agree; none where that is not known.
+        our_changes: Edits of our file for both to agree; none where these are not known.
         their_changes: The same in the other file.
     """
 

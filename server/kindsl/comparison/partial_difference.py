@@ -26,7 +26,7 @@ class PartialDifference(NamedTuple):
 
     Attributes:
         difference: The changes of what both sides know.
-        notes: What was left out and why.
+        notes: Parts left out, and why.
     """
 
     difference: Difference

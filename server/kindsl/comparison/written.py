@@ -162,9 +162,9 @@ class Described:
     """A robot to compare, and how its file writes it.
 
     Attributes:
-        label: What to call its file.
+        label: Name of its file.
         skeleton: Its bodies.
-        inertias: What each body's mass is made of, n + 1 of them; a body may have none.
+        inertias: Parts of each body's mass, n + 1 lists of them; a body may have none.
         joints: The written poses of the n joints.
         heavy_frames: Frames that are links with a mass of their own: where they are is a
             convention.

@@ -16,7 +16,7 @@ class DocumentTable(NamedTuple):
 
     Attributes:
         pattern: The documents it is for, in the manner of `.gitignore`.
-        decisions: What it says of them.
+        decisions: Its decisions about them.
     """
 
     pattern: str
@@ -29,8 +29,8 @@ class Configuration(NamedTuple):
     Attributes:
         path: The file.
         text: Its text, for showing places in it.
-        common: What holds for all documents below the file's folder.
-        documents: What holds for some of them; later ones win.
+        common: Settings of all documents below the file's folder.
+        documents: Settings of some of them; later ones win.
         places: Where each key stands, by its path of keys and list indices.
         root: The keys before ours: `("tool", "kindsl")` in a pyproject.toml.
         baseline: The file of known findings, from the file's folder; empty without one.

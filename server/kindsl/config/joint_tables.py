@@ -22,9 +22,9 @@ def with_joints(
 
     Args:
         file: The configuration file's path, which tells its kind.
-        text: What is in it; empty for a new one.
+        text: Its content; empty for a new one.
         document: The document's path.
-        joints: What to tell, by their names.
+        joints: Properties to write, by joint name.
 
     Raises:
         ConfigurationError: The file says something wrong.

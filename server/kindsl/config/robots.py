@@ -35,7 +35,7 @@ class Obstacle(NamedTuple):
 
     Attributes:
         path: The file or folder.
-        reason: What the system says.
+        reason: The system's message.
     """
 
     path: str

@@ -39,7 +39,7 @@ def binding_edit(
 
     Args:
         file: The configuration file's path, which tells its kind.
-        text: What is in it.
+        text: Its content.
         document: The document's path.
         values: Names and values.
     """

@@ -20,7 +20,7 @@ def unreadable_twins(
 
     Args:
         configuration: The file.
-        settings: What is decided about the rule.
+        settings: Decisions about the rule.
         may_read: Whether a file may be read here; None where all may.
     """
     if not (configuration.twins and is_enabled(RULE, settings)):

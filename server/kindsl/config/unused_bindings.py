@@ -46,7 +46,7 @@ def unused_bindings(
 
     Args:
         configuration: The file.
-        settings: What is decided about the rule.
+        settings: Decisions about the rule.
         used: The names in documents that it holds for, by path.
         others: Yields path and words of further documents below its folder; asked if need be.
     """

@@ -19,7 +19,7 @@ class CodeLens(NamedTuple):
     Attributes:
         start: Start of the name that the lens belongs to.
         end: End of that name.
-        title: What to show.
+        title: Its text.
         kind: `preview`, `subtree` or `references`.
         places: For `references`, the places to show.
     """

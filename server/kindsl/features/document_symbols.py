@@ -17,7 +17,7 @@ class DocumentSymbol(NamedTuple):
 
     Attributes:
         name: As written, or a stand-in where the name is missing.
-        detail: What else to tell of it.
+        detail: A few words beside the name.
         kind: `robot`, `base`, `link`, `joint` or `frame`.
         start: Start of the whole construct.
         end: Its end.

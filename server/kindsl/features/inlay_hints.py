@@ -35,7 +35,7 @@ class InlayHintOptions(NamedTuple):
     """The kinds of hints to show.
 
     Attributes:
-        values: What an expression with a parameter, a constant or arithmetic comes to.
+        values: Values of expressions with a parameter, a constant or arithmetic.
         angles: Angles in degrees.
         units: The unit behind a vector and a mass.
         inertia: The uniform box with a body's mass and inertia, or its principal moments where

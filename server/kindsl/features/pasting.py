@@ -13,7 +13,7 @@ class Pasting(NamedTuple):
     """A way to paste a text.
 
     Attributes:
-        title: What it does, in the imperative.
+        title: Its title, in the imperative.
         edits: The change of the document as it was before.
         is_certain: Whether it is the only way.
     """
@@ -30,7 +30,7 @@ def pastings(analysis: Analysis, start: int, end: int, text: str) -> tuple[Pasti
         analysis: The document before.
         start: Where what is replaced begins.
         end: Where it ends.
-        text: What is pasted.
+        text: The pasted text.
     """
     if not foreign_passages(text):
         return ()

@@ -112,7 +112,7 @@ def objection(word: str, kind: EntityKind, targets: frozenset[str]) -> str | Non
 
     Args:
         word: The wanted name.
-        kind: What it is to name.
+        kind: Kind of the named thing.
         targets: The generators that must accept it.
     """
     if not _NAME.fullmatch(word):

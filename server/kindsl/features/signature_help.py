@@ -37,7 +37,7 @@ class Signature(NamedTuple):
 
     Attributes:
         label: `translation = (x, y, z)`.
-        documentation: What the vector is.
+        documentation: A sentence on the vector.
         parameters: Its components.
         active: The number of the component at the cursor.
     """

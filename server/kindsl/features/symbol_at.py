@@ -37,7 +37,7 @@ class Entity(NamedTuple):
     """A named thing of the document.
 
     Attributes:
-        kind: What it is; the base counts as a link.
+        kind: Its kind; the base counts as a link.
         name: Its name, without the escape `^`.
         link: For a frame, the link that carries it.
     """

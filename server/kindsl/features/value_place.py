@@ -26,7 +26,7 @@ class ValuePlace(NamedTuple):
         component: 0 to 2 in a vector, None outside of one.
         kind: The class of the parameters that may stand there.
         unit: The unit of the number.
-        owner: What the value belongs to: `frame`, `link`, `base` or `joint`.
+        owner: Kind of its owner: `frame`, `link`, `base` or `joint`.
         owner_name: Its name, empty where it is missing.
     """
 

@@ -30,7 +30,7 @@ def described_robot(
     """Return a robot to compare.
 
     Args:
-        label: What to call its file.
+        label: Name of its file.
         robot: As read from another format.
         numbers: Where its numbers stand, as far as they are known.
 

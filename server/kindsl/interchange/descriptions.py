@@ -31,7 +31,7 @@ def read_description(path: Path, label: str, floating: bool | None) -> ReadDescr
 
     Args:
         path: The file.
-        label: What to call it.
+        label: Its name in messages.
         floating: Whether the root floats where the file leaves that open; None if nobody says.
 
     Raises:

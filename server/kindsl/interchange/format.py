@@ -28,7 +28,7 @@ class ReadRobot(NamedTuple):
     Attributes:
         robot: All that a document says of it.
         remarks: Notes on parts that could not be kept.
-        joints: What a configuration says of its joints, by their names.
+        joints: Properties in the configuration, by joint name.
     """
 
     robot: "RobotDescription"
@@ -42,7 +42,7 @@ class WrittenRobot(NamedTuple):
     Attributes:
         text: The text.
         remarks: Notes on what is more or less in it.
-        joints: What a configuration is to say of the joints of a document, by their names in it.
+        joints: Properties to write into a configuration, by the document's joint names.
     """
 
     text: str
@@ -72,7 +72,7 @@ class WritingChoices(NamedTuple):
     Attributes:
         endless_joints: Whether revolute joints are written as endless ones where a format has
             these, or as ordinary ones.
-        joints: What the configuration says of joints, by their names.
+        joints: Properties in the configuration, by joint name.
     """
 
     endless_joints: bool = False
@@ -112,8 +112,8 @@ class Format:
     """One format; a module of the folder `interchange` holds it as `FORMAT`.
 
     Attributes:
-        name: What the command line calls it: `"urdf"`.
-        title: What people call it: `"URDF"`.
+        name: Its name on the command line: `"urdf"`.
+        title: Its name for people: `"URDF"`.
         suffixes: Of its files, in lower case, the usual one first.
         extra: The extra that installs what it needs, empty if that is nothing more.
         read: Takes a file and choices. Raises FormatError, OSError, and ModuleNotFoundError for

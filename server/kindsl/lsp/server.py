@@ -15,7 +15,7 @@ class KindslLanguageServer(Editor):
     """pygls with our handlers.
 
     Attributes:
-        session: What they share.
+        session: State that they share.
     """
 
     def __init__(self, surroundings: Surroundings | None = None) -> None:

@@ -31,7 +31,7 @@ class Tool(NamedTuple):
     Attributes:
         name: As an assistant calls it.
         description: When to use it and what it answers.
-        arguments: What it takes.
+        arguments: Its arguments.
         run: Takes these and the folder; returns what an assistant is shown. Raises ToolError.
     """
 

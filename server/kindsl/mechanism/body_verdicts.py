@@ -63,8 +63,8 @@ class BodyVerdict(NamedTuple):
     """One thing that is doubtful.
 
     Attributes:
-        kind: What.
-        number: What says so: kg/m³ of a density, else metres; where it is negative, the CoM is
+        kind: The doubt.
+        number: Its measure: kg/m³ of a density, else metres; where it is negative, the CoM is
             behind the link's own joint.
         code: The rule that reports it.
         sentence: With the body's name in quotes, without final period.

@@ -19,7 +19,7 @@ class Access(NamedTuple):
     """The one who knows the token of the server at a port.
 
     Attributes:
-        token: What each request must show.
+        token: The secret that each request must show.
         port: Where the server listens.
         outside: Origins under which an editor's tunnel or proxy shows the server, as the editor
             told; none unless it did.

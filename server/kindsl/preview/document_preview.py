@@ -42,7 +42,7 @@ class DocumentPreview:
     Attributes:
         channel: The state and the tabs.
         analysis: The document as last shown, None before.
-        findings: What was found in it, or in an earlier version until that is known.
+        findings: Its findings, or those of an earlier version until they are known.
         newest: The version that was last asked for, maybe not yet shown.
         turn: Held while a version is drawn.
         revision: How many versions have been shown.

@@ -108,8 +108,8 @@ class DocumentPreviews(ABC):
         Args:
             key: The document's.
             analysis: The version; it is drawn once.
-            findings: What to list; None while it is not known, then what was listed stays.
-            label: What to call the document; the first time counts.
+            findings: The list; None while it is not known, then the old one stays.
+            label: Name of the document; the first time counts.
         """
         document = self._document(key, label)
         document.newest = analysis

@@ -20,7 +20,7 @@ def exported_page(state: Iterable[Part]) -> str:
     Only its own scripts may run in it, told by their hashes, and it may not reach any address.
 
     Args:
-        state: What a new tab would be sent.
+        state: The message that a new tab would be sent.
 
     Raises:
         PreviewUnavailableError: If meshcat is not installed.

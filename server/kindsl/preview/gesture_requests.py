@@ -26,7 +26,7 @@ class Drag(NamedTuple):
         name: Of the thing.
         component: `x y z rx ry rz`.
         value: Metres or radians.
-        step: What the value is to be a multiple of, None for any value.
+        step: The value becomes a multiple of this; None for any value.
         phase: `move`, `drop`, or `cancel`.
         revision: Of the text that the page shows.
     """

@@ -21,7 +21,7 @@ class Writing(NamedTuple):
     """The text to be written, as one step of undo.
 
     Attributes:
-        label: What it does, in the imperative.
+        label: Its title, in the imperative.
         text: The document that it was made for.
         edits: Of that text.
         bindings: Parameters to bind anew in the configuration file.
@@ -37,7 +37,7 @@ class RequestOutcome(NamedTuple):
     """The outcome of a request.
 
     Attributes:
-        writing: What would be written; nothing where all is so already.
+        writing: The text to write; nothing where all is so already.
         document: The document as it would be; None where it is written at once.
         text: The component that was dragged, or what carries it, as it would be written.
         value: Its value then, metres or radians; 0 of a gesture.
@@ -58,7 +58,7 @@ def drag_outcome(
 
     Args:
         analysis: The document that is shown.
-        request: What the page asks for.
+        request: The page's request.
         typed: Values of parameters that the preview shows instead of the document's.
     """
     thing = Thing(request.kind, request.name)

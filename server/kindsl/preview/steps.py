@@ -12,7 +12,7 @@ class Step(NamedTuple):
     """A text before and after something was written.
 
     Attributes:
-        label: What was done, in the imperative.
+        label: Its title, in the imperative.
         old: The text before.
         new: The text after.
     """

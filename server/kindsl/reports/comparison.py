@@ -19,7 +19,7 @@ class Comparison(NamedTuple):
 
     Attributes:
         difference: None if a document has no tree at all.
-        notes: What is left out and why, one sentence each.
+        notes: Parts left out, and why, one sentence each.
         is_of_whole: Whether both documents are whole.
         treeless: The number of the document, 0 or 1, that has no tree at all; else None.
     """

@@ -19,7 +19,7 @@ class ComparedRobot(NamedTuple):
 
     Attributes:
         name: Its file, as shown.
-        robot: What it describes.
+        robot: The robot that it describes.
         line_of: Returns the line of a place in it, where it is a document.
     """
 
@@ -69,8 +69,8 @@ class MechanicsReport(NamedTuple):
     Attributes:
         old: A robot.
         new: Another.
-        found: What differs.
-        torques: What the dynamics say, None where they were not asked.
+        found: The differences.
+        torques: Torques of both, None where they were not asked.
     """
 
     old: ComparedRobot

@@ -46,8 +46,8 @@ def motions_from(content: object, robot: ConfigurationSpace, where: str = "") ->
 
     Args:
         content: As `json` reads it. A list has one number a joint, an object joints by name.
-        robot: What they have to fit.
-        where: What to call the origin in messages.
+        robot: The robot that they have to fit.
+        where: Name of the origin in messages.
 
     Raises:
         MotionError: One does not fit, or there is none.
@@ -68,8 +68,8 @@ def motion(given: Mapping[str, Any], robot: ConfigurationSpace, names: Mapping[s
 
     Args:
         given: Values by key.
-        robot: What they have to fit.
-        names: What to call each key in messages.
+        robot: The robot that they have to fit.
+        names: Name of each key in messages.
 
     Raises:
         MotionError: It does not fit.

@@ -27,7 +27,7 @@ def health_facts(
     """Return a verdict and what it rests on.
 
     Args:
-        findings: What the rules found.
+        findings: Findings of the rules.
         place: Line, column and offset of an absolute offset.
     """
     serious = [f for f in findings if f.severity in (Severity.ERROR, Severity.WARNING)]

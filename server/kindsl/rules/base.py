@@ -45,7 +45,7 @@ class Fix(NamedTuple):
     """The fix of a finding.
 
     Attributes:
-        title: What it does, in the imperative.
+        title: Its title, in the imperative.
         changes: Disjoint replacements.
         is_safe: Whether it keeps what the document means. The claim is put to the proof: a fix
             that changes a number, or of which that cannot be known, is not safe.
@@ -77,8 +77,8 @@ class Finding(NamedTuple):
         at: Where.
         message: One sentence without final period: what is wrong, names quoted, with units.
         related: Other places.
-        fix: What would mend it.
-        choices: What would mend it where several things may be meant; then there is no `fix`.
+        fix: The edit that mends it.
+        choices: Edits that mend it where several things may be meant; then there is no `fix`.
         severity: Where it differs from the rule's.
         tag: How to draw it.
         evidence: The findings that it explains.
@@ -129,7 +129,7 @@ class Rule(NamedTuple):
 
     Attributes:
         code: `KD` and three digits, never reused.
-        name: What is wrong, hyphenated.
+        name: The defect in a word or few, hyphenated.
         severity: Unless configured otherwise.
         check_document: See above.
         check_island: See above.

@@ -48,7 +48,7 @@ def robot(*links: str, base: str = "", joints: str = "", name: str = "Arm") -> s
 
     Args:
         links: Whole links.
-        base: What the base carries, as `link via joint`.
+        base: Child of the base, as `link via joint`.
         joints: Names of joints, with blanks between them.
         name: The robot's name.
     """

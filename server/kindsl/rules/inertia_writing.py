@@ -25,8 +25,8 @@ def inertia_changes(body: Link, found: MassProperties, at: Place) -> tuple[Repla
     An inertia that is whole keeps its layout and its comments.
 
     Args:
-        body: What they belong to.
-        found: What to write.
+        body: Their link or base.
+        found: The numbers to write.
         at: The passage, of whole lines.
     """
     inertia, sections = body.inertia, _sections(body)

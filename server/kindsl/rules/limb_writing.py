@@ -25,8 +25,8 @@ def written(
     """Return three components as they should be written, None where that takes a new formula.
 
     Args:
-        own: What is written.
-        twins: What its twins have at this place, with whatever signs and in whatever order.
+        own: The written values.
+        twins: Values of its twins at this place, with whatever signs and in whatever order.
         meant: Metres or radians at each assignment.
         assignments: Of the parameters.
         within: How far from what is meant the author's own numbers may be to be kept.

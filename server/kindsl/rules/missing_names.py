@@ -23,8 +23,8 @@ def missing_names(
 
     Args:
         names: The references.
-        kind: What each of them names, in a word.
-        idle: What nothing refers to; these names are meant first.
+        kind: Kind of the named things, in a word.
+        idle: Names that nothing refers to; these are meant first.
         declared: All things of the kind.
         new_block: Makes the fix that declares a name.
     """

@@ -54,7 +54,7 @@ class Directive(NamedTuple):
         comment: The whole comment.
         at: From `kindsl:` to the end of what is understood.
         word: `ignore`, `ignore-file`, or empty for what is neither.
-        codes: What stands between the brackets, with places; None without brackets.
+        codes: Texts between the brackets, with places; None without brackets.
     """
 
     comment: Place

@@ -185,7 +185,7 @@ class SolidMessage:
         name: The link's.
         core: The solid; None where there is none to be drawn.
         look: `glass` would hide the robot, `doubtful` and `impossible` are judged.
-        doubts: What is wrong or may be, the gravest first.
+        doubts: Defects, proved or possible, the gravest first.
         is_oversized: Whether it is too large to be drawn unless asked for.
         bones: To its joints.
         radius: Of the bones, metres.
@@ -328,7 +328,7 @@ class ParameterMessage:
         path: Of this row.
         index: Its place among the document's parameters.
         name: In the document.
-        kind: What it measures.
+        kind: The quantity that it measures.
         value: That is drawn.
         is_guess: Whether that value is one because there is none.
         is_bound: Whether a configuration gives it its value.
@@ -356,7 +356,7 @@ class FormulaMessage:
 
     Attributes:
         path: Of this formula.
-        group: What is placed.
+        group: Name of the group that is placed.
         name: Of the joint or frame.
         link: Name of the link that it is attached to.
         translation: In the link's frame, a formula for each of x, y, z, metres.
@@ -406,10 +406,10 @@ class StatusMessage:
 
     Attributes:
         state: See there; `gone` if the document cannot be read.
-        message: What is the matter, for people; empty if nothing.
+        message: A sentence on the state, for people; empty if all is well.
         total: How many findings there are, listed or not.
         counts: How many there are of each severity that occurs.
-        label: What to call the document.
+        label: Name of the document.
         mass: Of all bodies that count, as far as known, kilograms.
         lacks: Why that is not all; empty where it is.
         is_former: Whether an earlier version is drawn.
@@ -531,7 +531,7 @@ class PlanMessage:
 
     Attributes:
         gesture: That the page asked for.
-        title: What it does, in the imperative; empty if it cannot be.
+        title: Its title, in the imperative; empty if it cannot be.
         reason: Why not; empty if nothing is in the way.
         path: Constant.
     """
@@ -549,7 +549,7 @@ class WrittenMessage:
 
     Attributes:
         gesture: That the page asked for.
-        title: What it does, in the imperative.
+        title: Its title, in the imperative.
         reason: Why nothing was written; empty if it was.
         path: Constant.
     """

@@ -36,8 +36,8 @@ class Picture:
     Attributes:
         skeleton: None if there has never been anything.
         state: See there.
-        message: What is the matter, for people; empty if nothing.
-        guesses: What was drawn with.
+        message: A sentence on the state, for people; empty if all is well.
+        guesses: Values that stood in for unknown ones.
         weight: The mass of what is shown, as far as it is known.
         unknown: Why the mass distributions of some bodies are not known, by the bodies' names.
         is_former: Whether it is an earlier version.

@@ -53,7 +53,7 @@ class LinkSolid(NamedTuple):
 
     Attributes:
         core: Its uniform solid, None where there is none to be drawn.
-        look: What the picture says of it.
+        look: Its verdict in the picture.
         doubts: The gravest first.
         is_oversized: Whether the core would hide the robot, as a wrong inertia makes it.
         shell: How much smaller a shell of the robot's usual density is that has the same mass and

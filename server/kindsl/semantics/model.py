@@ -29,8 +29,8 @@ class ModelPart(NamedTuple):
     """Declarations and uses in the islands of a chunk, in their order.
 
     Attributes:
-        declared: What each of them declares.
-        symbols: What each of them uses.
+        declared: Declarations of each.
+        symbols: Names that each uses.
         robot: The first name of a robot, empty where there is none.
         bases: The bases.
         links: The links.
@@ -82,14 +82,14 @@ class Model:
 
     Attributes:
         document: Its syntax.
-        parts: What the chunks of that declare.
+        parts: Declarations of its chunks.
         name: The robot's name, empty where it is missing.
         base: The robot's base, the first if there are several.
         bases: All bases.
         links: The links without the base, in the order of the document.
         joints: The joints in the order of the document.
         edition: This version, as it follows the one before.
-        facts: What later layers derived from it, kept as long as the model lives.
+        facts: Results of later layers, kept as long as the model lives.
     """
 
     def __init__(self, document: SyntaxDocument) -> None:

@@ -46,7 +46,7 @@ class Chunk:
     """Some neighbouring islands; never changed once made.
 
     Attributes:
-        facts: What later layers derived from it alone, kept as long as it lives.
+        facts: Results that later layers derived from it alone, kept as long as it lives.
     """
 
     __slots__ = ("_letters", "facts", "islands", "length", "offsets", "open_comments")
@@ -75,7 +75,7 @@ class SyntaxDocument:
 
     Attributes:
         chunks: Its islands, some neighbours at a time.
-        versions: What was found out about the version that was last looked at: shared by all that
+        versions: Results about the version that was last looked at: shared by all that
             edits have made of each other.
     """
 

@@ -33,7 +33,7 @@ def mended(
         text: The island's text.
         tokens: Its tokens.
         spans: Its comments.
-        about_comments: What is wrong in them.
+        about_comments: Problems in them.
     """
     passages = foreign_passages(text)
     tokens = tokens_as_meant(text, _outside(tokens, passages), spans)

@@ -31,7 +31,7 @@ def misprints(text: str, tokens: Sequence[Token], invalid: Iterable[Token]) -> I
     Args:
         text: The island's text.
         tokens: Its tokens, as they are meant.
-        invalid: What stands between them and is left out.
+        invalid: Text between them that is left out.
     """
     unseen = [token for token in invalid if all(map(is_ignorable, token.text))]
     ends = {token.end: token.start for token in unseen}

@@ -45,7 +45,7 @@ class PortabilityNote(NamedTuple):
 
     Attributes:
         target: The target that refuses it, `robcogen` or `robcogen2`.
-        kind: What it is, in kebab case; `missing-inertia` is also a rule of its own.
+        kind: Its kind, in kebab case; `missing-inertia` is also a rule of its own.
         message: One sentence.
         start: Code points from the island's start.
         end: End, exclusive.

@@ -29,8 +29,8 @@ class TwoReadings(NamedTuple):
         end: End, exclusive.
         kind: `power`, `product` or `pi`.
         text: As written.
-        robcogen: What robcogen takes it for.
-        other: What robcogen2 takes it for, or what it looks like.
+        robcogen: The reading of robcogen.
+        other: The reading of robcogen2, or of a person.
     """
 
     start: int

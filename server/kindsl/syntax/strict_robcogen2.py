@@ -36,7 +36,7 @@ class StrictReading(NamedTuple):
 
     Attributes:
         blocks: A letter for each block that it reads: `h`, `b`, `l`, `j`, `e`.
-        tokens: What it reads, of the kinds that the grammar's tables have.
+        tokens: Its input, of the kinds that the grammar's tables have.
         failure: Where it stops, code points from the start; None where it reads all.
     """
 

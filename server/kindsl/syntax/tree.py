@@ -125,8 +125,8 @@ class Problem(NamedTuple):
         message: One sentence, no final period.
         start: Code points from the island's start.
         end: End, exclusive.
-        repair: What would mend it, where that is known.
-        choices: What would mend it where two things may be meant; then there is no `repair`.
+        repair: The edit that mends it, where that is known.
+        choices: Edits that mend it where two things may be meant; then there is no `repair`.
     """
 
     code: str
@@ -146,8 +146,8 @@ class Island:
         tokens: All tokens in order, the missing and the skipped ones left out of neither.
         skipped: Tokens that fit nowhere; they are in no node.
         comments: Spans of the comments.
-        problems: What is wrong in it.
-        facts: What later layers derived from it alone, kept as long as the island lives.
+        problems: Its problems.
+        facts: Results that later layers derived from it alone, kept as long as it lives.
     """
 
     __slots__ = (

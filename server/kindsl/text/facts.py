@@ -11,7 +11,7 @@ class Fact(Generic[T]):
     """A kind of fact: whoever derives it has one of these, and finds what it has kept by it.
 
     Attributes:
-        name: What it is, for people.
+        name: A name for people.
     """
 
     __slots__ = ("name",)

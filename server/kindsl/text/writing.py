@@ -26,7 +26,7 @@ def write_files(contents: Mapping[str, bytes]) -> None:
     folder cannot be written, it is overwritten, and gets its old content back if that fails.
 
     Args:
-        contents: What the files shall hold by their paths; devices and pipes are written to.
+        contents: The new contents by path; devices and pipes are written to.
 
     Raises:
         OSError: One cannot be written; its `filename` tells which.
@@ -83,7 +83,7 @@ class _Staged(NamedTuple):
     Attributes:
         target: The file.
         temporary: The neighbour that holds the content, None where the target is written to.
-        content: What the target shall hold.
+        content: The target's new content.
     """
 
     target: str

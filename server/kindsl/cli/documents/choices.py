@@ -15,7 +15,7 @@ class Choices(NamedTuple):
     """The decisions of one run.
 
     Attributes:
-        decisions: What the command line says.
+        decisions: Those of the command line.
         configurations: Where configuration files come from, None for nowhere.
     """
 

@@ -37,7 +37,7 @@ class ComparedRobots(NamedTuple):
         old: A robot.
         new: Another.
         notes: On how they were read.
-        failures: What is wrong with a document of which the rest is compared.
+        failures: Defects of a document of which the rest is compared.
     """
 
     old: ComparedRobot

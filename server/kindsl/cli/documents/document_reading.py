@@ -27,8 +27,8 @@ class CommandError(Exception):
     """A command cannot do its work.
 
     Attributes:
-        failures: What is wrong, with places.
-        status: What to leave with: 1 for a defect of the document, 2 for anything else.
+        failures: Sentences on its defects, with places.
+        status: Exit status: 1 for a defect of the document, 2 for anything else.
     """
 
     def __init__(self, failures: list[Failure], status: int = 2) -> None:
@@ -91,7 +91,7 @@ def require_parameters(path: str, *documents: Analysis) -> None:
     Not where the syntax is broken: the parameter may stand in what cannot be read.
 
     Args:
-        path: What the error names.
+        path: The path that the error names.
         documents: One, or two that are compared; a parameter of either may be given.
     """
     models = [analysis.model for analysis in documents]

@@ -36,7 +36,7 @@ class Texts(NamedTuple):
     Attributes:
         old: Its text at the first, None where it is not there.
         new: Its text at the second, None where it is not there.
-        old_name: What it was called at the first, from the repository's root, if that differs.
+        old_name: Its name at the first, from the repository's root, if that differs.
     """
 
     old: str | None

@@ -25,8 +25,8 @@ class NotText(NamedTuple):
     """The content of a file that is not text in UTF-8.
 
     Attributes:
-        message: What it is instead, one sentence about the document without final period.
-        text: What can be shown of it.
+        message: Its nature, one sentence about the document without final period.
+        text: The part of it that can be shown.
         offset: Where in that text it shows.
     """
 
@@ -49,7 +49,7 @@ def read_text(path: str, shown: str) -> str | NotText | Failure:
 
     Args:
         path: The file, or `-` for stdin.
-        shown: What to call it.
+        shown: Its name in messages.
     """
     try:
         return _text_of(_content_of(path))

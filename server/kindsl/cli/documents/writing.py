@@ -16,9 +16,9 @@ def write_text(path: str, shown: str, old: str, new: str) -> Failure | None:
 
     Args:
         path: The file.
-        shown: What to call it.
-        old: What it held when it was read; if it holds something else by now, it stays.
-        new: What it shall hold; line ends are written as they are.
+        shown: Its name in messages.
+        old: Its content when it was read; if that has changed since, it stays.
+        new: Its new content; line ends are written as they are.
 
     Returns:
         None, or why it could not be written.
@@ -38,7 +38,7 @@ def write_output(path: str, content: str | bytes, beside: Mapping[str, str] = {}
 
     Args:
         path: The file.
-        content: What it shall hold.
+        content: Its new content.
         beside: Texts of files that are written with it, all or none.
 
     Raises:

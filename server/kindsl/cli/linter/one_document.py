@@ -33,8 +33,8 @@ class Task(NamedTuple):
 
     Attributes:
         path: The file, or `-` for stdin.
-        shown: What to call it.
-        settings: What is decided for it.
+        shown: Its name in messages.
+        settings: Decisions for it.
         mending: How fixes are applied.
         with_unsafe: Whether unsafe fixes are wanted too.
     """

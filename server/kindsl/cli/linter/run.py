@@ -31,8 +31,8 @@ class LintPlan(NamedTuple):
 
     Attributes:
         paths: Documents, folders, `-`.
-        choices: What is decided about the rules.
-        stdin_name: What to call the document from stdin.
+        choices: Decisions about the rules.
+        stdin_name: Name of the document from stdin.
         mending: How fixes are applied.
         with_unsafe: Whether unsafe fixes are wanted too.
         jobs: How many processes, 0 for as many as pay.

@@ -23,9 +23,9 @@ def unused_bindings(
     """Return each configuration file with unused bindings, with the findings.
 
     Args:
-        files: What was linted.
+        files: The linted files.
         configurations: The configuration that held for each of them, by the path shown.
-        choices: What the command line decided.
+        choices: Decisions of the command line.
         excluded: Names of folders to leave out.
     """
     used = {file.path: vain.Names(file.parameters, file.joints) for file in files}

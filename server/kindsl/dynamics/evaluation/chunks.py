@@ -19,7 +19,7 @@ def evaluate_in_chunks(
     Args:
         evaluate: Computes it for vectors that all have the shape (configurations, components).
         n_links: Of the mechanism; the more, the fewer configurations are done at a time.
-        request: What to compute.
+        request: The computation.
     """
     batch_shape = request.batch_shape
     chunk = max(1, BODIES_AT_A_TIME // n_links)

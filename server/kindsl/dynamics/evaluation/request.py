@@ -10,8 +10,8 @@ class Request(NamedTuple):
     """A quantity for a batch of configurations.
 
     Attributes:
-        quantity: What to compute.
-        batch_shape: What the leading dimensions of all that follows broadcast to.
+        quantity: The quantity to compute.
+        batch_shape: Common shape of the leading dimensions of all that follows.
         joint_vectors: As `quantities.JOINT_VECTORS` lists them, each of shape (..., n).
         base_velocity: Shape (..., 6), zero for a fixed base.
         gravity: Shape (..., 3), m/s^2, base coordinates.

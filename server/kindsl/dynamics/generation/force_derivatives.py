@@ -63,7 +63,7 @@ class _Mechanism(NamedTuple):
         steps: The velocity of each link's origin less that of its parent's, in the parent.
         bodies: Each body with all that it carries, as if rigid.
         flows: How that moves.
-        wrenches: What that takes.
+        wrenches: The wrenches for that.
         by_position: How accelerations change with each joint's position.
         by_velocity: The same with its velocity.
     """
@@ -140,7 +140,7 @@ class _Column(NamedTuple):
     """A joint as its supporting bodies see it, at the origin of one of them.
 
     Attributes:
-        by_position: What the wrench there changes by with its position.
+        by_position: Derivative of the wrench there by its position.
         by_velocity: The same with its velocity.
         reaction: The wrench when it accelerates by one.
         turning: Its `flow_reaction`.

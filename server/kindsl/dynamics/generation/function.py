@@ -34,7 +34,7 @@ class Function(NamedTuple):
 
     Attributes:
         name: Its name.
-        summary: What it gives, for people.
+        summary: A line on its result, for people.
         arguments: In order; parameters besides.
         results: In order.
         loaded: The results under external forces; None where these do not matter.

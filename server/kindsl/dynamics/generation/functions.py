@@ -41,7 +41,7 @@ class QuantityCode(NamedTuple):
 
     Attributes:
         build: Records its functions.
-        summary: What it is, for people.
+        summary: A line for people.
         needs_mass: Whether the total mass must not be zero.
         is_derivative: Whether it is a derivative, which is generated when asked for.
     """

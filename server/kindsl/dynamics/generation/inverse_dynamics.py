@@ -71,7 +71,7 @@ class BodyMotions(NamedTuple):
         w: Angular velocities.
         wd: Angular accelerations.
         a: Accelerations of the bodies' origins, relative to gravity.
-        forces: What the bodies' own motions take.
+        forces: Forces that the bodies' own motions take.
         moments: The same about the bodies' origins.
     """
 

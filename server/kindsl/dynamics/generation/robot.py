@@ -32,13 +32,13 @@ class Robot:
 
     Attributes:
         graph: Where everything is recorded.
-        tree: What the algorithms work on.
+        tree: The tree that the algorithms work on.
         bodies: Moments of mass of each body as given, base first; those in `tree` are moved.
         base_name: The base's name.
         link_names: By body index less one.
         joint_names: By body index less one.
         frames: Further frames, those on the base too.
-        parameters: What is known only when the code runs, by name.
+        parameters: Values known only when the code runs, by name.
         chosen: The links and frames that poses and Jacobians are wanted of, None for all.
     """
 

@@ -58,8 +58,8 @@ def trace(
     Args:
         tree: The mechanism.
         frames: The frames whose poses follow those of the links.
-        quantity: What to compute.
-        conditions: What is known beforehand. Under any conditions the base's velocity, if it
+        quantity: The quantity to compute.
+        conditions: Values known beforehand. Under any conditions the base's velocity, if it
             floats, and gravity are arguments too.
 
     Raises:

@@ -19,7 +19,7 @@ class CodeAction(NamedTuple):
     """A change that an editor offers.
 
     Attributes:
-        title: What it does, in the imperative.
+        title: Its title, in the imperative.
         kind: `quickfix`, `refactor.extract`, `refactor.inline`, `refactor.rewrite`,
             `source.fixAll.kindsl`, `refactor.rewrite.suppress` and the like.
         edits: The change, disjoint.

@@ -60,7 +60,7 @@ class _Moving(NamedTuple):
     Attributes:
         link: Its link.
         inertia: The section.
-        body: What it says, in the link's frame.
+        body: The mass distribution, in the link's frame.
         origin: Where the link's island starts.
         decimals: How many its moments have, None for as many as are computed.
     """

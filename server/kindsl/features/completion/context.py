@@ -33,13 +33,13 @@ class CompletionContext(NamedTuple):
     Attributes:
         start: Absolute start of the word; where it is empty, the cursor.
         end: Its absolute end.
-        word: What of it stands before the cursor.
+        word: The part of it before the cursor.
         expected: The kinds of tokens that the grammar allows instead of the word.
         block: The innermost open block: `document`, `base`, `link`, `joint`, `inertia`,
             `children`, `frame_group`, `frame` or `joint_frame`.
         previous: The token before the word; at the start one without a kind.
         value: The place of the value that is being typed, if one is.
-        sections: What stands in the open block before the word.
+        sections: Sections of the open block before the word.
         place: The island of the cursor.
         typed: The whole word, what stands behind the cursor included.
     """

@@ -11,9 +11,9 @@ class CompletionItem(NamedTuple):
     """Something that may be typed.
 
     Attributes:
-        label: What the list shows.
+        label: Its text in the list.
         kind: `keyword`, `snippet`, `link`, `joint`, `frame`, `parameter`, `constant` or `value`.
-        text: What is inserted; with placeholders `${1:name}` and `$0` if it is a snippet.
+        text: The text to insert; with placeholders `${1:name}` and `$0` if it is a snippet.
         detail: A few words beside the label.
         is_snippet: Whether the text has placeholders.
         is_asked_for: Whether it is shown only to whom asks for the list, not by itself.

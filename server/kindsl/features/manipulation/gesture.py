@@ -9,7 +9,7 @@ class Gesture(NamedTuple):
     """A change of the document.
 
     Attributes:
-        title: What it does, in the imperative.
+        title: Its title, in the imperative.
         edits: Disjoint, in the order of the text.
         names: The links, joints and frames that are new, in the order of the text.
     """

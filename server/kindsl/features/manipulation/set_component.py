@@ -50,7 +50,7 @@ def set_component(
         thing: A joint, frame or centre of mass.
         name: `x y z` in metres, `rx ry rz` in radians.
         value: The new value.
-        step: What the value is to be a multiple of, None for any value.
+        step: The value becomes a multiple of this; None for any value.
         typed: Values of parameters that the preview shows instead of the document's.
     """
     if not isfinite(value) or (step is not None and not (isfinite(step) and step > 0.0)):

@@ -37,7 +37,7 @@ def component(analysis: Analysis, thing: Thing, name: str) -> Expression | Missi
 
     Args:
         analysis: The document.
-        thing: What is moved.
+        thing: The thing that is moved.
         name: `x y z` in metres along the axes of what carries it, `rx ry rz` in radians about x,
             the new y, the new z.
     """

@@ -40,7 +40,7 @@ def written_mjcf(name: str, skeleton: Skeleton, choices: WritingChoices = ORDINA
     Args:
         name: The robot's name.
         skeleton: Its bodies.
-        choices: What is told of joints.
+        choices: Joint properties to write.
 
     Raises:
         FormatError: MuJoCo refuses it, though all bodies are possible.

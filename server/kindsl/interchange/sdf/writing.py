@@ -29,7 +29,7 @@ def written_sdf(name: str, skeleton: Skeleton, choices: WritingChoices = ORDINAR
     Args:
         name: The robot's name.
         skeleton: Its bodies.
-        choices: What is told of joints.
+        choices: Joint properties to write.
     """
     names = _names(skeleton)
     body_names = [names["link", n] for n in skeleton.body_names]

@@ -53,7 +53,7 @@ def robot_of_urdf(text: bytes | str, name: str, *, floating: bool = False) -> Re
 
     Args:
         text: As in the file.
-        name: What to call a robot without a name.
+        name: The name of a robot without one.
         floating: Whether the root link floats.
     """
     robot, remarkable = checked(text)

@@ -17,7 +17,7 @@ class ConfigurationEdit(NamedTuple):
     Attributes:
         document: The file, empty if it is to be made.
         is_new: Whether it is to be made.
-        edit: What to write where.
+        edit: The edit of the file.
     """
 
     document: Document

@@ -18,7 +18,7 @@ async def watch_disk(state: State, publisher: Publisher, on_change: Callable[[],
     """Look again and again at the files that decide for documents, until cancelled.
 
     Args:
-        state: What the session knows.
+        state: State of the session.
         publisher: Tells what is wrong with files that were broken when it last looked.
         on_change: Called when one of the files has appeared, changed or gone.
     """

@@ -20,7 +20,7 @@ class Progress:
 
     Args:
         state: Of the session.
-        title: What is being done.
+        title: The work in progress.
         token: The client's, if it gave one; else one is asked for, if the client can show it.
     """
 

@@ -29,12 +29,12 @@ class State:
 
     Attributes:
         editor: Who is told and asked.
-        surroundings: What it runs on.
-        client: What the editor can do.
-        documents: What the editor shows.
+        surroundings: The machine and the clock.
+        client: Capabilities of the editor.
+        documents: The open documents.
         worker: Does the long work.
         workspace: The folders and their settings.
-        analyses: What is known about each version of a document.
+        analyses: The analysis of each version of a document.
         tokens: The semantic tokens that the client knows.
         news: Set when files or settings may have changed.
         refused: Documents of which the user was told that they are too broken to format.

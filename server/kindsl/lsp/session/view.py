@@ -70,7 +70,7 @@ class View(Sight):
     """One version of a robot with its analysis.
 
     Attributes:
-        analysis: What it means.
+        analysis: The analysis of that version.
     """
 
     __slots__ = ("analysis",)

@@ -28,7 +28,7 @@ async def written(
     Args:
         state: The session.
         view: The document as it was seen.
-        label: What the edits do, in the imperative.
+        label: Title of the edits, in the imperative.
         edits: Of the document.
         bindings: Values of parameters for the configuration file.
 

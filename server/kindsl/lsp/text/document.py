@@ -29,8 +29,8 @@ class Document:
         version: The client's number; None for a file that no editor shows.
         encoding: How the client counts columns.
         lines: Where its lines begin.
-        facts: What was derived from this version, kept as long as it is.
-        touched: What the last notification wrote, from its first change to its last; None before.
+        facts: Results derived from this version, kept as long as it is.
+        touched: The span that the last notification wrote, first change to last; None before.
     """
 
     __slots__ = ("_basis", "_tree", "encoding", "facts", "lines", "touched", "uri", "version")

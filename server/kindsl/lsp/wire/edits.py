@@ -23,7 +23,7 @@ def workspace_edit(
 
     Args:
         client: Who makes them.
-        edits: What to change in each document.
+        edits: The changes to each document.
         new: The documents among them that are to be made first; see `makes_files`.
     """
     merged: dict[str, tuple[Document, list[types.TextEdit]]] = {}

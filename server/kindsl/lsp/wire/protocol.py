@@ -49,7 +49,7 @@ class KindslProtocol(LanguageServerProtocol):
     """Answers messages; keeps pygls' registry, types and capabilities.
 
     Attributes:
-        documents: What the editor shows.
+        documents: The open documents.
         is_initialized: Whether the client has said who it is.
     """
 

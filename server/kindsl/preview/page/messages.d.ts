@@ -142,7 +142,7 @@ export interface SolidMessage {
   readonly core: Core | null;
   /** `glass` would hide the robot, `doubtful` and `impossible` are judged. */
   readonly look: "sound" | "glass" | "doubtful" | "impossible";
-  /** What is wrong or may be, the gravest first. */
+  /** Defects, proved or possible, the gravest first. */
   readonly doubts: readonly DoubtRow[];
   /** Whether it is too large to be drawn unless asked for. */
   readonly is_oversized: boolean;
@@ -249,7 +249,7 @@ export interface ParameterMessage {
   readonly index: number;
   /** In the document. */
   readonly name: string;
-  /** What it measures. */
+  /** The quantity that it measures. */
   readonly kind: "length" | "angle" | "dynamics";
   /** That is drawn. */
   readonly value: number;
@@ -270,7 +270,7 @@ export interface FormulaMessage {
   readonly type: "formula";
   /** Of this formula. */
   readonly path: string;
-  /** What is placed. */
+  /** Name of the group that is placed. */
   readonly group: "joints" | "frames";
   /** Of the joint or frame. */
   readonly name: string;
@@ -310,13 +310,13 @@ export interface StatusMessage {
   readonly type: "status";
   /** See there; `gone` if the document cannot be read. */
   readonly state: "live" | "broken" | "guessed" | "gone";
-  /** What is the matter, for people; empty if nothing. */
+  /** A sentence on the state, for people; empty if all is well. */
   readonly message: string;
   /** How many findings there are, listed or not. */
   readonly total: number;
   /** How many there are of each severity that occurs. */
   readonly counts: { readonly [name: string]: number };
-  /** What to call the document. */
+  /** Name of the document. */
   readonly label: string;
   /** Of all bodies that count, as far as known, kilograms. */
   readonly mass: number;
@@ -405,7 +405,7 @@ export interface PlanMessage {
   readonly type: "plan";
   /** That the page asked for. */
   readonly gesture: string;
-  /** What it does, in the imperative; empty if it cannot be. */
+  /** Its title, in the imperative; empty if it cannot be. */
   readonly title: string;
   /** Why not; empty if nothing is in the way. */
   readonly reason: string;
@@ -418,7 +418,7 @@ export interface WrittenMessage {
   readonly type: "written";
   /** That the page asked for. */
   readonly gesture: string;
-  /** What it does, in the imperative. */
+  /** Its title, in the imperative. */
   readonly title: string;
   /** Why nothing was written; empty if it was. */
   readonly reason: string;

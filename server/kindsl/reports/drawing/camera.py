@@ -23,7 +23,7 @@ class Camera(NamedTuple):
 
     Attributes:
         scale: Pixels a metre.
-        middle: What is in the middle of the sheet, metres to the right and up.
+        middle: The point in the middle of the sheet, metres to the right and up.
     """
 
     scale: float

@@ -36,8 +36,8 @@ class Figure(NamedTuple):
     """A drawing.
 
     Attributes:
-        name: What a file of it would be called, without suffix.
-        drawing: What it shows.
+        name: Stem of a file's name for it.
+        drawing: The drawing.
         caption: Plain text.
     """
 
@@ -50,7 +50,7 @@ class Matrix(NamedTuple):
     """A matrix of formulas.
 
     Attributes:
-        label: What it is, plain text.
+        label: Its label, plain text.
         plain: Rows of entries that a program would understand: `sin(q)`.
         latex: The same in LaTeX's mathematics.
     """

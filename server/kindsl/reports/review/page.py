@@ -30,7 +30,7 @@ def review_page(before: Analysis | None, after: Analysis | None, names: tuple[st
     Args:
         before: The document before, None if it was not there.
         after: The document after, None if it is not there.
-        names: What to call them.
+        names: Names of both.
     """
     if before is not None and after is not None and before.text == after.text:
         return (Paragraph(f"{names[0]} and {names[1]}: nothing changed."),)

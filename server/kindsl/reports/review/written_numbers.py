@@ -38,7 +38,7 @@ class WrittenChange(NamedTuple):
         number: Which of its numbers: `"translation x"`, `"Ixy"`.
         old: As it was written, empty if it was not.
         new: As it is written, empty if it is not.
-        remark: What may have happened, empty if nothing is known.
+        remark: The likely cause, empty if none is known.
     """
 
     kind: str

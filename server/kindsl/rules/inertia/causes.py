@@ -56,9 +56,9 @@ class Cause(NamedTuple):
     """A mistake that explains an inertia.
 
     Attributes:
-        hypothesis: What was done, and the numbers without it.
+        hypothesis: The mistake, and the numbers without it.
         shape: The second moments about the CoM without it.
-        reasons: What of the rest of the robot speaks for it.
+        reasons: Evidence for it in the rest of the robot.
         log_likelihood: How likely the numbers are under it, apart from how common it is.
         log_alone: The same without what its twins say.
         probability: Of it among all that were tried.
@@ -134,8 +134,8 @@ def ranked(
     """Return the causes with their probabilities, the most likely first, without negligible ones.
 
     Args:
-        causes: What explains a link.
-        others: What the other links of the document say of each kind, as `said_by` returns it.
+        causes: Causes that explain a link.
+        others: Evidence of the other links for each kind, as `said_by` returns it.
         as_written: Logarithm of how likely the numbers are without any mistake.
     """
     if not causes:

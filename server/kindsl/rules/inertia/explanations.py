@@ -32,7 +32,7 @@ class _Tried(NamedTuple):
 
     Attributes:
         causes: In no order.
-        said: What they say of each kind of mistake, as `said_by` returns it.
+        said: Their evidence for each kind of mistake, as `said_by` returns it.
         as_written: Logarithm of how likely the numbers are without any mistake.
     """
 

@@ -75,7 +75,7 @@ class Judgement(NamedTuple):
         body: The numbers.
         half: How far each is likely to be from what is written.
         second_moments: Eigenvalues and axes of the second moments about the CoM, ascending.
-        verdict: What is to be said, as the numbers are likely to be meant.
+        verdict: The verdict, as the numbers are likely to be meant.
         is_proved: Whether no body's numbers are so, in whatever manner each was rounded.
     """
 

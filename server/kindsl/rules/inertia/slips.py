@@ -58,7 +58,7 @@ class Hypothesis(NamedTuple):
     """A mistake that may have been made, and the numbers without it.
 
     Attributes:
-        slips: What was done wrong, one or more things; none if nothing was.
+        slips: The mistakes, none if all is right.
         body: The numbers as they were meant; as written where that is not known.
         half: How far each of them may be from that.
         weight: How common the mistake is, against the others.
@@ -217,7 +217,7 @@ class SlipRow(NamedTuple):
     Attributes:
         code: The rule that tells it.
         weight: How common it is, against moments about the CoM.
-        data: What the weight rests on.
+        data: Evidence that the weight rests on.
         meant: The numbers that may have been meant.
     """
 

@@ -31,7 +31,7 @@ def likely_cause(found: str, causes: Sequence[Cause], at: str = "") -> str:
     """Return what the most likely explanation of a link's inertia says.
 
     Args:
-        found: What is said of the inertia before, `inertia of 'x'`.
+        found: The words before, `inertia of 'x'`.
         causes: The explanations, the most likely first.
         at: The parameters' values.
     """

@@ -66,7 +66,7 @@ def check_read(
 
     Args:
         found: The remarks.
-        holds: What stands in each construct.
+        holds: Contents of each construct.
         readers: The names whose remarks are read, by the word of the remark.
 
     Raises:

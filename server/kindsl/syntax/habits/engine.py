@@ -35,8 +35,8 @@ class Rewrite(NamedTuple):
         behind: The index behind the last.
         tokens: What to read; of the tokens that are in none of these is left out.
         at: Where the problem is; None where there is nothing to say.
-        words: What the habit's sentence and title quote.
-        edits: What would mend it, if anything would.
+        words: Words that the habit's sentence and title quote.
+        edits: The edits that mend it, if any.
         message: A sentence that fits better than the habit's.
     """
 
@@ -91,8 +91,8 @@ class Habit(NamedTuple):
     """A habit of writing, its meaning and its message.
 
     Attributes:
-        example: What is written, in a link or joint where it is one.
-        pattern: What it looks like.
+        example: An instance, in a link or joint where it is one.
+        pattern: Its tokens.
         meaning: Yields what is meant, in the order of the text.
         message: The sentence; `{0}` and so on are what it quotes.
         title: Of the repair.
@@ -113,9 +113,9 @@ class Adapted(NamedTuple):
     """Tokens put right.
 
     Attributes:
-        tokens: What is to be read.
-        skipped: What is left out.
-        problems: What there is to say; malformed numbers are told of later.
+        tokens: Tokens to read.
+        skipped: Tokens left out.
+        problems: Problems to report; malformed numbers are told of later.
     """
 
     tokens: list[Token]

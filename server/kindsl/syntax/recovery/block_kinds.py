@@ -44,8 +44,8 @@ class Opening(NamedTuple):
     Attributes:
         start: The construct it begins.
         replaces: The tokens that stand there and are not as they should be.
-        tokens: What is read in their place.
-        problem: What is to be said about it.
+        tokens: Tokens read in their place.
+        problem: The problem to report.
     """
 
     start: str

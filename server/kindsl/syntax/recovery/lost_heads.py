@@ -27,7 +27,7 @@ def lost_head(
 
     Args:
         start: The construct being read, empty behind its end.
-        read: What is read of it.
+        read: Its tokens.
         tokens: All tokens of the island.
         index: The token that comes next.
     """

@@ -34,10 +34,10 @@ def repair_problem(
 
     Args:
         text: The island's text.
-        read: What is read of the block up to the first change.
+        read: Tokens of the block up to the first change.
         tokens: All tokens of the island, which the changes count.
         changes: The repair.
-        words: What each change writes.
+        words: The words that each change writes.
         wanted: The keywords that could stand where the first change is made.
     """
     group = _first_group(changes)

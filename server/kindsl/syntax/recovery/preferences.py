@@ -20,7 +20,7 @@ def preferences(read: Sequence[Token], tokens: Sequence[Token], index: int) -> P
     """Return the extra costs of changes at a place.
 
     Args:
-        read: What is read of the block so far.
+        read: Tokens of the block so far.
         tokens: All tokens of the island.
         index: The first token that does not fit.
     """

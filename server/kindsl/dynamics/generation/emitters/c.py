@@ -30,7 +30,7 @@ class Dialect:
     Attributes:
         type: The type of all values.
         suffix: Of numbers and of the functions `sin` and `cos`.
-        noinline: What stands before a function that is to stay one.
+        noinline: The prefix of a function that is to stay one.
         constant: How a number is written that is a result by itself.
     """
 
@@ -46,7 +46,7 @@ class CArray(NamedTuple):
     Attributes:
         name: Its name.
         declaration: Of the parameter.
-        entries: What it holds; None where a function leaves what is there.
+        entries: Its values; None where a function leaves the old one.
     """
 
     name: str
@@ -59,8 +59,8 @@ class CBody(NamedTuple):
 
     Attributes:
         name: The function's name.
-        takes: What it is given.
-        gives: What it fills.
+        takes: Arguments.
+        gives: Results that it fills.
         known: Texts of nodes that are given otherwise, through `context`.
         context: Name and declaration of a parameter that `known` reads, if any.
     """
@@ -77,9 +77,9 @@ def c_definition(graph: Graph, body: CBody, dialect: Dialect, linkage: str = "")
 
     Args:
         graph: Where its values are recorded.
-        body: What it computes.
+        body: Its statements.
         dialect: How numbers are written.
-        linkage: What stands before it: `"static "` or nothing.
+        linkage: Its prefix: `"static "` or nothing.
     """
     writer = _Writer(graph, body, dialect)
     order = computed(graph, [e for a in body.gives for e in a.entries], writer.given)

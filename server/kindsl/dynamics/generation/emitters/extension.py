@@ -20,7 +20,7 @@ class KernelArgument(NamedTuple):
         name: Its keyword.
         length: Number of components; 0 for one that only Python may refuse.
         components: The inputs of the graph.
-        default: What None stands for, in C; None for a required argument.
+        default: The value for None, in C; None for a required argument.
     """
 
     name: str
@@ -41,8 +41,8 @@ class Kernel(NamedTuple):
 
     Attributes:
         name: Its name.
-        arguments: What it takes; the first is joint positions.
-        results: What it gives.
+        arguments: Its arguments; the first is joint positions.
+        results: Its results.
         accelerates: Whether a result that is not finite means that nothing resists a motion.
         is_wide: Whether batches are computed in lanes.
     """
@@ -61,8 +61,8 @@ def extension_source(graph: Graph, kernels: Sequence[Kernel], gravity: Sequence[
 
     Args:
         graph: Where the kernels are recorded.
-        kernels: What it computes.
-        gravity: What the default `GRAVITY` is.
+        kernels: Its functions.
+        gravity: The default `GRAVITY`.
     """
     numbers = ", ".join(map(repr, gravity))
     texts = [

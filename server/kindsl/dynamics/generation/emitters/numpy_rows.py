@@ -35,7 +35,7 @@ class BatchFunction:
         n_scratch: Number of scratch rows that it needs.
         n_outputs: Number of output rows.
         constant_rows: Which of them it leaves alone, shape (k,).
-        constants: What these hold, shape (k, 1).
+        constants: Values of these, shape (k, 1).
     """
 
     evaluate: Callable[..., None]
