@@ -7,13 +7,19 @@ from tests.dynamics.random_bodies import random_bodies
 
 from kindsl.codegen.c_library import c_files
 from kindsl.codegen.library import Library, Options, Stamp, library_of
-from kindsl.codegen.reference import Reference, sample
+from kindsl.codegen.reference import Reference, independent_contacts, sample
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.dynamics.generation.functions import QUANTITIES
+from kindsl.dynamics.generation.jacobians import feet
 from kindsl.dynamics.generation.robot import robot_of
 
-PLAIN = tuple(name for name, quantity in QUANTITIES.items() if not quantity.is_derivative)
+PLAIN = tuple(
+    name
+    for name, quantity in QUANTITIES.items()
+    if not (quantity.is_derivative or quantity.is_for_control)
+)
+CONTROL = tuple(name for name, quantity in QUANTITIES.items() if quantity.is_for_control)
 ALL = tuple(QUANTITIES)
 STAMP = Stamp("kindsl test", "robot.kindsl", "0" * 64, "none")
 
@@ -36,7 +42,10 @@ def library(bodies: Bodies, quantities: tuple[str, ...] = PLAIN, **options: obje
 
 def reference(bodies: Bodies) -> Reference:
     """Return the right answers for a mechanism."""
-    return Reference(Mechanics(bodies), sample(bodies))
+    mechanics, values = Mechanics(bodies), sample(bodies)
+    contacts = [foot.name for foot in feet(robot_of(bodies))]
+    values["active"] = independent_contacts(mechanics, values["q"], contacts)
+    return Reference(mechanics, values)
 
 
 def write_c(bodies: Bodies, folder: Path, quantities: tuple[str, ...] = PLAIN, **options) -> Path:

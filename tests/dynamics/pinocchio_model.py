@@ -59,8 +59,7 @@ class PinocchioModel:
         return np.reshape(J, (6, -1))[ANGULAR_FIRST][:, self._order]
 
     def joint_space_inertia(self, q: Array) -> Array:
-        upper = np.triu(pin.crba(self.model, self.data, self._q(q)))
-        M = upper + np.triu(upper, 1).T
+        M = self._symmetric(pin.crba(self.model, self.data, self._q(q)))
         return M[np.ix_(self._order, self._order)]
 
     def bias_torque(self, q: Array, qd: Array, base_velocity: Array) -> Array:
@@ -99,6 +98,64 @@ class PinocchioModel:
     def kinetic_energy(self, q: Array, qd: Array, base_velocity: Array) -> float:
         v = self._v(base_velocity, qd)
         return float(pin.computeKineticEnergy(self.model, self.data, self._q(q), v))
+
+    def centroidal_momentum_matrix(self, q: Array) -> Array:
+        A = pin.computeCentroidalMap(self.model, self.data, self._q(q))
+        return np.reshape(A, (6, -1))[ANGULAR_FIRST][:, self._order]
+
+    def centroidal_momentum_drift(self, q: Array, qd: Array, base_velocity: Array) -> Array:
+        v = self._v(base_velocity, qd)
+        rate = np.reshape(pin.dccrba(self.model, self.data, self._q(q), v), (6, -1)) @ v
+        return rate[ANGULAR_FIRST]
+
+    def frame_motion(
+        self, q: Array, qd: Array, qdd: Array, v0: Array, a0: Array, name: str
+    ) -> tuple[Array, Array]:
+        """Return velocity and acceleration of a frame's origin, in its own coordinates."""
+        v, a = self._v(v0, qd), self._v(a0, qdd)
+        pin.forwardKinematics(self.model, self.data, self._q(q), v, a)
+        pin.updateFramePlacements(self.model, self.data)
+        frame = self.model.getFrameId(name)
+        asked = (self.model, self.data, frame, pin.LOCAL)
+        motions = (pin.getFrameVelocity(*asked), pin.getFrameClassicalAcceleration(*asked))
+        velocity, acceleration = (motion.vector[ANGULAR_FIRST] for motion in motions)
+        return velocity, acceleration
+
+    def joint_space_inertia_inverse(self, q: Array) -> Array:
+        n = len(self._order)
+        found = pin.computeMinverse(self.model, self.data, self._q(q))
+        inverse = self._symmetric(np.reshape(found, (n, n)))
+        return inverse[np.ix_(self._order, self._order)]
+
+    def coriolis_matrix(self, q: Array, qd: Array, base_velocity: Array) -> Array:
+        v = self._v(base_velocity, qd)
+        C = pin.computeCoriolisMatrix(self.model, self.data, self._q(q), v)
+        return np.reshape(C, (len(v), -1))[np.ix_(self._order, self._order)]
+
+    def constrained_forward_dynamics(
+        self, q: Array, qd: Array, tau: Array, base_velocity: Array, names: list[str], rows: slice
+    ) -> tuple[Array, Array, Array]:
+        """Return accelerations, the base's first, what acts on frames, and their inertia."""
+        v, force = self._v(base_velocity, qd), self._v(np.zeros(6), tau)
+        jacobians, drifts = [], []
+        for name in names:
+            _, drift = self.frame_motion(q, qd, 0.0 * qd, base_velocity, np.zeros(6), name)
+            frame = self.model.getFrameId(name)
+            R = self.data.oMf[frame].rotation
+            turned = np.kron(np.eye(2), R)
+            J = pin.computeFrameJacobian(self.model, self.data, self._q(q), frame, pin.LOCAL)
+            jacobians.append((turned @ np.reshape(J, (6, -1))[ANGULAR_FIRST])[rows])
+            drifts.append((turned @ drift)[rows])
+        J, drift = np.concatenate(jacobians), np.concatenate(drifts)
+        a = pin.forwardDynamics(self.model, self.data, self._q(q), v, force, J, drift, 0.0)
+        forces = self.data.lambda_c.copy()
+        M_inverse = np.linalg.inv(self._symmetric(pin.crba(self.model, self.data, self._q(q))))
+        return a[self._order], forces, np.linalg.inv(J @ M_inverse @ J.T)
+
+    @staticmethod
+    def _symmetric(M: Array) -> Array:
+        upper = np.triu(M)
+        return upper + np.triu(upper, 1).T
 
     def _inertia(self, body: int) -> pin.Inertia:
         mass, com = self.bodies.masses[body], self.bodies.coms[body]

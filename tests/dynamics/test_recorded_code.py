@@ -17,9 +17,9 @@ from tests.support.recorded import assert_as_recorded
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.generation.emitters.scalar_python import scalar_function
 from kindsl.dynamics.generation.function import Function, Result, inputs_of
-from kindsl.dynamics.generation.functions import QUANTITIES
+from kindsl.dynamics.generation.functions import QUANTITIES, QuantityCode
 from kindsl.dynamics.generation.robot import robot_of
-from kindsl.dynamics.generation.terms import Scalar, Term
+from kindsl.dynamics.generation.terms import Graph, Scalar, Term
 from kindsl.dynamics.generation.trace import Conditions, Trace, trace
 from kindsl.dynamics.generation.tree import tree_of
 from kindsl.dynamics.quantities import Quantity
@@ -60,22 +60,26 @@ def of_traces(bodies: Bodies) -> Iterator[str]:
             yield f"    {given(recorded)}"
 
 
+def _on_demand(quantity: QuantityCode) -> bool:
+    return quantity.is_derivative or quantity.is_for_control
+
+
 def of_functions(bodies: Bodies) -> Iterator[str]:
     robot = robot_of(bodies)
     inputs = inputs_of(robot)
-    every = [Term(robot.graph, index) for index in robot.graph.inputs]
     for name, quantity in QUANTITIES.items():
-        yield f"## {name}: {quantity.summary} {quantity.needs_mass} {quantity.is_derivative}"
+        yield f"## {name}: {quantity.summary} {quantity.needs_mass} {_on_demand(quantity)}"
         for function in quantity.build(robot, inputs):
             arguments = ", ".join(f"{a.name} {len(a.components)}" for a in function.arguments)
             yield f"{function.name}({arguments}) {function.about}: {function.summary}"
             for results in filter(None, (function.results, function.loaded)):
-                yield from of_results(results, function, every)
+                yield from of_results(results, function, robot.graph)
 
 
-def of_results(results: tuple[Result, ...], function: Function, every: list[Term]) -> Iterator[str]:
+def of_results(results: tuple[Result, ...], function: Function, graph: Graph) -> Iterator[str]:
+    every = [Term(graph, index) for index in graph.inputs]
     entries: list[Scalar] = [entry for result in results for entry in result.entries]
-    recorded = Trace(every[0].graph, [every], entries)
+    recorded = Trace(graph, [every], entries)
     own = {x.index for argument in function.arguments for x in argument.components}
     others = {x.index for x in every}.intersection(recorded.needed()) - own
     yield f"    {', '.join(f'{r.name} {r.shape}' for r in results)}: {costs(recorded)}"

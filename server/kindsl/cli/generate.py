@@ -49,8 +49,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--language", choices=language_names(), help="what to write")
     add("-o", "--output", metavar="DIR", help="the folder to write to")
     add("--name", metavar="PREFIX", help="what all names begin with (default: the robot's name)")
-    add("--quantities", metavar="LIST", help="separated by commas (default: all but derivatives)")
+    add("--quantities", metavar="LIST", help="separated by commas (default: all but the next two)")
     add("--derivatives", action="store_true", help="derivatives and the regressor too")
+    add(
+        "--control", action="store_true",
+        help="momentum, motions of frames, M^-1, Coriolis matrix and contacts too",
+    )  # fmt: skip
     add(
         "--parameters", metavar="unbound|all|NAMES",
         help="parameters that remain inputs of the code besides the unbound ones",
@@ -277,7 +281,8 @@ def _quantities(args: argparse.Namespace) -> tuple[str, ...]:
         for name, quantity in QUANTITIES.items()
         if name in chosen
         or (quantity.is_derivative and args.derivatives)
-        or not (chosen or quantity.is_derivative)
+        or (quantity.is_for_control and args.control)
+        or not (chosen or quantity.is_derivative or quantity.is_for_control)
     )
 
 

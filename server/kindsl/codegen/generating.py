@@ -18,7 +18,7 @@ from kindsl.codegen.library import (
 )
 from kindsl.codegen.manifest import NAME, digest, manifest_text
 from kindsl.codegen.names_in_code import command_line, file_name
-from kindsl.codegen.reference import Reference, sample
+from kindsl.codegen.reference import Reference, independent_contacts, sample
 from kindsl.codegen.resistance import refuse_unresisted
 from kindsl.codegen.wanted import restricted, wanted_pairs
 from kindsl.features.transforms_actions import transforms_document
@@ -88,6 +88,9 @@ def generate(
         library = replace(
             library, parameter_kinds=_kinds(model), version=source.analysis.settings.version
         )
+        for function in library.functions.get("contact_dynamics", ()):
+            active = independent_contacts(mechanics, values_of_arguments["q"], function.about)
+            values_of_arguments["active"] = active
         reference = Reference(mechanics, values_of_arguments)
         files = language.files(library, reference, parameters)
     except OverflowError as error:

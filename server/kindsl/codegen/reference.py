@@ -1,7 +1,7 @@
 """Expected results of generated functions, from the mechanics that this program itself uses."""
 
 import random
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -27,6 +27,16 @@ def sample(bodies: Bodies, seed: int = 1) -> dict[str, Array]:
     return {**values, "g": np.array([0.3, -0.2, -9.7])}
 
 
+def independent_contacts(mechanics: Mechanics, q: Array, contacts: Sequence[str]) -> Array:
+    """Return one for each contact that holds what those before it do not hold, zero for others."""
+    active, held = np.zeros(len(contacts)), np.zeros((0, mechanics.bodies.n_velocities))
+    for number, name in enumerate(contacts):
+        rows = np.concatenate((held, mechanics.jacobian(q, name)[3:]))
+        if np.linalg.matrix_rank(rows, tol=1e-6) == len(rows):
+            active[number], held = 1.0, rows
+    return active
+
+
 class Reference:
     """Answers for one configuration of a mechanism.
 
@@ -39,6 +49,7 @@ class Reference:
         self.mechanics = mechanics
         self.values = values
         self._base = values["v0"] if mechanics.bodies.is_floating else None
+        self._joints = values["q"], values["qd"], values["qdd"]
         self._first = 6 if mechanics.bodies.is_floating else 0
 
     def results(self, function: Function) -> list[Array]:
@@ -59,10 +70,14 @@ class Reference:
         name = function.name
         if name == "foot_jacobians":
             return [self._foot_jacobian(foot) for foot in function.about]
+        if name == "contact_dynamics":
+            return self._contact_dynamics(function.about)
         if name.startswith("pose_"):
             return [self._pose(function.about[0], function.about[1])[:3]]
         if len(function.about) == 2:
             return [self._relative_jacobian(*function.about)]
+        if name.startswith(("velocity_", "acceleration_")):
+            return [self._frame_motion(name, function.about[0])]
         if function.about:
             is_own = name == f"jacobian_{function.about[0]}"
             return [self._jacobian(function.about[0], is_own)]
@@ -77,6 +92,28 @@ class Reference:
             return J
         R = self.mechanics.forward_kinematics(self.values["q"])[name][:3, :3]
         return np.concatenate((R @ J[:3], R @ J[3:]))
+
+    def _frame_motion(self, name: str, frame: str) -> Array:
+        m, base, (q, qd, qdd) = self.mechanics, self._base, self._joints
+        if name == f"velocity_{frame}":
+            return m.frame_velocity(q, qd, frame, base)
+        if name == f"acceleration_{frame}":
+            a0 = self.values["a0"] if base is not None else None
+            return m.frame_acceleration(q, qd, qdd, frame, base, a0)
+        return m.frame_acceleration_drift(q, qd, frame, base)
+
+    def _contact_dynamics(self, contacts: Sequence[str]) -> list[Array]:
+        """Return what contacts give of which some are not active: zeros of these."""
+        active = np.flatnonzero(self.values["active"]).tolist()
+        q, qd, _ = self._joints
+        given = (self.values["tau"], [contacts[k] for k in active], self._base, self.values["g"])
+        found = self.mechanics.constrained_forward_dynamics(q, qd, *given)
+        forces, size = np.zeros((len(contacts), 3)), 3 * len(contacts)
+        forces[active] = found.contact_forces
+        Lambda, rows = np.zeros((size, size)), np.flatnonzero(np.repeat(self.values["active"], 3))
+        Lambda[np.ix_(rows, rows)] = found.Lambda
+        base = [found.base_acceleration] if self._first else []
+        return [found.qdd, *base, forces, Lambda]
 
     def _foot_jacobian(self, name: str) -> Array:
         bodies = self.mechanics.bodies
@@ -164,6 +201,14 @@ class Reference:
             return [m.center_of_mass(q)]
         if name == "center_of_mass_jacobian":
             return [m.center_of_mass_jacobian(q)]
+        if name == "centroidal_momentum_matrix":
+            return [m.centroidal_momentum_matrix(q)]
+        if name == "centroidal_momentum_drift":
+            return [m.centroidal_momentum_drift(q, qd, base)]
+        if name == "joint_space_inertia_inverse":
+            return [m.joint_space_inertia_inverse(q)]
+        if name == "coriolis_matrix":
+            return [m.coriolis_matrix(q, qd, base)]
         a0 = self.values["a0"] if base is not None else None
         if name == "forward_dynamics_derivatives":
             return [*m.forward_dynamics_derivatives(q, qd, tau, base, g)]

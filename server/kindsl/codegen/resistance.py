@@ -11,7 +11,10 @@ from kindsl.dynamics.joint_space_inertia import joint_space_inertia
 from kindsl.spatial.arrays import Array
 
 # The quantities that solve for accelerations: of all, or of a floating base alone.
-_OF_ALL = ("forward_dynamics", "inertia_factorization", "forward_dynamics_derivatives")
+_OF_ALL = (
+    "forward_dynamics", "inertia_factorization", "forward_dynamics_derivatives",
+    "joint_space_inertia_inverse", "contact_dynamics",
+)  # fmt: skip
 _OF_THE_BASE = "inverse_dynamics"
 # With every variable in units of its own inertia, a worse condition is that of rounding errors.
 _SINGULAR = 1e15

@@ -8,17 +8,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 from tests.codegen.compiling import EIGEN
+from tests.codegen.robots import PLAIN
 
 import kindsl
 from kindsl.analysis.analysis import Analysis
 from kindsl.analysis.settings import Settings
 from kindsl.codegen.generating import Source, generate
 from kindsl.codegen.library import Library, Options
-from kindsl.dynamics.generation.functions import QUANTITIES
 from kindsl.semantics.parameters import Binding
 from kindsl.spatial.arrays import Array
 
-PLAIN = tuple(name for name, quantity in QUANTITIES.items() if not quantity.is_derivative)
 COMPILERS = [name for name in ("g++", "clang++") if shutil.which(name)]
 needs_cpp = pytest.mark.skipif(
     EIGEN is None or not COMPILERS, reason="there is no Eigen or no C++ compiler"

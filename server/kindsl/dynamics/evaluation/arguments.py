@@ -8,6 +8,7 @@ import numpy.typing as npt
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.quantities import STANDARD_GRAVITY
 from kindsl.spatial.arrays import Array
+from kindsl.spatial.transforms import homogeneous
 from kindsl.text.nearest import hint, nearest_name
 
 # Values of all joints in their order, or of some by their names.
@@ -82,6 +83,31 @@ def common_batch_shape(arrays: dict[str, Array]) -> tuple[int, ...]:
     except ValueError:
         listed = ", ".join(f"'{name}' {array.shape}" for name, array in arrays.items())
         raise ValueError(f"the batch dimensions cannot be broadcast: {listed}") from None
+
+
+def placed_frame(bodies: Bodies, name: str) -> tuple[int, Array]:
+    """Return the body that carries a link or frame, and its pose (4, 4) in that body.
+
+    Raises:
+        ValueError: If there is no such link or frame.
+    """
+    for frame in bodies.frames:
+        if frame.name == name:
+            return frame.body, homogeneous(frame.body_R_frame, frame.body_r_frame)
+    names = (bodies.base_name, *bodies.link_names)
+    if name not in names:
+        raise unknown_name("link or frame", name, (*(f.name for f in bodies.frames), *names))
+    return names.index(name), np.eye(4)
+
+
+def check_mass(bodies: Bodies) -> None:
+    """Check that there is a centre of mass.
+
+    Raises:
+        ValueError: If the total mass is zero.
+    """
+    if float(np.sum(bodies.masses)) == 0.0:
+        raise ValueError("the centre of mass is not defined: the total mass is zero")
 
 
 def unknown_name(kind: str, name: str, known: Iterable[str]) -> ValueError:

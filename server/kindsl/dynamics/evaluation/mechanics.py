@@ -12,16 +12,18 @@ from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.evaluation.arguments import (
     JointVector,
     base_conditions,
+    check_mass,
     common_batch_shape,
     joint_vector,
-    unknown_name,
+    placed_frame,
     vectors,
 )
 from kindsl.dynamics.evaluation.choice_of_form import Forms
-from kindsl.dynamics.evaluation.differentiable import AT_REST, Differentiable
+from kindsl.dynamics.evaluation.differentiable import AT_REST
 from kindsl.dynamics.evaluation.request import Request
 from kindsl.dynamics.evaluation.results import FreeMotion, FreeMotionTorque, Poses
 from kindsl.dynamics.evaluation.singular import not_finite, too_large
+from kindsl.dynamics.evaluation.whole_body import WholeBody
 from kindsl.dynamics.forward_kinematics import joint_poses
 from kindsl.dynamics.jacobian import jacobian
 from kindsl.dynamics.quantities import (
@@ -31,7 +33,6 @@ from kindsl.dynamics.quantities import (
     SingularInertiaError,
 )
 from kindsl.spatial.arrays import Array
-from kindsl.spatial.transforms import homogeneous
 
 GRAVITY = np.array(STANDARD_GRAVITY)
 # Quantities that divide by inertia.
@@ -42,7 +43,7 @@ NOT_READY = (
 )  # fmt: skip
 
 
-class Mechanics(Differentiable):
+class Mechanics(WholeBody):
     """Kinematics and dynamics of a tree of bodies.
 
     Leading dimensions of all arguments are batches and broadcast. What concerns joints is in the
@@ -102,14 +103,9 @@ class Mechanics(Differentiable):
         Raises:
             ValueError: If there is no such link or frame.
         """
-        body = self._body_of(name)
+        body, body_T_frame = placed_frame(self.bodies, name)
         poses = self._body_poses(q)
-        base_T_frame = poses[body]
-        for frame in self.bodies.frames:
-            if frame.name == name:
-                body_T_frame = homogeneous(frame.body_R_frame, frame.body_r_frame)
-                base_T_frame = poses[body] @ body_T_frame
-        return jacobian(self.bodies, poses, body, base_T_frame)
+        return jacobian(self.bodies, poses, body, poses[body] @ body_T_frame)
 
     def center_of_mass(self, q: JointVector) -> Array:
         """Return the centre of mass of all that moves, shape (..., 3), metres.
@@ -119,7 +115,7 @@ class Mechanics(Differentiable):
         Raises:
             ValueError: If the total mass is zero.
         """
-        self._check_mass()
+        check_mass(self.bodies)
         return masses.center_of_mass(self.bodies, self._body_poses(q))
 
     def center_of_mass_jacobian(self, q: JointVector) -> Array:
@@ -128,7 +124,7 @@ class Mechanics(Differentiable):
         Raises:
             ValueError: If the total mass is zero.
         """
-        self._check_mass()
+        check_mass(self.bodies)
         return masses.center_of_mass_jacobian(self.bodies, self._body_poses(q))
 
     def total_mass(self) -> float:
@@ -289,15 +285,3 @@ class Mechanics(Differentiable):
         n = entries.ndim - 1
         poses = entries.reshape((*entries.shape[:-1], entries.shape[-1] // 16, 4, 4))
         return poses.transpose((n, *range(n), n + 1, n + 2))
-
-    def _body_of(self, name: str) -> int:
-        bodies = {frame.name: frame.body for frame in self.bodies.frames}
-        names = (self.bodies.base_name, *self.bodies.link_names)
-        bodies.update((link, index) for index, link in enumerate(names))
-        if name not in bodies:
-            raise unknown_name("link or frame", name, bodies)
-        return bodies[name]
-
-    def _check_mass(self) -> None:
-        if self.total_mass() == 0.0:
-            raise ValueError("the centre of mass is not defined: the total mass is zero")

@@ -67,3 +67,21 @@ class FreeMotion(NamedTuple):
 
     qdd: Array
     base_acceleration: Array
+
+
+class ConstrainedMotion(NamedTuple):
+    """Forward dynamics while k frames are held at m components in all.
+
+    Attributes:
+        qdd: Joint accelerations, shape (..., n).
+        base_acceleration: Spatial acceleration of a floating base, zero for a fixed one, gravity's
+            effect included, shape (..., 6), base coordinates, angular part first.
+        contact_forces: What acts on the robot at each frame's origin, in base coordinates: forces,
+            shape (..., k, 3), or moments and forces, shape (..., k, 6).
+        Lambda: The inertia that the contacts meet, shape (..., m, m).
+    """
+
+    qdd: Array
+    base_acceleration: Array
+    contact_forces: Array
+    Lambda: Array

@@ -49,6 +49,24 @@ def joint_space_inertia(tree: Tree, q: Vector) -> Matrix:
     return M
 
 
+def base_reactions(tree: Tree, q: Vector) -> list[tuple[Vector, Vector]]:
+    """Return moment and force on the base of each unit acceleration, a floating base's six first.
+
+    Momentum is the same of a unit velocity.
+    """
+    joints, composite = joint_motions(tree, q), composites(tree, q)
+    whole = rigid_body_inertia(composite[0]) if tree.is_floating else []
+    found: list[tuple[Vector, Vector]] = [(column[:3], column[3:]) for column in whole]
+    for i in tree.links():
+        moment, force = joint_reaction(joints[i].kind, composite[i])
+        j = i
+        while j != 0:
+            moment, force = _in_parent(joints[j], moment, force)
+            j = tree.parents[j]
+        found.append((moment, force))
+    return found
+
+
 def _in_parent(joint: JointMotion, moment: Vector, force: Vector) -> tuple[Vector, Vector]:
     """Return a moment and a force about the parent's origin, in its coordinates."""
     force = joint.to_parent(force)

@@ -9,7 +9,12 @@ coordinates in the base while it is displaced.
 from dataclasses import replace
 
 from kindsl.dynamics.generation.composite_bodies import joint_space_inertia
-from kindsl.dynamics.generation.factorization import Factorization, factorize, solve_factorized
+from kindsl.dynamics.generation.factorization import (
+    Factorization,
+    factorize,
+    inverse,
+    solve_factorized,
+)
 from kindsl.dynamics.generation.force_derivatives import force_derivatives
 from kindsl.dynamics.generation.function import Function, Inputs, Result, flat
 from kindsl.dynamics.generation.inverse_dynamics import actuated_base_inverse_dynamics
@@ -70,7 +75,7 @@ def forward_dynamics_derivatives(robot: Robot, inputs: Inputs) -> list[Function]
     results = (
         Result("dqdd_dq", shape, flat(by_position)),
         Result("dqdd_dqd", shape, flat(by_velocity)),
-        Result("dqdd_dtau", shape, flat(_inverse(factors))),
+        Result("dqdd_dtau", shape, flat(inverse(factors))),
     )
     summary = "the derivatives of the accelerations under forces"
     return [Function("forward_dynamics_derivatives", summary, inputs.motion("tau"), results)]
@@ -121,17 +126,3 @@ def _solved(factors: Factorization, rates: Matrix) -> Matrix:
 def _set_column(matrix: Matrix, column: int, entries: Vector) -> None:
     for row, entry in zip(matrix, entries, strict=True):
         row[column] = entry
-
-
-def _inverse(factors: Factorization) -> Matrix:
-    """Return the inverse of a factorized matrix; what its symmetry tells is not solved for."""
-    L, inverse_pivots = factors
-    size = len(inverse_pivots)
-    inverse: Matrix = [[0.0] * size for _ in range(size)]
-    for column in range(size):
-        for row in range(column, size):
-            entry = inverse_pivots[column] if row == column else 0.0
-            for k in range(row):
-                entry = entry - L[row][k] * inverse[k][column]
-            inverse[row][column] = inverse[column][row] = entry
-    return inverse

@@ -52,15 +52,35 @@ def factorize(A: Matrix) -> Factorization:
 def solve_factorized(factorization: Factorization, b: Vector) -> Vector:
     """Solve `A x = b` for a factorized `A`."""
     L, inverse_pivots = factorization
-    x = list(b)
-    for k in reversed(range(len(x))):
-        for i in range(k):
-            x[i] = x[i] - L[k][i] * x[k]
+    x = half_solved(factorization, b)
     x = [value * inverse for value, inverse in zip(x, inverse_pivots, strict=True)]
     for k in range(len(x)):
         for i in range(k):
             x[k] = x[k] - L[k][i] * x[i]
     return x
+
+
+def half_solved(factorization: Factorization, b: Vector) -> Vector:
+    """Return `L^-T b` of a factorized matrix: `b A^-1 b` is its square, weighted with `D^-1`."""
+    x = list(b)
+    for k in reversed(range(len(x))):
+        for i in range(k):
+            x[i] = x[i] - factorization.L[k][i] * x[k]
+    return x
+
+
+def inverse(factorization: Factorization) -> Matrix:
+    """Return the inverse of a factorized matrix; what its symmetry tells is not solved for."""
+    L, inverse_pivots = factorization
+    size = len(inverse_pivots)
+    found: Matrix = [[0.0] * size for _ in range(size)]
+    for column in range(size):
+        for row in range(column, size):
+            entry = inverse_pivots[column] if row == column else 0.0
+            for k in range(row):
+                entry = entry - L[row][k] * found[k][column]
+            found[row][column] = found[column][row] = entry
+    return found
 
 
 def is_zero(value: Scalar) -> bool:

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import Final, NamedTuple
 
 from kindsl.dynamics.generation import masses
+from kindsl.dynamics.generation import whole_body_functions as whole_body
 from kindsl.dynamics.generation.composite_bodies import joint_space_inertia
 from kindsl.dynamics.generation.derivative_functions import (
     forward_dynamics_derivatives,
@@ -44,12 +45,14 @@ class QuantityCode(NamedTuple):
         summary: A line for people.
         needs_mass: Whether the total mass must not be zero.
         is_derivative: Whether it is a derivative, which is generated when asked for.
+        is_for_control: The same of what controllers of the whole body need.
     """
 
     build: Builder
     summary: str
     needs_mass: bool = False
     is_derivative: bool = False
+    is_for_control: bool = False
 
 
 def poses(robot: Robot, inputs: Inputs) -> list[Function]:
@@ -259,4 +262,22 @@ QUANTITIES: Final[dict[str, QuantityCode]] = {
         forward_dynamics_derivatives, "derivatives of forward dynamics", is_derivative=True
     ),
     "regressor": QuantityCode(regressor, "the inertial-parameter regressor", is_derivative=True),
+    "centroidal_momentum": QuantityCode(
+        whole_body.centroidal_momentum,
+        "momentum about the centre of mass",
+        needs_mass=True,
+        is_for_control=True,
+    ),
+    "frame_motions": QuantityCode(
+        whole_body.frame_motions, "velocities and accelerations of frames", is_for_control=True
+    ),
+    "joint_space_inertia_inverse": QuantityCode(
+        whole_body.inertia_inverse, "the joint-space inertia's inverse", is_for_control=True
+    ),
+    "coriolis_matrix": QuantityCode(
+        whole_body.coriolis_matrix, "the Coriolis matrix", is_for_control=True
+    ),
+    "contact_dynamics": QuantityCode(
+        whole_body.contact_dynamics, "forward dynamics with feet held", is_for_control=True
+    ),
 }

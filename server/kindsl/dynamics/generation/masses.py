@@ -1,13 +1,12 @@
 """Centre of mass, its Jacobian, and energies, for tracing; with the bodies as they are given."""
 
+from kindsl.dynamics.generation.frame_motion import body_velocities
 from kindsl.dynamics.generation.jacobians import BodyPoses
 from kindsl.dynamics.generation.mass_moments import MassMoments
 from kindsl.dynamics.generation.robot import Robot
 from kindsl.dynamics.generation.terms import Scalar
-from kindsl.dynamics.generation.tree import joint_motions
 from kindsl.dynamics.generation.vectors import (
     EYE,
-    ZERO,
     Matrix,
     Vector,
     add,
@@ -68,18 +67,10 @@ def potential_energy(robot: Robot, poses: BodyPoses, gravity: Vector) -> Scalar:
 
 def kinetic_energy(robot: Robot, q: Vector, qd: Vector, base_velocity: Vector) -> Scalar:
     """Return the kinetic energy of all bodies."""
-    tree, joints = robot.tree, joint_motions(robot.tree, q)
-    w, v = [base_velocity[:3]], [base_velocity[3:]]
-    energy = _energy(robot.bodies[0], w[0], v[0])
-    for i in tree.links():
-        parent, joint, rate = tree.parents[i], joints[i], qd[i - 1]
-        w_i = joint.to_link(w[parent])
-        v_i = joint.to_link(add(v[parent], cross(w[parent], joint.offset)))
-        along = [0.0, 0.0, rate]
-        is_revolute = joint.kind == "revolute"
-        w.append(add(w_i, along if is_revolute else ZERO))
-        v.append(add(v_i, ZERO if is_revolute else along))
-        energy = energy + _energy(robot.bodies[i], w[i], v[i])
+    velocities = body_velocities(robot.tree, q, qd, base_velocity)
+    energy: Scalar = 0.0
+    for body, w, v in zip(robot.bodies, *velocities, strict=True):
+        energy = energy + _energy(body, w, v)
     return energy
 
 
