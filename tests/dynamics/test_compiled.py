@@ -56,6 +56,14 @@ def _calls(n: int, is_floating: bool, shape: tuple[int, ...] = (), reach: float 
     yield "inverse_dynamics_derivatives", (q, qd, qdd, *moving, g)
     yield "forward_dynamics_derivatives", (q, qd, qdd, *base, g)
     yield "regressor", (q, qd, qdd, *moving, g)
+    yield "centroidal_momentum_matrix", (q,)
+    yield "centroidal_momentum_drift", (q, qd, *base)
+    yield "joint_space_inertia_inverse", (q,)
+    yield "coriolis_matrix", (q, qd, *base)
+    for frame in ("link1", "frame0"):
+        yield "frame_velocity", (q, qd, frame, *base)
+        yield "frame_acceleration", (q, qd, qdd, frame, *moving)
+        yield "frame_acceleration_drift", (q, qd, frame, *base)
 
 
 def _assert_close(found: object, expected: object, tolerance: float = 1e-12) -> None:
@@ -283,3 +291,23 @@ def test_what_nothing_resists(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -
     weightless = replace(bodies, masses=0 * bodies.masses, inertias=0 * bodies.inertias)
     with pytest.raises(SingularInertiaError, match="nothing resists motion of joint"):
         CompiledMechanics(weightless)
+
+
+@pytest.mark.parametrize("shape", [(), (3,), (600,)], ids=str)
+def test_feet_are_held_as_in_numpy(
+    pair: tuple[CompiledMechanics, Mechanics], shape: tuple[int, ...]
+) -> None:
+    """And contacts that hold a motion twice are told, by whatever code."""
+    compiled, mechanics = pair
+    generator = np.random.default_rng(2)
+    q, qd, tau = (generator.uniform(-1.0, 1.0, (*shape, compiled.n_joints)) for _ in range(3))
+    base = (generator.uniform(-1.0, 1.0, (*shape, 6)),) if compiled.bodies.is_floating else ()
+    for foot in compiled._feet:
+        arguments = (q, qd, tau, [foot], *base)
+        try:
+            expected = mechanics.constrained_forward_dynamics(*arguments)
+        except ValueError as error:
+            with pytest.raises(ValueError, match=str(error)):
+                compiled.constrained_forward_dynamics(*arguments)
+        else:
+            _assert_close(compiled.constrained_forward_dynamics(*arguments), expected, 1e-9)

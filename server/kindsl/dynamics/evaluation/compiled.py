@@ -4,23 +4,26 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from kindsl.dynamics.bodies import Bodies
+from kindsl.dynamics.constrained_forward_dynamics import WORST_CONDITION
 from kindsl.dynamics.evaluation.arguments import JointVector
 from kindsl.dynamics.evaluation.compiling import compiled_module
-from kindsl.dynamics.evaluation.differentiable import Differentiable
-from kindsl.dynamics.evaluation.kernels import DERIVATIVE_KERNELS, RESULT_CLASSES, kernels_of
+from kindsl.dynamics.evaluation.kernels import RESULT_CLASSES, kernels_of
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.dynamics.evaluation.request import Request
-from kindsl.dynamics.evaluation.results import Poses
+from kindsl.dynamics.evaluation.results import ConstrainedMotion, Poses
 from kindsl.dynamics.evaluation.singular import singular_inertia
+from kindsl.dynamics.evaluation.whole_body import WholeBody
 from kindsl.dynamics.generation.emitters.extension import MODULE, extension_source
+from kindsl.dynamics.generation.jacobians import feet
 from kindsl.dynamics.generation.robot import Robot, robot_of
 from kindsl.dynamics.quantities import STANDARD_GRAVITY, SingularInertiaError
 from kindsl.spatial.arrays import Array
@@ -31,6 +34,17 @@ DIRECT = (
     "joint_space_inertia", "inverse_dynamics", "forward_dynamics", "gravity_torque", "bias_torque",
     "kinetic_energy", "potential_energy", "center_of_mass", "center_of_mass_jacobian",
 )  # fmt: skip
+# The methods that are compiled on their first use, by group.
+LATER = {
+    "derivatives": (
+        "inverse_dynamics_derivatives", "forward_dynamics_derivatives", "regressor",
+    ),
+    "control": (
+        "centroidal_momentum_matrix", "centroidal_momentum_drift", "joint_space_inertia_inverse",
+        "coriolis_matrix",
+    ),
+}  # fmt: skip
+LATER_METHODS = tuple(name for names in LATER.values() for name in names)
 # A thread is worth its start from about so many configurations on.
 ROWS_PER_THREAD = 500
 
@@ -40,12 +54,11 @@ class CompiledMechanics(Mechanics):
 
     Methods take and return what those of `Mechanics` do; those of dynamics and masses also take
     `out`, an array (or a tuple of arrays for several results) that is filled and returned.
-    Derivatives are compiled on their first use.
+    Derivatives, and what controllers of the whole body need, are compiled on their first use.
     """
 
-    __slots__ = ("_derivatives", "_extension", "_jacobians", "_pose_entries", "_threads", *DIRECT,
-                 *DERIVATIVE_KERNELS)  # fmt: skip
-    _derivatives: _Extension | None
+    __slots__ = ("_extension", "_feet", "_jacobians", "_later", "_pose_entries", "_threads",
+                 *DIRECT, *LATER_METHODS)  # fmt: skip
 
     def __init__(self, bodies: Bodies, threads: int = 1) -> None:
         """Compile, or find what was compiled before.
@@ -62,7 +75,7 @@ class CompiledMechanics(Mechanics):
         robot = robot_of(bodies)
         self._threads = threads
         try:
-            self._extension = _Extension(robot, is_derivative=False)
+            self._extension = _Extension(robot, "plain")
         except SingularInertiaError:
             raise singular_inertia(bodies, np.zeros(bodies.n_links)) from None
         self._generated = _Forms(self)  # type: ignore[assignment]
@@ -73,9 +86,11 @@ class CompiledMechanics(Mechanics):
                 setattr(self, name, self._extension.bind(name, general, threads == 1))
             else:
                 setattr(self, name, partial(getattr(Mechanics, name), self))
-        self._derivatives = None
-        for name in DERIVATIVE_KERNELS:
-            setattr(self, name, partial(_derivative, self, name))
+        self._feet = [foot.name for foot in feet(robot)]
+        self._later: dict[str, _Extension] = {}
+        for group, names in LATER.items():
+            for name in names:
+                setattr(self, name, partial(_first_call, self, group, name))
         self._pose_entries = self._extension.bind("poses", _not_direct, True)
         self._jacobians = {
             name: self._extension.bind(f"jacobian_{number}", _not_direct, True)
@@ -97,12 +112,101 @@ class CompiledMechanics(Mechanics):
             return answer
         return super().jacobian(q, name)
 
+    def frame_velocity(
+        self,
+        q: JointVector,
+        qd: JointVector,
+        name: str,
+        base_velocity: npt.ArrayLike | None = None,
+    ) -> Array:
+        """Return the velocity (..., 6) of a link or frame; see `Mechanics`."""
+        answer = self._of_frame("velocity", name, q, qd, base_velocity)
+        return super().frame_velocity(q, qd, name, base_velocity) if answer is None else answer
+
+    def frame_acceleration(
+        self,
+        q: JointVector,
+        qd: JointVector,
+        qdd: JointVector,
+        name: str,
+        base_velocity: npt.ArrayLike | None = None,
+        base_acceleration: npt.ArrayLike | None = None,
+    ) -> Array:
+        """Return the acceleration (..., 6) of a link or frame; see `Mechanics`."""
+        given = (q, qd, qdd, base_velocity, base_acceleration)
+        answer = self._of_frame("acceleration", name, *given)
+        if answer is not None:
+            return answer
+        return super().frame_acceleration(q, qd, qdd, name, base_velocity, base_acceleration)
+
+    def frame_acceleration_drift(
+        self,
+        q: JointVector,
+        qd: JointVector,
+        name: str,
+        base_velocity: npt.ArrayLike | None = None,
+    ) -> Array:
+        """Return the acceleration (..., 6) at zero acceleration; see `Mechanics`."""
+        answer = self._of_frame("acceleration_drift", name, q, qd, base_velocity)
+        if answer is not None:
+            return answer
+        return super().frame_acceleration_drift(q, qd, name, base_velocity)
+
+    def constrained_forward_dynamics(
+        self,
+        q: JointVector,
+        qd: JointVector,
+        tau: JointVector,
+        contacts: Sequence[str],
+        base_velocity: npt.ArrayLike | None = None,
+        gravity: npt.ArrayLike = STANDARD_GRAVITY,
+        *,
+        is_rigid: bool = False,
+    ) -> ConstrainedMotion:
+        """Return the accelerations while frames are held; compiled for feet, see `Mechanics`."""
+        if not is_rigid and contacts and {*contacts} <= {*self._feet}:
+            run = self._compiled_later("control").bind("contact_dynamics", _not_direct, True)
+            active = np.array([float(foot in contacts) for foot in self._feet])
+            given = gravity if gravity is not STANDARD_GRAVITY else None
+            found = run(q, qd, tau, active, base_velocity, given)
+            if found is not None and (motion := self._held(found, contacts)) is not None:
+                return motion
+        return super().constrained_forward_dynamics(
+            q, qd, tau, contacts, base_velocity, gravity, is_rigid=is_rigid
+        )
+
+    def _held(self, found: tuple[Array, ...], contacts: Sequence[str]) -> ConstrainedMotion | None:
+        """Return what concerns contacts of the answer for all feet, None if it is not sound."""
+        qdd, *base, forces, Lambda = found
+        places = [self._feet.index(name) for name in contacts]
+        rows = [3 * place + axis for place in places for axis in range(3)]
+        chosen = Lambda[..., rows, :][..., rows]
+        if not (np.linalg.cond(chosen) < WORST_CONDITION).all():
+            return None
+        a0 = base[0] if base else np.zeros((*qdd.shape[:-1], 6))
+        return ConstrainedMotion(qdd, a0, forces[..., places, :], chosen)
+
+    def _of_frame(self, kind: str, name: str, *arguments: object) -> Array | None:
+        """Return what compiled code tells of a frame, None if Python should look."""
+        number = self._pose_indices.get(name)
+        if number is None:
+            return None
+        extension = self._compiled_later("frame_motions")
+        answer: Array | None = extension.bind(f"{kind}_{number}", _not_direct, True)(*arguments)
+        return answer
+
+    def _compiled_later(self, group: str) -> _Extension:
+        if group not in self._later:
+            # A robot of its own: what is compiled depends on nothing that was recorded before.
+            self._later[group] = _Extension(robot_of(self.bodies), group)
+        return self._later[group]
+
 
 class _Extension:
     """A compiled module and the names in it."""
 
-    def __init__(self, robot: Robot, *, is_derivative: bool) -> None:
-        kernels = kernels_of(robot, is_derivative=is_derivative)
+    def __init__(self, robot: Robot, group: str) -> None:
+        kernels = kernels_of(robot, group)
         self.names = frozenset(kernel.name for kernel in kernels)
         self.shapes = {
             kernel.name: [result.shape for result in kernel.results] for kernel in kernels
@@ -193,18 +297,19 @@ def _general(method: Method, owner: Mechanics, *arguments: Any, **named: Any) ->
     return out
 
 
-def _derivative(owner: CompiledMechanics, name: str, *arguments: Any, **named: Any) -> Any:
+def _first_call(
+    owner: CompiledMechanics, group: str, name: str, *arguments: Any, **named: Any
+) -> Any:
     """Answer by compiled code, which takes this function's place, and is made if it is not there.
 
     Who asked for the method before that keeps this function.
     """
-    if owner._derivatives is None:
-        # A robot of its own: what is compiled depends on nothing that was recorded before.
-        extension = _Extension(robot_of(owner.bodies), is_derivative=True)
-        for each in DERIVATIVE_KERNELS:
-            general = partial(_general, getattr(Differentiable, each), owner)
-            setattr(owner, each, extension.bind(each, general, True))
-        owner._derivatives = extension
+    extension = owner._compiled_later(group)
+    for each in LATER[group]:
+        method: Method = partial(_general, getattr(WholeBody, each), owner)
+        if each in extension.names:
+            method = extension.bind(each, method, True)
+        setattr(owner, each, method)
     return getattr(owner, name)(*arguments, **named)
 
 

@@ -13,11 +13,18 @@ from kindsl.dynamics.generation.terms import Scalar
 from kindsl.dynamics.inverse_dynamics_derivatives import InverseDynamicsDerivatives
 from kindsl.dynamics.quantities import SingularInertiaError
 
-DERIVATIVE_KERNELS = ("inverse_dynamics_derivatives", "forward_dynamics_derivatives", "regressor")
-PLAIN_KERNELS = (
-    "poses", "jacobians", "joint_space_inertia", "inverse_dynamics", "forward_dynamics",
-    "gravity_torque", "bias_torque", "energies", "center_of_mass",
-)  # fmt: skip
+# The quantities that are compiled together.
+GROUPS = {
+    "plain": (
+        "poses", "jacobians", "joint_space_inertia", "inverse_dynamics", "forward_dynamics",
+        "gravity_torque", "bias_torque", "energies", "center_of_mass",
+    ),
+    "derivatives": ("inverse_dynamics_derivatives", "forward_dynamics_derivatives", "regressor"),
+    "control": (
+        "centroidal_momentum", "joint_space_inertia_inverse", "coriolis_matrix", "contact_dynamics",
+    ),
+    "frame_motions": ("frame_motions",),
+}  # fmt: skip
 RESULT_CLASSES = {
     "inverse_dynamics": FreeMotionTorque,
     "forward_dynamics": FreeMotion,
@@ -31,12 +38,19 @@ MOVING_BASE = {
     "inverse_dynamics": ("v0",), "forward_dynamics": ("v0",), "bias_torque": ("v0",),
     "kinetic_energy": ("v0",), "inverse_dynamics_derivatives": ("v0", "a0"),
     "forward_dynamics_derivatives": ("v0",), "regressor": ("v0", "a0"),
+    "centroidal_momentum_drift": ("v0",), "coriolis_matrix": ("v0",), "contact_dynamics": ("v0",),
+    "velocity": ("v0",), "acceleration": ("v0", "a0"), "acceleration_drift": ("v0",),
 }  # fmt: skip
-ACCELERATING = ("inverse_dynamics", "forward_dynamics", "forward_dynamics_derivatives")
+ACCELERATING = (
+    "inverse_dynamics", "forward_dynamics", "forward_dynamics_derivatives",
+    "joint_space_inertia_inverse", "contact_dynamics",
+)  # fmt: skip
+# Functions of one frame each: what follows their names is a number.
+NUMBERED = ("jacobian", "velocity", "acceleration", "acceleration_drift")
 
 
-def kernels_of(robot: Robot, *, is_derivative: bool) -> list[Kernel]:
-    """Return the kernels of a mechanism.
+def kernels_of(robot: Robot, group: str) -> list[Kernel]:
+    """Return the kernels of a mechanism, of one group of quantities.
 
     Raises:
         SingularInertiaError: If nothing resists a motion in any configuration.
@@ -44,7 +58,7 @@ def kernels_of(robot: Robot, *, is_derivative: bool) -> list[Kernel]:
     inputs = inputs_of(robot)
     is_massless = total_mass(robot) == 0.0
     kernels = []
-    for name in DERIVATIVE_KERNELS if is_derivative else PLAIN_KERNELS:
+    for name in GROUPS[group]:
         quantity = QUANTITIES[name]
         if quantity.needs_mass and is_massless:
             continue
@@ -57,7 +71,14 @@ def kernels_of(robot: Robot, *, is_derivative: bool) -> list[Kernel]:
                 function._replace(name=f"jacobian_{number}")
                 for number, function in enumerate(functions[::2])
             ]
-        kernels += [_kernel(function, robot, is_wide=not is_derivative) for function in functions]
+        elif name == "frame_motions":
+            kinds = NUMBERED[1:]
+            functions = [
+                function._replace(name=f"{kinds[place % len(kinds)]}_{place // len(kinds)}")
+                for place, function in enumerate(functions)
+            ]
+        is_wide = group in ("plain", "control")
+        kernels += [_kernel(function, robot, is_wide=is_wide) for function in functions]
     return kernels
 
 
@@ -77,7 +98,8 @@ def _kernel(function: Function, robot: Robot, *, is_wide: bool) -> Kernel:
 def _arguments(function: Function) -> Sequence[KernelArgument]:
     given = {argument.name: argument.components for argument in function.arguments}
     joints = [n for n in given if n not in KEYWORDS]
-    base = MOVING_BASE.get(function.name, ())
+    kind, _, number = function.name.rpartition("_")
+    base = MOVING_BASE.get(kind if number.isdigit() and kind in NUMBERED else function.name, ())
     gravity = ["g"] if "g" in given else []
     return [
         KernelArgument(
