@@ -1,4 +1,4 @@
-"""What controllers ask for: pinocchio's numbers on random trees, in NumPy and in generated code.
+"""Quantities for controllers: pinocchio's numbers on random trees, in NumPy and in generated code.
 
 Tolerance as in `test_against_pinocchio`: the condition of the inertia costs some digits.
 """

@@ -1,4 +1,4 @@
-"""What controllers of the whole body ask for besides, as methods."""
+"""Quantities that controllers of the whole body ask for besides, as methods."""
 
 # Signatures in `help` are as short as they are written here.
 from __future__ import annotations
@@ -31,7 +31,7 @@ class WholeBody(Differentiable):
     """Momentum, motions of frames, contacts: what `Mechanics` has for controllers.
 
     Accelerations of a floating base are spatial ones in base coordinates, as in all of `Mechanics`;
-    those of frames are what a sensor there feels, less gravity: of its origin, as a point.
+    those of frames have the acceleration of the origin as a point, in the frame's coordinates.
     """
 
     __slots__ = ()

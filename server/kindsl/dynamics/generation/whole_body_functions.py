@@ -1,4 +1,4 @@
-"""What controllers of the whole body ask for: momentum, motions of frames, contacts.
+"""Quantities for controllers of the whole body: momentum, motions of frames, contacts.
 
 Base coordinates, angular part first; a floating base adds its six rows and columns in front.
 """
