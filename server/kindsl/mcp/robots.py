@@ -3,6 +3,7 @@
 import re
 from pathlib import Path
 
+from kindsl.comparison.compared_robot import ComparedRobot
 from kindsl.comparison.document_side import described_document
 from kindsl.comparison.written import Described
 from kindsl.interchange.comparable import described_robot
@@ -14,7 +15,6 @@ from kindsl.mcp.documents import DocumentArguments, document
 from kindsl.mcp.errors import ToolError
 from kindsl.mcp.folder import Folder
 from kindsl.mcp.mechanics import skeleton_of
-from kindsl.reports.mechanics import ComparedRobot
 from kindsl.text.lines import LineIndex
 
 _DOCUMENT = ".kindsl"

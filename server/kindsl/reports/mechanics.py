@@ -1,48 +1,14 @@
 """The comparison of two robots of any files, in text, Markdown and JSON."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import NamedTuple
 
+from kindsl.comparison.compared_robot import ComparedRobot
 from kindsl.comparison.mechanical import MechanicalComparison
 from kindsl.comparison.number_differences import NumberDifference
 from kindsl.comparison.sentences import told, verdict
-from kindsl.comparison.written import Described, TextPlace, WrittenNumber
-from kindsl.semantics.places import Located
-
-LineOf = Callable[[Located], int]
 
 _DUST = 1e-9
-
-
-class ComparedRobot(NamedTuple):
-    """One side of a comparison.
-
-    Attributes:
-        name: Its file, as shown.
-        robot: The robot that it describes.
-        line_of: Returns the line of a place in it, where it is a document.
-    """
-
-    name: str
-    robot: Described
-    line_of: LineOf | None = None
-
-    def line(self, number: WrittenNumber | None) -> int | None:
-        """Return the line of a number, None where it stands nowhere."""
-        if number is None:
-            return None
-        if isinstance(number.at, TextPlace):
-            return number.at.line
-        return self.line_of(number.at) if self.line_of else None
-
-    def place(self, number: WrittenNumber | None) -> str:
-        """Return where a number stands, in words."""
-        line = self.line(number)
-        if number is None or line is None:
-            return f"in {self.name}"
-        file = number.at.file if isinstance(number.at, TextPlace) else ""
-        name = f"{self.name.rstrip('/')}/{file}" if file else self.name
-        return f"in {name} (line {line})"
 
 
 class TorqueFacts(NamedTuple):

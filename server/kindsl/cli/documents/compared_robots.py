@@ -17,10 +17,10 @@ from kindsl.cli.documents.document_reading import (
 from kindsl.cli.documents.sources import STDIN, reason
 from kindsl.cli.documents.versions import require_own
 from kindsl.cli.outcome import Failure
+from kindsl.comparison.compared_robot import ComparedRobot
 from kindsl.config.robots import is_robot
 from kindsl.interchange.format import FormatError
 from kindsl.interchange.registry import format_of_suffix
-from kindsl.reports.mechanics import ComparedRobot
 from kindsl.text.lines import LineIndex
 
 if TYPE_CHECKING:
