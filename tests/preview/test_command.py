@@ -205,7 +205,7 @@ async def test_a_document_without_bodies_cannot_stand_behind(tmp_path, file):
     empty.write_text("")
     code, _, err = await run(tmp_path, file, "--compare", empty, "--export", tmp_path / "x.html")
     assert code == 2
-    assert err.startswith(f"kindsl preview: {empty}: the document has no")
+    assert err.startswith(f"{empty}: error: the document has no")
 
 
 async def test_a_lost_file_is_told_in_the_page_and_found_again(tmp_path, file):

@@ -11,6 +11,7 @@ from tests.preview.robots import ARM, BROKEN_ARM, PARAMETRIC_ARM
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.analysis.settings import Settings
+from kindsl.preview.comparing import document_robot
 from kindsl.preview.document_preview import DocumentPreview
 from kindsl.preview.findings import MOST_LISTED
 from kindsl.preview.requests import Reveal
@@ -136,7 +137,8 @@ def test_the_saved_version_stands_behind_an_edited_one_only():
 
 def test_another_document_stands_behind():
     preview = preview_of(ARM)
-    preview.compare(analyse(ARM.replace("0.4,", "0.6,")))
+    other = analyse(ARM.replace("0.4,", "0.6,"))
+    preview.compare(document_robot("other.kindsl", lambda: other))
     assert ghosts(preview)
 
 

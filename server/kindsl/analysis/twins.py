@@ -53,7 +53,18 @@ def read_twin(twin: TwinFile, floating: bool | None = None) -> Described | str:
     """
     if Path(twin.path).suffix.lower() == _XACRO:
         return "is xacro, which is not expanded here: name the URDF that it makes"
-    return _read(_version(twin.path), twin.label, floating)
+    return read_file(twin.path, twin.label, floating)
+
+
+def read_file(path: str, label: str, floating: bool | None = None) -> Described | str:
+    """Return the robot of any file, xacro too, or why it cannot be read.
+
+    Args:
+        path: The file, or a folder of generated code; read anew only after a change.
+        label: What to call it.
+        floating: Whether its base floats, where the file leaves that open.
+    """
+    return _read(_version(path), label, floating)
 
 
 def watched_files(twins: Iterable[TwinFile]) -> Iterator[str]:

@@ -16,6 +16,7 @@ from kindsl.text.writing import encoded, write_file
 
 if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis
+    from kindsl.preview.comparing import OtherRobot
     from kindsl.preview.document_preview import DocumentPreview
     from kindsl.preview.outcomes import Writing
 
@@ -30,7 +31,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("file", metavar="FILE", help="the document to show")
     add("--port", metavar="N", type=_port, default=0, help="listen here (default: a free port)")
     add("--no-open", action="store_true", help="do not open a browser")
-    add("--compare", metavar="OLD.kindsl", help="show another document behind it, translucent")
+    add("--compare", metavar="OTHER", help="compare with a document, URDF, MJCF, SDF or folder")
     add("--pose", metavar="NAME", help="begin with a pose of kindsl.toml: [poses.NAME]")
     add("--trajectory", metavar="FILE", help="play a motion: CSV or JSON with time and joints")
     add("--export", metavar="FILE.html", help="write a self-contained page and exit")
@@ -63,24 +64,21 @@ class UnreadableError(Exception):
 
 
 def _run(args: argparse.Namespace) -> int:
-    old = _read(args, args.compare) if args.compare else None
     from kindsl.analysis.poses import PoseError
-    from kindsl.mechanism.errors import ModelError
     from kindsl.preview.viewer import PreviewUnavailableError
 
     try:
+        other = _other(args) if args.compare else None
         if args.export or args.screenshot:
-            _write(args, old)
+            _write(args, other)
         elif args.file == STDIN:
             return _fail("a document on stdin cannot be followed; name a file, or use --export")
         else:
-            _serve(args, old)
+            _serve(args, other)
     except PreviewUnavailableError as error:
         return _fail(str(error))
     except PoseError as error:
         return _fail(f"{args.file}: {error}")
-    except ModelError as error:
-        return _fail(f"{args.compare}: {error}")
     return 0
 
 
@@ -93,12 +91,34 @@ def _read(args: argparse.Namespace, file: str) -> "Analysis":
     return analyse(text, choices_of(args).settings_for(file))
 
 
-def _write(args: argparse.Namespace, old: "Analysis | None") -> None:
+def _other(args: argparse.Namespace) -> "OtherRobot":
+    """Return what the document is compared with."""
+    from kindsl.cli.documents.compared_robots import is_foreign
+    from kindsl.preview.comparing import document_robot, file_robot
+
+    def reread() -> "Analysis | str":
+        try:
+            return _read(args, args.compare)
+        except (UnreadableError, ConfigurationError) as error:
+            return str(error)
+
+    name = args.compare
+    is_other = is_foreign(name)
+    if not is_other:
+        _read(args, name)
+    other = file_robot(name, name) if is_other else document_robot(name, reread)
+    problem = other.read(True)
+    if isinstance(problem, str):
+        raise UnreadableError(str(Failure(name, problem)))
+    return other
+
+
+def _write(args: argparse.Namespace, other: "OtherRobot | None") -> None:
     from kindsl.preview.export import exported_page
     from kindsl.scene.formulas import formula_messages
 
     analysis = _read(args, args.file)
-    document = _document(args.file, analysis, old)
+    document = _document(args.file, analysis, other)
     if args.pose is not None:
         document.take_pose(args.pose)
     motion = _motion(args)
@@ -125,19 +145,20 @@ def _motion(args: argparse.Namespace) -> tuple[str, str] | None:
     return os.path.basename(args.trajectory), text
 
 
-def _document(file: str, analysis: "Analysis", old: "Analysis | None") -> "DocumentPreview":
+def _document(file: str, analysis: "Analysis", other: "OtherRobot | None") -> "DocumentPreview":
     from kindsl.preview.document_preview import DocumentPreview
 
     preview = DocumentPreview(file)
     preview.show(analysis, analysis.findings)
-    if old is not None:
-        preview.compare(old)
+    if other is not None:
+        preview.compare(other)
     return preview
 
 
-def _serve(args: argparse.Namespace, old: "Analysis | None") -> None:
+def _serve(args: argparse.Namespace, other: "OtherRobot | None") -> None:
     import asyncio
 
+    from kindsl.analysis.twins import watched_files
     from kindsl.config.parameter_lines import parameter_table
     from kindsl.preview.command import Command, serve
     from kindsl.preview.watch import fingerprint
@@ -149,13 +170,18 @@ def _serve(args: argparse.Namespace, old: "Analysis | None") -> None:
             return str(error)
 
     configuration = choices_of(args).configuration_for(args.file)
-    paths = (args.file, *([configuration.path] if configuration else []))
-    known = fingerprint(paths)
     first = _read(args, args.file)
+    others = [args.compare] if args.compare else []
+    others += [
+        *([configuration.path] if configuration else []),
+        *watched_files(first.settings.twins),
+    ]
+    paths = (args.file, *others)
+    known = fingerprint(paths)
     write = partial(_write_dragged, args) if args.edit else None
     opens = not args.no_open
     command = Command(
-        *(args.file, reread, first, old, args.port, opens, paths, known),
+        *(args.file, reread, first, other, args.port, opens, paths, known),
         *(parameter_table, write, args.pose, _motion(args)),
     )
     asyncio.run(serve(command))

@@ -13,7 +13,10 @@ SCRIPTS = (VIEWER, PLOT, "page.js")
 CONNECTION = "connection.js"
 _ENTRY = "start.js"
 PLOT_STYLE = "plot.css"
-STYLES = (PLOT_STYLE, "theme.css", "page.css", "panel/panel.css", "editing/editing.css")
+STYLES = (
+    *(PLOT_STYLE, "theme.css", "page.css"),
+    *("panel/panel.css", "panel/compare.css", "editing/editing.css"),
+)
 PAGE = "page.html"
 
 

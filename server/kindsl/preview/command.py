@@ -12,6 +12,7 @@ from functools import partial
 from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
+from kindsl.preview.comparing import OtherRobot
 from kindsl.preview.outcomes import Writing
 from kindsl.preview.requests import Reveal
 from kindsl.preview.server import PreviewServer
@@ -27,10 +28,10 @@ class Command(NamedTuple):
         file: The document.
         read: Reads it; returns why not if it cannot be read.
         first: The document as it is at the start.
-        old: The document to stand behind it, if any.
+        other: Another description to compare it with, if any.
         port: To listen on; 0 for a free one.
         opens_browser: Whether to open the page.
-        paths: The document and the configuration file that holds for it, if any.
+        paths: The document and what else it is shown with: a configuration file, twins.
         fingerprint: Of these files, taken before they were read.
         table: Returns values of parameters as lines of the configuration file.
         write: Writes what was dragged; returns why not, or an empty text. None if nothing may be.
@@ -41,7 +42,7 @@ class Command(NamedTuple):
     file: str
     read: Callable[[], Analysis | str]
     first: Analysis
-    old: Analysis | None
+    other: OtherRobot | None
     port: int
     opens_browser: bool
     paths: tuple[str, ...]
@@ -57,7 +58,6 @@ async def serve(command: Command) -> None:
 
     Raises:
         PreviewUnavailableError: Something is not installed, or the port is taken.
-        ModelError: The document to compare with has no bodies.
         PoseError: The robot has no such pose.
     """
     follower = _Follower(command)
@@ -65,8 +65,8 @@ async def serve(command: Command) -> None:
     server.on_write = lambda _, values: _told(command.table(values))
     address = await server.start()
     await follower.show(command.first)
-    if command.old is not None:
-        server.compare(command.file, command.old)
+    if command.other is not None:
+        server.compare(command.file, command.other)
     if command.pose is not None:
         server.take_pose(command.file, command.pose)
     if command.motion is not None:
@@ -110,8 +110,7 @@ class _Follower:
         file, server = self._command.file, self.server
         self._shown = analysis
         await server.show(file, analysis)
-        if self._command.old is None:
-            server.saved(file)
+        server.saved(file)
         findings = await asyncio.to_thread(lambda: analysis.findings)
         # What was dragged meanwhile is shown already.
         if self._shown is analysis:
@@ -123,6 +122,8 @@ class _Follower:
             self._lose(analysis)
         elif shown is None or (analysis.text, analysis.settings) != (shown.text, shown.settings):
             await self.show(analysis)
+        else:
+            self.server.compare_again(self._command.file)
 
     def _lose(self, message: str) -> None:
         self._shown = None

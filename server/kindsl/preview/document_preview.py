@@ -8,11 +8,25 @@ from typing import NamedTuple
 from kindsl.analysis.analysis import Analysis
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.analysis.poses import pose_named
-from kindsl.mechanism.drawable import drawable_skeleton
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.preview.channel import Channel, Tab
+from kindsl.preview.comparing import (
+    LAST_SAVED,
+    OtherRobot,
+    ShownComparison,
+    compared,
+    document_robot,
+    other_messages,
+    twin_robots,
+)
 from kindsl.preview.findings import finding_messages, lost_message, status_message
-from kindsl.scene.messages import HighlightMessage, PoseMessage, TrajectoryMessage, ValueMessage
+from kindsl.scene.messages import (
+    GhostMessage,
+    HighlightMessage,
+    PoseMessage,
+    TrajectoryMessage,
+    ValueMessage,
+)
 from kindsl.scene.parameters import parameter_messages
 from kindsl.scene.picture import Picture, PictureState, picture
 from kindsl.scene.robot import ghost_messages, robot_messages
@@ -47,6 +61,7 @@ class DocumentPreview:
         turn: Held while a version is drawn.
         revision: How many versions have been shown.
         on_put: Called when a version is shown.
+        recompare: Called when what is compared has changed; has `comparison` made, and told.
     """
 
     def __init__(self, label: str) -> None:
@@ -57,6 +72,7 @@ class DocumentPreview:
         self.turn = asyncio.Lock()
         self.revision = 0
         self.on_put: list[Callable[[], None]] = []
+        self.recompare: Callable[[], None] = lambda: self.tell_comparison(self.comparison())
         self._label = label
         self._joints: dict[str, float] = {}
         self._parameters: dict[str, float] = {}
@@ -64,6 +80,11 @@ class DocumentPreview:
         self._last_good: Picture | None = None
         self._ghost: Skeleton | None = None
         self._planned: Skeleton | None = None
+        self._shown: tuple[Analysis, ShownVersion] | None = None
+        self._saved: OtherRobot | None = None
+        self._given: list[OtherRobot] = []
+        self._chosen = ""
+        self._compared: Skeleton | None = None
 
     def show(self, analysis: Analysis, findings: Sequence[Diagnostic]) -> None:
         """Show a version and what was found in it; values that were set by sliders stay."""
@@ -123,10 +144,15 @@ class DocumentPreview:
     def keep_as_ghost(self) -> None:
         """Make the document as it is the one that stands behind later ones and typed values."""
         self._ghost = self._last_skeleton
-        if self._parameters and self.analysis is not None:
+        if self.analysis is None:
+            return
+        if self._parameters:
             own = picture(self.analysis.model, {**self.analysis.context.values}, self._last_good)
             self._ghost = self._last_skeleton if own.state is PictureState.BROKEN else own.skeleton
+        saved = self.analysis
+        self._saved = document_robot(LAST_SAVED, lambda: saved)
         self._draw_ghost()
+        self._offer()
 
     def lose(self, message: str) -> None:
         """Say that the document cannot be read; what was drawn stays until it can."""
@@ -134,13 +160,35 @@ class DocumentPreview:
         self.analysis = None
         self.channel.replace("status", keyed([status]))
 
-    def compare(self, other: Analysis) -> None:
-        """Let another document stand behind this one.
+    def compare(self, other: OtherRobot) -> None:
+        """Offer another description, and compare this document with it."""
+        self._given.append(other)
+        self.choose_other(other.name)
 
-        Raises:
-            ModelError: It has no bodies.
-        """
-        self._ghost = drawable_skeleton(other.model, other.context.values)
+    def choose_other(self, name: str) -> None:
+        """Compare with another description that is offered; with none for an empty name."""
+        self._chosen = name if self._other(name) is not None else ""
+        self._offer()
+
+    def comparison(self) -> ShownComparison | None:
+        """Return what there is to tell of the other description; any thread may ask."""
+        other = self._other(self._chosen)
+        if other is None or self._shown is None:
+            return None
+        analysis, (given, drawn, _) = self._shown
+        if drawn.skeleton is None or drawn.is_former:
+            return None
+        values = {**given, **drawn.guesses.values}
+        return compared(self._label, analysis, values, drawn.skeleton, other)
+
+    def tell_comparison(self, found: ShownComparison | None) -> None:
+        """Show the other description and its differences; of a broken document the last ones."""
+        if found is not None and found.message.other == self._chosen:
+            self._compared = found.ghost
+            self.channel.replace("comparison", keyed([found.message]))
+        elif not self._chosen:
+            self._compared = None
+            self.channel.replace("comparison", {})
         self._draw_ghost()
 
     def set_joint(self, name: str, value: float, sender: Tab | None = None) -> None:
@@ -193,6 +241,24 @@ class DocumentPreview:
     def _last_skeleton(self) -> Skeleton | None:
         return self._last_good.skeleton if self._last_good is not None else None
 
+    def _others(self) -> list[OtherRobot]:
+        """Return what can be compared, each name once."""
+        twins = twin_robots(self._shown[0]) if self._shown is not None else []
+        saved = [self._saved] if self._saved is not None else []
+        return list({other.name: other for other in (*self._given, *twins, *saved)}.values())
+
+    def _other(self, name: str) -> OtherRobot | None:
+        return next((other for other in self._others() if other.name == name), None)
+
+    def _offer(self) -> None:
+        """Tell what can be compared, and compare anew."""
+        others = self._others()
+        if self._chosen not in {other.name for other in others}:
+            self._chosen = ""
+        self.channel.replace("others", other_messages(others, self._chosen))
+        if self._chosen or self._compared is not None:
+            self.recompare()
+
     def _draw(self) -> None:
         if self.analysis is not None:
             self._put(self.analysis, self.drawing(self.analysis))
@@ -211,8 +277,10 @@ class DocumentPreview:
         told = (PoseMessage(path_of("poses", name), name, joints) for name, joints in poses)
         self.channel.replace("poses", keyed(told))
         self._picture = drawing.picture
+        self._shown = analysis, drawing
         self._tell_status(self.findings)
         self._draw_ghost()
+        self._offer()
 
     def _list(self, findings: Sequence[Diagnostic], text: str) -> None:
         self.channel.replace("findings", finding_messages(findings, text))
@@ -224,9 +292,16 @@ class DocumentPreview:
             self.channel.replace("status", keyed([status]))
 
     def _draw_ghost(self) -> None:
-        ghost, present = self._planned or self._ghost, self._last_skeleton
+        present = self._last_skeleton
+        if self._planned is None and self._compared is not None:
+            told: Messages = keyed([GhostMessage("other", self._chosen)])
+            self.channel.replace("ghost", {**told, **ghost_messages(self._compared)})
+            return
+        ghost = self._planned or self._ghost
         is_apart = ghost is not None and (present is None or not _stand_alike(ghost, present))
-        self.channel.replace("ghost", ghost_messages(ghost) if ghost and is_apart else {})
+        kind = GhostMessage("planned" if self._planned is not None else "saved")
+        shown = {**keyed([kind]), **ghost_messages(ghost)} if ghost and is_apart else {}
+        self.channel.replace("ghost", shown)
 
 
 def _has_room(values: dict[str, float], name: str) -> bool:

@@ -10,11 +10,13 @@ from typing import Any
 from kindsl.analysis.analysis import Analysis
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.preview.channel import Tab
+from kindsl.preview.comparing import OtherRobot
 from kindsl.preview.document_preview import DocumentPreview, ShownVersion
 from kindsl.preview.dragging import Dragging
 from kindsl.preview.gesture_requests import Drag, GestureRequest
 from kindsl.preview.outcomes import Writing
 from kindsl.preview.requests import (
+    Compare,
     Hello,
     Request,
     Reveal,
@@ -73,6 +75,7 @@ class DocumentPreviews(ABC):
         self._dragging: dict[str, Dragging] = {}
         self._gestures: set[asyncio.Task[None]] = set()
         self._moves: dict[Dragging, GestureRequest] = {}
+        self._comparing: dict[DocumentPreview, bool] = {}
         self._documents: dict[str, DocumentPreview] = {}
         self._keys: dict[str, str] = {}
 
@@ -143,13 +146,14 @@ class DocumentPreviews(ABC):
         if key in self._documents:
             self._documents[key].keep_as_ghost()
 
-    def compare(self, key: str, other: Analysis) -> None:
-        """Let another document stand as a ghost behind this one.
-
-        Raises:
-            ModelError: The other document has no bodies.
-        """
+    def compare(self, key: str, other: OtherRobot) -> None:
+        """Compare a document with another description of its robot."""
         self._document(key, "").compare(other)
+
+    def compare_again(self, key: str) -> None:
+        """Know that what a document is compared with may have changed."""
+        if key in self._documents:
+            self._documents[key].recompare()
 
     def highlight(self, key: str, kind: str, name: str) -> None:
         """Light up a `"link"`, `"joint"` or `"frame"`; nothing for an empty name."""
@@ -184,6 +188,8 @@ class DocumentPreviews(ABC):
             document.set_parameters(request.values)
         elif isinstance(request, WriteParameters):
             self._write(document, tab, request.values)
+        elif isinstance(request, Compare):
+            document.choose_other(request.name)
         elif isinstance(request, Hello):
             document.adopt(request.joints, request.parameters)
         elif isinstance(request, Reveal):
@@ -214,6 +220,25 @@ class DocumentPreviews(ABC):
         if request is not None:
             await dragging.receive(request)
 
+    def _compare(self, document: DocumentPreview) -> None:
+        """Compare a document beside the loop; once more if it changes meanwhile."""
+        is_running = document in self._comparing
+        self._comparing[document] = is_running
+        if not is_running:
+            comparing = asyncio.ensure_future(self._compare_until_done(document))
+            self._gestures.add(comparing)
+            comparing.add_done_callback(self._gestures.discard)
+
+    async def _compare_until_done(self, document: DocumentPreview) -> None:
+        try:
+            while True:
+                self._comparing[document] = False
+                document.tell_comparison(await self._beside(document.comparison))
+                if not self._comparing[document]:
+                    return
+        finally:
+            del self._comparing[document]
+
     def _key(self, document: DocumentPreview) -> str | None:
         return next((key for key, known in self._documents.items() if known is document), None)
 
@@ -240,6 +265,7 @@ class DocumentPreviews(ABC):
     def _document(self, key: str, label: str) -> DocumentPreview:
         if key not in self._documents:
             document = self._documents[key] = DocumentPreview(label or key)
+            document.recompare = partial(self._compare, document)
             self._keys[identifier(key)] = key
             if self._on_edit is not None:
                 self._dragging[key] = Dragging(document, partial(self._on_edit, key))

@@ -42,6 +42,12 @@ class Reveal(NamedTuple):
     name: str
 
 
+class Compare(NamedTuple):
+    """Compare with another file that was offered; with none for an empty name."""
+
+    name: str
+
+
 class Hello(NamedTuple):
     """A page has come, maybe with values from before the server was restarted."""
 
@@ -49,7 +55,10 @@ class Hello(NamedTuple):
     parameters: dict[str, float]
 
 
-Request = SetJoint | SetJoints | SetParameters | WriteParameters | Reveal | Hello | GestureRequest
+Request = (
+    SetJoint | SetJoints | SetParameters | WriteParameters | Reveal | Compare | Hello
+    | GestureRequest
+)  # fmt: skip
 
 
 def parse_request(text: str) -> Request | None:
@@ -75,6 +84,8 @@ def request_of(data: object) -> Request | None:
     if data.get("type") in GESTURES:
         return gesture_request(data)
     name, value = data.get("name"), data.get("value")
+    if data.get("type") == "compare":
+        return Compare(name) if name == "" or is_name(name) else None
     if not is_name(name):
         return None
     return _named_request(data, name, value)

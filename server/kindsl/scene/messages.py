@@ -445,6 +445,94 @@ class HighlightMessage:
 
 
 @dataclass(frozen=True, slots=True)
+class GhostMessage:
+    """The robot that stands behind the document's.
+
+    Attributes:
+        kind: The version that was last saved, another robot that is compared, or what an edit that
+            is planned would make.
+        name: Of its file; empty if it has none.
+        path: Constant.
+    """
+
+    type: ClassVar[Literal["ghost"]] = "ghost"
+    kind: Literal["saved", "other", "planned"]
+    name: str = ""
+    path: str = f"{ROOT}/ghost"
+
+
+@dataclass(frozen=True, slots=True)
+class OtherMessage:
+    """Another description of the robot that can be compared.
+
+    Attributes:
+        path: Of this one.
+        index: Its place in the list.
+        name: Of its file.
+        is_chosen: Whether it is compared now.
+    """
+
+    type: ClassVar[Literal["other"]] = "other"
+    path: str
+    index: int
+    name: str
+    is_chosen: bool
+
+
+@dataclass(frozen=True, slots=True)
+class DifferenceRow:
+    """A number that is another in the other file.
+
+    Attributes:
+        kind: `link`, `joint` or `frame`.
+        name: In the document, or of the link that it belongs to.
+        owner: Whose number it is, as its file calls it.
+        quantity: `mass`, `CoM x`, `Ixx`, `x`, `rx`, ...
+        unit: Of both values.
+        here: In the document.
+        there: In the other file.
+        message: For people, with the lines.
+        line: In the document, counts from 1; 0 where it does not stand there.
+    """
+
+    kind: str
+    name: str
+    owner: str
+    quantity: str
+    unit: str
+    here: float
+    there: float
+    message: str
+    line: int
+
+
+@dataclass(frozen=True, slots=True)
+class ComparisonMessage:
+    """The result of comparing the document with another file.
+
+    Attributes:
+        own: What to call the document.
+        other: What to call the other file.
+        verdict: In words; why it cannot be compared where it cannot.
+        is_equal: Whether the mechanics are equal.
+        rows: The numbers that differ.
+        structure: What else differs, one sentence each.
+        conventions: What differs without any meaning for the mechanics, one sentence each.
+        path: Constant.
+    """
+
+    type: ClassVar[Literal["comparison"]] = "comparison"
+    own: str
+    other: str
+    verdict: str
+    is_equal: bool
+    rows: tuple[DifferenceRow, ...]
+    structure: tuple[str, ...]
+    conventions: tuple[str, ...]
+    path: str = f"{ROOT}/comparison"
+
+
+@dataclass(frozen=True, slots=True)
 class EditingMessage:
     """The permission to edit the document from the page.
 
@@ -578,7 +666,7 @@ class LinesMessage:
 Part: TypeAlias = (
     SetObject | SetTransform | Delete | ModelMessage | LinkMessage | SolidMessage | JointMessage
     | FrameMessage | LimitsMessage | ValueMessage | PoseMessage | ParameterMessage
-    | TrajectoryMessage | FormulaMessage
+    | TrajectoryMessage | FormulaMessage | GhostMessage | OtherMessage | ComparisonMessage
     | FindingMessage | StatusMessage | HighlightMessage | EditingMessage | HandlesMessage
     | DraggedMessage | PlanMessage | WrittenMessage | LinesMessage
 )  # fmt: skip

@@ -4,6 +4,7 @@ import test from "node:test";
 import { makeViewer } from "./stage.mjs";
 
 globalThis.document.createElement = () => Object.assign(new EventTarget(), { style: {}, append() {}, hidden: false });
+const { ALONE } = await import("../../../server/kindsl/preview/page/picture/beside.js");
 const { Away } = await import("../../../server/kindsl/preview/page/picture/away.js");
 const { Camera } = await import("../../../server/kindsl/preview/page/picture/camera.js");
 
@@ -13,7 +14,7 @@ function begun() {
   const viewer = makeViewer(800, 600), links = new Map([["base", AT(0, 0, 0)], ["tool", AT(0.5, 0, 0.5)]]);
   const pane = { clientWidth: 800, clientHeight: 600, append() {} };
   const scene = {
-    update() {}, poses: { robot: { links, joints: new Map(), frames: new Map() } }, model: { size: 1, unit: 0.02, center: [0, 0, 0], ground: 0 },
+    update() {}, compared: ALONE, poses: { robot: { links, joints: new Map(), frames: new Map() } }, model: { size: 1, unit: 0.02, center: [0, 0, 0], ground: 0 },
     trees: { robot: { links: new Map() } }, bodies: { reach: () => [] }, poseOf: ({ name }) => links.get(name),
   };
   const camera = new Camera(viewer, scene, pane), away = new Away(scene, camera, pane, () => camera.frame());

@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { makeViewer } from "./stage.mjs";
+const { ALONE } = await import("../../../server/kindsl/preview/page/picture/beside.js");
 const { Bodies } = await import("../../../server/kindsl/preview/page/picture/bodies.js");
 const { forwardKinematics } = await import("../../../server/kindsl/preview/page/picture/kinematics.js");
 const { LIGHT } = await import("../../../server/kindsl/preview/page/picture/palette.js");
@@ -26,7 +27,7 @@ function makeScene(count, kind = "revolute") {
   }
   const shown = new Map(["core", "bone", "drum", "doubtful", "impossible", "ghost"].map((key) => [key, { visible: true, opacity: 1 }]));
   const scene = {
-    viewer: makeViewer(), trees, view: shown, q: new Map(), model: { unit: 0.02, size: count, is_floating: false }, showsOversized: false,
+    viewer: makeViewer(), trees, view: shown, q: new Map(), model: { unit: 0.02, size: count, is_floating: false }, showsOversized: false, compared: ALONE,
     hidden: { version: 0, hidesThing: () => false }, colors: LIGHT, isLit: () => false, isGuess: () => false,
     lookOf: (key) => shown.get(key), poses: { robot: forwardKinematics(robot, new Map()), ghost: forwardKinematics(trees.ghost, new Map()) },
   };

@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { makeRandom, makeViewer, seenAt } from "./stage.mjs";
+import { ALONE } from "../../../server/kindsl/preview/page/picture/beside.js";
 import { Camera, fromThree, toThree } from "../../../server/kindsl/preview/page/picture/camera.js";
 import { poseMatrix } from "../../../server/kindsl/preview/page/picture/kinematics.js";
 import { VIEWS } from "../../../server/kindsl/preview/page/panel/keys.js";
@@ -9,7 +10,7 @@ function begun({ width = 800, height = 600, points = [] } = {}) {
   const viewer = makeViewer(width, height), pane = { clientWidth: width, clientHeight: height };
   const links = new Map(points.map((point, i) => [`link${i}`, poseMatrix(point, [0, 0, 0])]));
   const scene = {
-    update() {}, poses: { robot: { links, joints: new Map(), frames: new Map() } },
+    update() {}, compared: ALONE, poses: { robot: { links, joints: new Map(), frames: new Map() } },
     model: { size: 2, unit: 0.02, center: [0, 0, 0.5], ground: 0 },
     trees: { robot: { links: new Map([...links.keys()].map((name) => [name, { ends: [[0, 0, 0.1]] }])) } },
     poseOf: ({ name }) => links.get(name), bodies: { reach: () => [] },

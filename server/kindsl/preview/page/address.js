@@ -5,6 +5,7 @@ import { FIRST_PRESET } from "./picture/presets.js";
 
 /** @import { Actions, Eye, Thing } from "./base/types.js" */
 /** @import { Selection } from "./base/selection.js" */
+/** @import { Compare } from "./panel/compare.js" */
 /** @import { Units } from "./base/units.js" */
 /** @import { Camera } from "./picture/camera.js" */
 /** @import { Presets } from "./picture/presets.js" */
@@ -20,6 +21,7 @@ import { FIRST_PRESET } from "./picture/presets.js";
  * @property {Theme} theme
  * @property {Units} units
  * @property {Actions} actions
+ * @property {Pick<Compare, "text" | "restore">} compare
  */
 
 const REST = 300; // milliseconds
@@ -50,7 +52,7 @@ export class Address {
   link() { return location.href.split("#")[0] + this.text(); }
 
   text() {
-    const { camera, presets, scene, selection, theme, units } = this.parts, told = new URLSearchParams(location.hash.slice(1));
+    const { camera, presets, scene, selection, theme, units, compare } = this.parts, told = new URLSearchParams(location.hash.slice(1));
     /** @type {(name: string, value: string | null) => void} */
     const put = (name, value) => (value ? told.set(name, value) : told.delete(name));
     put("preset", presets.name === FIRST_PRESET ? "" : presets.name);
@@ -62,6 +64,7 @@ export class Address {
     put("only", scene.hidden.isolated);
     put("theme", theme.choice === "auto" ? "" : theme.choice);
     put("angle", units.angle === "rad" ? "" : units.angle);
+    put("compare", compare.text);
     return `#${told}`;
   }
 
@@ -72,6 +75,7 @@ export class Address {
     this.isRestored = true;
     if (told.theme) actions.chooseTheme(told.theme);
     if (told.angle) units.choose(told.angle);
+    if (told.compare) this.parts.compare.restore(told.compare);
     if (told.preset) presets.choose(told.preset);
     for (const [key, opacity] of pairs(told.show)) presets.set(key, opacity > 0, opacity || presets.usual(key).opacity);
     actions.setPose(new Map(pairs(told.q).filter(([name]) => joints.has(name))));

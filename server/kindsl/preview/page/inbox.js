@@ -3,10 +3,10 @@ import { isOfEditing } from "./editing/editing.js";
 import { applyFormulas } from "./formulas.js";
 
 /** @import { Message as EditingMessage } from "./editing/editing.js" */
-/** @import { Change, FindingMessage, FormulaMessage, HighlightMessage, ParameterMessage, Part, PoseMessage, StatusMessage, TrajectoryMessage } from "./messages.js" */
+/** @import { Change, ComparisonMessage, FindingMessage, FormulaMessage, GhostMessage, HighlightMessage, OtherMessage, ParameterMessage, Part, PoseMessage, StatusMessage, TrajectoryMessage } from "./messages.js" */
 /** @import { News, Scene } from "./picture/scene.js" */
 
-/** @typedef {"rows" | "marks" | "values" | "parameters" | "findings" | "camera" | "poses"} Stale what is to be shown anew */
+/** @typedef {"rows" | "marks" | "values" | "parameters" | "findings" | "camera" | "poses" | "compare"} Stale what is to be shown anew */
 
 /** @type {readonly News[]} */
 const ROW_NEWS = ["model", "link", "joint", "frame", "limits", "delete"]; // other rows
@@ -37,6 +37,15 @@ export class Inbox {
    */
   poses = new Map();
   /**
+   * By path.
+   * @type {Map<string, OtherMessage>}
+   */
+  others = new Map();
+  /** @type {ComparisonMessage | null} */
+  comparison = null;
+  /** @type {GhostMessage | null} */
+  ghost = null;
+  /**
    * That has come and is not yet played.
    * @type {TrajectoryMessage | null}
    */
@@ -53,7 +62,7 @@ export class Inbox {
    */
   #own = new Map();
   /** @type {Set<Stale>} */
-  stale = new Set(["rows", "parameters", "findings", "camera", "poses"]);
+  stale = new Set(["rows", "parameters", "findings", "camera", "poses", "compare"]);
 
   /** @param {Scene} scene */
   constructor(scene) {
@@ -93,7 +102,11 @@ export class Inbox {
   learn(message) {
     if (message.type === "parameter") this.keep("parameters", this.parameters, message);
     else if (message.type === "pose") this.keep("poses", this.poses, message);
-    else if (message.type === "formula") this.formulas.push(message);
+    else if (message.type === "other") this.keep("compare", this.others, message);
+    else if (message.type === "comparison" || message.type === "ghost") {
+      Object.assign(this, { [message.type]: message });
+      this.stale.add("compare");
+    } else if (message.type === "formula") this.formulas.push(message);
     else if (message.type === "finding") this.keep("findings", this.findings, message);
     else if (message.type === "status") {
       this.status = message;
@@ -122,6 +135,10 @@ export class Inbox {
     this.drop("parameters", this.parameters, path);
     this.drop("findings", this.findings, path);
     this.drop("poses", this.poses, path);
+    this.drop("compare", this.others, path);
+    if (this.comparison?.path === path) this.comparison = null;
+    if (this.ghost?.path === path) this.ghost = null;
+    this.stale.add("compare");
   }
 
   /** @param {Stale} what @param {Map<string, unknown>} list @param {string} path */

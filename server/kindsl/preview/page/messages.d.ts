@@ -339,6 +339,73 @@ export interface HighlightMessage {
   readonly path: string;
 }
 
+/** The robot that stands behind the document's. */
+export interface GhostMessage {
+  readonly type: "ghost";
+  /** The version that was last saved, another robot that is compared, or what an edit that is planned would make. */
+  readonly kind: "saved" | "other" | "planned";
+  /** Of its file; empty if it has none. */
+  readonly name: string;
+  /** Constant. */
+  readonly path: string;
+}
+
+/** Another description of the robot that can be compared. */
+export interface OtherMessage {
+  readonly type: "other";
+  /** Of this one. */
+  readonly path: string;
+  /** Its place in the list. */
+  readonly index: number;
+  /** Of its file. */
+  readonly name: string;
+  /** Whether it is compared now. */
+  readonly is_chosen: boolean;
+}
+
+/** A number that is another in the other file. */
+export interface DifferenceRow {
+  /** `link`, `joint` or `frame`. */
+  readonly kind: string;
+  /** In the document, or of the link that it belongs to. */
+  readonly name: string;
+  /** Whose number it is, as its file calls it. */
+  readonly owner: string;
+  /** `mass`, `CoM x`, `Ixx`, `x`, `rx`, ... */
+  readonly quantity: string;
+  /** Of both values. */
+  readonly unit: string;
+  /** In the document. */
+  readonly here: number;
+  /** In the other file. */
+  readonly there: number;
+  /** For people, with the lines. */
+  readonly message: string;
+  /** In the document, counts from 1; 0 where it does not stand there. */
+  readonly line: number;
+}
+
+/** The result of comparing the document with another file. */
+export interface ComparisonMessage {
+  readonly type: "comparison";
+  /** What to call the document. */
+  readonly own: string;
+  /** What to call the other file. */
+  readonly other: string;
+  /** In words; why it cannot be compared where it cannot. */
+  readonly verdict: string;
+  /** Whether the mechanics are equal. */
+  readonly is_equal: boolean;
+  /** The numbers that differ. */
+  readonly rows: readonly DifferenceRow[];
+  /** What else differs, one sentence each. */
+  readonly structure: readonly string[];
+  /** What differs without any meaning for the mechanics, one sentence each. */
+  readonly conventions: readonly string[];
+  /** Constant. */
+  readonly path: string;
+}
+
 /** The permission to edit the document from the page. */
 export interface EditingMessage {
   readonly type: "editing";
@@ -460,6 +527,9 @@ export type Part =
   | ParameterMessage
   | TrajectoryMessage
   | FormulaMessage
+  | GhostMessage
+  | OtherMessage
+  | ComparisonMessage
   | FindingMessage
   | StatusMessage
   | HighlightMessage

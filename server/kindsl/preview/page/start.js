@@ -8,6 +8,7 @@ import { Editing } from "./editing/editing.js";
 import { PullDrag } from "./editing/pull_drag.js";
 import { History } from "./history.js";
 import { Inbox } from "./inbox.js";
+import { Compare } from "./panel/compare.js";
 import { showCard, summary } from "./panel/card.js";
 import { Findings, GREY } from "./panel/findings.js";
 import { JointRows } from "./panel/joint_rows.js";
@@ -69,6 +70,7 @@ page.parameters = new ParameterRows(page.units, page.actions);
 page.poses = new Poses(scene, page.actions, (lines) => showText("A pose for kindsl.toml: give it a name", lines));
 page.tree = new Tree(scene, page.selection, page.actions);
 page.findings = new Findings(pane, page.inbox, page.actions);
+page.compare = new Compare({ ...page, choose: (name) => page.send({ type: "compare", name }), note: () => page.actions.note() });
 page.legend = new Legend(scene, page.presets, page.actions);
 page.address = new Address(page);
 page.pull = new PullDrag(page);
@@ -128,6 +130,10 @@ function follow() {
 }
 
 function refresh() {
+  if (page.inbox.isStale("compare")) {
+    page.compare.show();
+    page.legend.showGhost(page.inbox.ghost);
+  }
   scene.update();
   const isDrawn = scene.trees.robot.links.size > 0;
   if (isDrawn && page.inbox.isStale("camera")) follow();
@@ -193,6 +199,7 @@ viewer.render = () => {
   page.compass.update();
   page.scaleBar.update();
   page.away.update();
+  page.compare.place();
 };
 
 // Only meshcat's drawing commands and our own messages; anything else, such as `set_control`, is ignored.

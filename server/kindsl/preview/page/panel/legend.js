@@ -6,10 +6,11 @@ import { oversized } from "../picture/places.js";
 import { PRESET_NAMES } from "../picture/presets.js";
 
 /** @import { Actions } from "../base/types.js" */
+/** @import { GhostMessage } from "../messages.js" */
 /** @import { Category } from "../picture/categories.js" */
 /** @import { Presets } from "../picture/presets.js" */
 /** @import { Scene } from "../picture/scene.js" */
-/** @typedef {{ readonly box: HTMLInputElement, readonly fade: HTMLInputElement, readonly swatch: HTMLElement }} Row */
+/** @typedef {{ readonly box: HTMLInputElement, readonly fade: HTMLInputElement, readonly swatch: HTMLElement, readonly title: HTMLElement }} Row */
 /** @typedef {Pick<Actions, "setView" | "choosePreset" | "resetPreset" | "showOversized">} Choices */
 
 export class Legend {
@@ -60,8 +61,9 @@ export class Legend {
     box.addEventListener("change", change);
     fade.addEventListener("input", change);
     const swatch = make("span", `swatch ${category.swatch || ""}`);
-    row.append(box, swatch, make("span", "title", category.title), fade);
-    this.rows.set(category.key, { box, fade, swatch });
+    const title = make("span", "title", category.title);
+    row.append(box, swatch, title, fade);
+    this.rows.set(category.key, { box, fade, swatch, title });
     return row;
   }
 
@@ -78,6 +80,15 @@ export class Legend {
       text.textContent = box.checked && this.presets.own.size ? `${name} *` : name;
     }
     this.showMore();
+  }
+
+  /**
+   * Say what the ghost is.
+   * @param {Pick<GhostMessage, "kind" | "name"> | null} ghost
+   */
+  showGhost(ghost) {
+    const row = this.rows.get("ghost");
+    if (row) row.title.textContent = ghost ? `Ghost (${{ saved: "last saved", other: ghost.name, planned: "planned" }[ghost.kind]})` : "Ghost";
   }
 
   // Own choices can be taken back, and what was left out for its size be asked for.

@@ -1,5 +1,7 @@
 // All marks of one shape and kind as one InstancedMesh: a draw call for each kind, not for each mark.
 
+import { isFaint } from "./beside.js";
+
 /** @import { Colors, Mark, MarkShape } from "../base/types.js" */
 /** @import { Drawn } from "./placed.js" */
 /** @typedef {THREE.MeshLambertMaterial | THREE.MeshBasicMaterial} Material */
@@ -93,7 +95,7 @@ export class Batches {
     // A ghost of bodies is one of them.
     mesh.visible = visible && !(category === "ghost" && this.scene.bodies.isOn);
     if (!mesh.visible) return;
-    restyle(mesh.material, opacity, ALWAYS_TRANSPARENT.includes(category));
+    restyle(mesh.material, this.opacityOf(marks[0].tree, opacity), ALWAYS_TRANSPARENT.includes(category));
     if (!marks[0].shape.isLit) paintAxes(mesh.geometry, this.scene.colors);
     const array = /** @type {Float32Array} */ (mesh.instanceMatrix.array);
     marks.forEach((mark, i) => {
@@ -103,6 +105,18 @@ export class Batches {
     });
     mesh.instanceMatrix.needsUpdate = true;
     if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
+  }
+
+  /**
+   * How opaque marks are: those of a robot that is compared may be a ghost's, or not.
+   * @param {"robot" | "ghost"} tree
+   * @param {number} usual
+   */
+  opacityOf(tree, usual) {
+    const { compared, view } = this.scene;
+    if (!compared.isOn) return usual;
+    if (isFaint(compared, tree)) return usual * (tree === "robot" ? view.get("ghost")?.opacity ?? 1 : 1);
+    return tree === "ghost" ? 1 : usual;
   }
 
   // The meshes that a click can hit.

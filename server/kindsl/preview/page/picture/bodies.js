@@ -1,4 +1,5 @@
 // Links as bodies: few meshes for all of them, each made of the pieces of all links that look alike, placed link by link.
+import { isFaint } from "./beside.js";
 import { IDENTITY, forwardKinematics, originOf, transformPoint } from "./kinematics.js";
 import { MANY, fineness, piecesOf } from "./pieces.js";
 import { halfWidth, hitOf } from "./shapes.js";
@@ -68,12 +69,12 @@ export class Bodies {
 
   // What decides which pieces are in which mesh.
   #state() {
-    const { view, hidden, showsOversized, model } = this.scene;
+    const { view, hidden, showsOversized, model, compared } = this.scene;
     const looks = ["core", "bone", "drum", "doubtful", "impossible", "ghost"].map((key) => {
       const { visible, opacity } = view.get(key) ?? { visible: true, opacity: 1 };
       return `${visible} ${opacity}`;
     });
-    return [...looks, hidden.version, showsOversized, model.unit, this.#version].join();
+    return [...looks, JSON.stringify(compared), hidden.version, showsOversized, model.unit, this.#version].join();
   }
 
   // Make the pieces of links that are new or have changed; those of the others stay.
@@ -119,23 +120,24 @@ export class Bodies {
 
   // The pieces that are in the picture.
   shown() {
-    const { hidden, showsOversized } = this.scene, isOn = this.isOn;
+    const { hidden, showsOversized, compared } = this.scene, isOn = this.isOn;
     return this.pieces.filter((piece) => {
       if (piece.part === "core" && piece.solid.is_oversized && !showsOversized) return false;
-      if (piece.tree === "ghost") return isOn && this.scene.lookOf("ghost").visible && !JUDGED.includes(piece.category);
+      if (piece.tree === "ghost") return isOn && this.scene.lookOf("ghost").visible && (compared.isOn || !JUDGED.includes(piece.category));
       return this.scene.lookOf(piece.category).visible && !hidden.hidesThing(piece.group, piece.name);
     });
   }
 
   /** @param {Piece} piece @returns {Layer} */
   layerOf(piece) {
-    if (JUDGED.includes(piece.category)) return "striped";
+    const isGhost = isFaint(this.scene.compared, piece.tree);
+    if (JUDGED.includes(piece.category) && !isGhost) return "striped";
     return this.opacityOf(piece) < 1 ? "glass" : "opaque";
   }
 
   /** @param {Piece} piece */
   opacityOf({ tree, category, solid, part }) {
-    const { opacity } = this.scene.lookOf(tree === "ghost" ? "ghost" : category);
+    const { opacity } = this.scene.lookOf(isFaint(this.scene.compared, tree) ? "ghost" : category);
     return part === "core" && solid.look === "glass" && tree === "robot" ? Math.min(opacity, GLASS) : opacity;
   }
 
@@ -234,10 +236,11 @@ export class Bodies {
   /**
    * Where the bodies of a link reach to, in its frame.
    * @param {string} link
+   * @param {"robot" | "ghost"} [tree]
    * @returns {Vector[]}
    */
-  reach(link) {
-    const solid = this.scene.trees.robot.solids.get(link), core = solid?.core;
+  reach(link, tree = "robot") {
+    const solid = this.scene.trees[tree].solids.get(link), core = solid?.core;
     if (!this.isOn || !core || (solid.is_oversized && !this.scene.showsOversized)) return [];
     const [x, y, z] = core.center;
     return [0, 1, 2].flatMap((axis) => [-1, 1].map((sign) => {
@@ -289,8 +292,10 @@ const turnedBack = (T, [x, y, z]) => [
 function material(layer) {
   if (layer === "outline") return new MeshBasicMaterial({ vertexColors: true, side: BackSide });
   const isGlass = layer === "glass", side = layer === "striped" ? DoubleSide : FrontSide;
+  // Glass in the very place of a body is behind it.
+  const behind = { polygonOffset: isGlass, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
   // Lit at corners, not at pixels: a software renderer takes half the time.
-  const look = new MeshLambertMaterial({ vertexColors: true, transparent: isGlass, depthWrite: !isGlass, side });
+  const look = new MeshLambertMaterial({ ...behind, vertexColors: true, transparent: isGlass, depthWrite: !isGlass, side });
   if (layer === "striped") look.onBeforeCompile = stripes;
   return look;
 }

@@ -193,19 +193,21 @@ export class Camera {
     const points = [[model.center[0], model.center[1], model.ground]];
     for (const name of poses.robot.links.keys()) points.push(...this.pointsOf({ kind: "link", name }));
     for (const pose of poses.robot.frames.values()) points.push(originOf(pose));
+    if (this.scene.compared.isBeside) for (const name of poses.ghost.links.keys()) points.push(...this.pointsOf({ kind: "link", name }, "ghost"));
     return points;
   }
 
   /**
    * Where a link, joint or frame reaches to.
    * @param {Thing} thing
+   * @param {"robot" | "ghost"} [tree]
    * @returns {Vector[]}
    */
-  pointsOf({ kind, name }) {
-    const pose = this.scene.poseOf({ kind, name });
+  pointsOf({ kind, name }, tree = "robot") {
+    const pose = this.scene.poses[tree][`${kind}s`].get(name);
     if (!pose) return [];
-    const link = kind === "link" ? this.scene.trees.robot.links.get(name) : undefined;
-    const ends = link ? [...link.ends, ...this.scene.bodies.reach(name)] : [];
+    const link = kind === "link" ? this.scene.trees[tree].links.get(name) : undefined;
+    const ends = link ? [...link.ends, ...this.scene.bodies.reach(name, tree)] : [];
     return [originOf(pose), ...ends.map((end) => transformPoint(pose, end))];
   }
 

@@ -26,7 +26,7 @@ export const CATEGORIES = [
   { key: "robot-com", title: "Robot's centre of mass", kind: null, pick: 9 },
   { key: "inertia", title: "Inertia ellipsoids", kind: "link", pick: 2 },
   { key: "torque", title: "Gravity torques", kind: "joint", pick: 0 },
-  { key: "ghost", title: "Ghost (last saved)", kind: null, pick: 9 },
+  { key: "ghost", title: "Ghost", kind: null, pick: 9 },
   { key: "ground", title: "Ground grid", kind: null, pick: 9 },
   { key: "link-names", title: "Link names", kind: null, pick: 9, swatch: "text" },
   { key: "joint-names", title: "Joint names", kind: null, pick: 9, swatch: "text" },

@@ -85,16 +85,17 @@ const inOrder = (robot) => [...robot.links.values()].sort((a, b) => a.index - b.
  * Return {links, joints, frames}: maps from names to base_T_link, base_T_joint, base_T_frame.
  * @param {Tree} robot
  * @param {ReadonlyMap<string, number>} q
+ * @param {Matrix} [base] Where the base is.
  * @returns {Poses}
  */
-export function forwardKinematics(robot, q) {
+export function forwardKinematics(robot, q, base = IDENTITY) {
   /** @type {Poses} */
   const { links, joints, frames } = { links: new Map(), joints: new Map(), frames: new Map() };
   for (const link of inOrder(robot)) {
     const joint = robot.joints.get(link.joint);
     const parent = joint && links.get(joint.predecessor);
     if (!joint || !parent) {
-      links.set(link.name, IDENTITY);
+      links.set(link.name, base);
       continue;
     }
     const base_T_joint = multiply(parent, joint.placement);

@@ -2,6 +2,7 @@
 import type * as THREE from "three";
 import type { Colors, Look, Mark, Poses, Tree, Vector, Viewer } from "../base/types.js";
 import type { ModelMessage } from "../messages.js";
+import type { Compared } from "./beside.js";
 import type { Hidden } from "./hidden.js";
 import type { Marks } from "./marks.js";
 
@@ -15,6 +16,7 @@ export interface Placed {
   readonly torques: ReadonlyMap<string, number>;
   readonly largestTorque: number;
   readonly showsOversized: boolean;
+  readonly compared: Compared;
   readonly marks: Marks;
   isGuess(mark: Pick<Mark, "tree" | "part">): boolean;
 }

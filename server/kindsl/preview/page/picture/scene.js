@@ -1,5 +1,6 @@
 // The scene: applies the server's messages and places everything by forward kinematics.
 import { Batches } from "./batches.js";
+import { ALONE, ghostBase } from "./beside.js";
 import { Bodies } from "./bodies.js";
 import { CATEGORIES, CATEGORY_OF, parsePath } from "./categories.js";
 import { Hidden } from "./hidden.js";
@@ -61,6 +62,8 @@ export class Scene {
    * @type {Map<string, Look>}
    */
   view;
+  /** How another robot is shown that is compared. */
+  compared = ALONE;
   hidden = new Hidden();
   showsOversized = false;
   /** @type {Set<string>} */
@@ -200,7 +203,7 @@ export class Scene {
     this.#isTreeNew = false;
     const { trees, trees: { robot }, poses, model } = this;
     poses.robot = forwardKinematics(robot, this.q);
-    poses.ghost = forwardKinematics(trees.ghost, this.q);
+    poses.ghost = forwardKinematics(trees.ghost, this.q, ghostBase(this.compared, this.bodies.size()));
     this.com = centerOfMass(robot, poses.robot, model.is_floating);
     this.torques = gravityTorques(robot, poses.robot);
     this.largestTorque = Math.max(1e-9, ...[...this.torques.values()].map(Math.abs));
@@ -251,7 +254,8 @@ export class Scene {
   /** @param {Pick<Mark, "tree" | "group" | "name" | "category">} mark */
   isLit({ tree, group, name, category }) {
     const chosen = this.highlighted;
-    return chosen !== null && LIT.has(category) && tree === "robot" && group === `${chosen.kind}s` && name === chosen.name;
+    const isThere = tree === "robot" || this.compared.isOn;
+    return chosen !== null && LIT.has(category) && isThere && group === `${chosen.kind}s` && name === chosen.name;
   }
 
   /**

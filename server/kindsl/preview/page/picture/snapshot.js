@@ -36,8 +36,11 @@ export function drawPicture(viewer, labels, pane) {
 function drawNames(pen, labels, { left, top }, color) {
   pen.font = "11px system-ui, DejaVu Sans, sans-serif";
   pen.textBaseline = "middle";
-  for (const { element, name, isShown } of labels.byKey.values()) {
-    if (!isShown || !element) continue;
+  const names = [...labels.byKey.values()].filter(({ isShown }) => isShown).map(({ element, name }) => ({ element, name }));
+  /** @type {NodeListOf<HTMLElement>} */
+  const robots = labels.pane.querySelectorAll(".compared:not([hidden])");
+  for (const { element, name } of [...names, ...[...robots].map((tag) => ({ element: tag, name: tag.textContent ?? "" }))]) {
+    if (!element) continue;
     const box = element.getBoundingClientRect(), look = getComputedStyle(element);
     pen.fillStyle = look.backgroundColor;
     pen.fillRect(box.left - left, box.top - top, box.width, box.height);
