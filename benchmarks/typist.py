@@ -1,10 +1,14 @@
 """How often a hand stumbles that types robots into VS Code's editor core.
 
     python benchmarks/typist.py [FILE ...] [--delay 12] [--pause 250] [--closing never] [--hurry]
+    python benchmarks/typist.py --squiggles [FILE ...]
 
 Types every line of the documents (the examples and, where they are there, the published models
 beside this project), 12 ms a key, waits a quarter of a second, presses Enter. A stumble is an Enter
 that did something else than break the line. Ends with status 1 if there is one.
+
+With `--squiggles` it counts, without a browser, the squiggles that come while a line is typed and
+are gone when it is done, all versions being checked, and how many there were if all were told.
 """
 
 import argparse
@@ -14,6 +18,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from tests.typist.monaco import QUICK_FRAMES, editor
+from tests.typist.squiggles import passing_squiggles
 from tests.typist.typist import Hand, lines_to_type, type_document
 from tests.vscode.browser import chromium
 
@@ -34,12 +39,23 @@ def main() -> int:
     parser.add_argument(
         "--hurry", action="store_true", help="type lines like one before too fast for any list"
     )
+    parser.add_argument("--squiggles", action="store_true", help="count passing squiggles")
     options = parser.parse_args()
     files = options.files or [*sorted(ROOT.glob("examples/*.kindsl")), *published()]
+    if options.squiggles:
+        return int(sum(map(passing, files)) > 0)
     hand = Hand(options.delay, options.pause, options.hurry)
     count = sum(len(typed(file, hand, options.closing)) for file in files)
     print(f"{count} stumbles in {len(files)} documents")
     return int(count > 0)
+
+
+def passing(file: Path) -> int:
+    """Type a document and print how many squiggles pass; return it."""
+    lines = lines_to_type(file.read_text())
+    told, all_found = (len(passing_squiggles(lines, is_calm=is_calm)) for is_calm in (True, False))
+    print(f"{file.name:50} {len(lines):5} lines, {told} squiggles pass, {all_found} if all told")
+    return told
 
 
 def published() -> list[Path]:

@@ -43,6 +43,8 @@ async def pull(session: Session, params: types.DocumentDiagnosticParams) -> Repo
     if not document.is_robot:
         return {"kind": "full", "items": await companion_diagnostics(session, document)}
     findings = await session.analyses.findings(document)
+    if session.client.is_told_to_pull and session.documents.is_current(document):
+        findings = session.calm.told(document, findings)
     result_id = result_id_of(document, findings)
     if result_id == params.previous_result_id:
         return {"kind": "unchanged", "resultId": result_id}

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types
 
-from kindsl.lsp.session import memory
+from kindsl.lsp.session import calm, memory
 from kindsl.lsp.session.closed_configurations import ClosedConfigurations
 from kindsl.lsp.session.companions import Mentioned, companion_diagnostics, mentioned
 from kindsl.lsp.session.findings import diagnostics
@@ -115,6 +115,17 @@ class Publisher:
         if uris.key(document.uri) not in self._checked:
             self._checked.add(uris.key(document.uri))
             memory.set_aside()
+        if self._state.documents.is_current(document):
+            told = self._state.calm.told(document, findings)
+            await self._tell(document, told)
+            if told is not findings:
+                await asyncio.sleep(calm.PATIENCE - delay)
+                self._state.calm.settle(document, findings)
+                await self._tell(document, findings)
+                self._ask_to_pull(document)
+
+    async def _tell(self, document: Document, findings: "tuple[Diagnostic, ...]") -> None:
+        """Tell the client and all who listen what was found in a version, if it is shown still."""
         shown = await self._encoded(document, findings)
         if self._state.documents.is_current(document):
             if uris.key(document.uri) not in self._pulled:
@@ -161,12 +172,16 @@ class Publisher:
             return
         self._names[key] = names
         for other in companions:
-            is_told = self._state.client.is_told_to_pull
-            if is_told and uris.key(other.uri) in self._pulled:
-                self._state.editor.workspace_diagnostic_refresh(None)
-            else:
+            if not self._ask_to_pull(other):
                 self._pulled.discard(uris.key(other.uri))
                 self.schedule(other, 0.0)
+
+    def _ask_to_pull(self, document: Document) -> bool:
+        """Ask the client to pull again; return whether it pulls for the document and can be."""
+        is_asked = self._state.client.is_told_to_pull and uris.key(document.uri) in self._pulled
+        if is_asked:
+            self._state.editor.workspace_diagnostic_refresh(None)
+        return is_asked
 
     def _publish_file(self, uri: str, diagnostics: list[dict[str, Any]]) -> None:
         """Publish for a file that no editor shows."""

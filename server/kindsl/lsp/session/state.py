@@ -9,6 +9,7 @@ from lsprotocol import types
 
 from kindsl.lsp.session import memory
 from kindsl.lsp.session.analyses import Analyses
+from kindsl.lsp.session.calm import Calm
 from kindsl.lsp.session.surroundings import Surroundings
 from kindsl.lsp.session.tokens import TokenMemory
 from kindsl.lsp.session.worker import Urgency
@@ -35,6 +36,7 @@ class State:
         worker: Does the long work.
         workspace: The folders and their settings.
         analyses: The analysis of each version of a document.
+        calm: Holds back findings while someone types.
         tokens: The semantic tokens that the client knows.
         news: Set when files or settings may have changed.
         refused: Documents of which the user was told that they are too broken to format.
@@ -54,6 +56,7 @@ class State:
         self.worker = surroundings.worker
         self.workspace = Workspace()
         self.analyses = Analyses(self.worker, self.workspace)
+        self.calm = Calm(self.documents)
         self.tokens = TokenMemory()
         self.news = asyncio.Event()
         self.refused: set[str] = set()
