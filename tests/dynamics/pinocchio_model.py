@@ -42,6 +42,9 @@ class PinocchioModel:
         places = [first + depth_first.index(link) for link, _ in bodies.links()]
         self._order = [*ANGULAR_FIRST[:first], *places]
         self._joint_order = [link - 1 for link in depth_first]
+        # pinocchio knows rotors; friction is added here.
+        if bodies.drives is not None:
+            self.model.armature = self._v(np.zeros(6), bodies.drives.armature)
 
     def poses(self, q: Array) -> dict[str, Array]:
         pin.framesForwardKinematics(self.model, self.data, self._q(q))
@@ -64,7 +67,8 @@ class PinocchioModel:
 
     def bias_torque(self, q: Array, qd: Array, base_velocity: Array) -> Array:
         v = self._v(base_velocity, qd)
-        return pin.nonLinearEffects(self.model, self.data, self._q(q), v)[self._order]
+        bias = pin.nonLinearEffects(self.model, self.data, self._q(q), v)[self._order]
+        return bias + np.concatenate((np.zeros(len(bias) - len(qd)), self._friction(qd)))
 
     def inverse_dynamics(
         self, q: Array, qd: Array, qdd: Array, base_velocity: Array
@@ -76,14 +80,13 @@ class PinocchioModel:
         base_acceleration = -np.linalg.solve(M[:first, :first], wrench) if first else np.zeros(6)
         a = self._v(base_acceleration, qdd)
         v = self._v(base_velocity, qd)
-        return pin.rnea(self.model, self.data, self._q(q), v, a)[self._order][
-            first:
-        ], base_acceleration
+        tau = pin.rnea(self.model, self.data, self._q(q), v, a)[self._order][first:]
+        return tau + self._friction(qd), base_acceleration
 
     def forward_dynamics(
         self, q: Array, qd: Array, tau: Array, base_velocity: Array
     ) -> tuple[Array, Array]:
-        v, force = self._v(base_velocity, qd), self._v(np.zeros(6), tau)
+        v, force = self._v(base_velocity, qd), self._v(np.zeros(6), tau - self._friction(qd))
         a = pin.aba(self.model, self.data, self._q(q), v, force)[self._order]
         first = len(self._order) - len(q)
         return a[first:], a[:first] if first else np.zeros(6)
@@ -98,6 +101,10 @@ class PinocchioModel:
     def kinetic_energy(self, q: Array, qd: Array, base_velocity: Array) -> float:
         v = self._v(base_velocity, qd)
         return float(pin.computeKineticEnergy(self.model, self.data, self._q(q), v))
+
+    def _friction(self, qd: Array) -> Array:
+        drives = self.bodies.drives
+        return drives.force(qd, 0.0 * qd) if drives is not None else 0.0 * qd
 
     def centroidal_momentum_matrix(self, q: Array) -> Array:
         A = pin.computeCentroidalMap(self.model, self.data, self._q(q))
@@ -136,7 +143,7 @@ class PinocchioModel:
         self, q: Array, qd: Array, tau: Array, base_velocity: Array, names: list[str], rows: slice
     ) -> tuple[Array, Array, Array]:
         """Return accelerations, the base's first, what acts on frames, and their inertia."""
-        v, force = self._v(base_velocity, qd), self._v(np.zeros(6), tau)
+        v, force = self._v(base_velocity, qd), self._v(np.zeros(6), tau - self._friction(qd))
         jacobians, drifts = [], []
         for name in names:
             _, drift = self.frame_motion(q, qd, 0.0 * qd, base_velocity, np.zeros(6), name)

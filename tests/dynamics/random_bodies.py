@@ -1,8 +1,10 @@
 """Random trees of physically consistent bodies."""
 
+from dataclasses import replace
+
 import numpy as np
 
-from kindsl.dynamics.bodies import Bodies, BodyFrame
+from kindsl.dynamics.bodies import Bodies, BodyFrame, Drives
 from kindsl.rigid.joint_kind import JointKind
 from kindsl.spatial.arrays import Array
 from kindsl.spatial.transforms import rotation_from_intrinsic_xyz
@@ -46,6 +48,13 @@ def tree_of_seed(seed: int) -> tuple[Bodies, np.random.Generator]:
     generator = np.random.default_rng(seed)
     n_links = int(generator.choice([*range(1, 9)] * 4 + [*range(1, 41)]))
     return random_bodies(generator, n_links, is_floating=bool(seed % 2)), generator
+
+
+def with_drives(bodies: Bodies, generator: np.random.Generator) -> Bodies:
+    """Return bodies with rotors and friction in some joints."""
+    amounts = generator.uniform(0.01, 1.0, (3, bodies.n_links))
+    known = generator.random((3, bodies.n_links)) < 0.7
+    return replace(bodies, drives=Drives(*(amounts * known)))
 
 
 def random_rotation(generator: np.random.Generator) -> Array:

@@ -135,7 +135,9 @@ class Analysis:
         return Analysis(self._written, settings)
 
     def mechanism(self, parameters: Mapping[str, float] | None = None) -> Mechanism:
-        """Return the numbered bodies for mechanics; needs NumPy.
+        """Return the numbered bodies for mechanics, with rotors and friction of their joints.
+
+        Needs NumPy.
 
         Args:
             parameters: Values by name, numbers, that win over all other bindings.
@@ -155,7 +157,8 @@ class Analysis:
         except ModuleNotFoundError as error:
             message = f"{error.name} is not installed: pip install 'kindsl[numpy]'"
             raise ModuleNotFoundError(message, name=error.name) from None
-        return mechanism_of(self.model, {**self.context.values, **given})
+        values = {**self.context.values, **given}
+        return mechanism_of(self.model, values, self.settings.joints)
 
     def skeleton(self) -> Skeleton:
         """Return the numbered bodies in plain floats, to be written in other formats.

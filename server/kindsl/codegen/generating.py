@@ -24,6 +24,7 @@ from kindsl.codegen.wanted import restricted, wanted_pairs
 from kindsl.features.transforms_actions import transforms_document
 from kindsl.interchange.generated_folder import robot_record
 from kindsl.mechanism.bodies import skeleton_of_bodies
+from kindsl.mechanism.build import Mechanism
 from kindsl.mechanism.symbolic import symbolic_robot
 from kindsl.semantics.model import Model
 from kindsl.text.nearest import hint, nearest_name
@@ -64,7 +65,8 @@ def generate(
     language = language_named(options.language)
     model, values = source.analysis.model, source.analysis.context.values
     inputs = _inputs(source.analysis, options.parameters)
-    robot = symbolic_robot(model, values, inputs)
+    joints = {} if language.is_rigid else source.analysis.settings.joints
+    robot = symbolic_robot(model, values, inputs, joints)
     stamp = stamp or Stamp(
         f"kindsl {__version__}",
         file_name(source.name),
@@ -75,6 +77,8 @@ def generate(
     name = str(model.name or "robot")
     parameters = parameter_values(defaults.items())
     mechanics = source.analysis.mechanism(parameters)
+    if language.is_rigid:
+        mechanics = Mechanism(replace(mechanics.bodies, drives=None))
     values_of_arguments = sample(mechanics.bodies)
     refuse_unresisted(options.quantities, mechanics.bodies, values_of_arguments["q"])
     try:

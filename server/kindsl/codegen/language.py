@@ -23,12 +23,14 @@ class Language(NamedTuple):
         options: Those options that not every language takes and this one does, as typed.
         parameters: Which parameters stay inputs where that is not said.
         makes_transforms: Whether it has transforms where no transforms document lists them.
+        is_rigid: Whether rotors and friction of joints are left out.
     """
 
     files: "Callable[[Library, Reference, dict[str, float]], Files]"
     options: frozenset[str] = frozenset()
     parameters: str = "unbound"
     makes_transforms: bool = False
+    is_rigid: bool = False
 
 
 def language_names() -> list[str]:

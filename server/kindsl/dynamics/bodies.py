@@ -29,6 +29,25 @@ class BodyFrame:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class Drives:
+    """Rotors and friction of joints, which take forces besides those of the bodies.
+
+    Attributes:
+        armature: Inertia of the rotors, seen from the joints, shape (n,), kg m^2 or kg.
+        damping: Viscous friction, force a velocity, shape (n,).
+        friction: Coulomb friction, shape (n,), N m or N; none at rest.
+    """
+
+    armature: Array
+    damping: Array
+    friction: Array
+
+    def force(self, qd: Array, qdd: Array) -> Array:
+        """Return the joint forces (..., n) that they take of a motion."""
+        return self.armature * qdd + self.damping * qd + self.friction * np.sign(qd)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class Bodies(Topology):
     """A tree of rigid bodies; names of bodies and frames are unique together.
 
@@ -41,6 +60,7 @@ class Bodies(Topology):
             their minus signs, shape (n + 1, 3, 3), kg m^2.
         is_floating: Whether the base floats; if not, its inertia does not matter.
         frames: Further named frames.
+        drives: Rotors and friction of the joints, None where nothing is known of them.
 
     Raises:
         ValueError: On construction, if shapes, numbering, names or values are not as above.
@@ -53,6 +73,7 @@ class Bodies(Topology):
     inertias: Array
     is_floating: bool
     frames: tuple[BodyFrame, ...] = ()
+    drives: Drives | None = None
 
     def __post_init__(self) -> None:
         n = self.n_links
@@ -67,6 +88,10 @@ class Bodies(Topology):
         for attribute, shape in shapes.items():
             frozen = _frozen_array(attribute, getattr(self, attribute), shape)
             object.__setattr__(self, attribute, frozen)
+        if self.drives is not None:
+            named = {field: getattr(self.drives, field) for field in Drives.__slots__}
+            frozen_drives = Drives(**{k: _frozen_array(k, x, (n,)) for k, x in named.items()})
+            object.__setattr__(self, "drives", frozen_drives)
         _check_values(self)
         object.__setattr__(self, "frames", tuple(_checked_frame(f, n) for f in self.frames))
 

@@ -1,5 +1,7 @@
 """The Coriolis matrix whose sum with its transpose is the rate of the joint-space inertia."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from kindsl.dynamics.bodies import Bodies
@@ -10,6 +12,8 @@ from kindsl.spatial.cross_products import motion_cross
 
 def coriolis_matrix(bodies: Bodies, q: Array, qd: Array, base_velocity: Array) -> Array:
     """Return `C` (..., nv, nv), with the bias torque `C @ (base velocity, qd)` and gravity's.
+
+    Friction of joints is in the bias torque and not in `C`.
 
     All arguments have the same batch shape. `C + C.T` is the rate of the joint-space inertia.
 
@@ -23,6 +27,7 @@ def coriolis_matrix(bodies: Bodies, q: Array, qd: Array, base_velocity: Array) -
         quadratic in velocities, so its derivative has `2 Jd` instead. Only a floating base's own
         columns differ, whose coordinates turn with it. Compare Echeandia and Wensing 2021.
     """
+    bodies = replace(bodies, drives=None)
     rest = np.zeros((*qd.shape[:-1], 6))
     derivatives = inverse_dynamics_derivatives(
         bodies, q, qd, np.zeros_like(qd), base_velocity, rest, rest[..., :3]

@@ -25,6 +25,8 @@ def kinetic_energy(bodies: Bodies, q: Array, qd: Array, base_velocity: Array) ->
     for i, parent in bodies.links():
         v.append(apply(X[i], v[parent]) + S[i] * qd[..., i - 1, None])
         energy = energy + 0.5 * np.sum(v[i] * apply(inertias[i], v[i]), axis=-1)
+    if bodies.drives is not None:
+        energy = energy + 0.5 * np.sum(bodies.drives.armature * qd**2, axis=-1)
     return np.asarray(energy)
 
 

@@ -48,13 +48,16 @@ def forward_dynamics(
         v.append(apply(X[i], v[parent]) + v_joint)
         c[i] = motion_cross_product(v[i], v_joint)
         p_A.append(rigid_body_force(I_A[i], v[i], np.zeros(6)))
+    drives = bodies.drives
+    if drives is not None:
+        tau = tau - drives.force(qd, np.zeros_like(qd))
     # Inward: what each joint lets through of the inertia and the force behind it.
     U: dict[int, Array] = {}
     D: dict[int, Array] = {}
     u: dict[int, Array] = {}
     for i, parent in bodies.links_leaves_first():
         U[i] = I_A[i] @ S[i]
-        D[i] = U[i] @ S[i]
+        D[i] = U[i] @ S[i] + (drives.armature[i - 1] if drives is not None else 0.0)
         u[i] = tau[..., i - 1] - p_A[i] @ S[i]
         I_a = I_A[i] - U[i][..., :, None] * (U[i] / D[i][..., None])[..., None, :]
         p_a = p_A[i] + apply(I_a, c[i]) + U[i] * (u[i] / D[i])[..., None]

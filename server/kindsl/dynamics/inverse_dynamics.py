@@ -51,6 +51,8 @@ def newton_euler(
     for i, parent in bodies.links_leaves_first():
         tau[..., i - 1] = f[i] @ S[i]
         f[parent] = f[parent] + apply_transposed(X[i], f[i])
+    if bodies.drives is not None:
+        tau = tau + bodies.drives.force(qd, qdd)
     return tau, f[0]
 
 

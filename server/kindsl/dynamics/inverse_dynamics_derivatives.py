@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from kindsl.dynamics.bodies import Bodies
+from kindsl.dynamics.joint_space_inertia import add_rotors
 from kindsl.dynamics.joints import apply, body_inertias
 from kindsl.dynamics.spatial_motion import (
     force_of,
@@ -107,6 +108,10 @@ def inverse_dynamics_derivatives(
         # The base turns: gravity turns the other way in its coordinates.
         for k, axis in enumerate(np.eye(3)):
             dq[..., k] = -apply(M[..., 3:6], cross(gravity, np.broadcast_to(axis, gravity.shape)))
+    if bodies.drives is not None:
+        joints = np.arange(first, nv)
+        dqd[..., joints, joints] += bodies.drives.damping
+    add_rotors(bodies, M)
     return InverseDynamicsDerivatives(dq, dqd, M)
 
 

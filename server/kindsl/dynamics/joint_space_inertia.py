@@ -38,7 +38,15 @@ def joint_space_inertia(bodies: Bodies, q: Array) -> Array:
             M[..., row, column] = M[..., column, row] = f @ S[j]
             f = apply_transposed(X[j], f)
         M[..., row, :first] = M[..., :first, row] = f[..., :first]
+    add_rotors(bodies, M)
     return M
+
+
+def add_rotors(bodies: Bodies, M: Array) -> None:
+    """Add the inertia of the joints' rotors to a joint-space inertia (..., nv, nv)."""
+    if bodies.drives is not None:
+        joints = np.arange(bodies.n_velocities - bodies.n_links, bodies.n_velocities)
+        M[..., joints, joints] += bodies.drives.armature
 
 
 def composite_inertias(bodies: Bodies, X: list[Array]) -> list[Array]:

@@ -1,11 +1,14 @@
 """From a skeleton to the arrays that the dynamics work on."""
 
+from collections.abc import Mapping, Sequence
+
 import numpy as np
 
-from kindsl.dynamics.bodies import Bodies, BodyFrame
+from kindsl.dynamics.bodies import Bodies, BodyFrame, Drives
 from kindsl.mechanism.skeleton import AttachedFrame, Skeleton
 from kindsl.rigid.body import MassDistribution
 from kindsl.rigid.pose import RigidPose, Vector3
+from kindsl.semantics.parameters import UNTOLD, JointProperties
 from kindsl.spatial.arrays import Array
 
 
@@ -25,6 +28,23 @@ def bodies_of(skeleton: Skeleton) -> Bodies:
         is_floating=skeleton.is_floating,
         frames=tuple(BodyFrame(f.name, f.body, *_arrays(f.pose)) for f in skeleton.frames),
     )
+
+
+def drives_of(names: Sequence[str], joints: Mapping[str, JointProperties]) -> Drives | None:
+    """Return rotors and friction of joints, None if nothing is told of any.
+
+    Args:
+        names: The joints, in the order of the bodies.
+        joints: What is told, by their names.
+    """
+    told = [joints.get(name, UNTOLD) for name in names]
+    drives = Drives(
+        np.array([joint.armature or 0.0 for joint in told]),
+        np.array([joint.damping or 0.0 for joint in told]),
+        np.array([joint.friction or 0.0 for joint in told]),
+    )
+    is_told = drives.armature.any() or drives.damping.any() or drives.friction.any()
+    return drives if is_told else None
 
 
 def skeleton_of_bodies(bodies: Bodies) -> Skeleton:

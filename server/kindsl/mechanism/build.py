@@ -1,14 +1,16 @@
 """The way from a model and parameter values to mechanics."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from kindsl.dynamics.evaluation.mechanics import Mechanics
-from kindsl.mechanism.bodies import bodies_of
+from kindsl.mechanism.bodies import bodies_of, drives_of
 from kindsl.mechanism.errors import ModelError
 from kindsl.mechanism.numbering import require_base
 from kindsl.mechanism.strict_reading import strict_skeleton
 from kindsl.semantics.model import Model
+from kindsl.semantics.parameters import JointProperties
 from kindsl.text.display import html_of
 
 if TYPE_CHECKING:
@@ -44,12 +46,15 @@ class Mechanism(Mechanics):
         return CompiledMechanics(self.bodies, threads)
 
 
-def mechanism_of(model: Model, values: Mapping[str, float]) -> Mechanism:
+def mechanism_of(
+    model: Model, values: Mapping[str, float], joints: Mapping[str, JointProperties] | None = None
+) -> Mechanism:
     """Return the mechanics of a model: those of its strict skeleton.
 
     Args:
         model: A model without defects in its tree.
         values: Of parameters by name, and of constants by `<name>`.
+        joints: What is told of joints besides, by their names: rotors and friction count.
 
     Raises:
         UnboundParameterError: A parameter has no value; names all of them.
@@ -57,6 +62,7 @@ def mechanism_of(model: Model, values: Mapping[str, float]) -> Mechanism:
     """
     skeleton = strict_skeleton(model, values)
     try:
-        return Mechanism(bodies_of(skeleton))
+        bodies = bodies_of(skeleton)
+        return Mechanism(replace(bodies, drives=drives_of(bodies.joint_names, joints or {})))
     except ValueError as error:
         raise ModelError(str(error), require_base(model)) from error

@@ -6,8 +6,9 @@ from typing import cast
 from kindsl.dynamics.generation.mass_moments import MassMoments
 from kindsl.dynamics.generation.robot import PlacedFrame, Robot, massless
 from kindsl.dynamics.generation.terms import Graph, Scalar, Term, cosine_and_sine
-from kindsl.dynamics.generation.tree import ROUNDING, Tree, masses_near_base
+from kindsl.dynamics.generation.tree import ROUNDING, Tree, masses_near_base, tree_drives
 from kindsl.dynamics.generation.vectors import Matrix, Vector, scale
+from kindsl.mechanism.bodies import drives_of
 from kindsl.mechanism.build import mechanism_of
 from kindsl.mechanism.errors import ModelError
 from kindsl.mechanism.numbering import numbered_by_id, require_base
@@ -16,19 +17,26 @@ from kindsl.rigid.joint_kind import JointKind
 from kindsl.semantics import declarations as declared
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.model import Model
+from kindsl.semantics.parameters import JointProperties
 from kindsl.syntax.vocabulary import MOMENTS
 
 # Any values will do to find out whether a document is whole; these are unlikely to cancel.
 PLACEHOLDER = 0.731
 
 
-def symbolic_robot(model: Model, values: Mapping[str, float], inputs: Collection[str]) -> Robot:
+def symbolic_robot(
+    model: Model,
+    values: Mapping[str, float],
+    inputs: Collection[str],
+    told: Mapping[str, JointProperties] | None = None,
+) -> Robot:
     """Return a robot whose given parameters are inputs.
 
     Args:
         model: The document's model.
         values: Of the other parameters by name, and of constants by `<name>`.
         inputs: Names of parameters that stay inputs.
+        told: What is told of joints besides, by their names: rotors and friction count.
 
     Raises:
         UnboundParameterError: A parameter is neither.
@@ -50,13 +58,15 @@ def symbolic_robot(model: Model, values: Mapping[str, float], inputs: Collection
     ]  # fmt: skip
     bodies = [reader.body(link) for link in links]
     masses = masses_near_base(kinds, parents, rotations, positions, bodies)
+    joint_names = tuple(str(joint.name) for joint in joints)
+    drives = tree_drives(drives_of(joint_names, told or {}))
     return Robot(
         graph,
-        Tree(parents, kinds, rotations, positions, masses, base.is_floating),
+        Tree(parents, kinds, rotations, positions, masses, base.is_floating, drives),
         bodies,
         str(base.name),
         tuple(str(link.name) for link in links[1:]),
-        tuple(str(joint.name) for joint in joints),
+        joint_names,
         tuple(
             PlacedFrame(
                 name,

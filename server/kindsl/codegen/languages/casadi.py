@@ -40,7 +40,7 @@ def forward_kinematics(q, parameters=None):
 
 
 def _files(library: Library, _: Reference, _parameters: dict[str, float]) -> dict[str, str]:
-    imports = "import casadi\nfrom casadi import cos, sin\n"
+    imports = "import casadi\nfrom casadi import cos, sign, sin\n"
     return {f"{library.prefix}.py": module_text(library, HOW, (imports, ANSWER, POSES))}
 
 

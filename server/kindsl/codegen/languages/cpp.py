@@ -70,7 +70,7 @@ inline S cos(const S& x)
     return cos(x);
 }}
 
-{_functions(library)}
+{_SIGN if _has_friction(library) else ""}{_functions(library)}
 }} // namespace detail
 
 /* S is any type of numbers, automatic derivatives' too. All functions are pure. */
@@ -109,6 +109,31 @@ using ExternalForces = Model::ExternalForces;
 
 }} // namespace {namespace(library)}
 """
+
+
+_SIGN = """\
+namespace of_plain_numbers {
+template <class S>
+inline S sign(const S& x)
+{
+    return x > S(0) ? S(1) : x < S(0) ? S(-1) : x;
+}
+} // namespace of_plain_numbers
+
+/* A type of numbers may have a `sign` of its own in its namespace, as CppAD's has. */
+template <class S>
+inline S sign(const S& x)
+{
+    using of_plain_numbers::sign;
+    return sign(x);
+}
+
+"""
+
+
+def _has_friction(library: Library) -> bool:
+    drives = library.robot.tree.drives
+    return drives is not None and any(drives.friction)
 
 
 def namespace(library: Library) -> str:

@@ -5,7 +5,7 @@ from kindsl.codegen.language import Language
 from kindsl.codegen.library import Library
 from kindsl.codegen.reference import Reference
 
-IMPORTS = "import jax.numpy as np\nfrom jax.numpy import cos, sin\n"
+IMPORTS = "import jax.numpy as np\nfrom jax.numpy import cos, sign, sin\n"
 HOW = """\
 Needs JAX only; pure functions for jit, grad and vmap. Leading dimensions are batches.
 Numbers are 64 bits wide only with jax.config.update('jax_enable_x64', True)."""

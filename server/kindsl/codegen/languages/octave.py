@@ -10,4 +10,4 @@ def _files(library: Library, _: Reference, _parameters: dict[str, float]) -> dic
     return octave_files(library)
 
 
-LANGUAGE = Language(_files, parameters="all", makes_transforms=True)
+LANGUAGE = Language(_files, parameters="all", makes_transforms=True, is_rigid=True)

@@ -5,7 +5,7 @@ from kindsl.codegen.language import Language
 from kindsl.codegen.library import Library
 from kindsl.codegen.reference import Reference
 
-IMPORTS = "import numpy as np\nfrom numpy import cos, sin\n"
+IMPORTS = "import numpy as np\nfrom numpy import cos, sign, sin\n"
 HOW = "Needs NumPy only. Leading dimensions of all arguments are batches and broadcast."
 
 

@@ -11,5 +11,9 @@ def _files(library: Library, _: Reference, _parameters: dict[str, float]) -> dic
 
 
 LANGUAGE = Language(
-    _files, frozenset(("--runtime", "--layout")), parameters="all", makes_transforms=True
+    _files,
+    frozenset(("--runtime", "--layout")),
+    parameters="all",
+    makes_transforms=True,
+    is_rigid=True,
 )

@@ -111,6 +111,7 @@ class Differentiable:
         """Return `Y` (..., nv, 10 k), with the forces of a motion `Y @ inertial_parameters()`.
 
         Arguments are those of `inverse_dynamics_derivatives`; k is the number of moving bodies.
+        The forces are those of the bodies, without rotors and friction of joints.
         """
         base = {"base_velocity": base_velocity, "base_acceleration": base_acceleration}
         joints = {"q": q, "qd": qd, "qdd": qdd}

@@ -139,6 +139,8 @@ class PathForm:
         a = self.path @ a_joint + base_acceleration[..., None, :]
         f = self.path.T @ rigid_body_force(state.inertias, v, a)
         tau = np.sum(state.S * f, axis=-1)[..., 1:]
+        if self.bodies.drives is not None:
+            tau = tau + self.bodies.drives.force(qd, qdd)
         if not self.bodies.is_floating:
             return np.asarray(tau)
         return np.concatenate((f[..., 0, :], tau), axis=-1)
@@ -149,6 +151,8 @@ class PathForm:
         f = apply(composite, state.S)
         lower = (f @ np.swapaxes(state.S, -1, -2) * self.path)[..., 1:, 1:]
         between_joints = lower + np.swapaxes(np.tril(lower, -1), -1, -2)
+        if self.bodies.drives is not None:
+            between_joints = between_joints + np.diag(self.bodies.drives.armature)
         if not self.bodies.is_floating:
             return np.asarray(between_joints)
         base = f[..., 1:, :]

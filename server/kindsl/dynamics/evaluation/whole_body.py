@@ -133,7 +133,7 @@ class WholeBody(Differentiable):
     ) -> Array:
         """Return `C` (..., nv, nv), with the bias torque `C @ (base velocity, qd)` and gravity's.
 
-        `C + C.T` is the rate of the joint-space inertia.
+        `C + C.T` is the rate of the joint-space inertia. Friction of joints is not in `C`.
         """
         joints, base = {"q": q, "qd": qd}, {"base_velocity": base_velocity}
         q, qd, v, _ = self._motion(joints, base, STANDARD_GRAVITY)

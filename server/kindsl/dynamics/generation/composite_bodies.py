@@ -32,6 +32,8 @@ def joint_space_inertia(tree: Tree, q: Vector) -> Matrix:
         row = first + i - 1
         moment, force = joint_reaction(joints[i].kind, composite[i])
         M[row][row] = moment[2] if joints[i].kind == "revolute" else force[2]
+        if tree.drives is not None:
+            M[row][row] = M[row][row] + tree.drives.armature[i - 1]
         j = i
         while tree.parents[j] != 0:
             moment, force = _in_parent(joints[j], moment, force)

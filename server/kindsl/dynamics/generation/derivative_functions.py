@@ -95,7 +95,7 @@ def regressor(robot: Robot, inputs: Inputs) -> list[Function]:
             alone[body] = unit
             columns.append(
                 actuated_base_inverse_dynamics(
-                    replace(tree, masses=alone),
+                    replace(tree, masses=alone, drives=None),
                     inputs.q, inputs.qd, inputs.qdd, inputs.v0, inputs.a0, inputs.g,
                 )
             )  # fmt: skip

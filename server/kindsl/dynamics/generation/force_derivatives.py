@@ -92,6 +92,9 @@ def force_derivatives(tree: Tree, inputs: Inputs) -> ForceDerivatives:
         for row in range(6):
             dq[row][:3] = turns[row]
             dqd[row][:6] = [*turning[row], *moving[row]]
+    if tree.drives is not None:
+        for row, damping in enumerate(tree.drives.damping, start=first):
+            dqd[row][row] = dqd[row][row] + damping
     return ForceDerivatives(dq, dqd, joint_space_inertia(tree, inputs.q))
 
 

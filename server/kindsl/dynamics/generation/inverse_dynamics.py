@@ -61,6 +61,8 @@ def newton_euler(
     tau = [
         moments[i][2] if joints[i].kind == "revolute" else forces[i][2] for i in tree.links()
     ]  # fmt: skip
+    if tree.drives is not None:
+        tau = add(tau, tree.drives.force(qd, qdd))
     return tau, [*moments[0], *forces[0]]
 
 

@@ -71,6 +71,9 @@ def kinetic_energy(robot: Robot, q: Vector, qd: Vector, base_velocity: Vector) -
     energy: Scalar = 0.0
     for body, w, v in zip(robot.bodies, *velocities, strict=True):
         energy = energy + _energy(body, w, v)
+    if robot.tree.drives is not None:
+        for rotor, rate in zip(robot.tree.drives.armature, qd, strict=True):
+            energy = energy + 0.5 * rotor * (rate * rate)
     return energy
 
 

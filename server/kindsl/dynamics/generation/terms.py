@@ -174,6 +174,13 @@ def operand_nodes(graph: Graph, index: int) -> list[int]:
     return [operand for operand in operands if isinstance(operand, int)]
 
 
+def sign(value: Scalar) -> Scalar:
+    """Record the sign of a value: -1, 0 or 1."""
+    if isinstance(value, float):
+        return math.copysign(1.0, value) if value else 0.0
+    return value.graph.record("sign", value.index)
+
+
 def cosine_and_sine(angle: Scalar) -> tuple[Scalar, Scalar]:
     """Record the cosine and the sine of an angle, radians."""
     if isinstance(angle, float):

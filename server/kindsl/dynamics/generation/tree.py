@@ -4,13 +4,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from kindsl.dynamics.bodies import Bodies
+from kindsl.dynamics.bodies import Bodies, Drives
 from kindsl.dynamics.generation.mass_moments import (
     MassMoments,
     carried_by_predecessor,
     without,
 )
-from kindsl.dynamics.generation.terms import Scalar, cosine_and_sine
+from kindsl.dynamics.generation.terms import Scalar, cosine_and_sine, sign
 from kindsl.dynamics.generation.vectors import EYE, ZERO, Matrix, Vector, add, scale, transform
 from kindsl.rigid.joint_kind import JointKind
 from kindsl.spatial.arrays import Array
@@ -18,6 +18,23 @@ from kindsl.spatial.inertia import second_moment
 
 # A turn by pi/2 leaves cosines of about 1e-16, which would be carried through all the code.
 ROUNDING = 1e-15
+
+
+@dataclass(frozen=True, slots=True)
+class TreeDrives:
+    """Rotors and friction of the joints, by body less one; see `kindsl.dynamics.bodies.Drives`."""
+
+    armature: list[float]
+    damping: list[float]
+    friction: list[float]
+
+    def force(self, qd: Vector, qdd: Vector) -> Vector:
+        """Return the joint forces that they take of a motion."""
+        own = zip(self.armature, self.damping, self.friction, qd, qdd, strict=True)
+        return [
+            rotor * rate_of_rate + viscous * rate + (coulomb * sign(rate) if coulomb else 0.0)
+            for rotor, viscous, coulomb, rate, rate_of_rate in own
+        ]
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,6 +48,7 @@ class Tree:
         positions: `p_r_j`, metres.
         masses: Moments of mass, moved towards the base as far as forces stay the same.
         is_floating: Whether the base is free.
+        drives: Rotors and friction of the joints, None where nothing is known of them.
     """
 
     parents: list[int]
@@ -39,6 +57,7 @@ class Tree:
     positions: list[Vector]
     masses: list[MassMoments]
     is_floating: bool
+    drives: TreeDrives | None = None
 
     def links(self) -> range:
         """Return the links' body indices, parents first."""
@@ -56,7 +75,15 @@ def tree_of(bodies: Bodies) -> Tree:
     rotations: list[Matrix] = [EYE, *_snapped(bodies.p_R_j).tolist()]
     positions: list[Vector] = [ZERO, *bodies.p_r_j.tolist()]
     masses = masses_near_base(kinds, parents, rotations, positions, mass_distributions(bodies))
-    return Tree(parents, kinds, rotations, positions, masses, bodies.is_floating)
+    drives = tree_drives(bodies.drives)
+    return Tree(parents, kinds, rotations, positions, masses, bodies.is_floating, drives)
+
+
+def tree_drives(drives: Drives | None) -> TreeDrives | None:
+    """Return drives as plain floats."""
+    if drives is None:
+        return None
+    return TreeDrives(drives.armature.tolist(), drives.damping.tolist(), drives.friction.tolist())
 
 
 class JointMotion:

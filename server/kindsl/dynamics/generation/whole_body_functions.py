@@ -114,7 +114,7 @@ def coriolis_matrix(robot: Robot, inputs: Inputs) -> list[Function]:
     """
     n = len(inputs.q)
     still = replace(inputs, qdd=[0.0] * n, a0=[0.0] * 6, g=[0.0] * 3)
-    _, dqd, M = force_derivatives(robot.tree, still)
+    _, dqd, M = force_derivatives(replace(robot.tree, drives=None), still)
     doubled = [list(row) for row in dqd]
     if robot.tree.is_floating:
         turning = multiply([row[:6] for row in M], _motion_cross(inputs.v0))

@@ -32,12 +32,14 @@ class Dialect:
         suffix: Of numbers and of the functions `sin` and `cos`.
         noinline: The prefix of a function that is to stay one.
         constant: How a number is written that is a result by itself.
+        sign: How the sign of a value is computed.
     """
 
     type: str
     suffix: str
     noinline: str = ""
     constant: str = "{}"
+    sign: str = "{0} > 0 ? 1 : {0} < 0 ? -1 : {0}"
 
 
 class CArray(NamedTuple):
@@ -202,6 +204,8 @@ class _Writer:
             return f"{words[0]} {operation} {words[1]}"
         if operation in ("sin", "cos"):
             return f"{operation}{self._dialect.suffix}({words[0]})"
+        if operation == "sign":
+            return self._dialect.sign.format(words[0])
         return f"-{words[0]}"
 
     def _operand(self, operand: Operand | Term, local: set[int], uses: set[str]) -> str:

@@ -10,7 +10,7 @@ from kindsl.dynamics.generation.terms import Graph, Scalar, Term
 MODULE = "compiled_mechanism"
 RUNTIME = Path(__file__).with_name("extension_runtime.c")
 PLAIN = Dialect("double", "", "KEPT_APART ")
-WIDE = Dialect("lanes", "", "KEPT_APART ", "spread({})")
+WIDE = Dialect("lanes", "", "KEPT_APART ", "spread({})", "signs({})")
 
 
 class KernelArgument(NamedTuple):

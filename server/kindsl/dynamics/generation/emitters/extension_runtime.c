@@ -292,6 +292,12 @@ static inline lanes spread(double x)
 
 /* Sine and cosine by reduction to an eighth of a turn, pi/2 in three parts whose products with
  * small integers are exact, and their series, whose rest is below a unit of the last place. */
+static inline lanes signs(lanes x)
+{
+    const bits one = (bits)spread(1.0);
+    return (lanes)((x > 0.0) & one) - (lanes)((x < 0.0) & one);
+}
+
 static inline void small_sine_and_cosine(lanes x, lanes *sine, lanes *cosine)
 {
     const double rounding = 6755399441055744.0; /* 3 * 2^51: adding it rounds to an integer */

@@ -15,6 +15,7 @@ OPERATIONS: dict[str, Callable[..., float]] = {
     "neg": operator.neg,
     "sin": math.sin,
     "cos": math.cos,
+    "sign": lambda x: float((x > 0.0) - (x < 0.0)),
 }
 
 

@@ -22,6 +22,7 @@ UFUNCS = {
     "/": ("div", np.divide),
     "neg": ("neg", np.negative),
     "copy": ("copy", np.positive),
+    "sign": ("sign", np.sign),
 }
 
 

@@ -1,7 +1,7 @@
 """Writes functions of scalars as straight lines of Python, for any type with arithmetic.
 
 Whoever calls them decides what a scalar is: a NumPy or JAX array over a batch, or a symbol of
-CasADi. The names `sin` and `cos` are to be there.
+CasADi. The names `sin`, `cos` and `sign` are to be there.
 """
 
 from collections.abc import Mapping, Sequence
@@ -40,7 +40,7 @@ def _operation(graph: Graph, node: int, texts: Mapping[int, str]) -> str:
     words = [_operand(operand, texts) for operand in operands]
     if operation in OPERATORS:
         return f"{words[0]} {operation} {words[1]}"
-    if operation in ("sin", "cos"):
+    if operation in ("sin", "cos", "sign"):
         return f"{operation}({words[0]})"
     return f"-{words[0]}"
 

@@ -9,6 +9,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from kindsl.dynamics.generation.emitters.numbers import OPERATIONS
 from kindsl.dynamics.generation.factorization import is_zero
 from kindsl.dynamics.generation.terms import Operand, Term
 from kindsl.dynamics.generation.trace import Trace
@@ -55,7 +56,12 @@ def scalar_source(trace: Trace) -> str:
 
 
 def _compiled(source: str, packing: dict[str, object]) -> Callable[..., Any]:
-    functions = {"sin": math.sin, "cos": math.cos, "float64": np.dtype(np.float64)}
+    functions = {
+        "sin": math.sin,
+        "cos": math.cos,
+        "sign": OPERATIONS["sign"],
+        "float64": np.dtype(np.float64),
+    }
     namespace: dict[str, Any] = functions | packing
     exec(compile(source, "<generated mechanics>", "exec"), namespace)
     function: Callable[..., Any] = namespace["evaluate"]
@@ -106,7 +112,7 @@ def _uses(trace: Trace) -> Counter[int]:
 def _operation(trace: Trace, index: int, texts: dict[int, str]) -> str:
     operation, *operands = trace.graph.nodes[index]
     words = [_operand(operand, texts) for operand in operands]
-    if operation in ("sin", "cos"):
+    if operation in ("sin", "cos", "sign"):
         return f"{operation}({words[0]})"
     if operation == "neg":
         return f"-{words[0]}"

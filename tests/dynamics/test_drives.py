@@ -1,0 +1,106 @@
+"""Rotors and friction of joints: the same in every form, and pinocchio's numbers.
+
+pinocchio knows rotors, and friction is a force of joints that depends on their velocities.
+"""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from tests.codegen.compiling import COMPILERS, build, needs_compiler, run_tests
+from tests.codegen.robots import ALL, bodies_of_seed, write_c
+from tests.dynamics.random_bodies import tree_of_seed, with_drives
+from tests.dynamics.test_against_pinocchio import _check_tree
+from tests.dynamics.test_compiled import _assert_close, _calls
+from tests.dynamics.test_whole_body import _assert_close as assert_near
+from tests.dynamics.test_whole_body import _check_generated, _pairs
+from tests.support.amount import usually
+
+from kindsl.dynamics.bodies import Bodies, Drives
+from kindsl.dynamics.evaluation import readable_form
+from kindsl.dynamics.evaluation.compiled import CompiledMechanics
+from kindsl.dynamics.evaluation.mechanics import Mechanics
+from kindsl.dynamics.evaluation.path_form import PathForm
+from kindsl.dynamics.evaluation.request import Request
+from kindsl.dynamics.quantities import JOINT_VECTORS
+
+SEEDS = range(0, 300, usually(15, thoroughly=1))
+
+
+def _driven(seed: int) -> tuple[Bodies, np.random.Generator]:
+    bodies, generator = tree_of_seed(seed)
+    if not bodies.is_floating:
+        bodies = replace(bodies, masses=np.concatenate(([0.0], bodies.masses[1:])))
+    return with_drives(bodies, generator), generator
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_random_trees_agree_with_pinocchio(seed: int) -> None:
+    bodies, generator = _driven(seed)
+    _check_tree(seed, bodies, generator)
+    for what, got, expected in _pairs(bodies, generator):
+        assert_near(f"seed {seed}, {what}", got, expected)
+
+
+@pytest.mark.parametrize("seed", [1, 2, 9, 12])
+def test_all_forms_are_one(seed: int) -> None:
+    """And all code, batches and what is recorded for controllers included."""
+    bodies = with_drives(bodies_of_seed(seed), np.random.default_rng(seed))
+    generator = np.random.default_rng(seed)
+    base, g = generator.uniform(-1.0, 1.0, 6) * bodies.is_floating, np.array([1.0, 2.0, -9.0])
+    for quantity, names in JOINT_VECTORS.items():
+        for n in (2, 60):
+            vectors = tuple(generator.uniform(-1.0, 1.0, (n, bodies.n_links)) for _ in names)
+            request = Request(quantity, (n,), vectors, base, g)
+            expected = readable_form.evaluate(bodies, request)
+            generated = Mechanics(bodies)._forms.generated.evaluate(request)
+            for found in (PathForm(bodies).evaluate(request), generated):
+                np.testing.assert_allclose(found, expected, rtol=1e-8, atol=1e-8)
+    _check_generated(seed, bodies)
+
+
+@needs_compiler
+def test_code_in_c_has_them(tmp_path: Path) -> None:
+    bodies = with_drives(bodies_of_seed(3, 4), np.random.default_rng(1))
+    quantities = tuple(name for name in ALL if name != "frame_motions")
+    for real in ("double", "float"):
+        folder = write_c(bodies, tmp_path / real, quantities, real=real)
+        run_tests(build(COMPILERS[0], folder, [], "test"))
+
+
+@needs_compiler
+def test_compiled_mechanics_have_them(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("KINDSL_CACHE", str(tmp_path))
+    bodies = with_drives(bodies_of_seed(7, 3), np.random.default_rng(1))
+    compiled, mechanics = CompiledMechanics(bodies), Mechanics(bodies)
+    for shape in ((), (11,)):
+        for name, arguments in _calls(bodies.n_links, bodies.is_floating, shape):
+            if name not in ("frame_velocity", "frame_acceleration", "frame_acceleration_drift"):
+                found = getattr(compiled, name)(*arguments)
+                _assert_close(found, getattr(mechanics, name)(*arguments), 1e-9)
+
+
+@pytest.mark.parametrize("name", ["inverse_dynamics", "forward_dynamics"])
+def test_derivatives_are_differences(name: str) -> None:
+    bodies = with_drives(bodies_of_seed(4), np.random.default_rng(3))
+    mechanics, step = Mechanics(bodies), 1e-6
+    q, qd, x = np.random.default_rng(3).uniform(0.2, 1.0, (3, bodies.n_links))
+    slopes = getattr(mechanics, f"{name}_derivatives")(q, qd, x)
+    for number, slope in enumerate(slopes):
+        for joint in range(bodies.n_links):
+            ends = []
+            for sign in (1.0, -1.0):
+                moved = [q.copy(), qd.copy(), x.copy()]
+                moved[number][joint] += sign * step
+                ends.append(getattr(mechanics, name)(*moved))
+            found = (ends[0] - ends[1]) / (2.0 * step)
+            np.testing.assert_allclose(found, slope[:, joint], atol=1e-6, rtol=1e-6)
+
+
+@pytest.mark.parametrize("amount", [np.zeros(3), np.array([np.nan])])
+def test_amounts_are_one_a_joint(amount: np.ndarray) -> None:
+    bodies = bodies_of_seed(4)
+    fitting = np.zeros(bodies.n_links)
+    with pytest.raises(ValueError, match="friction"):
+        replace(bodies, drives=Drives(fitting, fitting, np.resize(amount, amount.size + 40)))
