@@ -24,9 +24,11 @@ def syntax_findings(
 
     What robcogen2 reads all the same is no error, unless the document is for robcogen too.
     """
-    rules = {rule.code: rule for rule in all_rules()}
     problems = list(all_problems(document))
-    is_read = bool(problems) and targets <= {ROBCOGEN2} and _is_read_by_robcogen2(model)
+    if not problems:
+        return
+    rules = {rule.code: rule for rule in all_rules()}
+    is_read = targets <= {ROBCOGEN2} and _is_read_by_robcogen2(model)
     for island, problem in problems:
         finding = _pasted(model, island, problem) or _finding(island, problem)
         if (targets == {ROBCOGEN} and _is_foreign_comment(island, problem)) or (

@@ -46,12 +46,25 @@ def _reading_of_chunk(chunk: Chunk) -> StrictReading:
 
 
 def _stop_in(islands: Sequence[Island]) -> Stop | None:
-    """Read the document as one, since it may be cut into islands where robcogen2 cuts none."""
-    whole = _reading("".join(island.text for island in islands))
-    if whole.failure is None and _IN_ORDER.fullmatch(whole.blocks):
-        return None
-    offset = whole.failure or 0
-    for island in islands[:-1]:
+    """Return where it stops in islands of which it does not read one by itself.
+
+    That may be cut from the next where robcogen2 cuts nothing; then they are read as one.
+    """
+    for island in islands:
+        undecoded = _undecoded(island.text)
+        if undecoded is not None:
+            return Stop(island, undecoded)
+    first, blocks = 0, ""
+    while (reading := _kept_reading(islands[first])).failure is None:
+        first, blocks = first + 1, blocks + reading.blocks
+    # No token goes on in another line.
+    if "\n" in islands[first].text[reading.failure :]:
+        return Stop(islands[first], reading.failure)
+    rest = strict_reading("".join(island.text for island in islands[first:]))
+    if rest.failure is None:
+        return None if _IN_ORDER.fullmatch(blocks + rest.blocks) else Stop(islands[0], 0)
+    offset = rest.failure
+    for island in islands[first:-1]:
         if offset < len(island.text):
             return Stop(island, offset)
         offset -= len(island.text)
@@ -63,7 +76,8 @@ def _kept_reading(island: Island) -> StrictReading:
     blocks = _plain_blocks(island)
     if blocks is not None:
         return StrictReading(blocks, (), None)
-    return _reading(island.text)._replace(tokens=())
+    reading, undecoded = strict_reading(island.text), _undecoded(island.text)
+    return StrictReading(reading.blocks, (), reading.failure if undecoded is None else undecoded)
 
 
 def _plain_blocks(island: Island) -> str | None:
@@ -78,7 +92,7 @@ def _plain_blocks(island: Island) -> str | None:
     return "".join(_LETTERS[node.kind] for node in island.nodes)
 
 
-def _reading(text: str) -> StrictReading:
-    undecoded = None if text.isascii() else _UNDECODED.search(text)
-    reading = strict_reading(text)
-    return reading if undecoded is None else reading._replace(failure=undecoded.start())
+def _undecoded(text: str) -> int | None:
+    """Return where a byte stands that is no character, which robcogen2 never gets over."""
+    found = None if text.isascii() else _UNDECODED.search(text)
+    return None if found is None else found.start()

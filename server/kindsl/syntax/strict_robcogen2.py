@@ -7,6 +7,7 @@ begin right behind a keyword or a number, and digits are those of any alphabet.
 
 import re
 from collections.abc import Callable
+from functools import cache
 from typing import NamedTuple
 
 from kindsl.syntax.portability import ROBCOGEN2
@@ -73,25 +74,19 @@ class _Reader:
     def is_at_end(self) -> bool:
         return self._next() == len(self.text)
 
-    def words(self, *words: str) -> bool:
+    def words(self, sequence: str) -> bool:
         """Read keywords, signs, and whatever stands for `NAME`, `VECTOR`, `FRAMES?`, ..."""
         place, count = self.place, len(self.tokens)
-        for word in words:
-            part = _PARTS.get(word.rstrip("?+"))
-            if word.endswith("?"):
-                self.perhaps(word[:-1])
-            elif not (part(self) if part is not None else self._word(word)):
+        for word, part, is_optional in _steps(sequence):
+            is_read = part(self) if part is not None else self._word(word)
+            if not (is_read or is_optional):
                 self.place = place
                 del self.tokens[count:]
                 return False
         return True
 
     def any_of(self, *sequences: str) -> bool:
-        return any(self.words(*sequence.split()) for sequence in sequences)
-
-    def perhaps(self, sequence: str) -> bool:
-        """Read a sequence, or nothing."""
-        return self.words(*sequence.split()) or True
+        return any(map(self.words, sequences))
 
     def _next(self) -> int:
         match = _TRIVIA.match(self.text, self.place)
@@ -130,41 +125,54 @@ class _Reader:
     def parameter(self) -> bool:
         if _PI.match(self.text, self._next()) or not self.name():
             return False
-        return self.perhaps("[ NUMBER ]")
+        return self.words("[ NUMBER ]") or True
 
     def value(self) -> bool:
         return self.parameter() or self.any_of("NUMBER", "PI", "< NAME = NUMBER >", "< NAME >")
 
     def expression(self) -> bool:
-        return self.any_of(
+        return self._lone_number() or self.any_of(
             "NUMBER * VALUE", "- VALUE / NUMBER", "VALUE / NUMBER", "- VALUE", "VALUE"
         )
+
+    def _lone_number(self) -> bool:
+        """Read a number that no sign stands before and nothing is made of, as most values are."""
+        place, start = self.place, self._next()
+        if self.text.startswith("-", start) or not self.number():
+            return False
+        end = self._next()
+        if self.text.startswith(("*", "/"), end):
+            self.place = place
+            self.tokens.pop()
+            return False
+        self.furthest = max(self.furthest, end)
+        return True
 
     def moments(self) -> bool:
         left = list(MOMENTS)
         while left:
-            found = next((name for name in left if self.words(name, "=", "EXPRESSION")), None)
+            found = next((name for name in left if self.words(f"{name} = EXPRESSION")), None)
             if found is None:
                 return False
             left.remove(found)
         return True
 
     def children(self) -> bool:
-        if not self.words("children", "{"):
+        if not self.words("children {"):
             return False
-        while self.words("NAME", "via", "NAME"):
+        while self.words("NAME via NAME"):
             pass
         return self.words("}")
 
     def frames(self) -> bool:
-        if not self.words("frames", "GROUP"):
+        if not self.words("frames GROUP"):
             return False
         while self.group():
             pass
         return True
 
     def group(self) -> bool:
-        if not self.words("{", "FRAME"):
+        if not self.words("{ FRAME"):
             return False
         while self.words("FRAME"):
             pass
@@ -178,8 +186,17 @@ class _Reader:
         return True
 
 
+@cache
+def _steps(sequence: str) -> list[tuple[str, "Callable[[_Reader], bool] | None", bool]]:
+    """Return the words of a sequence, each with its reader if it has one, and if it may lack."""
+    words = [(word.rstrip("?+"), word.endswith("?")) for word in sequence.split()]
+    return [(word, _PARTS.get(word), is_optional) for word, is_optional in words]
+
+
 def _number_kind(text: str) -> str:
-    plain = "".join(str(int(c)) if c.isdigit() else c for c in text)
+    plain = text
+    if not text.isascii():
+        plain = "".join(str(int(c)) if c.isdigit() else c for c in text)
     return next(kind for kind, pattern in _NUMBER_KINDS if pattern.fullmatch(plain))
 
 
