@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from kindsl.mechanism.skeleton import Skeleton
 
 _NO_SETTINGS = Settings()
-_ENABLED = Fact[tuple[Settings, list[Rule]]]("rules that run")
+_ENABLED = Fact[tuple[object, list[Rule]]]("rules that run")
 
 
 class Analysis:
@@ -197,11 +197,11 @@ class Analysis:
 
     def _rules(self) -> list[Rule]:
         """Return the rules that run, chosen once for all versions under the same settings."""
-        known = self.syntax.versions.get(_ENABLED)
-        if known is None or known[0] is not self.settings:
-            rules = [rule for rule in all_rules() if is_enabled(rule, self.settings)]
-            known = self.syntax.versions.keep(_ENABLED, (self.settings, rules))
-        return known[1]
+
+        def enabled() -> list[Rule]:
+            return [rule for rule in all_rules() if is_enabled(rule, self.settings)]
+
+        return self.syntax.versions.made_of(_ENABLED, self.settings, enabled)
 
     def _without_silenced(self, found: list[Diagnostic]) -> list[Diagnostic]:
         islands, starts = self.syntax.islands, self.syntax.starts
@@ -214,9 +214,9 @@ class Analysis:
             found = [d for d in found if not any(s.covers(d.code, d.start) for s in silenced)]
             if UNUSED_SUPPRESSION.code in enabled:
                 found += self._of(UNUSED_SUPPRESSION, unused_suppressions(unused, enabled))
-        explained = [d.explains for d in found if d.explains is not None]
+        explained = {(d.start, code) for d in found for code in d.explains}
         if explained:
-            found = [d for d in found if not any(each.covers(d) for each in explained)]
+            found = [d for d in found if (d.start, d.code) not in explained or d.fix or d.choices]
         return sorted(found, key=lambda d: (d.start, d.end, d.code, d.message))
 
     def _unknown(self, found: list[Diagnostic]) -> Iterator[tuple[Directive, list[str]]]:

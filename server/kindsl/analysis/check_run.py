@@ -1,8 +1,7 @@
 """Runs rules over a document; if one of them fails, the others still report."""
 
 from collections.abc import Callable, Iterable, Iterator
-from functools import partial, reduce
-from operator import or_
+from functools import partial
 from typing import NamedTuple, TypeAlias
 
 from kindsl.rules.base import Finding, Rule
@@ -10,6 +9,7 @@ from kindsl.rules.context import Context
 from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Declarations
 from kindsl.semantics.model import Model, ModelPart
+from kindsl.semantics.parameters import Symbols
 from kindsl.syntax.document import Chunk
 from kindsl.syntax.tree import Island
 from kindsl.text.facts import Fact
@@ -95,33 +95,46 @@ class CheckRun:
                     yield from self._of(rule, rule.check_island(declared, self._context))
 
         keys = (chosen, self._context.targets), (chosen, self._context.key)
-        return self._in_all_islands(_OF_ISLANDS, keys, check)
+        return self._in_all_islands(
+            _OF_ISLANDS,
+            lambda part: keys[bool(part.parameters or part.constants)],
+            lambda _, symbols: keys[any(symbols)],
+            check,
+        )
 
     def body_findings(self, rules: Iterable[Rule]) -> Found:
-        """Return the findings of the rules that see one body and something of all others."""
+        """Return the findings of the rules that see one body and the joints on it."""
         chosen = tuple(rule for rule in rules if rule.check_body is not None)
+        joints_on = self._model.tree.joints_on
 
         def check(declared: Declarations) -> _Findings:
             for body in declared.bodies():
                 for rule in chosen:
                     if rule.check_body is not None:
-                        yield from self._of(rule, rule.check_body(body, self._model, self._context))
+                        found = rule.check_body(body, joints_on(body), self._context)
+                        yield from self._of(rule, found)
 
-        read = reduce(or_, (rule.reads for rule in chosen), Aspect.NOTHING)
-        key = chosen, *self._key(read)
-        return self._in_all_islands(_OF_BODIES, (key, key), check)
+        key = chosen, *self._key(Aspect.STRUCTURE | Aspect.PLACES)
+        return self._in_all_islands(
+            _OF_BODIES,
+            lambda _: key,
+            lambda declared, _: (key[:2], *map(joints_on, declared.bodies())),
+            check,
+        )
 
     def _in_all_islands(
         self,
         fact: Fact[_Known],
-        keys: tuple[_Key, _Key],
+        key_of_part: Callable[[ModelPart], _Key],
+        key_of_island: Callable[[Declarations, Symbols], _Key],
         check: Callable[[Declarations], _Findings],
     ) -> Found:
         """Return what is found in each island.
 
         Args:
             fact: What chunks and islands keep it as.
-            keys: What it depends on besides the island: without parameters in it, and with such.
+            key_of_part: What it depends on besides the islands of a chunk.
+            key_of_island: What it depends on besides one island.
             check: Finds it in what an island declares.
         """
         found: Found = []
@@ -130,12 +143,11 @@ class CheckRun:
             def of_chunk(chunk: Chunk = chunk, part: ModelPart = part) -> _Findings:
                 rows = zip(chunk.islands, part.declared, part.symbols, strict=True)
                 for island, declared, symbols in rows:
-                    key = keys[any(symbols)]
+                    key = key_of_island(declared, symbols)
                     known = self._known(island.facts.get(fact), key, partial(check, declared))
                     yield from island.facts.keep(fact, known).found
 
-            key = keys[bool(part.parameters or part.constants)]
-            known = self._known(chunk.facts.get(fact), key, of_chunk)
+            known = self._known(chunk.facts.get(fact), key_of_part(part), of_chunk)
             found += chunk.facts.keep(fact, known).found
         return found
 
@@ -153,7 +165,7 @@ class CheckRun:
     def _key(self, reads: Aspect) -> _Key:
         known = self._keys.get(reads)
         if known is None:
-            known = self._context.key, *self._model.edition.reading(reads)
+            known = self._context.key, self._model.edition.facts(reads)
         return self._keys.setdefault(reads, known)
 
     def _of(self, rule: Rule, findings: Iterator[Finding]) -> Found:

@@ -20,19 +20,6 @@ class RelatedPlace(NamedTuple):
     message: str
 
 
-class ExplainedFindings(NamedTuple):
-    """Place and codes of findings that another one explains."""
-
-    start: int
-    end: int
-    codes: frozenset[str]
-
-    def covers(self, finding: "Diagnostic") -> bool:
-        """Return whether a finding is among them: it offers nothing of its own."""
-        offers = finding.fix is not None or finding.choices
-        return finding.code in self.codes and self.start <= finding.start < self.end and not offers
-
-
 class Diagnostic(NamedTuple):
     """A finding as it is shown; offsets in code points of the document, `end` exclusive."""
 
@@ -46,7 +33,7 @@ class Diagnostic(NamedTuple):
     fix: TextFix | None = None
     tag: Tag | None = None
     choices: tuple[TextFix, ...] = ()
-    explains: "ExplainedFindings | None" = None
+    explains: frozenset[str] = frozenset()
 
     @property
     def url(self) -> str | None:
@@ -107,9 +94,7 @@ class Resolver:
             self._fix(finding.fix) if finding.fix else None,
             finding.tag,
             tuple(map(self._fix, finding.choices)),
-            ExplainedFindings(*self.span(finding.evidence.at), finding.evidence.codes)
-            if finding.evidence
-            else None,
+            finding.explains,
         )
 
     def _fix(self, fix: Fix) -> TextFix:

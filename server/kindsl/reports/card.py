@@ -120,7 +120,7 @@ def _masses(skeleton: Skeleton, facts: dict[str, Any], analysis: Analysis) -> It
 def _shape(analysis: Analysis, name: str) -> str:
     """Return what is doubtful about a body in a word or two, a dash where nothing is."""
     body = analysis.model.body_named[name]
-    doubts = shape_verdicts(analysis.model, analysis.context, body)
+    doubts = shape_verdicts(body, analysis.model.tree.joints_on(body), analysis.context)
     return ", ".join(doubt.kind for doubt in doubts) or "-"
 
 

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from kindsl.rules.context import Context
 from kindsl.semantics.aspects import Aspect
-from kindsl.semantics.declarations import Declarations, Link
+from kindsl.semantics.declarations import Declarations, Joint, Link
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Located
 
@@ -58,18 +58,6 @@ class Fix(NamedTuple):
     is_within_digits: bool = False
 
 
-class ExplainedPlace(NamedTuple):
-    """Findings that another one explains, so that they are not told beside it.
-
-    Attributes:
-        at: Where they are.
-        codes: Of their rules; those that offer a fix are told.
-    """
-
-    at: Located
-    codes: frozenset[str]
-
-
 class Finding(NamedTuple):
     """Something that a rule found.
 
@@ -81,7 +69,7 @@ class Finding(NamedTuple):
         choices: Edits that mend it where several things may be meant; then there is no `fix`.
         severity: Where it differs from the rule's.
         tag: How to draw it.
-        evidence: The findings that it explains.
+        explains: Codes of findings at the same place that it makes needless, but for their fixes.
     """
 
     at: Located
@@ -91,7 +79,7 @@ class Finding(NamedTuple):
     severity: Severity | None = None
     tag: Tag | None = None
     choices: tuple[Fix, ...] = ()
-    evidence: ExplainedPlace | None = None
+    explains: frozenset[str] = frozenset()
 
 
 class Example(NamedTuple):
@@ -113,7 +101,7 @@ class Example(NamedTuple):
 
 
 DocumentCheck = Callable[[Model, Context], Iterator[Finding]]
-BodyCheck = Callable[[Link, Model, Context], Iterator[Finding]]
+BodyCheck = Callable[[Link, tuple[Joint, ...], Context], Iterator[Finding]]
 IslandCheck = Callable[[Declarations, Context], Iterator[Finding]]
 
 
@@ -122,10 +110,10 @@ class Rule(NamedTuple):
 
     A rule has one of three checks. `check_island` sees what one island declares and its result is
     kept until that island, or a value that it uses, changes; so whatever can be said of a link
-    alone belongs there. `check_body` sees a body, and of all others what `reads` names: its result
-    is kept until its island, or that, changes. `check_document` sees the whole model; its result is
-    kept until what `reads` names changes, or an island to which a finding points. The rules of the
-    syntax have none: the parser finds them.
+    alone belongs there. `check_body` sees a body and the joints by which it carries others: its
+    result is kept until the island of one of them changes. `check_document` sees the whole model;
+    its result is kept until what `reads` names changes, or an island to which a finding points. The
+    rules of the syntax have none: the parser finds them.
 
     Attributes:
         code: `KD` and three digits, never reused.
@@ -134,7 +122,7 @@ class Rule(NamedTuple):
         check_document: See above.
         check_island: See above.
         check_body: See above.
-        reads: All that the check reads of the document besides.
+        reads: All that `check_document` reads of the document.
         is_default: Whether it runs without being selected or needed by a target.
         good: Documents, or single blocks, in which it finds nothing.
         bad: The same, in which it finds something; with the fixed text where there is a fix.

@@ -12,7 +12,6 @@ from kindsl.limbs.attachments import Attachment, LimbNames, Misplaced
 from kindsl.limbs.limb import MOST_BODIES, Limbs, limbs_of
 from kindsl.limbs.verdicts import LimbVerdict, agreed, verdicts
 from kindsl.rules.context import Context
-from kindsl.rules.memory import Memory
 from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Link, ValueKind
 from kindsl.semantics.model import Model
@@ -44,32 +43,29 @@ class LimbSlips(NamedTuple):
     assignments: tuple[Values, ...]
 
 
-_SLIPS = Fact[tuple[Context, LimbSlips]]("slips in limbs")
-_MISPLACED = Memory[tuple[list[Misplaced], list[Misplaced]]]("links not attached as their twins")
+_SLIPS = Fact[tuple[object, LimbSlips]]("slips in limbs")
+_MISPLACED = Fact[tuple[object, tuple[list[Misplaced], list[Misplaced]]]]("misplaced links")
 _WRITTEN = Fact[dict[str, list[object]]]("limbs as written, by carrier")
-_GROUPS = Memory[list[tuple[Limbs, ...]]]("limbs in numbers")
+_GROUPS = Fact[tuple[object, list[tuple[Limbs, ...]]]]("limbs in numbers")
 
 
 def limb_slips(model: Model, context: Context) -> LimbSlips:
     """Return what does not fit in the limbs of a robot, at whatever values its parameters have."""
-    known = model.facts.get(_SLIPS)
-    if known is None or known[0] is not context:
-        known = model.facts.keep(_SLIPS, (context, _slips(model, context)))
-    return known[1]
+    return model.facts.made_of(_SLIPS, context, partial(_slips, model, context))
 
 
 def _slips(model: Model, context: Context) -> LimbSlips:
     assignments = _assignments(model, context)
     if model.base is None:
         return LimbSlips([], [], [], assignments)
-    structure = model.edition.reading(Aspect.STRUCTURE)
-    elsewhere, crossed = _MISPLACED.of(model.base, structure, partial(_misplaced, model))
+    names = model.edition.facts(Aspect.STRUCTURE)
+    elsewhere, crossed = names.made_of(_MISPLACED, (), partial(_misplaced, model))
     found: list[LimbVerdict] = []
     if not elsewhere + crossed:
         given = context.targets, assignments
         for carrier, written in _limbs_as_written(model).items():
             limbs = partial(_limbs_at_each, carrier, model, assignments)
-            for groups in _GROUPS.of(carrier, (given, written), limbs):
+            for groups in carrier.facts.made_of(_GROUPS, (given, written), limbs):
                 found += _compared(groups)
     return LimbSlips(elsewhere, crossed, found, assignments)
 
@@ -121,7 +117,8 @@ def _limbs_at_each(
 @lru_cache(maxsize=_MOST_KNOWN)
 def _compared(groups: tuple[Limbs, ...]) -> list[LimbVerdict]:
     """Return the verdicts on limbs that are given at each assignment."""
-    return agreed([verdicts(limbs) for limbs in groups])
+    found = {limbs: verdicts(limbs) for limbs in dict.fromkeys(groups)}
+    return agreed([found[limbs] for limbs in groups])
 
 
 def _assignments(model: Model, context: Context) -> tuple[Values, ...]:

@@ -9,7 +9,6 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from kindsl.rules.base import Finding
-from kindsl.rules.memory import Memory
 from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Declarations, Joint, Link, inertia_values, pose_values
 from kindsl.semantics.expressions import Expression
@@ -20,10 +19,10 @@ from kindsl.syntax.document import Chunk, SyntaxDocument
 from kindsl.syntax.parser import island_of_robcogen2
 from kindsl.syntax.robcogen2_stop import stop_of_robcogen2
 from kindsl.syntax.tree import Island, Node, Token
-from kindsl.text.facts import kept
+from kindsl.text.facts import Fact, kept
 from kindsl.text.phrases import counted
 
-_IS_SOUND = Memory[bool]("whether robcogen2 dies of names")
+_IS_SOUND = Fact[tuple[object, bool]]("whether robcogen2 reads the names")
 
 
 class _Pair(NamedTuple):
@@ -48,8 +47,8 @@ def loading_defect(model: Model) -> Finding | None:
     """Return what robcogen2 dies of, None where it loads the document; it could parse it."""
     if model.base is None:
         return next(_structural_defects(model), None)
-    read = model.edition.reading(Aspect.STRUCTURE | Aspect.SYMBOLS)
-    is_sound = _IS_SOUND.of(model.base, read, lambda: not any(_structural_defects(model)))
+    facts = model.edition.facts(Aspect.STRUCTURE | Aspect.SYMBOLS)
+    is_sound = facts.made_of(_IS_SOUND, (), lambda: not any(_structural_defects(model)))
     steps = _numbers if is_sound else _structural_defects
     return next(steps(model), None)
 

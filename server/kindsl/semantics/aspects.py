@@ -7,18 +7,18 @@ from kindsl.syntax.document import SyntaxDocument
 from kindsl.syntax.tree import Island, Node, Token
 from kindsl.syntax.value_forms import is_decimal
 from kindsl.syntax.vocabulary import POSE, VALUE_HOLDERS
-from kindsl.text.facts import Fact
+from kindsl.text.facts import Fact, Facts, kept
 
 
 class Aspect(Flag):
-    """A part of a document that can be read by itself; an island that is broken is each of them.
+    """A part of a document that can be read by itself.
 
     Attributes:
         STRUCTURE: Names, ids, kinds, who carries whom: all but values.
         PLACES: Translations and rotations, of joints and of frames.
         MASSES: All other values.
         SYMBOLS: Values that are more than a decimal, of either sort.
-        TEXT: All that is written, blanks and comments too.
+        LAYOUT: Blanks and comments.
     """
 
     NOTHING = 0
@@ -26,8 +26,8 @@ class Aspect(Flag):
     PLACES = auto()
     MASSES = auto()
     SYMBOLS = auto()
-    TEXT = auto()
-    ALL = STRUCTURE | PLACES | MASSES | SYMBOLS | TEXT
+    LAYOUT = auto()
+    ALL = STRUCTURE | PLACES | MASSES | SYMBOLS | LAYOUT
 
 
 class Edition:
@@ -39,15 +39,17 @@ class Edition:
 
     def __init__(self, islands: Sequence[Island], before: "Edition | None") -> None:
         self.islands = islands
-        known = before._read if before is not None else {}
-        differing = _difference(before.islands, islands) if before is not None else Aspect.ALL
-        self._read: dict[Aspect, object] = {
-            a: object() if a in differing else known[a] for a in Aspect.ALL
-        }
+        self._facts: dict[Aspect, Facts] = {}
+        if before is not None:
+            differing = _difference(before.islands, islands)
+            self._facts = {r: facts for r, facts in before._facts.items() if not r & differing}
 
-    def reading(self, aspects: Aspect) -> tuple[object, ...]:
-        """Return what is equal for two versions, surely only where all these aspects are equal."""
-        return tuple([self._read[aspect] for aspect in aspects])
+    def facts(self, read: Aspect) -> Facts:
+        """Return the facts derived from these aspects alone, the same ones while these are equal.
+
+        Nothing that is kept there may hold an island.
+        """
+        return self._facts.setdefault(read, Facts())
 
 
 _LAST = Fact[Edition]("last edition")
@@ -72,30 +74,58 @@ def _difference(before: Sequence[Island], after: Sequence[Island]) -> Aspect:
 def _differing(old: Island, new: Island) -> Aspect:
     if old.text == new.text:
         return Aspect.NOTHING
-    if old.problems or new.problems:
-        return Aspect.ALL
     here, there = _words(old), _words(new)
-    found = Aspect.TEXT
+    found = Aspect.LAYOUT if old.problems or new.problems else Aspect.NOTHING
     for aspect, words in here.items():
         found |= Aspect.NOTHING if words == there[aspect] else aspect
     return found
 
 
+@kept
 def _words(island: Island) -> dict[Aspect, list[str]]:
-    """Return the words of an island, each value as one, by what they belong to."""
+    """Return the words of an island, each value as one, by what they belong to.
+
+    In broken text also where a problem is, for nothing is concluded there, and all that is written.
+    """
     words: dict[Aspect, list[str]] = {aspect: [] for aspect in Aspect}
+    words[Aspect.LAYOUT] = _gaps(island)
+    if island.problems:
+        words[Aspect.STRUCTURE] += [
+            "!",
+            *(token.text for token in island.tokens if _is_word(token)),
+        ]
     pending: list[tuple[Node | Token, Node | None, Aspect]] = [
         (node, None, Aspect.MASSES) for node in island.nodes[::-1]
     ]
     while pending:
         part, parent, kind = pending.pop()
+        doubt = _doubt(island, part) if island.problems else ""
         if isinstance(part, Token):
-            words[Aspect.STRUCTURE].append(part.text)
+            words[Aspect.STRUCTURE].append("" if part.is_missing else part.text + doubt)
         elif parent is not None and parent.kind in VALUE_HOLDERS:
-            text = " ".join(token.text for token in part.tokens())
+            text = " ".join(token.text for token in part.tokens()) + doubt
             for aspect in (kind,) if is_decimal(part) else (kind, Aspect.SYMBOLS):
                 words[aspect].append(text)
         else:
             kind = Aspect.PLACES if part.kind in POSE else kind
+            if doubt:
+                words[kind].append(doubt)
             pending += ((child, part, kind) for child in part.children[::-1])
     return words
+
+
+def _is_word(token: Token) -> bool:
+    return token.text.removeprefix("^").isidentifier()
+
+
+def _doubt(island: Island, part: Node | Token) -> str:
+    """Return a mark if something in a part, or right beside it, is not in the language."""
+    start, end = part.start, part.end
+    is_doubtful = any(p.start <= end and p.end >= start for p in island.problems)
+    return f"!{part.kind}" if is_doubtful else f"?{part.kind}"
+
+
+def _gaps(island: Island) -> list[str]:
+    """Return what stands between the tokens of an island, before the first and after the last."""
+    text, tokens = island.text, island.tokens
+    return [*(text[t.lead : t.start] for t in tokens), text[tokens[-1].end :] if tokens else text]

@@ -8,6 +8,7 @@ from kindsl.rigid.joint_kind import JointKind
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.places import Construct, Name, Place
 from kindsl.syntax.tree import Island, Node
+from kindsl.text.facts import Facts
 
 
 class ValueKind(StrEnum):
@@ -115,10 +116,12 @@ class Link(Construct):
         frames: Its optional frames.
         is_base: Whether it is the `RobotBase`.
         is_floating: Whether it is a floating base.
+        facts: What later layers derived from it.
     """
 
     __slots__ = (
-        "children", "frames", "id", "id_place", "inertia", "is_base", "is_floating", "name",
+        "children", "facts", "frames", "id", "id_place", "inertia", "is_base", "is_floating",
+        "name",
     )  # fmt: skip
 
     def __init__(self, node: Node, island: Island, name: Name) -> None:
@@ -132,6 +135,7 @@ class Link(Construct):
         self.frames: tuple[Frame, ...] = ()
         self.is_base = False
         self.is_floating = False
+        self.facts = Facts()
 
     def __repr__(self) -> str:
         return f"Link({str(self.name)!r}, id={self.id})"

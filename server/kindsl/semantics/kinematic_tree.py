@@ -78,6 +78,10 @@ class KinematicTree:
         """Return the edges that leave a body."""
         return self.below.get(body, [])
 
+    def joints_on(self, body: Link) -> tuple[Joint, ...]:
+        """Return the joints by which a body carries others, those of them that there are."""
+        return tuple([e.joint for e in self.below.get(body, ()) if e.joint is not None])
+
     def in_topological_order(self, base: Link) -> list[Link]:
         """Return the links that the base carries, parents first, siblings in written order."""
         order: list[Link] = []

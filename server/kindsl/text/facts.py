@@ -41,6 +41,19 @@ class Facts:
         self._kept[fact] = value
         return value
 
+    def made_of(self, fact: Fact[tuple[object, T]], given: object, make: Callable[[], T]) -> T:
+        """Return what is made of the thing and of something else; anew where that is not equal.
+
+        Args:
+            fact: What it is kept as.
+            given: All that it is made of besides the thing.
+            make: Makes it.
+        """
+        known = self.get(fact)
+        if known is None or known[0] != given:
+            known = self.keep(fact, (given, make()))
+        return known[1]
+
     def forget(self, fact: Fact[Any]) -> None:
         """Forget what is known, if it is."""
         self._kept.pop(fact, None)

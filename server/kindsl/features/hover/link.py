@@ -103,7 +103,7 @@ def _verdicts(analysis: Analysis, body: Link) -> Iterator[str]:
             severity = finding.severity or rule.severity
             yield f"{_MARKS.get(severity, '')}{finding.message} ({rule.code})"
             return
-    doubts = list(shape_verdicts(analysis.model, analysis.context, body))
+    doubts = list(shape_verdicts(body, analysis.model.tree.joints_on(body), analysis.context))
     for doubt in doubts:
         yield f"{_MARKS[Severity.WARNING]}{doubt.sentence} ({doubt.code})"
     if not doubts:

@@ -28,14 +28,12 @@ from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import inertia, joint, link, robot
 from kindsl.rules.inertia.shapes import shape_doubts
-from kindsl.semantics.aspects import Aspect
-from kindsl.semantics.declarations import Link
-from kindsl.semantics.model import Model
+from kindsl.semantics.declarations import Joint, Link
 
 
-def check_body(body: Link, model: Model, context: Context) -> Iterator[Finding]:
+def check_body(body: Link, joints: tuple[Joint, ...], context: Context) -> Iterator[Finding]:
     """Yield a finding where the mass of a link is not where the link is."""
-    for verdict in shape_doubts(model, context, body, "KD309"):
+    for verdict in shape_doubts(body, joints, context, "KD309"):
         if body.inertia is not None and body.inertia.com is not None:
             yield Finding(body.inertia.com, verdict.sentence)
 
@@ -51,7 +49,6 @@ RULE = Rule(
     "com-outside-link",
     Severity.WARNING,
     check_body=check_body,
-    reads=Aspect.STRUCTURE | Aspect.PLACES,
     good=(_arm("0.15", "0.037"), _arm("150.0", "27100.0")),
     bad=(_arm("1.5", "2.71"),),
 )

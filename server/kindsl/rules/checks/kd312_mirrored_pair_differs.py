@@ -50,7 +50,9 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
 
 def _is_told(model: Model, context: Context, body: Link) -> bool:
     """Return whether a body is reported as impossible, or behind its joint."""
-    return is_impossible(body, context) or any(shape_doubts(model, context, body, "KD511"))
+    return is_impossible(body, context) or any(
+        shape_doubts(body, model.tree.joints_on(body), context, "KD511")
+    )
 
 
 @kept

@@ -35,9 +35,7 @@ from kindsl.rules.context import Context
 from kindsl.rules.examples import inertia, joint, link, placed_joint, robot
 from kindsl.rules.inertia.judgements import keyword
 from kindsl.rules.inertia.shapes import link_ends, shape_doubts
-from kindsl.semantics.aspects import Aspect
-from kindsl.semantics.declarations import Inertia, Link
-from kindsl.semantics.model import Model
+from kindsl.semantics.declarations import Inertia, Joint, Link
 from kindsl.semantics.numbers import mass_distribution
 from kindsl.syntax.vocabulary import MOMENTS
 
@@ -46,18 +44,20 @@ _AXES = "xyz"
 _NEXT = (2, 0, 1, 5, 3, 4, 7, 8, 6)
 
 
-def check_body(body: Link, model: Model, context: Context) -> Iterator[Finding]:
+def check_body(body: Link, joints: tuple[Joint, ...], context: Context) -> Iterator[Finding]:
     """Yield a finding where the mass of a link is a rod across the way to its only end."""
-    for verdict in shape_doubts(model, context, body, "KD313"):
+    for verdict in shape_doubts(body, joints, context, "KD313"):
         if body.inertia is not None:
-            fix = _laid_along(model, context, body, body.inertia)
+            fix = _laid_along(body, joints, context, body.inertia)
             yield Finding(keyword(body.inertia), verdict.sentence, fix=fix)
 
 
-def _laid_along(model: Model, context: Context, body: Link, inertia: Inertia) -> Fix | None:
+def _laid_along(
+    body: Link, joints: tuple[Joint, ...], context: Context, inertia: Inertia
+) -> Fix | None:
     """Return the fix that turns the axes round, None where that lays no rod along the link."""
     written = mass_distribution(inertia, context.values)
-    children, frames = link_ends(model, context, body)
+    children, frames = link_ends(body, joints, context)
     if written is None or inertia.com is None or inertia.frame is not None:
         return None
     values = [*inertia.com.components, *(inertia.moments[name] for name in MOMENTS)]
@@ -90,7 +90,6 @@ RULE = Rule(
     "across-its-link",
     Severity.WARNING,
     check_body=check_body,
-    reads=Aspect.STRUCTURE | Aspect.PLACES,
     good=(_arm("0.107", "0.107", "0.001"), _arm("0.10", "0.11", "0.02")),
     bad=(
         _arm("0.081", "0.107", "0.027"),

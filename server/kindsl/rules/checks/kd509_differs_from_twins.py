@@ -87,7 +87,7 @@ def _is_told_elsewhere(model: Model, context: Context, verdict: LimbVerdict) -> 
     mirrored = [(body, t) for t in twins if right_twin_of(body) == t.name]
     mirrored += [(t, body) for t in twins if right_twin_of(t) == body.name]
     is_told = any(mirror_difference(left, right) for left, right in mirrored)
-    is_behind = any(shape_doubts(model, context, body, "KD511"))
+    is_behind = any(shape_doubts(body, model.tree.joints_on(body), context, "KD511"))
     return is_told or is_behind or is_impossible(body, context)
 
 

@@ -33,33 +33,30 @@ from kindsl.rules.context import Context
 from kindsl.rules.examples import joint, link, robot
 from kindsl.rules.inertia.shapes import link_ends, shape_doubts
 from kindsl.rules.number_writing import opposite
-from kindsl.semantics.aspects import Aspect
-from kindsl.semantics.declarations import Link, Vector
-from kindsl.semantics.model import Model
+from kindsl.semantics.declarations import Joint, Link, Vector
 
 _MOST = 0.9
 
 
-def check_body(body: Link, model: Model, context: Context) -> Iterator[Finding]:
+def check_body(body: Link, joints: tuple[Joint, ...], context: Context) -> Iterator[Finding]:
     """Yield a finding where a rod goes the other way than its link."""
-    for verdict in shape_doubts(model, context, body, "KD511"):
+    for verdict in shape_doubts(body, joints, context, "KD511"):
         if body.inertia is not None and body.inertia.com is not None:
-            choices = tuple(_choices(model, context, body)) if verdict.number < 0.0 else ()
+            choices = tuple(_choices(body, joints, context)) if verdict.number < 0.0 else ()
             yield Finding(body.inertia.com, verdict.sentence, choices=choices)
 
 
-def _choices(model: Model, context: Context, body: Link) -> Iterator[Fix]:
+def _choices(body: Link, joints: tuple[Joint, ...], context: Context) -> Iterator[Fix]:
     """Yield the changes of a sign that turn CoM or way round, where an axis is along the link."""
-    children, frames = link_ends(model, context, body)
+    children, frames = link_ends(body, joints, context)
     axis = _main_axis((children or frames)[0])
     if axis is None or body.inertia is None or body.inertia.frame is not None:
         return
     if body.inertia.com is not None:
         yield _reversed(body.inertia.com, axis, f"the CoM of '{body.name}'")
-    for edge in model.tree.successor_edges(body):
-        place = edge.joint.pose.translation if edge.joint is not None else None
-        if place is not None:
-            yield _reversed(place, axis, f"the translation of '{edge.child.joint}'")
+    for below in joints:
+        if below.pose.translation is not None:
+            yield _reversed(below.pose.translation, axis, f"the translation of '{below.name}'")
 
 
 def _main_axis(end: Vector3) -> int | None:
@@ -91,7 +88,6 @@ RULE = Rule(
     "com-behind-joint",
     Severity.WARNING,
     check_body=check_body,
-    reads=Aspect.STRUCTURE | Aspect.PLACES,
     good=(_arm("0.15"),),
     bad=(_arm("-0.15"), _arm("0.45").replace("0.036", "0.252")),
 )

@@ -24,6 +24,7 @@ from kindsl.rules.base import Example, Finding, Rule, Severity
 from kindsl.rules.context import ROBCOGEN, Context
 from kindsl.rules.examples import STEEL_BALL, joint, link, robot
 from kindsl.rules.refusals import refused_by
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 
 
@@ -45,6 +46,7 @@ RULE = Rule(
     "not-in-robcogen",
     Severity.ERROR,
     check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.SYMBOLS | Aspect.LAYOUT,
     is_default=False,
     good=(_arm("0.003"), _arm("reach/2.0")),
     bad=(

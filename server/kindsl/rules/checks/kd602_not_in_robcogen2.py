@@ -25,6 +25,7 @@ from kindsl.rules.base import Example, Finding, Rule, Severity
 from kindsl.rules.context import ROBCOGEN2, Context
 from kindsl.rules.examples import joint
 from kindsl.rules.refusals import refused_by
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 
 
@@ -43,6 +44,7 @@ RULE = Rule(
     "not-in-robcogen2",
     Severity.ERROR,
     check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.SYMBOLS | Aspect.LAYOUT,
     is_default=False,
     good=(_joint("0.3"), _joint("reach/2.0"), _joint("0.3", "// seen from above\n")),
     bad=(

@@ -19,6 +19,7 @@ from kindsl.rules.base import Example, Finding, Related, Rule, Severity
 from kindsl.rules.context import ROBCOGEN, ROBCOGEN2, Context
 from kindsl.rules.examples import STEEL_BALL, joint, link, robot
 from kindsl.rules.refusals import first_refusal
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 
 
@@ -47,6 +48,7 @@ RULE = Rule(
     "read-by-neither",
     Severity.ERROR,
     check_document=check_document,
+    reads=Aspect.STRUCTURE | Aspect.SYMBOLS | Aspect.LAYOUT,
     good=(_arm("2.0*reach", "0.0"), _arm("2.0 reach", "0.0")),
     bad=(_arm("2.0*reach", "2.0 reach"),),
 )

@@ -37,6 +37,7 @@ from kindsl.rules.inertia.likelihood import (
 )
 from kindsl.rules.inertia.slips import TABLE, Hypothesis, Kind, Slip, hypotheses
 from kindsl.rules.inertia.surroundings import LinkSurroundings, of_points, of_twins
+from kindsl.text.facts import Fact
 
 _NEGLIGIBLE = 0.1
 _MOST = 4
@@ -79,19 +80,42 @@ class Cause(NamedTuple):
         return self.log_likelihood > self.log_alone
 
 
+class Fit(NamedTuple):
+    """A mistake without which the numbers are those of a body, or odd ones of a likely size.
+
+    Attributes:
+        hypothesis: What was done, and the numbers without it.
+        shape: The second moments about the CoM without it.
+        is_left_odd: Whether the body is impossible or implausible without it, too.
+    """
+
+    hypothesis: Hypothesis
+    shape: MassShape
+    is_left_odd: bool
+
+
+_FITS = Fact[tuple[object, list[Fit]]]("fitting mistakes")
+
+
 def candidates(found: Judgement, around: LinkSurroundings) -> list[Cause]:
     """Return all mistakes that explain an inertia, in no order."""
-    explained: list[Cause] = []
-    for h in hypotheses(found.body, found.half):
-        if found.is_impossible or not _OF_DENSITY.isdisjoint(h.slips):
-            shape = shape_of(h.body, h.half)
-            if shape is not None and _fits(h, shape):
-                explained.append(_simple_first(_weighed(h, shape, around)))
-            elif _leaves_odd(h, found.body):
-                explained += _left_odd(h, around)
+    fitting = found.link.facts.made_of(_FITS, found, lambda: list(_fits_of(found)))
+    explained = [_simple_first(_weighed(fit, around)) for fit in fitting]
     common = [cause for cause in explained if not cause.hypothesis.is_last_resort]
     kept = _merged(common if common and found.is_impossible else explained)
     return [*kept, *_without_meaning(found, around, kept)]
+
+
+def _fits_of(found: Judgement) -> Iterator[Fit]:
+    """Yield all mistakes that may explain an inertia, looking at nothing else."""
+    for h in hypotheses(
+        found.body, found.half, frozenset(Slip) if found.is_impossible else _OF_DENSITY
+    ):
+        shape = shape_of(h.body, h.half)
+        if shape is not None and _is_fitting(h, shape):
+            yield Fit(h, shape, is_left_odd=False)
+        elif _leaves_odd(h, found.body):
+            yield from _left_odd(h)
 
 
 def _without_meaning(
@@ -125,7 +149,8 @@ def likelihood_as_written(found: Judgement, around: LinkSurroundings) -> float:
     shape = shape_of(found.body, found.half)
     if shape is None or found.is_impossible:
         return -inf
-    return _weighed(Hypothesis((), found.body, found.half, 1.0), shape, around).log_likelihood
+    fit = Fit(Hypothesis((), found.body, found.half, 1.0), shape, is_left_odd=False)
+    return _weighed(fit, around).log_likelihood
 
 
 def ranked(
@@ -152,13 +177,17 @@ def ranked(
     return [c for c in kept if c.probability >= _NEGLIGIBLE * kept[0].probability]
 
 
-def _weighed(h: Hypothesis, shape: MassShape, around: LinkSurroundings) -> Cause:
+def _weighed(fit: Fit, around: LinkSurroundings) -> Cause:
+    h, shape, is_left_odd = fit
     here, twins = of_points(h, shape, around), of_twins(h, around)
     alone = log_likelihood(h.body.mass, shape, around.reach(h.body.com)) + here.log_weight
     alone += log_likelihood_of_mass(h.body.mass, around.mass)
     if Slip.SCALE in h.slips:
         alone += 6.0 * h.power * _LOG_TEN
-    return Cause(h, shape, here.reasons + twins.reasons, alone + twins.log_weight, alone)
+    if is_left_odd:
+        alone += _LOG_ODD
+    reasons, whole = here.reasons + twins.reasons, alone + twins.log_weight
+    return Cause(h, shape, reasons, whole, alone, is_left_odd=is_left_odd)
 
 
 def _simple_first(cause: Cause) -> Cause:
@@ -169,7 +198,7 @@ def _simple_first(cause: Cause) -> Cause:
     shape = shape_of(simple.body, simple.half)
     return cause._replace(
         hypothesis=simple._replace(weight=cause.hypothesis.weight),
-        is_left_odd=shape is None or not _fits(simple, shape),
+        is_left_odd=shape is None or not _is_fitting(simple, shape),
     )
 
 
@@ -180,14 +209,12 @@ def _leaves_odd(h: Hypothesis, body: MassDistribution) -> bool:
     return h.slips == (Slip.MASS,) and bool(h.unit) and _size(body) > _MORE_THAN_MATTER
 
 
-def _left_odd(h: Hypothesis, around: LinkSurroundings) -> Iterator[Cause]:
+def _left_odd(h: Hypothesis) -> Iterator[Fit]:
     """Yield a simple slip without which a body is still odd, yet of a size that bodies have."""
     if (_LEAST_LEFT if Slip.MASS in h.slips else _NOTHING) < _size(h.body) < _GREATEST_ODD:
         second_moments = second_moments_about_com(h.body)
         shape = MassShape(second_moments, errors_of(h.body, h.half), _sizes(h.body))
-        cause = _weighed(h, shape, around)
-        odd = cause.log_likelihood + _LOG_ODD, cause.log_alone + _LOG_ODD
-        yield Cause(h, shape, cause.reasons, *odd, is_left_odd=True)
+        yield Fit(h, shape, is_left_odd=True)
 
 
 def _sizes(body: MassDistribution) -> tuple[Eigenpair, Eigenpair, Eigenpair]:
@@ -202,7 +229,7 @@ def _size(body: MassDistribution) -> float:
     return density_of(body.mass, _sizes(body))
 
 
-def _fits(h: Hypothesis, shape: MassShape) -> bool:
+def _is_fitting(h: Hypothesis, shape: MassShape) -> bool:
     """Return whether the body is possible and plausible; a single slip may leave it a bit odd."""
     if verdict_of(h.body, h.half, shape.pairs) in IMPOSSIBLE:
         return False

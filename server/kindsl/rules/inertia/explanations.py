@@ -13,11 +13,11 @@ from kindsl.rules.inertia.causes import Cause, candidates, likelihood_as_written
 from kindsl.rules.inertia.judgements import Judgement
 from kindsl.rules.inertia.slips import Kind
 from kindsl.rules.inertia.surroundings import LinkSurroundings, surroundings
-from kindsl.rules.memory import Memory
 from kindsl.semantics.model import Model
+from kindsl.text.facts import Fact
 
-_TRIALS: "Memory[_Tried]" = Memory("tried causes")
-_RANKINGS = Memory[list[Cause]]("likely causes")
+_TRIALS: "Fact[tuple[object, _Tried]]" = Fact("tried causes")
+_RANKINGS = Fact[tuple[object, list[Cause]]]("likely causes")
 
 
 class Explained(NamedTuple):
@@ -64,7 +64,7 @@ def _tried(found: Judgement, around: LinkSurroundings, alike: dict[object, _Trie
             alike[key] = _Tried(causes, said_by(causes), likelihood_as_written(found, around))
         return alike[key]
 
-    return _TRIALS.of(found.link, (found, around), trial)
+    return found.link.facts.made_of(_TRIALS, (found, around), trial)
 
 
 def _likely(
@@ -74,4 +74,4 @@ def _likely(
         others = {kind: said - tried.said.get(kind, 0.0) for kind, said in together}
         return ranked(tried.causes, others, tried.as_written)
 
-    return _RANKINGS.of(found.link, (tried, together), ranking)
+    return found.link.facts.made_of(_RANKINGS, (tried, together), ranking)

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from kindsl.mechanism.body_verdicts import density_of
 from kindsl.rigid.body import MassDistribution, eigensystem, second_moments_about_com
-from kindsl.rules.base import ExplainedPlace, Finding, Fix, Related, Replacement, Severity
+from kindsl.rules.base import Finding, Fix, Related, Replacement, Severity
 from kindsl.rules.context import ROBCOGEN, ROBCOGEN2, Context
 from kindsl.rules.inertia.causes import Cause
 from kindsl.rules.inertia.digits import (
@@ -25,12 +25,12 @@ from kindsl.rules.inertia.judgements import (
 )
 from kindsl.rules.inertia.slips import Slip
 from kindsl.rules.inertia.told import likely_cause, rivals, shared_cause, title
-from kindsl.rules.memory import Memory
 from kindsl.rules.number_writing import rescaled, rewritten
 from kindsl.rules.tiny_values import is_negligible, is_tiny
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.model import Model
 from kindsl.syntax.vocabulary import MOMENTS
+from kindsl.text.facts import Fact
 from kindsl.text.quantities import with_unit
 
 _LIKELY, _SURE = 0.5, 0.85
@@ -39,7 +39,7 @@ _LEAST_SHARED = 3
 _EVIDENCE = frozenset(("KD311",))
 # The code of the rule that tells it, and what it tells.
 _Told = tuple[str, Finding]
-_TELLINGS = Memory[_Told | None]("told causes")
+_TELLINGS = Fact[tuple[object, _Told | None]]("told causes")
 
 
 def findings(suspects: Sequence[Judgement], model: Model, context: Context) -> list[_Told]:
@@ -61,7 +61,7 @@ def _told(explained: Explained, context: Context) -> _Told | None:
             return None
         return causes[0].hypothesis.code, _finding(explained, at, context)
 
-    return _TELLINGS.of(found.link, (causes, at, context.targets), telling)
+    return found.link.facts.made_of(_TELLINGS, (causes, at, context.targets), telling)
 
 
 def _shared(explained: Sequence[Explained], told: Sequence[_Told], model: Model) -> _Told | None:
@@ -100,7 +100,7 @@ def _finding(explained: Explained, at: str, context: Context) -> Finding:
         tuple(Related(section, rival) for rival in rivals(causes)),
         fix,
         Severity.INFORMATION if found.is_impossible else Severity.WARNING,
-        evidence=ExplainedPlace(section, _EVIDENCE),
+        explains=_EVIDENCE,
     )
 
 

@@ -11,43 +11,50 @@ from kindsl.mechanism.link_inertia import link_inertia
 from kindsl.rigid.pose import Vector3
 from kindsl.rules.context import Context
 from kindsl.rules.inertia.judgements import Verdict, is_moving, judgements
-from kindsl.semantics.declarations import Link, Pose
+from kindsl.semantics.declarations import Joint, Link, Pose
 from kindsl.semantics.lowering import declarations
-from kindsl.semantics.model import Model
 from kindsl.semantics.numbers import written_pose
 from kindsl.semantics.unknown import Unknown
 from kindsl.text.facts import Fact
 
-_VERDICTS = Fact[tuple[Context, Link, list[BodyVerdict]]]("shape of the last body")
+_VERDICTS = Fact[tuple[object, list[BodyVerdict]]]("shape")
 _OF_DENSITY = "KD311"
 
 
-def shape_doubts(model: Model, context: Context, body: Link, code: str) -> Iterator[BodyVerdict]:
-    """Yield what one rule reports of a body's shape; all rules ask of one body after the other."""
-    known = model.facts.get(_VERDICTS)
-    if known is None or known[0] is not context or known[1] is not body:
-        verdicts = list(shape_verdicts(model, context, body))
-        known = model.facts.keep(_VERDICTS, (context, body, verdicts))
-    yield from (verdict for verdict in known[2] if verdict.code == code)
+def shape_doubts(
+    body: Link, joints: tuple[Joint, ...], context: Context, code: str
+) -> Iterator[BodyVerdict]:
+    """Yield what one rule reports of a body's shape; it is judged once for all of them."""
+    verdicts = body.facts.made_of(
+        _VERDICTS, (joints, context), lambda: list(shape_verdicts(body, joints, context))
+    )
+    yield from (verdict for verdict in verdicts if verdict.code == code)
 
 
-def shape_verdicts(model: Model, context: Context, body: Link) -> Iterator[BodyVerdict]:
-    """Yield what is reported of one body's shape, nothing of a fixed base."""
+def shape_verdicts(
+    body: Link, joints: tuple[Joint, ...], context: Context
+) -> Iterator[BodyVerdict]:
+    """Yield what is reported of one body's shape, nothing of a fixed base.
+
+    Args:
+        body: The body.
+        joints: Those by which it carries others.
+        context: The parameters' values.
+    """
     if body.inertia is None or not is_moving(body):
         return
     numbers = link_inertia(body, context.values)
     if not isinstance(numbers, Unknown):
-        for verdict in body_verdicts(str(body.name), numbers, *link_ends(model, context, body)):
+        for verdict in body_verdicts(str(body.name), numbers, *link_ends(body, joints, context)):
             if verdict.code != _OF_DENSITY or _is_of_no_material(body, context):
                 yield verdict
 
 
 def link_ends(
-    model: Model, context: Context, body: Link
+    body: Link, joints: tuple[Joint, ...], context: Context
 ) -> tuple[tuple[Vector3, ...], tuple[Vector3, ...]]:
     """Return the known origins of the children's joints and of the frames, in the link frame."""
-    edges = model.tree.successor_edges(body)
-    children = _places([e.joint.pose for e in edges if e.joint is not None], context)
+    children = _places([joint.pose for joint in joints], context)
     return children, _places([frame.pose for frame in body.frames], context)
 
 

@@ -5,7 +5,7 @@ far as `_PAIRS` says, for a share of their weight. A unit is mended first, and w
 again: what may have been done to the moments besides only speaks for the unit.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Container, Iterator, Sequence
 from enum import StrEnum
 from itertools import combinations
 from typing import NamedTuple, TypeVar
@@ -105,11 +105,19 @@ class Hypothesis(NamedTuple):
         return self.kind, with_signs.kind
 
 
-def hypotheses(body: MassDistribution, half: MassDistribution) -> Iterator[Hypothesis]:
-    """Yield all mistakes of the table that give numbers, one or two of them at a time."""
+def hypotheses(
+    body: MassDistribution, half: MassDistribution, among: Container[Slip] = frozenset(Slip)
+) -> Iterator[Hypothesis]:
+    """Yield all mistakes of the table that give numbers, one or two of them at a time.
+
+    Args:
+        body: As written.
+        half: How far each number may be from what is written.
+        among: The mistakes that are tried first.
+    """
     written = Hypothesis((), body, half, 1.0, has_products=any(body.moments[3:]))
     for slip, row in TABLE.items():
-        for single in row.meant(written):
+        for single in row.meant(written) if slip in among else ():
             h = _with(slip, single, row.weight)
             yield h
             for other, share, of_some in _PAIRS.get(slip, ()):

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from itertools import product
-from math import hypot, log
+from math import hypot, log, log10
 from typing import NamedTuple
 
 from kindsl.limbs.comparison import seen_by
@@ -22,6 +22,7 @@ from kindsl.text.facts import kept
 
 SIGNS: tuple[Vector3, ...] = tuple(product((1.0, -1.0), repeat=3))  # type: ignore[arg-type]
 _Telling = tuple[str, tuple[float | None, ...]]
+_Inertia = tuple[Link, MassDistribution]
 _FEWEST_MASSES = 3
 _FEWEST_DIGITS = 8
 _MOST_PARTS = 8
@@ -93,7 +94,7 @@ def surroundings(model: Model, context: Context, found: Judgement) -> LinkSurrou
         placed = (written_pose(pose, context.values) for pose in poses)
         points = [place.translation for place in placed if place is not None]
     alike = list(_alike(model, context, link))
-    twins = _twins(model, context, link, alike)
+    twins = _twins(model, context, found, alike)
     return LinkSurroundings(
         tuple(point for point in points if hypot(*point) > _NEAR),
         twins,
@@ -145,18 +146,40 @@ def _of_twin(h: Hypothesis, twin: Twin, share: float) -> Evidence:
 
 def is_mirror_image(one: MassDistribution, other: MassDistribution) -> bool:
     """Return whether axes turned round by some signs, or none, make one body the other."""
+    if not is_same_body(_without_signs(one), _without_signs(other)):
+        return False
     return any(is_same_body(_reflected(one, signs), other) for signs in SIGNS)
+
+
+def may_be_image(one: MassDistribution, other: MassDistribution) -> bool:
+    """Return whether a mistake of the table may be all that keeps one body from being the other.
+
+    It may change the order and the signs of a CoM, a mass by powers of ten, and any moment.
+    """
+    power = round(log10(one.mass / other.mass))
+    return _are_near((one.mass,), (other.mass * 10.0**power,)) and _are_near(
+        sorted(map(abs, one.com)), sorted(map(abs, other.com))
+    )
 
 
 def is_same_body(one: MassDistribution, other: MassDistribution) -> bool:
     """Return whether all ten numbers agree but for a little of the greatest of their kind."""
-    groups = (([one.mass], [other.mass]), (one.com, other.com), (one.moments, other.moments))
-    return all(_are_near(a, b) for a, b in groups)
+    return (
+        _are_near((one.mass,), (other.mass,))
+        and _are_near(one.com, other.com)
+        and _are_near(one.moments, other.moments)
+    )
 
 
 def _are_near(one: Sequence[float], other: Sequence[float]) -> bool:
     size = max(map(abs, (*one, *other)))
     return all(abs(a - b) <= _SAME * size for a, b in zip(one, other, strict=True))
+
+
+def _without_signs(body: MassDistribution) -> MassDistribution:
+    mass, (x, y, z), (xx, yy, zz, xy, xz, yz) = body
+    moments = abs(xx), abs(yy), abs(zz), abs(xy), abs(xz), abs(yz)
+    return MassDistribution(abs(mass), (abs(x), abs(y), abs(z)), moments)
 
 
 def _reflected(body: MassDistribution, signs: Vector3) -> MassDistribution:
@@ -191,19 +214,21 @@ def _bodies_by_numbers(model: Model) -> dict[_Telling, list[Link]]:
     return found
 
 
-def _telling_numbers(body: Link) -> Iterator[_Telling]:
-    """Yield the moments and the CoM of a body where no two bodies have them by chance."""
-    inertia = body.inertia
+@kept
+def _telling_numbers(body: Link) -> list[_Telling]:
+    """Return the moments and the CoM of a body where no two bodies have them by chance."""
+    inertia, found = body.inertia, []
     if inertia is None or inertia.com is None:
-        return
+        return []
     moments = tuple(inertia.moments.values())
     for what, group in (("moments", moments), ("CoM", inertia.com.components)):
         digits = {abs(v.literal): significant_digits(v.text) for v in group if v.literal}
         if len(digits) > 1 and sum(digits.values()) >= _FEWEST_DIGITS:
-            yield what, tuple(value.literal for value in group)
+            found.append((what, tuple(value.literal for value in group)))
+    return found
 
 
-def _alike(model: Model, context: Context, link: Link) -> Iterator[tuple[Link, MassDistribution]]:
+def _alike(model: Model, context: Context, link: Link) -> Iterator[_Inertia]:
     """Yield the links of the same part, with their inertias."""
     for other in _parts(model).get(part_of(link), ()):
         if other is not link and other.inertia is not None:
@@ -213,21 +238,29 @@ def _alike(model: Model, context: Context, link: Link) -> Iterator[tuple[Link, M
 
 
 def _twins(
-    model: Model, context: Context, link: Link, alike: Sequence[tuple[Link, MassDistribution]]
+    model: Model, context: Context, found: Judgement, alike: Sequence[_Inertia]
 ) -> tuple[Twin, ...]:
     """Return those that are possible, and what all of them can expect, seeing how they lie."""
     twins = [(other, body) for other, body in alike if not is_impossible(other, context)]
-    seen = [
-        [_in_frame_of_twin(body, C) for C in _frames(model, context, link, other)]
-        for other, body in twins
-    ]
-    agreed = (
-        each
-        for each in (seen[0] if seen else ())
-        if all(any(is_same_body(each, body) for body in bodies) for bodies in seen)
-    )
-    expected = next(agreed, None)
+    may_be_twin = any(may_be_image(found.body, body) for _, body in twins)
+    expected = _expected(model, context, found.link, twins) if may_be_twin else None
     return tuple(Twin(str(other.name), body, expected) for other, body in twins)
+
+
+def _expected(
+    model: Model, context: Context, link: Link, twins: Sequence[_Inertia]
+) -> MassDistribution | None:
+    """Return the inertia that all twins let expect, None where they do not agree."""
+    masses = [(body.mass,) for _, body in twins]
+    agreed: list[MassDistribution] | None = None
+    for other, body in twins if all(_are_near(mass, masses[0]) for mass in masses) else ():
+        seen = [_in_frame_of_twin(body, C) for C in _frames(model, context, link, other)]
+        if agreed is None:
+            agreed = seen
+        agreed = [each for each in agreed if any(is_same_body(each, own) for own in seen)]
+        if not agreed:
+            return None
+    return agreed[0] if agreed else None
 
 
 def _in_frame_of_twin(body: MassDistribution, C: Rotation) -> MassDistribution:

@@ -1,6 +1,7 @@
 """Inertias that need an explanation: impossible or implausible ones."""
 
 from collections.abc import Iterator
+from functools import partial
 from math import inf
 
 from kindsl.mechanism.body_verdicts import density_of
@@ -13,15 +14,13 @@ from kindsl.text.facts import Fact
 # Density is told from the thickness, which is not known here: a hundredfold is none.
 _LEAST_THIN, _GREATEST_THIN = 0.1, 1e6
 _SUSPECTS = Fact[list[Judgement]]("suspects")
-_CAUSES = Fact[tuple[Context, list[tuple[str, Finding]]]]("inertia causes")
+_CAUSES = Fact[tuple[object, list[tuple[str, Finding]]]]("inertia causes")
 
 
 def explained(model: Model, context: Context, code: str) -> Iterator[Finding]:
     """Yield a finding for each inertia whose most likely mistake belongs to a rule."""
-    known = model.facts.get(_CAUSES)
-    if known is None or known[0] is not context:
-        known = model.facts.keep(_CAUSES, (context, _findings(model, context)))
-    for own_code, finding in known[1]:
+    findings = model.facts.made_of(_CAUSES, context, partial(_findings, model, context))
+    for own_code, finding in findings:
         if own_code == code:
             yield finding
 

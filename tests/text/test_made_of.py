@@ -1,21 +1,18 @@
-"""What is made of a body is made again where something it is made of has changed."""
+"""What is made of a thing and of something else is made again where that has changed."""
 
-from kindsl.analysis.analysis import analyse
-from kindsl.rules.examples import link, robot
-from kindsl.rules.memory import Memory
+from kindsl.text.facts import Fact, Facts
 
 
-def test_what_is_made_is_remembered_while_nothing_has_changed() -> None:
-    body = analyse(robot(link("arm", 1))).model.links[0]
-    made: list[str] = []
-    memories = {what: Memory[str](what) for what in ("weight", "size", "nothing")}
+def test_what_is_made_is_kept_while_what_is_given_is_equal() -> None:
+    facts, made = Facts(), list[str]()
+    kinds = {what: Fact[tuple[object, str]](what) for what in ("weight", "size", "nothing")}
 
     def make(what: str, *given: object) -> str:
         def making() -> str:
             made.append(what)
             return f"{what} of {given}"
 
-        return memories[what].of(body, given, making)
+        return facts.made_of(kinds[what], given, making)
 
     assert make("weight", 1, 2) == "weight of (1, 2)"
     assert make("weight", 1, 2) == "weight of (1, 2)"
