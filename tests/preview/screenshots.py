@@ -41,7 +41,6 @@ async def take_page(file: Path, target: Path) -> None:
         await page.locator(".label.link", has_text="LF_shank").click()
         await until(page, "!document.getElementById('selection').hidden")
         await page.evaluate("document.activeElement.blur()")
-        await page.evaluate("document.getElementById('panel').scrollTop = 0")
         await page.mouse.move(5, 5)
         await page.wait_for_timeout(300)
         await page.screenshot(path=target)

@@ -354,7 +354,7 @@ async def test_all_guesses_are_taken_at_once(browser, server):
     async with opened(browser, await show(server, text)) as page:
         await until_shown(page, "Arm")
         await page.get_by_text("3 parameters have no value: lengths").wait_for()
-        await page.get_by_text("Set all").click()
+        await page.get_by_text("Use guesses as values").click()
         await page.locator("#notice").wait_for(state="hidden")
         assert server._documents["arm.kindsl"]._parameters == dict.fromkeys(
             ("reach", "drop", "height"), 0.3
@@ -411,6 +411,7 @@ PARAMETER = ParameterMessage(
     is_bound=False,
     minimum=0.0,
     maximum=2.0,
+    has_range=False,
     is_overridden=False,
 )
 
@@ -501,13 +502,13 @@ async def test_findings_of_a_good_document_are_a_click_away_and_their_count_is_t
     finding = Diagnostic("KD701", "style", Severity.WARNING, "links are not in order", 0, 5)
     async with opened(browser, await show(server, ARM, [finding] * 54)) as page:
         await until_shown(page, "Arm")
-        assert not await page.locator("#findings").is_visible()
+        assert not await page.locator("#findings li").first.is_visible()
         await page.get_by_text("54 warnings").click()
         assert await page.get_by_text("links are not in order").count() == 40
         assert await page.locator("#findings p").inner_text() == "and 14 more"
         assert await page.locator("#pane.stale").count() == 0
         await page.get_by_text("54 warnings").click()
-        await page.locator("#findings").wait_for(state="hidden")
+        await page.locator("#findings li").first.wait_for(state="hidden")
 
 
 async def test_without_webgl_the_page_says_so(browser, server):

@@ -6,7 +6,7 @@ import math
 import pytest
 from tests.preview.browser import eventually, opened, until, until_shown
 from tests.preview.handles import touch
-from tests.preview.robots import ARM, PARAMETRIC_ARM
+from tests.preview.robots import ARM, EXAMPLES, PARAMETRIC_ARM
 
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.settings import Settings
@@ -54,7 +54,26 @@ async def test_what_is_no_value_changes_nothing(page_of_arm, text):
     before = await typed(page_of_arm, "lift", "30 mm")
     assert before == pytest.approx(0.03)
     assert await typed(page_of_arm, "lift", text) == before
-    assert await page_of_arm.locator(".number.wrong").count() == 1
+    assert await page_of_arm.locator(".number:invalid").count() == 1
+
+
+async def test_a_unit_of_another_quantity_is_refused_with_the_reason(page_of_arm):
+    before = await typed(page_of_arm, "shoulder", "0.25")
+    assert await typed(page_of_arm, "shoulder", "300 mm") == before
+    field = page_of_arm.get_by_label("shoulder, typed")
+    told = await field.evaluate("(field) => field.validationMessage")
+    assert told == "'mm' is not a unit of an angle: use rad, deg, °"
+    assert await field.get_attribute("title") == told
+    assert await typed(page_of_arm, "shoulder", "10 deg") == pytest.approx(math.radians(10.0))
+    assert await field.evaluate("(field) => field.validity.valid")
+    assert await typed(page_of_arm, "shoulder", "0") == 0
+
+
+async def test_a_search_without_a_hit_says_so(page_of_arm):
+    await page_of_arm.get_by_label("Search links").fill("wheel")
+    await page_of_arm.get_by_text("No link, joint or frame has 'wheel' in its name").wait_for()
+    await page_of_arm.get_by_label("Search links").fill("")
+    assert await page_of_arm.locator("#nothing-found").is_hidden()
 
 
 async def test_degrees_are_read_and_shown(page_of_arm):
@@ -270,3 +289,83 @@ async def test_values_are_given_to_whoever_can_write_them(browser, server):
         await page.get_by_text("Write these to kindsl.toml").click()
         await page.locator("dialog[open] pre", has_text="reach = 1").wait_for()
         assert wanted == [("robot", {"reach": 0.5})]
+
+
+LONG = (EXAMPLES / "quadruped.kindsl").read_text().replace("LF_thigh", "left_front_thigh_link")
+HEIGHTS = """() => ["tree", "joints", "selection"].map((id) => {
+  const { top, bottom } = document.getElementById(id).getBoundingClientRect();
+  return [top, bottom];
+})"""
+SHARES = """() => ["panel", "lists", "inspector"].map((id) => {
+  const { width, height } = document.getElementById(id).getBoundingClientRect();
+  return id === "panel" ? width : height;
+})"""
+
+
+@pytest.fixture(scope="module")
+async def page_of_quadruped(browser):
+    running = PreviewServer()
+    await running.start()
+    async with opened(browser, await url_of(running, LONG)) as page:
+        await until_shown(page, "Quadruped")
+        await page.set_viewport_size({"width": 1280, "height": 860})
+        yield page
+    await running.stop()
+
+
+async def test_what_is_selected_is_told_beside_the_lists(page_of_quadruped):
+    page = page_of_quadruped
+    before = (await page.evaluate(HEIGHTS))[:2]
+    await page.locator("#tree .name", has_text="LF_hip").click()
+    await page.locator("#selection h3", has_text="link LF_hip").wait_for()
+    *lists, card = await page.evaluate(HEIGHTS)
+    assert lists == before
+    assert lists[1][1] < card[0] < card[1] < 860
+    await page.keyboard.press("Escape")
+
+
+async def test_bars_share_the_panel_out_and_the_address_keeps_it(page_of_quadruped):
+    page = page_of_quadruped
+    usual = await page.evaluate(SHARES)
+    await page.locator("#divider").focus()
+    for _ in range(4):
+        await page.keyboard.press("ArrowUp")
+    _, lists, inspector = await page.evaluate(SHARES)
+    assert lists == pytest.approx(usual[1] - 64, abs=8)
+    assert lists + inspector == pytest.approx(usual[1] + usual[2], abs=1)
+    edge = await page.locator("#edge").bounding_box()
+    await page.mouse.move(edge["x"] + 4, 300)
+    await page.mouse.down()
+    await page.mouse.move(edge["x"] - 156, 300, steps=3)
+    await page.mouse.up()
+    assert (await page.evaluate(SHARES))[0] == pytest.approx(usual[0] + 160, abs=3)
+    await until(page, "location.hash.includes('panel=')")
+    await page.locator("#edge").dblclick()
+    await page.locator("#divider").dblclick()
+    assert await page.evaluate(SHARES) == usual
+    await until(page, "!location.hash.includes('panel=')")
+
+
+@pytest.mark.parametrize(("width", "least"), [(200, 70), (360, 80), (1280, 80), (2560, 200)])
+async def test_sliders_use_the_width_and_names_keep_their_ends(page_of_quadruped, width, least):
+    page = page_of_quadruped
+    await page.set_viewport_size({"width": width, "height": 860})
+    slider = await page.get_by_label("LF_HAA", exact=True).bounding_box()
+    assert slider["width"] > least
+    assert (await page.locator("#joints .row").first.bounding_box())["height"] < 40
+    name = page.locator("#tree .name", has_text="left_front_thigh_link")
+    ends = [await name.locator(part).bounding_box() for part in (".name", ".end", ".start")[1:]]
+    row = await page.locator("#tree").bounding_box()
+    assert ends[0]["x"] + ends[0]["width"] < row["x"] + row["width"]
+    assert ends[1]["width"] > 5
+    await page.set_viewport_size({"width": 1280, "height": 860})
+
+
+async def test_a_limit_that_nobody_gave_looks_otherwise(browser, server):
+    settings = Settings(
+        joints={"shoulder": JointProperties(-0.2, 0.4), "lift": JointProperties(0.0, None)}
+    )
+    async with opened(browser, await url_of(server, settings=settings)) as page:
+        await until(page, "kindsl.scene.limits.size === 2 && document.querySelector('.open-high')")
+        looks = "(rows) => rows.map((row) => row.className)"
+        assert await page.locator("#joints .row").evaluate_all(looks) == ["row", "row open-high"]

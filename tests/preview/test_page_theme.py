@@ -49,8 +49,7 @@ async def test_the_panel_is_usable_at_any_width(browser, server, width):
         await page.locator("#panel").wait_for()
 
 
-async def axe_findings(page, script):
-    await page.evaluate(script)
+async def axe_findings(page):
     found = await page.evaluate("axe.run(document)")
     return [(one["id"], [n["html"][:120] for n in one["nodes"]]) for one in found["violations"]]
 
@@ -61,11 +60,17 @@ async def test_axe_finds_nothing(browser, server, theme, axe):
     await server.show("robot", analysis, analysis.findings)
     async with opened(browser, f"{server.url('robot')}#theme={theme}") as page:
         await until(page, "kindsl.history.present !== null")
+        await page.evaluate(axe)
+        await page.evaluate("kindsl.player.load('wave.csv', 'time,jA\\n0,0\\n1,0.5')")
         await page.locator("[data-category=torque]").check()
         await page.locator("#tree .name").first.click()
         if await page.locator("#summary").is_visible():
             await page.locator("#summary").click()
-        assert await axe_findings(page, axe) == []
+        for width in (360, 768, 1920):
+            await page.set_viewport_size({"width": width, "height": 860})
+            assert await axe_findings(page) == []
+        await page.locator("#help").click()
+        assert await axe_findings(page) == []
 
 
 @pytest.fixture(scope="module")

@@ -311,7 +311,7 @@ class TestParameters:
         assert plain(row) == {
             "type": "parameter", "path": "/kindsl/parameters/reach", "index": 0, "name": "reach",
             "kind": "length", "value": 0.5, "is_guess": True, "is_bound": False,
-            "minimum": 0.0, "maximum": 1.0, "is_overridden": False,
+            "minimum": 0.0, "maximum": 1.0, "has_range": False, "is_overridden": False,
         }  # fmt: skip
 
     def test_a_binding_and_what_is_typed_win(self) -> None:
@@ -342,6 +342,7 @@ class TestParameters:
     def test_the_range_of_a_length(self, binding: Binding, span: tuple[float, float]) -> None:
         (row,) = rows(PARAMETRIC_ARM, {"reach": binding})
         assert (row.minimum, row.maximum) == span
+        assert row.has_range == (binding.minimum is not None and binding.maximum is not None)
 
     def test_ranges_of_angles_and_masses_and_the_order(self) -> None:
         text = ARM.replace("(-PI/2.0, 0.0, 0.0)", "(tilt, 0.0, 0.0)").replace(

@@ -334,6 +334,7 @@ class ParameterMessage:
         is_bound: Whether a configuration gives it its value.
         minimum: Of its slider.
         maximum: Of its slider.
+        has_range: Whether a configuration gives both of these.
         is_overridden: Whether the value was set in the page.
     """
 
@@ -347,6 +348,7 @@ class ParameterMessage:
     is_bound: bool
     minimum: float
     maximum: float
+    has_range: bool
     is_overridden: bool
 
 

@@ -49,6 +49,7 @@ def parameter_messages(
             is_bound=binding is not None,
             minimum=minimum,
             maximum=maximum,
+            has_range=binding is not None and None not in (binding.minimum, binding.maximum),
             is_overridden=name in typed,
         )
         rows.append(row)

@@ -5,6 +5,11 @@ import { drawPicture, savePicture } from "./picture/snapshot.js";
 /** @import { Actions, NamedValue } from "./base/types.js" */
 /** @import { Page } from "./page.js" */
 
+/**
+ * What the button chooses next, and what is chosen.
+ * @type {Readonly<Record<string, readonly [next: string, now: string]>>}
+ */
+const THEMES = { auto: ["light", "those of the system or editor"], light: ["dark", "light"], dark: ["auto", "dark"] };
 const MOST_AT_ONCE = 500; // values in a message to the server
 /** @param {readonly NamedValue[]} parameters */
 const byName = (parameters) => Object.fromEntries(parameters.map(({ name, value }) => [name, value]));
@@ -70,7 +75,8 @@ export function makeActions(page) {
     },
     chooseTheme(choice) {
       page.theme.choose(choice);
-      byId("theme").textContent = { auto: "Auto", light: "Light", dark: "Dark" }[page.theme.choice];
+      const [next, now] = THEMES[page.theme.choice];
+      Object.assign(byId("theme"), { textContent: `Use ${next}`, title: `Colours are ${now}` });
       note();
     },
     hover: (thing) => selection.hover(thing),
@@ -128,7 +134,10 @@ function connect(actions, page) {
     page.units.choose(page.units.angle === "rad" ? "deg" : "rad");
     actions.note();
   });
-  page.units.onChange(() => { byId("angle-unit").textContent = page.units.angle; });
+  page.units.onChange(() => {
+    const [other, now] = page.units.angle === "rad" ? ["degrees", "radians"] : ["radians", "degrees"];
+    Object.assign(byId("angle-unit"), { textContent: `Use ${other}`, title: `Angles are shown in ${now}` });
+  });
 }
 
 /**

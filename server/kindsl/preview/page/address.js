@@ -10,6 +10,7 @@ import { FIRST_PRESET } from "./picture/presets.js";
 /** @import { Camera } from "./picture/camera.js" */
 /** @import { Presets } from "./picture/presets.js" */
 /** @import { Scene } from "./picture/scene.js" */
+/** @import { Splitter } from "./panel/splitter.js" */
 /** @import { Theme } from "./theme.js" */
 
 /**
@@ -22,6 +23,7 @@ import { FIRST_PRESET } from "./picture/presets.js";
  * @property {Units} units
  * @property {Actions} actions
  * @property {Pick<Compare, "text" | "restore">} compare
+ * @property {readonly Splitter[]} bars
  */
 
 const REST = 300; // milliseconds
@@ -52,7 +54,7 @@ export class Address {
   link() { return location.href.split("#")[0] + this.text(); }
 
   text() {
-    const { camera, presets, scene, selection, theme, units, compare } = this.parts, told = new URLSearchParams(location.hash.slice(1));
+    const { bars, camera, presets, scene, selection, theme, units, compare } = this.parts, told = new URLSearchParams(location.hash.slice(1));
     /** @type {(name: string, value: string | null) => void} */
     const put = (name, value) => (value ? told.set(name, value) : told.delete(name));
     put("preset", presets.name === FIRST_PRESET ? "" : presets.name);
@@ -65,17 +67,19 @@ export class Address {
     put("theme", theme.choice === "auto" ? "" : theme.choice);
     put("angle", units.angle === "rad" ? "" : units.angle);
     put("compare", compare.text);
+    put("panel", bars.some(({ value }) => value !== null) ? bars.map(({ value }) => value ?? "").join(",") : "");
     return `#${told}`;
   }
 
   // Take what the address tells; whatever it does not say or the robot has not stays as it is.
   restore() {
     const told = Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
-    const { scene, presets, camera, selection, units, actions } = this.parts, { links, joints } = scene.trees.robot;
+    const { bars, scene, presets, camera, selection, units, actions } = this.parts, { links, joints } = scene.trees.robot;
     this.isRestored = true;
     if (told.theme) actions.chooseTheme(told.theme);
     if (told.angle) units.choose(told.angle);
     if (told.compare) this.parts.compare.restore(told.compare);
+    (told.panel || "").split(",").forEach((value, i) => { if (value) bars[i]?.set(Number(value)); });
     if (told.preset) presets.choose(told.preset);
     for (const [key, opacity] of pairs(told.show)) presets.set(key, opacity > 0, opacity || presets.usual(key).opacity);
     actions.setPose(new Map(pairs(told.q).filter(([name]) => joints.has(name))));

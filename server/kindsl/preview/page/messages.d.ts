@@ -261,6 +261,8 @@ export interface ParameterMessage {
   readonly minimum: number;
   /** Of its slider. */
   readonly maximum: number;
+  /** Whether a configuration gives both of these. */
+  readonly has_range: boolean;
   /** Whether the value was set in the page. */
   readonly is_overridden: boolean;
 }

@@ -15,6 +15,7 @@ import type { Legend } from "./panel/legend.js";
 import type { ParameterRows } from "./panel/parameter_rows.js";
 import type { Player } from "./panel/player.js";
 import type { Poses } from "./panel/poses.js";
+import type { Splitter } from "./panel/splitter.js";
 import type { Tree } from "./panel/tree.js";
 import type { Away } from "./picture/away.js";
 import type { Camera } from "./picture/camera.js";
@@ -75,6 +76,7 @@ export interface Page {
   legend: Legend;
   compare: Compare;
   address: Address;
+  bars: readonly Splitter[];
   editing: Editing;
   pull: PullDrag;
   history: History;

@@ -1,5 +1,6 @@
 // Small elements of the page. Text is always set as text, never as markup.
 
+const LONG = 12; // characters
 const NAMESPACE = "http://www.w3.org/2000/svg";
 
 /**
@@ -66,6 +67,33 @@ export function partOf(whole, selector) {
  */
 export function sectionOf(element) {
   return element.closest("section") ?? element;
+}
+
+/**
+ * Give an element a name whose middle gives way where there is little room: names that begin alike differ at their ends.
+ * @param {HTMLElement} element
+ * @param {string} name
+ */
+export function nameIn(element, name) {
+  const end = name.length < LONG ? 0 : Math.min(9, name.length >> 1), at = name.length - end;
+  element.classList.add("cut");
+  // Told whole: two parts would be read out as two words.
+  for (const [part, text] of [["start", name.slice(0, at)], ["end", name.slice(at)]]) {
+    element.append(Object.assign(make("span", part, text), { ariaHidden: "true" }));
+  }
+  element.title = name;
+}
+
+/**
+ * Say at a field why its text is refused, or that it is taken.
+ * @param {HTMLInputElement} field
+ * @param {string} reason Empty if it is taken.
+ */
+export function judge(field, reason) {
+  if (!reason && field.validity.valid) return;
+  field.setCustomValidity(reason);
+  field.title = reason;
+  if (reason && document.activeElement === field) field.reportValidity();
 }
 
 /**

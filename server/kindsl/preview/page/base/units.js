@@ -5,21 +5,38 @@ export const DEGREE = Math.PI / 180;
 /** @typedef {{ readonly number?: number, readonly word?: string, readonly sign?: string }} Token */
 /** @typedef {{ readonly tokens: readonly Token[], at: number, depth: number, isBare: boolean }} Reader */
 
+/** @typedef {{ readonly value: number, readonly isBare: boolean } | { readonly reason: string }} Read */
+
 /** @type {Readonly<Record<string, number>>} */
 const FACTORS = { rad: 1, deg: DEGREE, "°": DEGREE, m: 1, cm: 0.01, mm: 0.001, kg: 1, g: 0.001 };
+/** @type {Readonly<Record<string, readonly [name: string, units: readonly string[]]>>} */
+const FITTING = { angle: ["an angle", ["rad", "deg", "°"]], length: ["a length", ["m", "cm", "mm"]], dynamics: ["a mass or moment", ["kg", "g", "m", "cm", "mm"]] };
 const TOKEN = /\s*(?:(\d+(?:[.,]\d*)?(?:e[+-]?\d+)?|[.,]\d+(?:e[+-]?\d+)?)|(°|[a-zπ]+)|([-+*/()]))/iy;
 const DEEPEST = 50; // brackets
 
 /**
- * Return {value, isBare}: SI units, and whether neither a unit nor PI was named; null if it is no value.
+ * The value in SI units, and whether neither a unit nor PI was named; or why it is no value of this kind.
  * @param {string} text
+ * @param {string} kind
+ * @returns {Read}
  */
-export function parseValue(text) {
-  const tokens = tokenize(text);
-  if (!tokens) return null;
-  const reader = { tokens, at: 0, depth: 0, isBare: true };
+export function parseValue(text, kind) {
+  const tokens = tokenize(text), strange = misfit(tokens ?? [], kind);
+  if (strange) return { reason: strange };
+  const reader = { tokens: tokens ?? [], at: 0, depth: 0, isBare: true };
   const value = sum(reader);
-  return reader.at === tokens.length && Number.isFinite(value) ? { value, isBare: reader.isBare } : null;
+  return reader.at === reader.tokens.length && Number.isFinite(value) ? { value, isBare: reader.isBare } : { reason: "not a number" };
+}
+
+/**
+ * Why a unit does not fit; empty if all do.
+ * @param {readonly Token[]} tokens
+ * @param {string} kind
+ */
+function misfit(tokens, kind) {
+  const [name, units] = FITTING[kind] ?? ["this", Object.keys(FACTORS)];
+  const wrong = tokens.find((token) => token.word && !isPi(token) && !units.includes(token.word))?.word;
+  return wrong && `'${wrong}' is not a unit of ${name}: use ${units.join(", ")}`;
 }
 
 /** @param {string} text */
@@ -128,14 +145,15 @@ export class Units {
   nameOf(kind) { return kind === "angle" ? this.angle : kind === "length" ? "m" : ""; }
 
   /**
-   * The value in radians, metres or kilograms; null if the text is no value.
+   * The value in radians, metres or kilograms, or why the text is none.
    * @param {string} text
    * @param {string} kind
+   * @returns {Read}
    */
   read(text, kind) {
-    const found = parseValue(text);
-    if (!found) return null;
-    return found.isBare && kind === "angle" && this.angle === "deg" ? found.value * DEGREE : found.value;
+    const found = parseValue(text, kind);
+    const isDegrees = "value" in found && found.isBare && kind === "angle" && this.angle === "deg";
+    return isDegrees ? { ...found, value: found.value * DEGREE } : found;
   }
 
   /** @param {number} value @param {string} kind */

@@ -1,5 +1,5 @@
 // The card of what is chosen, where its numbers can be typed and gestures begin.
-import { byId, make, partOf } from "../base/elements.js";
+import { byId, judge, make, partOf } from "../base/elements.js";
 import { parseValue } from "../base/units.js";
 import { ANGLES, HANDLE_NAMES } from "./handles.js";
 
@@ -63,7 +63,10 @@ export class EditCard {
     for (const { component, text, locked, symbol, moves_along: along } of shown ? shown.components : []) {
       const { field, note } = this.fields.get(component) || {};
       if (!field || !note) continue;
-      if (document.activeElement !== field) field.value = text;
+      if (document.activeElement !== field) {
+        field.value = text;
+        judge(field, "");
+      }
       field.disabled = Boolean(locked);
       field.title = locked || text;
       note.textContent = locked || (symbol ? `by ${symbol}${along.length ? `, which also moves ${along.join(", ")}` : ""}` : "");
@@ -100,9 +103,9 @@ export class EditCard {
   typed(component, field, event) {
     if (event.key === "Escape") field.blur();
     if (event.key !== "Enter") return;
-    const typed = parseValue(field.value);
-    field.classList.toggle("wrong", !typed);
-    if (!typed) return;
+    const typed = parseValue(field.value, ANGLES.includes(component) ? "angle" : "length");
+    judge(field, "reason" in typed ? typed.reason : "");
+    if ("reason" in typed) return;
     field.blur();
     this.editing.set(component, typed.value);
   }

@@ -15,23 +15,18 @@ export class Findings {
     this.pane = pane;
     this.inbox = inbox;
     this.actions = actions;
-    this.isOpen = false;
     this.notice = byId("notice");
     this.sentence = partOf(this.notice, "button");
-    this.section = byId("findings");
-    this.list = partOf(this.section, "ul");
-    this.more = partOf(this.section, "p");
+    /** @type {HTMLDetailsElement} */
+    this.box = byId("findings");
+    this.list = partOf(this.box, "ul");
+    this.more = partOf(this.box, "p");
     this.chip = byId("summary");
-    this.chip.addEventListener("click", () => this.open(!this.isOpen));
     for (const type of ["pointerdown", "wheel"]) this.notice.addEventListener(type, (event) => event.stopPropagation());
-    this.sentence.addEventListener("click", () => this.open(!this.isOpen));
-  }
-
-  /** @param {boolean} isOpen */
-  open(isOpen) {
-    this.isOpen = isOpen && this.inbox.findings.size > 0;
-    if (this.isOpen) this.actions.foldPanel(false);
-    this.show();
+    this.sentence.addEventListener("click", () => {
+      this.box.open = !this.box.open;
+      if (this.box.open) this.actions.foldPanel(false);
+    });
   }
 
   // {error, warning, info, hint}: how many there are, listed or not.
@@ -46,10 +41,7 @@ export class Findings {
     this.notice.classList.toggle("broken", isStale);
     this.sentence.textContent = message;
     this.sentence.title = message;
-    this.isOpen = this.isOpen && list.length > 0;
-    this.section.hidden = !this.isOpen;
-    this.chip.ariaExpanded = String(this.isOpen);
-    this.list.replaceChildren(...(this.isOpen ? list.map((finding) => this.item(finding)) : []));
+    this.list.replaceChildren(...list.map((finding) => this.item(finding)));
     const more = total - list.length;
     this.more.textContent = more > 0 ? `and ${more} more` : "";
     this.summarise();
@@ -58,7 +50,7 @@ export class Findings {
   summarise() {
     const parts = this.words();
     this.chip.textContent = parts.join(", ");
-    this.chip.hidden = parts.length === 0;
+    this.box.hidden = parts.length === 0;
     this.chip.className = SEVERITIES.find((severity) => this.counts[severity]) ?? "";
   }
 

@@ -12,9 +12,7 @@ import { VirtualList } from "./virtual_list.js";
 
 /** @type {Readonly<Record<string, readonly string[]>>} */
 const KINDS = { revolute: ["angle", "N m"], prismatic: ["length", "N"] };
-const HEIGHTS = { wide: [26, 43], narrow: [44, 60] }; // without and with torque, pixels
 const NO_LIMITS = { minimum: null, maximum: null };
-const NARROW = 271; // pixels of the panel
 
 export class JointRows {
   /**
@@ -44,9 +42,7 @@ export class JointRows {
     const joints = [...trees.robot.joints.values()].sort((a, b) => a.index - b.index);
     sectionOf(this.box).hidden = joints.length === 0;
     this.box.classList.toggle("with-torque", isTorque);
-    const width = byId("panel").clientWidth;
-    const height = HEIGHTS[width && width < NARROW ? "narrow" : "wide"][Number(isTorque)];
-    this.list.set(joints.map((joint) => ({ key: joint.name, joint })), height);
+    this.list.set(joints.map((joint) => ({ key: joint.name, joint })));
   }
 
   // Values and torques of the rows in sight.
@@ -58,10 +54,11 @@ export class JointRows {
     const limits = this.scene.limits.get(name) || NO_LIMITS;
     const isBeyond = (limits.minimum !== null && q < limits.minimum) || (limits.maximum !== null && q > limits.maximum);
     row.element.dataset.kind = kind;
-    row.setRange(minimum, maximum, KINDS[kind][0]);
+    const isOpen = /** @type {const} */ ([limits.minimum === null, limits.maximum === null]);
+    row.setRange(minimum, maximum, KINDS[kind][0], isOpen);
     row.setValue(q);
     row.element.classList.toggle("beyond", isBeyond);
-    row.element.title = isBeyond ? "Beyond the joint's limits" : "";
+    row.element.title = isBeyond ? "Beyond the joint's limits" : isOpen.includes(true) ? "Dashed: no limit is known there" : "";
     this.showTorque(row, name, kind);
   }
 

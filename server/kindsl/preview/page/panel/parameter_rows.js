@@ -1,5 +1,5 @@
 // The parameters' sliders; one without a value is drawn at a guess and says so.
-import { byId, make, sectionOf } from "../base/elements.js";
+import { byId, make, partOf, sectionOf } from "../base/elements.js";
 import { SliderRow } from "./slider_row.js";
 import { VirtualList } from "./virtual_list.js";
 
@@ -9,12 +9,16 @@ import { VirtualList } from "./virtual_list.js";
 /** @typedef {SliderRow & { readonly reset: HTMLElement }} Row */
 /** @typedef {{ readonly key: string, readonly parameter: ParameterMessage }} Item */
 
+const MANY = 12; // rows that are folded at first
+
 export class ParameterRows {
   /** @type {readonly ParameterMessage[]} */
   parameters = [];
   sentence = make("p");
-  setAll = make("button", "", "Set all");
+  setAll = make("button", "", "Use guesses as values");
   write = make("button", "", "Write these to kindsl.toml");
+  /** Whether the page has decided once if the section is folded; from then on the user does. */
+  #isFolded = false;
 
   /**
    * @param {Units} units
@@ -25,6 +29,10 @@ export class ParameterRows {
     this.actions = actions;
     this.box = byId("parameters");
     this.box.classList.add("list");
+    /** @type {HTMLDetailsElement} */
+    this.details = partOf(sectionOf(this.box), "details");
+    this.details.addEventListener("toggle", () => this.update(this.parameters));
+    this.count = partOf(this.details, "summary span");
     /** @type {VirtualList<Item, Row>} */
     this.list = new VirtualList(this.box, (item) => this.make(item.key), (row, item) => this.show(row, item.parameter));
     this.guesses = byId("guesses");
@@ -37,8 +45,10 @@ export class ParameterRows {
   update(parameters) {
     this.parameters = [...parameters].sort((a, b) => a.index - b.index);
     sectionOf(this.box).hidden = this.parameters.length === 0;
-    const width = byId("panel").clientWidth;
-    this.list.set(this.parameters.map((parameter) => ({ key: parameter.name, parameter })), width && width < 271 ? 44 : 26);
+    this.list.set(this.parameters.map((parameter) => ({ key: parameter.name, parameter })));
+    if (!this.#isFolded) this.details.open = this.parameters.length <= MANY;
+    this.#isFolded ||= this.parameters.length > 0;
+    this.count.textContent = this.details.open ? "" : ` ${this.parameters.length}`;
     const count = this.guessed.length, isTyped = this.parameters.some(({ is_overridden: typed }) => typed);
     this.guesses.hidden = count === 0 && !isTyped;
     this.sentence.textContent = count === 0 ? "Values typed here are not in the document."
@@ -57,19 +67,18 @@ export class ParameterRows {
   get placed() { return this.guessed.filter(({ kind }) => kind !== "dynamics"); }
 
   fillGuesses() {
-    this.setAll.title = "Take the guesses as values";
     this.setAll.addEventListener("click", () => this.actions.setParameters(this.placed));
     this.write.addEventListener("click", () => this.actions.writeParameters(this.kept));
     this.guesses.append(this.sentence, this.setAll, " ", this.write);
   }
 
   /** @param {Row} row @param {ParameterMessage} parameter */
-  show(row, { kind, value, minimum, maximum, is_guess: isGuess, is_overridden: isOverridden }) {
-    row.setRange(minimum, maximum, kind);
+  show(row, { kind, value, minimum, maximum, is_guess: isGuess, is_overridden: isOverridden, has_range: hasRange }) {
+    row.setRange(minimum, maximum, kind, [!hasRange, !hasRange]);
     row.setValue(value);
     row.reset.hidden = !isOverridden;
     row.element.classList.toggle("guess", Boolean(isGuess));
-    row.element.title = isGuess ? "No value in the document: this is a guess" : "";
+    row.element.title = isGuess ? "No value in the document: this is a guess" : !hasRange ? "Dashed: no range is configured" : "";
     if (!this.actions.isStatic || kind !== "dynamics") return;
     // Without a server nobody computes inertia from what the document says.
     row.slider.disabled = row.number.readOnly = true;

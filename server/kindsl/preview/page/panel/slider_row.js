@@ -1,5 +1,5 @@
 // A row with a name, a slider and a place to type the value.
-import { make } from "../base/elements.js";
+import { judge, make, nameIn } from "../base/elements.js";
 
 /** @import { Units } from "../base/units.js" */
 
@@ -22,8 +22,8 @@ export class SliderRow {
   constructor(name, units, { onInput, onName, onReset, onHover }) {
     this.units = units;
     this.element = make("div", "row");
-    this.name = make("button", "name", name);
-    this.name.title = name;
+    this.name = make("button", "name");
+    nameIn(this.name, name);
     this.name.addEventListener("click", onName);
     this.slider = make("input");
     Object.assign(this.slider, { type: "range", ariaLabel: name });
@@ -43,20 +43,19 @@ export class SliderRow {
   slide(onInput) {
     const value = Number(this.slider.value);
     this.number.value = this.units.show(value, this.kind);
-    this.number.classList.remove("wrong");
+    judge(this.number, "");
     this.fill(value);
     onInput(value);
   }
 
   /** @param {(value: number) => void} onInput */
   type(onInput) {
-    const value = this.units.read(this.number.value, this.kind);
-    this.number.classList.toggle("wrong", value === null);
-    this.number.ariaInvalid = String(value === null);
-    if (value === null) return;
-    onInput(value);
-    this.setValue(value);
-    this.number.value = this.units.show(value, this.kind);
+    const found = this.units.read(this.number.value, this.kind);
+    judge(this.number, "reason" in found ? found.reason : "");
+    if ("reason" in found) return;
+    onInput(found.value);
+    this.setValue(found.value);
+    this.number.value = this.units.show(found.value, this.kind);
   }
 
   /**
@@ -64,9 +63,11 @@ export class SliderRow {
    * @param {number} minimum
    * @param {number} maximum
    * @param {string} kind
+   * @param {readonly [boolean, boolean]} isOpen Whether the minimum and the maximum are guesses.
    */
-  setRange(minimum, maximum, kind) {
+  setRange(minimum, maximum, kind, isOpen) {
     Object.assign(this, { minimum, maximum, kind });
+    ["open-low", "open-high"].forEach((look, i) => this.element.classList.toggle(look, isOpen[i]));
     Object.assign(this.slider, { min: minimum, max: maximum, step: (maximum - minimum) / STEPS });
     this.unit.textContent = this.units.nameOf(kind);
   }
@@ -76,7 +77,10 @@ export class SliderRow {
    * @param {number} value
    */
   setValue(value) {
-    if (document.activeElement !== this.number) this.number.value = this.units.show(value, this.kind);
+    if (document.activeElement !== this.number) {
+      this.number.value = this.units.show(value, this.kind);
+      judge(this.number, "");
+    }
     this.slider.value = String(value);
     this.slider.ariaValueText = `${this.units.show(value, this.kind)} ${this.units.nameOf(this.kind)}`.trim();
     this.fill(value);

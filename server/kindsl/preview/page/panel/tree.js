@@ -1,5 +1,5 @@
 // The robot's links, with their joints and frames, beside the picture: search, an eye and isolation for each.
-import { byId, make, sectionOf } from "../base/elements.js";
+import { byId, make, nameIn, sectionOf } from "../base/elements.js";
 import { isSame } from "../base/selection.js";
 import { VirtualList } from "./virtual_list.js";
 
@@ -19,7 +19,6 @@ import { VirtualList } from "./virtual_list.js";
  */
 /** @typedef {{ readonly element: HTMLElement, readonly isolate?: HTMLElement, readonly eye?: HTMLElement }} Row */
 
-const HEIGHT = 22; // pixels
 const DEEPEST = 14; // steps of indentation
 /** @type {Readonly<Record<string, string>>} */
 const SIGNS = { revolute: "⟳", prismatic: "⇅" };
@@ -32,6 +31,7 @@ export class Tree {
     this.actions = actions;
     this.box = byId("tree");
     this.search = "";
+    this.nothing = byId("nothing-found");
     /** @type {VirtualList<Item, Row>} */
     this.list = new VirtualList(this.box, (item) => this.make(item), (row, item) => this.show(row, item));
     this.showAll = byId("show-all");
@@ -45,7 +45,9 @@ export class Tree {
   update() {
     const items = this.items().filter((item) => item.text.includes(this.search));
     sectionOf(this.box).hidden = this.scene.trees.robot.links.size === 0;
-    this.list.set(items, HEIGHT);
+    this.list.set(items);
+    const told = items.length || !this.search ? "" : `No link, joint or frame has '${this.search}' in its name`;
+    if (this.nothing.textContent !== told) this.nothing.textContent = told;
   }
 
   // Links, each before those that it carries, and their frames.
@@ -67,14 +69,18 @@ export class Tree {
 
   /** @param {Item} item @returns {Row} */
   make({ kind, name, joint }) {
-    const element = make("div", `branch ${kind}`), label = make("button", "name", name);
+    const element = make("div", `branch ${kind}`), label = make("button", "name");
+    nameIn(label, name);
     element.role = "listitem";
     label.addEventListener("click", () => this.actions.reveal({ kind, name }));
     element.addEventListener("mouseenter", () => this.actions.hover({ kind, name }));
     element.addEventListener("mouseleave", () => this.actions.hover(null));
     element.append(label);
     if (kind === "frame") return { element };
-    if (joint) label.append(make("span", "via", `  ${SIGNS[joint.kind]} ${joint.name}`));
+    if (joint) {
+      label.append(make("span", "via", `  ${SIGNS[joint.kind]} ${joint.name}`));
+      label.ariaLabel = `${name} ${SIGNS[joint.kind]} ${joint.name}`;
+    }
     const isolate = make("button", "isolate", "◎"), eye = make("button", "eye");
     Object.assign(isolate, { title: "Show this link alone", ariaLabel: `isolate ${name}` });
     isolate.addEventListener("click", () => this.change(() => this.scene.hidden.isolate(name)));

@@ -2,7 +2,7 @@
 import { make } from "../base/elements.js";
 
 const BEYOND = 6; // rows above and below what is in sight
-const MOST_OPEN = 30; // rows; a longer list scrolls by itself
+const MOST_OPEN = 30; // rows that are all elements of the page
 
 /** @template {{ readonly key: string }} Item @template {{ readonly element: HTMLElement }} Row */
 export class VirtualList {
@@ -32,15 +32,13 @@ export class VirtualList {
   }
 
   /**
-   * Take items with a `key` each, in order, and a row's height in pixels.
+   * Take items with a `key` each, in order. A row is as high as the list's style says.
    * @param {readonly Item[]} items
-   * @param {number} height
    */
-  set(items, height) {
+  set(items) {
     this.items = items;
-    this.height = height;
-    this.room.style.height = `${items.length * height}px`;
-    this.box.style.maxHeight = items.length > MOST_OPEN ? `${Math.min(MOST_OPEN, 16) * height}px` : "";
+    this.height = parseFloat(getComputedStyle(this.box).getPropertyValue("--row")) || this.height;
+    this.room.style.height = `${items.length * this.height}px`;
     this.box.tabIndex = items.length > MOST_OPEN ? 0 : -1;
     this.render();
   }

@@ -47,7 +47,7 @@ function drawNames(pen, labels, { left, top }, color) {
     pen.fillStyle = look.borderLeftColor;
     pen.fillRect(box.left - left, box.top - top, 2, box.height);
     pen.fillStyle = look.color || color("ink");
-    pen.fillText(name, box.left - left + 6, box.top - top + box.height / 2);
+    pen.fillText(name, box.left - left + 6, box.top - top + box.height / 2, box.width - 8);
   }
 }
 
