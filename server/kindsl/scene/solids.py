@@ -24,6 +24,7 @@ STEP = 1.1
 LIGHT = 0.08  # of the robot's own density
 PLACEHOLDER = 1e-3  # of the robot's mass
 BONE = 0.6  # of the radius that the mass would fill
+BENEATH = 0.85  # of a body's least semi-axis: a bone in it stays beneath its surface
 THINNEST, THICKEST = 0.55, 4.0  # units
 DRUM, MOST_UNLIKE = 1.15, 2.5  # of a bone's radius; of the thinner of two bones'
 # Of the robot's size, the longest semi-axis that is drawn unasked.
@@ -172,7 +173,7 @@ def _shape(
     core = equivalent_solid(body)
     assert core is not None
     ends = [segment.end for segment in segments]
-    radius = min(BONE * filling_radius(ends, body.mass / density), min(core.semi_axes))
+    radius = min(BONE * filling_radius(ends, body.mass / density), BENEATH * min(core.semi_axes))
     look: Look = "impossible" if not core.is_possible else "doubtful" if doubts else "sound"
     return LinkSolid(
         core=core,

@@ -218,11 +218,11 @@ function distanceTo(places, [x, y]) {
 }
 
 /**
- * The two strokes of an arrow's head.
+ * An arrow's head, drawn on from its tip.
  * @param {readonly Place[]} places
  */
 function head([[x0, y0], [x1, y1]]) {
-  const length = Math.hypot(x1 - x0, y1 - y0) || 1, [ux, uy] = [(x1 - x0) / length, (y1 - y0) / length], s = 9;
-  const stroke = (/** @type {number} */ side) => `M${x1.toFixed(1)} ${y1.toFixed(1)}L${(x1 - s * ux + side * 0.5 * s * uy).toFixed(1)} ${(y1 - s * uy - side * 0.5 * s * ux).toFixed(1)}`;
-  return stroke(1) + stroke(-1);
+  const length = Math.hypot(x1 - x0, y1 - y0) || 1, [ux, uy] = [(x1 - x0) / length, (y1 - y0) / length], s = 13;
+  const corner = (/** @type {number} */ side) => `L${(x1 - s * ux + side * 0.5 * s * uy).toFixed(1)} ${(y1 - s * uy - side * 0.5 * s * ux).toFixed(1)}`;
+  return `${corner(1)}${corner(-1)}L${x1.toFixed(1)} ${y1.toFixed(1)}`;
 }

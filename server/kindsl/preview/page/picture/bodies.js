@@ -234,6 +234,18 @@ export class Bodies {
   }
 
   /**
+   * About where the links' bodies in the picture are: rods in the base's frame.
+   * @returns {{ readonly link: string, readonly ends: readonly Vector[], readonly radius: number }[]}
+   */
+  rods() {
+    const { links } = this.scene.poses.robot;
+    return this.shown().flatMap(({ tree, name, rod }) => {
+      const pose = links.get(name);
+      return tree === "robot" && rod && pose ? [{ link: name, ends: rod.ends.map((end) => transformPoint(pose, end)), radius: rod.radius }] : [];
+    });
+  }
+
+  /**
    * Where the bodies of a link reach to, in its frame.
    * @param {string} link
    * @param {"robot" | "ghost"} [tree]
@@ -290,7 +302,8 @@ const turnedBack = (T, [x, y, z]) => [
 
 /** @param {Layer} layer */
 function material(layer) {
-  if (layer === "outline") return new MeshBasicMaterial({ vertexColors: true, side: BackSide });
+  // A little farther than it is: else dents of a mesh between its corners would show it on the body.
+  if (layer === "outline") return new MeshBasicMaterial({ vertexColors: true, side: BackSide, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 9 });
   const isGlass = layer === "glass", side = layer === "striped" ? DoubleSide : FrontSide;
   // Glass in the very place of a body is behind it.
   const behind = { polygonOffset: isGlass, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };

@@ -1,9 +1,10 @@
 // Names in the picture: ordinary text over the canvas, so they always face the viewer and stay sharp. Few at a time,
 // none over another, with a line to what they name where they had to move away. Who is shown stays shown.
-import { make, makeSvg, setAttributes } from "../base/elements.js";
+import { make, makeSvg, nameIn, setAttributes } from "../base/elements.js";
 import { toThree } from "./camera.js";
 import { originOf, transformPoint } from "./kinematics.js";
 import { LabelPlaces } from "./label_places.js";
+import { LETTER } from "./line_art.js";
 
 /** @import { Actions, Kind, Thing, Vector } from "../base/types.js" */
 /** @import { Box } from "./label_places.js" */
@@ -19,7 +20,7 @@ import { LabelPlaces } from "./label_places.js";
  * @property {HTMLElement} [element] Made when it is first shown.
  * @property {SVGLineElement} [line]
  */
-/** @typedef {Thing & { readonly key: string, readonly isLit: boolean, readonly position: THREE.Vector3 }} Named */
+/** @typedef {Thing & { readonly key: string, readonly isLit: boolean, readonly links: readonly string[], readonly position: THREE.Vector3 }} Named whose bodies its name may lie on */
 /** @typedef {readonly [x: number, y: number, distance: number, radius: number]} At x, y and the radius of a mark there in pixels */
 
 const AREA = 24000; // square pixels of the pane for each label
@@ -37,9 +38,10 @@ export class Labels {
   /** @type {readonly Named[] | null} */
   things = null;
 
-  /** @param {Scene} scene @param {HTMLElement} pane @param {Actions} actions */
-  constructor(scene, pane, actions) {
+  /** @param {Scene} scene @param {HTMLElement} pane @param {Actions} actions @param {{ readonly lettered: readonly Vector[] }} lineArt */
+  constructor(scene, pane, actions, lineArt) {
     this.scene = scene;
+    this.lineArt = lineArt;
     this.pane = pane;
     this.actions = actions;
     this.layer = make("div", "labels");
@@ -54,7 +56,7 @@ export class Labels {
 
   // Put the most important names beside their things; called after each picture.
   place() {
-    const seen = this.seen(), places = new LabelPlaces(this.pane, seen.map(({ box }) => box));
+    const seen = this.seen(), places = new LabelPlaces(this.pane, seen.map(({ box }) => box), this.letters(), this.rods());
     const most = Math.max(FEWEST, Math.floor((this.pane.clientWidth * this.pane.clientHeight) / AREA));
     /** @type {At[]} */
     const named = [];
@@ -63,13 +65,28 @@ export class Labels {
       if (shown.size >= most && !thing.isLit) continue;
       const label = this.label(thing);
       if (isCrowd && !thing.isLit && isFull(named, at, label)) continue;
-      const box = places.claim(label, at);
+      const box = places.claim(label, at, thing.links);
       if (!box) continue;
       shown.add(thing.key);
       named.push(at);
       this.put(label, box, at, thing, depth);
     }
     for (const [key, label] of this.byKey) if (!shown.has(key)) this.hide(label);
+  }
+
+  // The letters at the frames' axes, as boxes.
+  letters() {
+    const places = this.lineArt.lettered.flatMap((position) => [this.project(position) ?? []]);
+    return places.filter((at) => at.length).map(([x, y]) => [x - LETTER, y - LETTER, x + LETTER, y + LETTER]);
+  }
+
+  // The links' bodies as they lie on the pane.
+  rods() {
+    const { unit } = this.scene.model;
+    return this.scene.bodies.rods().flatMap(({ link, ends, radius }) => {
+      const [from, to] = ends.map((end) => this.project(end));
+      return from && to ? [{ link, line: [from[0], from[1], to[0], to[1]], radius: (radius * (from[3] + to[3])) / (2 * MARK * unit) }] : [];
+    });
   }
 
   // What is in the picture and has a name to show, the most important first.
@@ -93,18 +110,21 @@ export class Labels {
     const { scene, scene: { trees, poses, highlighted, hidden } } = this;
     /** @type {Named[]} */
     const list = [];
-    /** @type {(kind: Kind, name: string, position: Vector) => void} */
-    const add = (kind, name, position) => {
+    /** @type {(kind: Kind, name: string, position: Vector, links: readonly string[]) => void} */
+    const add = (kind, name, position, links) => {
       const isLit = highlighted !== null && highlighted.kind === kind && highlighted.name === name;
       const isShown = scene.lookOf(`${kind}-names`).visible && !hidden.hidesThing(`${kind}s`, name);
-      if (isLit || isShown) list.push({ key: `${kind} ${name}`, kind, name, isLit, position: toThree(position) });
+      if (isLit || isShown) list.push({ key: `${kind} ${name}`, kind, name, isLit, links, position: toThree(position) });
     };
     for (const [name, pose] of poses.robot.links) {
       const link = trees.robot.links.get(name);
-      if (link) add("link", name, transformPoint(pose, link.anchor));
+      if (link) add("link", name, transformPoint(pose, link.anchor), [name]);
     }
-    for (const [name, pose] of poses.robot.joints) add("joint", name, originOf(pose));
-    for (const [name, pose] of poses.robot.frames) add("frame", name, originOf(pose));
+    for (const [name, pose] of poses.robot.joints) {
+      const joint = trees.robot.joints.get(name);
+      add("joint", name, originOf(pose), joint ? [joint.predecessor, joint.successor] : []);
+    }
+    for (const [name, pose] of poses.robot.frames) add("frame", name, originOf(pose), [trees.robot.frames.get(name)?.link ?? ""]);
     return list;
   }
 
@@ -155,7 +175,8 @@ export class Labels {
    */
   built(label) {
     if (label.element && label.line) return { element: label.element, line: label.line };
-    const { kind, name } = label, element = make("button", `label ${kind}`, name), line = makeSvg("line");
+    const { kind, name } = label, element = make("button", `label ${kind}`), line = makeSvg("line");
+    nameIn(element, name);
     element.tabIndex = -1;
     element.style.width = `${label.size[0]}px`;
     element.addEventListener("click", () => this.actions.reveal({ kind, name }));

@@ -21,13 +21,18 @@ const LETTERS = {
 const AXES = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 /** @type {readonly (readonly [string, Group, number])[]} */
 const TRIADS = [["link-frame", "links", 5], ["joint-frame", "joints", 3.6], ["optional-frame", "frames", 5]];
-const LETTER = 4.5; // half a letter's height, pixels
+export const LETTER = 4.5; // half a letter's height, pixels
 const LEAST = 16; // pixels that an axis must have for a letter
 
 export class LineArt {
   // From three.js' world to the base's frame, and where the eye is in it.
   #toBase = new Matrix4();
   #eye = new Vector3();
+  /**
+   * Where letters are, in the base's frame.
+   * @type {Vector[]}
+   */
+  lettered = [];
 
   /** @param {Scene} scene @param {HTMLElement} pane */
   constructor(scene, pane) {
@@ -94,6 +99,7 @@ export class LineArt {
     const toBase = new Matrix4().multiplyMatrices(this.#toBase, camera.matrixWorld);
     const right = new Vector3().setFromMatrixColumn(toBase, 0), up = new Vector3().setFromMatrixColumn(toBase, 1);
     const pixel = (2 * Math.tan((camera.fov * Math.PI) / 360)) / Math.max(1, this.pane.clientHeight); // of the distance
+    this.lettered = [];
     const lettered = new Set(); // a joint at zero stands where its link does
     for (const [category, group, reach] of TRIADS) {
       if (!scene.lookOf(category).visible) continue;
@@ -114,6 +120,7 @@ export class LineArt {
     for (const [axis, direction] of Object.entries(AXES)) {
       const [x, y, z] = direction, reach = length + 2 * scale;
       const at = new Vector3(...transformPoint(pose, [reach * x, reach * y, reach * z]));
+      this.lettered.push([at.x, at.y, at.z]);
       /** @type {(x: number, y: number) => THREE.Vector3} */
       const corner = (x, y) => at.clone().addScaledVector(right, x * scale).addScaledVector(up, y * scale);
       const color = new Color(this.scene.colors[axis]);

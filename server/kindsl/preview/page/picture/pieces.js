@@ -18,7 +18,9 @@ import { blockMesh, capsuleMesh, coreMesh, drumMesh, icosphere } from "./shapes.
  * @property {string} kind Of the joint that it is part of, else empty.
  * @property {boolean} isRail Whether it is as long as the joint has slid; it is made for 1 m.
  * @property {readonly number[]} ball Its middle and radius, metres.
+ * @property {Rod | null} rod About where it is, in the coordinates of what carries it; null for a joint's.
  */
+/** @typedef {{ readonly ends: readonly Vector[], readonly radius: number }} Rod metres */
 /** @typedef {Omit<Piece, "ball">} Made */
 
 const RAIL = 0.5, BLOCK = 1.6, DRUM = 1.25; // of a drum's radius: a rail's radius, half a block's length, half a drum's
@@ -70,30 +72,43 @@ export function fineness({ core }, links, size) {
  */
 export function piecesOf(solid, tree, joint, fine, slab) {
   const coarse = sphere(Math.min(1, fine - 1));
-  /** @type {(category: Category, part: string, mesh: Mesh) => Made} */
-  const own = (category, part, mesh) => ({ tree, category, group: "links", name: solid.name, part, solid, mesh, kind: "", isRail: false });
-  const pieces = [...bones(solid, coarse).map(([part, mesh]) => own("bone", part, mesh)), ...(joint ? drums(solid, tree, joint, SIDES[fine]) : [])];
+  /** @type {(category: Category, part: string, mesh: Mesh, rod: Rod | null) => Made} */
+  const own = (category, part, mesh, rod) => ({ tree, category, group: "links", name: solid.name, part, solid, mesh, rod, kind: "", isRail: false });
+  const pieces = [...bones(solid, coarse).map(([part, mesh, ends]) => own("bone", part, mesh, { ends, radius: solid.radius })), ...(joint ? drums(solid, tree, joint, SIDES[fine]) : [])];
   if (solid.core) {
     const { look } = solid, category = look === "doubtful" || look === "impossible" ? look : "core";
-    pieces.push(own(category, "core", coreMesh(solid.core, sphere(fine))));
-  } else if (slab) pieces.push(own("bone", "slab", blockMesh((SLAB[0] / SLAB[1]) * slab, -slab, slab)));
+    pieces.push(own(category, "core", coreMesh(solid.core, sphere(fine)), rodOf(solid.core)));
+  } else if (slab) pieces.push(own("bone", "slab", blockMesh((SLAB[0] / SLAB[1]) * slab, -slab, slab), null));
   return pieces.map((piece) => ({ ...piece, ball: ballOf(piece.mesh) }));
 }
 
-/** @param {SolidMessage} solid @param {Sphere} coarse @returns {[string, Mesh][]} */
+/** @param {SolidMessage} solid @param {Sphere} coarse @returns {[string, Mesh, readonly Vector[]][]} */
 function bones({ bones: rods, radius, strut }, coarse) {
   /** @type {Vector} */
   const origin = [0, 0, 0];
-  /** @type {[string, Mesh][]} */
-  const made = rods.map(({ name, end }) => [`bone-${encodeURIComponent(name)}`, capsuleMesh(origin, end, radius, coarse)]);
-  if (!rods.length) made.push(["ball", capsuleMesh(origin, origin, radius, coarse)]);
-  if (strut.length) made.push(["strut", capsuleMesh(strut[0], strut[1], radius, coarse)]);
+  /** @type {(part: string, from: Vector, to: Vector) => [string, Mesh, readonly Vector[]]} */
+  const bone = (part, from, to) => [part, capsuleMesh(from, to, radius, coarse), [from, to]];
+  const made = rods.map(({ name, end }) => bone(`bone-${encodeURIComponent(name)}`, origin, end));
+  if (!rods.length) made.push(bone("ball", origin, origin));
+  if (strut.length) made.push(bone("strut", strut[0], strut[1]));
   return made;
+}
+
+/**
+ * A solid's longest axis, and how far it is from it.
+ * @param {Core} core
+ * @returns {Rod}
+ */
+function rodOf({ center, axes, semi_axes: halves }) {
+  const [, radius, half] = [...halves].sort((a, b) => a - b), along = halves.indexOf(half), [x, y, z] = axes.slice(3 * along);
+  /** @type {(reach: number) => Vector} */
+  const end = (reach) => [center[0] + reach * x, center[1] + reach * y, center[2] + reach * z];
+  return { ends: [end(radius - half), end(half - radius)], radius };
 }
 
 /** @param {SolidMessage} solid @param {"robot" | "ghost"} tree @param {JointMessage} joint @param {number} sides @returns {Made[]} */
 function drums(solid, tree, { name, kind }, sides) {
-  const { drum: radius } = solid, shared = /** @type {const} */ ({ tree, category: "drum", group: "joints", name, solid, kind });
+  const { drum: radius } = solid, shared = /** @type {const} */ ({ tree, rod: null, category: "drum", group: "joints", name, solid, kind });
   if (kind === "revolute") return [{ ...shared, part: "drum", mesh: drumMesh(radius, -DRUM * radius, DRUM * radius, sides), isRail: false }];
   return [
     { ...shared, part: "block", mesh: blockMesh(radius, -BLOCK * radius, BLOCK * radius), isRail: false },
