@@ -140,7 +140,7 @@ def clauses(source: str) -> Iterator[str]:
     ("source", "n_clauses"),
     [
         ('"""What a rule is."""', 1),
-        ('class Fix:\n    """What would mend it."""\n    def f(self):\n        """Who asks."""', 2),
+        ('class Fix:\n    """What would fix it."""\n    def f(self):\n        """Who asks."""', 2),
         ('"""Rules and their findings."""\ndef is_it():\n    """Return whether it is."""', 0),
     ],
 )

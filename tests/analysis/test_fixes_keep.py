@@ -15,7 +15,7 @@ from tests.support.kept import changed_numbers, lost_blocks, lost_remarks, n_err
 from tests.support.spoilt import spoilt_robot
 
 from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.fixing import is_mendable, is_safe, mended
+from kindsl.analysis.fixing import fixed, is_fixable, is_safe
 from kindsl.analysis.settings import Settings
 
 CASES = Path(__file__).parents[3] / "shared" / "differential" / "cases.jsonl.gz"
@@ -25,7 +25,7 @@ PARTS = 20
 
 def assert_kept(text: str, settings: Settings) -> None:
     before = analyse(text, settings)
-    safe, all_made = mended(before, is_safe), mended(before, is_mendable)
+    safe, all_made = fixed(before, is_safe), fixed(before, is_fixable)
     assert changed_numbers(before, safe.analysis) == []
     for result in (safe, all_made):
         assert_no_harm(before, result.analysis)

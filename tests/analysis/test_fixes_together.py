@@ -8,7 +8,7 @@ from tests.support import robots
 
 from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.analysis.fixing import Made, announced, is_mendable, is_safe, made, mended
+from kindsl.analysis.fixing import Made, announced, fixed, is_fixable, is_safe, made
 from kindsl.analysis.proof import EditEffect, effect
 from kindsl.analysis.text_fix import TextFix
 from kindsl.rules.base import Severity
@@ -27,15 +27,15 @@ def fix(text: str, old: str, new: str, *, safe: bool = True) -> Diagnostic:
     """Return a finding whose fix replaces the first place of a text."""
     at = text.index(old)
     edit = TextEdit(at, at + len(old), new)
-    mending = TextFix("Mend", safe, (edit,), False, parse(text))
-    return Diagnostic("KD500", "x", Severity.HINT, "is odd", edit.start, edit.end, fix=mending)
+    proposed = TextFix("Fix", safe, (edit,), False, parse(text))
+    return Diagnostic("KD500", "x", Severity.HINT, "is odd", edit.start, edit.end, fix=proposed)
 
 
 def errors(analysis: Analysis) -> Counter[str]:
     return Counter(f.code for f in analysis.findings if f.severity is Severity.ERROR)
 
 
-def fixed(text: str, *findings: Diagnostic) -> Made | None:
+def made_of(text: str, *findings: Diagnostic) -> Made | None:
     return made(analyse(text), findings)
 
 
@@ -52,7 +52,7 @@ def test_safe_fixes_must_keep_all_together() -> None:
     one, other = fix(text, "0.00", "1.0"), fix(text, "0.000", "1.0")
     assert is_safe(one)
     assert is_safe(other)
-    done = fixed(text, one, other)
+    done = made_of(text, one, other)
     assert done is not None
     assert done.n_findings == 1
     assert "(1.0*0.000, " in done.analysis.text
@@ -62,7 +62,7 @@ def test_errors_never_grow() -> None:
     text = ARM
     before = errors(analyse(text))
     harm = fix(text, "link upper", "link upper_", safe=False)
-    assert fixed(text, harm) is None
+    assert made_of(text, harm) is None
     spoilt = text.replace("link upper", "link upper_")
     assert errors(analyse(spoilt)).total() > before.total()
 
@@ -80,7 +80,7 @@ def test_fixes_of_meaning_bring_no_other_kind_of_error_together() -> None:
     edits = [finding.fix.edits for finding in analysis.findings if finding.fix is not None]
     together = analysis.edited(sorted(edit for each in edits for edit in each))
     assert errors(together) == Counter(KD101=1)
-    result = mended(analysis, is_mendable)
+    result = fixed(analysis, is_fixable)
     for edits_made in result.rounds:
         analysis = analysis.edited(edits_made)
         assert "KD101" not in errors(analysis)
@@ -90,7 +90,7 @@ def test_fixes_of_meaning_bring_no_other_kind_of_error_together() -> None:
 
 def test_a_text_is_read_before_it_is_judged() -> None:
     text = numbered_from_four().replace("0.3)", "7)", 1)
-    first, *rest = mended(analyse(text), is_mendable).rounds
+    first, *rest = fixed(analyse(text), is_fixable).rounds
     at = text.index("7)") + 1
     assert first == (TextEdit(at, at, ".0"),)
     assert rest

@@ -14,7 +14,7 @@ from tests.support.mutants import mutants
 
 from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.analysis.fixing import is_mendable, is_safe, mended
+from kindsl.analysis.fixing import fixed, is_fixable, is_safe
 from kindsl.analysis.text_fix import TextFix
 from kindsl.rules.base import Severity
 from kindsl.syntax.document import parse
@@ -62,7 +62,7 @@ def called_wrong(analysis: Analysis) -> Counter[Decimal]:
 
 def assert_nothing_is_lost(text: str, is_wanted: Wanted) -> None:
     analysis = before = analyse(text)
-    result = mended(analysis, is_wanted)
+    result = fixed(analysis, is_wanted)
     wrong: Counter[Decimal] = Counter()
     for edits in result.rounds:
         wrong += called_wrong(analysis)
@@ -70,10 +70,10 @@ def assert_nothing_is_lost(text: str, is_wanted: Wanted) -> None:
     assert not numbers(text) - numbers(analysis.text) - wrong
     assert not remarks(text) - remarks(analysis.text)
     assert n_errors(analysis) <= n_errors(before)
-    assert mended(result.analysis, is_wanted).rounds == ()
+    assert fixed(result.analysis, is_wanted).rounds == ()
 
 
-@pytest.mark.parametrize("is_wanted", [is_mendable, is_safe])
+@pytest.mark.parametrize("is_wanted", [is_fixable, is_safe])
 @pytest.mark.parametrize("name", DOCUMENTS)
 def test_fixes_of_a_mistake_lose_nothing(name: str, is_wanted: Wanted) -> None:
     found = list(mutants(DOCUMENTS[name], 17, 100))
@@ -86,7 +86,7 @@ def test_fixes_of_a_stray_line_lose_nothing(stray: str) -> None:
     lines = DOCUMENTS["model"].splitlines(keepends=True)
     for count in random.Random(stray).sample(range(1, len(lines)), 12):
         text = "".join((*lines[:count], stray, "\n", *lines[count:]))
-        assert_nothing_is_lost(text, is_mendable)
+        assert_nothing_is_lost(text, is_fixable)
 
 
 def test_a_brace_too_far_right_is_removed_once() -> None:
@@ -95,8 +95,8 @@ def test_a_brace_too_far_right_is_removed_once() -> None:
     text = good.replace(pair, pair + "        }\n", 1)
     (finding,) = [f for f in analyse(text).findings if f.severity is Severity.ERROR]
     assert finding.message == "unexpected '}'"
-    assert_nothing_is_lost(text, is_mendable)
-    assert mended(analyse(text), is_mendable).analysis.text.split() == good.split()
+    assert_nothing_is_lost(text, is_fixable)
+    assert fixed(analyse(text), is_fixable).analysis.text.split() == good.split()
 
 
 class Pendulum(Analysis):
@@ -115,7 +115,7 @@ class Pendulum(Analysis):
 
 
 def test_rounds_that_undo_each_other_are_not_made() -> None:
-    assert mended(Pendulum(parse(robots.STUB)), is_mendable).rounds == ()
+    assert fixed(Pendulum(parse(robots.STUB)), is_fixable).rounds == ()
 
 
 def test_six_moments_in_one_line_are_one_mistake() -> None:
@@ -124,7 +124,7 @@ def test_six_moments_in_one_line_are_one_mistake() -> None:
         "KD010",
         "obsolete 'moments': write 'Ix', 'Iy', 'Iz', 'Ixy', 'Ixz', 'Iyz'",
     )
-    text = mended(analyse(OBSOLETE), is_safe).analysis.text
+    text = fixed(analyse(OBSOLETE), is_safe).analysis.text
     assert "// of the drawing\n        Ix = 0.3\n        Iy = 0.31\n        Iz = .1\n" in text
     assert "Ixy = 0.0\n        Ixz = -0.01\n        Iyz = 0.0" in text
     assert not n_errors(analyse(text))

@@ -1,4 +1,4 @@
-"""Characters that look alike are read as what they mean, and mended to the same value."""
+"""Characters that look alike are read as what they mean, and fixed to the same value."""
 
 import random
 
@@ -10,7 +10,7 @@ from tests.support.models import LAYOUTS, Style, random_model
 from tests.support.syntax_checks import assert_lossless, assert_same
 
 from kindsl.analysis.analysis import Analysis, analyse
-from kindsl.analysis.fixing import is_safe, mended
+from kindsl.analysis.fixing import fixed, is_safe
 from kindsl.analysis.settings import Settings
 from kindsl.cli.documents.sources import is_decodable
 from kindsl.semantics.declarations import Declarations
@@ -84,7 +84,7 @@ def test_lookalikes_are_read_as_what_they_mean(seed: int) -> None:
     assert values(analysis) == values(good)
     assert len(syntax_codes(analysis)) == len(edits)
     assert remarks(other) == remarks(text)
-    repaired = mended(analysis, is_safe).analysis
+    repaired = fixed(analysis, is_safe).analysis
     assert values(repaired) == values(good)
     assert syntax_codes(repaired) == []
     assert remarks(repaired.text) == remarks(text)
@@ -130,7 +130,7 @@ def test_one_meaning_is_read_and_written(written: str) -> None:
     analysis = analyse(text)
     assert values(analysis)[0] == value
     assert len(syntax_codes(analysis)) == 1
-    repaired = mended(analysis, is_safe).analysis
+    repaired = fixed(analysis, is_safe).analysis
     assert MASS.format(new) in repaired.text
     assert values(repaired)[0] == value
 
@@ -170,7 +170,7 @@ def test_what_is_uncertain_has_no_value_and_no_safe_fix(written: str) -> None:
     fixes = [finding.fix] if finding.fix else finding.choices
     assert [edit.text for fix in fixes for edit in fix.edits] == UNCERTAIN[written]
     assert not any(fix.is_safe for fix in fixes)
-    assert mended(analysis, is_safe).analysis.text == text
+    assert fixed(analysis, is_safe).analysis.text == text
 
 
 @pytest.mark.parametrize(
@@ -204,7 +204,7 @@ def test_blanks_quotes_and_brackets() -> None:
     )
     analysis = analyse(text)
     assert values(analysis)[-6:-3] == [0.0, -0.1, 0.3]
-    repaired = mended(analysis, is_safe).analysis
+    repaired = fixed(analysis, is_safe).analysis
     assert "translation=(0.0,-0.1, 0.3)" in repaired.text
     assert syntax_codes(repaired) == []
 
@@ -212,7 +212,7 @@ def test_blanks_quotes_and_brackets() -> None:
 def test_comments_stay_as_they_are() -> None:
     comment = "// −1.0 × 10⁻³ “ﬁnger” \xa0 １．０ up–per"
     text = robots.STUB.replace("{ }", f"{{ {comment}\n }}").replace("mass = 1.0", "mass = １.０")
-    repaired = mended(analyse(text), is_safe).analysis
+    repaired = fixed(analyse(text), is_safe).analysis
     assert remarks(repaired.text) == [comment]
     assert "mass = 1.0" in repaired.text
 

@@ -7,7 +7,7 @@ import pytest
 from tests.support import robots
 
 from kindsl.analysis.analysis import analyse
-from kindsl.analysis.fixing import is_mendable, is_safe, made, mended
+from kindsl.analysis.fixing import fixed, is_fixable, is_safe, made
 from kindsl.analysis.proof import EditEffect, Effect, effect
 from kindsl.analysis.text_fix import TextFix, prove
 from kindsl.rules.examples import joint, link, robot
@@ -118,7 +118,7 @@ def claimed(text: str, *edits: tuple[str, str]) -> list[TextFix]:
     document = parse(text)
     places = [(text.index(old), old, new) for old, new in edits]
     return [
-        TextFix("Mend", True, (TextEdit(at, at + len(old), new),), False, document)
+        TextFix("Fix", True, (TextEdit(at, at + len(old), new),), False, document)
         for at, old, new in places
     ]
 
@@ -149,7 +149,7 @@ def test_numbers_of_links_are_never_changed_unasked(code: str) -> None:
     fixes = [f.fix for f in analysis.findings if f.code == code and f.fix is not None]
     assert fixes
     assert not any(fix.is_safe for fix in fixes)
-    assert mended(analysis, is_safe).rounds == ()
+    assert fixed(analysis, is_safe).rounds == ()
 
 
 def test_fixes_that_spoil_each_other_are_made_one_after_the_other() -> None:
@@ -159,7 +159,7 @@ def test_fixes_that_spoil_each_other_are_made_one_after_the_other() -> None:
     text = robot(*links, base="upper via shoulder", joints="shoulder elbow brake wrist flange")
     analysis = analyse(text)
     assert {"KD105", "KD109"} <= {finding.code for finding in analysis.findings}
-    for edits in mended(analysis, is_mendable).rounds:
+    for edits in fixed(analysis, is_fixable).rounds:
         analysis = analysis.edited(edits)
         assert "KD101" not in {finding.code for finding in analysis.findings}
     assert sorted(each.id or 0 for each in analysis.model.links) == [1, 2, 3, 4, 5]
@@ -172,10 +172,10 @@ def test_a_fix_that_loses_a_comment_is_not_made() -> None:
     plain, remarked = text.replace("@", ""), text.replace("@", "/* of the drawing */")
     for given in (plain, remarked):
         assert [f.fix for f in analyse(given).findings if "ref_frame" in f.message]
-    assert mended(analyse(plain), is_mendable).analysis.text.count("0.0, 0.0)") == (
+    assert fixed(analyse(plain), is_fixable).analysis.text.count("0.0, 0.0)") == (
         plain.count("0.0, 0.0)") - 2 * plain.count(frame.replace("@", ""))
     )
-    assert "/* of the drawing */" in mended(analyse(remarked), is_mendable).analysis.text
+    assert "/* of the drawing */" in fixed(analyse(remarked), is_fixable).analysis.text
 
 
 def test_halves_are_tried_where_all_together_do_harm() -> None:

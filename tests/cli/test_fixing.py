@@ -16,7 +16,7 @@ from tests.support.amount import usually
 
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.analysis.fixing import disjoint_fixes, in_line_style, is_mendable, mended
+from kindsl.analysis.fixing import disjoint_fixes, fixed, in_line_style, is_fixable
 from kindsl.analysis.text_fix import TextFix
 from kindsl.rules.base import Severity
 from kindsl.rules.examples import link, robot
@@ -103,7 +103,7 @@ def test_a_file_that_changed_meanwhile_is_not_written(folder: Path) -> None:
     from kindsl.cli.documents.writing import write_text
 
     (folder / "a.kindsl").write_text("new")
-    failure = write_text("a.kindsl", "a.kindsl", "old", "mended")
+    failure = write_text("a.kindsl", "a.kindsl", "old", "fixed")
     assert failure is not None
     assert "changed meanwhile" in failure.message
     assert (folder / "a.kindsl").read_text() == "new"
@@ -154,7 +154,7 @@ def test_a_section_with_a_remark_in_it_stays_and_is_not_announced(
 
 
 def finding(*edits: TextEdit, safe: bool = True) -> Diagnostic:
-    fix = TextFix("Mend", safe, edits)
+    fix = TextFix("Fix", safe, edits)
     return Diagnostic("KD500", "x", Severity.ERROR, "is odd", 0, 1, fix=fix)
 
 
@@ -198,8 +198,8 @@ def test_new_lines_are_as_the_others() -> None:
 )
 def test_fixing_ends_and_a_second_time_changes_nothing(parts: list[str]) -> None:
     analysis = analyse(arm(reach=" ".join(parts)))
-    better, n_fixed, rounds = mended(analysis, is_mendable)
-    assert mended(better, is_mendable).n_findings == 0
+    better, n_fixed, rounds = fixed(analysis, is_fixable)
+    assert fixed(better, is_fixable).n_findings == 0
     assert better.findings == analyse(better.text).findings
     text = analysis.text
     for edits in rounds:

@@ -23,7 +23,7 @@ import kindsl
 from kindsl.analysis import analysis
 from kindsl.analysis.settings import Settings
 from kindsl.cli.documents.sources import is_decodable
-from kindsl.cli.linter.one_document import Mending, Task, check
+from kindsl.cli.linter.one_document import FixMode, Task, check
 from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.registry import all_rules
 
@@ -297,7 +297,7 @@ def test_any_bytes_are_linted_and_mended_without_a_defect(content: bytes) -> Non
     with tempfile.NamedTemporaryFile(suffix=".kindsl") as file:
         path = Path(file.name)
         path.write_bytes(content)
-        task = Task(file.name, "x.kindsl", Settings(), Mending.WRITTEN, with_unsafe=True)
+        task = Task(file.name, "x.kindsl", Settings(), FixMode.WRITTEN, with_unsafe=True)
         linted, failure = check(task)
         written = path.read_bytes()
         path.write_bytes(content)

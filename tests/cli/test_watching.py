@@ -7,7 +7,7 @@ from tests.cli.samples import GOOD, INTEGER, UNBOUND
 
 from kindsl.cli.documents.choices import Choices
 from kindsl.cli.linter import watching
-from kindsl.cli.linter.one_document import Mending
+from kindsl.cli.linter.one_document import FixMode
 from kindsl.cli.linter.run import LintPlan
 from kindsl.cli.outcome import RunOutcome
 from kindsl.config.discovery import Configurations
@@ -80,15 +80,15 @@ def test_a_file_that_the_run_itself_mends_is_linted_once(
 ) -> None:
     document = folder / "a.kindsl"
     document.write_text(INTEGER)
-    mended: list[int] = []
+    fixed: list[int] = []
 
     def report(outcome: RunOutcome) -> int:
-        mended.append(sum(file.n_fixed for file in outcome.files))
-        return len(mended)
+        fixed.append(sum(file.n_fixed for file in outcome.files))
+        return len(fixed)
 
     look_three_times(monkeypatch)
     choices = Choices(configurations=Configurations())
-    plan = LintPlan(["."], choices, is_quiet=True, mending=Mending.WRITTEN)
+    plan = LintPlan(["."], choices, is_quiet=True, fix_mode=FixMode.WRITTEN)
     assert watching.watch(plan, report) == 1
-    assert mended == [1]
+    assert fixed == [1]
     assert document.read_text() != INTEGER

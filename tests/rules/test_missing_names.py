@@ -3,7 +3,7 @@
 import pytest
 
 from kindsl.analysis.analysis import analyse
-from kindsl.analysis.fixing import is_mendable, mended
+from kindsl.analysis.fixing import fixed, is_fixable
 from kindsl.rules.base import Fix
 from kindsl.rules.examples import link, robot
 from kindsl.rules.missing_names import missing_names
@@ -95,7 +95,7 @@ def test_the_link_that_is_missing_leaves_no_gap() -> None:
         link("upper", 1, "hand via wrist tool via pan"), link("tool", 3),
         base="upper via shoulder", joints="shoulder wrist pan",
     )  # fmt: skip
-    after = mended(analyse(text), is_mendable).analysis
+    after = fixed(analyse(text), is_fixable).analysis
     assert [(str(each.name), each.id) for each in after.model.links] == [
         ("upper", 1), ("tool", 3), ("hand", 2),
     ]  # fmt: skip

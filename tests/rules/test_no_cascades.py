@@ -12,7 +12,7 @@ from tests.support.mutants import lumps, mutants
 
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.analysis.fixing import is_mendable, mended
+from kindsl.analysis.fixing import fixed, is_fixable
 from kindsl.analysis.settings import Settings
 from kindsl.semantics.parameters import Binding
 from kindsl.syntax.document import parse
@@ -194,7 +194,7 @@ def test_a_fix_gives_no_joint_to_two_pairs() -> None:
     good = (Path(__file__).parents[2] / "examples" / "quadruped.kindsl").read_text()
     text = re.sub(r"r_joint R[FH]_HAA \{.*?\n\}\n", "", good, flags=re.DOTALL)
     assert [f.code for f in remarks(text)] == ["KD106", "KD106"]
-    result = mended(analyse(text, SETTINGS), is_mendable).analysis
+    result = fixed(analyse(text, SETTINGS), is_fixable).analysis
     assert "KD205" not in {finding.code for finding in result.findings}
 
 

@@ -19,12 +19,12 @@ _MOST_TRIES = 64
 _SYNTAX = "KD0"
 
 
-class Mended(NamedTuple):
+class Fixed(NamedTuple):
     """The result of fixing a document.
 
     Attributes:
         analysis: Of the text with fixes applied.
-        n_findings: How many findings they mended.
+        n_findings: How many findings they fixed.
         rounds: The edits that were made at once, each in the text that the round before left.
     """
 
@@ -33,13 +33,13 @@ class Mended(NamedTuple):
     rounds: tuple[tuple[TextEdit, ...], ...]
 
 
-def mended(analysis: Analysis, is_wanted: Callable[[Diagnostic], bool]) -> Mended:
+def fixed(analysis: Analysis, is_wanted: Callable[[Diagnostic], bool]) -> Fixed:
     """Apply the wanted fixes in rounds; those that meet others wait for the next one.
 
     A text is read before it is judged: fixes of its syntax come first. What a round did is looked
     at as a whole, see `made`. Rounds that lead back to an earlier text, but for blanks, are undone.
     """
-    state = Mended(analysis, 0, ())
+    state = Fixed(analysis, 0, ())
     seen = {_written(analysis.text): state}
     while len(state.rounds) < _MOST_ROUNDS:
         prove(finding.fix for finding in state.analysis.findings if finding.fix is not None)
@@ -47,7 +47,7 @@ def mended(analysis: Analysis, is_wanted: Callable[[Diagnostic], bool]) -> Mende
         if done is None:
             break
         rounds = (*state.rounds, done.edits)
-        state = Mended(done.analysis, state.n_findings + done.n_findings, rounds)
+        state = Fixed(done.analysis, state.n_findings + done.n_findings, rounds)
         written = _written(state.analysis.text)
         if written in seen:
             return seen[written]
@@ -161,13 +161,13 @@ def is_safe(finding: Diagnostic) -> bool:
     return finding.fix is not None and finding.fix.is_safe
 
 
-def is_mendable(finding: Diagnostic) -> bool:
+def is_fixable(finding: Diagnostic) -> bool:
     """Return whether a finding has a fix, safe or not."""
     return finding.fix is not None
 
 
 def disjoint_fixes(findings: Iterable[Diagnostic]) -> tuple[list[TextEdit], int]:
-    """Return edits that do not touch each other, in their order, and how many findings they mend.
+    """Return edits that do not touch each other, in their order, and how many findings they fix.
 
     A fix is taken whole or not at all; of two that touch each other the safe one wins, then the
     first. Fixes may share edits.

@@ -42,7 +42,7 @@ class LintedFile:
         parameters: Names of the parameters that it uses.
         joints: Names of its joints.
         configuration: The configuration file that held for it, if any.
-        n_fixed: How many findings were mended.
+        n_fixed: How many findings were fixed.
         n_known: How many findings are left out, since the baseline knows them.
         n_stale: How many findings the baseline knows that are no longer there.
         original: The text before fixes.

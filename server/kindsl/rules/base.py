@@ -65,8 +65,8 @@ class Finding(NamedTuple):
         at: Where.
         message: One sentence without final period: what is wrong, names quoted, with units.
         related: Other places.
-        fix: The edit that mends it.
-        choices: Edits that mend it where several things may be meant; then there is no `fix`.
+        fix: The edit that fixes it.
+        choices: Edits that fix it where several things may be meant; then there is no `fix`.
         severity: Where it differs from the rule's.
         tag: How to draw it.
         explains: Codes of findings at the same place that it makes needless, but for their fixes.

@@ -125,8 +125,8 @@ class Problem(NamedTuple):
         message: One sentence, no final period.
         start: Code points from the island's start.
         end: End, exclusive.
-        repair: The edit that mends it, where that is known.
-        choices: Edits that mend it where two things may be meant; then there is no `repair`.
+        repair: The edit that fixes it, where that is known.
+        choices: Edits that fix it where two things may be meant; then there is no `repair`.
     """
 
     code: str

@@ -1,4 +1,4 @@
-"""Every quick fix for every rule's bad example and every defect file mends and harms nothing."""
+"""Every quick fix for every rule's bad example and every defect file fixes and harms nothing."""
 
 import re
 from collections import Counter

@@ -1,6 +1,6 @@
 """Every fix on whole robots, sound ones with a kind of mistake all through: what it promises.
 
-A fix mends its finding and brings no error. Unless it says otherwise, it keeps the mechanism to
+A fix fixes its finding and brings no error. Unless it says otherwise, it keeps the mechanism to
 1e-9 and all comments.
 """
 
@@ -73,19 +73,19 @@ def test_all_safe_fixes_together_do_what_they_promise(path: Path, mistake: str) 
     before = analyse(MISTAKES[mistake](path.read_text(encoding="utf-8")), ALL)
     edits = fix_all(before)
     after = analyse(apply_edits(before.text, edits), ALL)
-    mended = {finding.code for finding in before.findings if finding.fix and finding.fix.is_safe}
-    assert bool(edits) == bool(mended)
-    assert_promised(before, after, mended)
+    fixed = {finding.code for finding in before.findings if finding.fix and finding.fix.is_safe}
+    assert bool(edits) == bool(fixed)
+    assert_promised(before, after, fixed)
     assert fix_all(after) == ()
 
 
-def assert_promised(before: Analysis, after: Analysis, mended: set[str]) -> None:
-    if not mended & NEW_INERTIA:
+def assert_promised(before: Analysis, after: Analysis, fixed: set[str]) -> None:
+    if not fixed & NEW_INERTIA:
         values = {str(parameter.name): 0.3 for parameter in before.model.parameters}
-        tolerance = max([1e-9, *(ROUNDED[code] for code in mended & ROUNDED.keys())])
+        tolerance = max([1e-9, *(ROUNDED[code] for code in fixed & ROUNDED.keys())])
         old, new = mechanics_by_name(before, values), mechanics_by_name(after, values)
         assert_same_mechanism(old, new, tolerance)
-    if not mended & OTHER_COMMENTS:
+    if not fixed & OTHER_COMMENTS:
         assert comments(after) == comments(before)
 
 

@@ -6,7 +6,7 @@ from tests.support.cursor import at_cursor
 from tests.support.documents import ROOT
 
 from kindsl.analysis.analysis import analyse
-from kindsl.analysis.fixing import disjoint_fixes, is_mendable
+from kindsl.analysis.fixing import disjoint_fixes, is_fixable
 from kindsl.analysis.settings import Settings
 from kindsl.features.actions.code_actions import code_actions, fix_all_action, quick_fixes
 from kindsl.features.actions.fix_all import fix_all, line_edits
@@ -60,8 +60,8 @@ def test_everything_safe_is_fixed_by_one_action():
 
 def test_fixes_that_need_several_rounds_come_to_an_end():
     analysis = analyse(BAD)
-    edits = fix_all(analysis, is_mendable)
-    assert not fix_all(analyse(apply_edits(BAD, edits)), is_mendable)
+    edits = fix_all(analysis, is_fixable)
+    assert not fix_all(analyse(apply_edits(BAD, edits)), is_fixable)
 
 
 def test_only_the_rules_asked_for():
@@ -187,8 +187,8 @@ def test_quick_fixes_alone_mend_all_of_the_broken_arm_that_one_can_know():
     text = (ROOT / "examples" / "broken_arm.kindsl").read_text()
     while (fix := first_quick_fix(analyse(text))) is not None:
         text = apply_edits(text, fix.edits)
-        mended = fix.diagnostics[0].message
-        assert mended not in [finding.message for finding in analyse(text).findings]
+        fixed = fix.diagnostics[0].message
+        assert fixed not in [finding.message for finding in analyse(text).findings]
     assert set(codes(text)) == {"KD301", "KD310", "KD401", "KD409", "KD508"}
 
 

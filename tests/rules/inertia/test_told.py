@@ -1,4 +1,4 @@
-"""How mistakes and quantities are put into words: powers of ten are those that mend the numbers."""
+"""How mistakes and quantities are put into words: powers of ten are those that fix the numbers."""
 
 from fractions import Fraction
 from math import pi

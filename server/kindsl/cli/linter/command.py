@@ -7,7 +7,7 @@ from typing import Any
 from kindsl.cli.console import write
 from kindsl.cli.documents.choices import choices_of
 from kindsl.cli.documents.sources import STDIN, UNNAMED
-from kindsl.cli.linter.one_document import Mending
+from kindsl.cli.linter.one_document import FixMode
 from kindsl.cli.linter.run import LintPlan, lint
 from kindsl.cli.outcome import Failure, RunOutcome, as_failures
 from kindsl.cli.output import renderer
@@ -88,12 +88,12 @@ def _wrong_usage(args: Any) -> str:
 
 
 def _plan(args: Any) -> LintPlan:
-    mending = Mending.SHOWN if args.diff else Mending.WRITTEN if args.fix else Mending.NONE
+    fix_mode = FixMode.SHOWN if args.diff else FixMode.WRITTEN if args.fix else FixMode.NONE
     return LintPlan(
         args.paths or ["."],
         choices_of(args),
         args.stdin_filename or UNNAMED,
-        mending,
+        fix_mode,
         args.unsafe_fixes,
         args.jobs,
         args.quiet,

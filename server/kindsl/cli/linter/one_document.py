@@ -20,7 +20,7 @@ _CODE = "KD004"
 _NAME = "invalid-character"
 
 
-class Mending(Enum):
+class FixMode(Enum):
     """The way fixes are applied."""
 
     NONE = "none"
@@ -35,14 +35,14 @@ class Task(NamedTuple):
         path: The file, or `-` for stdin.
         shown: Its name in messages.
         settings: Decisions for it.
-        mending: How fixes are applied.
+        fix_mode: How fixes are applied.
         with_unsafe: Whether unsafe fixes are wanted too.
     """
 
     path: str
     shown: str
     settings: Settings
-    mending: Mending = Mending.NONE
+    fix_mode: FixMode = FixMode.NONE
     with_unsafe: bool = False
 
 
@@ -70,13 +70,13 @@ def _checked(task: Task, text: str) -> Checked:
     if task.shown.endswith(TRANSFORMS_SUFFIX):
         return Checked(_transforms(task, text), None)
     analysis = analyse(text, task.settings)
-    if task.mending is Mending.NONE or not is_decodable(text):
+    if task.fix_mode is FixMode.NONE or not is_decodable(text):
         return _outcome(task, analysis)
-    from kindsl.analysis.fixing import is_mendable, is_safe, mended
+    from kindsl.analysis.fixing import fixed, is_fixable, is_safe
     from kindsl.cli.documents.writing import write_text
 
-    better, n_fixed, _ = mended(analysis, is_mendable if task.with_unsafe else is_safe)
-    if task.mending is Mending.WRITTEN and task.path != STDIN and better.text != text:
+    better, n_fixed, _ = fixed(analysis, is_fixable if task.with_unsafe else is_safe)
+    if task.fix_mode is FixMode.WRITTEN and task.path != STDIN and better.text != text:
         failure = write_text(task.path, task.shown, text, better.text)
         if failure is not None:
             return Checked(_file(task, analysis), failure)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from kindsl.cli.documents.choices import Choices
 from kindsl.cli.documents.sources import STDIN, UNNAMED
 from kindsl.cli.documents.walking import documents
-from kindsl.cli.linter.one_document import Checked, Mending, Task
+from kindsl.cli.linter.one_document import Checked, FixMode, Task
 from kindsl.cli.linter.parallel import check_all
 from kindsl.cli.outcome import Failure, LintedFile, RunOutcome, as_failures
 from kindsl.config.errors import ConfigurationError
@@ -33,7 +33,7 @@ class LintPlan(NamedTuple):
         paths: Documents, folders, `-`.
         choices: Decisions about the rules.
         stdin_name: Name of the document from stdin.
-        mending: How fixes are applied.
+        fix_mode: How fixes are applied.
         with_unsafe: Whether unsafe fixes are wanted too.
         jobs: How many processes, 0 for as many as pay.
         is_quiet: Whether to show no progress.
@@ -44,7 +44,7 @@ class LintPlan(NamedTuple):
     paths: list[str]
     choices: Choices
     stdin_name: str = UNNAMED
-    mending: Mending = Mending.NONE
+    fix_mode: FixMode = FixMode.NONE
     with_unsafe: bool = False
     jobs: int = 0
     is_quiet: bool = False
@@ -94,7 +94,7 @@ def _prepared(
             continue
         if configuration is not None:
             configurations[shown] = configuration
-        tasks.append(Task(document, shown, settings, plan.mending, plan.with_unsafe))
+        tasks.append(Task(document, shown, settings, plan.fix_mode, plan.with_unsafe))
     return tasks, failures, configurations
 
 

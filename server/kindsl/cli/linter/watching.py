@@ -37,8 +37,8 @@ def watch(plan: LintPlan, report: Callable[[RunOutcome], int]) -> int:
                 status = report(outcome)
                 print("watching for changes, Ctrl-C to stop", file=sys.stderr, flush=True)
                 # As before the run: what was saved during it may not have been read.
-                mended = {file.path for file in outcome.files if file.n_fixed}
-                seen = now | {path: stamp(path) for path in now.keys() & mended}
+                fixed = {file.path for file in outcome.files if file.n_fixed}
+                seen = now | {path: stamp(path) for path in now.keys() & fixed}
             time.sleep(_PAUSE)
     except KeyboardInterrupt:
         return status

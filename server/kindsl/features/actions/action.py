@@ -23,7 +23,7 @@ class CodeAction(NamedTuple):
         kind: `quickfix`, `refactor.extract`, `refactor.inline`, `refactor.rewrite`,
             `source.fixAll.kindsl`, `refactor.rewrite.suppress` and the like.
         edits: The change, disjoint.
-        diagnostics: The findings that it mends.
+        diagnostics: The findings that it fixes.
         is_preferred: Whether an editor may do it unasked, by one key.
         cursor: Where to put the cursor in the new text, to rename what was made; None for nowhere.
         bindings: Values to give to parameters in `kindsl.toml` along with the change; without

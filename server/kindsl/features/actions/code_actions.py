@@ -88,7 +88,7 @@ def _fix(finding: Diagnostic, fix: TextFix) -> CodeAction:
 
 
 def _fixes_of_rules(analysis: Analysis, touched: list[Diagnostic]) -> Iterator[CodeAction]:
-    """Yield one action for each rule that could be mended in several places."""
+    """Yield one action for each rule that could be fixed in several places."""
     for code in dict.fromkeys(finding.code for finding in touched if finding.fix is not None):
         alike = tuple(d for d in analysis.findings if d.code == code and d.fix is not None)
         n_mended, edits = _mending(analysis, code, alike) if len(alike) > 1 else (0, ())
@@ -98,7 +98,7 @@ def _fixes_of_rules(analysis: Analysis, touched: list[Diagnostic]) -> Iterator[C
 
 
 def _mending(analysis: Analysis, code: str, alike: tuple[Diagnostic, ...]) -> _Mending:
-    """Return how many findings of a rule can be mended together, and by what."""
+    """Return how many findings of a rule can be fixed together, and by what."""
     known = _alike.setdefault(analysis, {})
     if code not in known:
         done = made(analysis, alike)
@@ -146,6 +146,6 @@ def bind_parameter(analysis: Analysis, start: int, end: int) -> Iterator[CodeAct
         return
     value = 1.0 if parameter.kind is ValueKind.DYNAMICS else 0.0
     first, _ = analysis.resolver.span(parameter.name)
-    mended = tuple(d for d in analysis.findings if d.code == _UNBOUND and d.start == first)
+    fixed = tuple(d for d in analysis.findings if d.code == _UNBOUND and d.start == first)
     title = f"Bind '{name}' in kindsl.toml"
-    yield CodeAction(title, QUICK_FIX, (), mended, bindings=((name, value),))
+    yield CodeAction(title, QUICK_FIX, (), fixed, bindings=((name, value),))

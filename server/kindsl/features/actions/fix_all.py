@@ -5,15 +5,15 @@ from difflib import SequenceMatcher
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.analysis.diagnostics import Diagnostic
-from kindsl.analysis.fixing import is_safe, mended
+from kindsl.analysis.fixing import fixed, is_safe
 from kindsl.text.edits import TextEdit
 
 
 def fix_all(
     analysis: Analysis, is_wanted: Callable[[Diagnostic], bool] = is_safe
 ) -> tuple[TextEdit, ...]:
-    """Return the edits that mend what can be mended."""
-    better, _, rounds = mended(analysis, is_wanted)
+    """Return the edits that fix what can be fixed."""
+    better, _, rounds = fixed(analysis, is_wanted)
     return rounds[0] if len(rounds) == 1 else line_edits(analysis.text, better.text)
 
 

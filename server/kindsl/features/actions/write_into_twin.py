@@ -23,10 +23,10 @@ def write_into_twin(analysis: Analysis, start: int, end: int) -> Iterator[CodeAc
         for number in each.found.numbers if not each.is_generated else ():
             at = place_of(analysis.model, number)
             span = None if at is None else analysis.resolver.span(at)
-            mended = tuple(d for d in touched if (d.start, d.end) == span)
+            fixed = tuple(d for d in touched if (d.start, d.end) == span)
             edits = tuple(_edits(number))
-            if mended and edits:
-                yield _action(each.twin, number, edits)._replace(diagnostics=mended)
+            if fixed and edits:
+                yield _action(each.twin, number, edits)._replace(diagnostics=fixed)
 
 
 def _action(twin: TwinFile, number: NumberDifference, edits: tuple[OtherEdit, ...]) -> CodeAction:

@@ -4,7 +4,7 @@ Safe fixes keep every number. With `unsafe`, the likely repairs of wrong numbers
 at each. A file is written only with `apply`.
 """
 
-from kindsl.analysis.fixing import is_mendable, is_safe, mended
+from kindsl.analysis.fixing import fixed, is_fixable, is_safe
 from kindsl.mcp.documents import DocumentArguments, document
 from kindsl.mcp.errors import ToolError
 from kindsl.mcp.folder import Folder
@@ -25,12 +25,12 @@ def run(arguments: FixArguments, folder: Folder) -> list[Content]:
     if arguments.apply and arguments.path is None:
         raise ToolError("'apply' writes a file: give 'path', not 'text'")
     path, analysis = document(arguments, folder)
-    found = mended(analysis, is_mendable if arguments.unsafe else is_safe)
+    found = fixed(analysis, is_fixable if arguments.unsafe else is_safe)
     new = found.analysis.text
     if new == analysis.text:
         return [text("No fix to make.")]
     if arguments.apply:
         folder.write(path, new)
     done = "written" if arguments.apply else "not written: call again with 'apply' to write it"
-    told = f"{counted(found.n_findings, 'finding')} mended, {done}."
+    told = f"{counted(found.n_findings, 'finding')} fixed, {done}."
     return [text(told), text(unified_diff(path, analysis.text, new))]

@@ -7,7 +7,7 @@ the numbers are weighed against each other: another reference point, wrong signs
 unit, a wrong mass, a placeholder, a copy. The most likely one is told, its rivals as places beside
 it, each with what speaks for it: the density, axes of the link that become principal, a twin on the
 other side, the next joint, what other links weigh. Other links of the document with the same slip
-count too, and where every link shows it, it is told once. A unit or a mass is mended first; what
+count too, and where every link shows it, it is told once. A unit or a mass is fixed first; what
 remains is judged again.
 
 ## Why is this bad?

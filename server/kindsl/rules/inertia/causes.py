@@ -191,7 +191,7 @@ def _weighed(fit: Fit, around: LinkSurroundings) -> Cause:
 
 
 def _simple_first(cause: Cause) -> Cause:
-    """Return the cause with the one slip that is mended first; what remains is judged again."""
+    """Return the cause with the one slip that is fixed first; what remains is judged again."""
     simple = cause.hypothesis.simple
     if simple is None:
         return cause

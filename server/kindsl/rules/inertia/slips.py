@@ -1,7 +1,7 @@
 """Mistakes in copying ten numbers, in one table, and the numbers as they were meant.
 
 A row has its rule, its weight against the others and what that rests on. Two at a time are tried as
-far as `_PAIRS` says, for a share of their weight. A unit is mended first, and what remains judged
+far as `_PAIRS` says, for a share of their weight. A unit is fixed first, and what remains judged
 again: what may have been done to the moments besides only speaks for the unit.
 """
 
@@ -67,7 +67,7 @@ class Hypothesis(NamedTuple):
         unit: The unit that explains that, or empty.
         is_partial: Whether only some of the products' signs are wrong.
         has_products: Whether there are signs to be wrong.
-        simple: The one slip to mend first where another one may remain, None for itself.
+        simple: The one slip to fix first where another one may remain, None for itself.
     """
 
     slips: tuple[Slip, ...]
@@ -88,7 +88,7 @@ class Hypothesis(NamedTuple):
 
     @property
     def is_last_resort(self) -> bool:
-        """True if it is a digit too many or too few, which can mend nearly everything."""
+        """True if it is a digit too many or too few, which can fix nearly everything."""
         return Slip.SCALE in self.slips and not self.unit
 
     @property

@@ -36,7 +36,7 @@ class Rewrite(NamedTuple):
         tokens: What to read; of the tokens that are in none of these is left out.
         at: Where the problem is; None where there is nothing to say.
         words: Words that the habit's sentence and title quote.
-        edits: The edits that mend it, if any.
+        edits: The edits that fix it, if any.
         message: A sentence that fits better than the habit's.
     """
 
