@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from kindsl.comparison.twins import TwinFile
 from kindsl.config.configuration_reading import (
     configuration_of,
     read_configuration,
@@ -137,6 +138,16 @@ def test_patterns(pattern: str, path: str, is_meant: bool) -> None:
             '[[document]]\npath = "a"\nparameters = { x = 1.0, y = "2" }\n',
             ":3:25: error: 'document[0].parameters.y' must be a number",
         ),
+        ('[[twins]]\nfile = "a.urdf"\n', ":1:3: error: 'twins[0]' has no 'document'"),
+        ('[[twins]]\ndocument = "a.kindsl"\n', ":1:3: error: 'twins[0]' has no 'file'"),
+        (
+            '[[twins]]\ndocument = "a"\nfile = "b"\ntolerance = -1e-9\n',
+            ":4:1: error: 'twins[0].tolerance' is negative",
+        ),
+        (
+            '[[twins]]\ndocument = "a"\nfile = "b"\njoints = { x = 1 }\n',
+            ":4:12: error: 'twins[0].joints.x' must be a string",
+        ),
         ("target = [\n", ":2:1: error: not valid TOML: "),
         ("x = = 1\n", ":1:5: error: not valid TOML: invalid value"),
         ("1975-01-01 = 3\nx", ":2:2: error: not valid TOML: "),
@@ -154,6 +165,15 @@ def test_what_is_told_is_one_line(name: str) -> None:
     with pytest.raises(ConfigurationError) as caught:
         configuration_of("kindsl.toml", f"target = [{quoted}]\nignore = [1, {quoted}]\n")
     assert all(problem.message.isprintable() for problem in caught.value.problems)
+
+
+def test_a_twin_is_read_from_its_table() -> None:
+    text = '[[twins]]\ndocument = "*.kindsl"\nfile = "../a.urdf"\n'
+    text += 'tolerance = 0\njoints = { a = "b" }\n'
+    (twin,) = configuration_of("sub/kindsl.toml", text).twins
+    assert twin.pattern == "*.kindsl"
+    assert twin.twin == TwinFile("a.urdf", "../a.urdf", (("a", "b"),), 0.0)
+    assert text[slice(*twin.place)] == "file"
 
 
 def test_all_mistakes_are_told_in_order() -> None:
