@@ -21,9 +21,8 @@ from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.interchange.format import AS_WRITTEN, FormatError
 from kindsl.interchange.kindsl_writing import written_kindsl
 from kindsl.interchange.registry import format_named
-from kindsl.limbs.comparison import compared
-from kindsl.limbs.limb import limbs_of
-from kindsl.limbs.mounts import LOOSE
+from kindsl.limbs.comparison import LOOSE, LimbComparison
+from kindsl.limbs.limb import limbs_of, matched
 from kindsl.limbs.names import label_of
 from kindsl.semantics.declarations import Vector
 from kindsl.semantics.kinematic_tree import Edge
@@ -248,12 +247,10 @@ def agreeing(analysis: Analysis) -> dict[str, list[str]]:
             alike: dict[object, list[tuple[str, list[str]]]] = {}
             heads = dict(limbs.heads)
             for one, other, how in limbs.pairs():
-                twins = compared(heads[one], heads[other], how, LOOSE)
-                if twins is not None and twins.n_slips == 0:
-                    alike.setdefault(one, []).append((how, [row.one.name for row in twins.rows]))
-                    alike.setdefault(other, []).append(
-                        (how, [row.other.name for row in twins.rows])
-                    )
+                rows = matched(heads[one], heads[other])
+                if rows is not None and LimbComparison(rows, how, LOOSE).n_slips == 0:
+                    alike.setdefault(one, []).append((how, [row.one.name for row in rows]))
+                    alike.setdefault(other, []).append((how, [row.other.name for row in rows]))
             for pairs in alike.values():
                 for how, names in pairs:
                     if len(pairs) > 1 or how == "LR":

@@ -137,9 +137,9 @@ def test_only_limbs_that_changed_are_compared_again(monkeypatch: pytest.MonkeyPa
     analysis = analyse(text)
     hip, mass = text.index("0.08"), text.index("mass = 4.1") + len("mass = ")
     steps = (
-        (mass, "4.1", "4.2", 0, []),
+        (mass, "4.1", "4.2", 1, []),
         (hip, "0.08", "0.80", 1, ["KD509"]),
-        (mass, "4.2", "4.1", 0, ["KD509"]),
+        (mass, "4.2", "4.1", 1, ["KD509"]),
         (hip, "0.80", "0.81", 1, ["KD509"]),
         (hip, "0.81", "0.08", 0, []),
     )

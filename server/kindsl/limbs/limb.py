@@ -1,13 +1,12 @@
 """Limbs in plain numbers, and which of a robot are meant to be alike."""
 
-from collections.abc import Iterator, Mapping
-from enum import Enum
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
 from typing import NamedTuple
 
 from kindsl.limbs.names import is_held, label_of
 from kindsl.mechanism.link_inertia import link_inertia
-from kindsl.rigid.body import Symmetric
+from kindsl.rigid.body import MassDistribution
 from kindsl.rigid.pose import Rotation, Vector3
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.kinematic_tree import Edge
@@ -32,8 +31,7 @@ class Body(NamedTuple):
         rotation: Of the joint frame in the parent's frame.
         translation: The same, metres.
         angles: The rotation as written, radians.
-        com: In the link frame, metres; None where it is not known.
-        moments: `Ix Iy Iz Ixy Ixz Iyz` in the link frame, kg m²; None where they are not known.
+        inertia: In the link frame; None where it is not known.
         children: The bodies that it carries, in written order.
     """
 
@@ -43,9 +41,13 @@ class Body(NamedTuple):
     rotation: Rotation
     translation: Vector3
     angles: Vector3
-    com: Vector3 | None
-    moments: Symmetric | None
-    children: tuple["Body", ...]
+    inertia: MassDistribution | None
+    children: tuple["Body", ...] = ()
+
+    @property
+    def is_held(self) -> bool:
+        """Whether it is a tool, a hand or a part of one, by its names."""
+        return is_held(self.name, self.joint)
 
 
 class Limbs(NamedTuple):
@@ -54,18 +56,20 @@ class Limbs(NamedTuple):
     Attributes:
         heads: The first body of each with its label: side and row, or its numbers.
         is_named: Whether sides and rows tell them apart, else numbers do.
+        are_held: Whether they are what a left and a right limb hold.
     """
 
     heads: tuple[tuple[Side, Body], ...]
     is_named: bool
+    are_held: bool = False
 
     def pairs(self) -> Iterator[tuple[Side, Side, str]]:
-        """Yield two labels and how their limbs lie to each other: `LR`, `ROW` or `TURN`."""
+        """Yield two labels and how they lie to each other: `LR`, `ROW`, `TURN` or `HELD`."""
         for one, other in combinations(sorted((side for side, _ in self.heads), key=repr), 2):
             if not self.is_named:
                 yield one, other, "TURN"
             elif one[1] == other[1] and one[0] != other[0] and one[0] and other[0]:
-                yield one, other, "LR"
+                yield one, other, "HELD" if self.are_held else "LR"
             elif one[0] == other[0] and one[1] != other[1]:
                 yield one, other, "ROW"
 
@@ -119,10 +123,8 @@ def body_of(edge: Edge, values: Values, children: tuple[Body, ...] = ()) -> Body
     if link is None or joint is None or pose is None or angles is None:
         return None
     inertia = link_inertia(link, values)
-    com = None if isinstance(inertia, Unknown) else inertia.com
-    moments = None if isinstance(inertia, Unknown) else inertia.moments
-    names = str(link.name), str(joint.name)
-    return Body(*names, joint.kind, *pose, angles, com, moments, children)
+    known = None if isinstance(inertia, Unknown) else inertia
+    return Body(str(link.name), str(joint.name), joint.kind, *pose, angles, known, children)
 
 
 class Match(NamedTuple):
@@ -139,33 +141,28 @@ class Match(NamedTuple):
     other: Body
 
 
-class LimbPart(Enum):
-    """The bodies of two limbs that are compared."""
-
-    WHOLE = "all"
-    BARE = "all but what they hold"
-    HELD = "what these two bodies hold"
-
-
-def rows_of(one: Body, other: Body, part: LimbPart) -> tuple[list[Match], bool]:
-    """Return two limbs matched body by body, and whether they match to their ends."""
+def matched(one: Body, other: Body, with_held: bool = False) -> list[Match] | None:
+    """Return two limbs body by body, without what they hold; None where they do not match."""
     rows = [Match(-1, one, other)]
-    is_whole = True
-    for index, row in enumerate(rows):
-        is_head = row.up < 0
-        matched = _matched(_chosen(row.one, part, is_head), _chosen(row.other, part, is_head))
-        is_whole = is_whole and matched is not None
-        rows += [Match(index, *pair) for pair in matched or ()]
-    return rows, is_whole
+    for index, (_, *both) in enumerate(rows):
+        is_all = with_held or one.is_held
+        pairs = _pairs(*([c for c in b.children if is_all or not c.is_held] for b in both))
+        if pairs is None:
+            return None
+        rows += [Match(index, *pair) for pair in pairs]
+    return rows
 
 
-def _chosen(body: Body, part: LimbPart, is_head: bool) -> list[Body]:
-    if part is LimbPart.WHOLE or (part is LimbPart.HELD and not is_head):
-        return list(body.children)
-    return [c for c in body.children if is_held(c.name, c.joint) == (part is LimbPart.HELD)]
+def held_by(rows: Sequence[Match]) -> Iterator[tuple[Body, ...]]:
+    """Yield what two limbs hold at the same place: a hand, or a body with nothing but fingers."""
+    for _, *both in rows:
+        held = [tuple(c for c in body.children if c.is_held) for body in both]
+        if all(held) and not both[0].is_held:
+            pairs = zip(both, held, strict=True)
+            yield tuple(h[0] if len(h) == 1 else b._replace(children=h) for b, h in pairs)
 
 
-def _matched(ones: list[Body], others: list[Body]) -> list[tuple[Body, Body]] | None:
+def _pairs(ones: Sequence[Body], others: Sequence[Body]) -> list[tuple[Body, Body]] | None:
     if len(ones) != len(others):
         return None
     if len(ones) < 2:
@@ -177,6 +174,6 @@ def _matched(ones: list[Body], others: list[Body]) -> list[tuple[Body, Body]] | 
     return None
 
 
-def _by_words(bodies: list[Body], with_numbers: bool) -> dict[tuple[str, ...], Body]:
+def _by_words(bodies: Sequence[Body], with_numbers: bool) -> dict[tuple[str, ...], Body]:
     found = ((label_of(body.name).words, body) for body in bodies)
     return {tuple(w for w in words if with_numbers or not w.isdigit()): b for words, b in found}

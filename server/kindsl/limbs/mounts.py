@@ -1,53 +1,37 @@
 """Mounts of a limb's head and its twin's, at the body that carries both."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
+from itertools import product as combinations
 from math import atan2, cos, hypot, sin
 from typing import NamedTuple
 
 from kindsl.limbs.limb import Body
-from kindsl.rigid.pose import Rotation, Vector3, cross, dot, turned
+from kindsl.rigid.pose import Rotation, Vector3, cross, dot, product, transposed, turned
 
 _APART = 1e-3
 # The plainest explanation first: what costs more must explain a slip more.
-_MOVED_ROW, _TURNED, _MOVED, _LIKE = 0.02, 0.1, 0.1, 0.3
-
-
-class Tolerance(NamedTuple):
-    """The distances of equal numbers: metres, a share of the number, radians."""
-
-    length: float
-    share: float
-    angle: float
-
-    def is_same(self, here: Vector3, there: Vector3) -> bool:
-        """Return whether a vector is the same as another."""
-        apart = max(abs(here[0] - there[0]), abs(here[1] - there[1]), abs(here[2] - there[2]))
-        return apart <= self.length or apart <= self.share * hypot(*there)
-
-
-TIGHT, LOOSE = Tolerance(2e-6, 1e-5, 1e-5), Tolerance(5e-4, 0.01, 0.01)
-Way = tuple[Rotation | None, bool]
+_TURNED, _MOVED, _LIKE = 0.1, 0.1, 0.3
 
 
 class Mount(NamedTuple):
     """A map from the head of a limb to that of its twin.
 
     Attributes:
-        map: Of directions at the carrier, None where the mounting may be any.
+        map: Of directions at the carrier.
         place: The twin's place that follows, in the carrier's frame.
         extra: Cost beforehand; the plainer the less.
         free_axis: Along which the twin may be moved, if any.
         is_copy: Whether the limb itself is not mirrored though its mount is.
     """
 
-    map: Rotation | None
+    map: Rotation
     place: Vector3
     extra: float
     free_axis: int | None = None
     is_copy: bool = False
 
     @property
-    def way(self) -> Way:
+    def way(self) -> tuple[Rotation, bool]:
         """The properties that pairs of one robot share: the map, and whether it is a copy."""
         return self.map, self.is_copy
 
@@ -65,62 +49,47 @@ def is_proper(matrix: Rotation) -> bool:
 _SAME = diagonal(1.0, 1.0, 1.0)
 _MIRRORS = (diagonal(-1.0, 1.0, 1.0), diagonal(1.0, -1.0, 1.0), diagonal(1.0, 1.0, -1.0))
 _HALF_TURNS = (diagonal(1.0, -1.0, -1.0), diagonal(-1.0, 1.0, -1.0), diagonal(-1.0, -1.0, 1.0))
-# Two limbs in their holders' hands: mounted in any way, mirrored or alike.
-ANY_WAY = [Mount(None, (0.0, 0.0, 0.0), 0.0, None, is_copy) for is_copy in (False, True)]
+# How frames of twins may differ: signed permutations that keep the joint's axis up to its sign.
+CONVENTIONS: list[Rotation] = []
+for _x, _y, _z in combinations((1.0, -1.0), repeat=3):
+    CONVENTIONS += [diagonal(_x, _y, _z), ((0.0, _x, 0.0), (_y, 0.0, 0.0), (0.0, 0.0, _z))]
 
 
-def mounts(how: str, one: Body, other: Body, tolerance: Tolerance) -> Sequence[Mount]:
-    """Return what may take a head to its twin.
+def mounts(how: str, one: Body, other: Body) -> Iterator[Mount]:
+    """Yield what may take a head to its twin.
 
     Args:
-        how: `LR` for a left and a right limb, `ROW` for two of one side, `TURN` for numbered ones.
+        how: `LR` for a left and a right limb, `ROW` for two of one side, `TURN` for numbered ones,
+            `HELD` for what limbs hold: it is mounted in any way, mirrored or alike.
         one: The first head.
         other: Its twin.
-        tolerance: Of a row that is mirrored rather than moved.
     """
     here, there = one.translation, other.translation
-    apart = [abs(here[axis] - there[axis]) > _APART for axis in range(3)]
-    if how == "LR":
-        return list(_sides(here, apart))
-    if how == "ROW":
-        return list(_rows(here, there, apart, tolerance))
-    return list(_numbered(here, there, apart))
-
-
-def _sides(here: Vector3, apart: Sequence[bool]) -> Iterator[Mount]:
-    for axis, mirror in enumerate(_MIRRORS):
-        place = turned(mirror, here)
-        yield Mount(mirror, place, 0.0)
-        if apart[axis]:
-            # The same limb at the mirrored place, on a like, a mirrored or a turned mount.
-            yield Mount(mirror, place, _LIKE, is_copy=True)
-            for turn in (_SAME, *_HALF_TURNS):
-                yield Mount(turn, place, _LIKE)
-    for axis, turn in enumerate(_HALF_TURNS):
-        if all(abs(here[i]) > _APART for i in range(3) if i != axis):
-            yield Mount(turn, turned(turn, here), _TURNED)
-
-
-def _rows(
-    here: Vector3, there: Vector3, apart: Sequence[bool], tolerance: Tolerance
-) -> Iterator[Mount]:
-    for axis, mirror in enumerate(_MIRRORS):
-        if apart[axis] or not any(apart):
-            is_mirrored = tolerance.is_same((-here[axis], 0.0, 0.0), (there[axis], 0.0, 0.0))
-            for matrix in (mirror, _SAME):
-                extra = 0.0 if is_mirrored else _MOVED_ROW
-                yield Mount(matrix, moved(here, there, axis), extra, axis)
-
-
-def _numbered(here: Vector3, there: Vector3, apart: Sequence[bool]) -> Iterator[Mount]:
+    if how == "HELD":
+        for C in CONVENTIONS:
+            turn = product(product(other.rotation, transposed(C)), transposed(one.rotation))
+            yield Mount(turn, there, 0.0)
+        return
+    apart = [abs(x - y) > _APART for x, y in zip(here, there, strict=True)]
     for axis, mirror in enumerate(_MIRRORS):
         j, k = (axis + 1) % 3, (axis + 2) % 3
-        yield Mount(mirror, turned(mirror, here), 0.0)
-        if hypot(here[j], here[k]) > _APART and hypot(there[j], there[k]) > _APART:
+        place, along = turned(mirror, here), moved(here, there, axis)
+        if how == "ROW":
+            if apart[axis] or not any(apart):
+                yield from (Mount(matrix, along, 0.0, axis) for matrix in (mirror, _SAME))
+            continue
+        yield Mount(mirror, place, 0.0)
+        if how == "LR" and apart[axis]:
+            # The same limb at the mirrored place, on a like, a mirrored or a turned mount.
+            yield Mount(mirror, place, _LIKE, is_copy=True)
+            yield from (Mount(turn, place, _LIKE) for turn in (_SAME, *_HALF_TURNS))
+        if how == "LR" and min(abs(here[j]), abs(here[k])) > _APART:
+            yield Mount(_HALF_TURNS[axis], turned(_HALF_TURNS[axis], here), _TURNED)
+        if how == "TURN" and min(hypot(p[j], p[k]) for p in (here, there)) > _APART:
             turn = _turn(axis, atan2(there[k], there[j]) - atan2(here[k], here[j]))
             yield Mount(turn, turned(turn, here), 0.0)
-        if apart[axis]:
-            yield Mount(_SAME, moved(here, there, axis), _MOVED, axis)
+        if how == "TURN" and apart[axis]:
+            yield Mount(_SAME, along, _MOVED, axis)
 
 
 def moved(here: Vector3, there: Vector3, axis: int) -> Vector3:

@@ -3,9 +3,9 @@
 from collections.abc import Iterator
 from itertools import product as combinations
 
-from kindsl.limbs.comparison import LimbComparison
+from kindsl.limbs.comparison import LimbComparison, Tolerance
 from kindsl.limbs.limb import Body, Match, Values, body_of
-from kindsl.limbs.mounts import Mount, Tolerance, diagonal, moved
+from kindsl.limbs.mounts import Mount, diagonal, moved
 from kindsl.rigid.pose import Rotation, turned
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.kinematic_tree import Edge, KinematicTree

@@ -1,16 +1,15 @@
 """Numbers of a robot's limbs that do not fit their twins, and the numbers that were meant."""
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from kindsl.limbs.comparison import Accusation, LimbComparison, Suspect, compared, held_parts
-from kindsl.limbs.limb import LimbPart, Limbs, Side
-from kindsl.limbs.mounts import LOOSE, TIGHT, Tolerance
-from kindsl.limbs.slips import SlipOfHand
+from kindsl.limbs.comparison import LOOSE, TIGHT, Accusation, LimbComparison, Suspect, Tolerance
+from kindsl.limbs.limb import Limbs, Side, held_by, matched
 from kindsl.rigid.pose import Vector3, pose_from, transposed, turned
 
-_SMALLEST_PAIR = 3
+# Bodies of a pair that may differ by a slip; there are none where either may be meant.
+_SMALLEST = {"LR": 3, "HELD": 2}
 _SAME_PLACE, _SAME_TURN = 1e-3, 0.02
 _ByTwin = Sequence[Sequence[Accusation]]
 _Edges = Mapping[tuple[Side, Side], LimbComparison]
@@ -63,38 +62,42 @@ def agreed(found: Sequence[Sequence[LimbVerdict]]) -> list[LimbVerdict]:
 
 def _verdicts_at(limbs: Limbs, tolerance: Tolerance) -> list[LimbVerdict] | None:
     """Return the verdicts at a tolerance, None where a wider one may tell more."""
-    heads = dict(limbs.heads)
-    made = {(a, b): compared(heads[a], heads[b], how, tolerance) for a, b, how in limbs.pairs()}
-    edges = {pair: comparison for pair, comparison in made.items() if comparison is not None}
+    heads, edges, found = dict(limbs.heads), {}, []
+    for one, other, how in limbs.pairs():
+        rows = matched(heads[one], heads[other], limbs.are_held)
+        if rows is not None:
+            edges[one, other] = LimbComparison(rows, how, tolerance)
+            for hands in held_by(rows) if how == "LR" else ():
+                sides = zip((one, other), hands, strict=True)
+                found += _verdicts_at(Limbs(tuple(sides), True, True), tolerance) or []
     _keep_to_one_way(edges)
     if any(comparison.other_kinds for comparison in edges.values()):
         return list(_other_kinds(edges))
-    if all(c.part is LimbPart.WHOLE and c.n_slips == 0 for c in edges.values()):
-        if not any(c.differing_masses() for c in edges.values()):
-            return []
-        return None if tolerance is TIGHT else _of_masses(limbs, edges)
-    found = [v for c in edges.values() for part in held_parts(c) for v in _of_pair(part)]
-    outvoted = _outvoted(edges, LimbComparison.accusations)
-    pairs = [] if outvoted else [verdict for c in edges.values() for verdict in _of_pair(c)]
-    return found + _convicted(outvoted) + pairs or None
+    if any(c.n_slips for c in edges.values()):
+        outvoted = _outvoted(edges)
+        found += _convicted(outvoted)
+        found += [] if outvoted else [verdict for c in edges.values() for verdict in _of_pair(c)]
+    elif tolerance is LOOSE:
+        found += [verdict for label, _ in limbs.heads for verdict in _odd_masses(label, edges)]
+    elif not found and not any(c.differing_masses() for c in edges.values()):
+        return []
+    return found or None
 
 
 def _keep_to_one_way(edges: _Edges) -> None:
     """Read all pairs of a sort in the way in which one of them agrees best."""
     for how in ("LR", "ROW"):
         alike = [c for c in edges.values() if c.how == how]
-        best = sorted((c.best for c in alike if c.n_slips == 0), key=lambda reading: reading.cost)
+        best = min((c.best for c in alike if c.n_slips == 0), key=lambda r: r.cost, default=None)
         for comparison in alike if best else ():
-            comparison.keep_to(best[0].mount.way)
+            comparison.keep_to(best.mount.way)
 
 
-def _outvoted(
-    edges: _Edges, said_by: Callable[[LimbComparison], Sequence[tuple[Accusation, Accusation]]]
-) -> list[_ByTwin]:
+def _outvoted(edges: _Edges) -> list[_ByTwin]:
     """Return what two twins or more say of the one limb that they accuse, agreeing themselves."""
     cases: dict[tuple[Side, Suspect], dict[tuple[Side, Side], list[Accusation]]] = {}
     for pair, comparison in edges.items():
-        for both in said_by(comparison) if len(comparison.rows) > 1 else ():
+        for both in comparison.accusations() if len(comparison.rows) > 1 else ():
             for label, said in zip(pair, both, strict=True):
                 cases.setdefault((label, said.place), {}).setdefault(pair, []).append(said)
     found = []
@@ -108,12 +111,12 @@ def _outvoted(
 
 def _convicted(outvoted: Sequence[_ByTwin]) -> list[LimbVerdict]:
     """Return the verdict on one limb; it names one place where that is the cheapest alone."""
-    ranked: list[tuple[tuple[float, SlipOfHand], Accusation, _ByTwin]] = []
+    ranked: list[tuple[tuple[float, int], Accusation, _ByTwin]] = []
     for by_twin in outvoted:
         meant = _agreed(by_twin)
         if meant is not None:
             least = [min(said.cost for said in each) for each in by_twin]
-            ranked.append(((round(sum(least) / len(least), 2), meant.slip), meant, by_twin))
+            ranked.append(((round(sum(least) / len(least), 2), meant.n_retyped), meant, by_twin))
     likeliest = [each for each in ranked if each[0] == min(ranked, key=lambda r: r[0])[0]]
     if not likeliest:
         return []
@@ -128,7 +131,7 @@ def _agreed(by_twin: _ByTwin) -> Accusation | None:
     ranked = []
     for order, each in enumerate(said for options in by_twin for said in options):
         n_agreeing = sum(any(_agree(each, other) for other in options) for options in by_twin)
-        likelihood = each.free_axis is not None, round(each.cost, 3), each.slip, each.change
+        likelihood = each.free_axis is not None, round(each.cost, 3), each.n_retyped, each.change
         ranked.append(((-n_agreeing, *likelihood, order), each))
     (n_agreeing, *_), meant = min(ranked)
     return meant if -n_agreeing > 1 else None
@@ -145,18 +148,18 @@ def _agree(one: Accusation, other: Accusation) -> bool:
 
 def _of_pair(c: LimbComparison) -> Iterator[LimbVerdict]:
     """Yield what differs between a left and a right limb by one slip; either may be wrong."""
-    if c.n_slips != 1 or c.how != "LR" or len(c.rows) < _SMALLEST_PAIR:
+    if c.n_slips != 1 or len(c.rows) < _SMALLEST.get(c.how, len(c.rows) + 1):
         return
-    if c.tolerance is TIGHT and LimbComparison(c.rows, c.how, LOOSE, c.part).n_slips == 0:
+    if c.tolerance is TIGHT and LimbComparison(c.rows, c.how, LOOSE).n_slips == 0:
         return
     ranked = [
-        ((round(one.cost, 2), min(one.slip, other.slip)), other.change, order, (one, other))
-        for order, (one, other) in enumerate(c.accusations())
+        ((round(one.cost, 2), min(one.n_retyped, other.n_retyped)), other.change, (one, other))
+        for one, other in c.accusations()
         if one.place.what == "translation" or c.is_seen_below(one.place.joint)
     ]
-    ranked.sort(key=lambda each: each[:3])
-    if ranked and ranked[0][0][1] is not SlipOfHand.OTHER:
-        tied = [both for likelihood, _, _, both in ranked if likelihood == ranked[0][0]]
+    ranked.sort(key=lambda each: each[:2])
+    if ranked and ranked[0][0][1] <= 1:
+        tied = [both for likelihood, _, both in ranked if likelihood == ranked[0][0]]
         places = dict.fromkeys(said.place for both in tied for said in both)
         repairs = tuple(MeantNumbers(said.place, (said.meant,)) for said in tied[0][::-1])
         yield LimbVerdict(tuple(places), repairs, (), False)
@@ -171,17 +174,9 @@ def _other_kinds(edges: _Edges) -> Iterator[LimbVerdict]:
     most = max(votes.values())
     odd = tuple(place for place, n in votes.items() if n == most)
     twins = tuple(place.link for place, n in votes.items() if n < most)
-    is_pair_of_sides = len(odd) == 2 and all(c.how == "LR" for c in edges.values())
+    is_pair_of_sides = len(odd) == 2 and all(c.how in _SMALLEST for c in edges.values())
     if len(odd) == 1 or is_pair_of_sides:
         yield LimbVerdict(odd, (), twins, len(odd) == 1)
-
-
-def _of_masses(limbs: Limbs, edges: _Edges) -> list[LimbVerdict]:
-    """Return what masses tell where all joints agree: of themselves, or of a joint turned round."""
-    found = [verdict for label, _ in limbs.heads for verdict in _odd_masses(label, edges)]
-    if any(verdict.places[0].what == "inertia" for verdict in found):
-        return _convicted(_outvoted(edges, LimbComparison.turnings)) or found
-    return found
 
 
 def _odd_masses(label: Side, edges: _Edges) -> Iterator[LimbVerdict]:
@@ -203,8 +198,8 @@ def _odd_masses(label: Side, edges: _Edges) -> Iterator[LimbVerdict]:
         (body, twin), what = sides[0], words[0] if len(words) == 1 else "inertia"
         place = Suspect(body.name, body.joint, what)
         repairs: tuple[MeantNumbers, ...] = ()
-        if what == "com" and twin.com is not None:
+        if what == "com" and twin.inertia is not None:
             C = edges[mine[0]].best.conventions[index]
             back = transposed(C) if mine[0][1] == label else C
-            repairs = (MeantNumbers(place, (turned(back, twin.com),)),)
+            repairs = (MeantNumbers(place, (turned(back, twin.inertia.com),)),)
         yield LimbVerdict((place,), repairs, tuple(twin.name for _, twin in sides), True)

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from kindsl.limbs.mounts import Tolerance
+from kindsl.limbs.comparison import Tolerance
 from kindsl.rules.base import Fix, Replacement
 from kindsl.rules.number_writing import as_fraction_of_pi, decimals, opposite
 from kindsl.semantics.declarations import Vector

@@ -30,7 +30,7 @@ fix is unsafe: it changes the robot. There is none where the twins' inertias are
 
 from collections.abc import Iterator
 
-from kindsl.limbs.mounts import LOOSE
+from kindsl.limbs.comparison import LOOSE
 from kindsl.limbs.verdicts import LimbVerdict
 from kindsl.rules.base import Example, Finding, Fix, Related, Rule, Severity
 from kindsl.rules.context import Context

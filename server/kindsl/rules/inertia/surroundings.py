@@ -8,7 +8,7 @@ from typing import NamedTuple
 from kindsl.limbs.comparison import seen_by
 from kindsl.limbs.twin_frames import twin_frames
 from kindsl.rigid.body import MassDistribution
-from kindsl.rigid.pose import Rotation, Vector3, transposed, turned
+from kindsl.rigid.pose import Rotation, Vector3, transposed
 from kindsl.rules.context import Context
 from kindsl.rules.inertia.judgements import Judgement, is_impossible, is_moving
 from kindsl.rules.inertia.likelihood import MassShape
@@ -254,18 +254,13 @@ def _expected(
     masses = [(body.mass,) for _, body in twins]
     agreed: list[MassDistribution] | None = None
     for other, body in twins if all(_are_near(mass, masses[0]) for mass in masses) else ():
-        seen = [_in_frame_of_twin(body, C) for C in _frames(model, context, link, other)]
+        seen = [seen_by(body, transposed(C)) for C in _frames(model, context, link, other)]
         if agreed is None:
             agreed = seen
         agreed = [each for each in agreed if any(is_same_body(each, own) for own in seen)]
         if not agreed:
             return None
     return agreed[0] if agreed else None
-
-
-def _in_frame_of_twin(body: MassDistribution, C: Rotation) -> MassDistribution:
-    moments = seen_by(body.moments, transposed(C))
-    return MassDistribution(body.mass, turned(C, body.com), moments)
 
 
 def _frames(model: Model, context: Context, link: Link, other: Link) -> list[Rotation]:
