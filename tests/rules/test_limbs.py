@@ -87,6 +87,25 @@ def test_a_number_that_no_slip_explains_is_meant() -> None:
     assert codes(two_arms("0.37, -0.13, 0.02")) == []
 
 
+@pytest.mark.parametrize(
+    ("left", "expected"),
+    [
+        ("0.1, 0.3, 0.2", []),
+        ("0.1, 0.3, -0.2", []),
+        ("0.3, 0.1, 0.2", ["KD510"]),
+        ("0.1, 300.0, 0.2", ["KD510"]),
+        ("0.1, 0.3, 0.25", []),
+        ("0.1, 0.0, 0.2", []),
+    ],
+)
+def test_of_two_single_bodies_only_order_and_unit_tell(left: str, expected: list[str]) -> None:
+    """A sign makes a half turn of them, and a number that differs may be meant."""
+    wheels = link("wheel_l", 1), link("wheel_r", 2)
+    places = ("j_l", left), ("j_r", "0.1, -0.3, 0.2")
+    joints = [placed_joint(name, place, "PI/2.0, 0.0, 0.0") for name, place in places]
+    assert codes(robot(*wheels, *joints, base="wheel_l via j_l wheel_r via j_r")) == expected
+
+
 def test_a_limb_on_another_leg_is_told_alone() -> None:
     """Its numbers are not compared with those of limbs that are whole."""
     moved = four_legs(RF="0.9, 0.0, 0.0").replace("{ RF_shank via RF_KFE }", "{ }")

@@ -10,15 +10,16 @@ _OWN, _TWIN = 1e-5, 1e-3
 
 
 def n_retyped(written: Vector3, meant: Vector3) -> int:
-    """Return how many numbers of a triple no sign, order, unit or omission explains.
+    """Return how many numbers of a triple no sign, order or unit explains.
 
     A triple that has only zeros was left as it was, which counts as one.
     """
     if all(map(_is_near, sorted(map(abs, written)), sorted(map(abs, meant)))):
         return 0
     odd = [(x, y) for x, y in zip(written, meant, strict=True) if not _is_near(x, y)]
-    is_scaled = any(all(_is_near(abs(x), f * abs(y), f) for x, y in odd) for f in _FACTORS)
-    return 1 if is_scaled or not any(written) else len(odd)
+    if any(all(_is_near(abs(x), f * abs(y), f) for x, y in odd) for f in _FACTORS):
+        return 0
+    return len(odd) if any(written) else 1
 
 
 def angles_near(rotation: Rotation, own: Vector3, twin: Vector3) -> Vector3:

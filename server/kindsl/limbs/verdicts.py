@@ -8,7 +8,7 @@ from kindsl.limbs.comparison import LOOSE, TIGHT, Accusation, LimbComparison, Su
 from kindsl.limbs.limb import Limbs, Side, held_by, matched
 from kindsl.rigid.pose import Vector3, pose_from, transposed, turned
 
-# Bodies of a pair that may differ by a slip; there are none where either may be meant.
+# Bodies of a pair of which a number may be typed anew; of fewer it is a sign, an order, a unit.
 _SMALLEST = {"LR": 3, "HELD": 2}
 _SAME_PLACE, _SAME_TURN = 1e-3, 0.02
 _ByTwin = Sequence[Sequence[Accusation]]
@@ -72,7 +72,7 @@ def _verdicts_at(limbs: Limbs, tolerance: Tolerance) -> list[LimbVerdict] | None
                 found += _verdicts_at(Limbs(tuple(sides), True, True), tolerance) or []
     _keep_to_one_way(edges)
     if any(comparison.other_kinds for comparison in edges.values()):
-        return list(_other_kinds(edges))
+        return list(_other_kinds(edges)) or None
     if any(c.n_slips for c in edges.values()):
         outvoted = _outvoted(edges)
         found += _convicted(outvoted)
@@ -148,8 +148,9 @@ def _agree(one: Accusation, other: Accusation) -> bool:
 
 def _of_pair(c: LimbComparison) -> Iterator[LimbVerdict]:
     """Yield what differs between a left and a right limb by one slip; either may be wrong."""
-    if c.n_slips != 1 or len(c.rows) < _SMALLEST.get(c.how, len(c.rows) + 1):
+    if c.n_slips != 1 or c.how not in _SMALLEST:
         return
+    most = 1 if len(c.rows) >= _SMALLEST[c.how] else 0
     if c.tolerance is TIGHT and LimbComparison(c.rows, c.how, LOOSE).n_slips == 0:
         return
     ranked = [
@@ -158,7 +159,7 @@ def _of_pair(c: LimbComparison) -> Iterator[LimbVerdict]:
         if one.place.what == "translation" or c.is_seen_below(one.place.joint)
     ]
     ranked.sort(key=lambda each: each[:2])
-    if ranked and ranked[0][0][1] <= 1:
+    if ranked and ranked[0][0][1] <= most:
         tied = [both for likelihood, _, both in ranked if likelihood == ranked[0][0]]
         places = dict.fromkeys(said.place for both in tied for said in both)
         repairs = tuple(MeantNumbers(said.place, (said.meant,)) for said in tied[0][::-1])

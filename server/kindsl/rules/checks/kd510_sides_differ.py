@@ -1,10 +1,10 @@
 """A number of the left limb does not mirror the right one.
 
 ## What it does
-Compares a left and a right limb of at least three links, when there are no more that could outvote
-one of them. Where a single translation or rotation keeps them from being mirror images, or copies,
-and one slip of the hand explains it (a sign, a zero, two numbers swapped, a wrong unit, degrees, a
-quarter turn, one digit), both numbers are reported in one finding.
+Compares a left and a right limb, when there are no more that could outvote one of them. Where a
+single translation or rotation keeps them from being mirror images, or copies, and a sign, an order
+or a unit explains it, or in limbs of three links and more one number that was typed otherwise, both
+are reported in one finding.
 
 ## Why is this bad?
 One of the two is wrong: the robot is not symmetric, though it looks so. Which of them is right
