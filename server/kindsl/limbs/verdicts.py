@@ -89,8 +89,9 @@ def _keep_to_one_way(edges: _Edges) -> None:
     for how in ("LR", "ROW"):
         alike = [c for c in edges.values() if c.how == how]
         best = min((c.best for c in alike if c.n_slips == 0), key=lambda r: r.cost, default=None)
-        for comparison in alike if best else ():
-            comparison.keep_to(best.mount.way)
+        if best is not None:
+            for comparison in alike:
+                comparison.keep_to(best.mount.way)
 
 
 def _outvoted(edges: _Edges) -> list[_ByTwin]:
