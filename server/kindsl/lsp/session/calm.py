@@ -24,7 +24,7 @@ class Calm:
     __slots__ = ("_known",)
 
     def __init__(self, documents: Documents) -> None:
-        self._known: dict[str, _Known] = {}
+        self._known: dict[str, _Told] = {}
         documents.on_close.append(self._forget)
 
     def told(
@@ -43,20 +43,20 @@ class Calm:
                 or (has_left and document.position(each.start).line != line)
             )
             told = findings if len(told) == len(findings) else told
-        self._known[key] = _Known(line, frozenset(map(_key, told)))
+        self._known[key] = _Told(line, frozenset(map(_key, told)))
         return told
 
     def settle(self, document: Document, findings: "tuple[Diagnostic, ...]") -> None:
         """Note that all findings of a version are told, for its line counts as done."""
-        known = _Known(_line_of_edit(document), frozenset(map(_key, findings)))
+        known = _Told(_line_of_edit(document), frozenset(map(_key, findings)))
         self._known[uris.key(document.uri)] = known
 
     def _forget(self, document: Document) -> None:
         self._known.pop(uris.key(document.uri), None)
 
 
-class _Known(NamedTuple):
-    """What was told of a version.
+class _Told(NamedTuple):
+    """The findings told of a version.
 
     Attributes:
         line: In which someone typed, from 0; None if all was told, for the edit left a line.
