@@ -46,7 +46,7 @@ class Body(NamedTuple):
 
     @property
     def is_held(self) -> bool:
-        """Whether it is a tool, a hand or a part of one, by its names."""
+        """True if it is a tool, a hand or a part of one, by its names."""
         return is_held(self.name, self.joint)
 
 
