@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis
     from kindsl.preview.comparing import OtherRobot
     from kindsl.preview.document_preview import DocumentPreview
+    from kindsl.preview.meshes import MeshSource
     from kindsl.preview.outcomes import Writing
 
 SUMMARY = "show the robot in 3D while its document is edited"
@@ -32,6 +33,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--port", metavar="N", type=_port, default=0, help="listen here (default: a free port)")
     add("--no-open", action="store_true", help="do not open a browser")
     add("--compare", metavar="OTHER", help="compare with a document, URDF, MJCF, SDF or folder")
+    add("--meshes", metavar="FILE.urdf", type=Path, help="draw the meshes of a URDF on the links")
+    add("--mesh-folder", metavar="DIR", type=Path, help="where they are (default: its package)")
     add("--pose", metavar="NAME", help="begin with a pose of kindsl.toml: [poses.NAME]")
     add("--trajectory", metavar="FILE", help="play a motion: CSV or JSON with time and joints")
     add("--export", metavar="FILE.html", help="write a self-contained page and exit")
@@ -115,10 +118,14 @@ def _other(args: argparse.Namespace) -> "OtherRobot":
 
 def _write(args: argparse.Namespace, other: "OtherRobot | None") -> None:
     from kindsl.preview.export import exported_page
+    from kindsl.preview.meshes import mesh_data
     from kindsl.scene.formulas import formula_messages
 
     analysis = _read(args, args.file)
     document = _document(args.file, analysis, other)
+    meshes = _meshes(args)
+    if meshes is not None:
+        document.draw_meshes(meshes)
     if args.pose is not None:
         document.take_pose(args.pose)
     motion = _motion(args)
@@ -126,13 +133,25 @@ def _write(args: argparse.Namespace, other: "OtherRobot | None") -> None:
         document.play(*motion)
     state = document.channel.state
     formulas = formula_messages(analysis.model, analysis.context.values)
-    page = exported_page([*state, *formulas])
+    page = exported_page([*state, *formulas, *mesh_data(document.mesh_files)])
     if args.export:
         write_file(args.export, encoded(page))
     if args.screenshot:
         from kindsl.preview.screenshot import take_screenshot
 
         take_screenshot(page, args.screenshot)
+
+
+def _meshes(args: argparse.Namespace) -> "MeshSource | None":
+    """Return what to take meshes from, None for nothing."""
+    if args.meshes is None:
+        return None
+    from kindsl.preview.meshes import MeshSource
+
+    missing = [path for path in (args.meshes, args.mesh_folder) if path and not path.exists()]
+    if missing:
+        raise UnreadableError(str(Failure(str(missing[0]), "no such file or folder")))
+    return MeshSource(args.meshes.name, args.meshes, args.mesh_folder)
 
 
 def _motion(args: argparse.Namespace) -> tuple[str, str] | None:
@@ -171,7 +190,7 @@ def _serve(args: argparse.Namespace, other: "OtherRobot | None") -> None:
 
     configuration = choices_of(args).configuration_for(args.file)
     first = _read(args, args.file)
-    others = [args.compare] if args.compare else []
+    others = [str(path) for path in (args.compare, args.meshes) if path]
     others += [
         *([configuration.path] if configuration else []),
         *watched_files(first.settings.twins),
@@ -182,7 +201,7 @@ def _serve(args: argparse.Namespace, other: "OtherRobot | None") -> None:
     opens = not args.no_open
     command = Command(
         *(args.file, reread, first, other, args.port, opens, paths, known),
-        *(parameter_table, write, args.pose, _motion(args)),
+        *(parameter_table, write, args.pose, _motion(args), _meshes(args)),
     )
     asyncio.run(serve(command))
 

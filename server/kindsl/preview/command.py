@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.preview.comparing import OtherRobot
+from kindsl.preview.meshes import MeshSource
 from kindsl.preview.outcomes import Writing
 from kindsl.preview.requests import Reveal
 from kindsl.preview.server import PreviewServer
@@ -37,6 +38,7 @@ class Command(NamedTuple):
         write: Writes what was dragged; returns why not, or an empty text. None if nothing may be.
         pose: Name of the pose in the configuration to begin with.
         motion: A file's name and text, to be played.
+        meshes: What to take meshes from.
     """
 
     file: str
@@ -51,6 +53,7 @@ class Command(NamedTuple):
     write: Callable[[Writing], str] | None = None
     pose: str | None = None
     motion: tuple[str, str] | None = None
+    meshes: MeshSource | None = None
 
 
 async def serve(command: Command) -> None:
@@ -67,6 +70,8 @@ async def serve(command: Command) -> None:
     await follower.show(command.first)
     if command.other is not None:
         server.compare(command.file, command.other)
+    if command.meshes is not None:
+        server.draw_meshes(command.file, command.meshes)
     if command.pose is not None:
         server.take_pose(command.file, command.pose)
     if command.motion is not None:

@@ -8,6 +8,7 @@ from typing import NamedTuple
 from kindsl.analysis.analysis import Analysis
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.analysis.poses import pose_named
+from kindsl.interchange.mesh_files import MeshFile
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.preview.channel import Channel, Tab
 from kindsl.preview.comparing import (
@@ -20,6 +21,7 @@ from kindsl.preview.comparing import (
     twin_robots,
 )
 from kindsl.preview.findings import finding_messages, lost_message, status_message
+from kindsl.preview.meshes import LinkMeshes, MeshSource, link_meshes, offered, twin_source
 from kindsl.scene.messages import (
     GhostMessage,
     HighlightMessage,
@@ -61,7 +63,8 @@ class DocumentPreview:
         turn: Held while a version is drawn.
         revision: How many versions have been shown.
         on_put: Called when a version is shown.
-        recompare: Called when what is compared has changed; has `comparison` made, and told.
+        recompare: Called when what is compared has changed; has `beside` made, and told.
+        mesh_files: The meshes that pages may load, by name.
     """
 
     def __init__(self, label: str) -> None:
@@ -72,7 +75,7 @@ class DocumentPreview:
         self.turn = asyncio.Lock()
         self.revision = 0
         self.on_put: list[Callable[[], None]] = []
-        self.recompare: Callable[[], None] = lambda: self.tell_comparison(self.comparison())
+        self.recompare: Callable[[], None] = lambda: self.tell_beside(self.beside())
         self._label = label
         self._joints: dict[str, float] = {}
         self._parameters: dict[str, float] = {}
@@ -85,6 +88,9 @@ class DocumentPreview:
         self._given: list[OtherRobot] = []
         self._chosen = ""
         self._compared: Skeleton | None = None
+        self._mesh_source: MeshSource | None = None
+        self._wants_meshes = False
+        self.mesh_files: dict[str, MeshFile] = {}
 
     def show(self, analysis: Analysis, findings: Sequence[Diagnostic]) -> None:
         """Show a version and what was found in it; values that were set by sliders stay."""
@@ -170,19 +176,37 @@ class DocumentPreview:
         self._chosen = name if self._other(name) is not None else ""
         self._offer()
 
-    def comparison(self) -> ShownComparison | None:
-        """Return what there is to tell of the other description; any thread may ask."""
-        other = self._other(self._chosen)
-        if other is None or self._shown is None:
-            return None
-        analysis, (given, drawn, _) = self._shown
-        if drawn.skeleton is None or drawn.is_former:
-            return None
-        values = {**given, **drawn.guesses.values}
-        return compared(self._label, analysis, values, drawn.skeleton, other)
+    def draw_meshes(self, source: MeshSource) -> None:
+        """Draw the meshes of another description on the links."""
+        self._mesh_source = source
+        self.show_meshes()
 
-    def tell_comparison(self, found: ShownComparison | None) -> None:
-        """Show the other description and its differences; of a broken document the last ones."""
+    def show_meshes(self) -> None:
+        """Draw the meshes that are offered."""
+        self._wants_meshes = True
+        self._offer()
+
+    def beside(self) -> tuple[ShownComparison | None, LinkMeshes | None]:
+        """Return what there is to tell of other descriptions; any thread may ask."""
+        other, source = self._other(self._chosen), self._meshes_of()
+        if self._shown is None:
+            return None, None
+        analysis, (given, drawn, _) = self._shown
+        skeleton = drawn.skeleton
+        if skeleton is None or drawn.is_former:
+            return None, None
+        values = {**given, **drawn.guesses.values}
+        comparison = compared(self._label, analysis, values, skeleton, other) if other else None
+        wants = source is not None and self._wants_meshes
+        meshes = link_meshes(source, analysis.model, values, skeleton) if wants and source else None
+        return comparison, meshes
+
+    def tell_beside(self, told: tuple[ShownComparison | None, LinkMeshes | None]) -> None:
+        """Show what other descriptions say; of a broken document what they said last."""
+        found, meshes = told
+        if meshes is not None:
+            self.mesh_files = meshes.files
+            self.channel.replace("meshes", meshes.messages)
         if found is not None and found.message.other == self._chosen:
             self._compared = found.ghost
             self.channel.replace("comparison", keyed([found.message]))
@@ -256,8 +280,15 @@ class DocumentPreview:
         if self._chosen not in {other.name for other in others}:
             self._chosen = ""
         self.channel.replace("others", other_messages(others, self._chosen))
-        if self._chosen or self._compared is not None:
+        source = self._meshes_of()
+        if source is None or not self._wants_meshes:
+            self.channel.replace("meshes", {} if source is None else offered(source))
+        if self._chosen or self._compared is not None or (source and self._wants_meshes):
             self.recompare()
+
+    def _meshes_of(self) -> MeshSource | None:
+        twins = self._shown[0].settings.twins if self._shown is not None else ()
+        return self._mesh_source or twin_source(twins)
 
     def _draw(self) -> None:
         if self.analysis is not None:

@@ -14,6 +14,7 @@ from kindsl.preview.comparing import OtherRobot
 from kindsl.preview.document_preview import DocumentPreview, ShownVersion
 from kindsl.preview.dragging import Dragging
 from kindsl.preview.gesture_requests import Drag, GestureRequest
+from kindsl.preview.meshes import MeshSource
 from kindsl.preview.outcomes import Writing
 from kindsl.preview.requests import (
     Compare,
@@ -23,6 +24,7 @@ from kindsl.preview.requests import (
     SetJoint,
     SetJoints,
     SetParameters,
+    ShowMeshes,
     WriteParameters,
 )
 from kindsl.preview.reveal import place_of
@@ -150,6 +152,10 @@ class DocumentPreviews(ABC):
         """Compare a document with another description of its robot."""
         self._document(key, "").compare(other)
 
+    def draw_meshes(self, key: str, source: MeshSource) -> None:
+        """Draw the meshes of another description on a document's links."""
+        self._document(key, "").draw_meshes(source)
+
     def compare_again(self, key: str) -> None:
         """Know that what a document is compared with may have changed."""
         if key in self._documents:
@@ -190,6 +196,8 @@ class DocumentPreviews(ABC):
             self._write(document, tab, request.values)
         elif isinstance(request, Compare):
             document.choose_other(request.name)
+        elif isinstance(request, ShowMeshes):
+            document.show_meshes()
         elif isinstance(request, Hello):
             document.adopt(request.joints, request.parameters)
         elif isinstance(request, Reveal):
@@ -233,7 +241,7 @@ class DocumentPreviews(ABC):
         try:
             while True:
                 self._comparing[document] = False
-                document.tell_comparison(await self._beside(document.comparison))
+                document.tell_beside(await self._beside(document.beside))
                 if not self._comparing[document]:
                     return
         finally:

@@ -56,7 +56,10 @@ class Server(Protocol):
 def application(server: Server) -> Application:
     """Return what answers requests; there is nothing but the page, its parts and the socket."""
     common = {"server": server}
-    routes = [(r"/", PageHandler), (r"/live", LiveHandler), (r"/(.*)", AssetHandler)]
+    routes = [
+        *((r"/", PageHandler), (r"/live", LiveHandler)),
+        *((r"/mesh/([\w.-]+)", MeshHandler), (r"/(.*)", AssetHandler)),
+    ]
     return Application(
         [(pattern, handler, common) for pattern, handler in routes],
         websocket_max_message_size=MOST_BYTES,
@@ -130,6 +133,20 @@ class AssetHandler(CheckedHandler):
             raise HTTPError(404)
         self.set_header("Content-Type", f"{asset.media_type}; charset=utf-8")
         self.finish(asset.content)
+
+
+class MeshHandler(CheckedHandler):
+    """The meshes that a document is drawn with, by their names in its messages."""
+
+    async def get(self, name: str) -> None:
+        """Answer with a file of the folder that the user named."""
+        document = self.server.document(self.get_query_argument("document", None))
+        file = None if document is None else document.mesh_files.get(name)
+        content = None if file is None else await asyncio.to_thread(file.read)
+        if content is None:
+            raise HTTPError(404)
+        self.set_header("Content-Type", "application/octet-stream")
+        self.finish(content)
 
 
 class LiveHandler(CheckedHandler, WebSocketHandler):

@@ -48,6 +48,10 @@ class Compare(NamedTuple):
     name: str
 
 
+class ShowMeshes(NamedTuple):
+    """Load the meshes that are offered."""
+
+
 class Hello(NamedTuple):
     """A page has come, maybe with values from before the server was restarted."""
 
@@ -56,7 +60,7 @@ class Hello(NamedTuple):
 
 
 Request = (
-    SetJoint | SetJoints | SetParameters | WriteParameters | Reveal | Compare | Hello
+    SetJoint | SetJoints | SetParameters | WriteParameters | Reveal | Compare | ShowMeshes | Hello
     | GestureRequest
 )  # fmt: skip
 
@@ -83,6 +87,8 @@ def request_of(data: object) -> Request | None:
         return WriteParameters(_numbers(data.get("values")))
     if data.get("type") in GESTURES:
         return gesture_request(data)
+    if data.get("type") == "meshes":
+        return ShowMeshes()
     name, value = data.get("name"), data.get("value")
     if data.get("type") == "compare":
         return Compare(name) if name == "" or is_name(name) else None

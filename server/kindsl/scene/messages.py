@@ -535,6 +535,63 @@ class ComparisonMessage:
 
 
 @dataclass(frozen=True, slots=True)
+class VisualMessage:
+    """A shape that another description gives a link for drawing.
+
+    Attributes:
+        path: Of this shape.
+        link: Name of the link.
+        form: What it is.
+        size: Factors of a mesh along its axes; sides of a box, radius and length of a cylinder
+            along z, radius of a sphere, metres.
+        matrix: Its frame in the link's.
+        file: The name of a mesh's file at the server, which tells its format; else empty.
+    """
+
+    type: ClassVar[Literal["visual"]] = "visual"
+    path: str
+    link: str
+    form: Literal["mesh", "box", "cylinder", "sphere"]
+    size: tuple[float, ...]
+    matrix: tuple[float, ...]
+    file: str
+
+
+@dataclass(frozen=True, slots=True)
+class MeshDataMessage:
+    """The content of a mesh's file, for pages without a server.
+
+    Attributes:
+        path: Of this file.
+        file: Its name in `visual` messages.
+        data: Its bytes in base 64.
+    """
+
+    type: ClassVar[Literal["mesh_data"]] = "mesh_data"
+    path: str
+    file: str
+    data: str
+
+
+@dataclass(frozen=True, slots=True)
+class MeshesMessage:
+    """The description whose meshes can be drawn.
+
+    Attributes:
+        name: Of its file.
+        is_loaded: Whether they have been asked for, so that `visual` messages are there.
+        problems: What is left out and why, one sentence each.
+        path: Constant.
+    """
+
+    type: ClassVar[Literal["meshes"]] = "meshes"
+    name: str
+    is_loaded: bool
+    problems: tuple[str, ...]
+    path: str = f"{ROOT}/meshes"
+
+
+@dataclass(frozen=True, slots=True)
 class EditingMessage:
     """The permission to edit the document from the page.
 
@@ -669,6 +726,7 @@ Part: TypeAlias = (
     SetObject | SetTransform | Delete | ModelMessage | LinkMessage | SolidMessage | JointMessage
     | FrameMessage | LimitsMessage | ValueMessage | PoseMessage | ParameterMessage
     | TrajectoryMessage | FormulaMessage | GhostMessage | OtherMessage | ComparisonMessage
+    | VisualMessage | MeshDataMessage | MeshesMessage
     | FindingMessage | StatusMessage | HighlightMessage | EditingMessage | HandlesMessage
     | DraggedMessage | PlanMessage | WrittenMessage | LinesMessage
 )  # fmt: skip

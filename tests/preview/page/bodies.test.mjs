@@ -27,7 +27,7 @@ function makeScene(count, kind = "revolute") {
   }
   const shown = new Map(["core", "bone", "drum", "doubtful", "impossible", "ghost"].map((key) => [key, { visible: true, opacity: 1 }]));
   const scene = {
-    viewer: makeViewer(), trees, view: shown, q: new Map(), model: { unit: 0.02, size: count, is_floating: false }, showsOversized: false, compared: ALONE,
+    viewer: makeViewer(), trees, view: shown, q: new Map(), model: { unit: 0.02, size: count, is_floating: false }, showsOversized: false, compared: ALONE, meshes: { covers: () => false, version: 0 },
     hidden: { version: 0, hidesThing: () => false }, colors: LIGHT, isLit: () => false, isGuess: () => false,
     lookOf: (key) => shown.get(key), poses: { robot: forwardKinematics(robot, new Map()), ghost: forwardKinematics(trees.ghost, new Map()) },
   };

@@ -119,7 +119,7 @@ def _end(joint: Any, which: str) -> str:
 def _floating(joint: Any, bodies: dict[str, MassDistribution | None]) -> RigidLink:
     """Return the link that a joint lets float."""
     name = _end(joint, "child")
-    return RigidLink(name, parent_T_joint=_pose(joint.find("origin")), body=bodies[name])
+    return RigidLink(name, parent_T_joint=pose_of_origin(joint.find("origin")), body=bodies[name])
 
 
 def _links(
@@ -138,7 +138,7 @@ def _carried(joint: Any, parent: int, bodies: dict[str, MassDistribution | None]
         raise UrdfError(f"the joint '{name}' is {kind}, which the language does not support")
     child = _end(joint, "child")
     axis = _Z if kind == "fixed" else _triple(joint.find("axis"), "xyz", _X)
-    pose = _pose(joint.find("origin"))
+    pose = pose_of_origin(joint.find("origin"))
     return RigidLink(child, parent, name, _KINDS[kind], axis, pose, body=bodies[child])
 
 
@@ -147,7 +147,9 @@ def _body(link: Any) -> MassDistribution | None:
     if inertial is None:
         return None
     mass = numbers_of(inertial.find("mass"), "value", 1)[0]
-    return about_origin(mass, _tensor(inertial.find("inertia")), _pose(inertial.find("origin")))
+    return about_origin(
+        mass, _tensor(inertial.find("inertia")), pose_of_origin(inertial.find("origin"))
+    )
 
 
 def _tensor(inertia: Any) -> Symmetric:
@@ -158,7 +160,8 @@ def _tensor(inertia: Any) -> Symmetric:
     return xx, yy, zz, xy, xz, yz
 
 
-def _pose(origin: Any) -> RigidPose:
+def pose_of_origin(origin: Any) -> RigidPose:
+    """Return the pose of an `<origin>`, that of no element being none."""
     if origin is None:
         return IDENTITY
     zero = (0.0, 0.0, 0.0)

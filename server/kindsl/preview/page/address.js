@@ -5,6 +5,7 @@ import { FIRST_PRESET } from "./picture/presets.js";
 
 /** @import { Actions, Eye, Thing } from "./base/types.js" */
 /** @import { Selection } from "./base/selection.js" */
+/** @import { MeshButton } from "./panel/mesh_button.js" */
 /** @import { Compare } from "./panel/compare.js" */
 /** @import { Units } from "./base/units.js" */
 /** @import { Camera } from "./picture/camera.js" */
@@ -24,6 +25,7 @@ import { FIRST_PRESET } from "./picture/presets.js";
  * @property {Actions} actions
  * @property {Pick<Compare, "text" | "restore">} compare
  * @property {readonly Splitter[]} bars
+ * @property {Pick<MeshButton, "restore" | "meshes">} meshes
  */
 
 const REST = 300; // milliseconds
@@ -54,7 +56,7 @@ export class Address {
   link() { return location.href.split("#")[0] + this.text(); }
 
   text() {
-    const { bars, camera, presets, scene, selection, theme, units, compare } = this.parts, told = new URLSearchParams(location.hash.slice(1));
+    const { bars, camera, presets, scene, selection, theme, units, compare, meshes } = this.parts, told = new URLSearchParams(location.hash.slice(1));
     /** @type {(name: string, value: string | null) => void} */
     const put = (name, value) => (value ? told.set(name, value) : told.delete(name));
     put("preset", presets.name === FIRST_PRESET ? "" : presets.name);
@@ -68,6 +70,7 @@ export class Address {
     put("angle", units.angle === "rad" ? "" : units.angle);
     put("compare", compare.text);
     put("panel", bars.some(({ value }) => value !== null) ? bars.map(({ value }) => value ?? "").join(",") : "");
+    put("meshes", meshes.meshes.way === "off" ? "" : meshes.meshes.way);
     return `#${told}`;
   }
 
@@ -78,6 +81,7 @@ export class Address {
     this.isRestored = true;
     if (told.theme) actions.chooseTheme(told.theme);
     if (told.angle) units.choose(told.angle);
+    if (told.meshes) this.parts.meshes.restore(told.meshes);
     if (told.compare) this.parts.compare.restore(told.compare);
     (told.panel || "").split(",").forEach((value, i) => { if (value) bars[i]?.set(Number(value)); });
     if (told.preset) presets.choose(told.preset);

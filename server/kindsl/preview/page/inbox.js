@@ -3,7 +3,7 @@ import { isOfEditing } from "./editing/editing.js";
 import { applyFormulas } from "./formulas.js";
 
 /** @import { Message as EditingMessage } from "./editing/editing.js" */
-/** @import { Change, ComparisonMessage, FindingMessage, FormulaMessage, GhostMessage, HighlightMessage, OtherMessage, ParameterMessage, Part, PoseMessage, StatusMessage, TrajectoryMessage } from "./messages.js" */
+/** @import { Change, ComparisonMessage, FindingMessage, FormulaMessage, GhostMessage, HighlightMessage, MeshesMessage, OtherMessage, ParameterMessage, Part, PoseMessage, StatusMessage, TrajectoryMessage } from "./messages.js" */
 /** @import { News, Scene } from "./picture/scene.js" */
 
 /** @typedef {"rows" | "marks" | "values" | "parameters" | "findings" | "camera" | "poses" | "compare"} Stale what is to be shown anew */
@@ -41,6 +41,13 @@ export class Inbox {
    * @type {Map<string, OtherMessage>}
    */
   others = new Map();
+  /** @type {MeshesMessage | null} */
+  meshes = null;
+  /**
+   * Contents of meshes in base 64 by their files, of an exported page.
+   * @type {Map<string, string>}
+   */
+  meshData = new Map();
   /** @type {ComparisonMessage | null} */
   comparison = null;
   /** @type {GhostMessage | null} */
@@ -103,7 +110,8 @@ export class Inbox {
     if (message.type === "parameter") this.keep("parameters", this.parameters, message);
     else if (message.type === "pose") this.keep("poses", this.poses, message);
     else if (message.type === "other") this.keep("compare", this.others, message);
-    else if (message.type === "comparison" || message.type === "ghost") {
+    else if (message.type === "mesh_data") this.meshData.set(message.file, message.data);
+    else if (message.type === "comparison" || message.type === "ghost" || message.type === "meshes") {
       Object.assign(this, { [message.type]: message });
       this.stale.add("compare");
     } else if (message.type === "formula") this.formulas.push(message);
@@ -138,6 +146,7 @@ export class Inbox {
     this.drop("compare", this.others, path);
     if (this.comparison?.path === path) this.comparison = null;
     if (this.ghost?.path === path) this.ghost = null;
+    if (this.meshes?.path === path) this.meshes = null;
     this.stale.add("compare");
   }
 

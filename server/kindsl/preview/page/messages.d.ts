@@ -408,6 +408,47 @@ export interface ComparisonMessage {
   readonly path: string;
 }
 
+/** A shape that another description gives a link for drawing. */
+export interface VisualMessage {
+  readonly type: "visual";
+  /** Of this shape. */
+  readonly path: string;
+  /** Name of the link. */
+  readonly link: string;
+  /** What it is. */
+  readonly form: "mesh" | "box" | "cylinder" | "sphere";
+  /** Factors of a mesh along its axes; sides of a box, radius and length of a cylinder along z, radius of a sphere, metres. */
+  readonly size: readonly number[];
+  /** Its frame in the link's. */
+  readonly matrix: readonly number[];
+  /** The name of a mesh's file at the server, which tells its format; else empty. */
+  readonly file: string;
+}
+
+/** The content of a mesh's file, for pages without a server. */
+export interface MeshDataMessage {
+  readonly type: "mesh_data";
+  /** Of this file. */
+  readonly path: string;
+  /** Its name in `visual` messages. */
+  readonly file: string;
+  /** Its bytes in base 64. */
+  readonly data: string;
+}
+
+/** The description whose meshes can be drawn. */
+export interface MeshesMessage {
+  readonly type: "meshes";
+  /** Of its file. */
+  readonly name: string;
+  /** Whether they have been asked for, so that `visual` messages are there. */
+  readonly is_loaded: boolean;
+  /** What is left out and why, one sentence each. */
+  readonly problems: readonly string[];
+  /** Constant. */
+  readonly path: string;
+}
+
 /** The permission to edit the document from the page. */
 export interface EditingMessage {
   readonly type: "editing";
@@ -532,6 +573,9 @@ export type Part =
   | GhostMessage
   | OtherMessage
   | ComparisonMessage
+  | VisualMessage
+  | MeshDataMessage
+  | MeshesMessage
   | FindingMessage
   | StatusMessage
   | HighlightMessage

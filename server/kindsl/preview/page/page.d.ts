@@ -7,6 +7,7 @@ import type { Editing } from "./editing/editing.js";
 import type { PullDrag } from "./editing/pull_drag.js";
 import type { History } from "./history.js";
 import type { Inbox } from "./inbox.js";
+import type { MeshButton } from "./panel/mesh_button.js";
 import type { Compare } from "./panel/compare.js";
 import type { Findings } from "./panel/findings.js";
 import type { JointRows } from "./panel/joint_rows.js";
@@ -74,6 +75,7 @@ export interface Page {
   tree: Tree;
   findings: Findings;
   legend: Legend;
+  meshes: MeshButton;
   compare: Compare;
   address: Address;
   bars: readonly Splitter[];

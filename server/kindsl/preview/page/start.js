@@ -16,6 +16,7 @@ import { Keys } from "./panel/keys.js";
 import { Legend } from "./panel/legend.js";
 import { Player } from "./panel/player.js";
 import { Poses } from "./panel/poses.js";
+import { MeshButton } from "./panel/mesh_button.js";
 import { panelBars } from "./panel/splitter.js";
 import { ParameterRows } from "./panel/parameter_rows.js";
 import { showTitle } from "./panel/title.js";
@@ -47,7 +48,7 @@ const STATES = {
 const pane = byId("pane"), embedded = document.getElementById("embedded-state");
 const viewer = openViewer();
 const theme = new Theme();
-const scene = new Scene(viewer, theme.colors);
+const scene = new Scene(viewer, theme.colors, loadMesh);
 const page = /** @type {Page} */ ({
   viewer, scene, theme, pane, isStatic: Boolean(embedded), connection: null,
   send(request) { page.connection?.send(request); },
@@ -72,6 +73,7 @@ page.poses = new Poses(scene, page.actions, (lines) => showText("A pose for kind
 page.tree = new Tree(scene, page.selection, page.actions);
 page.findings = new Findings(pane, page.inbox, page.actions);
 page.compare = new Compare({ ...page, choose: (name) => page.send({ type: "compare", name }), note: () => page.actions.note() });
+page.meshes = new MeshButton(scene.meshes, () => page.send({ type: "meshes" }), () => page.actions.note());
 page.legend = new Legend(scene, page.presets, page.actions);
 page.bars = panelBars(() => page.address.note());
 page.address = new Address(page);
@@ -91,6 +93,19 @@ page.player = new Player(scene, pane, (names) => {
   page.actions.note();
 });
 let connectionState = "connecting", isBegun = false;
+
+/**
+ * A mesh's file, from the page itself or its server, which wants the address' token.
+ * @param {string} file
+ */
+async function loadMesh(file) {
+  const embedded = page.inbox.meshData.get(file);
+  if (embedded !== undefined) return Uint8Array.from(atob(embedded), (character) => character.charCodeAt(0)).buffer;
+  if (page.isStatic) throw new Error("not in this page");
+  const answer = await fetch(`mesh/${file}${location.search}`);
+  if (!answer.ok) throw new Error(await answer.text());
+  return answer.arrayBuffer();
+}
 
 function openViewer() {
   // An encoder in the viewer takes the window for its worker and posts back every message, its own again and again.
@@ -135,6 +150,7 @@ function refresh() {
   if (page.inbox.isStale("compare")) {
     page.compare.show();
     page.legend.showGhost(page.inbox.ghost);
+    page.meshes.show(page.inbox.meshes);
   }
   scene.update();
   const isDrawn = scene.trees.robot.links.size > 0;

@@ -69,12 +69,12 @@ export class Bodies {
 
   // What decides which pieces are in which mesh.
   #state() {
-    const { view, hidden, showsOversized, model, compared } = this.scene;
+    const { view, hidden, showsOversized, model, compared, meshes } = this.scene;
     const looks = ["core", "bone", "drum", "doubtful", "impossible", "ghost"].map((key) => {
       const { visible, opacity } = view.get(key) ?? { visible: true, opacity: 1 };
       return `${visible} ${opacity}`;
     });
-    return [...looks, JSON.stringify(compared), hidden.version, showsOversized, model.unit, this.#version].join();
+    return [...looks, JSON.stringify(compared), meshes.version, hidden.version, showsOversized, model.unit, this.#version].join();
   }
 
   // Make the pieces of links that are new or have changed; those of the others stay.
@@ -124,7 +124,7 @@ export class Bodies {
     return this.pieces.filter((piece) => {
       if (piece.part === "core" && piece.solid.is_oversized && !showsOversized) return false;
       if (piece.tree === "ghost") return isOn && this.scene.lookOf("ghost").visible && (compared.isOn || !JUDGED.includes(piece.category));
-      return this.scene.lookOf(piece.category).visible && !hidden.hidesThing(piece.group, piece.name);
+      return this.scene.lookOf(piece.category).visible && !this.scene.meshes.covers(piece.solid.name) && !hidden.hidesThing(piece.group, piece.name);
     });
   }
 

@@ -84,6 +84,9 @@ export class Picking {
       const owner = this.scene.owner(mark);
       if (owner) hits.push({ ...owner, distance });
     }
+    for (const { distance, object } of ray.intersectObjects(this.scene.meshes.drawn, false)) {
+      hits.push({ kind: "link", name: object.userData.link, pick: 1, distance });
+    }
     for (const { piece, distance } of this.bodyHits(ray.ray)) {
       const owner = this.scene.owner(piece);
       if (owner) hits.push({ ...owner, distance });

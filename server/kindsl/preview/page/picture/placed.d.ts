@@ -26,6 +26,7 @@ export interface Pictured extends Omit<Placed, "marks"> {
   readonly viewer: Viewer;
   readonly trees: Readonly<Record<"robot" | "ghost", Tree>>;
   readonly hidden: Hidden;
+  readonly meshes: { covers(link: string): boolean; readonly version: number };
   readonly view: ReadonlyMap<string, Look>;
   readonly colors: Colors;
   lookOf(key: string): Look;

@@ -6,6 +6,7 @@ import { CATEGORIES, CATEGORY_OF, parsePath } from "./categories.js";
 import { Hidden } from "./hidden.js";
 import { centerOfMass, forwardKinematics, gravityTorques } from "./kinematics.js";
 import { Marks } from "./marks.js";
+import { Meshes } from "./meshes.js";
 import { placeMark } from "./places.js";
 
 /** @import { Colors, Kind, Look, Mark, Matrix, Poses, Thing, Tree, Vector, Viewer } from "../base/types.js" */
@@ -77,8 +78,8 @@ export class Scene {
   /** @type {((what: News) => void)[]} */
   #listeners = [];
 
-  /** @param {Viewer} viewer @param {Colors} colors */
-  constructor(viewer, colors) {
+  /** @param {Viewer} viewer @param {Colors} colors @param {(file: string) => Promise<ArrayBuffer>} load Of a mesh. */
+  constructor(viewer, colors, load) {
     this.viewer = viewer;
     this.colors = colors;
     this.view = new Map(CATEGORIES.map(({ key }) => [key, SHOWN]));
@@ -86,6 +87,8 @@ export class Scene {
     this.marks = new Marks(viewer);
     this.bodies = new Bodies(this);
     this.batches = new Batches(this);
+    /** @type {Meshes} */
+    this.meshes = new Meshes(this, load);
   }
 
   // Called with each path that is removed.
@@ -112,6 +115,7 @@ export class Scene {
     else if (message.type === "set_object" || message.type === "set_transform") this.draw(message);
     else if (message.type === "model") Object.assign(this.model, message);
     else if (message.type === "solid") this.treeOf(parsePath(message.path).tree)?.solids.set(message.name, message);
+    else if (message.type === "visual") this.meshes.take(message);
     else if (message.type === "link" || message.type === "joint" || message.type === "frame") this.learn(message);
     else if (message.type === "value") this.q.set(message.name, message.value);
     else if (message.type === "limits") this.limits.set(message.name, message);
@@ -181,6 +185,7 @@ export class Scene {
     const isBelow = (/** @type {string} */ other) => other === path || other.startsWith(path + "/");
     for (const other of [...this.paths]) if (isBelow(other)) this.paths.delete(other);
     this.marks.remove(isBelow);
+    this.meshes.forget(path);
     const { tree, group, name, category } = parsePath(path);
     if (tree === "limits" && !group) this.limits.clear();
     else if (tree === "limits") this.limits.delete(decodeURIComponent(group));
@@ -209,6 +214,7 @@ export class Scene {
     this.largestTorque = Math.max(1e-9, ...[...this.torques.values()].map(Math.abs));
     this.bodies.update();
     this.batches.update();
+    this.meshes.update();
   }
 
   /** @param {Mark} mark @param {THREE.Matrix4} matrix */
