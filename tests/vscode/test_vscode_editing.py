@@ -128,7 +128,7 @@ def test_colours_come_from_the_meaning(workbench: Workbench) -> None:
     told = inspection.filter(has_text="semantic token type")
     workbench.run_until("Developer: Inspect Editor Tokens and Scopes", told)
     expect(inspection).to_contain_text("class")
-    expect(inspection).to_contain_text("entity.name.type.link.kindsl")
+    expect(inspection).to_contain_text("entity.name.type.class.link.kindsl")
     workbench.press("Escape")
 
 

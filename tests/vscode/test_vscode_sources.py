@@ -18,13 +18,7 @@ GRAMMAR = ROOT / "grammar"
 MAXIMAL_BYTES = 6 * 1024 * 1024
 # A source that is younger than the build is not expected in it.
 BUILD_SECONDS = 60
-KEYWORD_SCOPES = (
-    "storage.",
-    "keyword.other.section",
-    "keyword.operator.via",
-    "support.type",
-    "constant.language",
-)
+KEYWORD_SCOPES = ("storage.", "constant.language")
 
 
 def test_textmate_fixtures(vsix: Path) -> None:

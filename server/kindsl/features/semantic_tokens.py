@@ -1,5 +1,6 @@
 """The meaning of each word, for highlighting beyond the grammar's reach."""
 
+import re
 from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
@@ -18,6 +19,8 @@ _TYPE_OF = {
     EntityKind.CONSTANT: "variable",
 }
 _OPERATORS = frozenset("+-*/=")
+# Stands out of its comment by the editor's own grammar, which a token would cover.
+_SUPPRESSION = re.compile(r"(?<=//)\s*kindsl:\s*ignore(?:-file)?\[[^\]]*\]")
 
 
 class SemanticToken(NamedTuple):
@@ -88,7 +91,10 @@ def _comments(island: Island) -> list[SemanticToken]:
     for start, end in island.comments:
         for line in island.text[start:end].splitlines(keepends=True):
             length = len(line.rstrip("\r\n"))
-            if length:
-                found.append(SemanticToken(start, start + length, "comment"))
+            hole = _SUPPRESSION.search(line)
+            before, behind = hole.span() if hole is not None else (length, length)
+            for first, last in ((0, before), (behind, length)):
+                if first < last:
+                    found.append(SemanticToken(start + first, start + last, "comment"))
             start += len(line)
     return found

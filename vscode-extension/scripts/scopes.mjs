@@ -1,4 +1,5 @@
-// Print, one a line, what the TextMate grammar marks as invalid in the files whose names come on stdin.
+// Print the TextMate grammar's tokens in the files whose names come on stdin, one a line as JSON:
+// [file, line from 1, column from 0, text, innermost scope].
 import { createRequire } from "node:module";
 import { readFile } from "node:fs/promises";
 
@@ -26,9 +27,7 @@ for await (const name of lines()) {
     const { tokens, ruleStack } = grammar.tokenizeLine(line, stack);
     stack = ruleStack;
     for (const { startIndex, endIndex, scopes } of tokens) {
-      if (scopes.some((scope) => scope.startsWith("invalid."))) {
-        console.log(`${name}:${index + 1}:${startIndex + 1}: ${line.slice(startIndex, endIndex)}`);
-      }
+      console.log(JSON.stringify([name, index + 1, startIndex, line.slice(startIndex, endIndex), scopes.at(-1)]));
     }
   }
 }
