@@ -15,10 +15,10 @@ from tests.lsp.sessions import REFUSAL, folder_of, of_versions, opened, session_
 
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.diagnostics import RelatedPlace
+from kindsl.config.editor_settings import editor_settings
 from kindsl.lsp.session.binding import bound
 from kindsl.lsp.session.findings import diagnostics
 from kindsl.lsp.session.progress import Progress
-from kindsl.lsp.session.settings import editor_settings
 from kindsl.lsp.session.status import tell_status
 from kindsl.lsp.session.tokens import TokenMemory
 from kindsl.lsp.session.transforms import transforms_view

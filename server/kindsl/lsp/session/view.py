@@ -11,7 +11,7 @@ from kindsl.lsp.wire.client import Client
 
 if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis
-    from kindsl.lsp.session.settings import EditorSettings
+    from kindsl.config.editor_settings import EditorSettings
 
 _MARKS = re.compile(r"\*\*|`|\\(?=[^\w\s])")
 

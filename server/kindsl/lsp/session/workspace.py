@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from kindsl.comparison.twins import TwinFile
     from kindsl.config.configuration import Configuration, ConfigurationProblem
     from kindsl.config.discovery import Configurations
-    from kindsl.lsp.session.settings import EditorSettings
+    from kindsl.config.editor_settings import EditorSettings
     from kindsl.lsp.text.document import Document
 
 CONFIGURATION_FILES = (OWN_FILE, PYTHON_FILE)
@@ -83,7 +83,7 @@ class Workspace:
 
     def read_settings(self, document: "Document") -> "Settings":
         """Return the decisions for a document; reads files, so not for the message loop."""
-        from kindsl.lsp.session.settings import merged
+        from kindsl.config.editor_settings import merged
 
         project, key = self._project, uris.key(document.uri)
         if key not in project.merged:
@@ -126,7 +126,7 @@ class Workspace:
             yield from robots_below(folder)
 
     def _understand(self, scope: str | None) -> "EditorSettings":
-        from kindsl.lsp.session.settings import editor_settings
+        from kindsl.config.editor_settings import editor_settings
 
         if scope not in self._understood:
             self._understood[scope] = editor_settings(self._raw.get(scope))

@@ -5,7 +5,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kindsl.analysis.settings import Settings
-from kindsl.lsp.session.settings import editor_settings, merged
+from kindsl.config.editor_settings import editor_settings, merged
 from kindsl.rules.base import Severity
 from kindsl.semantics.parameters import Binding, JointProperties
 
