@@ -1,4 +1,6 @@
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from tests.features.samples import ARM, PARAMETRIC
 from tests.support.cursor import at_cursor
 from tests.support.published import published_models
@@ -52,6 +54,25 @@ def test_an_impossible_body_is_hinted_by_its_moments():
 @pytest.mark.parametrize("path", published_models())
 def test_hints_fit_the_43_characters_that_vs_code_shows(path):
     assert all(len(text) <= 43 for _, text, _ in hints(path.read_text()))
+
+
+@given(st.floats(1e-30, 1e30), st.lists(st.floats(-1e100, 1e100), min_size=3, max_size=3))
+@settings(deadline=None, derandomize=True)
+def test_an_inertia_is_told_in_what_an_editor_shows_of_a_hint(mass, moments):
+    """VS Code shows 43 characters."""
+    numbers = " ".join(f"{name}={m!r}" for name, m in zip(("Ix", "Iy", "Iz"), moments, strict=True))
+    body = f"mass = {mass!r} CoM = (0.0, 0.0, 0.0) {numbers} Ixy=0.0 Ixz=0.0 Iyz=0.0"
+    ((_, text, _),) = hints(f"link l {{ inertia_params {{ {body} }} }}", InlayHintOptions())
+    assert len(text) <= 43
+
+
+@pytest.mark.parametrize(("mass", "side"), [("1e-6", 1e4), ("2e5", 1.2e-3), ("1e30", 77777.0)])
+def test_the_hint_of_an_odd_box_is_no_longer(mass, side):
+    moment = float(mass) * side**2 / 6
+    numbers = " ".join(f"{name}={moment!r}" for name in ("Ix", "Iy", "Iz"))
+    body = f"mass = {mass} CoM = (0.0, 0.0, 0.0) {numbers} Ixy=0.0 Ixz=0.0 Iyz=0.0"
+    ((_, text, _),) = hints(f"link l {{ inertia_params {{ {body} }} }}", InlayHintOptions())
+    assert len(text) <= 43
 
 
 def test_hints_can_be_turned_off():

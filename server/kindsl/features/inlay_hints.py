@@ -21,6 +21,8 @@ from kindsl.semantics.lowering import declarations
 from kindsl.semantics.places import Located
 from kindsl.semantics.unknown import Unknown
 
+_LONGEST = 43  # characters, of which VS Code shows no more
+
 
 class InlayHint(NamedTuple):
     """A text to show at an offset; `kind` is `value`, `angle`, `unit` or `inertia`."""
@@ -110,16 +112,21 @@ def _inertia_hints(analysis: Analysis, body: Link) -> Iterator[InlayHint]:
     moments = ", ".join(number(moment) for moment in principal)
     tooltip = f"Principal moments about the centre of mass {moments} {INERTIA}"
     box = equivalent_box(inertia)
-    if box is None:
-        text = f"about CoM {', '.join(f'{moment:.3g}' for moment in principal)} {INERTIA}"
-    else:
-        text = _box_text(*box)
+    text = _box_text(*box) if box is not None else ""
+    if 0 < len(text) <= _LONGEST:
         tooltip = f"The uniform box with this mass and inertia. {tooltip}"
+    else:
+        texts = (_moments_text(principal, digits) for digits in (3, 2, 1))
+        text = next(text for text in texts if len(text) <= _LONGEST)
     yield InlayHint(opening.end, text, "inertia", tooltip)
 
 
+def _moments_text(principal: Sequence[float], digits: int) -> str:
+    return f"about CoM {', '.join(number(moment, digits) for moment in principal)} {INERTIA}"
+
+
 def _box_text(sides: Sequence[float], density: float) -> str:
-    """Return a box in the 43 characters that VS Code shows."""
+    """Return a box, as a rule in the 43 characters that VS Code shows."""
     if max(sides) < 1.0:
         lengths = " × ".join(f"{1e3 * side:.{0 if side >= 0.01 else 1}f}" for side in sides) + " mm"
     else:

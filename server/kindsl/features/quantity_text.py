@@ -10,10 +10,10 @@ KILOGRAMS = "kg"
 INERTIA = "kg·m²"
 
 
-def number(value: float) -> str:
-    """Return a number with four significant digits."""
+def number(value: float, digits: int = 4) -> str:
+    """Return a number with so many significant digits."""
     # Zero is added to take the sign off -0.0.
-    return f"{value + 0.0:.4g}"
+    return f"{value + 0.0:.{digits}g}"
 
 
 def vector(values: Iterable[float]) -> str:

@@ -41,7 +41,7 @@ SITUATIONS = [
     (BASE + "link b$0", NOTHING, NOTHING),
     (BASE + "link new$0", NOTHING, NOTHING),
     (BASE + "link b {$0", NOTHING, "id"),
-    (BASE + "link b {\n    id = $0", "1", "1"),
+    (BASE + "link b {\n    id = $0", NOTHING, "1"),
     (BASE + "link b {\n    id = 1$0", NOTHING, NOTHING),
     (LINK + "    in$0", "inertia_params", "inertia_params"),
     (LINK + "    children$0", NOTHING, "children"),

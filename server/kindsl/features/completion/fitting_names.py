@@ -44,12 +44,12 @@ def new_frame_items(context: CompletionContext) -> Iterator[CompletionItem]:
 
 
 def id_items(analysis: Analysis, context: CompletionContext) -> Iterator[CompletionItem]:
-    """Yield the number that a link or joint is to have."""
+    """Yield the number that a link or joint is to have; unasked it would swallow a quick Enter."""
     if context.block == "joint":
         number, detail = joint_id(analysis, context), "id of its link"
     else:
         number, detail = next_id(analysis, bodies_at(context)), "next free id"
-    yield CompletionItem(str(number), "value", str(number), detail)
+    yield CompletionItem(str(number), "value", str(number), detail, is_asked_for=True)
 
 
 def joint_id(analysis: Analysis, context: CompletionContext) -> int:
