@@ -29,3 +29,14 @@ export function roundUp(length) {
   const power = 10 ** Math.floor(Math.log10(length));
   return power * ([1, 2, 5].find((step) => step * power >= length * (1 - 1e-9)) ?? 10);
 }
+
+/**
+ * What a slider can stand at from one number to another: round numbers, of which its ends are the next beyond.
+ * @param {number} minimum
+ * @param {number} maximum
+ * @param {number} most So many stops at most.
+ */
+export function stopsOf(minimum, maximum, most) {
+  const step = roundUp((maximum - minimum) / (most - 2)), round = (/** @type {number} */ value) => Number(value.toPrecision(12));
+  return { min: round(step * Math.floor(minimum / step + 1e-9)), max: round(step * Math.ceil(maximum / step - 1e-9)), step: round(step) };
+}

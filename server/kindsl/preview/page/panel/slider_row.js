@@ -1,5 +1,6 @@
 // A row with a name, a slider and a place to type the value.
 import { judge, make, nameIn } from "../base/elements.js";
+import { stopsOf } from "../base/quantities.js";
 
 /** @import { Units } from "../base/units.js" */
 
@@ -11,7 +12,7 @@ import { judge, make, nameIn } from "../base/elements.js";
  * @property {(isOn: boolean) => void} [onHover]
  */
 
-const STEPS = 2000;
+const STOPS = 4000;
 
 export class SliderRow {
   kind = "";
@@ -41,7 +42,7 @@ export class SliderRow {
 
   /** @param {(value: number) => void} onInput */
   slide(onInput) {
-    const value = Number(this.slider.value);
+    const value = Math.min(this.maximum, Math.max(this.minimum, Number(this.slider.value)));
     this.number.value = this.units.show(value, this.kind);
     judge(this.number, "");
     this.fill(value);
@@ -68,7 +69,7 @@ export class SliderRow {
   setRange(minimum, maximum, kind, isOpen) {
     Object.assign(this, { minimum, maximum, kind });
     ["open-low", "open-high"].forEach((look, i) => this.element.classList.toggle(look, isOpen[i]));
-    Object.assign(this.slider, { min: minimum, max: maximum, step: (maximum - minimum) / STEPS });
+    Object.assign(this.slider, stopsOf(minimum, maximum, STOPS));
     this.unit.textContent = this.units.nameOf(kind);
   }
 
