@@ -12,6 +12,7 @@ from contextlib import suppress
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.manipulation.gesture import Refusal
 from kindsl.features.manipulation.handles import handles
+from kindsl.features.manipulation.mirror_leg import can_mirror
 from kindsl.features.manipulation.things import Thing, carrying_frame
 from kindsl.preview.document_preview import DocumentPreview
 from kindsl.preview.gesture_requests import Drag, GestureRequest, Grasp, Plan
@@ -182,5 +183,6 @@ class Dragging:
             revision=self._preview.revision,
             frame=carrying_frame(analysis.model, held),
             components=tuple(HandleRow(**handle._asdict()) for handle in found),
+            can_mirror=held.kind == "com" and can_mirror(analysis.model, held.name),
         )
         self._preview.channel.replace("handles", keyed([message]))

@@ -636,6 +636,7 @@ class HandlesMessage:
         revision: Of the text that they are of.
         frame: Optional frame along whose axes a centre of mass is written, empty for its link's.
         components: Three of a centre of mass, else six.
+        can_mirror: Whether its link has a mirror image that the document lacks.
         path: Constant.
     """
 
@@ -645,6 +646,7 @@ class HandlesMessage:
     revision: int
     frame: str
     components: tuple[HandleRow, ...]
+    can_mirror: bool = False
     path: str = f"{ROOT}/handles"
 
 

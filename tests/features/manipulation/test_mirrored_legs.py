@@ -1,10 +1,12 @@
 """What of a leg its mirror image takes over, and which legs have one."""
 
+from pathlib import Path
+
 import pytest
 
 from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.features.manipulation.gesture import Gesture, Refusal
-from kindsl.features.manipulation.mirror_leg import mirror_leg
+from kindsl.features.manipulation.mirror_leg import can_mirror, mirror_leg
 
 LEG = """\
 Robot R {
@@ -20,6 +22,9 @@ p_joint LF_l { }
 r_joint o { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } }
 }
 """
+
+
+EXAMPLES = sorted((Path(__file__).parents[3] / "examples").glob("*.kindsl"))
 
 
 def changed(text: str, gesture: Gesture | Refusal) -> Analysis:
@@ -117,3 +122,12 @@ def test_a_leg_that_is_not_whole_has_no_image(old: str, new: str, reason: str) -
     text = LEG % ("0.1", "0.1")
     assert old in text
     assert mirror_leg(analyse(text.replace(old, new)), "LF_a") == Refusal(reason)
+
+
+@pytest.mark.parametrize("text", [LEG % ("0.2", "0.0"), *(path.read_text() for path in EXAMPLES)])
+def test_it_is_offered_where_it_can_be_done(text: str) -> None:
+    analysis = analyse(text)
+    names = [str(body.name) for body in analysis.model.bodies]
+    done = [name for name in names if isinstance(mirror_leg(analysis, name), Gesture)]
+    assert [name for name in names if can_mirror(analysis.model, name)] == done
+    assert not {"b", "other"} & set(done)

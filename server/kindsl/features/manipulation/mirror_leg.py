@@ -6,6 +6,7 @@ mirrored revolute joint turns the other way, a mirrored prismatic joint slides a
 """
 
 from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.manipulation.gesture import Gesture, Refusal
@@ -14,6 +15,7 @@ from kindsl.limbs.names import other_side
 from kindsl.rules.number_writing import opposite
 from kindsl.semantics.declarations import Child, Joint, Link, Pose, Vector
 from kindsl.semantics.expressions import Expression
+from kindsl.semantics.kinematic_tree import Edge
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Construct, Name
 from kindsl.text.edits import TextEdit, apply_edits
@@ -21,20 +23,30 @@ from kindsl.text.edits import TextEdit, apply_edits
 _MIRRORED_PRODUCTS = ("Ixy", "Iyz")
 
 
+class _Leg(NamedTuple):
+    """A link with all that it carries, and the names on the other side."""
+
+    edge: Edge
+    links: Sequence[Link]
+    children: Sequence[Child]
+    names: Mapping[str, str]
+
+
+def can_mirror(model: Model, link: str) -> bool:
+    """Return whether a link and all that it carries have names of a side, and the other is free."""
+    return isinstance(_leg(model, link), _Leg)
+
+
 def mirror_leg(analysis: Analysis, link: str) -> Gesture | Refusal:
     """Return the edits that add the mirror image of a link with all that it carries."""
     model = analysis.model
-    edge = next((each for each in model.tree.edges if each.child.link == link), None)
-    if edge is None or edge.link is None:
-        return Refusal(f"there is no link '{link}' with a supporting joint")
-    links = [edge.link, *model.tree.in_topological_order(edge.link)]
-    children = [edge.child, *(child for body in links for child in body.children)]
-    names = _mirrored_names(model, links, children)
-    if isinstance(names, Refusal):
-        return names
-    joints = [model.joint_named[child.joint] for child in children]
+    leg = _leg(model, link)
+    if isinstance(leg, Refusal):
+        return leg
+    edge, names = leg.edge, leg.names
+    joints = [model.joint_named[child.joint] for child in leg.children]
     listed = with_child(analysis, edge.predecessor, names[link], names[edge.child.joint])
-    ids = enumerate(links, next_ids(model))
+    ids = enumerate(leg.links, next_ids(model))
     new_links = [_mirrored_link(body, names, number) for number, body in ids]
     new_joints = [_mirrored_joint(joint, names) for joint in joints]
     linked = behind_last(analysis, model.links, new_links)
@@ -43,6 +55,16 @@ def mirror_leg(analysis: Analysis, link: str) -> Gesture | Refusal:
         return Refusal(f"link '{link}' is not whole")
     title = f"Mirror '{link}' as '{names[link]}'"
     return Gesture(title, tuple(sorted((listed, linked, jointed))), tuple(names.values()))
+
+
+def _leg(model: Model, link: str) -> _Leg | Refusal:
+    edge = next((each for each in model.tree.edges if each.child.link == link), None)
+    if edge is None or edge.link is None:
+        return Refusal(f"there is no link '{link}' with a supporting joint")
+    links = [edge.link, *model.tree.in_topological_order(edge.link)]
+    children = [edge.child, *(child for body in links for child in body.children)]
+    names = _mirrored_names(model, links, children)
+    return names if isinstance(names, Refusal) else _Leg(edge, links, children, names)
 
 
 def _mirrored_names(

@@ -487,6 +487,8 @@ export interface HandlesMessage {
   readonly frame: string;
   /** Three of a centre of mass, else six. */
   readonly components: readonly HandleRow[];
+  /** Whether its link has a mirror image that the document lacks. */
+  readonly can_mirror: boolean;
   /** Constant. */
   readonly path: string;
 }

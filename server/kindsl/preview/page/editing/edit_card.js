@@ -17,14 +17,16 @@ import { ANGLES, HANDLE_NAMES } from "./handles.js";
  */
 
 /** @type {Readonly<Record<string, readonly Gesture[]>>} */
-const GESTURES = { link: [["add-frame", "Add frame"], ["add-child", "Add child link"], ["mirror-leg", "Mirror leg"]] };
+const GESTURES = { link: [["add-frame", "Add frame"], ["add-child", "Add child link"]] };
+/** @type {Gesture} */
+const MIRROR = ["mirror-leg", "Mirror leg"];
 
 export class EditCard {
   /** @type {Map<string, Field>} */
   fields = new Map();
   // What the fields and the buttons are for.
   #key = "";
-  #kind = "";
+  #gestures = "";
 
   /** @param {Editing} editing */
   constructor(editing) {
@@ -54,7 +56,7 @@ export class EditCard {
    * @param {Thing | null} chosen
    * @param {Shown | null} shown
    */
-  show(chosen, shown) {
+  show(chosen, shown, canMirror = false) {
     this.box.hidden = !chosen;
     if (!chosen) return;
     this.showMode(this.editing.handles);
@@ -71,7 +73,7 @@ export class EditCard {
       field.title = locked || text;
       note.textContent = locked || (symbol ? `by ${symbol}${along.length ? `, which also moves ${along.join(", ")}` : ""}` : "");
     }
-    this.showGestures(chosen);
+    this.showGestures(chosen, canMirror);
   }
 
   /**
@@ -110,12 +112,12 @@ export class EditCard {
     this.editing.set(component, typed.value);
   }
 
-  /** @param {Thing} chosen */
-  showGestures({ kind }) {
+  /** @param {Thing} chosen @param {boolean} canMirror */
+  showGestures({ kind }, canMirror) {
     /** @type {readonly Gesture[]} */
-    const wanted = [...(GESTURES[kind] || []), ["pose-as-zero", "Pose as new zero"], ["undo", "Undo edit"], ["redo", "Redo edit"]];
-    if (this.#kind === kind) return;
-    this.#kind = kind;
+    const wanted = [...(GESTURES[kind] || []), ...(canMirror ? [MIRROR] : []), ["pose-as-zero", "Pose as new zero"], ["undo", "Undo edit"], ["redo", "Redo edit"]];
+    if (this.#gestures === String(wanted)) return;
+    this.#gestures = String(wanted);
     this.buttons.replaceChildren();
     for (const [gesture, title] of wanted) {
       const button = make("button", "", title);

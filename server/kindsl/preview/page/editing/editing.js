@@ -90,7 +90,7 @@ export class Editing {
     const values = Object.fromEntries((message?.components ?? []).flatMap(({ component, value }) => (value === null ? [] : [[component, value]])));
     const shown = message && Object.keys(values).length ? { ...message, values } : null;
     this.handles.show(shown);
-    this.card.show(this.page.selection.chosen, shown);
+    this.card.show(this.page.selection.chosen, shown, message?.can_mirror);
     this.page.viewer.set_dirty();
   }
 
