@@ -28,6 +28,27 @@ def test_command_line_wins(kdsl_lint: Runner, folder: Path) -> None:
     assert kdsl_lint("--ignore", "KD1").out == ""
 
 
+def test_an_editors_settings_hold_where_the_configuration_says_nothing(
+    kdsl_lint: Runner, folder: Path
+) -> None:
+    (folder / "a.kindsl").write_text(UNBOUND)
+    editor = {"severity": {"KD401": "error"}, "target": ["robcogen2"], "diagnostics": {"delay": 9}}
+    told = ("--editor-settings", json.dumps(editor))
+    assert "error[KD401]" in kdsl_lint(*told).out
+    (folder / "kindsl.toml").write_text('[severity]\nKD401 = "info"\n')
+    assert "info[KD401]" in kdsl_lint(*told).out
+    assert "error[KD401]" in kdsl_lint("--isolated", *told).out
+    (folder / "kindsl.toml").unlink()
+    assert kdsl_lint("--editor-settings", '{"parameters": {"length": 0.5}}').out == ""
+
+
+def test_editor_settings_that_make_no_sense_are_told(kdsl_lint: Runner) -> None:
+    told = kdsl_lint("--editor-settings", '{"target": ["c"]}')
+    assert "setting 'kindsl.target' names 'c', which is not one of" in told.err
+    assert told.status == 2
+    assert "argument --editor-settings: '{' is not JSON" in kdsl_lint("--editor-settings", "{").err
+
+
 def test_command_line_binds_over_configuration(kindsl: Runner, folder: Path) -> None:
     (folder / "a.kindsl").write_text(UNBOUND)
     (folder / "kindsl.toml").write_text("[parameters]\nlength = 0.5\n")

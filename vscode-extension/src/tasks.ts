@@ -37,10 +37,18 @@ async function lintTask(
 ): Promise<vscode.Task | undefined> {
   await server.client();
   if (server.interpreter === undefined) return undefined;
-  const lint = ["lint", ...(definition.args ?? []), ...definition.paths];
+  const lint = ["lint", ...editorSettings(scope), ...(definition.args ?? []), ...definition.paths];
   const { command, args } = launchWith(server.interpreter, home, readSettings().importStrategy, lint);
   const execution = new vscode.ProcessExecution(command, [...args]);
   const task = new vscode.Task(definition, scope, name, "kindsl", execution, "$kdsl-lint");
   task.group = vscode.TaskGroup.Test;
   return task;
+}
+
+/** The settings that decide what is reported, so that the task agrees with the server. */
+function editorSettings(scope: vscode.WorkspaceFolder | vscode.TaskScope): string[] {
+  const configuration = vscode.workspace.getConfiguration("kindsl", typeof scope === "object" ? scope.uri : undefined);
+  const names = ["target", "ignore", "severity", "parameters"];
+  const set = names.map((name) => [name, configuration.get<object>(name)] as const).filter(([, value]) => value && Object.keys(value).length > 0);
+  return set.length > 0 ? ["--editor-settings", JSON.stringify(Object.fromEntries(set))] : [];
 }

@@ -17,6 +17,7 @@ DEFAULTS: dict[str, Any] = {
     "select": None,
     "ignore": None,
     "target": None,
+    "editor_settings": None,
     "param": (),
     "params": None,
     "config": None,

@@ -86,7 +86,10 @@ def _add_decisions(group: Any) -> None:
         "--target", metavar="NAMES", action="extend", type=_targets,
         help=f"generators that must accept the documents: {', '.join(TARGETS)}",
     )  # fmt: skip
-
+    group.add_argument(
+        "--editor-settings", metavar="JSON", type=_editor_settings,
+        help="the section 'kindsl' of an editor's settings, which a configuration file overrides",
+    )  # fmt: skip
     group.add_argument(
         "--write-baseline", metavar="FILE",
         help="write what is found as known; see 'baseline' in kindsl.toml",
@@ -143,6 +146,20 @@ def _targets(text: str) -> list[str]:
             hint = did_you_mean(target, TARGETS)
             raise argparse.ArgumentTypeError(f"unknown target '{target}'{hint}")
     return targets
+
+
+def _editor_settings(text: str) -> Any:
+    import json
+
+    from kindsl.config.editor_settings import editor_settings
+
+    try:
+        found = editor_settings(json.loads(text))
+    except (ValueError, RecursionError) as error:
+        raise argparse.ArgumentTypeError(f"'{text}' is not JSON") from error
+    if found.problems:
+        raise argparse.ArgumentTypeError(found.problems[0])
+    return found.rules
 
 
 def _elements(text: str) -> list[str]:

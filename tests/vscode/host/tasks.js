@@ -2,9 +2,7 @@
 "use strict";
 const assert = require("node:assert/strict");
 const vscode = require("vscode");
-const { runAll, eventually, settledApi, fileUri, codes } = require("./harness");
-
-const BROKEN = "broken.kindsl";
+const { runAll, settledApi, configure } = require("./harness");
 
 exports.run = () =>
   runAll({
@@ -14,12 +12,19 @@ exports.run = () =>
       assert.deepEqual(tasks.map(({ definition }) => definition), [{ type: "kindsl", paths: ["."] }]);
     },
 
-    "the linter's task reports through its problem matcher": async () => {
-      const [task] = await vscode.tasks.fetchTasks({ type: "kindsl" });
-      assert.ok(task, "a task");
-      const ended = new Promise((resolve) => vscode.tasks.onDidEndTaskProcess(({ exitCode }) => resolve(exitCode)));
-      await vscode.tasks.executeTask(task);
-      assert.equal(await ended, 1);
-      await eventually(() => codes(fileUri(BROKEN)).includes("KD106"), "a problem of the task");
+    "the linter's task reports what the server would, by the editor's settings": async () => {
+      assert.equal(await ended(), 1);
+      await configure("ignore", ["KD005", "KD1"]);
+      assert.equal(await ended(), 0);
+      await configure("ignore", undefined);
     },
   });
+
+/** Run the task; what it ended with. */
+async function ended() {
+  const [task] = await vscode.tasks.fetchTasks({ type: "kindsl" });
+  assert.ok(task, "a task");
+  const end = new Promise((resolve) => vscode.tasks.onDidEndTaskProcess(({ exitCode }) => resolve(exitCode)));
+  await vscode.tasks.executeTask(task);
+  return end;
+}

@@ -17,10 +17,12 @@ class Choices(NamedTuple):
     Attributes:
         decisions: Those of the command line.
         configurations: Where configuration files come from, None for nowhere.
+        editor: What an editor is set to.
     """
 
     decisions: Decisions = Decisions()
     configurations: Configurations | None = None
+    editor: Settings | None = None
 
     def configuration_for(self, document: str) -> "Configuration | None":
         """Return the configuration that applies to a document.
@@ -41,6 +43,10 @@ class Choices(NamedTuple):
         """
         configuration = self.configuration_for(document)
         settings = configuration.settings_for(document) if configuration else Settings()
+        if self.editor is not None:
+            from kindsl.config.editor_settings import merged
+
+            settings = merged(settings, self.editor)
         chosen = self.decisions
         if chosen.select is None and chosen.ignore is not None:
             chosen = chosen._replace(ignore=(*settings.ignore, *chosen.ignore))
@@ -63,12 +69,13 @@ def choices_of(args: Any) -> Choices:
         None if ignore is None else tuple(ignore),
         bindings=_bindings(args),
     )
+    editor = getattr(args, "editor_settings", None)
     if args.isolated:
-        return Choices(decisions)
+        return Choices(decisions, editor=editor)
     configurations = Configurations(args.config)
     if args.config is not None:
         configurations.above(args.config)
-    return Choices(decisions, configurations)
+    return Choices(decisions, configurations, editor)
 
 
 def _bindings(args: Any) -> dict[str, Binding]:
