@@ -26,6 +26,7 @@ FRONT = Path(__file__).parent / "front.mjs"
 VERSION = "4.100.3"
 START_SECONDS = 120
 SOURCES = (
+    "examples/quadruped.kindsl",
     "server",
     "grammar",
     "vscode-extension",

@@ -1,4 +1,4 @@
-"""Colours: nothing that a generator accepts looks wrong, and nothing changes when the server comes."""
+"""Colours: nothing accepted looks wrong, and all stay as they are when the server comes."""
 
 import json
 import subprocess

@@ -29,6 +29,7 @@ def test_features(browser: Browser, server: CodeServer, folder: Path) -> None:
 def test_tasks(browser: Browser, server: CodeServer, folder: Path) -> None:
     if not code_server.has_terminals():
         missing("the terminal of VS Code could not be compiled")
+    (folder / "broken.kindsl").write_text(models.ARM.replace("lower via elbow", "lower via x"))
     outcome = run_suite(browser, server, folder, HOST / "tasks.js")
     assert outcome.code == 0, str(outcome)
 

@@ -1,4 +1,4 @@
-// Copy what the extension shares with the rest of the project: grammar, pictures, licence, change log; put the pictures
+// Copy what the extension shares with the rest of the project: grammar, an example, pictures, licence, change log; put the pictures
 // into the extension's page, since an editor shows no relative ones and there is no address to fetch them from.
 import { copyFile, mkdir, readFile, writeFile } from "node:fs/promises";
 
@@ -6,6 +6,7 @@ await mkdir("syntaxes", { recursive: true });
 for (const name of ["dtdsl.tmLanguage.json", "kindsl.tmLanguage.json", "language-configuration.json"]) {
   await copyFile(`../grammar/${name}`, `syntaxes/${name}`);
 }
+await copyFile("../examples/quadruped.kindsl", "walkthrough/quadruped.kindsl");
 for (const name of ["vscode-preview.png", "vscode-problems.png"]) {
   await copyFile(`../docs/images/${name}`, `images/${name}`);
 }

@@ -1,7 +1,7 @@
 // The commands that the extension has wherever it runs.
 import * as vscode from "vscode";
 import type { BaseLanguageClient, Location, Position } from "vscode-languageclient";
-import { importFile, newFile, showUrdf } from "./documents";
+import { importFile, newFile, openExample, showUrdf } from "./documents";
 import type { Previews } from "./preview";
 import { showReferences } from "./references";
 import type { ServerLife } from "./serverLife";
@@ -26,6 +26,7 @@ export function registerCommands(
     "kindsl.showUrdf": onDocument(previews, (uri) => showUrdf(uri, own)),
     "kindsl.restart": () => own.restart(),
     "kindsl.showLog": () => log.show(),
+    "kindsl.openExample": () => openExample(previews),
     "kindsl.newFile": () => newFile(own),
     "kindsl.importFile": (uri?: vscode.Uri) => importFile(uri, own),
     "kindsl.revealSymbol": revealSymbol,

@@ -1,8 +1,9 @@
-// Documents that the extension makes: a new robot, a robot's URDF, and a robot out of a URDF or SDF.
+// Documents that the extension makes: an example, a new robot, a robot's URDF, and a robot out of a URDF or SDF.
 import * as vscode from "vscode";
 import { ExecuteCommandRequest, type BaseLanguageClient } from "vscode-languageclient";
 import { RESTART, SHOW_LOG, showError } from "./actions";
 import { LANGUAGE } from "./clientOptions";
+import type { Previews } from "./preview";
 import type { ServerAccess } from "./serverAccess";
 
 const IMPORTED = { "URDF or SDF": ["urdf", "sdf"] };
@@ -27,6 +28,15 @@ export async function newFile(server: ServerAccess): Promise<void> {
   if (document.getText() !== "" || vscode.window.activeTextEditor !== editor) return;
   const robot = offered.items[0]?.insertText;
   if (robot instanceof vscode.SnippetString) await editor.insertSnippet(robot);
+}
+
+/** Open the robot that came with the extension as a document of the user's, with its preview beside it. */
+export async function openExample(previews: Previews): Promise<void> {
+  const file = vscode.Uri.joinPath(previews.extension, "walkthrough/quadruped.kindsl");
+  const content = new TextDecoder().decode(await vscode.workspace.fs.readFile(file));
+  const document = await vscode.workspace.openTextDocument({ language: LANGUAGE, content });
+  await vscode.window.showTextDocument(document);
+  previews.open(document.uri);
 }
 
 /** Open the document's URDF beside it, unsaved. */

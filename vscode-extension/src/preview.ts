@@ -8,6 +8,8 @@ import { showSource } from "./source";
 
 export const VIEW_TYPE = "kindsl.preview";
 const PINNED_CONTEXT = "kindsl.previewPinned";
+/** That a robot was shown, which ticks a step of the walkthrough. */
+const SHOWN_CONTEXT = "kindsl.previewShown";
 
 /** What is in a panel. */
 export interface Screen {
@@ -29,7 +31,7 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
   readonly #disposables: vscode.Disposable[];
 
   constructor(
-    private readonly extension: vscode.Uri,
+    readonly extension: vscode.Uri,
     private readonly server: ServerAccess,
     private readonly newScreen: NewScreen,
   ) {
@@ -98,6 +100,7 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
   #show(preview: Preview, uri: vscode.Uri): void {
     preview.uri = uri;
     preview.panel.title = `${preview.isPinned ? "Pinned: " : ""}Preview ${uri.path.split("/").at(-1) ?? ""}`;
+    void vscode.commands.executeCommand("setContext", SHOWN_CONTEXT, true);
     void preview.screen.show(uri, { uri: uri.toString(), isPinned: preview.isPinned });
   }
 

@@ -40,7 +40,8 @@ async function lintTask(
   const lint = ["lint", ...editorSettings(scope), ...(definition.args ?? []), ...definition.paths];
   const { command, args } = launchWith(server.interpreter, home, readSettings().importStrategy, lint);
   const execution = new vscode.ProcessExecution(command, [...args]);
-  const task = new vscode.Task(definition, scope, name, "kindsl", execution, "$kdsl-lint");
+  // No problem matcher: the server lists the findings of all files of the folder, with their fixes.
+  const task = new vscode.Task(definition, scope, name, "kindsl", execution, []);
   task.group = vscode.TaskGroup.Test;
   return task;
 }

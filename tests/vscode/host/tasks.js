@@ -2,7 +2,7 @@
 "use strict";
 const assert = require("node:assert/strict");
 const vscode = require("vscode");
-const { runAll, settledApi, configure } = require("./harness");
+const { runAll, eventually, settledApi, fileUri, codes, configure } = require("./harness");
 
 exports.run = () =>
   runAll({
@@ -12,9 +12,15 @@ exports.run = () =>
       assert.deepEqual(tasks.map(({ definition }) => definition), [{ type: "kindsl", paths: ["."] }]);
     },
 
+    "what it finds is listed once, by the server, for files that are not open too": async () => {
+      await eventually(() => codes(fileUri("broken.kindsl")).includes("KD106"), "a finding in a closed file");
+      const [{ problemMatchers }] = await vscode.tasks.fetchTasks({ type: "kindsl" });
+      assert.deepEqual(problemMatchers, []);
+    },
+
     "the linter's task reports what the server would, by the editor's settings": async () => {
       assert.equal(await ended(), 1);
-      await configure("ignore", ["KD005", "KD1"]);
+      await configure("ignore", ["KD106"]);
       assert.equal(await ended(), 0);
       await configure("ignore", undefined);
     },
