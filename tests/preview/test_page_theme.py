@@ -1,11 +1,9 @@
 """Light and dark, the editor's colours, narrow panels, and what axe-core says of the page."""
 
-import os
-from pathlib import Path
-
 import pytest
 from tests.preview.browser import opened, until, until_shown
-from tests.preview.robots import ARM, EXAMPLES, ROOT
+from tests.preview.robots import ARM, EXAMPLES
+from tests.support.axe import axe_script
 
 from kindsl.analysis.analysis import analyse
 
@@ -75,7 +73,4 @@ async def test_axe_finds_nothing(browser, server, theme, axe):
 
 @pytest.fixture(scope="module")
 def axe():
-    folder = Path(os.environ.get("AXE_CORE", ROOT / "vscode-extension/node_modules/axe-core"))
-    if not (folder / "axe.min.js").is_file():
-        pytest.skip("axe-core is not installed: npm install in vscode-extension")
-    return (folder / "axe.min.js").read_text()
+    return axe_script()

@@ -44,6 +44,13 @@ def served(folder: Path) -> Iterator[str]:
             process.wait(60)
 
 
+def shot(name: str) -> Path:
+    """Return where to keep a picture."""
+    folder = ROOT / "artifacts" / "web"
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder / f"{name}.png"
+
+
 def _youngest_source() -> float:
     listed = ["git", "ls-files", "-z", *SOURCES]
     names = subprocess.run(listed, cwd=ROOT, capture_output=True, text=True, check=True).stdout

@@ -2,10 +2,12 @@
 
 import re
 from pathlib import Path
+from typing import Literal
 
 import pytest
 from playwright.sync_api import Browser
 from tests.preview.handles import changed
+from tests.support.axe import axe_script
 from tests.support.published import published_models
 from tests.vscode import models
 from tests.web import site
@@ -21,7 +23,6 @@ from kindsl.text.lines import LineIndex
 # The first test waits for what is built for all of them.
 pytestmark = pytest.mark.timeout(900)
 EXAMPLES = Path(__file__).parents[2] / "examples"
-SHOTS = site.ROOT / "artifacts" / "web"
 BROKEN = (
     models.ARM.replace("lower via elbow", "lower via ellbow")
     .replace("mass = 2.0", "mass = 2")
@@ -213,7 +214,7 @@ def test_a_urdf_is_opened_as_a_document_and_downloaded_again(tab: Tab, tmp_path:
     assert tab.text() == written.text
     remarks = tab.page.locator("#notice li").all_inner_texts()
     assert remarks == [*written.remarks, joints_dropped(written.joints)]
-    tab.page.screenshot(path=_shot("playground-urdf"))
+    tab.page.screenshot(path=site.shot("playground-urdf"))
     with tab.page.expect_download() as downloading:
         tab.page.locator("#do-urdf").click()
     assert downloading.value.suggested_filename == "pan_tilt.urdf"
@@ -252,7 +253,7 @@ def test_two_open_texts_are_compared_as_texts_and_as_robots(tab: Tab) -> None:
     changes = tab.page.locator("#changes")
     tab.eventually(lambda: "mass 2.5 -> 2 kg" in changes.inner_text(), "the lighter link")
     tab.page.locator("#difference .line-delete").first.wait_for()
-    tab.page.screenshot(path=_shot("playground-comparison"))
+    tab.page.screenshot(path=site.shot("playground-comparison"))
     tab.page.evaluate("(text) => playground.files.model().setValue(text)", heavier)
     tab.eventually(lambda: changes.inner_text() == "Nothing changed mechanically", "no change")
     tab.page.locator("#old-side").select_option("arm.kindsl as it was opened")
@@ -274,7 +275,7 @@ def test_a_comparison_ends_with_one_of_its_texts(tab: Tab) -> None:
 
 
 def test_nothing_but_its_own_host_is_asked(tab: Tab, address: str, playground: Path) -> None:
-    tab.page.screenshot(path=_shot("playground"))
+    tab.page.screenshot(path=site.shot("playground"))
     strangers = [url for url in tab.requests if not url.startswith((address, "blob:", "data:"))]
     assert strangers == []
     html = (playground / "index.html").read_text()
@@ -300,7 +301,7 @@ def test_a_shared_link_is_fixed_by_quick_fixes_and_drawn(browser: Browser, addre
     tab.expect_robot("arm")
     drawn = "() => [kindsl.scene.trees.robot.links.size, kindsl.inbox.status.state]"
     tab.eventually(lambda: tab.preview().evaluate(drawn) == [3, "live"], "the whole arm")
-    page.screenshot(path=_shot("playground-fixed"))
+    page.screenshot(path=site.shot("playground-fixed"))
     page.locator("#do-share").click()
     tab.eventually(lambda: len(page.url) > len(address) + 100, "the text in the address")
     page.close()
@@ -317,7 +318,7 @@ def test_it_works_without_a_network_later(browser: Browser, playground: Path) ->
     tab.page.locator("body[data-state=ready]").wait_for()
     tab.page.get_by_role("button", name="Robot", exact=True).click()
     tab.expect_robot("Quadruped")
-    tab.page.screenshot(path=_shot("playground-phone"))
+    tab.page.screenshot(path=site.shot("playground-phone"))
     context.close()
 
 
@@ -339,10 +340,93 @@ def test_a_spoilt_memory_image_is_done_without(
         tab.page.close()
 
 
+AXE = """async () => (await axe.run(document)).violations.map(({ id, nodes }) =>
+    [id, ...nodes.map(({ html }) => html.slice(0, 120))])"""
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing(
+    browser: Browser, address: str, scheme: Literal["light", "dark"]
+) -> None:
+    page = browser.new_page(viewport={"width": 1400, "height": 850}, color_scheme=scheme)
+    tab = Tab(page)
+    tab.open(f"{address}?example=broken_arm")
+    tab.eventually(tab.found, "the problems")
+    page.evaluate(axe_script())
+    assert page.evaluate(AXE) == []
+    page.close()
+
+
+WIDTHS = """() => [document.getElementById("text"), document.getElementById("preview")
+    .contentDocument.getElementById("pane")].map((one) => one.getBoundingClientRect().width)"""
+
+
+def test_the_picture_is_as_wide_as_the_text(tab: Tab) -> None:
+    text, picture = tab.page.evaluate(WIDTHS)
+    assert text == pytest.approx(picture, rel=0.03)
+
+
+def test_tabs_are_reached_by_keys(tab: Tab) -> None:
+    tab.show("arm.kindsl", models.ARM)
+    selected = tab.page.locator("#tabs [aria-selected=true]")
+    selected.press("ArrowLeft")
+    former = selected.inner_text()
+    assert former != "arm.kindsl"
+    assert tab.page.evaluate("() => document.activeElement.textContent") == former
+    selected.press("ArrowRight")
+    assert selected.inner_text() == "arm.kindsl"
+
+
+def test_it_is_told_how_much_is_loaded(browser: Browser, address: str) -> None:
+    page = browser.new_page()
+    page.add_init_script(NOTE_MESSAGES)
+    tab = Tab(page)
+    tab.open(address)
+    said = page.evaluate("() => said")
+    shares = [
+        (int(done), int(total))
+        for text in said
+        for done, total in re.findall(r"Loading Python: (\d+) MB of (\d+)", text)
+    ]
+    assert shares == sorted(shares)
+    assert shares[0][0] < 10 < shares[-1][0]
+    assert "Starting Python…" in said
+    page.close()
+
+
+NOTE_MESSAGES = """window.said = [];
+const listen = ([{ target }]) => said.push(target.textContent);
+addEventListener("DOMContentLoaded", () =>
+    new MutationObserver(listen).observe(document.getElementById("message"), { childList: true }));
+"""
+
+TOUCH = [("touchstart", 0), ("touchmove", 40), ("touchmove", 90), ("touchend", None)]
+
+
+def test_a_phone_shows_and_turns_a_shared_robot(browser: Browser, address: str) -> None:
+    context = browser.new_context(
+        viewport={"width": 390, "height": 780}, has_touch=True, is_mobile=True
+    )
+    tab = Tab(context.new_page())
+    tab.open(f"{address}#{fragment('arm.kindsl', {'arm.kindsl': models.ARM})}")
+    tab.expect_robot("arm")
+    box = tab.page.locator("#preview").bounding_box()
+    assert box is not None and box["width"] == 390
+    eye = "() => kindsl.camera.state().position"
+    tab.preview().wait_for_function("() => kindsl.scene.trees.robot.links.size === 3")
+    before = tab.preview().evaluate(eye)
+    touches = context.new_cdp_session(tab.page)
+    for kind, right in TOUCH:
+        point = [] if right is None else [{"x": 120 + right, "y": box["y"] + 120}]
+        name = f"touch{kind.removeprefix('touch').capitalize()}"
+        touches.send("Input.dispatchTouchEvent", {"type": name, "touchPoints": point})
+    tab.eventually(lambda: tab.preview().evaluate(eye) != before, "another view")
+    tab.page.screenshot(path=site.shot("phone-robot"))
+    tab.page.get_by_role("button", name="Text", exact=True).click()
+    assert tab.page.evaluate("() => document.documentElement.scrollWidth") <= 390
+    tab.page.screenshot(path=site.shot("phone-text"))
+    context.close()
+
+
 def _problems(text: str) -> int:
     return len(kindsl.parse(text).findings)
-
-
-def _shot(name: str) -> Path:
-    SHOTS.mkdir(parents=True, exist_ok=True)
-    return SHOTS / f"{name}.png"

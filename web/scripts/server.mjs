@@ -3,7 +3,7 @@
 //
 // usage: PYTHON=... node scripts/server.mjs
 import { execFileSync } from "node:child_process";
-import { cp, mkdir, readFile, readdir, rm, writeFile } from "node:fs/promises";
+import { cp, mkdir, readFile, readdir, rm, stat, writeFile } from "node:fs/promises";
 import path from "node:path";
 import { gzipSync } from "node:zlib";
 import { notices, nodePart, pythonParts } from "../../vscode-extension/scripts/notices.mjs";
@@ -12,6 +12,7 @@ import { BUILD, EXAMPLES, PYODIDE, ROOT, SERVER, WEB } from "./places.mjs";
 const SITE = path.join(BUILD, "site");
 const LIBRARIES = ["pygls", "lsprotocol", "attrs", "cattrs", "typing_extensions", "pathspec", "lark"];
 const PYODIDE_FILES = ["pyodide.js", "pyodide.asm.js", "pyodide.asm.wasm", "python_stdlib.zip"];
+const FETCHED = ["server.snap.gz", "site.zip", "pyodide.asm.wasm", "python_stdlib.zip"]; // what takes a browser long
 // Commands of a terminal, servers and the page, which is no Python.
 const NOT_IN_A_BROWSER = /kindsl[\\/](cli|codegen|preview[\\/]page)$|__pycache__$/;
 const REHEARSED = ["broken_arm.kindsl", "quadruped.kindsl"];
@@ -83,6 +84,7 @@ async function makeImage() {
   if (problems !== "") throw new Error(`the rehearsal went wrong: ${problems}`);
   const image = py.makeMemorySnapshot({ serializer: () => null });
   await writeFile(path.join(SERVER, "server.snap.gz"), gzipSync(image, { level: 9 }));
+  const sizes = await Promise.all(FETCHED.map(async (name) => (await stat(path.join(SERVER, name))).size));
   // By this the worker knows its own image; Pyodide never answers when it is given another.
-  await writeFile(path.join(SERVER, "image.json"), JSON.stringify({ bytes: image.length, head: [...image.slice(0, 64)] }));
+  await writeFile(path.join(SERVER, "image.json"), JSON.stringify({ bytes: image.length, head: [...image.slice(0, 64)], fetched: sizes.reduce((a, b) => a + b) }));
 }

@@ -1,21 +1,24 @@
 // A classic worker that is the language server: messages of the protocol in and out by postMessage.
 //
-// The first message is { base, useImage }: the address of this folder (build/server), and whether the memory image may
-// be used. Where the image does not load, the server starts from its zips.
+// The first message is { base, useImage, tellsProgress }: the address of this folder (build/server), whether the memory
+// image may be used, and whether to tell how much is loaded. Where the image does not load, the server starts from its
+// zips.
 
 "use strict";
 
 /** @typedef {{ readonly method?: string, readonly params?: any }} Message of the protocol */
 
-self.onmessage = async ({ data: { base, useImage = true } }) => {
+self.onmessage = async ({ data: { base, useImage = true, tellsProgress = false } }) => {
   /** @type {Message[]} */
   const early = [];
   self.onmessage = ({ data }) => early.push(data);
   const begin = performance.now();
   try {
+    const told = await fetch(base + "image.json").then((answer) => answer.json());
+    if (tellsProgress) countFetched(told.fetched);
     importScripts(base + "pyodide.js");
     const site = bytes(base + "site.zip");
-    const { py, isImage } = await start(base, useImage);
+    const { py, isImage } = await start(base, useImage && told);
     const loaded = performance.now();
     py.FS.writeFile("/lib/site.zip", await site);
     if (!isImage) py.runPython("import sys; sys.path.insert(0, '/lib/site.zip')");
@@ -32,11 +35,33 @@ self.onmessage = async ({ data: { base, useImage = true } }) => {
 /** @param {unknown} error */
 const messageOf = (error) => (error instanceof Error ? error.message : String(error));
 
-/** @param {string} base @param {boolean} useImage */
-async function start(base, useImage) {
-  if (useImage) {
+/** @typedef {{ readonly bytes: number, readonly head: readonly number[], readonly fetched: number }} ImageFacts of image.json */
+
+/**
+ * Tell from now on how much of all that has to be fetched has come.
+ * @param {number} total bytes
+ */
+function countFetched(total) {
+  const fetchAsEver = self.fetch.bind(self);
+  let loaded = 0;
+  const counting = () => new TransformStream({
+    transform(/** @type {Uint8Array} */ chunk, controller) {
+      loaded += chunk.length;
+      tell("kindsl/progress", { loaded: Math.min(loaded, total), total });
+      controller.enqueue(chunk);
+    },
+  });
+  self.fetch = async (input, init) => {
+    const { body, status, headers } = await fetchAsEver(input, init);
+    return new Response(body?.pipeThrough(counting()) ?? null, { status, headers });
+  };
+}
+
+/** @param {string} base @param {ImageFacts | false} facts False for no image. */
+async function start(base, facts) {
+  if (facts) {
     try {
-      const image = await ownImage(base);
+      const image = await ownImage(base, facts);
       return { py: await loadPyodide({ indexURL: base, _loadSnapshot: image }), isImage: true };
     } catch (error) {
       console.warn(`The memory image was not used: ${messageOf(error)}`);
@@ -48,12 +73,10 @@ async function start(base, useImage) {
 /**
  * The image, if it is the one that was made with this Pyodide; another would never load.
  * @param {string} base
+ * @param {ImageFacts} facts
  */
-async function ownImage(base) {
-  const told = fetch(base + "image.json").then((answer) => answer.json());
+async function ownImage(base, { bytes: length, head }) {
   const image = await inflated(await bytes(base + "server.snap.gz"));
-  /** @type {{ readonly bytes: number, readonly head: readonly number[] }} */
-  const { bytes: length, head } = await told;
   if (image.length !== length || head.some((byte, index) => image[index] !== byte)) throw new Error("it is another one's");
   return image;
 }

@@ -7,7 +7,9 @@ export const CONFIGURATION = "kindsl.toml";
 const FOLDER = "file:///robots/";
 const NAME = /^[a-z0-9_-]{1,60}\.kindsl$/;
 
-/** @typedef {{ readonly model: monaco.editor.ITextModel, original: string, view: monaco.editor.ICodeEditorViewState | null, readonly tab: HTMLElement }} File */
+/** @import { Kept } from "./keeping.js" */
+/** @typedef {{ readonly group: HTMLElement, readonly name: HTMLElement }} Tab */
+/** @typedef {{ readonly model: monaco.editor.ITextModel, original: string, view: monaco.editor.ICodeEditorViewState | null, readonly tab: Tab }} File */
 
 /** @param {string} name */
 export const uriOf = (name) => FOLDER + name;
@@ -42,14 +44,18 @@ export class Files {
   constructor(editor, bar) {
     this.editor = editor;
     this.bar = bar;
+    // Owns the tabs, which stand each beside the button that closes it.
+    this.list = element("div", { role: "tablist", ariaLabel: "Texts" });
+    bar.append(this.list);
   }
 
   /**
    * Open a text in a tab, or put it into the one of that name.
    * @param {string} name
    * @param {string} text
+   * @param {string} [original] The text that it was.
    */
-  open(name, text) {
+  open(name, text, original = text) {
     const known = this.#files.get(name);
     if (known) {
       this.#replace(known, text);
@@ -59,7 +65,8 @@ export class Files {
     const language = name === CONFIGURATION ? "toml" : LANGUAGE;
     const model = monaco.editor.createModel(text, language, monaco.Uri.parse(uriOf(name)));
     model.onDidChangeContent(() => this.onChange(name));
-    this.#files.set(name, { model, original: text, view: null, tab: this.#tab(name) });
+    this.#files.set(name, { model, original, view: null, tab: this.#tab(name) });
+    this.#own();
     this.onChange(name);
   }
 
@@ -79,10 +86,11 @@ export class Files {
     const file = this.#files.get(name);
     if (file === undefined) return;
     this.onClose(name);
-    file.tab.remove();
+    file.tab.group.remove();
     forgetProblems(file.model);
     file.model.dispose();
     this.#files.delete(name);
+    this.#own();
   }
 
   /** @param {string} name */
@@ -94,7 +102,10 @@ export class Files {
     this.active = name;
     this.editor.setModel(file.model);
     if (file.view) this.editor.restoreViewState(file.view);
-    for (const [other, { tab }] of this.#files) tab.setAttribute("aria-selected", String(other === name));
+    for (const [other, { tab }] of this.#files) {
+      tab.name.ariaSelected = String(other === name);
+      tab.name.tabIndex = other === name ? 0 : -1;
+    }
     this.onActive(name);
   }
 
@@ -114,6 +125,17 @@ export class Files {
     return [...this.#files.keys()];
   }
 
+  /** Whether a text is another than the one that was opened. */
+  isChanged(name = this.active) {
+    const file = this.#files.get(name);
+    return file !== undefined && file.model.getValue() !== file.original;
+  }
+
+  /** @returns {Record<string, Kept>} */
+  kept() {
+    return Object.fromEntries([...this.#files].map(([name, { model, original }]) => [name, { text: model.getValue(), original }]));
+  }
+
   /**
    * The name, or one like it that no tab has: a text that was converted replaces none.
    * @param {string} name
@@ -124,19 +146,37 @@ export class Files {
     return free;
   }
 
-  /** @param {string} name */
+  /** @param {string} name @returns {Tab} */
   #tab(name) {
+    const tab = element("button", { role: "tab", id: `tab ${name}`.replaceAll(" ", "-"), className: "name", textContent: name });
     const close = element("button", { className: "close", title: `Close ${name}`, textContent: "×" });
-    const tab = element("div", { role: "tab", tabIndex: 0, className: "tab" }, [name, close]);
+    const group = element("span", { className: "tab" }, [tab, close]);
+    tab.setAttribute("aria-controls", "editor");
     tab.addEventListener("click", () => this.show(name));
-    tab.addEventListener("keydown", ({ key }) => key === "Enter" && this.show(name));
-    close.addEventListener("click", (event) => {
-      event.stopPropagation();
+    tab.addEventListener("keydown", (event) => this.#step(name, event));
+    close.addEventListener("click", () => {
       if (this.#files.size > 1) this.close(name);
       if (this.active === name) this.show(this.names()[0]);
     });
-    this.bar.append(tab);
-    return tab;
+    this.bar.append(group);
+    return { group, name: tab };
+  }
+
+  /**
+   * Go from tab to tab with the arrow keys.
+   * @param {string} name
+   * @param {KeyboardEvent} event
+   */
+  #step(name, { key }) {
+    const names = this.names(), by = { ArrowLeft: -1, ArrowRight: 1 }[key];
+    if (by === undefined) return;
+    const next = names[(names.indexOf(name) + by + names.length) % names.length];
+    this.show(next);
+    this.#files.get(next)?.tab.name.focus();
+  }
+
+  #own() {
+    this.list.setAttribute("aria-owns", [...this.#files.values()].map(({ tab }) => tab.name.id).join(" "));
   }
 }
 

@@ -28,8 +28,8 @@ const TOML = {
   },
 };
 /** @typedef {readonly (readonly string[])[]} Colours of kinds of words */
-const LIGHT = [["class", "2b6a78"], ["method", "7a5a10"], ["property", "1c4f9c"], ["parameter", "8a2a8a"], ["variable", "1c4f9c"]];
-const DARK = [["class", "6fd0c0"], ["method", "dcc98a"], ["property", "9cc8f8"], ["parameter", "d8a0e0"], ["variable", "9cc8f8"]];
+const LIGHT = [["comment", "00701a"], ["class", "2b6a78"], ["method", "7a5a10"], ["property", "1c4f9c"], ["parameter", "8a2a8a"], ["variable", "1c4f9c"]];
+const DARK = [["comment", "7fb56c"], ["class", "6fd0c0"], ["method", "dcc98a"], ["property", "9cc8f8"], ["parameter", "d8a0e0"], ["variable", "9cc8f8"]];
 
 export function registerLanguage() {
   monaco.languages.register({ id: LANGUAGE, extensions: [".kindsl"] });
@@ -37,14 +37,14 @@ export function registerLanguage() {
   monaco.languages.setLanguageConfiguration(LANGUAGE, withPatterns(/** @type {Configuration} */ (configuration)));
   monaco.languages.register({ id: "toml", extensions: [".toml"] });
   monaco.languages.setMonarchTokensProvider("toml", TOML);
-  defineTheme("kindsl-light", "vs", LIGHT);
-  defineTheme("kindsl-dark", "vs-dark", DARK);
+  defineTheme("kindsl-light", "vs", LIGHT, "#5d6b7a");
+  defineTheme("kindsl-dark", "vs-dark", DARK, "#9aa7b4");
 }
 
-/** @param {string} name @param {monaco.editor.BuiltinTheme} base @param {Colours} colours */
-function defineTheme(name, base, colours) {
+/** @param {string} name @param {monaco.editor.BuiltinTheme} base @param {Colours} colours @param {string} faint */
+function defineTheme(name, base, colours, faint) {
   const rules = colours.map(([token, foreground]) => ({ token, foreground }));
-  const theme = { base, inherit: true, rules, colors: {}, semanticHighlighting: true };
+  const theme = { base, inherit: true, rules, colors: { "editorInlayHint.foreground": faint, "editorCodeLens.foreground": faint }, semanticHighlighting: true };
   monaco.editor.defineTheme(name, theme);
 }
 

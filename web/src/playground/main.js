@@ -14,6 +14,7 @@ import { ServerPort } from "./server_port.js";
 import { sizeProblem } from "./sizes.js";
 import { fromFragment, toFragment } from "./share.js";
 import { Comparison } from "./comparison.js";
+import { Keeping, keyOf, storeOf } from "./keeping.js";
 
 /** @typedef {{ readonly range: Range, readonly newText: string }} TextEdit */
 /** @typedef {{ readonly textDocument: { readonly uri: string, readonly version?: number | null }, readonly edits: readonly TextEdit[] }} DocumentEdit */
@@ -37,9 +38,15 @@ const dark = matchMedia("(prefers-color-scheme: dark)");
 const editor = monaco.editor.create(byId("editor"), {
   model: null, theme: themeName(), automaticLayout: true, minimap: { enabled: false }, scrollBeyondLastLine: false,
   "semanticHighlighting.enabled": true, inlayHints: { enabled: "on" }, wordBasedSuggestions: "off", fixedOverflowWidgets: true,
+  lineNumbersMinChars: 4,
 });
+// A phone, where long lines are to be read.
+const narrow = matchMedia("(max-width: 760px)");
+const wrap = () => editor.updateOptions({ wordWrap: narrow.matches ? "on" : "off" });
+narrow.addEventListener("change", wrap);
+wrap();
 const query = new URLSearchParams(location.search);
-const port = new ServerPort(new Worker("server/worker.js"), new URL("server/", location.href).href, { useImage: query.get("image") !== "off" });
+const port = new ServerPort(new Worker("server/worker.js"), new URL("server/", location.href).href, { useImage: query.get("image") !== "off", tellsProgress: true });
 const files = new Files(editor, byId("tabs"));
 const preview = new Preview(byId("preview"), port);
 const comparison = new Comparison(byId("comparison"), byId("editor"), files, port);
@@ -54,12 +61,15 @@ files.onActive = (/** @type {string} */ name) => {
 files.onChange = (/** @type {string} */ name) => {
   if (name === CONFIGURATION) writeConfiguration();
   comparison.refresh();
+  keepSoon();
 };
 
 files.onClose = (/** @type {string} */ name) => {
   // What is compared may be gone, and what is offered is.
   comparison.hide();
   if (name === CONFIGURATION) writeConfiguration();
+  offerAgain(name);
+  keepSoon();
 };
 
 const writeConfiguration = debounced(() => {
@@ -68,6 +78,70 @@ const writeConfiguration = debounced(() => {
   port.notify("workspace/didChangeWatchedFiles", { changes: [{ uri: uriOf(CONFIGURATION), type: text === null ? DELETED : CHANGED }] });
 }, 300);
 
+const keeping = new Keeping(storeOf(() => sessionStorage), storeOf(() => localStorage));
+// Nothing is kept before everything is open and something is done with it, nor after it was thrown away.
+let keptAs = "", isTouched = false;
+
+function keep() {
+  if (keptAs === "" || !isTouched) return;
+  const wasKept = !keeping.hasFailed;
+  keeping.write(keptAs, { active: files.active, files: files.kept(), time: Date.now() });
+  if (keeping.hasFailed && wasKept) notice.tell("This browser does not keep your texts: it has no room, or forbids it. Download what you do not want to lose");
+}
+
+const keepAfterwards = debounced(keep, 300);
+
+function keepSoon() {
+  isTouched ||= keptAs !== "";
+  keepAfterwards();
+}
+
+/** Open the texts that were kept for this address; return whether there were any. */
+function restore() {
+  const session = keeping.read(keyOf(location));
+  if (session === undefined) return false;
+  for (const [name, { text, original }] of Object.entries(session.files)) files.open(name, text, original);
+  files.show(files.names().includes(session.active) ? session.active : files.names()[0]);
+  const when = new Date(session.time).toLocaleString([], { dateStyle: "medium", timeStyle: "short" });
+  notice.tell(`Restored as you left it, ${when}.`, [], { title: "Start over", act: startOver });
+  return true;
+}
+
+function startOver() {
+  keeping.forget(keyOf(location));
+  keptAs = "";
+  location.reload();
+}
+
+/**
+ * Let a text that was changed and is closed be opened again.
+ * @param {string} name
+ */
+function offerAgain(name) {
+  const { text, original } = files.kept()[name];
+  if (text === original) return;
+  const act = () => {
+    const free = files.freeName(name);
+    files.open(free, text, original);
+    files.show(free);
+  };
+  notice.tell(`${name} is closed.`, [], { title: "Open it again", act });
+}
+
+addEventListener("pagehide", keep);
+document.addEventListener("visibilitychange", () => document.hidden && keep());
+addEventListener("beforeunload", (event) => {
+  keep();
+  if (keptAs !== "" && keeping.hasFailed && files.names().some((name) => files.isChanged(name))) event.preventDefault();
+});
+// Another shared link in the same tab.
+addEventListener("hashchange", () => location.reload());
+
+/** @param {number} bytes */
+const megabytes = (bytes) => Math.round(bytes / 1e6);
+
+port.handlers.set("kindsl/progress", ({ loaded, total }) =>
+  say(loaded < total ? `Loading Python: ${megabytes(loaded)} MB of ${megabytes(total)}` : "Starting Python…"));
 port.handlers.set("kindsl/ready", ({ isImage, total }) => {
   document.body.dataset.state = "ready";
   document.body.dataset.start = `${isImage ? "image" : "zips"} ${total}`;
@@ -164,6 +238,9 @@ async function downloadUrdf() {
 async function share() {
   const fragment = await toFragment({ active: files.active, files: files.texts() });
   history.replaceState(null, "", `${location.pathname}#${fragment}`);
+  keptAs = keyOf(location);
+  isTouched = true;
+  keep();
   const isCopied = await navigator.clipboard?.writeText(location.href).then(() => true, () => false);
   say(isCopied ? "The link is in the clipboard; it holds the texts, which were sent nowhere" : "The address holds the texts now; copy it");
 }
@@ -193,8 +270,19 @@ async function openFile([file]) {
     await openConverted(file);
     return;
   }
-  const name = file.name === CONFIGURATION ? CONFIGURATION : properName(file.name);
-  if (openText(name, await file.text())) files.show(name);
+  const name = file.name === CONFIGURATION ? CONFIGURATION : freeNameFor(properName(file.name));
+  const former = name === CONFIGURATION && files.isChanged(name) ? files.kept()[name] : undefined;
+  if (!openText(name, await file.text())) return;
+  files.show(name);
+  if (former) notice.tell(`${name} is the one that you opened now.`, [], { title: "Take the former", act: () => files.open(name, former.text, former.original) });
+}
+
+/**
+ * The name, or one like it where a text of that name has been changed: what is opened replaces no work.
+ * @param {string} name
+ */
+function freeNameFor(name) {
+  return files.isChanged(name) ? files.freeName(name) : name;
 }
 
 /**
@@ -267,7 +355,10 @@ chooser.addEventListener("change", () => {
 // To the client the port looks like the worker.
 new MonacoLspClient(createTransportToWorker(/** @type {any} */ (port)));
 const shared = await fromFragment(location.hash.slice(1));
-if (shared !== undefined) {
+if (restore()) {
+  const asked = query.get("example");
+  if (asked !== null && Object.hasOwn(examples, asked)) await addExample(asked);
+} else if (shared !== undefined) {
   for (const [name, text] of Object.entries(shared.files)) openText(name === CONFIGURATION ? name : properName(name), text);
   if (files.names().length === 0) actions.new();
   files.show(files.names().includes(shared.active) ? shared.active : files.names()[0]);
@@ -278,5 +369,7 @@ if (shared !== undefined) {
   if (!isThere) notice.tell(`There is no example '${asked}'; here is '${FIRST}'. There are ${Object.keys(examples).join(", ")}`);
   if (location.hash.length > 1) notice.tell(`The address holds no texts that can be read; here is '${FIRST}'`);
 }
+if (shared !== undefined && narrow.matches) showPart("robot");
+keptAs = keyOf(location);
 if ("serviceWorker" in navigator && query.get("worker") !== "off") void navigator.serviceWorker.register("service_worker.js");
 Object.assign(window, { playground: { monaco, editor, files, port, preview } });

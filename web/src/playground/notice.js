@@ -7,12 +7,25 @@ export class Notice {
     this.place = place;
   }
 
-  /** @param {string} title @param {readonly string[]} [lines] */
-  tell(title, lines = []) {
+  /**
+   * @param {string} title
+   * @param {readonly string[]} [lines]
+   * @param {{ readonly title: string, readonly act: () => void }} [action]
+   */
+  tell(title, lines = [], action = undefined) {
     const close = element("button", { className: "close", title: "Close this message", textContent: "×" });
     close.addEventListener("click", () => this.hide());
     const list = element("ul", {}, lines.map((line) => element("li", { textContent: line })));
-    this.place.replaceChildren(element("p", {}, [title]), ...(lines.length > 0 ? [list] : []), close);
+    const words = element("p", {}, [title]);
+    if (action) {
+      const button = element("button", { className: "fix", textContent: action.title });
+      button.addEventListener("click", () => {
+        this.hide();
+        action.act();
+      });
+      words.append(" ", button);
+    }
+    this.place.replaceChildren(words, ...(lines.length > 0 ? [list] : []), close);
     this.place.hidden = false;
   }
 

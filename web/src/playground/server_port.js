@@ -45,7 +45,7 @@ export class ServerPort {
    */
   onChecked = () => {};
 
-  /** @param {Worker} worker @param {string} base @param {{ readonly useImage: boolean }} options */
+  /** @param {Worker} worker @param {string} base @param {{ readonly useImage: boolean, readonly tellsProgress: boolean }} options */
   constructor(worker, base, options) {
     this.#worker = worker;
     worker.addEventListener("message", ({ data }) => this.#receive(data));
