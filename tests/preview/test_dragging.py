@@ -13,6 +13,19 @@ from kindsl.preview.requests import parse_request, request_of
 from kindsl.scene.encoding import plain
 from kindsl.text.edits import apply_edits
 
+PENDULUM = """Robot pendulum {
+RobotBase base { children { rod via hinge } }
+link rod { id = 1
+    inertia_params {
+        mass = 2.0 CoM = (0.0, 0.0, 0.3)
+        Ix = 0.2 Iy = 0.2 Iz = 0.01 Ixy = 0.0 Ixz = 0.0 Iyz = 0.0
+    }
+    children {}
+}
+r_joint hinge { ref_frame { translation = (0.0, 0.0, 1.0) rotation = (PI/2.0, 0.0, 0.0) } }
+}
+"""
+
 
 class Page:
     """One page of a document whose text is kept here."""
@@ -202,8 +215,55 @@ async def test_a_gesture_is_a_ghost_until_it_is_accepted(page):
 
 async def test_the_pose_becomes_the_new_zero(page):
     plan = {"type": "plan", "gesture": "pose-as-zero", "joints": {"shoulder": 0.5}}
+    await page.ask(**plan)
+    assert page.last("plan")["title"] == "Write this pose as the new zero"
+    # Nothing moves: a ghost would be turned by the joints once more.
+    assert not any("/ghost/" in m.path for m in page.preview.channel.state) and not page.writings
     await page.ask(**plan, accepted=True)
     assert "rotation = (PI/2.0, 0.0, 0.5)" in page.preview.analysis.text
+
+
+async def test_an_impossible_body_is_told_while_its_com_moves():
+    page = Page(PENDULUM)
+    com = {"kind": "com", "name": "rod", "component": "z"}
+    await page.ask(**drag(**com, value=0.31))
+    assert page.last("dragged")["warning"] == ""
+    await page.ask(**drag(**com, value=0.5))
+    warning = page.last("dragged")["warning"]
+    assert warning.startswith("inertia of 'rod' is not positive definite: ")
+    await page.ask(**drag("drop", **com, value=0.5))
+    dropped = page.last("dragged")
+    assert dropped["written"] and dropped["warning"] == warning
+    # It is impossible already.
+    await page.ask(**drag(**com, value=0.6))
+    assert page.last("dragged")["warning"] == ""
+
+
+async def test_the_moments_move_along_with_a_com():
+    page = Page(PENDULUM)
+    com = {"kind": "com", "name": "rod", "component": "z", "carries": True}
+    await page.ask(**drag(**com, value=0.5))
+    assert page.last("dragged")["warning"] == ""
+    await page.ask(**drag("drop", **com, value=0.5))
+    changed = {
+        "(0.0, 0.0, 0.3)": "(0.0, 0.0, 0.5)",
+        "Ix = 0.2": "Ix = 0.52",
+        "Iy = 0.2": "Iy = 0.52",
+    }
+    wanted = PENDULUM
+    for old, new in changed.items():
+        wanted = wanted.replace(old, new)
+    assert page.preview.analysis.text == wanted
+    assert page.writings[-1].label == "Set z of com 'rod' with its moments"
+    await page.ask(**drag(**{**com, "kind": "joint", "name": "hinge"}, value=0.5))
+    assert not page.last("dragged")["reason"]
+
+
+async def test_moments_with_parameters_stay_where_they_are():
+    page = Page(PENDULUM.replace("Ix = 0.2", "Ix = a"))
+    await page.ask(**drag("drop", kind="com", name="rod", component="z", carries=True))
+    assert page.last("dragged")["reason"] == "the moments of 'rod' are not six plain numbers"
+    assert not page.writings
 
 
 @pytest.mark.parametrize(

@@ -83,7 +83,7 @@ class Dragging:
             await self._drop(request, outcome)
         else:
             self._preview.try_out(outcome.document)
-            self._answer(request, outcome.text, outcome.value, "")
+            self._answer(request, outcome.text, outcome.value, "", warning=outcome.warning)
 
     async def _drop(self, request: Drag, outcome: RequestOutcome) -> None:
         writing, reason = outcome.writing, ""
@@ -92,7 +92,9 @@ class Dragging:
         if reason:
             self._preview.put_back()
         is_written = bool(writing.edits) and not reason
-        self._answer(request, outcome.text, outcome.value, reason, is_written=is_written)
+        warning = "" if reason else outcome.warning
+        told = (request, outcome.text, outcome.value, reason)
+        self._answer(*told, is_written=is_written, warning=warning)
         self._tell_handles()
 
     async def _plan(self, analysis: Analysis, request: Plan) -> None:
@@ -108,7 +110,9 @@ class Dragging:
             self._refuse(request, outcome.reason)
             return
         title = outcome.writing.label
-        self._preview.show_plan(outcome.document)
+        # A pose that becomes zero moves nothing: a ghost would be turned by its joints once more.
+        is_still = request.gesture == "pose-as-zero"
+        self._preview.show_plan(None if is_still else outcome.document)
         if outcome.document is None:
             reason = await self._written(outcome.writing)
             self._preview.channel.announce(WrittenMessage(request.gesture, title, reason))
@@ -162,10 +166,17 @@ class Dragging:
             self._tell_handles()
 
     def _answer(
-        self, request: Drag, text: str, value: float, reason: str, *, is_written: bool = False
+        self,
+        request: Drag,
+        text: str,
+        value: float,
+        reason: str,
+        *,
+        is_written: bool = False,
+        warning: str = "",
     ) -> None:
         message = DraggedMessage(
-            request.phase, request.component, text, value, reason, written=is_written
+            request.phase, request.component, text, value, reason, is_written, warning
         )
         self._preview.channel.announce(message)
 

@@ -29,6 +29,7 @@ class Drag(NamedTuple):
         step: The value becomes a multiple of this; None for any value.
         phase: `move`, `drop`, or `cancel`.
         revision: Of the text that the page shows.
+        carries: Whether the moments of a centre of mass move along.
     """
 
     kind: str
@@ -38,6 +39,7 @@ class Drag(NamedTuple):
     step: float | None
     phase: str
     revision: int
+    carries: bool = False
 
 
 class Plan(NamedTuple):
@@ -91,7 +93,9 @@ def _drag(data: Mapping[str, Any]) -> Drag | None:
     if not (_is_number(value) and _is_number(revision) and (step is None or _is_number(step))):
         return None
     snap = None if step is None else float(step)
-    return Drag(str(kind), str(name), str(component), float(value), snap, str(phase), int(revision))
+    thing = (str(kind), str(name), str(component))
+    carries = kind == "com" and data.get("carries") is True
+    return Drag(*thing, float(value), snap, str(phase), int(revision), carries)
 
 
 def _plan(data: Mapping[str, Any]) -> Plan | None:

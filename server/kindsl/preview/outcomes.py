@@ -6,15 +6,18 @@ from typing import NamedTuple
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.manipulation.add_child import add_child
 from kindsl.features.manipulation.add_frame import add_frame
+from kindsl.features.manipulation.carried_moments import carried_moments
 from kindsl.features.manipulation.gesture import Gesture, Refusal
 from kindsl.features.manipulation.mirror_leg import mirror_leg
 from kindsl.features.manipulation.pose_as_zero import pose_as_zero
 from kindsl.features.manipulation.set_component import set_component
 from kindsl.features.manipulation.things import Thing
 from kindsl.preview.gesture_requests import Drag, Plan
+from kindsl.rules.base import Severity
 from kindsl.text.edits import TextEdit
 
 Bindings = tuple[tuple[str, float], ...]
+_IMPOSSIBLE = ("KD301", "KD302")
 
 
 class Writing(NamedTuple):
@@ -42,6 +45,7 @@ class RequestOutcome(NamedTuple):
         text: The component that was dragged, or what carries it, as it would be written.
         value: Its value then, metres or radians; 0 of a gesture.
         parameters: To be set in the preview only, by name.
+        warning: Which body becomes impossible by it, one sentence; empty for none.
     """
 
     writing: Writing
@@ -49,6 +53,7 @@ class RequestOutcome(NamedTuple):
     text: str = ""
     value: float = 0.0
     parameters: Mapping[str, float] = {}
+    warning: str = ""
 
 
 def drag_outcome(
@@ -65,11 +70,29 @@ def drag_outcome(
     change = set_component(analysis, thing, request.component, request.value, request.step, typed)
     if isinstance(change, Refusal):
         return change
-    label = f"Set {request.component} of {request.kind} '{request.name}'"
-    writing = Writing(label, analysis.text, change.edits, change.bindings)
-    is_tried = request.phase == "move"
-    document = analysis.changed(change.edits, dict(change.bindings)) if is_tried else None
-    return RequestOutcome(writing, document, change.text, change.value, dict(change.preview))
+    edits, label = change.edits, f"Set {request.component} of {request.kind} '{request.name}'"
+    if request.carries and edits:
+        carried = carried_moments(analysis, request.name, request.component, change.value)
+        if isinstance(carried, Refusal):
+            return carried
+        edits, label = tuple(sorted((*edits, *carried))), f"{label} with its moments"
+    writing = Writing(label, analysis.text, edits, change.bindings)
+    tried = analysis.changed(edits, dict(change.bindings))
+    document = tried if request.phase == "move" else None
+    parameters, warning = dict(change.preview), _newly_impossible(analysis, tried)
+    return RequestOutcome(writing, document, change.text, change.value, parameters, warning)
+
+
+def _newly_impossible(before: Analysis, after: Analysis) -> str:
+    """Return what is said of the first body that is impossible now and was not; empty for none."""
+    known = _impossible_bodies(before)
+    return next((told for name, told in _impossible_bodies(after).items() if name not in known), "")
+
+
+def _impossible_bodies(analysis: Analysis) -> dict[str, str]:
+    """Return what is said of each impossible body, by its name."""
+    found = (f for f in analysis.findings if f.code in _IMPOSSIBLE and f.severity is Severity.ERROR)
+    return {finding.message.split("'")[1]: finding.message for finding in found}
 
 
 def plan_outcome(analysis: Analysis, request: Plan) -> RequestOutcome | Refusal:

@@ -661,6 +661,7 @@ class DraggedMessage:
         value: That number, metres or radians.
         reason: Why not; empty if nothing was in the way.
         written: Whether the document was changed.
+        warning: Which body it makes impossible; empty for none.
         path: Constant.
     """
 
@@ -671,6 +672,7 @@ class DraggedMessage:
     value: float
     reason: str
     written: bool
+    warning: str = ""
     path: str = f"{ROOT}/dragged"
 
 

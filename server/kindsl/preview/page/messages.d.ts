@@ -508,6 +508,8 @@ export interface DraggedMessage {
   readonly reason: string;
   /** Whether the document was changed. */
   readonly written: boolean;
+  /** Which body it makes impossible; empty for none. */
+  readonly warning: string;
   /** Constant. */
   readonly path: string;
 }

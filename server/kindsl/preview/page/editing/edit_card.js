@@ -11,9 +11,11 @@ import { ANGLES, HANDLE_NAMES } from "./handles.js";
 /**
  * @typedef {object} Editing What the card asks for.
  * @property {Handles} handles
+ * @property {boolean} isCarrying
  * @property {(mode: Mode) => void} choose
  * @property {(component: string, value: number) => void} set
  * @property {(gesture: string) => void} plan
+ * @property {(isOn: boolean) => void} carry
  */
 
 /** @type {Readonly<Record<string, readonly Gesture[]>>} */
@@ -99,6 +101,17 @@ export class EditCard {
       this.list.append(row);
       this.fields.set(component, { field, note });
     }
+    if (shown?.kind === "com") this.list.append(this.carrying());
+  }
+
+  // Whether the body stays the same where its CoM moves.
+  carrying() {
+    const row = make("label", "carry"), box = make("input");
+    Object.assign(box, { type: "checkbox", checked: this.editing.isCarrying });
+    row.title = "So that the moments about the CoM stay the same";
+    row.append(box, "Moments move along");
+    box.addEventListener("change", () => this.editing.carry(box.checked));
+    return row;
   }
 
   /** @param {string} component @param {HTMLInputElement} field @param {KeyboardEvent} event */
@@ -137,9 +150,9 @@ export class EditCard {
     this.told.classList.toggle("wrong", isWrong);
   }
 
-  /** @param {string} title @param {() => void} onAccept @param {() => void} onDiscard */
-  ask(title, onAccept, onDiscard) {
-    this.tell(`${title}? `);
+  /** @param {string} question @param {() => void} onAccept @param {() => void} onDiscard */
+  ask(question, onAccept, onDiscard) {
+    this.tell(question);
     /** @type {readonly (readonly [string, () => void])[]} */
     const answers = [["Accept", onAccept], ["Discard", onDiscard]];
     for (const [text, act] of answers) {

@@ -35,6 +35,7 @@ export class Editing {
     this.edits = new NumberEdits(page, this.handles, this.card, this.exchange);
     this.gestures = new Gestures(page, this.card, this.exchange);
     this.edits.onRefused = () => this.learn(this.numbers);
+    this.edits.undo = () => this.plan("undo");
     page.selection.onChange((what) => {
       if (what === "chosen") this.grasp();
     });
@@ -119,6 +120,15 @@ export class Editing {
 
   /** @param {string} component @param {number} value */
   set(component, value) { this.edits.set(component, value); }
+
+  /** @returns {boolean} */
+  get isCarrying() { return this.edits.isCarrying; }
+
+  /**
+   * Let the moments move along with the CoM, also where it was just moved into an impossible body.
+   * @param {boolean} isOn
+   */
+  carry(isOn) { this.edits.carry(isOn); }
 
   /** @param {string} gesture */
   plan(gesture) { this.gestures.plan(gesture); }

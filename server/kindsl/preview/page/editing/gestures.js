@@ -20,6 +20,8 @@ import { rayOf } from "./rays.js";
  */
 
 const AT_ONCE = new Set(["undo", "redo"]);
+/** @type {Readonly<Record<string, string>>} */
+const REMARKS = { "pose-as-zero": "The robot stays as it stands, and all its joints are at 0 then. " };
 const POINT = 0.01; // metres that a clicked place is snapped to
 
 /** @param {number} value */
@@ -76,7 +78,7 @@ export class Gestures {
 
   /** @param {PlanMessage} message */
   propose({ gesture, title }) {
-    this.card.ask(title, () => this.plan(gesture, true), () => {
+    this.card.ask(`${title}? ${REMARKS[gesture] ?? ""}`, () => this.plan(gesture, true), () => {
       this.page.send({ type: "plan", gesture: "discard", revision: this.exchange.revision });
       this.card.tell("");
     });

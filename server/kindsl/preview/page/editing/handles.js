@@ -41,6 +41,8 @@ export class Handles {
     this.pane = pane;
     this.svg = makeSvg("svg", { class: "handles", role: "group", "aria-label": "Handles" });
     this.svg.style.display = "none";
+    this.warning = makeSvg("text", { class: "warning", role: "status" });
+    this.svg.append(this.warning);
     this.svg.addEventListener("pointermove", (event) => !event.buttons && this.aim(this.nearest(event)));
     this.svg.addEventListener("pointerout", (event) => !event.buttons && this.aim(null));
     pane.append(this.svg);
@@ -94,6 +96,15 @@ export class Handles {
   drop(name, { group }) {
     group.remove();
     this.shapes.delete(name);
+  }
+
+  /**
+   * Say at the thing what is wrong with where it is; nothing for an empty text.
+   * @param {string} text
+   */
+  warn(text) {
+    this.warning.textContent = text;
+    this.place();
   }
 
   /** @param {string} name */
@@ -155,6 +166,18 @@ export class Handles {
     const { camera } = this.scene.viewer;
     this.#pixel = (2 * at[2] * Math.tan((camera.fov * Math.PI) / 360)) / Math.max(1, this.pane.clientHeight);
     for (const [name, shape] of this.shapes) this.draw(name, shape, shown, geometry);
+    this.placeWarning(at);
+  }
+
+  /**
+   * Below the thing, and within the pane.
+   * @param {Place} at
+   */
+  placeWarning([x, y]) {
+    if (!this.warning.textContent) return;
+    const { clientWidth, clientHeight } = this.pane, half = this.warning.getComputedTextLength() / 2 + 8;
+    this.warning.setAttribute("x", String(Math.max(half, Math.min(clientWidth - half, x))));
+    this.warning.setAttribute("y", String(Math.max(20, Math.min(clientHeight - 12, y + 28))));
   }
 
   /**

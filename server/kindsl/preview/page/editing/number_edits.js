@@ -23,8 +23,16 @@ export class NumberEdits {
   start = { component: "", value: 0, text: "" };
   /** @type {number | null} */
   snap = null;
-  // What is done where a number stays as it was.
+  // Whether the moments move along with a CoM.
+  isCarrying = false;
+  /**
+   * The number that was written last, if that made a body impossible.
+   * @type {{ readonly component: string, readonly value: number } | null}
+   */
+  #impossible = null;
+  // What is done where a number stays as it was, and to take back what was written.
   onRefused = () => {};
+  undo = () => {};
 
   /** @param {Parts} page @param {Handles} handles @param {EditCard} card @param {Exchange} exchange */
   constructor(page, handles, card, exchange) {
@@ -87,6 +95,7 @@ export class NumberEdits {
 
   stop() {
     this.drag.end();
+    this.handles.warn("");
     this.page.pane.classList.remove("dragging");
   }
 
@@ -99,17 +108,20 @@ export class NumberEdits {
   send(phase, component, value, step) {
     const { shown } = this.handles;
     if (!shown) return;
-    const { kind, name } = shown, request = { type: "drag", kind, name, component, value, step, phase };
+    const { kind, name } = shown, request = { type: "drag", kind, name, component, value, step, phase, carries: this.isCarrying };
     if (phase === "move") this.exchange.askLast(phase, request);
     else this.exchange.ask(phase, request);
   }
 
   /** @param {DraggedMessage} message */
-  hear({ phase, component, text, value, reason, written }) {
+  hear({ phase, component, text, value, reason, written, warning }) {
     if (!this.exchange.hears(phase)) return;
     if (written) this.page.history.wrote();
+    this.#impossible = written && warning ? { component, value } : null;
+    this.handles.warn(this.drag.isOn ? reason || warning : "");
     if (!reason) this.card.follow(component, phase === "cancel" ? this.start.text : text);
-    this.card.tell(reason || (phase === "cancel" ? "" : `${component}: ${this.start.text} → ${text}`), Boolean(reason));
+    const told = phase === "cancel" ? "" : `${component}: ${this.start.text} → ${text}`;
+    this.card.tell(reason || (warning ? `${told}; ${warning}` : told), Boolean(reason || warning));
     if (!this.drag.isOn) this.settle(component, reason ? null : value);
     this.exchange.goOn();
   }
@@ -132,6 +144,15 @@ export class NumberEdits {
    * @param {number} value
    */
   set(component, value) { this.exchange.afterwards(() => this.write(component, value, value, null)); }
+
+  /** @param {boolean} isOn */
+  carry(isOn) {
+    this.isCarrying = isOn;
+    const moved = this.#impossible;
+    if (!isOn || !moved) return;
+    this.undo();
+    this.set(moved.component, moved.value);
+  }
 
   /** @param {string} component @param {KeyboardEvent} event */
   nudge(component, event) {
