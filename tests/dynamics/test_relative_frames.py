@@ -17,6 +17,7 @@ from kindsl.dynamics.generation.relative_frames import (
     relative_poses,
 )
 from kindsl.dynamics.generation.robot import PlacedFrame, Robot, robot_of
+from kindsl.dynamics.generation.terms import Term, needed
 from kindsl.spatial.arrays import Array
 
 STEP = 1e-6
@@ -53,6 +54,23 @@ def test_a_pose_is_that_in_the_base_seen_from_the_other(seed: int) -> None:
         assert function.about == (target.name, base.name)
         found = _result(robot, inputs, function, q)
         np.testing.assert_allclose(found, _seen(mechanics, q, base, target)[:3], atol=1e-12)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_only_the_joints_between_two_frames_matter(seed: int) -> None:
+    """To their pose and Jacobian, however far both are from the base."""
+    robot, inputs, _, _ = _recorded(seed)
+    q = {
+        term.index: joint for joint, term in enumerate(inputs.q, start=1) if isinstance(term, Term)
+    }
+    for base, target in product(robot.targets, robot.targets):
+        pair = [(base, target)]
+        functions = [
+            *relative_poses(robot, inputs, pair), *relative_jacobians(robot, inputs, pair),
+        ]  # fmt: skip
+        for function in functions:
+            used = {q[i] for i in needed(robot.graph, function.results[0].entries) if i in q}
+            assert used <= {*between(robot, base, target)}, function.name
 
 
 @pytest.mark.parametrize("seed", SEEDS)

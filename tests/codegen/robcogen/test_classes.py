@@ -9,6 +9,7 @@ from tests.codegen.robcogen.programs import COMPILERS, HEAD, built, generated, n
 
 from kindsl.codegen.library import Library
 from kindsl.codegen.robcogen import long_transforms
+from kindsl.codegen.robcogen import robot as generated_robot
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.dynamics.generation.emitters import cpp_templates
 from kindsl.spatial.arrays import Array
@@ -167,8 +168,9 @@ def case(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactor
     """Return a robot's mechanics, its library, and what a program with its classes prints."""
     folder = tmp_path_factory.mktemp(request.param)
     with pytest.MonkeyPatch.context() as patch:
-        if request.param == "crab":  # as with large robots: in parts, and products
-            patch.setattr(long_transforms, "MOST_JOINTS", 1)
+        if request.param == "crab":  # as with large robots: in parts, products, one for all loads
+            patch.setattr(generated_robot, "MOST_JOINTS_OF_SMALL", 1)
+            patch.setattr(long_transforms, "MOST_JOINTS_OF_LARGE", 1)
             patch.setattr(cpp_templates, "MOST_OPERATIONS", 100)
             patch.setattr(cpp_templates, "OPERATIONS_PER_PART", 70)
         analysis, library = generated(ROBOTS[request.param], VALUES, folder)

@@ -1,10 +1,13 @@
 """Code that the classes for inverse and forward dynamics share."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
+from typing import TypeAlias
 
 from kindsl.codegen.robcogen.robot import GeneratedRobot
 from kindsl.dynamics.generation.terms import Scalar
 from kindsl.dynamics.generation.vectors import Vector
+
+Arguments: TypeAlias = Mapping[str, Sequence[Scalar]]
 
 INCLUDES = (
     "<Eigen/Dense>", "<iit/rbd/rbd.h>", "<iit/rbd/InertiaMatrix.h>", "<iit/rbd/utils.h>",
@@ -40,6 +43,31 @@ STATUS = """\
 """
 
 
+# The end of either class, and what follows it.
+MEMBERS = """\
+    JointState jointStatus() const
+    {
+        JointState q;
+        xm->loadJointStatus(q);
+        return q;
+    }
+
+    IProperties* inertiaProps;
+    MTransforms* xm;
+
+    static const ExtForces zeroExtForces;
+};
+
+template <typename TRAIT>
+const typename @CLASS@<TRAIT>::ExtForces
+    @CLASS@<TRAIT>::zeroExtForces(@CLASS@<TRAIT>::Force::Zero());
+
+}
+
+typedef tpl::@CLASS@<rbd::DoubleTrait> @CLASS@;
+"""
+
+
 def updates(robot: GeneratedRobot) -> str:
     """Return the statements that update the transforms across joints."""
     return "".join(f"        xm->{robot.across(i)}(q);\n" for i in robot.tree.links())
@@ -60,16 +88,41 @@ def handed(robot: GeneratedRobot) -> str:
     return "p, " if robot.has_parameters else ""
 
 
-def external(robot: GeneratedRobot) -> list[Scalar]:
-    """Return the wrenches on all bodies, one after the other."""
-    return [component for wrench in robot.library.inputs.external for component in wrench]
+def kernels_under_loads(
+    robot: GeneratedRobot,
+    name: str,
+    takes: Arguments,
+    results: Callable[[Sequence[Vector]], Arguments],
+) -> list[str]:
+    """Return a function without forces on links, and with them: its name with `_loaded`.
+
+    That of a large robot is one for both, which compilers take half the time for: forces add little
+    there.
+
+    Args:
+        robot: The robot.
+        name: The function's name.
+        takes: Its arguments.
+        results: Takes the wrench on each body, none for no forces; returns the results.
+    """
+    given: Arguments = {**takes, "fext": robot.library.external}
+    loaded = results(robot.library.inputs.external)
+    with_loads = robot.kernel(f"{name}_loaded", given, loaded)
+    if not robot.is_large:
+        return [robot.kernel(name, takes, results([])), with_loads]
+    number, first = "typename TRAIT::Scalar", ["p"] if robot.has_parameters else []
+    declared = [f"const {number}* {n}" for n in (*first, *takes)]
+    declared += [f"{number}* {n}" for n in loaded]
+    handed_on = ", ".join((*first, *takes, "none", *loaded))
+    size = len(given["fext"])
+    without = (
+        f"template <class TRAIT>\ninline void {name}({', '.join(declared)})\n{{\n"
+        f"    {number} none[{size}];\n    for (int i = 0; i < {size}; i++) {{\n"
+        f"        none[i] = {number}(0);\n    }}\n    {name}_loaded<TRAIT>({handed_on});\n}}\n"
+    )
+    return [with_loads, without]
 
 
 def at_rest(robot: GeneratedRobot) -> Vector:
     """Return joint velocities of zero."""
     return [0.0] * robot.n_joints
-
-
-def named(*pairs: tuple[str, Sequence[Scalar]]) -> dict[str, Sequence[Scalar]]:
-    """Return arguments by their names."""
-    return dict(pairs)

@@ -4,10 +4,12 @@ from collections.abc import Sequence
 
 from kindsl.codegen.robcogen.engines import (
     INCLUDES,
+    MEMBERS,
     STATUS,
     TYPES,
-    external,
+    Arguments,
     handed,
+    kernels_under_loads,
     parameters,
     updates,
 )
@@ -38,27 +40,7 @@ public:
 @STATUS@
 private:
 @COMPUTE@
-    JointState jointStatus() const
-    {
-        JointState q;
-        xm->loadJointStatus(q);
-        return q;
-    }
-
-    IProperties* inertiaProps;
-    MTransforms* xm;
-
-    static const ExtForces zeroExtForces;
-};
-
-template <typename TRAIT>
-const typename ForwardDynamics<TRAIT>::ExtForces
-    ForwardDynamics<TRAIT>::zeroExtForces(ForwardDynamics<TRAIT>::Force::Zero());
-
-}
-
-typedef tpl::ForwardDynamics<rbd::DoubleTrait> ForwardDynamics;
-
+@MEMBERS@
 }
 }
 }
@@ -141,6 +123,7 @@ def forward_dynamics_headers(robot: GeneratedRobot) -> dict[str, str]:
         TYPES=robot.filled(TYPES),
         FUNCTIONS=robot.filled(_FLOATING if robot.is_floating else _FIXED),
         STATUS=robot.filled(STATUS, UPDATES=updates(robot)),
+        MEMBERS=robot.filled(MEMBERS, CLASS="ForwardDynamics"),
         COMPUTE=robot.filled(compute, PARAMETERS=parameters(robot), P=handed(robot), UNUSED=""),
     )
     name = "forward_dynamics.impl.h"
@@ -159,9 +142,9 @@ def _kernels(robot: GeneratedRobot) -> list[str]:
     else:
         g = robot.library.robot.graph.input()
         takes["g"], weight = [g], [0.0, 0.0, -g]
-    kernels = []
-    for suffix, forces, extra in (("", [], {}), ("_loaded", x.external, {"fext": external(robot)})):
+
+    def results(forces: Sequence[Vector]) -> Arguments:
         found = forward_dynamics(tree, x.q, x.qd, x.tau, x.v0, weight, forces)
-        gives = {"qdd": found[:n], "a0": found[n:]} if robot.is_floating else {"qdd": found[:n]}
-        kernels.append(robot.kernel(f"forward_dynamics{suffix}", {**takes, **extra}, gives))
-    return kernels
+        return {"qdd": found[:n], "a0": found[n:]} if robot.is_floating else {"qdd": found[:n]}
+
+    return kernels_under_loads(robot, "forward_dynamics", takes, results)

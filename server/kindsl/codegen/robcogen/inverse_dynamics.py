@@ -4,11 +4,13 @@ from collections.abc import Sequence
 
 from kindsl.codegen.robcogen.engines import (
     INCLUDES,
+    MEMBERS,
     STATUS,
     TYPES,
+    Arguments,
     at_rest,
-    external,
     handed,
+    kernels_under_loads,
     parameters,
     updates,
 )
@@ -53,13 +55,6 @@ protected:
 private:
     enum Asked { NOTHING, MOTION, REST };
 
-    JointState jointStatus() const
-    {
-        JointState q;
-        xm->loadJointStatus(q);
-        return q;
-    }
-
     static const Scalar* first(const ExtForces& fext)
     {
         return fext[orderedLinkIDs[0]].data();
@@ -74,9 +69,6 @@ private:
     }
 
 @LINKS@
-    IProperties* inertiaProps;
-    MTransforms* xm;
-
     // The last motion that velocities, and all the rest, were asked for.
     JointState q_v, qd_v, qdd_a, q_a;
     Velocity v0;
@@ -90,17 +82,7 @@ private:
     mutable LinkDataMap<Acceleration> accelerations;
     mutable LinkDataMap<Force> forces;
 
-    static const ExtForces zeroExtForces;
-};
-
-template <typename TRAIT>
-const typename InverseDynamics<TRAIT>::ExtForces
-    InverseDynamics<TRAIT>::zeroExtForces(InverseDynamics<TRAIT>::Force::Zero());
-
-}
-
-typedef tpl::InverseDynamics<rbd::DoubleTrait> InverseDynamics;
-
+@MEMBERS@
 }
 }
 }
@@ -502,6 +484,7 @@ def _class(robot: GeneratedRobot) -> str:
         TYPES=robot.filled(TYPES),
         FUNCTIONS=robot.filled(_FLOATING if robot.is_floating else _FIXED),
         STATUS=robot.filled(STATUS, UPDATES=updates(robot)),
+        MEMBERS=robot.filled(MEMBERS, CLASS="InverseDynamics"),
         GETTERS="".join(getters),
         ABSENT="".join(robot.filled(_ABSENT, METHOD=method) for method in absent),
         LINKS=robot.filled(own + _LINKS, **values),
@@ -518,15 +501,14 @@ def _fixed_kernels(robot: GeneratedRobot) -> list[str]:
     weight: Vector = [0.0, 0.0, -g]
     motion: dict[str, Sequence[Scalar]] = {"q": x.q, "qd": x.qd, "qdd": x.qdd, "g": [g]}
     rest = at_rest(robot)
-    free = inverse_dynamics(tree, x.q, x.qd, x.qdd, weight)
-    loaded = inverse_dynamics(tree, x.q, x.qd, x.qdd, weight, x.external)
     still = bias_torque(tree, x.q, rest, [0.0] * 6, weight)
     floating = bias_torque(tree, x.q, x.qd, [0.0] * 6, ZERO)
+
+    def results(forces: Sequence[Vector]) -> Arguments:
+        return {"tau": inverse_dynamics(tree, x.q, x.qd, x.qdd, weight, forces)}
+
     return [
-        robot.kernel("inverse_dynamics", motion, {"tau": free}),
-        robot.kernel(
-            "inverse_dynamics_loaded", {**motion, "fext": external(robot)}, {"tau": loaded}
-        ),
+        *kernels_under_loads(robot, "inverse_dynamics", motion, results),
         robot.kernel("gravity", {"q": x.q, "g": [g]}, {"tau": still}),
         robot.kernel("coriolis", {"q": x.q, "qd": x.qd}, {"tau": floating}),
     ]
@@ -537,14 +519,17 @@ def _floating_kernels(robot: GeneratedRobot) -> list[str]:
     tree, x, n = robot.tree, robot.library.inputs, robot.n_joints
     motion: dict[str, Sequence[Scalar]] = {"q": x.q, "qd": x.qd, "qdd": x.qdd, "v0": x.v0}
     driven = {**motion, "a0": x.a0}
-    kernels = []
-    for suffix, forces, extra in (("", [], {}), ("_loaded", x.external, {"fext": external(robot)})):
-        free = floating_base_inverse_dynamics(tree, x.q, x.qd, x.qdd, x.v0, ZERO, forces)
-        name = f"inverse_dynamics{suffix}"
-        kernels.append(robot.kernel(name, {**motion, **extra}, {"tau": free[:n], "a0": free[n:]}))
-        held = actuated_base_inverse_dynamics(tree, x.q, x.qd, x.qdd, x.v0, x.a0, ZERO, forces)
-        name = f"inverse_dynamics_actuated{suffix}"
-        kernels.append(robot.kernel(name, {**driven, **extra}, {"tau": held[6:], "f0": held[:6]}))
+
+    def free(forces: Sequence[Vector]) -> Arguments:
+        found = floating_base_inverse_dynamics(tree, x.q, x.qd, x.qdd, x.v0, ZERO, forces)
+        return {"tau": found[:n], "a0": found[n:]}
+
+    def held(forces: Sequence[Vector]) -> Arguments:
+        found = actuated_base_inverse_dynamics(tree, x.q, x.qd, x.qdd, x.v0, x.a0, ZERO, forces)
+        return {"tau": found[6:], "f0": found[:6]}
+
+    kernels = kernels_under_loads(robot, "inverse_dynamics", motion, free)
+    kernels += kernels_under_loads(robot, "inverse_dynamics_actuated", driven, held)
     rest, still = at_rest(robot), [0.0] * 6
     weight = actuated_base_inverse_dynamics(tree, x.q, rest, rest, [*still], x.a0, ZERO)
     moving = bias_torque(tree, x.q, x.qd, x.v0, ZERO)

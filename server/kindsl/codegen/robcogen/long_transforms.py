@@ -12,7 +12,6 @@ from kindsl.dynamics.generation.vectors import EYE, ZERO, Matrix, Vector, transf
 # One function of all joints is faster up to here, but its text is long: large robots have many.
 MOST_JOINTS = 7
 MOST_JOINTS_OF_LARGE = 2
-LARGE = 20
 
 # T has the columns of rotation and position; X those of a 6x6 transform.
 HELPERS = """\
@@ -83,7 +82,7 @@ inline void @LETTER@_@NAME@(
 
 def is_long(robot: GeneratedRobot, pair: NamedPair) -> bool:
     """Return whether a pair's frames are too many joints apart for one function."""
-    most = MOST_JOINTS if robot.n_joints <= LARGE else MOST_JOINTS_OF_LARGE
+    most = MOST_JOINTS if not robot.is_large else MOST_JOINTS_OF_LARGE
     return len([*_across(robot, pair)]) > most
 
 

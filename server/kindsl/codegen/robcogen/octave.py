@@ -6,7 +6,7 @@ from kindsl.codegen.library import Library
 from kindsl.codegen.robcogen.inertia_properties import ten_of
 from kindsl.codegen.robcogen.jacobians import jacobian_columns
 from kindsl.codegen.robcogen.robot import GeneratedRobot
-from kindsl.codegen.robcogen.transforms import KINDS, matrix_of, relative_pose
+from kindsl.codegen.robcogen.transforms import KINDS, matrix_of
 from kindsl.codegen.robcogen.wanted_names import jacobian_pairs, transform_pairs
 from kindsl.dynamics.generation.emitters.straight_line import OPERATORS, computed
 from kindsl.dynamics.generation.terms import Operand, Scalar, Term
@@ -130,7 +130,7 @@ _FIXED_BASE = """\
 def octave_files(library: Library) -> dict[str, str]:
     """Return the text of each function's file by its name."""
     robot = GeneratedRobot(library)
-    poses = [(pair, *relative_pose(robot, pair)) for pair in transform_pairs(robot)]
+    poses = [(pair, *robot.pose_in(pair.base, pair.target)) for pair in transform_pairs(robot)]
     files: dict[str, str] = {}
     for kind in KINDS:
         letter = f"_X{kind.letter.upper()}_"

@@ -12,9 +12,13 @@ from kindsl.dynamics.generation.emitters.cpp_templates import (
     TemplateDialect,
     template_function,
 )
-from kindsl.dynamics.generation.jacobians import BodyPoses, body_poses
+from kindsl.dynamics.generation.relative_frames import relative_pose
+from kindsl.dynamics.generation.robot import PlacedFrame
 from kindsl.dynamics.generation.terms import Scalar, needed
 from kindsl.dynamics.generation.tree import Tree
+from kindsl.dynamics.generation.vectors import Matrix, Vector
+
+MOST_JOINTS_OF_SMALL = 20
 
 DIALECT = TemplateDialect("class TRAIT", "TRAIT::Scalar", "TRAIT", "TRAIT::{}")
 
@@ -38,11 +42,6 @@ class GeneratedRobot:
     def is_floating(self) -> bool:
         """True if the base is free."""
         return self.tree.is_floating
-
-    @cached_property
-    def poses(self) -> BodyPoses:
-        """The poses of all bodies in the base."""
-        return body_poses(self.tree, self.library.inputs.q)
 
     @cached_property
     def space(self) -> str:
@@ -91,6 +90,15 @@ class GeneratedRobot:
     def inertial_bodies(self) -> list[int]:
         """The bodies whose inertia matters: all but a fixed base."""
         return [i for i in range(len(self.bodies)) if i or self.is_floating]
+
+    @property
+    def is_large(self) -> bool:
+        """True if compilers take so long for a text of its size that it is rather short."""
+        return self.n_joints > MOST_JOINTS_OF_SMALL
+
+    def pose_in(self, base: PlacedFrame, target: PlacedFrame) -> tuple[Matrix, Vector]:
+        """Return rotation and position of a frame in another."""
+        return relative_pose(self.library.robot, self.library.inputs.q, base, target)
 
     def frame(self, body: int) -> str:
         """Return the name of a body's own frame."""

@@ -6,16 +6,8 @@ from typing import NamedTuple
 from kindsl.codegen.robcogen.long_transforms import HELPERS, is_long, long_kernels
 from kindsl.codegen.robcogen.parameters import groups, parameter_array, parameters_of_class, setters
 from kindsl.codegen.robcogen.robot import GeneratedRobot
-from kindsl.codegen.robcogen.wanted_names import NamedPair, transform_pairs
-from kindsl.dynamics.generation.jacobians import frame_pose
-from kindsl.dynamics.generation.vectors import (
-    Matrix,
-    Vector,
-    multiply,
-    subtract,
-    transform,
-    transpose,
-)
+from kindsl.codegen.robcogen.wanted_names import transform_pairs
+from kindsl.dynamics.generation.vectors import Matrix, Vector, multiply, transpose
 
 _BASES = """
 namespace iit {
@@ -115,7 +107,7 @@ def transforms(robot: GeneratedRobot) -> dict[str, str]:
             products += long_kernels(robot, pair)
             moving[pair.name] = bool(groups(robot))
         else:
-            E, p = relative_pose(robot, pair)
+            E, p = robot.pose_in(pair.base, pair.target)
             functions += _kernels(robot, pair.name, E, p)
             moving[pair.name] = robot.depends_on_parameters(chain(*E, p))
     functions += [*products, _across(robot)]
@@ -147,14 +139,6 @@ def _kernels(robot: GeneratedRobot, name: str, E: Matrix, p: Vector) -> list[str
 def _handed(robot: GeneratedRobot) -> dict[str, str]:
     takes = "const typename TRAIT::Scalar* p, " if robot.has_parameters else ""
     return {"TAKES": takes, "P": "p, " if takes else ""}
-
-
-def relative_pose(robot: GeneratedRobot, pair: NamedPair) -> tuple[Matrix, Vector]:
-    """Return rotation and position of a pair's target in its base."""
-    found = robot.poses
-    (base_R, base_r), (R, r) = frame_pose(found, pair.base), frame_pose(found, pair.target)
-    E = transpose(base_R)
-    return multiply(E, R), transform(E, subtract(r, base_r))
 
 
 def matrix_of(letter: str, E: Matrix, p: Vector) -> Matrix:

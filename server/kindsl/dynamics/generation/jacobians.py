@@ -42,6 +42,22 @@ def body_poses(tree: Tree, q: Vector) -> BodyPoses:
     return poses
 
 
+def poses_in_nearest(tree: Tree, q: Vector, one: int, other: int) -> BodyPoses:
+    """Return the poses of two bodies, and of all between them, in the nearest that carries both.
+
+    They depend on the joints between only. The poses of other bodies are not to be used.
+    """
+    joints = joint_motions(tree, q)
+    back, forth = support(tree, one), support(tree, other)
+    shared = len([None for a, b in zip(back, forth, strict=False) if a == b])
+    poses = BodyPoses([EYE] * len(tree.parents), [ZERO] * len(tree.parents))
+    for i in dict.fromkeys((*back[shared:], *forth[shared:])):
+        R, r = poses.rotations[tree.parents[i]], poses.positions[tree.parents[i]]
+        poses.positions[i] = add(r, transform(R, joints[i].offset))
+        poses.rotations[i] = joints[i].rotation_in(R)
+    return poses
+
+
 def frame_pose(poses: BodyPoses, frame: PlacedFrame) -> tuple[Matrix, Vector]:
     """Return rotation and position of a frame in the base."""
     R, r = poses.rotations[frame.body], poses.positions[frame.body]

@@ -3,10 +3,16 @@
 from collections.abc import Sequence
 
 from kindsl.dynamics.generation.function import Function, Inputs, Result, argument, flat
-from kindsl.dynamics.generation.jacobians import body_poses, frame_pose, joint_columns, support
+from kindsl.dynamics.generation.jacobians import (
+    frame_pose,
+    joint_columns,
+    poses_in_nearest,
+    support,
+)
 from kindsl.dynamics.generation.robot import PlacedFrame, Robot
 from kindsl.dynamics.generation.terms import Scalar
 from kindsl.dynamics.generation.vectors import (
+    Matrix,
     Vector,
     multiply,
     scale,
@@ -20,11 +26,9 @@ FramePair = tuple[PlacedFrame, PlacedFrame]
 
 def relative_poses(robot: Robot, inputs: Inputs, pairs: Sequence[FramePair]) -> list[Function]:
     """Record `base_T_target` of pairs of frames, without the last row."""
-    found, functions = body_poses(robot.tree, inputs.q), []
+    functions = []
     for base, target in pairs:
-        (base_R, base_r), (R, r) = frame_pose(found, base), frame_pose(found, target)
-        E = transpose(base_R)
-        rows = zip(multiply(E, R), transform(E, subtract(r, base_r)), strict=True)
+        rows = zip(*relative_pose(robot, inputs.q, base, target), strict=True)
         entries: list[Scalar] = [x for row, c in rows for x in (*row, c)]
         functions.append(
             Function(
@@ -38,13 +42,24 @@ def relative_poses(robot: Robot, inputs: Inputs, pairs: Sequence[FramePair]) -> 
     return functions
 
 
+def relative_pose(
+    robot: Robot, q: Vector, base: PlacedFrame, target: PlacedFrame
+) -> tuple[Matrix, Vector]:
+    """Return rotation and position of a frame in another."""
+    found = poses_in_nearest(robot.tree, q, base.body, target.body)
+    (base_R, base_r), (R, r) = frame_pose(found, base), frame_pose(found, target)
+    E = transpose(base_R)
+    return multiply(E, R), transform(E, subtract(r, base_r))
+
+
 def relative_jacobians(robot: Robot, inputs: Inputs, pairs: Sequence[FramePair]) -> list[Function]:
     """Record the velocity of targets relative to bases, in the bases' coordinates.
 
     The columns are those of the joints between both frames, in the order of the links.
     """
-    found, functions = body_poses(robot.tree, inputs.q), []
+    functions = []
     for base, target in pairs:
+        found = poses_in_nearest(robot.tree, inputs.q, base.body, target.body)
         _, r = frame_pose(found, target)
         E = transpose(frame_pose(found, base)[0])
         forth = joint_columns(robot.tree, found, target.body, r)
