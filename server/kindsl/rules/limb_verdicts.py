@@ -122,11 +122,12 @@ def _compared(groups: tuple[Limbs, ...]) -> list[LimbVerdict]:
 
 
 def _assignments(model: Model, context: Context) -> tuple[Values, ...]:
-    """Return the values that are known, and with parameters besides arbitrary ones.
+    """Return the values that are known, and with parameters of more than the base arbitrary ones.
 
     Who compares at several values compares names: equal ones by chance are not equal at all.
     """
-    if not model.parameters:
+    here = model.base.island if model.base is not None else None
+    if all(use.name.island is here for parameter in model.parameters for use in parameter.uses):
         return (context.values,)
     arbitrary = [{str(p.name): _value(p, n) for p in model.parameters} for n in _ASSIGNMENTS]
     known = context.values

@@ -7,6 +7,7 @@ from kindsl.semantics.declarations import Declarations, ValueKind, link_values, 
 from kindsl.semantics.expressions import ConstantUse, Expression, ParameterUse, symbols
 from kindsl.semantics.places import Name
 from kindsl.syntax.tree import Island
+from kindsl.syntax.value_forms import formed_values
 from kindsl.text.facts import Fact
 
 _SYMBOLS = Fact["Symbols"]("symbols")
@@ -105,11 +106,15 @@ class JointProperties(NamedTuple):
 UNTOLD = JointProperties()
 
 
+_NO_SYMBOLS = Symbols((), ())
+
+
 def island_symbols(island: Island, declared: Declarations) -> Symbols:
     """Return what an island uses; computed once in its life."""
     known = island.facts.get(_SYMBOLS)
     if known is None:
-        known = island.facts.keep(_SYMBOLS, _collect(declared))
+        found = _collect(declared) if formed_values(island) else _NO_SYMBOLS
+        known = island.facts.keep(_SYMBOLS, found)
     return known
 
 

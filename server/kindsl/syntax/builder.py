@@ -8,6 +8,7 @@ What a reduction makes of its values is told by the rule's action:
 """
 
 from collections.abc import Sequence
+from functools import cache
 from typing import Any, NamedTuple
 
 from kindsl.syntax.automaton import ROWS, TARGETS
@@ -43,8 +44,12 @@ def build(tokens: Sequence[Token], start: str, first: int = 0) -> Built:
             if action is None:
                 return Built(None, index)
         if action >= 0:
-            values.append(tokens[index])
+            token = tokens[index]
             index += 1
+            decimal = kind == "FLOAT" and index < count
+            after = _after_decimal(states[-1], tokens[index].kind) if decimal else None
+            values.append(token if after is None else Node("number", [token]))
+            action = action if after is None else after
             states.append(action)
             row = ROWS[action]
             continue
@@ -57,6 +62,26 @@ def build(tokens: Sequence[Token], start: str, first: int = 0) -> Built:
             return Built(values[0], index)
         states.append(state)
         row = ROWS[state]
+
+
+@cache
+def _after_decimal(state: int, following: str) -> int | None:
+    """Return the state behind a value that is a decimal alone, None where it is not.
+
+    Of a value that is one token ten rules make nothing more; most values are such.
+
+    Args:
+        state: Before the decimal.
+        following: Kind of the token behind it.
+    """
+    top, is_number = ROWS[state]["FLOAT"], False
+    while (action := ROWS[top].get(following)) is not None and action < 0:
+        size, name, how, node_kind = RULES[~action]
+        if size > 1 or (how, node_kind) not in (("pass", node_kind), ("node", "number")):
+            break
+        is_number = is_number or how == "node"
+        top = TARGETS[state][name]
+    return top if is_number else None
 
 
 def _apply(values: list[Any], size: int, how: str, kind: str) -> None:

@@ -29,6 +29,7 @@ _BLOCKS = frozenset({"head", *BLOCKS})
 _SECTIONS_OF_ONE = SECTIONS.keys() & ONLY.keys()
 # Numbers are told with their value.
 _REFUSED = ONLY.keys() - VALUE_TERMINALS
+_PERHAPS_REFUSED = _REFUSED | {"NAME"}
 _CALLED = {
     "ESCAPED_NAME": ("escaped-name", "the escaped name '{}'"),
     "KEYWORD_NAME": ("keyword-as-name", "the keyword '{}' as a name"),
@@ -141,9 +142,9 @@ def _line_comments(text: str, start: int, end: int) -> Repair | None:
 def _token_notes(tokens: Sequence[Token]) -> Iterator[PortabilityNote]:
     previous: Token | None = None
     for token in tokens:
-        if token.is_missing:
+        if token.start == token.end:
             continue
-        if form_kind(token) in _REFUSED:
+        if token.kind in _PERHAPS_REFUSED:
             yield from _name_notes(token)
         if previous is not None and previous.end == token.start and token.text[:1].isidentifier():
             yield from _glue_notes(previous, token)

@@ -7,7 +7,6 @@ from typing import NamedTuple
 from kindsl.syntax.document import Chunk, SyntaxDocument
 from kindsl.syntax.portability import ROBCOGEN2, portability
 from kindsl.syntax.strict_robcogen2 import StrictReading, strict_reading
-from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Island
 from kindsl.text.facts import kept
 
@@ -85,9 +84,8 @@ def _plain_blocks(island: Island) -> str | None:
     text = _REMARK.sub("", island.text)
     if island.problems or not _PLAIN.fullmatch(text) or _SPECIAL.search(text):
         return None
-    if any(note.target == ROBCOGEN2 for note in portability(island)):
-        return None
-    if any(token.kind == "NAME" and token.text in KEYWORDS for token in island.tokens):
+    notes = portability(island)
+    if any(note.target == ROBCOGEN2 or note.kind == "keyword-as-name" for note in notes):
         return None
     return "".join(_LETTERS[node.kind] for node in island.nodes)
 

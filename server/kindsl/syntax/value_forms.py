@@ -60,10 +60,11 @@ def formed_values(island: Island) -> list[Node]:
         node = pending.pop()
         nodes = [child for child in node.children if isinstance(child, Node)]
         if node.kind in VALUE_HOLDERS:
-            found += (each for each in nodes if not is_decimal(each))
+            found += [each for each in nodes if not is_decimal(each)]
         else:
             pending += nodes
-    return sorted(found, key=lambda node: node.start)
+    found.sort(key=lambda node: node.start)
+    return found
 
 
 def is_decimal(value: Node) -> bool:

@@ -8,7 +8,7 @@ from kindsl.syntax.tables import NEITHER
 from kindsl.syntax.token_names import shown
 from kindsl.syntax.tree import Edit, Node, Problem, Repair, Token
 from kindsl.syntax.value_forms import accepted_by, form_kind, is_decimal, kinds_accepted_by
-from kindsl.syntax.vocabulary import SCALARS, VALUE_HOLDERS, of_kind
+from kindsl.syntax.vocabulary import VALUE_HOLDERS, of_kind
 from kindsl.text.decimals import exact_decimal, significant_decimal
 
 DEEPEST = 60
@@ -30,25 +30,20 @@ def value_problems(text: str, block: Node, touched: frozenset[int]) -> Iterator[
         if id(node) in touched and node.kind in _HOLDERS:
             _flatten_long_expressions(node)
             continue
-        if node.kind == "vector":
-            for place in (1, 3, 5):
-                yield from _expression_problems(text, node, place)
-        elif node.kind in SCALARS:
-            yield from _expression_problems(text, node, 2)
+        if node.kind in VALUE_HOLDERS:
+            for child in node.children:
+                if isinstance(child, Node) and not is_decimal(child):
+                    yield from _expression_problems(text, node, child)
         elif node.kind == "id":
             yield from _id_problems(node, block.kind)
         else:
             pending += [child for child in node.children if isinstance(child, Node)]
 
 
-def _expression_problems(text: str, parent: Node, place: int) -> Iterator[Problem]:
-    node = parent.children[place]
-    if not isinstance(node, Node):
-        return
-    if is_decimal(node):
-        return
+def _expression_problems(text: str, parent: Node, node: Node) -> Iterator[Problem]:
     tokens = list(node.tokens())
-    _flatten_long_expressions(parent)
+    if len(tokens) > DEEPEST:
+        _flatten_long_expressions(parent)
     if any(token.is_missing or UNDECODABLE.search(token.text) for token in tokens):
         return  # which is told already
     if accepted_by(tokens):

@@ -27,6 +27,7 @@ from kindsl.semantics.lowering import declarations
 from kindsl.semantics.model import Model
 from kindsl.syntax.document import Chunk
 from kindsl.syntax.tree import Island
+from kindsl.syntax.vocabulary import NUMBERS
 from kindsl.text.facts import kept
 from kindsl.text.phrases import counted
 
@@ -52,6 +53,9 @@ def _long_in(chunk: Chunk) -> list[Expression]:
 @kept
 def _long_values(island: Island) -> list[Expression]:
     """Return the numbers of an island that have too many digits; looked for once in its life."""
+    # Most numbers are short, and their digits need no counting.
+    if not any(len(token.text) > _KEPT and token.kind in NUMBERS for token in island.tokens):
+        return []
     declared = declarations(island)
     values = [value for body in declared.bodies() for value, _ in link_values(body)]
     values += [value for moved in declared.joints for value, _ in pose_values(moved.pose)]
@@ -59,10 +63,7 @@ def _long_values(island: Island) -> list[Expression]:
 
 
 def _is_long(value: Expression) -> bool:
-    # Most numbers are short, and their digits need no counting.
-    if value.literal is None or value.end - value.start <= _KEPT:
-        return False
-    return significant_digits(value.text) > _KEPT
+    return value.literal is not None and significant_digits(value.text) > _KEPT
 
 
 def _ball(mass: str) -> str:
