@@ -111,18 +111,18 @@ differential: $(STAMP)
 mutation: $(STAMP)
 	$(BIN)/python benchmarks/mutation.py
 
-vsix: $(STAMP)
+# Python with the server in it, for a browser's tab and an editor without Python; made anew when a source is younger.
+IMAGE := web/build/server/image.json
+$(IMAGE): $(shell git ls-files server/kindsl grammar web/scripts web/package-lock.json examples vscode-extension/requirements.txt) | $(BIN)/python $(PAGE_TOOLS)
+	cd web && PYTHON=$(abspath $(BIN))/python npm run --silent server
+
+# The extension, one file for desktops and browsers.
+vsix: $(IMAGE)
 	cd vscode-extension && npm ci --ignore-scripts --no-audit --no-fund --silent && PYTHON=$(abspath $(BIN))/python npm run --silent package
 
-# The extension for editors in a browser, with Python in it: dist/kindsl-web-*.vsix.
-.PHONY: vsix-web
-vsix-web: vsix
-	cd web && npm ci --ignore-scripts --no-audit --no-fund --silent && PYTHON=$(abspath $(BIN))/python npm run --silent server
-	cd vscode-extension && PYTHON=$(abspath $(BIN))/python npm run --silent package:web
-
 # The whole tool in a browser's tab: one static folder, dist/playground.
-playground: $(TOOLS)
-	cd web && npm ci --ignore-scripts --no-audit --no-fund --silent && PYTHON=$(abspath $(BIN))/python npm run --silent playground
+playground: $(TOOLS) $(IMAGE)
+	cd web && PYTHON=$(abspath $(BIN))/python npm run --silent playground
 
 # The documentation and the playground as one static folder, dist/site.
 .PHONY: site

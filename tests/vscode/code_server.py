@@ -16,8 +16,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from tests.support.ports import free_port
+from tests.web import site
 
 ROOT = Path(__file__).parents[2]
 BUILD = ROOT / "build" / "code-server"
@@ -30,6 +32,7 @@ SOURCES = (
     "server",
     "grammar",
     "vscode-extension",
+    "web",
     "LICENSE",
     "CHANGELOG.md",
     "docs/images/vscode-preview.png",
@@ -57,6 +60,13 @@ QUIET_SETTINGS: Mapping[str, object] = {
     "breadcrumbs.enabled": True,
     "task.autoDetect": "on",
 }
+
+
+class Machine(NamedTuple):
+    """What a server is run by: words before its command, and its environment, None for ours."""
+
+    before: Sequence[str] = ()
+    env: Mapping[str, str] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,6 +111,7 @@ def has_terminals() -> bool:
 
 def package_extension() -> Path:
     """Return the extension's package, built if a source is younger than it."""
+    site.build_image()
     version = json.loads((EXTENSION / "package.json").read_text())["version"]
     package = EXTENSION / f"kindsl-{version}.vsix"
     with locked(ROOT / "build" / "vsix.lock"):
@@ -113,7 +124,10 @@ def package_extension() -> Path:
 
 @contextmanager
 def running(
-    data: Path, settings: Mapping[str, object], packages: Sequence[Path]
+    data: Path,
+    settings: Mapping[str, object],
+    packages: Sequence[Path],
+    machine: Machine = Machine(),  # noqa: B008 (immutable)
 ) -> Iterator[CodeServer]:
     """Run a server with the given user settings and extension packages installed."""
     vscode = install()
@@ -131,15 +145,18 @@ def running(
     server = [*command, *listen, "--enable-smoke-test-driver"]
     front = [_node(), str(FRONT), str(port), str(behind)]
     log = data / "server.log"
-    with _process(server, log) as process, _process(front, data / "front.log"):
+    front_process = _process(front, data / "front.log")
+    with _process([*machine.before, *server], log, machine.env) as process, front_process:
         _wait_until_up(behind, process, log)
         yield CodeServer(port, data)
 
 
 @contextmanager
-def _process(command: Sequence[str], log: Path) -> "Iterator[subprocess.Popen[bytes]]":
+def _process(
+    command: Sequence[str], log: Path, env: Mapping[str, str] | None = None
+) -> "Iterator[subprocess.Popen[bytes]]":
     with log.open("wb") as output:
-        process = subprocess.Popen(command, stdout=output, stderr=output)
+        process = subprocess.Popen(command, stdout=output, stderr=output, env=env)
         try:
             yield process
         finally:

@@ -15,7 +15,7 @@ from tests.vscode.workbench import Workbench
 STUB = Path(__file__).with_name("stub_server.py")
 
 
-def test_no_python_is_said_once_and_colours_stay(
+def test_a_setting_that_names_no_python_is_said_once_and_colours_stay(
     browser: Browser, vsix: Path, tmp_path: Path
 ) -> None:
     settings = {"kindsl.interpreter": ["/nowhere/python3"]}
@@ -23,13 +23,16 @@ def test_no_python_is_said_once_and_colours_stay(
         workbench.open("arm.kindsl", models.ARM)
         expect(workbench.notifications()).to_have_count(1)
         message = workbench.notifications().first
-        expect(message).to_contain_text("needs Python 3.11 or later: /nowhere/python3: not found")
-        actions = ["Select Interpreter", "Get Python", "Show Log"]
+        expect(message).to_contain_text(
+            "The setting kindsl.interpreter names no Python 3.11 or later: "
+            "/nowhere/python3: not found"
+        )
+        actions = ["Open Settings", "Select Interpreter", "Show Log"]
         for action in actions:
             expect(message.get_by_role("button", name=action)).to_be_visible()
         workbench.run("Kinematics-DSL: Open Preview to the Side")
         panel = workbench.eventually(lambda: reason_in_panel(workbench), "a reason in the panel")
-        expect(panel.locator("p")).to_contain_text("needs Python 3.11 or later")
+        expect(panel.locator("p")).to_contain_text("names no Python 3.11 or later")
         expect(panel.locator("button")).to_have_text(actions)
         workbench.screenshot("no-python")
         panel.locator("button", has_text="Select Interpreter").click()

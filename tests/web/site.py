@@ -12,6 +12,7 @@ from tests.vscode.browser import require
 
 ROOT = Path(__file__).parents[2]
 WEB = ROOT / "web"
+IMAGE = WEB / "build" / "server"
 PLAYGROUND = ROOT / "dist" / "playground"
 SOURCES = ("server/kindsl", "grammar", "web", "examples", "vscode-extension/requirements.txt")
 
@@ -19,16 +20,36 @@ SOURCES = ("server/kindsl", "grammar", "web", "examples", "vscode-extension/requ
 def build() -> Path:
     """Return the folder of the playground, made if it is not there or too old."""
     require("npm")
+    with _locked():
+        last = PLAYGROUND / "service_worker.js"
+        if _is_outdated(last):
+            _build_image()
+            _npm("run", "playground")
+    return PLAYGROUND
+
+
+def build_image() -> Path:
+    """Return the folder of Python with the server in it, made if it is not there or too old."""
+    require("npm")
+    with _locked():
+        _build_image()
+    return IMAGE
+
+
+def _build_image() -> None:
+    if not (WEB / "node_modules" / ".package-lock.json").exists():
+        _npm("ci", "--ignore-scripts", "--no-audit", "--no-fund")
+    if _is_outdated(IMAGE / "image.json"):
+        _npm("run", "server")
+
+
+@contextmanager
+def _locked() -> Iterator[None]:
     lock = ROOT / "build" / "web.lock"
     lock.parent.mkdir(exist_ok=True)
     with lock.open("w") as file:
         fcntl.flock(file, fcntl.LOCK_EX)
-        last = PLAYGROUND / "service_worker.js"
-        if not last.exists() or last.stat().st_mtime < _youngest_source():
-            if not (WEB / "node_modules" / ".package-lock.json").exists():
-                _npm("ci", "--ignore-scripts", "--no-audit", "--no-fund")
-            _npm("run", "playground")
-    return PLAYGROUND
+        yield
 
 
 @contextmanager
@@ -49,6 +70,10 @@ def shot(name: str) -> Path:
     folder = ROOT / "artifacts" / "web"
     folder.mkdir(parents=True, exist_ok=True)
     return folder / f"{name}.png"
+
+
+def _is_outdated(made: Path) -> bool:
+    return not made.exists() or made.stat().st_mtime < _youngest_source()
 
 
 def _youngest_source() -> float:

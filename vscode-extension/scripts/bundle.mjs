@@ -1,4 +1,4 @@
-// Put the server and its pure-Python libraries into bundled/libs, and all their licences into one file.
+// Put the server and its pure-Python libraries into bundled/libs, and the licences of all that is shipped into one file.
 //
 // NumPy is left out: it is bound to a platform, and only mechanics need it.
 import { execFileSync } from "node:child_process";
@@ -24,10 +24,11 @@ function installLibraries() {
 }
 
 async function writeNotices() {
-  const scripts = JSON.parse(await readFile("out/extension.meta.json", "utf8"));
+  const scripts = JSON.parse(await readFile("out/scripts.meta.json", "utf8"));
   const viewer = path.join(libs, "meshcat/viewer/dist/main.min.js.THIRD_PARTY_LICENSES.json");
   const parts = [...(await pythonParts(libs)), ...(await viewerParts(viewer)), ...(await nodeParts(scripts, "."))];
-  await writeFile("THIRD_PARTY_NOTICES.txt", notices(parts));
+  const builtIn = await readFile("../web/build/server/NOTICES.txt", "utf8");
+  await writeFile("THIRD_PARTY_NOTICES.txt", `${notices(parts)}\n${builtIn}`);
 }
 
 async function prune() {

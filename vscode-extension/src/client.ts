@@ -1,6 +1,7 @@
 // The language client of a server in a process of its own.
+import type { ChildProcess } from "node:child_process";
 import type * as vscode from "vscode";
-import { LanguageClient } from "vscode-languageclient/node";
+import { LanguageClient, type ServerOptions } from "vscode-languageclient/node";
 import type { LanguageClientOptions } from "vscode-languageclient";
 import { clientOptions, LANGUAGE, TRANSFORMS, type ClientHooks, type DocumentStatus } from "./clientOptions";
 import type { Launch } from "./launch";
@@ -17,13 +18,20 @@ class QuietClient extends LanguageClient {
   }
 }
 
-export function createClient(launch: Launch, log: vscode.LogOutputChannel, hooks: ClientHooks): LanguageClient {
-  const { command, args, cwd } = launch;
-  const place = cwd === undefined ? {} : { cwd };
-  const server = { command, args: [...args], options: place };
+/** A client of what a command runs, or of a server that a function starts. */
+export function createClient(
+  launch: Launch | (() => ChildProcess),
+  log: vscode.LogOutputChannel,
+  hooks: ClientHooks,
+): LanguageClient {
+  const server = typeof launch === "function" ? () => Promise.resolve(launch()) : executable(launch);
   const client = new QuietClient("kindsl", "Kinematics-DSL", server, options(log, hooks));
   client.onNotification("kindsl/status", (status: DocumentStatus) => hooks.showStatus(status));
   return client;
+}
+
+function executable({ command, args, cwd }: Launch): ServerOptions {
+  return { command, args: [...args], options: cwd === undefined ? {} : { cwd } };
 }
 
 function options(log: vscode.LogOutputChannel, hooks: ClientHooks): LanguageClientOptions {

@@ -36,6 +36,11 @@ export interface ClientHooks extends Requests {
   crashed(): boolean;
 }
 
+/** The folder of the rules' pages in the package. */
+export function rulePages(extension: vscode.Uri): vscode.Uri {
+  return vscode.Uri.joinPath(extension, "bundled/libs/kindsl/docs/rules");
+}
+
 /** What all clients have in common; which documents they serve is their own matter. */
 export function clientOptions(log: vscode.LogOutputChannel, hooks: ClientHooks): LanguageClientOptions {
   return {

@@ -3,9 +3,11 @@ import * as vscode from "vscode";
 import { LANGUAGE } from "./clientOptions";
 import { onDocument, registerCommands, type Commands } from "./commands";
 import { selectInterpreter } from "./interpreterChoice";
-import { FrameScreen, previewAddress } from "./frameScreen";
+import { EitherScreen } from "./eitherScreen";
+import { previewAddress } from "./frameScreen";
 import type { Home } from "./launch";
 import { onSelectionChange } from "./msPython";
+import { readPage } from "./pageScreen";
 import { registerPasting } from "./pasting";
 import { Previews } from "./preview";
 import { report, type Problem } from "./problems";
@@ -22,6 +24,8 @@ export interface Api {
   settled(): Promise<ServerState>;
   /** The interpreter's command, if one was found. */
   interpreter(): readonly string[] | undefined;
+  /** Whether the Python of the extension itself runs the server. */
+  isBuiltIn(): boolean;
   /** What the user was told to put right since the window was opened. */
   readonly problems: readonly Problem[];
 }
@@ -34,7 +38,8 @@ export function activate(context: vscode.ExtensionContext): Api {
     openPreview: (uri = previews.currentUri()) => uri && previews.open(uri),
     showStatus: (received) => status.receive(received),
   }));
-  const previews = new Previews(context.extensionUri, own, (panel) => new FrameScreen(panel, own));
+  const page = readPage(context.extensionUri);
+  const previews = new Previews(context.extensionUri, own, (panel) => new EitherScreen(panel, own, page));
   const status = new StatusItems(own);
   const api = exported(own, context);
   context.subscriptions.push(log, own, previews, status, new KinematicTree(own));
@@ -66,7 +71,7 @@ function exported(own: Server, context: vscode.ExtensionContext): Api {
     await own.client();
     return own.state;
   };
-  return { settled, interpreter: () => own.interpreter?.command, problems };
+  return { settled, interpreter: () => own.interpreter?.command, isBuiltIn: () => own.isBuiltIn, problems };
 }
 
 function restartOnChange(own: Server): vscode.Disposable[] {

@@ -13,16 +13,21 @@ export class FrameScreen implements Screen {
   #actions: readonly Action[] = [];
   /** Counts what was asked to be shown, so that a late answer does not replace a newer one. */
   #request = 0;
+  readonly #listening: vscode.Disposable;
 
   constructor(
     private readonly panel: vscode.WebviewPanel,
     private readonly server: Server,
   ) {
     panel.webview.options = { enableScripts: true, localResourceRoots: [] };
-    panel.webview.onDidReceiveMessage((message: { action?: unknown }) =>
+    this.#listening = panel.webview.onDidReceiveMessage((message: { action?: unknown }) =>
       this.#actions.find(({ title }) => title === message.action)?.run(),
     );
-    panel.onDidDispose(() => ++this.#request);
+  }
+
+  dispose(): void {
+    ++this.#request;
+    this.#listening.dispose();
   }
 
   async show(uri: vscode.Uri, state: PanelState): Promise<void> {

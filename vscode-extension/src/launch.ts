@@ -2,9 +2,10 @@
 import { readdir } from "node:fs/promises";
 import { homedir } from "node:os";
 import * as vscode from "vscode";
+import { BUILT_IN } from "./builtIn";
 import { installedPythons } from "./installedPythons";
 import { selectedInterpreter } from "./msPython";
-import { candidates, probeWith, search, type Command, type Hints, type Interpreter, type Probe } from "./python";
+import { candidates, PROBE_MILLISECONDS, probeWith, search, type Command, type Hints, type Interpreter, type Probe } from "./python";
 import { readSettings, workspaceFolder, type Settings } from "./settings";
 
 export interface Launch {
@@ -18,23 +19,36 @@ export interface Launch {
 /** Where the extension's files are. */
 export type Home = Pick<vscode.ExtensionContext, "extensionUri">;
 
+/** The built-in Python is to run the server. */
+export interface BuiltIn {
+  readonly isBuiltIn: true;
+  /** Why none of the machine does. */
+  readonly rejected: readonly string[];
+}
+
+/** What the setting for the interpreter names cannot run the server. */
 export interface NoPython {
   readonly rejected: readonly string[];
 }
 
-export async function findLaunch(home: Home, log: vscode.LogOutputChannel): Promise<Launch | NoPython> {
+export async function findLaunch(home: Home, log: vscode.LogOutputChannel): Promise<Launch | BuiltIn | NoPython> {
   const settings = readSettings();
   const [program, ...options] = settings.path;
   if (program !== undefined) {
     return { command: program, args: [...options, ...settings.args], cwd: workspaceFolder() };
   }
-  let result = await search(await allCandidates(settings, log), probeIn(home));
-  if (result.found === undefined && settings.interpreter.length === 0) {
+  if (settings.interpreter.length === 1 && settings.interpreter[0] === BUILT_IN) return { isBuiltIn: true, rejected: [] };
+  const isNamed = settings.interpreter.length > 0;
+  const patience = isNamed ? [PROBE_MILLISECONDS] : [];
+  let result = await search(await allCandidates(settings, log), probeIn(home), ...patience);
+  if (result.found === undefined && !isNamed) {
     const more = await search(await installed(), probeIn(home));
     result = { ...more, rejected: [...result.rejected, ...more.rejected.filter((line) => !line.endsWith(": not found"))] };
   }
   for (const line of result.rejected) log.warn(`Not used: ${line}`);
-  if (result.found === undefined) return { rejected: result.rejected };
+  if (result.found === undefined) {
+    return isNamed ? { rejected: result.rejected } : { isBuiltIn: true, rejected: result.rejected };
+  }
   log.info(`Using ${result.found.command.join(" ")}, Python ${result.found.version.join(".")}`);
   return launchWith(result.found, home, settings.importStrategy, ["language-server", ...settings.args]);
 }

@@ -12,7 +12,7 @@ const PINNED_CONTEXT = "kindsl.previewPinned";
 const SHOWN_CONTEXT = "kindsl.previewShown";
 
 /** What is in a panel. */
-export interface Screen {
+export interface Screen extends vscode.Disposable {
   /** Show a document, or the same one anew. */
   show(uri: vscode.Uri, state: PanelState): Promise<void>;
 }
@@ -92,7 +92,10 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
     const preview: Preview = { panel, screen: this.newScreen(panel), uri, isPinned };
     this.#previews.add(preview);
     panel.iconPath = vscode.Uri.joinPath(this.extension, "images", "file.svg");
-    panel.onDidDispose(() => this.#previews.delete(preview));
+    panel.onDidDispose(() => {
+      this.#previews.delete(preview);
+      preview.screen.dispose();
+    });
     panel.onDidChangeViewState(() => this.#announcePin());
     this.#show(preview, uri);
   }

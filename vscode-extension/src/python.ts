@@ -29,8 +29,8 @@ export interface Hints {
 export type Probe = (command: Command) => Promise<Interpreter>;
 
 export const OLDEST_PYTHON = [3, 11] as const;
-const PROBE_MILLISECONDS = 20_000;
-/** How long others may take once one is found that can be used. */
+export const PROBE_MILLISECONDS = 20_000;
+/** How long they may take where the user has named none of them. */
 const PATIENCE_MILLISECONDS = 2_000;
 
 /** The commands to try; a configured one is the only one. */
@@ -48,7 +48,7 @@ export function candidates(hints: Hints): Command[] {
 /**
  * Return the first candidate that has NumPy, else the first that can run the server at all.
  *
- * All are asked at once; one that does not answer delays the others for two seconds at most.
+ * All are asked at once; one that does not answer delays what comes next for the time of `patience` at most.
  */
 export async function search(
   commands: readonly Command[],
@@ -57,7 +57,9 @@ export async function search(
 ): Promise<Search> {
   const rejected: string[] = [];
   let usable: Interpreter | undefined;
-  const answers = inTime(commands.map((command) => probe(command)), patience);
+  const late = lateness(patience);
+  const answers = commands.map((command) => Promise.race([probe(command), late]));
+  for (const answer of answers) answer.catch(() => undefined);
   for (const [index, command] of commands.entries()) {
     try {
       const interpreter = await answers[index]!;
@@ -75,20 +77,10 @@ export async function search(
   return usable === undefined ? { rejected } : { found: usable, rejected };
 }
 
-/** Return the answers, those refused that come too late after the first that can be used. */
-function inTime(answers: readonly Promise<Interpreter>[], patience: number): Promise<Interpreter>[] {
-  const recent = answers.map((answer) => answer.then((one) => (isRecent(one.version) ? one : Promise.reject())));
-  const late = Promise.any(recent).then(
-    () =>
-      new Promise<never>((_, reject) => {
-        setTimeout(() => reject(new Error("does not answer")), patience);
-      }),
-    () => new Promise<never>(() => undefined),
-  );
-  late.catch(() => undefined);
-  return answers.map((answer) => {
-    answer.catch(() => undefined);
-    return Promise.race([answer, late]);
+/** What fails after a while. */
+function lateness(milliseconds: number): Promise<never> {
+  return new Promise((_, reject) => {
+    setTimeout(() => reject(new Error("does not answer")), milliseconds);
   });
 }
 

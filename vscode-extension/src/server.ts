@@ -1,23 +1,29 @@
 // The life of the language server: one at a time, started, stopped and started again in order.
 import * as vscode from "vscode";
 import { State as ClientState, type LanguageClient } from "vscode-languageclient/node";
+import { BuiltInProcess } from "./builtIn";
 import { createClient } from "./client";
-import type { Requests } from "./clientOptions";
-import { findLaunch, type Home, type Launch } from "./launch";
+import { rulePages, type Requests } from "./clientOptions";
+import { findLaunch, type BuiltIn, type Home, type Launch } from "./launch";
 import type { Interpreter } from "./python";
 import type { Problem } from "./problems";
+import { PAGE_MESSAGES, PAGE_REQUEST, type PageMessages, type PageServer } from "./serverAccess";
 import { ServerLife } from "./serverLife";
 
 /** A server that ends by itself more often than that within the window is left alone. */
 const CRASHES = { limit: 4, windowMilliseconds: 180_000 };
 
-export class Server extends ServerLife<LanguageClient> {
+export class Server extends ServerLife<LanguageClient> implements PageServer {
   readonly #failed = new vscode.EventEmitter<Problem>();
   /** Something that the user must put right. */
   readonly onProblem = this.#failed.event;
+  readonly #drawn = new vscode.EventEmitter<PageMessages>();
+  readonly onPageMessages = this.#drawn.event;
 
   #problem: Problem | undefined;
   #interpreter: Interpreter | undefined;
+  readonly #builtIn: BuiltInProcess;
+  #isBuiltIn = false;
   #crashes: number[] = [];
 
   constructor(
@@ -26,6 +32,7 @@ export class Server extends ServerLife<LanguageClient> {
     private readonly requests: Requests,
   ) {
     super();
+    this.#builtIn = new BuiltInProcess(home, log);
   }
 
   /** Why no server runs, where that is so. */
@@ -38,38 +45,59 @@ export class Server extends ServerLife<LanguageClient> {
     return this.#interpreter;
   }
 
+  get isBuiltIn(): boolean {
+    return this.#isBuiltIn;
+  }
+
+  sendFromPage(document: string, request: unknown): void {
+    if (this.state === "running") void this.current?.sendNotification(PAGE_REQUEST, { document, request });
+  }
+
   override dispose(): void {
     super.dispose();
     this.#failed.dispose();
+    this.#drawn.dispose();
   }
 
   protected override async begin(): Promise<void> {
     this.#crashes = [];
     this.set("starting");
     const launch = await findLaunch(this.home, this.log);
-    if ("rejected" in launch) {
-      this.#interpreter = undefined;
-      this.#fail({ kind: "noPython", rejected: launch.rejected });
-      return;
-    }
-    this.#interpreter = launch.interpreter;
-    await this.#run(launch);
+    this.#isBuiltIn = "isBuiltIn" in launch;
+    this.#interpreter = "interpreter" in launch ? launch.interpreter : undefined;
+    if ("isBuiltIn" in launch) await this.#runBuiltIn(launch);
+    else if ("rejected" in launch) this.#fail({ kind: "noInterpreter", rejected: launch.rejected });
+    else await this.#runCommand(launch);
   }
 
-  async #run(launch: Launch): Promise<void> {
+  async #runCommand(launch: Launch): Promise<void> {
     this.log.info(`Starting ${launch.command} ${launch.args.join(" ")}`);
     const client = createClient(launch, this.log, { ...this.requests, crashed: () => this.#crashed() });
+    await this.#run(client, { kind: "startFailed", launch });
+  }
+
+  async #runBuiltIn({ rejected }: BuiltIn): Promise<void> {
+    this.log.info("Starting the built-in Python");
+    const hooks = { ...this.requests, crashed: () => this.#crashed(), rules: rulePages(this.home.extensionUri) };
+    const client = createClient(() => this.#builtIn.start(), this.log, hooks);
+    client.onNotification(PAGE_MESSAGES, (params: PageMessages) => this.#drawn.fire(params));
+    await this.#run(client, { kind: "noPython", rejected: [...rejected, "the built-in Python does not start"] });
+  }
+
+  /** Start a client; one whose server ends meanwhile is a problem of the user's. */
+  async #run(client: LanguageClient, problem: Problem): Promise<void> {
     this.current = client;
     client.onDidChangeState(({ newState }) => this.#follow(client, newState));
     // A server that ends while it is starting may leave the promise resolved: the client's state decides.
     await client.start().catch((error) => this.log.error(`The server did not start: ${String(error)}`));
-    if (!client.isRunning()) this.#fail({ kind: "startFailed", launch });
+    if (!client.isRunning()) this.#fail(problem);
   }
 
   protected override async end(): Promise<void> {
     const client = this.current;
     this.current = undefined;
     await client?.stop().catch((error) => this.log.warn(`The server did not stop in order: ${String(error)}`));
+    this.#builtIn.kill();
     this.set("stopped");
   }
 

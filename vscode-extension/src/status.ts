@@ -54,7 +54,7 @@ export class StatusItems implements vscode.Disposable {
     this.#item.severity =
       state === "failed" ? vscode.LanguageStatusSeverity.Error : vscode.LanguageStatusSeverity.Information;
     this.#item.text = [freedom, findings].filter(Boolean).join(", ") || STATE_TEXT[state];
-    this.#item.detail = [STATE_TEXT[state], status?.state].filter(Boolean).join(", ");
+    this.#item.detail = [STATE_TEXT[state], this.server.isBuiltIn === true ? "built-in Python" : undefined, status?.state].filter(Boolean).join(", ");
     this.#item.command =
       state === "failed"
         ? { title: "Restart", command: "kindsl.restart" }

@@ -1,5 +1,6 @@
 // Tasks that run kdsl-lint with the same interpreter and libraries as the server.
 import * as vscode from "vscode";
+import { builtInCommand } from "./builtIn";
 import { launchWith, type Home } from "./launch";
 import type { Server } from "./server";
 import { readSettings } from "./settings";
@@ -36,10 +37,9 @@ async function lintTask(
   server: Server,
 ): Promise<vscode.Task | undefined> {
   await server.client();
-  if (server.interpreter === undefined) return undefined;
   const lint = ["lint", ...editorSettings(scope), ...(definition.args ?? []), ...definition.paths];
-  const { command, args } = launchWith(server.interpreter, home, readSettings().importStrategy, lint);
-  const execution = new vscode.ProcessExecution(command, [...args]);
+  const execution = lintExecution(lint, home, server);
+  if (execution === undefined) return undefined;
   // No problem matcher: the server lists the findings of all files of the folder, with their fixes.
   const task = new vscode.Task(definition, scope, name, "kindsl", execution, []);
   task.group = vscode.TaskGroup.Test;
@@ -52,4 +52,14 @@ function editorSettings(scope: vscode.WorkspaceFolder | vscode.TaskScope): strin
   const names = ["target", "ignore", "severity", "parameters"];
   const set = names.map((name) => [name, configuration.get<object>(name)] as const).filter(([, value]) => value && Object.keys(value).length > 0);
   return set.length > 0 ? ["--editor-settings", JSON.stringify(Object.fromEntries(set))] : [];
+}
+
+function lintExecution(lint: readonly string[], home: Home, server: Server): vscode.ProcessExecution | undefined {
+  if (server.isBuiltIn) {
+    const { program, args, env } = builtInCommand(home, ...lint);
+    return new vscode.ProcessExecution(program, args, { env });
+  }
+  if (server.interpreter === undefined) return undefined;
+  const { command, args } = launchWith(server.interpreter, home, readSettings().importStrategy, lint);
+  return new vscode.ProcessExecution(command, [...args]);
 }

@@ -1,5 +1,5 @@
-// Make the language server for a browser's worker, in build/server: Pyodide, the package compiled by that very Python,
-// and a memory image in which the server has been loaded and used once.
+// Make the language server for a browser's worker and an editor without Python, in build/server: Pyodide, the package
+// compiled by that very Python, and a memory image in which the server has been loaded and used once.
 //
 // usage: PYTHON=... node scripts/server.mjs
 import { execFileSync } from "node:child_process";
@@ -13,10 +13,12 @@ const SITE = path.join(BUILD, "site");
 const LIBRARIES = ["pygls", "lsprotocol", "attrs", "cattrs", "typing_extensions", "pathspec", "lark"];
 const PYODIDE_FILES = ["pyodide.js", "pyodide.asm.js", "pyodide.asm.wasm", "python_stdlib.zip"];
 const FETCHED = ["server.snap.gz", "site.zip", "pyodide.asm.wasm", "python_stdlib.zip"]; // what takes a browser long
-// Commands of a terminal, servers and the page, which is no Python.
-const NOT_IN_A_BROWSER = /kindsl[\\/](cli|codegen|preview[\\/]page)$|__pycache__$/;
+// What needs NumPy or a disk to write on, and the page, which is no Python.
+const LEFT_OUT = /kindsl[\\/](codegen|preview[\\/]page)$|__pycache__$/;
 const REHEARSED = ["broken_arm.kindsl", "quadruped.kindsl"];
 
+// Python keeps it as the name of the program: no path of this machine belongs into the image.
+process.argv[1] = "kindsl";
 const { loadPyodide } = await import(path.join(PYODIDE, "pyodide.mjs"));
 
 await rm(SERVER, { recursive: true, force: true });
@@ -38,7 +40,7 @@ async function gatherSite() {
   await writeFile(path.join(SERVER, "NOTICES.txt"), notices([...parts, ...(await pyodideParts())]));
   await cp(path.join(ROOT, "server/kindsl"), path.join(SITE, "kindsl"), {
     recursive: true,
-    filter: (place) => !NOT_IN_A_BROWSER.test(place),
+    filter: (place) => !LEFT_OUT.test(place),
   });
   await cp(path.join(ROOT, "grammar/dtdsl.lark"), path.join(SITE, "kindsl/grammar/dtdsl.lark"));
 }

@@ -1,4 +1,6 @@
-"""Runs the server in a browser's worker: no pipes, no threads, messages as JSON texts in and out.
+"""Runs the server where Python is a guest: no pipes, no threads, messages as JSON texts in and out.
+
+The host is a browser's worker, or the editor's own Node on a machine without Python.
 
 Besides the protocol's own messages, those of the previews' pages pass here. `kindsl.preview`
 answers with a page's identifier; `kindsl/previewRequest` carries `{"document", "request"}` from the
@@ -25,11 +27,12 @@ PREVIEW_MESSAGES = "kindsl/previewMessages"
 PostText = Callable[[str], object]
 
 
-def start(post: PostText) -> Callable[[str], bool]:
+def start(post: PostText, *, has_files: bool = False) -> Callable[[str], bool]:
     """Return what takes the client's messages; call it in the event loop that is to serve.
 
     Args:
         post: Sends a message to the client.
+        has_files: Whether the host shows files that change unseen.
     """
     pages: list[PostedPreviews] = []
 
@@ -43,7 +46,7 @@ def start(post: PostText) -> Callable[[str], bool]:
         params = f'{{"document":{json.dumps(document)},"messages":[{change}]}}'
         server.protocol.notify_encoded(PREVIEW_MESSAGES, Encoded(params))
 
-    server = KindslLanguageServer(Surroundings(InlineWorker(), new_previews, has_files=False))
+    server = KindslLanguageServer(Surroundings(InlineWorker(), new_previews, has_files))
     server.session.loop = asyncio.get_event_loop()
     server.protocol.set_writer(_PostingWriter(post))
 

@@ -17,10 +17,10 @@ exports.run = async () => {
   };
 
   await runAll({
-    "no Python: one message that names what was tried": async () => {
+    "a setting that names no Python: one message that names the setting": async () => {
       const problems = await problemsOf(() => configure("interpreter", ["/nowhere/python3"]));
       assert.equal(await api.settled(), "failed");
-      assert.deepEqual(problems, [{ kind: "noPython", rejected: ["/nowhere/python3: not found"] }]);
+      assert.deepEqual(problems, [{ kind: "noInterpreter", rejected: ["/nowhere/python3: not found"] }]);
     },
 
     "no Python: the document is still one of the language": async () => {
@@ -80,6 +80,17 @@ exports.run = async () => {
       assert.equal(document.getText(), "Robot mine {");
       await vscode.commands.executeCommand("workbench.action.revertAndCloseActiveEditor");
       await configure("interpreter", [places.good]);
+    },
+
+    "the built-in Python may be asked for": async () => {
+      const problems = await problemsOf(() => configure("interpreter", ["built-in"]));
+      assert.equal(await api.settled(), "running");
+      assert.equal(api.isBuiltIn(), true);
+      assert.equal(api.interpreter(), undefined);
+      assert.deepEqual(problems, []);
+      await eventually(() => codes(uri).includes("KD106"), "KD106");
+      await configure("interpreter", [places.good]);
+      assert.equal(api.isBuiltIn(), false);
     },
 
     "a server of one's own": async () => {

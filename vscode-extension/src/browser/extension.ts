@@ -1,11 +1,11 @@
 // The extension where there is no process to start: the same server in a worker, the same page in the panel.
 import * as vscode from "vscode";
 import { registerCommands } from "../commands";
+import { PageScreen, readPage } from "../pageScreen";
 import { registerPasting } from "../pasting";
 import { Previews } from "../preview";
 import { StatusItems } from "../status";
 import { KinematicTree } from "../tree";
-import { PageScreen } from "./pageScreen";
 import { WorkerServer } from "./workerServer";
 
 let server: WorkerServer | undefined;
@@ -26,9 +26,4 @@ export function activate(context: vscode.ExtensionContext): void {
 
 export async function deactivate(): Promise<void> {
   await server?.stop();
-}
-
-async function readPage(extension: vscode.Uri): Promise<string> {
-  const content = await vscode.workspace.fs.readFile(vscode.Uri.joinPath(extension, "out/preview.html"));
-  return new TextDecoder().decode(content);
 }

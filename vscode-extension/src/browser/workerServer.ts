@@ -2,20 +2,14 @@
 import * as vscode from "vscode";
 import { LanguageClient } from "vscode-languageclient/browser";
 import { RESTART, SHOW_LOG, showError } from "../actions";
-import { clientOptions, LANGUAGE, TRANSFORMS, type DocumentStatus, type Requests } from "../clientOptions";
+import { clientOptions, LANGUAGE, rulePages, TRANSFORMS, type DocumentStatus, type Requests } from "../clientOptions";
+import { PAGE_MESSAGES, PAGE_REQUEST, type PageMessages, type PageServer } from "../serverAccess";
 import { ServerLife } from "../serverLife";
 import { ProjectFiles } from "./projectFiles";
 
 const READY = "kindsl/ready", FAILED = "kindsl/failed";
-const PAGE_REQUEST = "kindsl/previewRequest", PAGE_MESSAGES = "kindsl/previewMessages";
 
-/** What the server has to draw, for the page of one document. */
-export interface PageMessages {
-  readonly document: string;
-  readonly messages: readonly unknown[];
-}
-
-export class WorkerServer extends ServerLife<LanguageClient> {
+export class WorkerServer extends ServerLife<LanguageClient> implements PageServer {
   readonly #drawn = new vscode.EventEmitter<PageMessages>();
   readonly onPageMessages = this.#drawn.event;
 
@@ -30,7 +24,6 @@ export class WorkerServer extends ServerLife<LanguageClient> {
     super();
   }
 
-  /** Pass on what a preview's page asks for. */
   sendFromPage(document: string, request: unknown): void {
     if (this.state === "running") void this.current?.sendNotification(PAGE_REQUEST, { document, request });
   }
@@ -55,9 +48,8 @@ export class WorkerServer extends ServerLife<LanguageClient> {
   }
 
   #newClient(worker: Worker, files: ProjectFiles): LanguageClient {
-    const rules = vscode.Uri.joinPath(this.extension, "rules");
     const options = {
-      ...clientOptions(this.log, { ...this.requests, crashed: () => false, rules }),
+      ...clientOptions(this.log, { ...this.requests, crashed: () => false, rules: rulePages(this.extension) }),
       documentSelector: [{ language: LANGUAGE }, { language: TRANSFORMS }, { pattern: "**/kindsl.toml" }],
       uriConverters: files.uriConverters,
     };

@@ -52,6 +52,12 @@ test("one that hangs delays the others for a moment only", async () => {
   assert.deepEqual(result.rejected, ["hangs: does not answer"]);
 });
 
+test("one that hangs delays what comes when there is no other for a moment only", async () => {
+  const probe: Probe = (command) => (command[0] === "hangs" ? new Promise(() => undefined) : Promise.reject(new Error("not found")));
+  const result = await search([["hangs"], ["none"]], probe, 5);
+  assert.deepEqual(result, { rejected: ["hangs: does not answer", "none: not found"] });
+});
+
 test("Pythons are found where tools install them, the newest first", async () => {
   const folders: Record<string, string[]> = {
     "/home/u/.pyenv/versions": ["3.9.1", "3.12.4", "3.11.7"],

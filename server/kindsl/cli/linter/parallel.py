@@ -1,6 +1,7 @@
 """Lints many documents, on several processors if that is faster."""
 
 import os
+import sys
 from collections.abc import Iterator, Sequence
 
 from kindsl.cli.linter.one_document import Checked, Task, check
@@ -18,7 +19,7 @@ def check_all(tasks: Sequence[Task], jobs: int) -> Iterator[Checked]:
         tasks: The documents.
         jobs: How many processes to use, 0 for as many as pay.
     """
-    jobs = min(jobs or _paying_jobs(len(tasks)), len(tasks))
+    jobs = min(jobs or _paying_jobs(len(tasks)), len(tasks)) if _has_processes() else 1
     if jobs < 2:
         yield from map(check, tasks)
     else:
@@ -29,6 +30,10 @@ def _paying_jobs(n_tasks: int) -> int:
     if n_tasks < 2 * _FILES_PER_JOB:
         return 1
     return min(_n_processors(), n_tasks // _FILES_PER_JOB)
+
+
+def _has_processes() -> bool:
+    return sys.platform != "emscripten"
 
 
 def _n_processors() -> int:

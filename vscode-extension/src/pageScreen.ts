@@ -1,9 +1,9 @@
 // A panel that is the preview's page itself: nothing serves it, the extension passes its messages on.
 import * as vscode from "vscode";
-import { askForPreview, type Screen } from "../preview";
-import { RESTART, SHOW_LOG } from "../actions";
-import { previewPage, type PanelState } from "../previewPage";
-import type { WorkerServer } from "./workerServer";
+import { RESTART, SHOW_LOG } from "./actions";
+import { askForPreview, type Screen } from "./preview";
+import { previewPage, type PanelState } from "./previewPage";
+import type { PageServer } from "./serverAccess";
 
 const ACTIONS = [RESTART, SHOW_LOG];
 const HELLO = { type: "hello", joints: {}, parameters: {} };
@@ -20,10 +20,11 @@ export class PageScreen implements Screen {
   /** Whether the page's scripts run; what is sent before is lost. */
   #isListening = false;
   #request = 0;
+  readonly #listening: vscode.Disposable;
 
   constructor(
     private readonly panel: vscode.WebviewPanel,
-    private readonly server: WorkerServer,
+    private readonly server: PageServer,
     private readonly page: Promise<string>,
   ) {
     const { webview } = panel;
@@ -32,10 +33,12 @@ export class PageScreen implements Screen {
     const drawing = server.onPageMessages(({ document, messages }) => {
       if (document === this.#document) void webview.postMessage({ kindslMessages: messages });
     });
-    panel.onDidDispose(() => {
-      ++this.#request;
-      vscode.Disposable.from(receiving, drawing).dispose();
-    });
+    this.#listening = vscode.Disposable.from(receiving, drawing);
+  }
+
+  dispose(): void {
+    ++this.#request;
+    this.#listening.dispose();
   }
 
   async show(uri: vscode.Uri, state: PanelState): Promise<void> {
@@ -68,4 +71,10 @@ export class PageScreen implements Screen {
     if (request.type === "hello") this.#isListening = true;
     this.server.sendFromPage(this.#document, request);
   }
+}
+
+/** The page as it is packed. */
+export async function readPage(extension: vscode.Uri): Promise<string> {
+  const content = await vscode.workspace.fs.readFile(vscode.Uri.joinPath(extension, "out/preview.html"));
+  return new TextDecoder().decode(content);
 }

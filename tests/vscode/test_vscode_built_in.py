@@ -1,0 +1,189 @@
+"""The extension on a machine without a Python that it can use: the built-in one runs the server."""
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+
+from playwright.sync_api import Browser, Locator, expect
+from tests.vscode import code_server, models
+from tests.vscode.browser import missing
+from tests.vscode.code_server import Machine
+from tests.vscode.extension_host import HOST, OLD_PYTHON, run_suite
+from tests.vscode.workbench import Workbench
+
+BUILT_IN = {"kindsl.interpreter": ["built-in"]}
+# What the reach of the elbow is: said above the folder that is open.
+CONFIGURATION = "parameters = { reach = 0.4 }\n"
+BROKEN = models.BROKEN.replace("(0.4, 0.0, 0.0)", "(reach, 0.0, 0.0)")
+
+
+def test_a_machine_without_python_needs_nothing(
+    browser: Browser, vsix: Path, tmp_path: Path
+) -> None:
+    (tmp_path / "kindsl.toml").write_text(CONFIGURATION)
+    with window(browser, vsix, tmp_path, {}, bare_machine(tmp_path)) as workbench:
+        workbench.open("broken.kindsl", BROKEN)
+        expect(workbench.squiggles("error")).to_have_count(2)
+        # A warning of the unbound parameter, were the configuration above the folder not read.
+        expect(workbench.squiggles("warning")).to_have_count(0)
+        expect(language_status(workbench)).to_contain_text("built-in Python")
+        workbench.press("Escape")
+        workbench.open("arm.kindsl", models.ARM)
+        workbench.run("Kinematics-DSL: Open Preview to the Side")
+        page = preview_page(workbench)
+        expect(page.locator("#robot")).to_have_text("arm")
+        page.get_by_role("slider", name="elbow", exact=True).fill("1.2")
+        turned = "() => Math.abs(kindsl.scene.q.get('elbow') - 1.2) < 0.01"
+        workbench.eventually(lambda: page.evaluate(turned), "the arm turned")
+        expect(workbench.notifications()).to_have_count(0)
+        workbench.screenshot("built-in")
+
+
+def test_an_old_python_is_passed_over(browser: Browser, vsix: Path, tmp_path: Path) -> None:
+    machine = bare_machine(tmp_path, python3=OLD_PYTHON)
+    with window(browser, vsix, tmp_path, {}, machine) as workbench:
+        workbench.open("broken.kindsl", models.BROKEN)
+        expect(workbench.squiggles("error")).to_have_count(2)
+        expect(language_status(workbench)).to_contain_text("built-in Python")
+        expect(workbench.notifications()).to_have_count(0)
+
+
+def test_a_good_python_beside_an_old_one_is_used(
+    browser: Browser, vsix: Path, tmp_path: Path
+) -> None:
+    good = f'#!/bin/sh\nexec "{sys.executable}" "$@"\n'
+    machine = bare_machine(tmp_path, **{"python3": OLD_PYTHON, "python3.12": good})
+    with window(browser, vsix, tmp_path, {}, machine) as workbench:
+        workbench.open("broken.kindsl", models.BROKEN)
+        expect(workbench.squiggles("error")).to_have_count(2)
+
+        def find() -> None:
+            # A Python that is slow to answer is not waited for.
+            workbench.run("Kinematics-DSL: Restart Server")
+            workbench.wait_until(lambda: host_processes(tmp_path) == [])
+            expect(workbench.squiggles("error")).to_have_count(2)
+
+        workbench.insist(find, "a server of the good Python")
+        expect(language_status(workbench)).not_to_contain_text("built-in Python")
+
+
+def test_a_server_that_is_killed_or_hangs_is_replaced(
+    browser: Browser, vsix: Path, tmp_path: Path
+) -> None:
+    with window(browser, vsix, tmp_path, BUILT_IN) as workbench:
+        workbench.open("broken.kindsl", models.BROKEN)
+        expect(workbench.squiggles("error")).to_have_count(2)
+        (first,) = host_processes(tmp_path)
+        os.kill(first, signal.SIGKILL)
+        workbench.eventually(
+            lambda: host_processes(tmp_path) not in ([], [first]), "another process"
+        )
+        workbench.go_to_place(1, len("Robot arm") + 1)
+        workbench.type(" {")
+        expect(workbench.squiggles("error")).not_to_have_count(2)
+        (second,) = host_processes(tmp_path)
+        os.kill(second, signal.SIGSTOP)
+        workbench.run("Kinematics-DSL: Restart Server")
+        workbench.eventually(
+            lambda: host_processes(tmp_path) not in ([], [second]), "a third process"
+        )
+        workbench.press("Backspace")
+        workbench.press("Backspace")
+        expect(workbench.squiggles("error")).to_have_count(2)
+        expect(workbench.notifications()).to_have_count(0)
+
+
+def test_the_linter_is_a_task(browser: Browser, vsix: Path, tmp_path: Path) -> None:
+    if not code_server.has_terminals():
+        missing("the terminal of VS Code could not be compiled")
+    folder = tmp_path / "robots"
+    folder.mkdir()
+    (folder / "broken.kindsl").write_text(models.ARM.replace("lower via elbow", "lower via x"))
+    with code_server.running(tmp_path / "data", BUILT_IN, [vsix]) as server:
+        outcome = run_suite(browser, server, folder, HOST / "tasks.js")
+    assert outcome.code == 0, str(outcome)
+
+
+def bare_machine(work: Path, **programs: str) -> Machine:
+    """Return a machine on which no Python is found but the programs, texts by their names."""
+    probe = subprocess.run(["unshare", "--mount", "true"], capture_output=True, check=False)
+    if not shutil.which("unshare") or probe.returncode != 0:
+        missing("no program can be hidden from a server here")
+    path, home, nothing = work / "path", work / "home", work / "nothing"
+    path.mkdir()
+    home.mkdir()
+    nothing.touch()
+    # VS Code takes its PATH from a login shell.
+    (home / ".profile").write_text(f'PATH="{path}:/usr/bin:/bin"\n')
+    for name, text in programs.items():
+        (path / name).write_text(text)
+        (path / name).chmod(0o755)
+    installed = [
+        python.resolve()
+        for folder in ("/usr/bin", "/usr/local/bin")
+        for python in Path(folder).glob("python3*")
+        if not python.name.endswith("config")
+    ]
+    hidden = (f"mount --bind '{nothing}' '{python}'" for python in sorted(set(installed)))
+    script = " && ".join([*hidden, 'exec "$@"'])
+    before = ["unshare", "--mount", "sh", "-c", script, "sh"]
+    return Machine(before, {"PATH": f"{path}:/usr/bin:/bin", "HOME": str(home), "SHELL": "/bin/sh"})
+
+
+@contextmanager
+def window(
+    browser: Browser,
+    vsix: Path,
+    work: Path,
+    settings: Mapping[str, object],
+    machine: Machine = Machine(),  # noqa: B008 (immutable)
+) -> Iterator[Workbench]:
+    """A window on the folder `robots` in an installation of its own."""
+    folder = work / "robots"
+    folder.mkdir()
+    with code_server.running(work / "data", settings, [vsix], machine) as server:
+        page = browser.new_page(viewport={"width": 1280, "height": 800})
+        workbench = Workbench(page, server, folder)
+        try:
+            yield workbench
+        except BaseException:
+            workbench.screenshot(f"failed-{work.name}")
+            raise
+        page.close()
+
+
+def host_processes(work: Path) -> list[int]:
+    """Return the processes of the built-in Python of an installation."""
+    found = []
+    for process in Path("/proc").glob("[0-9]*"):
+        try:
+            words = (process / "cmdline").read_bytes().decode().split("\0")
+        except OSError:
+            continue
+        if any(word.startswith(str(work)) and word.endswith("server/host.js") for word in words):
+            found.append(int(process.name))
+    return found
+
+
+def language_status(workbench: Workbench) -> Locator:
+    """Return what the status bar's braces show, opened."""
+    button = workbench.page.locator("#status\\.languageStatus")
+    hover = workbench.page.locator(".monaco-hover:visible", has_text="Server running")
+
+    def show() -> None:
+        button.hover()
+        hover.wait_for(timeout=10_000)
+
+    workbench.insist(show, "the language status")
+    return hover
+
+
+def preview_page(workbench: Workbench) -> Locator:
+    """Return the body of the panel's page, found again whenever the editor replaces its frames."""
+    panel = workbench.page.frame_locator("iframe.webview.ready").frame_locator("#active-frame")
+    return panel.locator("body")

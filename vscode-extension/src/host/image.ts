@@ -1,0 +1,48 @@
+// Python with the language server in it, from the files of one folder: no network, no Python of the machine.
+import * as fs from "node:fs";
+import Module, { createRequire } from "node:module";
+import * as path from "node:path";
+import { gunzipSync } from "node:zlib";
+import type { LoadPyodide, Pyodide } from "./pyodide";
+
+/** What else leads out of Python; a refusal further down would end it as a whole. */
+const SEAL = `
+import os, posix, sys
+del os.system, posix.system
+for name in [name for name in sys.modules if name.startswith("pyodide_js")]:
+    del sys.modules[name]`;
+
+/** Load the memory image of a folder, or its zips where the image is another Pyodide's. */
+export async function loadImage(base: string): Promise<Pyodide> {
+  const { loadPyodide } = createRequire(path.join(base, "host.js"))("./pyodide.js") as { loadPyodide: LoadPyodide };
+  const image = ownImage(base);
+  const py = await loadPyodide({
+    indexURL: base + path.sep,
+    jsglobals: Object.freeze(Object.create(null)) as object,
+    ...(image === undefined ? {} : { _loadSnapshot: image }),
+  });
+  py.FS.writeFile("/lib/site.zip", fs.readFileSync(path.join(base, "site.zip")));
+  if (image === undefined) py.runPython("import sys; sys.path.insert(0, '/lib/site.zip')");
+  seal(py);
+  return py;
+}
+
+/** The image, if it is the one that was made with this Pyodide; another would never load. */
+function ownImage(base: string): Uint8Array | undefined {
+  const told = JSON.parse(fs.readFileSync(path.join(base, "image.json"), "utf8")) as { bytes: number; head: readonly number[] };
+  const image = gunzipSync(fs.readFileSync(path.join(base, "server.snap.gz")));
+  const isOwn = image.length === told.bytes && told.head.every((byte, index) => image[index] === byte);
+  return isOwn ? new Uint8Array(image.buffer, image.byteOffset, image.length) : undefined;
+}
+
+/** Leave Python nothing of Node's but its random numbers: Emscripten would start processes and open connections for it. */
+function seal(py: Pyodide): void {
+  py.unregisterJsModule("pyodide_js");
+  py.runPython(SEAL);
+  const modules = Module as unknown as { _load: (name: string, ...others: unknown[]) => unknown };
+  const load = modules._load;
+  modules._load = (name, ...others) => {
+    if (/^(node:)?crypto$/.test(name)) return load(name, ...others);
+    throw new Error(`the built-in Python uses no ${name}`);
+  };
+}
