@@ -98,3 +98,23 @@ def test_command_writes_a_file_or_stdout(tmp_path: Path, capsys) -> None:
     assert main(["card", str(tmp_path / "absent.kindsl")]) == 2
     assert main(["card", str(QUADRUPED), "-o", str(tmp_path / "no" / "card.md")]) == 2
     assert "cannot be written: there is no folder" in capsys.readouterr().err
+
+
+def test_the_picture_is_in_a_pose_of_the_configuration(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "a.kindsl"
+    path.write_text(QUADRUPED.read_text())
+    (tmp_path / "kindsl.toml").write_text("[poses.stand]\nLF_HFE = 0.7\n")
+    out = tmp_path / "card.html"
+    pictures = []
+    for options in ([], ["--pose", "stand"]):
+        assert main(["card", str(path), "--output-format", "html", "-o", str(out), *options]) == 0
+        pictures.append(out.read_text())
+    assert "At zero: bodies" in pictures[0]
+    assert "In pose &#x27;stand&#x27;: bodies" in pictures[1]
+    drawn, moved = (re.search(r"<svg.*?</svg>", text, re.S)[0] for text in pictures)
+    assert drawn != moved
+    assert pictures[0].count("<table") == pictures[1].count("<table")
+    assert main(["card", str(path), "--pose", "sit"]) == 2
+    assert "kindsl.toml names no pose 'sit'" in capsys.readouterr().err

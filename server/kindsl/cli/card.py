@@ -9,13 +9,16 @@ import argparse
 
 from kindsl.cli.documents.choices import choices_of
 from kindsl.cli.documents.document_reading import (
+    CommandError,
     note_errors,
     read_document,
     require_parameters,
+    shown_name,
 )
 from kindsl.cli.documents.sources import STDIN
 from kindsl.cli.documents.writing import write_output
 from kindsl.cli.options import add_parameter_arguments
+from kindsl.cli.outcome import Failure
 
 SUMMARY = "write a page about a document: picture, tables, transforms"
 FORMATS = ("markdown", "html", "latex")
@@ -28,6 +31,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "-o", "--output", metavar="OUT", help="write to this file instead of stdout"
     )
+    parser.add_argument(
+        "--pose", metavar="NAME", help="picture a pose of kindsl.toml: [poses.NAME]"
+    )
     add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
 
 
@@ -36,13 +42,20 @@ def run(args: argparse.Namespace) -> int:
 
     Returns:
         0, or 2 if the document cannot be read or the page cannot be written.
+
+    Raises:
+        CommandError: The configuration has no such pose for this robot.
     """
     analysis = read_document(args.file, choices_of(args))
     require_parameters(args.file, analysis)
+    from kindsl.analysis.poses import PoseError
     from kindsl.reports.card import card_page
     from kindsl.reports.page.rendering import rendered, with_pictures
 
-    page = card_page(analysis)
+    try:
+        page = card_page(analysis, args.pose)
+    except PoseError as error:
+        raise CommandError([Failure(shown_name(args.file), str(error))], status=2) from None
     if args.output_format == "markdown" and args.output is not None:
         # What shows Markdown strips pictures that are in it.
         text, pictures = with_pictures(page, args.output)

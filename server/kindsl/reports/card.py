@@ -5,6 +5,8 @@ from math import degrees
 from typing import Any
 
 from kindsl.analysis.analysis import Analysis
+from kindsl.analysis.poses import pose_named
+from kindsl.mechanism.posing import posed
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.mechanism.total_mass import unknown_bodies
 from kindsl.reports.columns import number
@@ -21,11 +23,19 @@ from kindsl.text.phrases import counted
 _UNITS = {"length": "m", "angle": "rad", "dynamics": ""}
 
 
-def card_page(analysis: Analysis) -> Page:
-    """Return the page of a document; of a broken one, a partial page."""
+def card_page(analysis: Analysis, pose: str | None = None) -> Page:
+    """Return the page of a document; of a broken one, a partial page.
+
+    Args:
+        analysis: The document.
+        pose: A name of the configuration: how the picture shows the robot, None for at zero.
+
+    Raises:
+        PoseError: The configuration has no such pose for this robot.
+    """
     facts = robot_facts(analysis)
     shown = picture(analysis.model, dict(analysis.context.values), None)
-    blocks = [*_heading(facts, shown), *_tree(facts)]
+    blocks = [*_heading(facts, shown, analysis, pose), *_tree(facts)]
     if shown.skeleton is not None:
         blocks += [*_joints(shown.skeleton), *_masses(shown.skeleton, facts, analysis)]
         blocks += _frames(shown.skeleton)
@@ -37,7 +47,9 @@ def shown_skeleton(analysis: Analysis) -> Skeleton | None:
     return picture(analysis.model, dict(analysis.context.values), None).skeleton
 
 
-def _heading(facts: dict[str, Any], shown: Picture) -> Iterator[Block]:
+def _heading(
+    facts: dict[str, Any], shown: Picture, analysis: Analysis, pose: str | None
+) -> Iterator[Block]:
     yield Heading(facts["robot"] or "(unnamed)", 1)
     base = "floating" if facts["floating"] else "fixed"
     dof = counted(facts["dof"], "degree")
@@ -45,8 +57,17 @@ def _heading(facts: dict[str, Any], shown: Picture) -> Iterator[Block]:
     if shown.message:
         yield Paragraph(shown.message)
     if shown.skeleton is not None:
-        caption = "At zero: bodies, joints with their axes, frames (green), centres of mass (gold)"
-        yield Figure("robot", robot_drawing(shown.skeleton), caption)
+        place = "At zero" if pose is None else f"In pose '{pose}'"
+        caption = f"{place}: bodies, joints with their axes, frames (green), centres of mass (gold)"
+        yield Figure("robot", robot_drawing(_in_pose(shown.skeleton, analysis, pose)), caption)
+
+
+def _in_pose(skeleton: Skeleton, analysis: Analysis, pose: str | None) -> Skeleton:
+    if pose is None:
+        return skeleton
+    joints = [str(joint.name) for joint in analysis.model.joints]
+    values = pose_named(analysis.settings, pose, joints)
+    return posed(skeleton, [values.get(joint, 0.0) for joint in skeleton.joint_names])
 
 
 def _tree(facts: dict[str, Any]) -> Iterator[Block]:
