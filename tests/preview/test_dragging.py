@@ -67,6 +67,10 @@ def drag(phase="move", component="x", value=0.55, step=0.01, **more):
     return {**thing, "value": value, "step": step, "phase": phase, **more}
 
 
+def look_of(page, link):
+    return next(m["look"] for m in page.state("solid") if m["name"] == link)
+
+
 def place_of(page, joint):
     return next(list(m["placement"][12:15]) for m in page.state("joint") if m["name"] == joint)
 
@@ -107,10 +111,14 @@ async def test_dropping_writes_one_number(page):
 
 async def test_an_impossible_text_is_told_while_it_moves():
     page, thing = Page(ARM), {"kind": "com", "name": "upper"}
-    await page.ask(**drag("move", "x", 40.0, None) | thing)
-    assert page.state("finding")
+    looks = [look_of(page, "upper")]
+    for value in (0.9, 40.0):
+        await page.ask(**drag("move", "x", value, None) | thing)
+        assert page.state("finding")
+        looks.append(look_of(page, "upper"))
     await page.ask(**drag("cancel") | thing)
     assert not page.state("finding")
+    assert [*looks, look_of(page, "upper")] == ["sound", "impossible", "impossible", "sound"]
 
 
 @pytest.mark.parametrize(

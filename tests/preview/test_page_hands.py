@@ -369,3 +369,36 @@ async def test_a_limit_that_nobody_gave_looks_otherwise(browser, server):
         await until(page, "kindsl.scene.limits.size === 2 && document.querySelector('.open-high')")
         looks = "(rows) => rows.map((row) => row.className)"
         assert await page.locator("#joints .row").evaluate_all(looks) == ["row", "row open-high"]
+
+
+CLIPBOARD = """Object.defineProperty(navigator, "clipboard", {
+  configurable: true, value: { writeText: async (text) => { globalThis.copied = text; } },
+})"""
+
+
+async def test_a_copied_link_says_where_and_how_long_it_leads_here(page_of_quadruped):
+    page = page_of_quadruped
+    await page.evaluate(CLIPBOARD)
+    await page.locator("#link").click()
+    await page.get_by_text("on this computer only, while this preview runs").wait_for()
+    assert "token=" in await page.evaluate("copied")
+
+
+async def test_a_motion_is_opened_by_keyboard_and_its_torques_follow_the_robot(browser, server):
+    async with opened(browser, await url_of(server)) as page:
+        await until_shown(page, "Arm")
+        await page.locator("#play-file").focus()
+        async with page.expect_file_chooser() as choosing:
+            await page.keyboard.press("Enter")
+        rows = "\n".join(f"{0.1 * i},{0.02 * i}" for i in range(20))
+        motion = {"name": "wave.csv", "mimeType": "text/csv"}
+        await (await choosing.value).set_files({**motion, "buffer": f"t,shoulder\n{rows}".encode()})
+        await page.get_by_text("wave.csv: 20 samples, 1 joint").wait_for()
+        told = """() => kindsl.player.told.textContent && kindslModules["panel/player.js"]
+          .torques(kindsl.scene, kindsl.player.trajectory).values[0][0]"""
+        before = await page.evaluate(told)
+        await page.evaluate("kindsl.player.chart.firstChild.dataset.old = 'yes'")
+        await url_of(server, ARM.replace("mass = 1.0", "mass = 3.0"))
+        await until(page, "!document.querySelector('#player [data-old]')")
+        assert abs(await page.evaluate(told)) > abs(before)
+        assert await page.locator("#player .chart.stale").count() == 0

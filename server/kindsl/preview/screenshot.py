@@ -12,8 +12,6 @@ from kindsl.text.writing import write_file
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
 SIZE = (1200, 800)
 _PATIENCE = 120.0  # seconds
-# Virtual time that the page may take to draw itself.
-_BUDGET = 4000  # milliseconds
 _FLAGS = (
     "--headless", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic",
     "--no-first-run", "--disable-background-networking", "--disable-component-update",
@@ -62,7 +60,7 @@ def _command(browser: str, source: Path, picture: Path, size: tuple[int, int]) -
     return [
         browser, *_FLAGS, *(["--no-sandbox"] if is_superuser else []),
         f"--user-data-dir={source.parent / 'profile'}", f"--window-size={size[0]},{size[1]}",
-        f"--virtual-time-budget={_BUDGET}", f"--screenshot={picture}",
+        f"--screenshot={picture}",
         f"{source.as_uri()}#picture",
     ]  # fmt: skip
 

@@ -60,7 +60,7 @@ test("each piece of news makes its part of the page stale, once", () => {
   assert.deepEqual([...inbox.stale], ["values"]);
   assert.deepEqual([inbox.isStale("values"), inbox.isStale("values")], [true, false]);
   tell({ ...LIFT });
-  assert.deepEqual([...inbox.stale], ["rows"]);
+  assert.deepEqual([...inbox.stale], ["rows", "torques"]);
 });
 
 test("a cursor on nothing is told as nothing", () => {

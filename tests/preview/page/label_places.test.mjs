@@ -33,3 +33,21 @@ test("where there is no room there is no name", () => {
   const places = new LabelPlaces({ clientWidth: 50, clientHeight: 300 }, []);
   assert.equal(places.claim({ size: [60, 16], slot: -1 }, [25, 150]), null);
 });
+
+test("a name covers no letter, and lies on no body but its own", () => {
+  const random = makeRandom(5), rod = { link: "arm", line: [150, 150, 250, 160], radius: 12 };
+  for (let round = 0; round < 30; round++) {
+    const at = [150 + 100 * random(), 140 + 30 * random()], letter = [at[0] + 12, at[1] - 20, at[0] + 21, at[1] - 11];
+    const label = () => ({ size: [50, 16], slot: -1 });
+    assert.ok(!overlaps(new LabelPlaces(PANE, [], [letter]).claim(label(), at), letter));
+    const own = new LabelPlaces(PANE, [], [], [rod]).claim(label(), at, ["arm"]);
+    assert.deepEqual(own, new LabelPlaces(PANE, []).claim(label(), at));
+    const [, top, , bottom] = new LabelPlaces(PANE, [], [], [rod]).claim(label(), at, ["hand"]), middle = (top + bottom) / 2;
+    assert.ok(Math.abs(middle - 155) > 12, `${middle}`);
+  }
+});
+
+test("where all places lie on another body a name still has one", () => {
+  const rod = { link: "arm", line: [0, 150, 400, 150], radius: 300 };
+  assert.ok(new LabelPlaces(PANE, [], [], [rod]).claim({ size: [50, 16], slot: -1 }, [200, 150], ["hand"]));
+});

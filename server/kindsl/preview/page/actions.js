@@ -103,7 +103,7 @@ export function makeActions(page) {
     animate: (name) => page.motion.toggle(name),
     measure: () => page.measure.toggle(),
     savePicture: () => savePicture(drawPicture(page.viewer, page.labels, page.pane), scene.model.name),
-    copyLink: () => copy(page.address.link()),
+    copyLink: () => copy(page.address.link(), page.isStatic),
     showKeys: () => page.keys.show(),
     foldPanel(isFolded = !document.body.classList.contains("folded")) {
       document.body.classList.toggle("folded", isFolded);
@@ -141,29 +141,41 @@ function connect(actions, page) {
 }
 
 /**
- * Put a text on the clipboard; where that is forbidden, show it.
- * @param {string} text
+ * Put a link on the clipboard and say for how long it leads here; where the clipboard is forbidden, show it.
+ * @param {string} link
+ * @param {boolean} isLasting
  */
-async function copy(text) {
-  const button = byId("link");
+async function copy(link, isLasting) {
+  const limit = isLasting ? "" : "It opens on this computer only, while this preview runs: 'kindsl preview FILE --export PAGE.html' writes a page to send.";
   try {
-    await navigator.clipboard.writeText(text);
-    button.textContent = "Copied";
-    setTimeout(() => { button.textContent = "Copy link"; }, 1500);
+    await navigator.clipboard.writeText(link);
+    tell(`Copied the link to this view. ${limit}`);
   } catch {
-    showText("Link to this view", text);
+    showText("Link to this view", link, limit);
   }
 }
 
 /**
- * A text to be selected and copied by hand.
- * @param {string} title
+ * Say something for a while, over all else.
  * @param {string} text
  */
-export function showText(title, text) {
+function tell(text) {
+  const box = byId("told");
+  box.textContent = text;
+  box.showPopover();
+  setTimeout(() => box.textContent === text && box.hidePopover(), 8000);
+}
+
+/**
+ * A text to be selected and copied by hand, and what to know of it.
+ * @param {string} title
+ * @param {string} text
+ * @param {string} [note]
+ */
+export function showText(title, text, note) {
   const dialog = make("dialog"), form = make("form");
   dialog.ariaLabel = title;
-  dialog.append(make("h2", "", title), make("pre", "", text), form);
+  dialog.append(make("h2", "", title), make("pre", "", text), ...(note ? [make("p", "", note)] : []), form);
   form.method = "dialog";
   form.append(make("button", "", "Close"));
   dialog.addEventListener("close", () => dialog.remove());

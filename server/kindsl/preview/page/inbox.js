@@ -6,12 +6,14 @@ import { applyFormulas } from "./formulas.js";
 /** @import { Change, ComparisonMessage, FindingMessage, FormulaMessage, GhostMessage, HighlightMessage, MeshesMessage, OtherMessage, ParameterMessage, Part, PoseMessage, StatusMessage, TrajectoryMessage } from "./messages.js" */
 /** @import { News, Scene } from "./picture/scene.js" */
 
-/** @typedef {"rows" | "marks" | "values" | "parameters" | "findings" | "camera" | "poses" | "compare"} Stale what is to be shown anew */
+/** @typedef {"rows" | "marks" | "values" | "parameters" | "findings" | "camera" | "poses" | "compare" | "torques"} Stale what is to be shown anew */
 
 /** @type {readonly News[]} */
 const ROW_NEWS = ["model", "link", "joint", "frame", "limits", "delete"]; // other rows
 /** @type {readonly News[]} */
 const MARK_NEWS = ["solid", "set_object", "set_transform"]; // other marks in the picture
+/** @type {readonly News[]} */
+const WEIGHT_NEWS = ["link", "joint", "delete"]; // other torques for the same motion
 /** @type {readonly News[]} */
 const VALUE_NEWS = ["value", "motion", "view"]; // other values in them
 
@@ -80,6 +82,7 @@ export class Inbox {
       if (MARK_NEWS.includes(what)) this.stale.add("marks");
       if (VALUE_NEWS.includes(what)) this.stale.add("values");
       if (what === "model") this.stale.add("camera");
+      if (WEIGHT_NEWS.includes(what)) this.stale.add("torques");
     });
   }
 

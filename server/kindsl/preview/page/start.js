@@ -159,6 +159,7 @@ function refresh() {
   if (page.inbox.isStale("rows")) showRows();
   if (page.inbox.isStale("marks")) page.legend.showMore();
   if (page.inbox.isStale("values")) page.joints.update();
+  if (page.inbox.isStale("torques")) page.player.renew();
   if (page.inbox.isStale("parameters")) page.parameters.update([...page.inbox.parameters.values()]);
   if (isDrawn && page.inbox.motion) startMotion(page.inbox.motion);
   if (page.inbox.isStale("poses")) page.poses.show([...page.inbox.poses.values()]);
@@ -166,7 +167,7 @@ function refresh() {
     page.findings.show();
     showHead();
   }
-  if (page.selection.chosen) showCard(scene, page.selection.chosen, byId("selection"));
+  if (page.selection.chosen) showCard(scene, page.selection.chosen, byId("selection"), page.inbox.status.is_former);
   page.lineArt.update();
   page.measure.update((position) => page.labels.project(position));
   page.stage.styleGround();
@@ -259,7 +260,7 @@ passOn(page);
 page.camera.onMove(page.actions.note);
 page.selection.onChange(() => {
   scene.highlight(page.selection.lit);
-  showCard(scene, page.selection.chosen, byId("selection"));
+  showCard(scene, page.selection.chosen, byId("selection"), page.inbox.status.is_former);
   byId("inspector").scrollTop = 0;
 });
 
@@ -271,6 +272,9 @@ const greeting = () => ({ type: "hello", joints: Object.fromEntries(scene.q), pa
 if (embedded) {
   onState("exported");
   onFrame(Uint8Array.from(atob((embedded.textContent ?? "").trim()), (character) => character.charCodeAt(0)));
+  // Drawn before the page counts as loaded: who takes a picture of it then has it whole.
+  viewer.set_3d_pane_size();
+  viewer.render();
 } else page.connection = new Connection({ onFrame, onMessage, onState, greeting });
 new ResizeObserver(() => viewer.set_3d_pane_size()).observe(pane);
 

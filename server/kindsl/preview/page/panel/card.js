@@ -105,12 +105,12 @@ export function summary(scene, { mass, lacks, is_former: isFormer }) {
   return `${count} joint${count === 1 ? "" : "s"}, ${told}${isFormer ? " (stale)" : ""}`;
 }
 
-/** @param {Scene} scene @param {Thing | null} chosen @param {HTMLElement} section */
-export function showCard(scene, chosen, section) {
+/** @param {Scene} scene @param {Thing | null} chosen @param {HTMLElement} section @param {boolean} isFormer Whether the document has changed since. */
+export function showCard(scene, chosen, section, isFormer) {
   const list = chosen && rows(scene, chosen);
   section.hidden = !list;
   if (!list) return;
-  partOf(section, "h3").textContent = `${chosen.kind} ${chosen.name}`;
+  partOf(section, "h3").textContent = `${chosen.kind} ${chosen.name}${isFormer ? " (stale)" : ""}`;
   const table = partOf(section, "dl");
   table.replaceChildren();
   for (const [title, text, look] of list) table.append(make("dt", "", title), make("dd", look ?? (title ? "" : "note"), text));

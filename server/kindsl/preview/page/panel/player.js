@@ -9,6 +9,7 @@ import { poseAt, rates, readTrajectory } from "../picture/trajectory.js";
 
 const MOST_POINTS = 1000; // of a curve
 const HEIGHT = 150; // pixels
+const REST = 500; // milliseconds
 const LINES = ["#1f5fc9", "#b9590f", "#0f7566", "#a3347f", "#866100", "#6b4fae", "#1e7d3c", "#b42a1d"];
 
 export class Player {
@@ -19,6 +20,8 @@ export class Player {
   /** @type {Plot | null} */
   #plot = null;
   #before = 0;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #timer;
 
   /** @param {Scene} scene @param {HTMLElement} pane @param {(names: readonly string[]) => void} onStop */
   constructor(scene, pane, onStop) {
@@ -36,14 +39,22 @@ export class Player {
     this.chart = partOf(this.section, ".chart");
     this.play.addEventListener("click", () => this.toggle());
     this.slider.addEventListener("input", () => this.seek(Number(this.slider.value)));
+    /** @type {HTMLInputElement} */
+    const file = byId("motion-file");
+    byId("play-file").addEventListener("click", () => file.click());
+    file.addEventListener("change", () => this.open(file.files?.[0]));
     pane.addEventListener("dragover", (event) => event.preventDefault());
     pane.addEventListener("drop", (event) => this.drop(event));
   }
 
   /** @param {DragEvent} event */
-  async drop(event) {
-    const file = event.dataTransfer?.files[0];
+  drop(event) {
     event.preventDefault();
+    this.open(event.dataTransfer?.files[0]);
+  }
+
+  /** @param {File | undefined} file */
+  async open(file) {
     if (file) this.load(file.name, await file.text());
   }
 
@@ -99,6 +110,17 @@ export class Player {
     this.onStop((this.trajectory?.tracks ?? []).map(({ name }) => name));
   }
 
+  // The robot is another: the same motion takes other torques, told once it has stayed so for a while.
+  renew() {
+    clearTimeout(this.#timer);
+    if (!this.trajectory) return;
+    this.chart.classList.add("stale");
+    this.#timer = setTimeout(() => {
+      if (this.trajectory) this.draw(this.trajectory);
+      this.mark();
+    }, REST);
+  }
+
   /** @param {number} time Seconds. */
   seek(time) {
     if (!this.trajectory) return;
@@ -106,9 +128,12 @@ export class Player {
     for (const [name, value] of poseAt(this.trajectory, time)) this.scene.q.set(name, value);
     this.slider.value = String(time);
     this.told.textContent = `${format(time, 2)} s`;
-    this.#plot?.setCursor({ left: this.#plot.valToPos(time, "x"), top: 0 });
+    this.mark();
     this.scene.changed("motion");
   }
+
+  // Show the present time in the plot.
+  mark() { this.#plot?.setCursor({ left: this.#plot.valToPos(this.time, "x"), top: 0 }); }
 
   /**
    * The torques of inverse dynamics over time, of so many samples as can be told apart.
@@ -124,6 +149,7 @@ export class Player {
       axes: [{ ...axis, size: 28 }, axis], series: [{}, ...series], cursor: { y: false, drag: { x: false, y: false } },
     };
     this.#plot?.destroy();
+    this.chart.classList.remove("stale");
     this.#plot = new uPlot(options, [curves.times, ...curves.values], this.chart);
     const legend = names.map((name, i) => {
       const entry = make("span", "", name);

@@ -7,7 +7,7 @@
 const GAP = 3; // pixels between two labels
 // [horizontal, vertical side of the thing, how far off in pixels], the preferred first.
 const SLOTS = [10, 30, 52, 84, 120].flatMap((off) => [[1, -1], [1, 1], [-1, -1], [-1, 1], [0, -1], [0, 1]].map(([h, v]) => [h, v, off]));
-const COST = { order: 0.35, away: 2, kept: -3, covered: 2, foreign: 7 };
+const COST = { order: 0.35, away: 2, kept: -3, covered: 2, foreign: 14 };
 
 export class LabelPlaces {
   /** @type {Box[]} */

@@ -21,10 +21,29 @@ export function drawPicture(viewer, labels, pane) {
   sky.addColorStop(1, color("floor"));
   pen.fillStyle = sky;
   pen.fillRect(0, 0, canvas.width, canvas.height);
+  pen.filter = getComputedStyle(source).filter; // that of what is out of date
   pen.drawImage(source, 0, 0);
+  pen.filter = "none";
   pen.scale(scale, scale);
+  drawSentence(pen, pane, color);
   drawNames(pen, labels, pane.getBoundingClientRect(), color);
   return canvas;
+}
+
+/**
+ * What is said over the picture: that it is not of the present document, or not all of it.
+ * @param {CanvasRenderingContext2D} pen
+ * @param {HTMLElement} pane
+ * @param {(name: string) => string} color
+ */
+function drawSentence(pen, pane, color) {
+  /** @type {HTMLElement | null} */
+  const notice = pane.querySelector("#notice:not([hidden])");
+  if (!notice) return;
+  pen.font = "12px system-ui, DejaVu Sans, sans-serif";
+  pen.textBaseline = "top";
+  pen.fillStyle = color("ink");
+  pen.fillText((notice.textContent ?? "").trim(), 12, 10, pane.clientWidth - 24);
 }
 
 /**
