@@ -46,6 +46,10 @@ AS_AT_FIRST = """() => {
   kindsl.actions.zero();
   kindsl.history.begin();
 }"""
+PLACES = """() => {
+  kindsl.viewer.render();
+  return [...kindsl.scene.poses.robot.links.values()].map((pose) => [...pose]);
+}"""
 LIFTED = "() => kindsl.scene.q.get('lift') || 0"
 QUADRUPED = (EXAMPLES / "quadruped.kindsl").read_text()
 # x and the new z are one line, so two rings lie in one plane.
@@ -199,6 +203,69 @@ async def test_a_child_is_a_ghost_until_it_is_accepted(arm):
     await page.click("#editing output button:text('Accept')")
     await eventually(lambda: "link link1" in owner.text)
     await page.wait_for_function("() => kindsl.scene.trees.robot.links.has('link1')")
+
+
+async def test_an_impossible_body_is_told_at_the_handle_and_its_moments_follow(arm):
+    owner, page = arm
+    await grasp(page, "com", "upper")
+    await press_and_pull(page, "x", 4.0)
+    warning = page.locator(".handles .warning")
+    await page.wait_for_function(
+        "() => document.querySelector('.handles .warning').textContent.includes('inertia of')"
+    )
+    box, pane = await warning.bounding_box(), await page.locator("#pane").bounding_box()
+    assert box["x"] >= 0
+    assert box["x"] + box["width"] <= pane["width"]
+    assert owner.text == ARM
+    await page.mouse.up()
+    await eventually(lambda: owner.text != ARM)
+    ((_, moved),) = changed(ARM, owner.text)
+    assert await warning.text_content() == ""
+    assert "is not positive definite" in await page.locator("#editing output").text_content()
+    await page.get_by_label("Moments move along").check()
+    await eventually(lambda: len(owner.labels) == 3)
+    assert owner.labels[-1] == "Set x of com 'upper' with its moments"
+    assert f"CoM = ({moved}, 0.0, 0.0)" in owner.text
+    assert not [f for f in analyse(owner.text).findings if f.code in ("KD301", "KD302")]
+    await page.get_by_label("Moments move along").uncheck()
+
+
+async def test_a_pose_that_becomes_zero_is_asked_for_without_a_ghost(arm):
+    owner, page = arm
+    await page.evaluate("() => kindsl.actions.setJoint('shoulder', 0.5)")
+    await page.evaluate("() => kindsl.selection.choose({ kind: 'joint', name: 'shoulder' })")
+    before = await page.evaluate(PLACES)
+    assert any(pose[0] < 0.9 for pose in before)
+    await page.click("[data-gesture=pose-as-zero]")
+    accept = page.locator("#editing output button:text('Accept')")
+    await accept.wait_for()
+    assert "stays as it stands" in await page.locator("#editing output").text_content()
+    assert await page.evaluate("() => kindsl.scene.trees.ghost.links.size") == 0
+    await accept.click()
+    await eventually(lambda: owner.text != ARM)
+    await page.wait_for_function("() => kindsl.scene.q.get('shoulder') === 0")
+    assert await page.evaluate(PLACES) == [pytest.approx(place) for place in before]
+
+
+async def test_a_leg_is_mirrored_only_where_its_name_tells_a_side(opened_once):
+    owner, page = opened_once
+    legs = QUADRUPED.replace("        RF_hip via RF_HAA\n", "").replace("RF_", "spare_")
+    await owner.show(legs)
+    await until_shown(page, "Quadruped")
+    button = page.locator("[data-gesture=mirror-leg]")
+    for link, count in (("LF_hip", 1), ("trunk", 0), ("LH_hip", 0)):
+        await page.evaluate("(name) => kindsl.selection.choose({ kind: 'link', name })", link)
+        await page.wait_for_function("(name) => kindsl.editing.numbers?.name === name", arg=link)
+        assert await button.count() == count, link
+
+
+async def press_and_pull(page, component, share):
+    """Take an arrow and pull it by a share of its length; it is still held."""
+    (x0, y0), (x1, y1) = (await page.evaluate(LINES))[component]
+    await page.mouse.move(x0 + 0.8 * (x1 - x0), y0 + 0.8 * (y1 - y0))
+    await page.mouse.down()
+    for pulled in (0.8 + share * part for part in (0.25, 0.5, 1.0)):
+        await page.mouse.move(x0 + pulled * (x1 - x0), y0 + pulled * (y1 - y0))
 
 
 async def test_without_an_owner_there_are_no_handles(browser):

@@ -86,6 +86,20 @@ async def test_degrees_are_read_and_shown(page_of_arm):
     assert await page.get_by_label("shoulder, typed").input_value() == "0.5236"
 
 
+SLIDE = """(slider, value) => {
+  slider.value = value;
+  slider.dispatchEvent(new Event("input"));
+}"""
+
+
+async def test_a_slider_stands_at_round_numbers_and_at_its_ends(page_of_arm):
+    slider = page_of_arm.get_by_label("shoulder", exact=True)
+    for value, shown in (("1.0", "1"), ("-0.5", "-0.5"), ("9", "3.1416")):
+        await slider.evaluate(SLIDE, value)
+        assert await page_of_arm.get_by_label("shoulder, typed").input_value() == shown
+    assert await page_of_arm.evaluate("kindsl.scene.q.get('shoulder')") == math.pi
+
+
 async def test_a_double_click_resets_a_slider(page_of_arm):
     await typed(page_of_arm, "shoulder", "1.2")
     await page_of_arm.get_by_label("shoulder", exact=True).dblclick()

@@ -118,7 +118,7 @@ export class NumberEdits {
     if (!this.exchange.hears(phase)) return;
     if (written) this.page.history.wrote();
     this.#impossible = written && warning ? { component, value } : null;
-    this.handles.warn(this.drag.isOn ? reason || warning : "");
+    this.handles.warn(this.drag.isOn ? (reason || warning).split(":")[0] : "");
     if (!reason) this.card.follow(component, phase === "cancel" ? this.start.text : text);
     const told = phase === "cancel" ? "" : `${component}: ${this.start.text} → ${text}`;
     this.card.tell(reason || (warning ? `${told}; ${warning}` : told), Boolean(reason || warning));
