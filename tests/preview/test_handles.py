@@ -205,31 +205,6 @@ async def test_a_child_is_a_ghost_until_it_is_accepted(arm):
     await page.wait_for_function("() => kindsl.scene.trees.robot.links.has('link1')")
 
 
-async def test_an_impossible_body_is_told_at_the_handle_and_its_moments_follow(arm):
-    owner, page = arm
-    await grasp(page, "com", "upper")
-    await press_and_pull(page, "x", 4.0)
-    warning = page.locator(".handles .warning")
-    await page.wait_for_function(
-        "() => document.querySelector('.handles .warning').textContent.includes('inertia of')"
-    )
-    box, pane = await warning.bounding_box(), await page.locator("#pane").bounding_box()
-    assert box["x"] >= 0
-    assert box["x"] + box["width"] <= pane["width"]
-    assert owner.text == ARM
-    await page.mouse.up()
-    await eventually(lambda: owner.text != ARM)
-    ((_, moved),) = changed(ARM, owner.text)
-    assert await warning.text_content() == ""
-    assert "is not positive definite" in await page.locator("#editing output").text_content()
-    await page.get_by_label("Moments move along").check()
-    await eventually(lambda: len(owner.labels) == 3)
-    assert owner.labels[-1] == "Set x of com 'upper' with its moments"
-    assert f"CoM = ({moved}, 0.0, 0.0)" in owner.text
-    assert not [f for f in analyse(owner.text).findings if f.code in ("KD301", "KD302")]
-    await page.get_by_label("Moments move along").uncheck()
-
-
 async def test_a_pose_that_becomes_zero_is_asked_for_without_a_ghost(arm):
     owner, page = arm
     await page.evaluate("() => kindsl.actions.setJoint('shoulder', 0.5)")
