@@ -197,7 +197,7 @@ class TestMessages:
         told = json.loads(as_json(HandlesMessage("joint", "a", 2, "", (row,))))
         assert told == {
             "type": "handles", "path": "/kindsl/handles", "kind": "joint", "name": "a",
-            "revision": 2, "frame": "",
+            "revision": 2, "frame": "", "can_mirror": False,
             "components": [
                 {
                     "component": "x", "value": None, "text": "0.5", "symbol": "",
