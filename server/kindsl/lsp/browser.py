@@ -46,7 +46,7 @@ def start(post: PostText, *, has_files: bool = False) -> Callable[[str], bool]:
         params = f'{{"document":{json.dumps(document)},"messages":[{change}]}}'
         server.protocol.notify_encoded(PREVIEW_MESSAGES, Encoded(params))
 
-    server = KindslLanguageServer(Surroundings(InlineWorker(), new_previews, has_files))
+    server = KindslLanguageServer(Surroundings(InlineWorker(), new_previews, has_files=has_files))
     server.session.loop = asyncio.get_event_loop()
     server.protocol.set_writer(_PostingWriter(post))
 

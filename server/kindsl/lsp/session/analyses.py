@@ -54,12 +54,6 @@ class Analyses:
         jobs = _jobs(document, analysis.settings)
         return await self._shared(jobs, "findings", lambda: self._check(analysis), urgency)
 
-    def rest(self, document: Document) -> None:
-        """Drop what is known of a file that no editor shows, for it may be one of many."""
-        if document.version is None:
-            document.facts.forget(_JOBS)
-            document.rest()
-
     def _check(self, analysis: "Analysis") -> "tuple[Diagnostic, ...]":
         """Return the findings as long as somebody waits; rules that failed are logged."""
         findings = analysis.check(self._worker.checkpoint)

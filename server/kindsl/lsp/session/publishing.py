@@ -146,7 +146,7 @@ class Publisher:
         """Return findings as they are sent; many are made ready in the worker."""
 
         def encoded() -> Encoded:
-            shown = diagnostics(document, findings, self._state.client)
+            shown = diagnostics(document, findings, self._state.client.shows_in_diagnostics)
             params = {"uri": document.uri, "version": document.version, "diagnostics": shown}
             return self._state.editor.protocol.encoded(params)
 
