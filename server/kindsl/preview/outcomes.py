@@ -79,7 +79,9 @@ def drag_outcome(
     writing = Writing(label, analysis.text, edits, change.bindings)
     tried = analysis.changed(edits, dict(change.bindings))
     document = tried if request.phase == "move" else None
-    parameters, warning = dict(change.preview), _newly_impossible(analysis, tried)
+    is_about_bodies = request.kind != "joint" or change.bindings
+    warning = _newly_impossible(analysis, tried) if is_about_bodies else ""
+    parameters = dict(change.preview)
     return RequestOutcome(writing, document, change.text, change.value, parameters, warning)
 
 
