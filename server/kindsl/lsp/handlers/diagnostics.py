@@ -47,9 +47,12 @@ async def pull(session: Session, params: types.DocumentDiagnosticParams) -> Repo
     session.publisher.leave_to_pull(document)
     if not document.is_robot:
         return {"kind": "full", "items": await companion_diagnostics(session, document)}
-    findings = await session.analyses.findings(document)
-    if session.client.is_told_to_pull and session.documents.is_current(document):
-        findings = session.calm.told(document, findings)
+    if not session.client.is_told_to_pull:
+        findings = await session.analyses.findings(document)
+    else:
+        findings = await session.analyses.findings_without_twins(document)
+        if session.documents.is_current(document):
+            findings = session.calm.told(document, findings)
     result_id = result_id_of(document, findings)
     if result_id == params.previous_result_id:
         return {"kind": "unchanged", "resultId": result_id}
