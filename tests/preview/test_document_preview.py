@@ -1,6 +1,7 @@
 """One document's preview over time: sliders, parameters, ghosts, findings, places."""
 
 import math
+import re
 
 import pytest
 from hypothesis import given
@@ -45,6 +46,12 @@ def test_a_broken_edit_keeps_the_model_and_a_repair_brings_the_new_one():
     assert (status(preview)["state"], joint_x(preview)) == ("broken", 0.4)
     preview.show(analyse(ARM.replace("0.4,", "0.6,")), ())
     assert (status(preview)["state"], joint_x(preview)) == ("live", 0.6)
+
+
+def test_a_base_alone_is_drawn_already():
+    start = ARM.index("link ", ARM.index("RobotBase"))
+    base = re.sub(r"children\s*\{[^}]*\}", "children {}", ARM[:start]) + "}"
+    assert status(preview_of(base))["state"] == "live"
 
 
 @given(st.floats(allow_nan=True, allow_infinity=True))

@@ -77,6 +77,8 @@ class Bodies(Topology):
 
     def __post_init__(self) -> None:
         n = self.n_links
+        if n == 0:
+            raise ValueError("a mechanism has at least one link")
         check_topology(self, (frame.name for frame in self.frames))
         shapes = {
             "p_R_j": (n, 3, 3),

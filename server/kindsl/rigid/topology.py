@@ -46,12 +46,10 @@ def check_topology(tree: Topology, frame_names: Iterable[str]) -> None:
     """Check the numbering and the names of a tree with further named frames.
 
     Raises:
-        ValueError: There is no link, an attribute has not one entry a link, a parent is not
-            before its link, a kind is unknown, or a name stands for two things.
+        ValueError: An attribute has not one entry a link, a parent is not before its link, a kind
+            is unknown, or a name stands for two things.
     """
     n = tree.n_links
-    if n == 0:
-        raise ValueError("a mechanism has at least one link")
     for attribute in ("joint_names", "joint_kinds", "parents"):
         if len(getattr(tree, attribute)) != n:
             got = len(getattr(tree, attribute))
