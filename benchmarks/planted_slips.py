@@ -242,8 +242,8 @@ def agreeing(analysis: Analysis) -> dict[str, list[str]]:
     """Return the links of limbs that agree with two twins or more, and with the other side's."""
     model, values = analysis.model, analysis.context.values
     found: dict[str, set[str]] = {"three": set(), "pair": set()}
-    for carrier in model.bodies:
-        for limbs in limbs_of(carrier, model, values):
+    for groups in limbs_of(model, values).values():
+        for limbs in groups:
             alike: dict[object, list[tuple[str, list[str]]]] = {}
             heads = dict(limbs.heads)
             for one, other, how in limbs.pairs():

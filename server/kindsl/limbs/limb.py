@@ -5,24 +5,21 @@ from itertools import combinations
 from typing import NamedTuple
 
 from kindsl.limbs.names import is_held, label_of
-from kindsl.mechanism.link_inertia import link_inertia
-from kindsl.rigid.body import MassDistribution
 from kindsl.rigid.pose import Rotation, Vector3
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.kinematic_tree import Edge
 from kindsl.semantics.model import Model
 from kindsl.semantics.numbers import triple, written_pose
-from kindsl.semantics.unknown import Unknown
 
 # No robot has more or longer ones that are written by hand, and comparing takes their square.
-_MOST_LIMBS, MOST_BODIES = 12, 48
+_MOST_LIMBS, _MOST_BODIES = 12, 48
 
 Side = tuple[object, ...]
 Values = Mapping[str, float]
 
 
 class Body(NamedTuple):
-    """A link with the joint that supports it, and all that it carries.
+    """A link with the joint that supports it, and all that it carries; of masses it knows nothing.
 
     Attributes:
         name: The link's.
@@ -31,7 +28,6 @@ class Body(NamedTuple):
         rotation: Of the joint frame in the parent's frame.
         translation: The same, metres.
         angles: The rotation as written, radians.
-        inertia: In the link frame; None where it is not known.
         children: The bodies that it carries, in written order.
     """
 
@@ -41,7 +37,6 @@ class Body(NamedTuple):
     rotation: Rotation
     translation: Vector3
     angles: Vector3
-    inertia: MassDistribution | None
     children: tuple["Body", ...] = ()
 
     @property
@@ -74,45 +69,51 @@ class Limbs(NamedTuple):
                 yield one, other, "ROW"
 
 
-def limbs_of(carrier: Link, model: Model, values: Values) -> Iterator[Limbs]:
-    """Yield the groups of limbs that a body carries, those left out whose numbers are not known.
+def limbs_of(model: Model, values: Values) -> dict[Link, list[Limbs]]:
+    """Return the groups of limbs that each body carries; left out are those without numbers.
 
     Args:
-        carrier: The body.
         model: The robot.
         values: Of its parameters and constants.
     """
-    groups: dict[tuple[bool, tuple[str, ...]], dict[Side, list[Edge]]] = {}
-    edges = model.tree.successor_edges(carrier)
-    for edge in edges if len(edges) > 1 else ():
+    tree = model.tree
+    bases = [body for body in model.bodies if body not in tree.above]
+    bodies = [*bases, *(link for base in bases for link in tree.in_topological_order(base))]
+    groups: dict[Link, list[Limbs]] = {}
+    # What each link is with all that it carries, and how many bodies that are.
+    made: dict[Link | None, tuple[Body, int]] = {}
+    for body in reversed(bodies):
+        edges, above = tree.successor_edges(body), tree.above.get(body, ())
+        carried = [made.get(edge.link) for edge in edges]
+        found = list(_groups(edges, carried)) if len(edges) > 1 else []
+        if found:
+            groups[body] = found
+        known = [each for each in carried if each is not None]
+        n_bodies = 1 + sum(n for _, n in known)
+        if len(above) == 1 and len(known) == len(edges) and n_bodies <= _MOST_BODIES:
+            whole = body_of(above[0], values, tuple(child for child, _ in known))
+            if whole is not None:
+                made[body] = whole, n_bodies
+    return groups
+
+
+def _groups(edges: Sequence[Edge], carried: Sequence[tuple[Body, int] | None]) -> Iterator[Limbs]:
+    """Yield the groups of limbs among what one body carries."""
+    groups: dict[tuple[bool, tuple[str, ...]], dict[Side, list[Body | None]]] = {}
+    for edge, limb in zip(edges, carried, strict=True):
         side, row, words = label_of(str(edge.child.link))
         is_named = bool(side or row)
         label: Side = (side, row) if is_named else tuple(int(w) for w in words if w.isdigit())
         if label:
             kept = tuple(word for word in words if is_named or not word.isdigit())
-            groups.setdefault((is_named, kept), {}).setdefault(label, []).append(edge)
+            alike = groups.setdefault((is_named, kept), {}).setdefault(label, [])
+            alike.append(limb[0] if limb is not None else None)
     for (is_named, _), by_label in groups.items():
         if 1 < len(by_label) <= _MOST_LIMBS:
-            single = {label: found[0] for label, found in by_label.items() if len(found) == 1}
-            limbs = {label: _limb(edge, model, values, []) for label, edge in single.items()}
-            heads = tuple((label, head) for label, head in limbs.items() if head is not None)
-            if len(heads) > 1:
+            single = ((label, found[0]) for label, found in by_label.items() if len(found) == 1)
+            heads = tuple((label, head) for label, head in single if head is not None)
+            if len(heads) > (1 if is_named else 2):
                 yield Limbs(heads, is_named)
-
-
-def _limb(edge: Edge, model: Model, values: Values, seen: list[Link]) -> Body | None:
-    """Return what an edge leads to, None where it has very many bodies or no numbers."""
-    is_only = edge.link is not None and model.tree.supporting_edge(edge.link) is edge
-    if edge.link is None or not is_only or len(seen) >= MOST_BODIES:
-        return None
-    seen.append(edge.link)
-    children = []
-    for each in model.tree.successor_edges(edge.link):
-        child = _limb(each, model, values, seen)
-        if child is None:
-            return None
-        children.append(child)
-    return body_of(edge, values, tuple(children))
 
 
 def body_of(edge: Edge, values: Values, children: tuple[Body, ...] = ()) -> Body | None:
@@ -122,9 +123,7 @@ def body_of(edge: Edge, values: Values, children: tuple[Body, ...] = ()) -> Body
     angles = triple(joint.pose.rotation, values) if joint is not None else None
     if link is None or joint is None or pose is None or angles is None:
         return None
-    inertia = link_inertia(link, values)
-    known = None if isinstance(inertia, Unknown) else inertia
-    return Body(str(link.name), str(joint.name), joint.kind, *pose, angles, known, children)
+    return Body(str(link.name), str(joint.name), joint.kind, *pose, angles, children)
 
 
 class Match(NamedTuple):
@@ -170,7 +169,7 @@ def _pairs(ones: Sequence[Body], others: Sequence[Body]) -> list[tuple[Body, Bod
     for with_numbers in (True, False):
         here, there = _by_words(ones, with_numbers), _by_words(others, with_numbers)
         if len(here) == len(ones) and set(here) == set(there):
-            return [(here[words], there[words]) for words in here]
+            return [(here[words], there[words]) for words in sorted(here)]
     return None
 
 

@@ -53,6 +53,7 @@ _HALF_TURNS = (diagonal(1.0, -1.0, -1.0), diagonal(-1.0, 1.0, -1.0), diagonal(-1
 CONVENTIONS: list[Rotation] = []
 for _x, _y, _z in combinations((1.0, -1.0), repeat=3):
     CONVENTIONS += [diagonal(_x, _y, _z), ((0.0, _x, 0.0), (_y, 0.0, 0.0), (0.0, 0.0, _z))]
+REFLECTIONS = CONVENTIONS[::2]
 
 
 def mounts(how: str, one: Body, other: Body) -> Iterator[Mount]:

@@ -4,22 +4,25 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from kindsl.limbs.comparison import LOOSE, TIGHT, Accusation, LimbComparison, Suspect, Tolerance
-from kindsl.limbs.limb import Limbs, Side, held_by, matched
-from kindsl.rigid.pose import Vector3, pose_from, transposed, turned
+from kindsl.limbs.comparison import LOOSE, TIGHT, LimbComparison, Tolerance
+from kindsl.limbs.limb import Limbs, Match, Side, held_by, matched
+from kindsl.limbs.weighing import Accusation, Masses, Suspect, WeighedComparison, seen_by
+from kindsl.rigid.pose import IDENTITY, Rotation, pose_from, transposed
 
 # Bodies of a pair of which a number may be typed anew; of fewer it is a sign, an order, a unit.
 _SMALLEST = {"LR": 3, "HELD": 2}
 _SAME_PLACE, _SAME_TURN = 1e-3, 0.02
+_Pair = tuple[Side, Side]
 _ByTwin = Sequence[Sequence[Accusation]]
-_Edges = Mapping[tuple[Side, Side], LimbComparison]
+_Weighed = Mapping[_Pair, WeighedComparison]
+_Differing = Mapping[_Pair, set[tuple[int, str]]]
 
 
 class MeantNumbers(NamedTuple):
     """A place with the numbers that its twins have there, at each assignment of parameters."""
 
     place: Suspect
-    meant: tuple[Vector3, ...]
+    meant: tuple[tuple[float, ...], ...]
 
 
 class LimbVerdict(NamedTuple):
@@ -38,10 +41,57 @@ class LimbVerdict(NamedTuple):
     is_convicted: bool
 
 
-def verdicts(limbs: Limbs) -> list[LimbVerdict]:
+class ComparedLimbs:
+    """A group of limbs compared in pairs, their masses left aside.
+
+    Attributes:
+        held: What a left and a right limb of them hold: groups of their own.
+        links: The names of the links that are compared.
+    """
+
+    def __init__(self, limbs: Limbs) -> None:
+        heads = dict(limbs.heads)
+        self.held: list[ComparedLimbs] = []
+        self._pairs: dict[_Pair, tuple[str, list[Match]]] = {}
+        self._compared: dict[Tolerance, dict[_Pair, LimbComparison]] = {}
+        for one, other, how in limbs.pairs():
+            rows = matched(heads[one], heads[other], limbs.are_held)
+            if rows is not None:
+                self._pairs[one, other] = how, rows
+                for hands in held_by(rows) if how == "LR" else ():
+                    sides = zip((one, other), hands, strict=True)
+                    self.held.append(ComparedLimbs(Limbs(tuple(sides), True, True)))
+        bodies = (body for _, rows in self._pairs.values() for _, *both in rows for body in both)
+        self.links = list(dict.fromkeys(body.name for body in bodies))
+
+    def at(self, tolerance: Tolerance) -> dict[_Pair, LimbComparison]:
+        """Return the pairs, compared at a tolerance."""
+        if tolerance not in self._compared:
+            self._compared[tolerance] = {
+                pair: LimbComparison(rows, how, tolerance)
+                for pair, (how, rows) in self._pairs.items()
+            }
+        return self._compared[tolerance]
+
+
+def verdicts(limbs: ComparedLimbs, masses: Masses) -> list[LimbVerdict]:
     """Return what does not fit in a group of limbs, nothing where more than a slip or two does."""
-    found = _verdicts_at(limbs, TIGHT)
-    return _verdicts_at(limbs, LOOSE) or [] if found is None else found
+    for tolerance in (TIGHT, LOOSE) if limbs.links else ():
+        edges = limbs.at(tolerance)
+        weighed = _in_one_way({pair: WeighedComparison(c, masses) for pair, c in edges.items()})
+        if any(c.other_kinds for c in edges.values()):
+            found = list(_other_kinds(weighed))
+        elif all(c.limbs.n_slips == 0 for c in weighed.values()):
+            return list(_odd_masses(weighed))
+        else:
+            outvoted = _outvoted(weighed)
+            found = _convicted(outvoted)
+            for pair, each in weighed.items() if not outvoted else ():
+                if limbs.at(LOOSE)[pair].n_slips:
+                    found += _of_pair(each)
+        if found:
+            return found
+    return []
 
 
 def agreed(found: Sequence[Sequence[LimbVerdict]]) -> list[LimbVerdict]:
@@ -60,51 +110,29 @@ def agreed(found: Sequence[Sequence[LimbVerdict]]) -> list[LimbVerdict]:
     return made
 
 
-def _verdicts_at(limbs: Limbs, tolerance: Tolerance) -> list[LimbVerdict] | None:
-    """Return the verdicts at a tolerance, None where a wider one may tell more."""
-    heads, edges, found = dict(limbs.heads), {}, []
-    for one, other, how in limbs.pairs():
-        rows = matched(heads[one], heads[other], limbs.are_held)
-        if rows is not None:
-            edges[one, other] = LimbComparison(rows, how, tolerance)
-            for hands in held_by(rows) if how == "LR" else ():
-                sides = zip((one, other), hands, strict=True)
-                found += _verdicts_at(Limbs(tuple(sides), True, True), tolerance) or []
-    _keep_to_one_way(edges)
-    if any(comparison.other_kinds for comparison in edges.values()):
-        return list(_other_kinds(edges)) or None
-    if any(c.n_slips for c in edges.values()):
-        outvoted = _outvoted(edges)
-        found += _convicted(outvoted)
-        found += [] if outvoted else [verdict for c in edges.values() for verdict in _of_pair(c)]
-    elif tolerance is LOOSE:
-        found += [verdict for label, _ in limbs.heads for verdict in _odd_masses(label, edges)]
-    elif not found and not any(c.differing_masses() for c in edges.values()):
-        return []
-    return found or None
-
-
-def _keep_to_one_way(edges: _Edges) -> None:
-    """Read all pairs of a sort in the way in which one of them agrees best."""
+def _in_one_way(edges: _Weighed) -> _Weighed:
+    """Return all pairs of a sort read in the way in which one of them agrees best."""
+    found = dict(edges)
     for how in ("LR", "ROW"):
-        alike = [c for c in edges.values() if c.how == how]
-        best = min((c.best for c in alike if c.n_slips == 0), key=lambda r: r.cost, default=None)
-        if best is not None:
-            for comparison in alike:
-                comparison.keep_to(best.mount.way)
+        alike = {pair: c for pair, c in edges.items() if c.limbs.how == how}
+        whole = [c for c in alike.values() if c.limbs.n_slips == 0]
+        if whole:
+            way = min(whole, key=lambda c: c.cost).best.mount.way
+            found |= {pair: c.in_way(way) for pair, c in alike.items()}
+    return found
 
 
-def _outvoted(edges: _Edges) -> list[_ByTwin]:
+def _outvoted(edges: _Weighed) -> list[_ByTwin]:
     """Return what two twins or more say of the one limb that they accuse, agreeing themselves."""
-    cases: dict[tuple[Side, Suspect], dict[tuple[Side, Side], list[Accusation]]] = {}
+    cases: dict[tuple[Side, Suspect], dict[_Pair, list[Accusation]]] = {}
     for pair, comparison in edges.items():
-        for both in comparison.accusations() if len(comparison.rows) > 1 else ():
+        for both in comparison.accusations if len(comparison.limbs.rows) > 1 else ():
             for label, said in zip(pair, both, strict=True):
                 cases.setdefault((label, said.place), {}).setdefault(pair, []).append(said)
     found = []
     for (label, _), by_pair in cases.items():
         others = [c for pair, c in edges.items() if label not in pair]
-        if len(by_pair) > 1 and others and all(c.n_slips == 0 for c in others):
+        if len(by_pair) > 1 and others and all(c.limbs.n_slips == 0 for c in others):
             found.append(list(by_pair.values()))
     most = max(map(len, found), default=0)
     return [by_twin for by_twin in found if len(by_twin) == most]
@@ -147,17 +175,16 @@ def _agree(one: Accusation, other: Accusation) -> bool:
     return all(abs(x - y) < _SAME_TURN for x, y in zip(here, there, strict=True))
 
 
-def _of_pair(c: LimbComparison) -> Iterator[LimbVerdict]:
+def _of_pair(c: WeighedComparison) -> Iterator[LimbVerdict]:
     """Yield what differs between a left and a right limb by one slip; either may be wrong."""
-    if c.n_slips != 1 or c.how not in _SMALLEST:
+    limbs = c.limbs
+    if limbs.n_slips != 1 or limbs.how not in _SMALLEST:
         return
-    most = 1 if len(c.rows) >= _SMALLEST[c.how] else 0
-    if c.tolerance is TIGHT and LimbComparison(c.rows, c.how, LOOSE).n_slips == 0:
-        return
+    most = 1 if len(limbs.rows) >= _SMALLEST[limbs.how] else 0
     ranked = [
         ((round(one.cost, 2), min(one.n_retyped, other.n_retyped)), other.change, (one, other))
-        for one, other in c.accusations()
-        if one.place.what == "translation" or c.is_seen_below(one.place.joint)
+        for one, other in c.accusations
+        if one.place.what == "translation" or limbs.is_seen_below(one.place.joint)
     ]
     ranked.sort(key=lambda each: each[:2])
     if ranked and ranked[0][0][1] <= most:
@@ -167,41 +194,66 @@ def _of_pair(c: LimbComparison) -> Iterator[LimbVerdict]:
         yield LimbVerdict(tuple(places), repairs, (), False)
 
 
-def _other_kinds(edges: _Edges) -> Iterator[LimbVerdict]:
+def _other_kinds(edges: _Weighed) -> Iterator[LimbVerdict]:
     """Yield the joint that is prismatic where its twins are revolute, or the reverse."""
-    if any(len(c.other_kinds) > 1 or c.n_slips > 0 for c in edges.values()):
+    compared = [c.limbs for c in edges.values()]
+    if any(len(c.other_kinds) > 1 or c.n_slips > 0 for c in compared):
         return
-    rows = [c.rows[index] for c in edges.values() for index in c.other_kinds]
+    rows = [c.rows[index] for c in compared for index in c.other_kinds]
     votes = Counter(Suspect(b.name, b.joint, "kind") for row in rows for b in (row.one, row.other))
     most = max(votes.values())
     odd = tuple(place for place, n in votes.items() if n == most)
     twins = tuple(place.link for place, n in votes.items() if n < most)
-    is_pair_of_sides = len(odd) == 2 and all(c.how in _SMALLEST for c in edges.values())
+    is_pair_of_sides = len(odd) == 2 and all(c.how in _SMALLEST for c in compared)
     if len(odd) == 1 or is_pair_of_sides:
         yield LimbVerdict(odd, (), twins, len(odd) == 1)
 
 
-def _odd_masses(label: Side, edges: _Edges) -> Iterator[LimbVerdict]:
-    """Yield each CoM, and moments, that only one limb has so, where all joints agree."""
-    differing = {pair: set(c.differing_masses()) for pair, c in edges.items()}
-    mine = [pair for pair in edges if label in pair]
-    others = [pair for pair in edges if label not in pair]
-    if len(mine) < 2 or not others:
+def _odd_masses(edges: _Weighed) -> Iterator[LimbVerdict]:
+    """Yield each mass, CoM and moments that only one limb has so, where all joints agree.
+
+    Twins may be mirrored as the limbs are, or all have the same numbers.
+    """
+    mirrored = {pair: c.best.conventions for pair, c in edges.items()}
+    differing = {pair: set(c.differing(mirrored[pair])) for pair, c in edges.items()}
+    if not any(differing.values()):
         return
-    odd = set.intersection(*(differing[pair] for pair in mine))
-    odd = odd.difference(*(differing[pair] for pair in others))
-    for index in sorted({index for index, _ in odd}):
-        words = [what for row, what in odd if row == index]
-        rows = [edges[pair].rows[index] for pair in mine]
-        sides = [
-            (row.other, row.one) if pair[1] == label else (row.one, row.other)
-            for pair, row in zip(mine, rows, strict=True)
+    rows = {index for found in differing.values() for index, _ in found}
+    copied = dict.fromkeys(edges, dict.fromkeys(rows, IDENTITY.rotation))
+    as_copies = {pair: set(c.differing(copied[pair])) for pair, c in edges.items()}
+    for label in dict.fromkeys(label for pair in edges for label in pair):
+        ways = [
+            (_only_in(label, found), C) for found, C in ((differing, mirrored), (as_copies, copied))
         ]
-        (body, twin), what = sides[0], words[0] if len(words) == 1 else "inertia"
-        place = Suspect(body.name, body.joint, what)
-        repairs: tuple[MeantNumbers, ...] = ()
-        if what == "com" and twin.inertia is not None:
-            C = edges[mine[0]].best.conventions[index]
-            back = transposed(C) if mine[0][1] == label else C
-            repairs = (MeantNumbers(place, (turned(back, twin.inertia.com),)),)
-        yield LimbVerdict((place,), repairs, tuple(twin.name for _, twin in sides), True)
+        for index in sorted({index for odd, _ in ways for index, _ in odd}):
+            # The way in which the twins agree most.
+            said = [([what for row, what in odd if row == index], C) for odd, C in ways]
+            words, conventions = max(said, key=lambda each: len(each[0]))
+            yield _odd_mass(label, index, words, edges, conventions)
+
+
+def _only_in(label: Side, differing: _Differing) -> set[tuple[int, str]]:
+    """Return what differs between one limb and all its twins, and not between any others."""
+    mine = [found for pair, found in differing.items() if label in pair]
+    others = [found for pair, found in differing.items() if label not in pair]
+    if len(mine) < 2 or not others:
+        return set()
+    return set.intersection(*mine).difference(*others)
+
+
+def _odd_mass(
+    label: Side,
+    index: int,
+    words: Sequence[str],
+    edges: _Weighed,
+    conventions: Mapping[_Pair, Mapping[int, Rotation]],
+) -> LimbVerdict:
+    mine = [pair for pair in edges if label in pair]
+    rows = [edges[pair].limbs.rows[index][1:][:: 1 if pair[0] == label else -1] for pair in mine]
+    (body, twin), C = rows[0], conventions[mine[0]][index]
+    what = words[0] if len(words) == 1 else "inertia"
+    meant = seen_by(edges[mine[0]].masses[twin.name], C if mine[0][1] == label else transposed(C))
+    numbers = {"mass": (meant.mass,), "com": meant.com, "moments": meant.moments}
+    place = Suspect(body.name, body.joint, what)
+    repair = MeantNumbers(place, (numbers.get(what, (meant.mass, *meant.com, *meant.moments)),))
+    return LimbVerdict((place,), (repair,), tuple(twin.name for _, twin in rows), True)

@@ -1,17 +1,21 @@
 """Places of the numbers of a limb, and their names."""
 
-from kindsl.limbs.comparison import Suspect
-from kindsl.rules.inertia.judgements import keyword
+from kindsl.limbs.weighing import Suspect
+from kindsl.rules.inertia.judgements import TEN, keyword
 from kindsl.semantics.declarations import Child, Joint, Vector
+from kindsl.semantics.expressions import Expression
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Located
+from kindsl.syntax.vocabulary import MOMENTS
 
-OF_A_LINK = ("com", "moments", "inertia")
+# Places in the inertia of a link, by which of its ten numbers they have.
+PARTS = {"mass": slice(1), "com": slice(1, 4), "moments": slice(4, 10), "inertia": slice(10)}
+OF_A_LINK = tuple(PARTS)
 _WORDS = {"translation": "translation", "angles": "rotation", "com": "CoM"}
 
 
 def told(place: Suspect) -> str:
-    """Return what stands at a place: `translation of 'RF_HFE'`, `CoM of 'RF_upperleg'`."""
+    """Return the numbers at a place: `translation of 'RF_HFE'`, `CoM of 'RF_upperleg'`."""
     name = place.link if place.what in OF_A_LINK else place.joint
     return f"{_WORDS.get(place.what, place.what)} of '{name}'"
 
@@ -43,10 +47,22 @@ def vector_at(model: Model, place: Suspect) -> Vector | None:
     return joint.pose.translation if place.what == "translation" else joint.pose.rotation
 
 
+def numbers_at(model: Model, place: Suspect) -> tuple[Expression, ...]:
+    """Return the numbers of a place; none where some are missing, or are those of another frame."""
+    vector, inertia = vector_at(model, place), model.body_named[place.link].inertia
+    if place.what not in OF_A_LINK:
+        return vector.components if vector is not None else ()
+    if inertia is None or inertia.frame is not None or inertia.mass is None or inertia.com is None:
+        return ()
+    moments = (inertia.moments.get(name) for name in MOMENTS)
+    ten = (inertia.mass, *inertia.com.components, *(m for m in moments if m is not None))
+    return ten[PARTS[place.what]] if len(ten) == len(TEN) else ()
+
+
 def located(model: Model, place: Suspect) -> Located:
     """Return where a finding is shown."""
     inertia, joint = model.body_named[place.link].inertia, joint_of(model, place.link)
-    if place.what in ("moments", "inertia") and inertia is not None:
+    if place.what in OF_A_LINK and place.what != "com" and inertia is not None:
         return keyword(inertia)
     name = joint.name if joint is not None else model.body_named[place.link].name
     return vector_at(model, place) or name

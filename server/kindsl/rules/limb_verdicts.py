@@ -1,52 +1,80 @@
 """Misfits in the limbs of a robot: found once for all rules that tell of them.
 
-Limbs that are alike are compared again only where something in them has changed.
+Who carries whom, where the joints are and how heavy the links are is looked at in this order, each
+again only where it has changed.
 """
 
 from collections.abc import Mapping, Sequence
-from functools import lru_cache, partial
+from functools import partial
 from typing import NamedTuple
 from zlib import crc32
 
 from kindsl.limbs.attachments import Attachment, LimbNames, Misplaced
-from kindsl.limbs.limb import MOST_BODIES, Limbs, limbs_of
-from kindsl.limbs.verdicts import LimbVerdict, agreed, verdicts
+from kindsl.limbs.limb import Limbs, limbs_of
+from kindsl.limbs.verdicts import ComparedLimbs, LimbVerdict, agreed, verdicts
+from kindsl.limbs.weighing import Masses
+from kindsl.mechanism.link_inertia import link_inertia
 from kindsl.rules.context import Context
 from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Link, ValueKind
 from kindsl.semantics.model import Model
 from kindsl.semantics.parameters import Parameter
+from kindsl.semantics.unknown import Unknown
 from kindsl.text.facts import Fact
 
 _ASSIGNMENTS = range(3)
-_MOST_KNOWN = 1 << 10
 # Where arbitrary values of parameters begin and how far they go: what a robot may have.
 _ARBITRARY = {ValueKind.LENGTH: (0.1, 0.4), ValueKind.ANGLE: (0.2, 1.0)}
 _ANYTHING = (0.5, 1.0)
 
 Values = Mapping[str, float]
+# A group of limbs, or what they hold, at each assignment of parameters.
+_Compared = tuple[ComparedLimbs, ...]
 
 
 class LimbSlips(NamedTuple):
-    """The slips of a robot's limbs.
+    """The slips in the numbers of a robot's limbs.
 
     Attributes:
-        elsewhere: Links that another body carries than their twins let expect.
-        crossed: Links that move by another joint than their twins let expect.
         verdicts: Numbers and kinds that do not fit, where all is attached as it should be.
         assignments: The values of parameters at which numbers were compared.
     """
 
-    elsewhere: list[Misplaced]
-    crossed: list[Misplaced]
     verdicts: list[LimbVerdict]
     assignments: tuple[Values, ...]
 
 
+class MisplacedLinks(NamedTuple):
+    """The links that are not attached as their twins.
+
+    Attributes:
+        elsewhere: Those that another body carries.
+        crossed: Those that move by another joint.
+    """
+
+    elsewhere: list[Misplaced]
+    crossed: list[Misplaced]
+
+
 _SLIPS = Fact[tuple[object, LimbSlips]]("slips in limbs")
-_MISPLACED = Fact[tuple[object, tuple[list[Misplaced], list[Misplaced]]]]("misplaced links")
-_WRITTEN = Fact[dict[str, list[object]]]("limbs as written, by carrier")
-_GROUPS = Fact[tuple[object, list[tuple[Limbs, ...]]]]("limbs in numbers")
+_MISPLACED = Fact[tuple[object, MisplacedLinks]]("misplaced links")
+_LIMBS = Fact[tuple[object, dict[str, list[_Compared]]]]("limbs by carrier")
+_COMPARED = Fact[tuple[object, list[_Compared]]]("compared limbs")
+_VERDICTS = Fact[tuple[object, list[LimbVerdict]]]("verdicts on limbs")
+
+
+def misplaced_links(model: Model) -> MisplacedLinks:
+    """Return the links that are not attached as their twins."""
+    structure = model.edition.facts(Aspect.STRUCTURE)
+    return structure.made_of(_MISPLACED, (), partial(_misplaced, model))
+
+
+def _misplaced(model: Model) -> MisplacedLinks:
+    edges = [e for e in model.tree.edges if e.link is not None and e.joint is not None]
+    names = LimbNames(
+        [Attachment(str(e.child.link), str(e.predecessor.name), str(e.child.joint)) for e in edges]
+    )
+    return MisplacedLinks(names.elsewhere(), names.crossed())
 
 
 def limb_slips(model: Model, context: Context) -> LimbSlips:
@@ -56,69 +84,54 @@ def limb_slips(model: Model, context: Context) -> LimbSlips:
 
 def _slips(model: Model, context: Context) -> LimbSlips:
     assignments = _assignments(model, context)
-    if model.base is None:
-        return LimbSlips([], [], [], assignments)
-    names = model.edition.facts(Aspect.STRUCTURE)
-    elsewhere, crossed = names.made_of(_MISPLACED, (), partial(_misplaced, model))
+    if model.base is None or any(misplaced_links(model)):
+        return LimbSlips([], assignments)
+    places = model.edition.facts(Aspect.STRUCTURE | Aspect.PLACES)
+    given = context.targets, assignments
+    limbs = places.made_of(_LIMBS, given, partial(_compared_limbs, model, assignments))
     found: list[LimbVerdict] = []
-    if not elsewhere + crossed:
-        given = context.targets, assignments
-        for carrier, written in _limbs_as_written(model).items():
-            limbs = partial(_limbs_at_each, carrier, model, assignments)
-            for groups in carrier.facts.made_of(_GROUPS, (given, written), limbs):
-                found += _compared(groups)
-    return LimbSlips(elsewhere, crossed, found, assignments)
+    for name, groups in limbs.items():
+        carrier = model.body_named[name]
+        links = [[model.body_named[link] for link in at_any.links] for at_any, *_ in groups]
+        judge = partial(_judged, groups, links, assignments)
+        judged = carrier.facts.made_of(_VERDICTS, (assignments, groups, links), judge)
+        found += judged
+    return LimbSlips(found, assignments)
 
 
-def _misplaced(model: Model) -> tuple[list[Misplaced], list[Misplaced]]:
-    edges = [e for e in model.tree.edges if e.link is not None and e.joint is not None]
-    names = LimbNames(
-        [Attachment(str(e.child.link), str(e.predecessor.name), str(e.child.joint)) for e in edges]
-    )
-    return names.elsewhere(), names.crossed()
+def _compared_limbs(model: Model, assignments: Sequence[Values]) -> dict[str, list[_Compared]]:
+    """Return the limbs that each body carries, compared again where they are not the same."""
+    at_each = [limbs_of(model, values) for values in assignments]
+    found: dict[str, list[_Compared]] = {}
+    for carrier in at_each[0]:
+        limbs = list(zip(*(each.get(carrier, ()) for each in at_each), strict=False))
+        compared = carrier.facts.made_of(_COMPARED, limbs, partial(_compared, limbs))
+        found[str(carrier.name)] = compared
+    return found
 
 
-def _limbs_as_written(model: Model) -> dict[Link, list[object]]:
-    """Return all that is written of each limb of the bodies that carry several.
-
-    Of a limb with very many bodies it is nothing: such are not compared.
-    """
-    tree = model.tree
-    roots = [body for body in model.bodies if body not in tree.above]
-    bodies = [*roots, *(link for root in roots for link in tree.in_topological_order(root))]
-    versions = model.document.versions
-    before, now = versions.get(_WRITTEN) or {}, versions.keep(_WRITTEN, {})
-    limbs: dict[Link, list[object]] = {}
-    sizes: dict[Link, int] = {}
-    for body in reversed(bodies):
-        written: list[object] = []
-        sizes[body] = 1
-        for edge in tree.successor_edges(body):
-            _, _, link, joint = edge
-            if link in limbs and link is not None and joint is not None:
-                sizes[body] += sizes[link]
-                if sizes[link] <= MOST_BODIES:
-                    is_only = tree.above[link][0] is edge
-                    texts = link.island.text, joint.island.text
-                    written.append((link.name.start, *texts, limbs[link], is_only))
-        # The same list as for the version before, for equal lists are slow to compare.
-        name = str(body.name)
-        limbs[body] = now[name] = before[name] if before.get(name) == written else written
-    return {body: limbs[body] for body in bodies if len(tree.successor_edges(body)) > 1}
+def _compared(groups: Sequence[tuple[Limbs, ...]]) -> list[_Compared]:
+    found = []
+    for limbs in groups:
+        known = {each: ComparedLimbs(each) for each in dict.fromkeys(limbs)}
+        whole = [known[each] for each in limbs]
+        found += [tuple(whole), *zip(*(each.held for each in whole), strict=False)]
+    return found
 
 
-def _limbs_at_each(
-    carrier: Link, model: Model, assignments: Sequence[Values]
-) -> list[tuple[Limbs, ...]]:
-    """Return the limbs of one body in numbers, each at all assignments."""
-    return list(zip(*(limbs_of(carrier, model, values) for values in assignments), strict=False))
+def _judged(
+    groups: Sequence[_Compared], links: Sequence[Sequence[Link]], assignments: Sequence[Values]
+) -> list[LimbVerdict]:
+    found: list[LimbVerdict] = []
+    for group, bodies in zip(groups, links, strict=True):
+        at_each = zip(group, assignments, strict=True)
+        found += agreed([verdicts(limbs, _masses(bodies, values)) for limbs, values in at_each])
+    return found
 
 
-@lru_cache(maxsize=_MOST_KNOWN)
-def _compared(groups: tuple[Limbs, ...]) -> list[LimbVerdict]:
-    """Return the verdicts on limbs that are given at each assignment."""
-    found = {limbs: verdicts(limbs) for limbs in dict.fromkeys(groups)}
-    return agreed([found[limbs] for limbs in groups])
+def _masses(links: Sequence[Link], values: Values) -> Masses:
+    known = ((str(link.name), link_inertia(link, values)) for link in links)
+    return {name: inertia for name, inertia in known if not isinstance(inertia, Unknown)}
 
 
 def _assignments(model: Model, context: Context) -> tuple[Values, ...]:

@@ -92,9 +92,7 @@ def _action(view: Sight, action: "CodeAction") -> types.CodeAction | None:
         kind=action.kind,
         diagnostics=[
             view.state.editor.protocol.structured(each, types.Diagnostic)
-            for each in diagnostics(
-                view.document, action.diagnostics, view.client.shows_in_diagnostics
-            )
+            for each in diagnostics(view.document, action.diagnostics, view.client)
         ]
         or None,
         is_preferred=action.is_preferred or None,

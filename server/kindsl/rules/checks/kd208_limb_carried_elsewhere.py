@@ -30,18 +30,18 @@ from kindsl.rules.base import Example, Finding, Fix, Related, Replacement, Rule,
 from kindsl.rules.context import Context
 from kindsl.rules.examples import four_legs
 from kindsl.rules.limb_places import child_of
-from kindsl.rules.limb_verdicts import limb_slips
+from kindsl.rules.limb_verdicts import misplaced_links
 from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Child
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Place
 
 
-def check_document(model: Model, context: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each link that another body carries than its twins let expect."""
-    found = limb_slips(model, context).elsewhere
+    found = misplaced_links(model).elsewhere
     for misplaced in found:
-        (name, parent, _), meant, twins = misplaced
+        (name, parent, _joint), meant, twins = misplaced
         child = child_of(model, name)
         message = f"link '{name}' is a child of '{parent}'"
         message += f", by its twins of '{meant}'" if meant else ", unlike its twin"
@@ -83,7 +83,7 @@ RULE = Rule(
     "limb-carried-elsewhere",
     Severity.WARNING,
     check_document=check_document,
-    reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
+    reads=Aspect.STRUCTURE,
     good=(four_legs(),),
     bad=(Example(_CROSSED, fixed=four_legs()),),
 )

@@ -29,19 +29,19 @@ from kindsl.rules.base import Example, Finding, Fix, Related, Replacement, Rule,
 from kindsl.rules.context import Context
 from kindsl.rules.examples import four_legs, joint, link, robot
 from kindsl.rules.limb_places import child_of
-from kindsl.rules.limb_verdicts import limb_slips
+from kindsl.rules.limb_verdicts import misplaced_links
 from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 
 
-def check_document(model: Model, context: Context) -> Iterator[Finding]:
+def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each link that moves by another joint than its twins let expect."""
     told: list[Misplaced] = []
-    found = limb_slips(model, context).crossed
+    found = misplaced_links(model).crossed
     for misplaced in found:
         if misplaced in told:
             continue
-        (name, _, joint), meant, twins = misplaced
+        (name, _parent, joint), meant, twins = misplaced
         partner = next((p for p in found if _are_exchanged(p, misplaced)), None)
         message = f"link '{name}' moves by joint '{joint}'"
         expected = f", by its {'twins' if twins else 'name'} by '{meant}'"
@@ -83,7 +83,7 @@ RULE = Rule(
     "crossed-joints",
     Severity.WARNING,
     check_document=check_document,
-    reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES,
+    reads=Aspect.STRUCTURE,
     good=(four_legs(), _arm("joint2", "joint3")),
     bad=(
         Example(_CROSSED, fixed=four_legs()),

@@ -11,7 +11,8 @@ sign that was forgotten, makes the robot drift to that side.
 
 A pair in which many numbers differ was measured part by part and is not reported, nor are
 differences below 5 % of the greatest number of their kind. Impossible inertias are left to KD301
-and KD302, a centre of mass behind its joint to KD511.
+and KD302, a centre of mass behind its joint to KD511, and where more limbs than two are alike and
+one differs, that is left to KD509.
 
 ## Example
 ```kindsl
@@ -25,10 +26,12 @@ from collections.abc import Iterator
 from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
-from kindsl.rules.inertia.judgements import is_impossible, keyword
+from kindsl.rules.inertia.judgements import keyword
 from kindsl.rules.inertia.mirror_images import mirror_difference
-from kindsl.rules.inertia.shapes import shape_doubts
+from kindsl.rules.inertia.shapes import is_told_of
 from kindsl.rules.inertia.twins import right_twin_of
+from kindsl.rules.limb_places import OF_A_LINK
+from kindsl.rules.limb_verdicts import limb_slips
 from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model, model_part
@@ -38,21 +41,17 @@ from kindsl.text.facts import kept
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each pair of parts that is nearly the same."""
+    verdicts = limb_slips(model, context).verdicts
+    outvoted = {p.link for v in verdicts if v.is_convicted for p in v.places if p.what in OF_A_LINK}
     for left, name in (pair for chunk in model.document.chunks for pair in _twins(chunk)):
         right = model.body_named.get(name)
         if right is None or left.inertia is None or right.inertia is None:
             continue
         message = mirror_difference(left, right)
-        if message and not any(_is_told(model, context, body) for body in (left, right)):
+        pair = (left, right)
+        if message and not any(is_told_of(b, model, context) or b.name in outvoted for b in pair):
             related = Related(keyword(left.inertia), f"inertia of '{left.name}'")
             yield Finding(keyword(right.inertia), message, (related,))
-
-
-def _is_told(model: Model, context: Context, body: Link) -> bool:
-    """Return whether a body is reported as impossible, or behind its joint."""
-    return is_impossible(body, context) or any(
-        shape_doubts(body, model.tree.joints_on(body), context, "KD511")
-    )
 
 
 @kept

@@ -4,8 +4,9 @@
 Compares limbs that are meant to be alike: three or more legs, arms or fingers of one body, told
 apart by sides and rows (`LF_hip`, `RH_hip`) or by numbers (`leg3_coxa`). Link frames of mirrored
 limbs may lie in other ways; what counts is whether some mirroring or turning of the limb makes all
-numbers those of its twins. Where all limbs agree but one, and one translation, rotation or centre
-of mass of it would make it agree too, that one is reported.
+numbers those of its twins. Where all limbs agree but one, and one translation or rotation of it
+would make it agree too, that one is reported; where all joints agree, the mass, the centre of mass
+and the moments that one limb only has so.
 
 ## Why is this bad?
 Limbs are copied and then edited by hand. A sign that was forgotten or a number that was changed in
@@ -30,20 +31,21 @@ fix is unsafe: it changes the robot. There is none where the twins' inertias are
 
 from collections.abc import Iterator
 
-from kindsl.limbs.comparison import LOOSE
 from kindsl.limbs.verdicts import LimbVerdict
+from kindsl.limbs.weighing import Suspect
 from kindsl.rules.base import Example, Finding, Fix, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import four_legs
-from kindsl.rules.inertia.judgements import is_impossible
-from kindsl.rules.inertia.mirror_images import mirror_difference
-from kindsl.rules.inertia.shapes import shape_doubts
-from kindsl.rules.inertia.twins import right_twin_of
-from kindsl.rules.limb_places import OF_A_LINK, located, place_at, told, vector_at
+from kindsl.rules.inertia.judgements import TEN, is_impossible
+from kindsl.rules.inertia.shapes import is_told_of
+from kindsl.rules.inertia.surroundings import copies
+from kindsl.rules.limb_places import OF_A_LINK, PARTS, located, numbers_at, place_at, told
 from kindsl.rules.limb_verdicts import limb_slips
-from kindsl.rules.limb_writing import as_triple, rewriting, written
+from kindsl.rules.limb_writing import as_numbers, rewriting, written
 from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
+
+_MOST_NAMED = 2
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
@@ -52,7 +54,7 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     for verdict in slips.verdicts:
         place = verdict.places[0]
         if verdict.is_convicted and place.what != "kind":
-            if place.what in OF_A_LINK and _is_told_elsewhere(model, context, verdict):
+            if place.what in OF_A_LINK and is_told_of(model.body_named[place.link], model, context):
                 continue
             message, fix = _message(model, context, verdict)
             others = [Related(located(model, p), f"or {told(p)}") for p in verdict.places[1:]]
@@ -63,32 +65,47 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
 
 def _message(model: Model, context: Context, verdict: LimbVerdict) -> tuple[str, Fix | None]:
     place = verdict.places[0]
-    own = vector_at(model, place)
-    if own is None or not verdict.repairs:
+    own, texts = numbers_at(model, place), _texts(model, context, verdict)
+    changed = [i for i, text in enumerate(texts) if text != own[i].text]
+    if not changed:
         return f"{' or '.join(map(told, verdict.places))} differs from its twins", None
-    places = [place_at(model, twin, place.what) for twin in verdict.twins]
-    twins = [vector for p in places if (vector := vector_at(model, p)) is not None]
-    assignments = limb_slips(model, context).assignments
-    # Centres of mass are compared loosely, and so the twin's last digits are not those meant.
-    within = (LOOSE,) if place.what in OF_A_LINK else ()
-    texts = written(own, twins, verdict.repairs[0].meant, assignments, *within)
-    if texts is None or texts == tuple(component.text for component in own.components):
-        return f"{told(place)} differs from its twins", None
-    message = f"{told(place)} is {as_triple(own)}, by its twins {as_triple(texts)}"
+    name, here, there = told(place), as_numbers(own), as_numbers(texts)
+    if place.what in ("moments", "inertia"):
+        if len(changed) > _MOST_NAMED:
+            message = f"{name} differs from its twins{_origin(model, context, place)}"
+            fix = rewriting(f"Set {name} to that of its twins", own, texts)
+            return message, None if _are_impossible(model, context, verdict.twins) else fix
+        names = [TEN[PARTS[place.what]][i] for i in changed]
+        name = f"{' and '.join(names)} of '{place.link}'"
+        here = " and ".join(own[i].text for i in changed)
+        there = " and ".join(texts[i] for i in changed)
+    message = f"{name} is {here}, by its twins {there}"
     if place.what in OF_A_LINK and _are_impossible(model, context, verdict.twins):
         return f"{message}, which are physically impossible", None
-    return message, rewriting(f"Set {told(place)} to {as_triple(texts)}", own, texts)
+    return message, rewriting(f"Set {name} to {there}", own, texts)
 
 
-def _is_told_elsewhere(model: Model, context: Context, verdict: LimbVerdict) -> bool:
-    """Return whether the mass is reported as impossible, behind its joint, or beside its twin."""
-    body = model.body_named[verdict.places[0].link]
-    twins = [model.body_named[name] for name in verdict.twins]
-    mirrored = [(body, t) for t in twins if right_twin_of(body) == t.name]
-    mirrored += [(t, body) for t in twins if right_twin_of(t) == body.name]
-    is_told = any(mirror_difference(left, right) for left, right in mirrored)
-    is_behind = any(shape_doubts(body, model.tree.joints_on(body), context, "KD511"))
-    return is_told or is_behind or is_impossible(body, context)
+def _texts(model: Model, context: Context, verdict: LimbVerdict) -> tuple[str, ...]:
+    """Return the numbers of the twins as they should be written, none where that is not known."""
+    place = verdict.places[0]
+    own = numbers_at(model, place)
+    if not own or not verdict.repairs:
+        return ()
+    places = [place_at(model, twin, place.what) for twin in verdict.twins]
+    twins = [numbers for p in places if (numbers := numbers_at(model, p))]
+    assignments = limb_slips(model, context).assignments
+    # Inertias are compared loosely, and so the twin's last digits are not those meant.
+    kinds = list(PARTS.values())[:3] if place.what == "inertia" else [slice(len(own))]
+    kinds = kinds if place.what in OF_A_LINK else []
+    return written(own, twins, verdict.repairs[0].meant, assignments, kinds) or ()
+
+
+def _origin(model: Model, context: Context, place: Suspect) -> str:
+    """Return of which other part the moments are as well, if of any."""
+    body = model.body_named[place.link]
+    parts = (name for name, what in copies(model, context, body) if what == "moments")
+    name = next(parts, None)
+    return f": its moments are those of '{name}', which is another part" if name else ""
 
 
 def _are_impossible(model: Model, context: Context, twins: tuple[str, ...]) -> bool:

@@ -23,9 +23,9 @@ from kindsl.limbs.verdicts import LimbVerdict, MeantNumbers
 from kindsl.rules.base import Finding, Fix, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import two_arms
-from kindsl.rules.limb_places import located, told, vector_at
+from kindsl.rules.limb_places import located, numbers_at, told
 from kindsl.rules.limb_verdicts import limb_slips
-from kindsl.rules.limb_writing import as_triple, rewriting, written
+from kindsl.rules.limb_writing import as_numbers, rewriting, written
 from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 
@@ -35,13 +35,14 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     for verdict in limb_slips(model, context).verdicts:
         if not verdict.is_convicted and verdict.repairs:
             (here, _), (there, _) = verdict.repairs
-            own, twin = vector_at(model, here), vector_at(model, there)
-            if own is not None and twin is not None:
-                message = f"{told(here)} is {as_triple(own)}, and {told(there)} {as_triple(twin)}: "
+            own, twin = numbers_at(model, here), numbers_at(model, there)
+            if own and twin:
+                message = f"{told(here)} is {as_numbers(own)}, and {told(there)} "
+                message += f"{as_numbers(twin)}: "
                 message += "one slip keeps the two sides from being alike"
                 others = [Related(located(model, p), told(p)) for p in verdict.places if p != here]
                 choices = tuple(_choices(model, context, verdict))
-                yield Finding(own, message, tuple(others), choices=choices)
+                yield Finding(located(model, here), message, tuple(others), choices=choices)
 
 
 def _choices(model: Model, context: Context, verdict: LimbVerdict) -> Iterator[Fix]:
@@ -53,13 +54,11 @@ def _choices(model: Model, context: Context, verdict: LimbVerdict) -> Iterator[F
 
 
 def _fix(model: Model, context: Context, repair: MeantNumbers, other: MeantNumbers) -> Fix | None:
-    own, twin = vector_at(model, repair.place), vector_at(model, other.place)
-    if own is None or twin is None:
-        return None
+    own, twin = numbers_at(model, repair.place), numbers_at(model, other.place)
     texts = written(own, [twin], repair.meant, limb_slips(model, context).assignments)
     if texts is None:
         return None
-    return rewriting(f"Set {told(repair.place)} to {as_triple(texts)}", own, texts)
+    return rewriting(f"Set {told(repair.place)} to {as_numbers(texts)}", own, texts)
 
 
 RULE = Rule(

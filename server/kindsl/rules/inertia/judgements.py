@@ -45,9 +45,12 @@ from kindsl.semantics.expressions import ParameterUse, symbols
 from kindsl.semantics.lowering import declarations
 from kindsl.semantics.numbers import mass_distribution
 from kindsl.semantics.places import Place
+from kindsl.syntax.vocabulary import MOMENTS
 from kindsl.text.facts import Fact
 
 _JUDGEMENTS: "Fact[tuple[Context | None, list[Judgement]]]" = Fact("judgements")
+# The numbers of an inertia in words, as `MassDistribution` has them.
+TEN = ("mass", "x of the CoM", "y of the CoM", "z of the CoM", *MOMENTS)
 _ROUNDING_OF_ARITHMETIC = 1e-12
 _SINGULAR = 1e-9
 

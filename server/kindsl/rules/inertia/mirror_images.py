@@ -1,10 +1,12 @@
 """Inertias of a left and a right part that are nearly mirror images."""
 
-from kindsl.rules.inertia.surroundings import SIGNS
+from kindsl.limbs.mounts import REFLECTIONS
+from kindsl.limbs.weighing import seen_by
+from kindsl.rigid.body import MassDistribution
+from kindsl.rules.inertia.judgements import TEN
 from kindsl.semantics.declarations import Inertia, Link
 from kindsl.syntax.vocabulary import MOMENTS
 
-_NAMES = ("mass", "x of the CoM", "y of the CoM", "z of the CoM", *MOMENTS)
 _SIGNIFICANT = 0.05
 _MOST_DIFFERENCES = 2
 
@@ -19,7 +21,7 @@ def mirror_difference(left: Link, right: Link) -> str:
     differing = [i for i, size in sizes if _differs(abs(here[i]), abs(there[i]), size)]
     exact = sum(abs(a) == abs(b) for a, b in zip(here, there, strict=True))
     if 0 < len(differing) <= _MOST_DIFFERENCES and exact + len(differing) == 10:
-        told = (f"{_NAMES[i]} is {there[i]:g} against {here[i]:g}" for i in differing)
+        told = (f"{TEN[i]} is {there[i]:g} against {here[i]:g}" for i in differing)
         return f"'{right.name}' is not the mirror image of '{left.name}': {', '.join(told)}"
     if exact == 10 and not _is_reflected(here, there, com, moment):
         return f"signs of '{right.name}' do not match a mirror image of '{left.name}'"
@@ -49,12 +51,8 @@ def _differs(left: float, right: float, size: float) -> bool:
 
 def _is_reflected(here: list[float], there: list[float], com: float, moment: float) -> bool:
     """Return whether axes turned round by some signs make one inertia the other."""
+    (mass, x, y, z, xx, yy, zz, xy, xz, yz), sizes = here, [com] * 3 + [moment] * 3
+    body = MassDistribution(mass, (x, y, z), (xx, yy, zz, xy, xz, yz))
+    seen = (seen_by(body, C) for C in REFLECTIONS)
     signed = [*there[1:4], *there[7:]]
-    sizes = [com] * 3 + [moment] * 3
-    return any(not any(map(_differs, signed, _reflected(here, *signs), sizes)) for signs in SIGNS)
-
-
-def _reflected(numbers: list[float], x: float, y: float, z: float) -> list[float]:
-    """Return the centre of mass and the products of inertia with axes turned round by signs."""
-    _, cx, cy, cz, _, _, _, ixy, ixz, iyz = numbers
-    return [x * cx, y * cy, z * cz, x * y * ixy, x * z * ixz, y * z * iyz]
+    return any(not any(map(_differs, signed, (*b.com, *b.moments[3:]), sizes)) for b in seen)

@@ -10,9 +10,10 @@ from kindsl.mechanism.body_verdicts import BodyVerdict, body_verdicts
 from kindsl.mechanism.link_inertia import link_inertia
 from kindsl.rigid.pose import Vector3
 from kindsl.rules.context import Context
-from kindsl.rules.inertia.judgements import Verdict, is_moving, judgements
+from kindsl.rules.inertia.judgements import Verdict, is_impossible, is_moving, judgements
 from kindsl.semantics.declarations import Joint, Link, Pose
 from kindsl.semantics.lowering import declarations
+from kindsl.semantics.model import Model
 from kindsl.semantics.numbers import written_pose
 from kindsl.semantics.unknown import Unknown
 from kindsl.text.facts import Fact
@@ -29,6 +30,12 @@ def shape_doubts(
         _VERDICTS, (joints, context), lambda: list(shape_verdicts(body, joints, context))
     )
     yield from (verdict for verdict in verdicts if verdict.code == code)
+
+
+def is_told_of(body: Link, model: Model, context: Context) -> bool:
+    """Return whether a body is reported as impossible, or behind its joint."""
+    joints = model.tree.joints_on(body)
+    return is_impossible(body, context) or any(shape_doubts(body, joints, context, "KD511"))
 
 
 def shape_verdicts(

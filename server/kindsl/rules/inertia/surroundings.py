@@ -1,12 +1,12 @@
 """Evidence from the rest of the robot on a link's inertia: its children's joints, its twins."""
 
 from collections.abc import Iterator, Sequence
-from itertools import product
 from math import hypot, log, log10
 from typing import NamedTuple
 
-from kindsl.limbs.comparison import seen_by
+from kindsl.limbs.mounts import REFLECTIONS
 from kindsl.limbs.twin_frames import twin_frames
+from kindsl.limbs.weighing import seen_by
 from kindsl.rigid.body import MassDistribution
 from kindsl.rigid.pose import Rotation, Vector3, transposed
 from kindsl.rules.context import Context
@@ -15,14 +15,15 @@ from kindsl.rules.inertia.likelihood import MassShape
 from kindsl.rules.inertia.slips import Hypothesis, Slip
 from kindsl.rules.inertia.twins import part_of, right_twin_of
 from kindsl.rules.number_writing import significant_digits
+from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
 from kindsl.semantics.numbers import mass_distribution, written_pose
-from kindsl.text.facts import kept
+from kindsl.text.facts import Fact, kept
 
-SIGNS: tuple[Vector3, ...] = tuple(product((1.0, -1.0), repeat=3))  # type: ignore[arg-type]
 _Telling = tuple[str, tuple[float | None, ...]]
 _Inertia = tuple[Link, MassDistribution]
+_FRAMES = Fact[tuple[object, dict[tuple[str, str], list[Rotation]]]]("frames of twins, by names")
 _FEWEST_MASSES = 3
 _FEWEST_DIGITS = 8
 _MOST_PARTS = 8
@@ -35,7 +36,6 @@ _LOG_EXPECTED, _LOG_MIRRORED = log(1500.0), log(30.0)
 _LOG_ALONG, _LOG_ACROSS = log(2.5), log(0.6)
 # 97 % of 694 published links have their CoM on the side of the next joint.
 _LOG_TOWARDS, _LOG_AWAY = log(1.9), log(0.06)
-_PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
 
 
 class Twin(NamedTuple):
@@ -101,7 +101,7 @@ def surroundings(model: Model, context: Context, found: Judgement) -> LinkSurrou
         len(twins) / len(alike) if twins else 0.0,
         _mirror(model, link) if twins else None,
         _middle_mass(model),
-        tuple(_copies(model, context, link)),
+        tuple(copies(model, context, link)),
     )
 
 
@@ -148,7 +148,7 @@ def is_mirror_image(one: MassDistribution, other: MassDistribution) -> bool:
     """Return whether axes turned round by some signs, or none, make one body the other."""
     if not is_same_body(_without_signs(one), _without_signs(other)):
         return False
-    return any(is_same_body(_reflected(one, signs), other) for signs in SIGNS)
+    return any(is_same_body(seen_by(one, C), other) for C in REFLECTIONS)
 
 
 def may_be_image(one: MassDistribution, other: MassDistribution) -> bool:
@@ -182,12 +182,6 @@ def _without_signs(body: MassDistribution) -> MassDistribution:
     return MassDistribution(abs(mass), (abs(x), abs(y), abs(z)), moments)
 
 
-def _reflected(body: MassDistribution, signs: Vector3) -> MassDistribution:
-    moments = (signs[i] * signs[j] * m for (i, j), m in zip(_PAIRS, body.moments, strict=True))
-    com = (sign * c for sign, c in zip(signs, body.com, strict=True))
-    return MassDistribution(body.mass, tuple(com), tuple(moments))  # type: ignore[arg-type]
-
-
 @kept
 def _middle_mass(model: Model) -> float:
     """Return the lower median of the masses that are written as numbers, zero of one or two."""
@@ -197,7 +191,7 @@ def _middle_mass(model: Model) -> float:
     return max(middle, 0.0)
 
 
-def _copies(model: Model, context: Context, link: Link) -> Iterator[tuple[str, str]]:
+def copies(model: Model, context: Context, link: Link) -> Iterator[tuple[str, str]]:
     """Yield the possible links of other parts that have the moments, or the CoM, of a link."""
     for key in _telling_numbers(link):
         for other in _bodies_by_numbers(model)[key][:_MOST_PARTS]:
@@ -268,7 +262,12 @@ def _frames(model: Model, context: Context, link: Link, other: Link) -> list[Rot
     inertias = [body.inertia for body in (link, other) if body.inertia is not None]
     if any(inertia.frame is not None for inertia in inertias):
         return []
-    return twin_frames(model.tree, link, other, context.values)
+    places = model.edition.facts(Aspect.STRUCTURE | Aspect.PLACES)
+    known = places.made_of(_FRAMES, (context.targets, context.values), dict)
+    names = str(link.name), str(other.name)
+    if names not in known:
+        known[names] = twin_frames(model.tree, link, other, context.values)
+    return known[names]
 
 
 def _mirror(model: Model, link: Link) -> str | None:

@@ -1,0 +1,178 @@
+"""The masses of two limbs beside their joints: the likeliest reading, and what it accuses."""
+
+from collections.abc import Mapping
+from functools import cached_property
+from math import inf
+from operator import sub
+from typing import NamedTuple
+
+from kindsl.limbs.comparison import LOOSE, LimbComparison, Reading
+from kindsl.limbs.limb import Body
+from kindsl.limbs.slips import angles_near, n_retyped
+from kindsl.rigid.body import MassDistribution
+from kindsl.rigid.pose import Rotation, Vector3, product, transposed, turned
+
+# Cost of a mass, CoM or tensor that differs: it breaks ties, and many are less than a slip.
+_OF_MASS = 0.004
+_NEAR = 0.35
+
+# In the link frames, of the links of which they are known.
+Masses = Mapping[str, MassDistribution]
+
+
+class Suspect(NamedTuple):
+    """Numbers of a limb, or what else may be wrong.
+
+    Attributes:
+        link: The name of the link.
+        joint: The name of the joint that supports it.
+        what: `translation` or `angles` of the joint, `kind` of it, `mass`, `com` or `moments` of
+            the link, `inertia` for several of them.
+    """
+
+    link: str
+    joint: str
+    what: str
+
+
+class Accusation(NamedTuple):
+    """A triple that, written otherwise, makes a limb like its twin.
+
+    Attributes:
+        place: Where it stands.
+        twin: The link that says so.
+        meant: What should be written.
+        cost: Of what is odd besides.
+        n_retyped: How many of its numbers no sign, order or unit explains.
+        change: The greatest difference of a number.
+        free_axis: Along which the twin can say nothing, if any.
+    """
+
+    place: Suspect
+    twin: str
+    meant: Vector3
+    cost: float
+    n_retyped: int
+    change: float
+    free_axis: int | None
+
+
+class WeighedComparison:
+    """Two limbs, their masses compared too.
+
+    Attributes:
+        limbs: The limbs.
+        masses: Of their links.
+        ranked: The readings with their costs, for each mount and slip the cheapest one.
+    """
+
+    def __init__(self, limbs: LimbComparison, masses: Masses) -> None:
+        self.limbs, self.masses = limbs, masses
+        self._known: dict[tuple[int, Rotation], list[str]] = {}
+        ranked: dict[object, tuple[float, Reading]] = {}
+        for reading in limbs.readings:
+            n_differing = len(self.differing(reading.conventions))
+            cost = reading.mount.extra + _OF_MASS * n_differing
+            key = reading.mount, reading.slip
+            if key not in ranked or cost < ranked[key][0]:
+                ranked[key] = cost, reading
+        self.ranked = sorted(ranked.values(), key=lambda each: each[0])
+
+    @property
+    def cost(self) -> float:
+        """The cost of the cheapest reading."""
+        return self.ranked[0][0] if self.ranked else inf
+
+    @property
+    def best(self) -> Reading:
+        """The cheapest reading; there must be one."""
+        return self.ranked[0][1]
+
+    def in_way(self, way: tuple[Rotation, bool]) -> "WeighedComparison":
+        """Return the limbs read in one way, unless that is the cheapest, or none of theirs."""
+        if self.ranked and self.best.mount.way == way:
+            return self
+        return WeighedComparison(self.limbs.in_way(way), self.masses)
+
+    def differing(self, conventions: Mapping[int, Rotation]) -> list[tuple[int, str]]:
+        """Return rows with `mass`, `com` or `moments` where these are not alike."""
+        found = []
+        for index, C in conventions.items():
+            known = self._known.get((index, C))
+            if known is None:
+                known = self._known[index, C] = self._differing(index, C)
+            found += [(index, what) for what in known]
+        return found
+
+    def _differing(self, index: int, C: Rotation) -> list[str]:
+        _, one, other = self.limbs.rows[index]
+        here, there = self.masses.get(one.name), self.masses.get(other.name)
+        if here is None or there is None:
+            return []
+        return differing(seen_by(here, C), there)
+
+    @cached_property
+    def accusations(self) -> list[tuple[Accusation, Accusation]]:
+        """The single triples that explain the difference, as of either limb."""
+        if self.limbs.n_slips != 1:
+            return []
+        near = [each for each in self.ranked if each[0] <= self.cost + _NEAR]
+        return [self._accused(*each) for each in sorted(near, key=lambda each: each[1].slip or ())]
+
+    def _accused(self, cost: float, reading: Reading) -> tuple[Accusation, Accusation]:
+        mount, conventions, slip = reading
+        assert slip is not None
+        (index, what), (up, one, other) = slip, self.limbs.rows[slip[0]]
+        back = conventions[up] if up >= 0 else transposed(mount.map)
+        forth, here = transposed(back), turned(transposed(back), one.translation)
+        there = here if up >= 0 else mount.place
+        pairs = zip(other.translation, here, there, strict=True)
+        x, y, z = (own + seen - place for own, seen, place in pairs)
+        forward = product(product(forth, one.rotation), conventions[index])
+        backward = product(product(back, other.rotation), transposed(conventions[index]))
+        free_axis = mount.free_axis if index == 0 and what == "translation" else None
+        return (
+            _accusation((one, other), what, turned(back, (x, y, z)), backward, cost, free_axis),
+            _accusation((other, one), what, there, forward, cost, free_axis),
+        )
+
+
+def differing(here: MassDistribution, there: MassDistribution) -> list[str]:
+    """Return `mass`, `com` and `moments` where two bodies in one frame differ."""
+    if here == there:
+        return []
+    found = [] if abs(there.mass - here.mass) <= LOOSE.share * abs(here.mass) else ["mass"]
+    if not LOOSE.is_same(there.com, here.com):
+        found.append("com")
+    if here.moments != there.moments:
+        allowed = max(1e-7, LOOSE.share * max(map(abs, here.moments)))
+        if max(map(abs, map(sub, here.moments, there.moments))) > allowed:
+            found.append("moments")
+    return found
+
+
+def seen_by(body: MassDistribution, C: Rotation) -> MassDistribution:
+    """Return a body as it is in the frame of its twin."""
+    (a, b, _), (c, d, _), (_, _, e) = C
+    xx, yy, zz, xy, xz, yz = body.moments
+    moments = (xx, yy, zz, a * d * xy, a * e * xz, d * e * yz)
+    if not a:
+        moments = (yy, xx, zz, b * c * xy, c * e * yz, b * e * xz)
+    return MassDistribution(body.mass, turned(transposed(C), body.com), moments)
+
+
+def _accusation(
+    bodies: tuple[Body, Body],
+    what: str,
+    place: Vector3,
+    rotation: Rotation,
+    cost: float,
+    free_axis: int | None,
+) -> Accusation:
+    body, twin = bodies
+    written, meant = body.translation, place
+    if what == "angles":
+        written, meant = body.angles, angles_near(rotation, body.angles, twin.angles)
+    change = max(abs(x - y) for x, y in zip(written, meant, strict=True))
+    suspect = Suspect(body.name, body.joint, what)
+    return Accusation(suspect, twin.name, meant, cost, n_retyped(written, meant), change, free_axis)
