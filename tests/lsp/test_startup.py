@@ -2,6 +2,9 @@
 
 import subprocess
 import sys
+from pathlib import Path
+
+from tests.support.lsp import RawClient
 
 LATER = ("numpy", "lark", "tornado", "meshcat", "kindsl.syntax.tables", "kindsl.analysis.analysis")
 
@@ -12,3 +15,16 @@ def test_the_language_loads_after_the_answer_to_initialize() -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "set()"
+
+
+def test_what_needs_more_says_what_to_install() -> None:
+    code = "import sys; sys.modules['numpy'] = None; from kindsl.cli.language_server import main; "
+    client = RawClient([sys.executable, "-c", f"{code}main()"])
+    client.initialize()
+    uri = "file:///quadruped.kindsl"
+    client.open(uri, (Path(__file__).parents[2] / "examples" / "quadruped.kindsl").read_text())
+    asked = {"command": "kindsl.compute", "arguments": [uri]}
+    error = client.refusal("workspace/executeCommand", asked)
+    assert "needs numpy; install with" in error["message"]
+    assert error["data"] == {"missing": ["numpy"]}
+    client.kill()

@@ -47,6 +47,8 @@ def start(post: PostText, *, has_files: bool = False) -> Callable[[str], bool]:
         server.protocol.notify_encoded(PREVIEW_MESSAGES, Encoded(params))
 
     server = KindslLanguageServer(Surroundings(InlineWorker(), new_previews, has_files))
+    # It needs NumPy, which no guest brings along.
+    del server.protocol.fm.commands["kindsl.compute"]
     server.session.loop = asyncio.get_event_loop()
     server.protocol.set_writer(_PostingWriter(post))
 

@@ -13,7 +13,7 @@ from kindsl.lsp.session.status import METHOD as STATUS
 from kindsl.lsp.session.view import View
 from kindsl.lsp.wire.client import asked
 from kindsl.lsp.wire.edits import text_edits, workspace_edit
-from kindsl.lsp.wire.protocol import PackagesMissing, RequestFailed
+from kindsl.lsp.wire.protocol import RequestFailed
 
 if TYPE_CHECKING:
     from kindsl.mechanism.build import Mechanism
@@ -130,7 +130,7 @@ def _computed(view: View, options: object) -> dict[str, Any]:
     except ModuleNotFoundError as error:
         hint = "install with: pip install 'kindsl[numpy]'"
         problem = f"the computation needs {error.name}; {hint}"
-        raise PackagesMissing(problem, ["numpy"]) from None
+        raise RequestFailed(problem, {"missing": ["numpy"]}) from None
     except (ValueError, TypeError) as error:
         raise RequestFailed(str(error)) from None
 

@@ -307,10 +307,3 @@ class RequestFailed(JsonRpcException):
 
     def __init__(self, message: str, data: dict[str, Any] | None = None) -> None:
         super().__init__(message, _REQUEST_FAILED, data)
-
-
-class PackagesMissing(RequestFailed):
-    """A request that needs packages which are not installed; an editor may offer to do that."""
-
-    def __init__(self, message: str, packages: list[str]) -> None:
-        super().__init__(message, {"missing": packages})
