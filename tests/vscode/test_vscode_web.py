@@ -32,7 +32,7 @@ def workbench(
     """One window on the workspace."""
     browser_module.require("npm")
     files = {
-        "arm.kindsl": BROKEN, "kindsl.toml": CONFIGURATION,
+        "arm.kindsl": BROKEN, "kindsl.toml": CONFIGURATION, "parts/closed.kindsl": models.BROKEN,
         "pan_tilt.urdf": URDF, "broken.urdf": "<robot>\n<link",
     }  # fmt: skip
     extension = vscode_web.unpacked_extension(tmp_path_factory.mktemp("package"))
@@ -156,6 +156,29 @@ def test_what_needs_a_process_is_not_offered(workbench: Workbench) -> None:
     for title in ("Select Python Interpreter", "Open Preview in Browser"):
         expect(rows.filter(has_text=title)).to_have_count(0)
     workbench.press("Escape")
+
+
+def test_findings_of_closed_files_are_listed(workbench: Workbench) -> None:
+    page, tabs = workbench.page, workbench.page.locator(".tab")
+    while tabs.count() > 0:
+        workbench.run("View: Revert and Close Editor")
+    was_open = workbench.problems().filter(has_text="arm.kindsl")
+    never_open = workbench.problems().filter(has_text="closed.kindsl")
+    expect(was_open).to_have_count(1)
+    expect(never_open).to_have_count(1)
+    folder, file = (
+        page.get_by_role("treeitem", name=name, exact=True) for name in ("parts", "closed.kindsl")
+    )
+    workbench.click_until(folder, file)
+    workbench.click_until(file, workbench.active_tab("closed.kindsl"))
+    expect(workbench.squiggles("error")).to_have_count(2)
+    workbench.screenshot("web-closed")
+    page.locator(".editor-group-container .view-line").first.click()
+    workbench.press("Control+a")
+    workbench.press("Delete")
+    # All files have been asked for once more when this is known.
+    expect(never_open).to_have_count(0)
+    expect(was_open).to_have_count(1)
 
 
 def test_each_command_that_is_offered_is_there() -> None:

@@ -23,7 +23,8 @@ class MemoryFiles {
   }
 
   readDirectory({ path }) {
-    return this.#below(path).map((name) => [name, vscode.FileType.File]);
+    const { File, Directory } = vscode.FileType, entries = this.#below(path).map((name) => name.split("/"));
+    return [...new Map(entries.map(([name, ...rest]) => [name, rest.length > 0 ? Directory : File]))];
   }
 
   readFile(uri) {

@@ -1,9 +1,13 @@
-// The files of a virtual workspace as the server sees them: below /workspace, with the configuration files copied there.
+// The files of a virtual workspace as the server sees them: below /workspace, with robots and configuration files copied there.
 import * as vscode from "vscode";
 import type { BaseLanguageClient } from "vscode-languageclient";
 
 const ROOT = "/workspace";
 const CONFIGURATIONS = ["kindsl.toml", "pyproject.toml"];
+const IS_WANTED = /\.kindsl$|^(kindsl|pyproject)\.toml$/i;
+const IS_PASSED_OVER = /^(\..*|node_modules|build|dist)$/;
+/** A virtual workspace may be a forge's, where each folder is a question. */
+const MOST_FOLDERS = 300, MOST_FILES = 300;
 const CHANGED = 2;
 
 export class ProjectFiles implements vscode.Disposable {
@@ -30,15 +34,16 @@ export class ProjectFiles implements vscode.Disposable {
     return folder === undefined ? uri : folder.with({ path: folder.path.replace(/\/$/, "") + (rest ?? "") });
   }
 
-  /** Copy the configuration files above each document to the server, now and whenever one changes. */
+  /** Copy the robots, and the configuration files above each document, to the server, now and whenever one changes. */
   follow(client: BaseLanguageClient): void {
-    const watcher = vscode.workspace.createFileSystemWatcher(`**/{${CONFIGURATIONS.join(",")}}`);
-    const copy = (uri: vscode.Uri) => this.#copy(uri, client);
-    // A search would wait for ever where a virtual workspace offers none: what matters is above a document.
-    const opened = (document: vscode.TextDocument) => this.#above(document.uri).forEach(copy);
-    const events = [watcher.onDidChange(copy), watcher.onDidCreate(copy), watcher.onDidDelete(copy)];
+    const watcher = vscode.workspace.createFileSystemWatcher(`**/{*.kindsl,${CONFIGURATIONS.join(",")}}`);
+    const copy = (...uris: vscode.Uri[]) => void this.#copy(uris, client);
+    const changed = (uri: vscode.Uri) => copy(uri);
+    const opened = (document: vscode.TextDocument) => copy(...this.#above(document.uri));
+    const events = [watcher.onDidChange(changed), watcher.onDidCreate(changed), watcher.onDidDelete(changed)];
     this.#disposables.push(watcher, ...events, vscode.workspace.onDidOpenTextDocument(opened));
     vscode.workspace.textDocuments.forEach(opened);
+    for (const { uri } of vscode.workspace.workspaceFolders ?? []) void filesBelow(uri).then((uris) => copy(...uris));
   }
 
   dispose(): void {
@@ -54,20 +59,41 @@ export class ProjectFiles implements vscode.Disposable {
     return folders.flatMap((place) => CONFIGURATIONS.map((name) => vscode.Uri.joinPath(place, name)));
   }
 
-  async #copy(uri: vscode.Uri, client: BaseLanguageClient): Promise<void> {
-    const address = this.toServer(uri);
-    const content = await Promise.resolve(vscode.workspace.fs.readFile(uri)).catch(() => undefined);
-    const text = content === undefined ? null : new TextDecoder().decode(content);
-    if (text === (this.#copied.get(address) ?? null) || !client.isRunning()) return;
-    this.#copied.set(address, text);
-    await client.sendNotification("kindsl/writeFile", { path: vscode.Uri.parse(address, true).path, text });
-    await client.sendNotification("workspace/didChangeWatchedFiles", { changes: [{ uri: address, type: CHANGED }] });
+  async #copy(uris: readonly vscode.Uri[], client: BaseLanguageClient): Promise<void> {
+    const texts = await Promise.all(uris.map(async (uri) => [this.toServer(uri), await textOf(uri)] as const));
+    const news = texts.filter(([address, text]) => text !== (this.#copied.get(address) ?? null));
+    if (news.length === 0 || !client.isRunning()) return;
+    for (const [address, text] of news) {
+      this.#copied.set(address, text);
+      void client.sendNotification("kindsl/writeFile", { path: vscode.Uri.parse(address, true).path, text });
+    }
+    const changes = news.map(([uri]) => ({ uri, type: CHANGED }));
+    await client.sendNotification("workspace/didChangeWatchedFiles", { changes });
   }
 
   #number(folder: vscode.Uri): number {
     const known = this.#folders.findIndex((one) => one.toString() === folder.toString());
     return known >= 0 ? known : this.#folders.push(folder) - 1;
   }
+}
+
+/** Robots and configurations; a search of the editor's would wait for ever where a virtual workspace offers none. */
+async function filesBelow(folder: vscode.Uri): Promise<vscode.Uri[]> {
+  const found: vscode.Uri[] = [], folders = [folder];
+  for (const place of folders) {
+    const entries = await Promise.resolve(vscode.workspace.fs.readDirectory(place)).catch(() => []);
+    for (const [name, type] of entries) {
+      if (type === vscode.FileType.File && IS_WANTED.test(name)) found.push(vscode.Uri.joinPath(place, name));
+      else if (type === vscode.FileType.Directory && !IS_PASSED_OVER.test(name)) folders.push(vscode.Uri.joinPath(place, name));
+    }
+    folders.length = Math.min(folders.length, MOST_FOLDERS);
+  }
+  return found.slice(0, MOST_FILES);
+}
+
+async function textOf(uri: vscode.Uri): Promise<string | null> {
+  const content = await Promise.resolve(vscode.workspace.fs.readFile(uri)).catch(() => undefined);
+  return content === undefined ? null : new TextDecoder().decode(content);
 }
 
 /** The part of a path that is below a folder, with the slash before it. */
