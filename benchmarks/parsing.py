@@ -9,6 +9,7 @@ Exits with 1 when a ratio is missed.
 import argparse
 import gc
 import os
+import random
 import re
 import statistics
 import subprocess
@@ -28,6 +29,7 @@ from kindsl.text.edits import TextEdit  # noqa: E402
 LEAST_FASTER = 100.0
 MOST_EDIT_GROWTH = 2.0
 MOST_START = 3.0
+MOST_SLIPS = 50.0
 PLAIN = Style(has_comments=False)
 
 
@@ -36,7 +38,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--quick", action="store_true")
     links = 100 if parser.parse_args().quick else 1000
-    checks = [faster_than_textx(links), edit_growth(), start()]
+    checks = [faster_than_textx(links), edit_growth(), start(), slips(100)]
     for name, ratio, is_met in checks:
         print(f"{'ok    ' if is_met else 'MISSED'} {name}: {ratio:.2f}")
     return 0 if all(is_met for _, _, is_met in checks) else 1
@@ -93,6 +95,21 @@ def start() -> tuple[str, float, bool]:
     print(f"process: empty {plain * 1e3:.1f} ms, with a parsed model {ours * 1e3:.1f} ms")
     ratio = ours / plain
     return f"start against an empty process (at most {MOST_START:.0f})", ratio, ratio <= MOST_START
+
+
+def slips(count: int) -> tuple[str, float, bool]:
+    """Return how much longer a robot takes when tokens are lost, doubled and replaced in it."""
+    generator = random.Random(1)
+    text = right = (ROOT / "examples/quadruped.kindsl").read_text(encoding="utf-8")
+    for _ in range(count):
+        tokens = [match.span() for match in re.finditer(r"[\w.]+|\S", text)]
+        (start, end), (other, other_end) = generator.sample(tokens, 2)
+        new = ("", text[start:end] * 2, text[other:other_end])[generator.randrange(3)]
+        text = text[:start] + new + text[end:]
+    whole, spoilt = (seconds(lambda each=each: parse(each), 9) for each in (right, text))
+    print(f"quadruped: {whole * 1e3:.1f} ms, with {count} slips {spoilt * 1e3:.0f} ms")
+    name = f"a robot with {count} slips against one without (at most {MOST_SLIPS:.0f})"
+    return name, spoilt / whole, spoilt / whole <= MOST_SLIPS
 
 
 def process(command: str) -> float:

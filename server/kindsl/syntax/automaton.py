@@ -1,35 +1,55 @@
 """The LALR automaton of the grammar, states only: what may follow what."""
 
-from typing import NamedTuple
-
 from kindsl.syntax.tables import RULES, STARTS, STATES
 
 CONSTRUCTS = [state[0] for state in STATES]
 ROWS = [dict(zip(*state[1:3], strict=True)) for state in STATES]
 TARGETS = [dict(zip(*state[3:5], strict=True)) for state in STATES]
 
+_MATTER = 5
 
-class Stack(NamedTuple):
-    """The states of a half-read construct, innermost first; shared between readings."""
 
-    state: int
-    below: "Stack | None"
+class Stack:
+    """The states of a half-read construct, innermost first; shared between readings.
+
+    There is one stack of the same states above the same beginning, which knows what follows it:
+    repairs are sought by reading on from it in many ways.
+
+    Attributes:
+        state: The innermost state.
+        below: The others.
+        innermost: The last states, enough to tell stacks apart that matter.
+    """
+
+    __slots__ = ("_above", "_after", "below", "innermost", "state")
+
+    def __init__(self, state: int, below: "Stack | None") -> None:
+        self.state = state
+        self.below = below
+        around = below.innermost[: _MATTER - 1] if below is not None else ()
+        self.innermost: tuple[int, ...] = (state, *around)
+        self._above: dict[int, Stack] = {}
+        self._after: dict[str, Stack | None] = {}
+
+    def under(self, state: int) -> "Stack":
+        """Return the stack with one more state."""
+        above = self._above.get(state)
+        if above is None:
+            above = self._above[state] = Stack(state, self)
+        return above
+
+    def after(self, kind: str) -> "Stack | None":
+        """Return the stack after one more token, or None where that token cannot stand."""
+        try:
+            return self._after[kind]
+        except KeyError:
+            found = self._after[kind] = _step(self, kind)
+            return found
 
 
 def initial(start: str) -> Stack:
     """Return the stack before the first token of a construct."""
     return Stack(STARTS[start][0], None)
-
-
-def step(stack: Stack, kind: str) -> Stack | None:
-    """Return the stack after one more token, or None where that token cannot stand."""
-    while True:
-        action = ROWS[stack.state].get(kind)
-        if action is None:
-            return None
-        if action >= 0:
-            return Stack(action, stack)
-        stack = _reduce(stack, ~action)
 
 
 def is_complete(stack: Stack, start: str) -> bool:
@@ -53,9 +73,19 @@ def settled(stack: Stack) -> Stack:
         stack = _reduce(stack, ~action)
 
 
+def _step(stack: Stack, kind: str) -> Stack | None:
+    while True:
+        action = ROWS[stack.state].get(kind)
+        if action is None:
+            return None
+        if action >= 0:
+            return stack.under(action)
+        stack = _reduce(stack, ~action)
+
+
 def _reduce(stack: Stack, rule: int) -> Stack:
     size, name, _, _ = RULES[rule]
     for _ in range(size):
         assert stack.below is not None
         stack = stack.below
-    return Stack(TARGETS[stack.state][name], stack)
+    return stack.under(TARGETS[stack.state][name])

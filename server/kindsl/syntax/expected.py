@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from kindsl.syntax.automaton import CONSTRUCTS, ROWS, Stack, initial, is_complete, settled, step
+from kindsl.syntax.automaton import CONSTRUCTS, ROWS, Stack, initial, is_complete, settled
 from kindsl.syntax.tables import KEYWORDS, NEITHER
 from kindsl.syntax.token_names import BLOCK_STARTS
 from kindsl.syntax.tree import Island, Token
@@ -46,7 +46,7 @@ def expected_at(island: Island, offset: int) -> Expected:
     stack, block = _read(before)
     if stack is None:
         return Expected(frozenset(BLOCK_STARTS), (), prefix, start)
-    kinds = {kind for kind in ROWS[stack.state] if kind != "$END" and step(stack, kind)}
+    kinds = {kind for kind in ROWS[stack.state] if kind != "$END" and stack.after(kind)}
     if is_complete(stack, block):
         kinds |= set(BLOCK_STARTS)
     return Expected(frozenset(kinds - _OTHER_NAMES), _constructs(stack), prefix, start)
@@ -70,11 +70,11 @@ def _read(tokens: Sequence[Token]) -> tuple[Stack | None, str]:
     for index, token in enumerate(tokens):
         if token.is_missing and _fits(stack, tokens[index:]):
             continue
-        after = step(stack, token.kind) if stack is not None else None
+        after = stack.after(token.kind) if stack is not None else None
         is_between = stack is None or is_complete(stack, block)
         if after is None and is_between and token.kind in BLOCK_STARTS:
             block = BLOCK_STARTS[token.kind]
-            after = step(initial(block), token.kind)
+            after = initial(block).after(token.kind)
         stack = after if after is not None else stack
     if stack is not None and is_complete(stack, block):
         return None, block
@@ -84,7 +84,7 @@ def _read(tokens: Sequence[Token]) -> tuple[Stack | None, str]:
 def _fits(stack: Stack | None, tokens: Sequence[Token]) -> bool:
     """Return whether the first written token fits."""
     written = next((token for token in tokens if not token.is_missing), None)
-    return stack is not None and written is not None and step(stack, written.kind) is not None
+    return stack is not None and written is not None and stack.after(written.kind) is not None
 
 
 def _constructs(stack: Stack) -> tuple[str, ...]:

@@ -6,7 +6,7 @@ repair is searched; it becomes one problem. What lacks at the end is supplied.
 
 from collections.abc import Sequence
 
-from kindsl.syntax.automaton import Stack, initial, is_complete, step
+from kindsl.syntax.automaton import Stack, initial, is_complete
 from kindsl.syntax.builder import build
 from kindsl.syntax.indentation import lost_closing
 from kindsl.syntax.recovery.block_kinds import Opening, opening
@@ -79,7 +79,7 @@ class BlockProgress:
 
     def _shift(self) -> bool:
         token = self.island.tokens[self.island.index]
-        after = step(self.stack, token.kind)
+        after = self.stack.after(token.kind)
         if after is None:
             return False
         self._take(token, after)
@@ -98,7 +98,7 @@ class BlockProgress:
         token = tokens[index]
         behind = tokens[index + 1 : index + 1 + _GOES_ON]
         if token.text in KEYWORDS and token.kind != "KEYWORD_NAME":
-            after = step(self.stack, "KEYWORD_NAME")
+            after = self.stack.after("KEYWORD_NAME")
             if after is None or not goes_on(after, behind):
                 return False
             token.kind = "KEYWORD_NAME"
@@ -106,7 +106,7 @@ class BlockProgress:
         pair = unglued(self.stack, token)
         if pair is None:
             return False
-        after = step(self.stack, pair[0].kind)
+        after = self.stack.after(pair[0].kind)
         if after is None or not goes_on(after, [pair[1], *behind]):
             return False
         tokens[index : index + 1] = pair
@@ -160,7 +160,7 @@ class BlockProgress:
         if change.action == "delete":
             island.skip([island.tokens[change.at]])
             return
-        after = step(self.stack, change.kind)
+        after = self.stack.after(change.kind)
         assert after is not None
         new = self._new_token(change.kind, token, word)
         if token is not None and new.start == new.end:
@@ -182,7 +182,7 @@ class BlockProgress:
         """Leave out tokens up to one that fits; return whether one did."""
         island = self.island
         for index in range(island.index + 1, len(island.tokens)):
-            after = step(self.stack, island.tokens[index].kind)
+            after = self.stack.after(island.tokens[index].kind)
             if after is not None and goes_on(after, island.tokens[index + 1 : index + 3]):
                 island.skip_to(index)
                 self.history.clear()

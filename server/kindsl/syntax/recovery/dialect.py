@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from kindsl.syntax.automaton import Stack, step
+from kindsl.syntax.automaton import Stack
 from kindsl.syntax.recovery.block_kinds import LONGEST_FIRST, unglue
 from kindsl.syntax.tables import KEYWORDS
 from kindsl.syntax.tree import Token
@@ -15,9 +15,9 @@ def goes_on(stack: Stack, tokens: Sequence[Token]) -> bool:
     following: Stack | None = stack
     for token in tokens:
         assert following is not None
-        after = step(following, token.kind)
+        after = following.after(token.kind)
         if after is None and token.text in KEYWORDS:
-            after = step(following, "KEYWORD_NAME")
+            after = following.after("KEYWORD_NAME")
         if after is None:
             return False
         following = after
@@ -29,6 +29,6 @@ def unglued(stack: Stack, token: Token) -> tuple[Token, Token] | None:
     for word in _GLUED:
         if token.text.startswith(word) and len(token.text) > len(word):
             pair = unglue(token, word)
-            if pair is not None and step(stack, pair[0].kind) is not None:
+            if pair is not None and stack.after(pair[0].kind) is not None:
                 return pair
     return None

@@ -6,10 +6,12 @@ one that reads furthest wins.
 """
 
 import heapq
-from collections.abc import Callable, Sequence
+import itertools
+from collections.abc import Callable, Iterator, Sequence
+from functools import cache
 from typing import NamedTuple
 
-from kindsl.syntax.automaton import ROWS, Stack, is_complete, step
+from kindsl.syntax.automaton import ROWS, Stack, is_complete
 from kindsl.syntax.recovery.costs import cost
 from kindsl.syntax.token_names import BLOCK_STARTS, SPELLINGS
 from kindsl.syntax.tree import Token
@@ -17,6 +19,7 @@ from kindsl.syntax.tree import Token
 _SIGNS = frozenset("{}()=,]>")
 _VALUES = frozenset({"NAME", "FLOAT", "INT"})
 INSERTABLE = (frozenset(SPELLINGS) | _SIGNS | _VALUES) - {"PI", "LOWER_PI", "FLOATING"}
+_INSERTABLE_AFTER = [tuple(kind for kind in row if kind in INSERTABLE) for row in ROWS]
 
 _MOST_EXPANSIONS = 1200
 _MOST_GOALS = 30
@@ -49,13 +52,23 @@ class FoundRepair(NamedTuple):
 
 
 class _Candidate(NamedTuple):
+    """A repair that is tried: what it has cost, and how far reading has come with it.
+
+    Attributes:
+        is_gap: Whether it puts in what may be lost at one place, and nothing else.
+    """
+
     cost: float
-    order: int
     stack: Stack
     at: int
     changes: tuple[RepairStep, ...]
     shifts: int
     first: int
+    is_gap: bool
+
+
+# What may come of a candidate: cost, order, the candidate, the stack then, the step and its kind.
+_Prospect = tuple[float, int, _Candidate, Stack, str, str]
 
 
 class Preferences(NamedTuple):
@@ -90,37 +103,39 @@ def search(
         preferences: Extra costs.
     """
     back = cost("go back by a token")
-    queue = [
-        _Candidate(back * count, count, stack, index - count, (), 0, index - count)
-        for count, stack in enumerate(stacks)
-    ]
+    queue: list[_Prospect] = []
+    for count, stack in enumerate(stacks):
+        begin = _Candidate(back * count, stack, index - count, (), 0, index - count, True)
+        queue.append((begin.cost, count, begin, stack, "begin", ""))
     goals: list[_Candidate] = []
     seen: dict[object, float] = {}
-    order = len(queue)
-    slack = cost("read to the end, slack")
+    prices = _Prices(tokens, preferences)
+    fair = limit = _MOST_COST
+    order = itertools.count(len(queue))
     for _ in range(_MOST_EXPANSIONS):
-        if not queue or len(goals) > _MOST_GOALS:
+        if not queue or len(goals) > _MOST_GOALS or queue[0][0] > limit:
             break
-        candidate = heapq.heappop(queue)
-        if candidate.cost > _MOST_COST or (goals and candidate.cost > goals[0].cost + slack):
-            break
+        candidate = _come_true(heapq.heappop(queue))
         if candidate.changes and _is_goal(candidate, tokens, index, start):
             goals.append(candidate)
             if _run(candidate, tokens, start) == _READ_FURTHER:
-                slack = cost("read further, slack")
+                break  # no other one is better, for this one is the cheapest that reads so far
+            fair = min(_MOST_COST, goals[0].cost + cost("read further, slack"))
+            limit = min(_MOST_COST, goals[0].cost + cost("read to the end, slack"))
+            continue
+        if candidate.cost > fair and not candidate.is_gap:
             continue
         key = _key(candidate)
         if seen.get(key, _MOST_COST + 1) <= candidate.cost:
             continue
         seen[key] = candidate.cost
-        for following in _following(candidate, tokens, index, preferences):
-            order += 1
-            heapq.heappush(queue, following._replace(order=order))
+        for paid, after, action, kind in _following(candidate, tokens, index, prices, fair, limit):
+            heapq.heappush(queue, (paid, next(order), candidate, after, action, kind))
     if not goals:
         return None
-    limit = goals[0].cost + cost("read further, slack")
-    fair = [goal for goal in goals if goal.cost <= limit or _is_lost_run(goal, tokens, start)]
-    best = min(fair, key=lambda goal: (-_run(goal, tokens, start), goal.cost))
+    fair = goals[0].cost + cost("read further, slack")
+    good = [goal for goal in goals if goal.cost <= fair or _is_lost_run(goal, tokens, start)]
+    best = min(good, key=lambda goal: (-_run(goal, tokens, start), goal.cost))
     return FoundRepair(best.first, best.changes, best.stack, best.at)
 
 
@@ -135,12 +150,12 @@ def completion(stack: Stack, start: str) -> list[str] | None:
         paid, _, stack, kinds = heapq.heappop(queue)
         if is_complete(stack, start):
             return list(kinds)
-        key = (_top(stack), len(kinds))
+        key = (stack.innermost, len(kinds))
         if key in seen:
             continue
         seen.add(key)
-        for kind in ROWS[stack.state]:
-            following = step(stack, kind) if kind in INSERTABLE else None
+        for kind in _INSERTABLE_AFTER[stack.state]:
+            following = stack.after(kind)
             if following is not None:
                 order += 1
                 price = cost("close at the end") if kind in "})" else insertion_cost(kind)
@@ -179,42 +194,73 @@ def _is_goal(candidate: _Candidate, tokens: Sequence[Token], failed: int, start:
     return is_complete(candidate.stack, start)
 
 
+def _come_true(prospect: _Prospect) -> _Candidate:
+    """Return the candidate that another one becomes."""
+    paid, _, before, after, action, kind = prospect
+    _, _, at, changes, shifts, first, is_gap = before
+    if action == "begin":
+        return before
+    if action == "shift":
+        return _Candidate(paid, after, at + 1, changes, shifts + 1, first, is_gap)
+    change = RepairStep(action, at, kind)
+    if action == "insert":
+        is_gap = not changes or (is_gap and changes[-1].at == at)
+        return _Candidate(paid, after, at, (*changes, change), 0, first, is_gap)
+    return _Candidate(paid, after, at + 1, (*changes, change), 0, first, False)
+
+
 def _following(
-    candidate: _Candidate, tokens: Sequence[Token], failed: int, preferences: Preferences
-) -> list[_Candidate]:
-    """Return what can come of a candidate in one step."""
-    paid, _, stack, index, changes, shifts, first = candidate
-    followers: list[_Candidate] = []
-
-    def follow(extra: float, after: Stack, at: int, change: RepairStep | None) -> None:
-        done = (*changes, change) if change else changes
-        kept = 0 if change else shifts + 1
-        followers.append(_Candidate(paid + extra, 0, after, at, done, kept, first))
-
+    candidate: _Candidate,
+    tokens: Sequence[Token],
+    failed: int,
+    prices: "_Prices",
+    fair: float,
+    limit: float,
+) -> Iterator[tuple[float, Stack, str, str]]:
+    """Yield what one step can make of a candidate: the cost, the stack, the step and its kind."""
+    paid, stack, index, changes, _, _, is_gap = candidate
     at_end = index >= len(tokens)
     kind = "$END" if at_end else tokens[index].kind
     if not at_end:
-        after = step(stack, kind)
+        after = stack.after(kind)
         if after is not None and (changes or index < failed):
-            follow(0.0, after, index + 1, None)
+            yield paid, after, "shift", kind
         is_continued = bool(changes) and changes[-1][:2] == ("delete", index - 1)
-        price = cost("delete on") if is_continued else _deletion_cost(kind)
-        price += preferences.deletion(index)
-        follow(price, stack, index + 1, RepairStep("delete", index, kind))
-    for new in ROWS[stack.state]:
-        if new not in INSERTABLE:
+        price = paid + prices.deletion(index, is_continued)
+        if price <= fair:
+            yield price, stack, "delete", kind
+    is_continued = bool(changes) and changes[-1][:2] == ("insert", index)
+    most = limit if is_gap and (is_continued or not changes) else fair
+    for new in _INSERTABLE_AFTER[stack.state]:
+        price = paid + prices.insertion(new, index, is_continued)
+        if price <= most and (after := stack.after(new)) is not None:
+            yield price, after, "insert", new
+        if at_end or new == kind:
             continue
-        after = step(stack, new)
-        if after is None:
-            continue
-        price = insertion_cost(new) + preferences.insertion(new, index)
-        if changes and changes[-1][:2] == ("insert", index):
-            price *= cost("insert on, factor")
-        follow(price, after, index, RepairStep("insert", index, new))
-        if not at_end and new != kind:
-            price = _replacement_cost(kind, new) + preferences.replacement(new, index)
-            follow(price, after, index + 1, RepairStep("replace", index, new))
-    return followers
+        price = paid + prices.replacement(new, index)
+        if price <= fair and (after := stack.after(new)) is not None:
+            yield price, after, "replace", new
+
+
+class _Prices:
+    """The costs of the changes that a search tries, each found once."""
+
+    def __init__(self, tokens: Sequence[Token], preferences: Preferences) -> None:
+        def deletion(index: int, is_continued: bool) -> float:
+            price = cost("delete on") if is_continued else _deletion_cost(tokens[index].kind)
+            return price + preferences.deletion(index)
+
+        def insertion(new: str, index: int, is_continued: bool) -> float:
+            price = insertion_cost(new) + preferences.insertion(new, index)
+            return price * cost("insert on, factor") if is_continued else price
+
+        def replacement(new: str, index: int) -> float:
+            old = tokens[index].kind
+            return _replacement_cost(old, new) + preferences.replacement(new, index)
+
+        self.deletion = cache(deletion)
+        self.insertion = cache(insertion)
+        self.replacement = cache(replacement)
 
 
 def _begins_block(tokens: Sequence[Token], index: int) -> bool:
@@ -227,7 +273,7 @@ def _run(goal: _Candidate, tokens: Sequence[Token], start: str) -> int:
     """Return how many more tokens fit; many where they fit to the end."""
     stack, count = goal.stack, 0
     for token in tokens[goal.at : goal.at + _READ_FURTHER]:
-        after = step(stack, token.kind)
+        after = stack.after(token.kind)
         if after is None:
             is_next = _begins_block(tokens, goal.at + count) and is_complete(stack, start)
             return _READ_FURTHER if is_next else count
@@ -240,22 +286,9 @@ def _run(goal: _Candidate, tokens: Sequence[Token], start: str) -> int:
 
 def _is_lost_run(goal: _Candidate, tokens: Sequence[Token], start: str) -> bool:
     """Return whether a repair puts in what may be lost at one place, and all fits behind it."""
-    is_one = {change[:2] for change in goal.changes} == {("insert", goal.changes[0].at)}
-    return is_one and _run(goal, tokens, start) == _READ_FURTHER
+    return goal.is_gap and _run(goal, tokens, start) == _READ_FURTHER
 
 
 def _key(candidate: _Candidate) -> object:
     deleted = bool(candidate.changes) and candidate.changes[-1].action == "delete"
-    return (_top(candidate.stack), candidate.at, min(candidate.shifts, 1), deleted)
-
-
-def _top(stack: Stack) -> tuple[int, ...]:
-    """Return the innermost states, enough to tell stacks apart that matter."""
-    states = []
-    level: Stack | None = stack
-    for _ in range(5):
-        if level is None:
-            break
-        states.append(level.state)
-        level = level.below
-    return tuple(states)
+    return (candidate.stack.innermost, candidate.at, min(candidate.shifts, 1), deleted)

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from kindsl.syntax.automaton import ROWS, Stack, step
+from kindsl.syntax.automaton import ROWS, Stack
 from kindsl.syntax.recovery.repair import RepairStep
 from kindsl.syntax.token_names import SPELLINGS, spelled
 from kindsl.syntax.tree import Token
@@ -55,7 +55,7 @@ def is_alike(token: Token, kind: str) -> bool:
 def fitting_words(stack: Stack) -> tuple[str, ...]:
     """Return the keywords that could be read next."""
     kinds = (kind for kind in ROWS[stack.state] if kind in SPELLINGS)
-    return tuple(word for kind in kinds if step(stack, kind) for word in SPELLINGS[kind])
+    return tuple(word for kind in kinds if stack.after(kind) for word in SPELLINGS[kind])
 
 
 def _word(change: RepairStep, tokens: Sequence[Token], lacking: Sequence[str]) -> Word:
