@@ -98,8 +98,13 @@ def printed(folder: Path, source: str, *options: str) -> dict[str, Array]:
     """Compile and run a program; return its rows by their names."""
     done = built(folder, source, "-std=c++14", *options)
     assert (done.returncode, done.stderr) == (0, "")
-    told = subprocess.run(
-        [folder / "main"], capture_output=True, text=True, timeout=60, check=True
+    return told(folder)
+
+
+def told(folder: Path, *arguments: str) -> dict[str, Array]:
+    """Run the program that was built in a folder; return its rows by their names."""
+    text = subprocess.run(
+        [folder / "main", *arguments], capture_output=True, text=True, timeout=60, check=True
     ).stdout
-    rows = (line.split() for line in told.splitlines())
+    rows = (line.split() for line in text.splitlines())
     return {name: np.array([float(x) for x in values]) for name, *values in rows}

@@ -30,11 +30,11 @@ RobotBase shell floating {
 }
 link Left { id = 1
     inertia_params { mass = 1.5 CoM = (reach, 0.0, 0.1)
-        Ix=0.2 Iy=0.2 Iz=0.1 Ixy=0.01 Ixz=0.0 Iyz=0.0 }
+        Ix=0.2 Iy=0.2 Iz=spin Ixy=0.01 Ixz=twist Iyz=0.0 }
     children { claw via L2 }
 }
 link claw { id = 2
-    inertia_params { mass = 0.5 CoM = (0.0, 0.02, 0.1)
+    inertia_params { mass = 0.5 CoM = (0.0, shift, 0.1)
         Ix=0.02 Iy=0.03 Iz=0.01 Ixy=0.0 Ixz=0.0 Iyz=0.0 }
     children {}
     frames { tip { translation = (reach, 0.0, 0.1) rotation = (0.0, bend, 0.2) } }
@@ -49,7 +49,10 @@ p_joint L2 { ref_frame { translation = (0.1, 0.0, 0.3) rotation = (PI/2.0, 0.0, 
 r_joint R1 { ref_frame { translation = (0.1, -0.2, 0.0) rotation = (0.0, PI/2.0, 0.0) } }
 }
 """
-VALUES = {"body": 4.0, "reach": 0.35, "bend": 0.6, "tool_length": 0.15}
+VALUES = {
+    "body": 4.0, "reach": 0.35, "bend": 0.6, "spin": 0.1, "twist": 0.02, "shift": 0.02,
+    "tool_length": 0.15,
+}  # fmt: skip
 ROBOTS = {
     "quadruped": (EXAMPLES / "quadruped.kindsl").read_text(),
     "arm": (EXAMPLES / "industrial_arm.kindsl").read_text(),
@@ -57,51 +60,25 @@ ROBOTS = {
 }
 
 
-def program(library: Library) -> str:
-    """Return a program that prints inputs and results of everything."""
-    ns, names = library.robot_name, [library.robot.base_name, *library.robot.link_names]
-    g = ", ".join(map(str, GRAVITY))
-    if library.robot.tree.is_floating:
-        body = FLOATING.replace("@G@", g)
-        first = [f'row("force_{{}}_{names[0]}", id.getForce_{names[0]}());']
-    else:
-        body, first = FIXED, []
-    getters = first + [
-        f'row("{kind.lower()}_{{}}_{name}", id.get{kind}_{name}());'
-        for name in names[1:]
-        for kind in ("Velocity", "Acceleration", "Force")
-    ]
-    told = "\n    ".join(getters)
-    for call in ("id", "G", "C", "ida"):
-        body = body.replace(f"@{call.upper()}_GETTERS@", told.replace("{}", call))
-    inertia = "".join(
-        f'    row("com_{n}", I.getCOM_{n}()); row("tensor_{n}", I.getTensor_{n}());\n'
-        for n in (names if library.robot.tree.is_floating else names[1:])
-    )
-    pairs = library.wanted.transforms
-    frames = "".join(
-        f'    {c}.{b.name}_X_{t.name}(q);\n    row("{c}_{t.name}", {c}.{b.name}_X_{t.name});\n'
-        for b, t in pairs
-        for c in "XFH"
-    ) + "".join(
-        f'    row("J_{t.name}", J.{b.name}_J_{t.name}.update(q));\n'
-        for b, t in library.wanted.jacobians
-    )
-    return (HEAD + MAIN).replace("@NS@", ns).replace("@BODY@", body + inertia + frames)
-
-
-MAIN = """
-int main()
-{
-    typedef iit::@NS@::tpl::Traits<double> T;
+CONTAINERS = """\
     T::MotionTransforms X;
     T::ForceTransforms F;
     T::HomogeneousTransforms H;
     T::Jacobians J;
     T::InertiaProperties I;
+"""
+
+MAIN = """
+typedef iit::@NS@::tpl::Traits<double> T;
+
+int main(int, char** arguments)
+{
+    (void)arguments;
+@CONTAINERS@
     T::InvDynEngine id(I, X);
     T::FwdDynEngine fd(I, X);
     T::JSIM M(I, F);
+@BEFORE@
     const T::JointState q = numbers<T::JointState>(1.3), qd = numbers<T::JointState>(0.7),
                         qdd = numbers<T::JointState>(2.1);
     row("q", q); row("qd", qd); row("qdd", qdd);
@@ -161,6 +138,46 @@ FLOATING = """
     fd.fd(t, a0, v0, g, qd, qdd); row("fd_at_other", t);
     row("other", other);
 """
+
+
+def program(library: Library, containers: str = CONTAINERS, before: str = "") -> str:
+    """Return a program that prints inputs and results of everything.
+
+    Args:
+        library: The robot.
+        containers: What declares the containers of transforms and inertia.
+        before: What is done first.
+    """
+    ns, names = library.robot_name, [library.robot.base_name, *library.robot.link_names]
+    g = ", ".join(map(str, GRAVITY))
+    if library.robot.tree.is_floating:
+        body = FLOATING.replace("@G@", g)
+        first = [f'row("force_{{}}_{names[0]}", id.getForce_{names[0]}());']
+    else:
+        body, first = FIXED, []
+    getters = first + [
+        f'row("{kind.lower()}_{{}}_{name}", id.get{kind}_{name}());'
+        for name in names[1:]
+        for kind in ("Velocity", "Acceleration", "Force")
+    ]
+    told = "\n    ".join(getters)
+    for call in ("id", "G", "C", "ida"):
+        body = body.replace(f"@{call.upper()}_GETTERS@", told.replace("{}", call))
+    inertia = "".join(
+        f'    row("com_{n}", I.getCOM_{n}()); row("tensor_{n}", I.getTensor_{n}());\n'
+        for n in (names if library.robot.tree.is_floating else names[1:])
+    )
+    pairs = library.wanted.transforms
+    frames = "".join(
+        f'    {c}.{b.name}_X_{t.name}(q);\n    row("{c}_{t.name}", {c}.{b.name}_X_{t.name});\n'
+        for b, t in pairs
+        for c in "XFH"
+    ) + "".join(
+        f'    row("J_{t.name}", J.{b.name}_J_{t.name}.update(q));\n'
+        for b, t in library.wanted.jacobians
+    )
+    main = HEAD + MAIN.replace("@CONTAINERS@", containers).replace("@BEFORE@", before)
+    return main.replace("@NS@", ns).replace("@BODY@", body + inertia + frames)
 
 
 @pytest.fixture(scope="module", params=ROBOTS)
