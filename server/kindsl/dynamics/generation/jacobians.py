@@ -1,5 +1,6 @@
 """Poses of single frames and geometric Jacobians, for tracing."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from kindsl.dynamics.generation.robot import PlacedFrame, Robot
@@ -12,7 +13,6 @@ from kindsl.dynamics.generation.vectors import (
     add,
     cross,
     multiply,
-    subtract,
     transform,
     transpose,
 )
@@ -25,21 +25,17 @@ class BodyPoses:
     Attributes:
         rotations: `base_R_i`, by body.
         positions: `base_r_i`, by body, metres.
+        steps: From the parent's origin to each body's, in base coordinates, metres.
     """
 
     rotations: list[Matrix]
     positions: list[Vector]
+    steps: list[Vector]
 
 
 def body_poses(tree: Tree, q: Vector) -> BodyPoses:
     """Return the poses of all bodies, base first."""
-    joints = joint_motions(tree, q)
-    poses = BodyPoses([EYE], [[0.0, 0.0, 0.0]])
-    for i in tree.links():
-        R, r = poses.rotations[tree.parents[i]], poses.positions[tree.parents[i]]
-        poses.positions.append(add(r, transform(R, joints[i].offset)))
-        poses.rotations.append(joints[i].rotation_in(R))
-    return poses
+    return _poses(tree, q, tree.links())
 
 
 def poses_in_nearest(tree: Tree, q: Vector, one: int, other: int) -> BodyPoses:
@@ -47,13 +43,19 @@ def poses_in_nearest(tree: Tree, q: Vector, one: int, other: int) -> BodyPoses:
 
     They depend on the joints between only. The poses of other bodies are not to be used.
     """
-    joints = joint_motions(tree, q)
     back, forth = support(tree, one), support(tree, other)
     shared = len([None for a, b in zip(back, forth, strict=False) if a == b])
-    poses = BodyPoses([EYE] * len(tree.parents), [ZERO] * len(tree.parents))
-    for i in dict.fromkeys((*back[shared:], *forth[shared:])):
+    return _poses(tree, q, (*back[shared:], *forth[shared:]))
+
+
+def _poses(tree: Tree, q: Vector, links: Iterable[int]) -> BodyPoses:
+    """Return the poses of links, parents first, as if all others stayed in place."""
+    joints, n = joint_motions(tree, q), len(tree.parents)
+    poses = BodyPoses([EYE] * n, [ZERO] * n, [ZERO] * n)
+    for i in links:
         R, r = poses.rotations[tree.parents[i]], poses.positions[tree.parents[i]]
-        poses.positions[i] = add(r, transform(R, joints[i].offset))
+        poses.steps[i] = transform(R, joints[i].offset)
+        poses.positions[i] = add(r, poses.steps[i])
         poses.rotations[i] = joints[i].rotation_in(R)
     return poses
 
@@ -74,20 +76,31 @@ def support(tree: Tree, body: int) -> list[int]:
 
 
 def joint_columns(
-    tree: Tree, poses: BodyPoses, body: int, r: Vector
+    tree: Tree, poses: BodyPoses, body: int, lever: Vector
 ) -> dict[int, tuple[Vector, Vector]]:
-    """Return what each supporting joint's rate does to a point `r` of a body.
+    """Return what each supporting joint's rate does to a point of a body.
+
+    Args:
+        tree: The mechanism.
+        poses: Its bodies' poses.
+        body: The body.
+        lever: From the body's origin to the point, in base coordinates.
 
     Returns:
-        By joint, angular and linear velocity in base coordinates.
+        By joint, nearest to the base first, angular and linear velocity in base coordinates.
     """
     columns: dict[int, tuple[Vector, Vector]] = {}
-    for joint in support(tree, body):
+    for joint in reversed(support(tree, body)):
         axis = [row[2] for row in poses.rotations[joint]]
-        columns[joint] = (ZERO, axis)
-        if tree.kinds[joint] == "revolute":
-            columns[joint] = (axis, cross(axis, subtract(r, poses.positions[joint])))
-    return columns
+        is_revolute = tree.kinds[joint] == "revolute"
+        columns[joint] = (axis, cross(axis, lever)) if is_revolute else (ZERO, axis)
+        lever = add(poses.steps[joint], lever)
+    return dict(reversed(columns.items()))
+
+
+def lever_of(poses: BodyPoses, frame: PlacedFrame) -> Vector:
+    """Return the way from a body's origin to a frame's on it, in base coordinates."""
+    return transform(poses.rotations[frame.body], frame.r)
 
 
 def jacobian(robot: Robot, poses: BodyPoses, frame: PlacedFrame, seen_from: Matrix) -> Matrix:
@@ -99,11 +112,11 @@ def jacobian(robot: Robot, poses: BodyPoses, frame: PlacedFrame, seen_from: Matr
         frame: The frame.
         seen_from: Rotation to the base from the coordinates that velocities are wanted in.
     """
-    _, r = frame_pose(poses, frame)
     E = transpose(seen_from)
-    moved = joint_columns(robot.tree, poses, frame.body, r)
+    moved = joint_columns(robot.tree, poses, frame.body, lever_of(poses, frame))
     columns = [moved.get(joint, (ZERO, ZERO)) for joint in robot.tree.links()]
     if robot.tree.is_floating:
+        _, r = frame_pose(poses, frame)
         turns = [(axis, cross(axis, r)) for axis in EYE]
         columns = [*turns, *((ZERO, axis) for axis in EYE), *columns]
     rotated = [[*transform(E, w), *transform(E, v)] for w, v in columns]
@@ -115,8 +128,7 @@ def jacobian_relative_to_base(robot: Robot, poses: BodyPoses, frame: PlacedFrame
 
     It has the columns of the k joints that carry the frame only, nearest to the base first.
     """
-    _, r = frame_pose(poses, frame)
-    columns = joint_columns(robot.tree, poses, frame.body, r).values()
+    columns = joint_columns(robot.tree, poses, frame.body, lever_of(poses, frame)).values()
     return transpose([[*w, *v] for w, v in columns]) if columns else [[] for _ in range(6)]
 
 

@@ -6,6 +6,7 @@ from kindsl.dynamics.generation.function import Function, Inputs, Result, argume
 from kindsl.dynamics.generation.jacobians import (
     frame_pose,
     joint_columns,
+    lever_of,
     poses_in_nearest,
     support,
 )
@@ -62,8 +63,9 @@ def relative_jacobians(robot: Robot, inputs: Inputs, pairs: Sequence[FramePair])
         found = poses_in_nearest(robot.tree, inputs.q, base.body, target.body)
         _, r = frame_pose(found, target)
         E = transpose(frame_pose(found, base)[0])
-        forth = joint_columns(robot.tree, found, target.body, r)
-        back = joint_columns(robot.tree, found, base.body, r)
+        forth = joint_columns(robot.tree, found, target.body, lever_of(found, target))
+        lever = subtract(r, found.positions[base.body])
+        back = joint_columns(robot.tree, found, base.body, lever)
         columns: list[Vector] = []
         for joint in between(robot, base, target):
             sign, (w, v) = (1.0, forth[joint]) if joint in forth else (-1.0, back[joint])
