@@ -55,6 +55,12 @@ protected:
 private:
     enum Asked { NOTHING, MOTION, REST };
 
+    /** A vector that need not stand where Eigen wants it, as in a plain std::vector. */
+    static Eigen::Map<const JointState> unaligned(const JointState& v)
+    {
+        return Eigen::Map<const JointState>(v.data());
+    }
+
     static const Scalar* first(const ExtForces& fext)
     {
         return fext[orderedLinkIDs[0]].data();
@@ -90,8 +96,8 @@ private:
 
 # What every function keeps for the getters.
 _KEEP_MOTION = """\
-        q_v = q;
-        qd_v = qd;
+        q_v = unaligned(q);
+        qd_v = unaligned(qd);
         isVelocityKnown = false;
         asked = MOTION;
 """
@@ -135,7 +141,7 @@ _FIXED_LINKS = """\
         const ExtForces& fext)
     {
         const Scalar g(iit::rbd::g);
-@KEEP@        qdd_a = qdd;
+@KEEP@        qdd_a = unaligned(qdd);
         setBase(g);
         keepForces(fext);
 @PARAMETERS@        if (isLoaded) {
@@ -150,7 +156,7 @@ _FIXED_LINKS = """\
     void gravity(JointState& jForces, const JointState& q)
     {
         const Scalar g(iit::rbd::g);
-        q_a = q;
+        q_a = unaligned(q);
         asked = REST;
         setBase(g);
 @PARAMETERS@        kernels::gravity<TRAIT>(@P@q.data(), &g, jForces.data());
@@ -239,7 +245,7 @@ _FLOATING_LINKS = """\
         const Velocity& velocity, const JointState& q, const JointState& qd, const JointState& qdd,
         const ExtForces& fext)
     {
-@KEEP@        qdd_a = qdd;
+@KEEP@        qdd_a = unaligned(qdd);
         v0 = velocity;
         const Acceleration weight = g;
         keepForces(fext);
@@ -263,7 +269,7 @@ _FLOATING_LINKS = """\
         const Acceleration& acceleration, const JointState& q, const JointState& qd,
         const JointState& qdd, const ExtForces& fext)
     {
-@KEEP@        qdd_a = qdd;
+@KEEP@        qdd_a = unaligned(qdd);
         v0 = velocity;
         a0 = acceleration - g;
         isLate = false;
@@ -282,7 +288,7 @@ _FLOATING_LINKS = """\
     void gravity(
         Force& wrench, JointState& jForces, const Acceleration& g, const JointState& q)
     {
-        q_a = q;
+        q_a = unaligned(q);
         asked = REST;
         a0 = -g;
         isLate = false;
