@@ -7,13 +7,14 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from tests.preview.robots import PLAIN, random_model
+from tests.preview.robots import ARM, PLAIN, random_model
 from tests.support.documents import EXAMPLES, all_documents
 
 from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.mechanism.drawable import drawable_skeleton
 from kindsl.mechanism.errors import ModelError
 from kindsl.mechanism.fragments import skeleton_as_far_as_known
+from kindsl.mechanism.skeleton import named_frames
 from kindsl.spatial.inertia import move_inertia
 from kindsl.spatial.transforms import rotation_from_intrinsic_xyz
 from kindsl.syntax.vocabulary import MOMENTS
@@ -105,3 +106,11 @@ def test_a_scene_needs_no_numpy(file):
     command = [sys.executable, "-c", WITHOUT_NUMPY, str(file)]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "True"
+
+
+def test_a_frame_without_a_name_is_not_drawn() -> None:
+    at = ARM.index("children")
+    frames = "frames { { translation = (0.0, 0.0, 1.0) rotation = (0.0, 0.0, 0.0) } }\n"
+    bodies = analyse(ARM[:at] + frames + ARM[at:]).model.bodies
+    assert any(not str(frame.name) for body in bodies for frame in body.frames)
+    assert all(name for name, _, _ in named_frames(bodies))

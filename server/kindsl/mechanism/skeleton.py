@@ -113,13 +113,13 @@ def skeleton_of(model: Model, edges: Sequence[Edge], reader: Reader) -> Skeleton
 def named_frames(bodies: Collection[Link]) -> Iterator[tuple[str, Link, Frame]]:
     """Yield the optional frames of bodies by the names under which they are drawn.
 
-    One whose name is taken is called `link.frame`.
+    One whose name is taken is called `link.frame`; one without a name is left out.
     """
     taken = {str(body.name) for body in bodies}
     for body in bodies:
         for frame in body.frames:
             name = str(frame.name) if frame.name not in taken else f"{body.name}.{frame.name}"
-            if name not in taken:
+            if name and name not in taken:
                 taken.add(name)
                 yield name, body, frame
 
