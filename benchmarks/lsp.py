@@ -13,6 +13,7 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any, NamedTuple
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
@@ -84,6 +85,31 @@ def figures(is_quick: bool) -> Iterator[Figure]:
     yield Figure("completion p95, 1,000 against 12 links", completions[1000], completions[12], 3.0)
     if not is_quick:
         yield Figure("didChange, ten times the links against 10 x", *growing(rounds), 1.0)
+        first, again, hover = searching(2000)
+        yield Figure("symbols of 2,000 robots, first, against 90 s", first, 90, 0.5, "s")
+        yield Figure("symbols of 2,000 robots, again, against 1 s", again, 1, 1.0, "s")
+        yield Figure("hover p95 while 2,000 robots are read, against 50 ms", hover, 50, 1.0)
+
+
+def searching(robots: int) -> tuple[float, float, float]:
+    """Return how long a search for symbols takes, how long the next, in seconds, and hovers."""
+    text = robot(12)
+    with TemporaryDirectory() as name:
+        folder = Path(name)
+        for number in range(robots):
+            (folder / f"{number}.kindsl").write_text(text.replace("link_7", f"link_7_{number}"))
+        with ready(SERVER, text, {"uri": folder.as_uri(), "name": "robots"}) as client:
+            begin = time.perf_counter()
+            question = client.start("workspace/symbol", {"query": f"link_7_{robots - 1}"})
+            hovers: list[float] = []
+            while not any(message.get("id") == question for message in client.messages):
+                hovers.append(hover(client, text))
+                time.sleep(0.01)
+            first = milliseconds(begin)
+            begin = time.perf_counter()
+            assert client.request("workspace/symbol", {"query": f"link_7_{robots - 1}"})
+            again = milliseconds(begin)
+    return first / 1e3, again / 1e3, sorted(hovers)[int(0.95 * len(hovers))]
 
 
 def growing(rounds: int) -> tuple[float, float]:
@@ -113,16 +139,17 @@ def starting(command: tuple[str, ...]) -> float:
 
 
 def answering(kindsl: RawClient, other: RawClient, text: str, rounds: int) -> tuple[float, float]:
+    return alternating(rounds, lambda: hover(kindsl, text), lambda: hover(other, text))
+
+
+def hover(client: RawClient, text: str) -> float:
+    """Return how long a hover on a link takes."""
     position = place(text, text.index("link link_5 {") + 6)
-
-    def hover(client: RawClient) -> float:
-        begin = time.perf_counter()
-        assert client.request(
-            "textDocument/hover", {"textDocument": {"uri": URI}, "position": position}
-        )
-        return milliseconds(begin)
-
-    return alternating(rounds, lambda: hover(kindsl), lambda: hover(other))
+    begin = time.perf_counter()
+    assert client.request(
+        "textDocument/hover", {"textDocument": {"uri": URI}, "position": position}
+    )
+    return milliseconds(begin)
 
 
 class Changes:
@@ -172,10 +199,10 @@ def wait_for_version(client: RawClient, version: int) -> None:
 
 
 @contextmanager
-def ready(command: tuple[str, ...], text: str) -> Iterator[RawClient]:
+def ready(command: tuple[str, ...], text: str, *folders: dict[str, str]) -> Iterator[RawClient]:
     client = RawClient(command)
     try:
-        client.initialize(initializationOptions=NO_DELAY)
+        client.initialize(initializationOptions=NO_DELAY, workspaceFolders=list(folders) or None)
         client.open(URI, text)
         client.diagnostics(URI)
         yield client

@@ -70,6 +70,7 @@ def session_with(
     protocol.notify = lambda name, params: told.messages.append((name, params))
     protocol.notify_encoded = lambda name, params: protocol.notify(name, json.loads(params.json))
     yield session, told
+    session.helper.stop()
 
 
 def opened(session: Session, uri: str, text: str, version: int = 1) -> Document:

@@ -115,6 +115,29 @@ async def test_a_page_is_sent_the_robot_and_what_it_asks_for_is_done(client):
     assert (await client.told("model"))["name"] == "other"
 
 
+async def test_each_page_of_a_document_follows_the_others_until_it_leaves(client):
+    await client.open((EXAMPLES / "quadruped.kindsl").read_text())
+    document = (await client.ask("workspace/executeCommand", command("kindsl.preview", URI)))["url"]
+    pages = [f"{document}/{name}" for name in ("panel", "tab")]
+
+    def say(page, request):
+        client.notify(PREVIEW_REQUEST, {"document": page, "request": request})
+
+    for page in pages:
+        say(page, {"type": "hello", "joints": {}, "parameters": {}})
+        await client.seen(lambda m, page=page: m.get("params", {}).get("document") == page)
+    client.messages.clear()
+    say(pages[0], {"type": "set-joint", "name": "LF_HFE", "value": 0.5})
+    await client.seen(lambda m: m.get("params", {}).get("document") == pages[1])
+    say(pages[1], None)
+    client.messages.clear()
+    document = {"uri": URI, "version": 2}
+    other = [{"text": "Robot other { RobotBase b { } }"}]
+    client.notify("textDocument/didChange", {"textDocument": document, "contentChanges": other})
+    await client.seen(lambda m: m.get("params", {}).get("document") == pages[0])
+    assert not any(m.get("params", {}).get("document") == pages[1] for m in client.messages)
+
+
 async def test_what_is_no_request_of_a_page_is_passed_over(client):
     await client.open(TEXT)
     for params in (None, [], {}, {"document": "x", "request": {"type": "hello"}}):

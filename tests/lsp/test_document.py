@@ -66,12 +66,3 @@ def test_a_version_stays_as_it_was() -> None:
     assert (first.text, second.text) == (TEXT, "Robot S {")
     assert second.tree.text == "Robot S {"
     assert first.tree.text == TEXT
-
-
-def test_a_document_at_rest_is_parsed_again() -> None:
-    shown = document("untitled:r", 0, TEXT, "utf-16")
-    islands = [island.text for island in shown.tree.islands]
-    shown.rest()
-    assert not shown.is_parsed
-    assert shown.text == TEXT
-    assert [island.text for island in shown.tree.islands] == islands

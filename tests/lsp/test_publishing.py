@@ -9,7 +9,10 @@ from lsprotocol import types
 from tests.cli.samples import GOOD, INTEGER, UNBOUND, arm
 from tests.lsp.sessions import Told, folder_of, opened, session_with
 
-from kindsl.lsp.session import publishing
+from kindsl.analysis.twins import compared_twins
+from kindsl.cli import main
+from kindsl.lsp.handlers.diagnostics import pull
+from kindsl.lsp.session import calm, publishing
 from kindsl.lsp.session.disk_watch import watch_disk
 from kindsl.lsp.session.session import Session
 
@@ -238,3 +241,69 @@ async def test_the_disk_is_looked_at_for_files_that_decide(
         watching.cancel()
         with pytest.raises(asyncio.CancelledError):
             await watching
+
+
+@pytest.fixture
+def twinned(tmp_path: Path) -> str:
+    """The URI of an arm whose URDF says 2.5 kg."""
+    robot, twin = tmp_path / "arm.kindsl", tmp_path / "arm.urdf"
+    robot.write_text(arm(mass="2.5"))
+    assert main.main(["convert", "-q", str(robot), str(twin)]) == 0
+    table = '[[twins]]\ndocument = "arm.kindsl"\nfile = "arm.urdf"\n'
+    (tmp_path / "kindsl.toml").write_text(table)
+    return robot.as_uri()
+
+
+async def test_twins_are_compared_when_the_findings_of_the_text_are_out(
+    tmp_path: Path, twinned: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(calm, "PATIENCE", 0.0)
+    with session_with() as (session, told):
+        out_before: list[list[int]] = []
+
+        def compared(*given: Any) -> Any:
+            out_before.append([p["version"] for p in told.named(PUBLISH) if p["uri"] == twinned])
+            return compared_twins(*given)
+
+        async def judged(n: int) -> list[tuple[int, list[str]]]:
+            found = await published(told, twinned, n)
+            await settled(session)
+            return [(p["version"], codes(p)) for p in found]
+
+        monkeypatch.setattr("kindsl.analysis.twins.compared_twins", compared)
+        session.workspace.add_folders([folder_of(tmp_path)])
+        session.workspace.set_editor_settings({"diagnostics": {"delay": 0}})
+        opened(session, twinned, GOOD, 1)
+        assert await judged(2) == [(1, []), (1, ["KD901"])]
+        change(session, twinned, 2, arm(reach="0.6"))
+        assert (await judged(4))[2:] == [(2, ["KD901"]), (2, ["KD901", "KD901"])]
+        change(session, twinned, 3, arm(mass="2.6", reach="0.6"))
+        assert (await judged(6))[4:] == [(3, ["KD901"]), (3, ["KD901", "KD901"])]
+        assert out_before == [[1], [1, 1, 2], [1, 1, 2, 2, 3]]
+
+
+async def test_a_comment_that_silences_twins_is_not_in_vain_before_they_are_compared(
+    tmp_path: Path, twinned: str
+) -> None:
+    with session_with() as (session, told):
+        session.workspace.add_folders([folder_of(tmp_path)])
+        silenced = GOOD.replace("link upper {", "link upper { // kindsl: ignore[KD901]")
+        opened(session, twinned, silenced)
+        await published(told, twinned)
+        await settled(session)
+        assert [codes(p) for p in told.named(PUBLISH)] == [[]]
+
+
+async def test_who_pulls_has_the_findings_of_the_text_and_is_asked_to_pull_again(
+    tmp_path: Path, twinned: str
+) -> None:
+    with session_with(pulling(is_told=True)) as (session, told):
+        session.workspace.add_folders([folder_of(tmp_path)])
+        opened(session, twinned, GOOD)
+        asked = types.DocumentDiagnosticParams(types.TextDocumentIdentifier(twinned))
+        first = await pull(session, asked)
+        await settled(session)
+        assert codes({"diagnostics": first["items"]}) == []
+        assert len(told.named("workspace_diagnostic_refresh")) == 1
+        then = await pull(session, asked)
+        assert codes({"diagnostics": then["items"]}) == ["KD901"]

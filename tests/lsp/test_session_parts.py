@@ -261,10 +261,12 @@ def test_findings_show_what_the_client_can() -> None:
     ):
         about = types.TextDocumentClientCapabilities(publish_diagnostics=told)
         client = Client(types.ClientCapabilities(text_document=about), {})
-        assert diagnostics(shown, [found], client) == [plain_parts | parts]
+        assert diagnostics(shown, [found], client.shows_in_diagnostics) == [plain_parts | parts]
     bare = found._replace(related=(), tag=None, code="", severity="hint")
     client = Client(types.ClientCapabilities(), {})
-    assert diagnostics(shown, [bare], client) == [plain_parts | {"severity": 4, "code": ""}]
+    assert diagnostics(shown, [bare], client.shows_in_diagnostics) == [
+        plain_parts | {"severity": 4, "code": ""}
+    ]
 
 
 _NO_NUMBER = "parameters' gives 'a' something other than a finite number"

@@ -287,6 +287,20 @@ async def test_a_label_is_a_link_too(browser, server, revealed):
         assert "shoulder (revolute)" in rows
 
 
+async def test_a_turn_may_begin_on_a_label(browser, server, revealed):
+    async with opened(browser, await show(server, ARM)) as page:
+        await until_shown(page, "Arm")
+        before = await page.evaluate("() => kindsl.viewer.camera.position.toArray()")
+        await page.locator(".label.link", has_text="upper").hover()
+        await page.mouse.down()
+        await page.mouse.move(20, 300, steps=4)
+        await page.mouse.up()
+        await until(page, "b => kindsl.viewer.camera.position.toArray()[0] !== b[0]", before)
+        await page.locator(".label.link", has_text="upper").click()
+        await eventually(lambda: revealed)
+        assert len(revealed) == 1
+
+
 async def test_the_cursor_lights_up_what_it_is_on(browser, server):
     lit = """[...kindsl.scene.marks.values()].filter((mark) => kindsl.scene.isLit(mark))
              .map((mark) => mark.name)"""

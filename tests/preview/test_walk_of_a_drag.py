@@ -25,7 +25,7 @@ from kindsl.preview.requests import request_of
 from kindsl.text.edits import apply_edits
 
 HOUSE = Path(kindsl.__file__).parent
-MOST_CLIMBS = 12  # three of them are rules that ask the syntax again for a written text
+MOST_CLIMBS = 9
 GRASP = {"type": "grasp", "kind": "joint", "name": "lift"}
 DRAG = {"type": "drag", "kind": "joint", "name": "lift", "component": "x", "step": None}
 STORY = (

@@ -67,3 +67,17 @@ def test_what_is_put_right_stays_so(habit: Habit) -> None:
     again = put_right(text, found.tokens, HABITS)
     assert again.tokens == found.tokens
     assert again.problems == []
+
+
+def test_semicolons_of_a_block_are_told_and_removed_at_once() -> None:
+    text = link(HABITS[0]).replace(HABITS[0].example, "children { fore via knee; };")
+    text = text.replace("mass = 1.0", "mass = 1.0;; CoM = (0.0; 0.0, 0.0);").replace(
+        "id = 1", "id = 1;"
+    )
+    (problem,) = read(text, HABITS)[1].problems
+    assert text[problem.start - 6 : problem.end] == "id = 1;"
+    assert problem.repair is not None
+    assert problem.repair.title == "Remove each ';' of this block"
+    for start, end, new in reversed(problem.repair.edits):
+        text = text[:start] + new + text[end:]
+    assert text.count(";") == 1  # the one that separates components is another mistake

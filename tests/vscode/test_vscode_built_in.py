@@ -9,12 +9,12 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
-from playwright.sync_api import Browser, Locator, expect
+from playwright.sync_api import Browser, Locator, Page, expect
 from tests.vscode import code_server, models
 from tests.vscode.browser import missing
 from tests.vscode.code_server import Machine
 from tests.vscode.extension_host import HOST, OLD_PYTHON, run_suite
-from tests.vscode.workbench import Workbench
+from tests.vscode.workbench import SHOTS, Workbench
 
 BUILT_IN = {"kindsl.interpreter": ["built-in"]}
 # What the reach of the elbow is: said above the folder that is open.
@@ -96,6 +96,34 @@ def test_a_server_that_is_killed_or_hangs_is_replaced(
         workbench.press("Backspace")
         expect(workbench.squiggles("error")).to_have_count(2)
         expect(workbench.notifications()).to_have_count(0)
+
+
+def test_the_preview_opens_in_a_browser_too(browser: Browser, vsix: Path, tmp_path: Path) -> None:
+    with window(browser, vsix, tmp_path, BUILT_IN) as workbench:
+        workbench.open("arm.kindsl", models.ARM)
+        expect(language_status(workbench)).to_contain_text("built-in Python")
+        workbench.run("Kinematics-DSL: Open Preview to the Side")
+        panel = preview_page(workbench)
+        expect(panel.locator("#robot")).to_have_text("arm")
+        page = page_in_browser(workbench)
+        expect(page.locator("#state")).to_have_text("live")
+        # Each shows what is done in the other.
+        page.get_by_role("slider", name="elbow", exact=True).fill("1.2")
+        turned = "() => Math.abs(kindsl.scene.q.get('elbow') - 1.2) < 0.01"
+        workbench.eventually(lambda: panel.evaluate(turned), "the arm turned in the panel")
+        # It comes back to a server that is another one.
+        (first,) = host_processes(tmp_path)
+        os.kill(first, signal.SIGKILL)
+        workbench.eventually(
+            lambda: host_processes(tmp_path) not in ([], [first]), "another process"
+        )
+        workbench.open("arm.kindsl")
+        workbench.go_to_place(1, len("Robot arm") + 1)
+        workbench.type("2")
+        expect(page.locator("#robot")).to_have_text("arm2")
+        expect(page.locator("#state")).to_have_text("live")
+        assert abs(page.evaluate("kindsl.scene.q.get('elbow')") - 1.2) < 0.01
+        page.screenshot(path=SHOTS / "built-in-browser.png")
 
 
 def test_the_linter_is_a_task(browser: Browser, vsix: Path, tmp_path: Path) -> None:
@@ -181,6 +209,25 @@ def language_status(workbench: Workbench) -> Locator:
 
     workbench.insist(show, "the language status")
     return hover
+
+
+def page_in_browser(workbench: Workbench) -> Page:
+    """Return the page that the browser opens for the document's preview."""
+    pages = workbench.page.context.pages
+    allow = workbench.page.get_by_role("button", name="Open", exact=True)
+
+    def opened() -> list[Page]:
+        return [page for page in workbench.page.context.pages if page not in pages]
+
+    def choose() -> None:
+        workbench.run("Kinematics-DSL: Open Preview in Browser")
+        workbench.wait_until(lambda: allow.is_visible() or opened() != [])
+        if allow.is_visible():
+            allow.click()
+        workbench.wait_until(lambda: opened() != [])
+
+    workbench.insist(choose, "a page in the browser")
+    return opened()[0]
 
 
 def preview_page(workbench: Workbench) -> Locator:

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Literal
 
 import pytest
-from playwright.sync_api import Browser
+from playwright.sync_api import Browser, CDPSession
 from tests.preview.handles import changed
 from tests.support.axe import axe_script
 from tests.support.published import published_models
@@ -400,7 +400,12 @@ addEventListener("DOMContentLoaded", () =>
     new MutationObserver(listen).observe(document.getElementById("message"), { childList: true }));
 """
 
-TOUCH = [("touchstart", 0), ("touchmove", 40), ("touchmove", 90), ("touchend", None)]
+
+def swipe(touches: CDPSession, y: float) -> None:
+    """Touch at a height of the page, move to the right and let go."""
+    for name, x in [("touchStart", 120), ("touchMove", 160), ("touchMove", 210), ("touchEnd", 0)]:
+        points = [{"x": x, "y": y}] if x else []
+        touches.send("Input.dispatchTouchEvent", {"type": name, "touchPoints": points})
 
 
 def test_a_phone_shows_and_turns_a_shared_robot(browser: Browser, address: str) -> None:
@@ -416,11 +421,12 @@ def test_a_phone_shows_and_turns_a_shared_robot(browser: Browser, address: str) 
     tab.preview().wait_for_function("() => kindsl.scene.trees.robot.links.size === 3")
     before = tab.preview().evaluate(eye)
     touches = context.new_cdp_session(tab.page)
-    for kind, right in TOUCH:
-        point = [] if right is None else [{"x": 120 + right, "y": box["y"] + 120}]
-        name = f"touch{kind.removeprefix('touch').capitalize()}"
-        touches.send("Input.dispatchTouchEvent", {"type": name, "touchPoints": point})
-    tab.eventually(lambda: tab.preview().evaluate(eye) != before, "another view")
+    middle = box["y"] + 120
+    tab.ask_until_seen(
+        lambda: swipe(touches, middle),
+        lambda: tab.preview().evaluate(eye) != before,
+        "another view",
+    )
     tab.page.screenshot(path=site.shot("phone-robot"))
     tab.page.get_by_role("button", name="Text", exact=True).click()
     assert tab.page.evaluate("() => document.documentElement.scrollWidth") <= 390

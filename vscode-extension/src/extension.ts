@@ -1,6 +1,7 @@
 // Finds Python, starts the language server, shows its preview. The language itself is the server's matter.
 import * as vscode from "vscode";
 import { LANGUAGE } from "./clientOptions";
+import { BrowserPages } from "./browserPages";
 import { onDocument, registerCommands, type Commands } from "./commands";
 import { selectInterpreter } from "./interpreterChoice";
 import { EitherScreen } from "./eitherScreen";
@@ -9,7 +10,7 @@ import type { Home } from "./launch";
 import { onSelectionChange } from "./msPython";
 import { readPage } from "./pageScreen";
 import { registerPasting } from "./pasting";
-import { Previews } from "./preview";
+import { askForPreview, Previews } from "./preview";
 import { report, type Problem } from "./problems";
 import { Server } from "./server";
 import type { ServerState } from "./serverAccess";
@@ -40,12 +41,12 @@ export function activate(context: vscode.ExtensionContext): Api {
   }));
   const page = readPage(context.extensionUri);
   const previews = new Previews(context.extensionUri, own, (panel) => new EitherScreen(panel, own, page));
-  const status = new StatusItems(own);
+  const pages = new BrowserPages(own, page), status = new StatusItems(own);
   const api = exported(own, context);
-  context.subscriptions.push(log, own, previews, status, new KinematicTree(own));
+  context.subscriptions.push(log, own, previews, pages, status, new KinematicTree(own));
   context.subscriptions.push(
     registerTasks(context, own),
-    ...registerCommands(own, previews, log, desktopCommands(context, own, previews, log)),
+    ...registerCommands(own, previews, log, desktopCommands(context, own, previews, pages, log)),
     ...registerPasting(own),
     ...restartOnChange(own),
   );
@@ -82,16 +83,16 @@ function restartOnChange(own: Server): vscode.Disposable[] {
 }
 
 /** The commands that need a machine around the editor. */
-function desktopCommands(home: Home, own: Server, previews: Previews, log: vscode.LogOutputChannel): Commands {
+function desktopCommands(home: Home, own: Server, previews: Previews, pages: BrowserPages, log: vscode.LogOutputChannel): Commands {
   return {
-    "kindsl.openPreviewInBrowser": onDocument(previews, (uri) => openInBrowser(own, uri)),
+    "kindsl.openPreviewInBrowser": onDocument(previews, (uri) => openInBrowser((origin) => (own.isBuiltIn ? pages.address(uri, origin) : askForPreview(own, uri, origin)))),
     "kindsl.selectInterpreter": () => selectInterpreter(home, log),
   };
 }
 
-async function openInBrowser(own: Server, uri: vscode.Uri): Promise<void> {
+async function openInBrowser(ask: (origin?: string) => Promise<string>): Promise<void> {
   try {
-    await vscode.env.openExternal(vscode.Uri.parse(await previewAddress(own, uri), true));
+    await vscode.env.openExternal(vscode.Uri.parse(await previewAddress(ask), true));
   } catch (error) {
     void vscode.window.showErrorMessage((error as Error).message);
   }

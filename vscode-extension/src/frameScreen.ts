@@ -41,7 +41,7 @@ export class FrameScreen implements Screen {
   /** The page of the preview, or why there is none and what would help. */
   async #content(uri: vscode.Uri): Promise<{ content: PanelContent; actions: readonly Action[] }> {
     try {
-      return { content: { kind: "frame", url: await previewAddress(this.server, uri) }, actions: [] };
+      return { content: { kind: "frame", url: await previewAddress((origin) => askForPreview(this.server, uri, origin)) }, actions: [] };
     } catch (error) {
       const { problem } = this.server;
       const text = problem === undefined ? (error as Error).message : describe(problem);
@@ -51,12 +51,12 @@ export class FrameScreen implements Screen {
   }
 }
 
-/** The address of the document's preview for the user's browser. Throws what the user should read. */
-export async function previewAddress(server: Server, uri: vscode.Uri): Promise<string> {
-  const local = await askForPreview(server, uri);
+/** The address of a page for the user's browser, by what tells it for this machine and admits one more origin. */
+export async function previewAddress(ask: (origin?: string) => Promise<string>): Promise<string> {
+  const local = await ask();
   const { origin } = new URL(local);
   const root = (await vscode.env.asExternalUri(vscode.Uri.parse(origin, true))).toString(true);
   // A page that comes through a tunnel or proxy has another origin: the server must know it.
-  if (new URL(root).origin !== origin) await askForPreview(server, uri, { origin: new URL(root).origin });
+  if (new URL(root).origin !== origin) await ask(new URL(root).origin);
   return relocate(local, root);
 }

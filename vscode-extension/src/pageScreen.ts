@@ -7,6 +7,7 @@ import type { PageServer } from "./serverAccess";
 
 const ACTIONS = [RESTART, SHOW_LOG];
 const HELLO = { type: "hello", joints: {}, parameters: {} };
+let panels = 0;
 
 interface FromPage {
   readonly action?: unknown;
@@ -14,8 +15,9 @@ interface FromPage {
 }
 
 export class PageScreen implements Screen {
-  /** How the server calls the document that is shown. */
-  #document: string | undefined;
+  /** How the server calls the page: by the document that is shown, and a name of the panel's. */
+  #name: string | undefined;
+  readonly #suffix = `/panel${++panels}`;
   #hasPage = false;
   /** Whether the page's scripts run; what is sent before is lost. */
   #isListening = false;
@@ -31,13 +33,14 @@ export class PageScreen implements Screen {
     webview.options = { enableScripts: true, localResourceRoots: [] };
     const receiving = webview.onDidReceiveMessage((message: FromPage) => this.#receive(message));
     const drawing = server.onPageMessages(({ document, messages }) => {
-      if (document === this.#document) void webview.postMessage({ kindslMessages: messages });
+      if (document === this.#name) void webview.postMessage({ kindslMessages: messages });
     });
     this.#listening = vscode.Disposable.from(receiving, drawing);
   }
 
   dispose(): void {
     ++this.#request;
+    this.#call(undefined);
     this.#listening.dispose();
   }
 
@@ -47,29 +50,35 @@ export class PageScreen implements Screen {
       const document = await askForPreview(this.server, uri);
       const page = await this.page;
       if (request !== this.#request) return;
-      this.#document = document;
+      this.#call(document + this.#suffix);
       if (!this.#hasPage) this.panel.webview.html = page;
       this.#hasPage = true;
       void this.panel.webview.postMessage({ kindslState: state });
-      if (this.#isListening) this.server.sendFromPage(document, HELLO);
+      if (this.#isListening) this.server.sendFromPage(document + this.#suffix, HELLO);
     } catch (error) {
       if (request === this.#request) this.#tell((error as Error).message, state);
     }
   }
 
+  /** Give the page a name; a document that it has shown is told goodbye. */
+  #call(name: string | undefined): void {
+    if (this.#name !== undefined && name !== this.#name) this.server.sendFromPage(this.#name, null);
+    this.#name = name;
+  }
+
   #tell(text: string, state: PanelState): void {
     this.#hasPage = this.#isListening = false;
-    this.#document = undefined;
+    this.#call(undefined);
     const content = { kind: "message", text, actions: ACTIONS.map(({ title }) => title) } as const;
     this.panel.webview.html = previewPage(content, state, crypto.randomUUID());
   }
 
   #receive({ action, kindslRequest: request }: FromPage): void {
     void ACTIONS.find(({ title }) => title === action)?.run();
-    if (request === undefined || this.#document === undefined) return;
+    if (request === undefined || this.#name === undefined) return;
     // A panel that was hidden or moved starts its page again, which then says hello.
     if (request.type === "hello") this.#isListening = true;
-    this.server.sendFromPage(this.#document, request);
+    this.server.sendFromPage(this.#name, request);
   }
 }
 

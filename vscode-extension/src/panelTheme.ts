@@ -43,7 +43,7 @@ for (const element of [document.documentElement, document.body]) {
 /** A script for the preview's page where that is the panel itself. */
 export function ownThemeScript(): string {
   // The page writes its own colours into the root's style: to watch that would go round in circles.
-  return `{${READ}
+  return `if (typeof acquireVsCodeApi === "function") {${READ}
 const tell = () => kindsl.theme.take(read());
 new MutationObserver(tell).observe(document.body, { attributes: true, attributeFilter: ["class", "data-vscode-theme-id"] });
 tell();

@@ -136,17 +136,21 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
   }
 }
 
-/** Ask for a document's preview; return how the server calls its page. Throws what the user should read. */
+/**
+ * Ask for a document's preview; return how the server calls its page. Throws what the user should read.
+ *
+ * `origin` is where else than on this machine the page is seen.
+ */
 export async function askForPreview(
   server: ServerAccess,
   uri: vscode.Uri,
-  ...options: { origin: string }[]
+  origin?: string,
 ): Promise<string> {
   const client = await server.client();
   if (client === undefined) throw new Error("The preview needs the language server, which is not running");
   await vscode.workspace.openTextDocument(uri);
   const identifier = client.code2ProtocolConverter.asUri(uri);
-  const parameters = { command: "kindsl.preview", arguments: [identifier, ...options] };
+  const parameters = { command: "kindsl.preview", arguments: [identifier, ...(origin === undefined ? [] : [{ origin }])] };
   const answer = (await client.sendRequest(ExecuteCommandRequest.type, parameters)) as { url?: string } | null;
   if (typeof answer?.url !== "string") throw new Error("The language server gives no preview of this document");
   return answer.url;

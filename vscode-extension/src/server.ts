@@ -13,9 +13,6 @@ import { ServerLife } from "./serverLife";
 /** A server that ends by itself more often than that within the window is left alone. */
 const CRASHES = { limit: 4, windowMilliseconds: 180_000 };
 
-/** Set where there is no Python: what needs one, such as a page in a browser, is not offered. */
-const BUILT_IN_CONTEXT = "kindsl.isBuiltIn";
-
 export class Server extends ServerLife<LanguageClient> implements PageServer {
   readonly #failed = new vscode.EventEmitter<Problem>();
   /** Something that the user must put right. */
@@ -67,7 +64,6 @@ export class Server extends ServerLife<LanguageClient> implements PageServer {
     this.set("starting");
     const launch = await findLaunch(this.home, this.log);
     this.#isBuiltIn = "isBuiltIn" in launch;
-    void vscode.commands.executeCommand("setContext", BUILT_IN_CONTEXT, this.#isBuiltIn);
     this.#interpreter = "interpreter" in launch ? launch.interpreter : undefined;
     if ("isBuiltIn" in launch) await this.#runBuiltIn(launch);
     else if ("rejected" in launch) this.#fail({ kind: "noInterpreter", rejected: launch.rejected });

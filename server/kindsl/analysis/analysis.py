@@ -104,20 +104,24 @@ class Analysis:
             checkpoint: Called again and again while rules run; what it raises stops them.
         """
         if self._findings is None:
-            with paused_collector():
-                run = self._run(checkpoint)
-                found = [self._resolve(rule, finding) for rule, finding in self._found(run)]
-            unsilenced = self._without_silenced(found)
-            self._apart = Apart(unsilenced)
-            if self.settings.known:
-                self._apart = set_apart(unsilenced, blocks_of(self.syntax), self.settings)
+            run = CheckRun(checkpoint, self.model, self.context)
+            self._apart = self._set_apart(run)
             self._findings, self._faults = Findings(self._apart.told, self.text), tuple(run.faults)
         return self._findings
 
+    def check_without_twins(self, checkpoint: Checkpoint = go_on) -> Findings:
+        """Return all findings if they are known or there are no twins, else those of the text.
+
+        Of what twins say otherwise, findings of the last version stay in blocks that are the same.
+        """
+        if self._findings is not None or not self.settings.twins:
+            return self.check(checkpoint)
+        run = CheckRun(checkpoint, self.model, self.context, is_without_twins=True)
+        return Findings(self._set_apart(run).told, self.text)
+
     def unsilenced(self) -> list[Diagnostic]:
         """Return all findings, including those that comments or a baseline suppress."""
-        found = self._found(self._run(go_on))
-        return [self._resolve(rule, finding) for rule, finding in found]
+        return self._found(CheckRun(go_on, self.model, self.context))
 
     def edited(self, edits: Sequence[TextEdit]) -> Analysis:
         """Return the analysis of the edited text; only edited parts are computed again."""
@@ -185,15 +189,23 @@ class Analysis:
         severity = severity_of(rule, finding.severity, self.settings)
         return self.resolver.diagnostic(rule, finding, severity)
 
-    def _run(self, checkpoint: Checkpoint) -> CheckRun:
-        return CheckRun(checkpoint, self.model, self.context)
+    def _set_apart(self, run: CheckRun) -> Apart:
+        """Return the findings of a run, without suppressed ones, apart from known ones."""
+        with paused_collector():
+            found = self._found(run)
+        enabled = [r.code for r in self._rules() if not (r.reads_twins and run.is_without_twins)]
+        unsilenced = self._without_silenced(found, enabled)
+        if not self.settings.known:
+            return Apart(unsilenced)
+        return set_apart(unsilenced, blocks_of(self.syntax), self.settings)
 
-    def _found(self, run: CheckRun) -> list[tuple[Rule, Finding]]:
+    def _found(self, run: CheckRun) -> list[Diagnostic]:
         rules = self._rules()
         found = [*syntax_findings(self.syntax, self.model, self.settings.targets)]
         of_meaning = run.document_findings(rules) + run.body_findings(rules)
         of_meaning += run.island_findings(rules)
-        return [*found, *(entry for entry in of_meaning if not is_explained(entry[1]))]
+        found += (entry for entry in of_meaning if not is_explained(entry[1]))
+        return [self._resolve(rule, finding) for rule, finding in found]
 
     def _rules(self) -> list[Rule]:
         """Return the rules that run, chosen once for all versions under the same settings."""
@@ -203,10 +215,10 @@ class Analysis:
 
         return self.syntax.versions.made_of(_ENABLED, self.settings, enabled)
 
-    def _without_silenced(self, found: list[Diagnostic]) -> list[Diagnostic]:
+    def _without_silenced(self, found: list[Diagnostic], enabled: list[str]) -> list[Diagnostic]:
+        """Return what comments do not suppress; rules that ran tell of comments in vain."""
         islands, starts = self.syntax.islands, self.syntax.starts
         if any("kindsl:" in island.text for island in islands):
-            enabled = [rule.code for rule in self._rules()]
             if UNKNOWN_SUPPRESSION.code in enabled:
                 found += self._of(UNKNOWN_SUPPRESSION, unknown_suppressions(self._unknown(found)))
             silenced = suppressions(islands, starts, len(self.text))

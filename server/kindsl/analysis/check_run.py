@@ -63,10 +63,20 @@ class CheckRun:
 
     Attributes:
         faults: The rules that failed so far.
+        is_without_twins: Whether no twin is read: of what they say otherwise, what the last
+            version had in islands that are here, too, stays.
     """
 
-    def __init__(self, checkpoint: Checkpoint, model: Model, context: Context) -> None:
+    def __init__(
+        self,
+        checkpoint: Checkpoint,
+        model: Model,
+        context: Context,
+        *,
+        is_without_twins: bool = False,
+    ) -> None:
         self.faults: list[Fault] = []
+        self.is_without_twins = is_without_twins
         self._checkpoint, self._model, self._context = checkpoint, model, context
         self._islands = frozenset(model.islands)
         self._keys: dict[Aspect, _Key] = {}
@@ -77,7 +87,10 @@ class CheckRun:
         last = versions.get(_BY_CODE) or versions.keep(_BY_CODE, {})
         found: Found = []
         for rule in rules:
-            if rule.check_document is not None:
+            if rule.reads_twins and self.is_without_twins:
+                before = last[rule.code].found if rule.code in last else ()
+                found += (each for each in before if _islands([each]) <= self._islands)
+            elif rule.check_document is not None:
                 key = rule, self._key(rule.reads)
                 findings = rule.check_document(self._model, self._context)
                 known = self._known(last.get(rule.code), key, partial(self._of, rule, findings))

@@ -327,7 +327,7 @@ def _changes(wanted: _WantedNumbers, indices: Sequence[int]) -> tuple[NumberChan
     if any(k not in wanted.unlike for k in indices):
         return ()
     changes = zip(numbers, (wanted.values[k] for k in indices), strict=True)
-    found = [NumberChange(number, value) for number, value in changes if number is not None]
+    found = [NumberChange(n, value) for n, value in changes if n is not None and not n.is_implied]
     return tuple(found) if len(found) == len(numbers) else ()
 
 

@@ -60,12 +60,15 @@ class WrittenNumber(NamedTuple):
         value: In SI units.
         half: Half a unit of its last digit, zero for what is exact.
         at: Where it stands: in a document, or in another file.
+        is_implied: Whether the text there says it otherwise, as a quaternion does an angle: a
+            place to look at, not to write to.
     """
 
     text: str
     value: float
     half: float
     at: Located | TextPlace
+    is_implied: bool = False
 
     @property
     def slack(self) -> float:

@@ -9,6 +9,7 @@ from kindsl.comparison.written import (
     Described,
     Numbers,
     WrittenInertia,
+    WrittenNumber,
     WrittenPose,
     exactly_turned,
 )
@@ -103,8 +104,8 @@ def _inertia(part: DescribedPart, numbers: FileNumbers) -> WrittenInertia:
 def _pose(link: DescribedLink, numbers: FileNumbers) -> WrittenPose:
     before, after = link.parent_T_origin, link.written_T_joint
     form = WrittenPose(link.joint, before, after, False, (0.0,) * 6, (None,) * 6)
-    written = tuple(numbers.found.get(("joint", link.joint, name)) for name in POSE)
-    guess = tuple(0.0 if number is None else number.value for number in written)
+    written = (numbers.found.get(("joint", link.joint, name)) for name in POSE)
+    guess = tuple(0.0 if n is None or n.is_implied else n.value for n in written)
     values = replace(form, values=guess).values_of(link.parent_T_joint)
     return replace(form, values=values, numbers=_found(numbers, "joint", link.joint, POSE, values))
 
@@ -115,6 +116,11 @@ def _found(
     found = (numbers.found.get((kind, owner, name)) for name in names)
     scale = max(map(abs, values), default=1.0) or 1.0
     return tuple(
-        number if number is not None and abs(number.value - value) <= _EQUAL * scale else None
-        for number, value in zip(found, values, strict=True)
+        _read_as(value, number, _EQUAL * scale) for number, value in zip(found, values, strict=True)
     )
+
+
+def _read_as(value: float, number: WrittenNumber | None, slack: float) -> WrittenNumber | None:
+    if number is not None and number.is_implied:
+        return number._replace(value=value)
+    return number if number is not None and abs(number.value - value) <= slack else None

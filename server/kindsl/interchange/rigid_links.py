@@ -36,6 +36,8 @@ class RigidLink:
         axis: Of a moving joint, in the joint's frame, not zero.
         parent_T_joint: The joint's frame in the parent's; the root's frame in the world's.
         joint_T_link: The link's frame in the joint's while it is at zero.
+        parent_T_origin: What the joint's pose is written in, in the parent's frame.
+        written_T_joint: The joint's frame in the one that is written.
         body: In the link's frame, None where nothing is known.
         frames: Fixed to the link.
     """
@@ -47,6 +49,8 @@ class RigidLink:
     axis: Vector3 = (0.0, 0.0, 1.0)
     parent_T_joint: RigidPose = IDENTITY
     joint_T_link: RigidPose = IDENTITY
+    parent_T_origin: RigidPose = IDENTITY
+    written_T_joint: RigidPose = IDENTITY
     body: MassDistribution | None = None
     frames: tuple[DescribedFrame, ...] = ()
 
@@ -150,7 +154,8 @@ def _add_body(
     parent, body_T_parent = placed[link.parent]
     joint_T_body = RigidPose(rotation_from_z(link.axis), _AT_ORIGIN)
     pose = body_T_parent.then(link.parent_T_joint).then(joint_T_body)
-    bodies.append(_Body(link, parent, pose, body_T_parent, joint_T_body))
+    origin, written = body_T_parent.then(link.parent_T_origin), link.written_T_joint
+    bodies.append(_Body(link, parent, pose, origin, written.then(joint_T_body)))
     return joint_T_body.inverse().then(link.joint_T_link)
 
 

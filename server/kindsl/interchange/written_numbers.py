@@ -71,6 +71,18 @@ class XmlNumbers:
         return written_number(word[0], place)
 
 
+def implied(
+    kind: str, owner: str, names: Sequence[str], numbers: Sequence[WrittenNumber]
+) -> Iterator[tuple[tuple[str, str, str], WrittenNumber]]:
+    """Yield one place for all that is said there in another form; its values are not known."""
+    if numbers:
+        places = [number.at for number in numbers if isinstance(number.at, TextPlace)]
+        text = " ".join(number.text for number in numbers)
+        at = places[0]._replace(end=places[-1].end)
+        for name in names:
+            yield (kind, owner, name), WrittenNumber(text, 0.0, 0.0, at, is_implied=True)
+
+
 def written_number(text: str, place: TextPlace) -> WrittenNumber:
     """Return a decimal number with its place."""
     if not _NUMBER.fullmatch(text):

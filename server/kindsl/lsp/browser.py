@@ -3,8 +3,9 @@
 The host is a browser's worker, or the editor's own Node on a machine without Python.
 
 Besides the protocol's own messages, those of the previews' pages pass here. `kindsl.preview`
-answers with a page's identifier; `kindsl/previewRequest` carries `{"document", "request"}` from the
-page of that identifier, `kindsl/previewMessages` carries `{"document", "messages"}` to it.
+answers with a document's identifier, which a page calls itself by, with a name of its own after a
+slash if it is not the only one. `kindsl/previewRequest` carries `{"document", "request"}` from the
+page, null for goodbye, `kindsl/previewMessages` carries `{"document", "messages"}` to it.
 """
 
 import asyncio
@@ -46,7 +47,7 @@ def start(post: PostText, *, has_files: bool = False) -> Callable[[str], bool]:
         params = f'{{"document":{json.dumps(document)},"messages":[{change}]}}'
         server.protocol.notify_encoded(PREVIEW_MESSAGES, Encoded(params))
 
-    server = KindslLanguageServer(Surroundings(InlineWorker(), new_previews, has_files))
+    server = KindslLanguageServer(Surroundings(InlineWorker(), new_previews, has_files=has_files))
     # It needs NumPy, which no guest brings along.
     del server.protocol.fm.commands["kindsl.compute"]
     server.session.loop = asyncio.get_event_loop()

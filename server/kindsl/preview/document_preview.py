@@ -129,7 +129,7 @@ class DocumentPreview:
     def try_out(self, trial: Analysis) -> None:
         """Show a text as it would be, drawn and checked; the version that is shown stays known."""
         self._put(trial, self.drawing(trial))
-        self._list(trial.findings, trial.text)
+        self._list(trial.check_without_twins(), trial.text)
 
     def put_back(self) -> None:
         """Show the version that is known again, after something was tried out."""

@@ -79,7 +79,9 @@ def drag_outcome(
     writing = Writing(label, analysis.text, edits, change.bindings)
     tried = analysis.changed(edits, dict(change.bindings))
     document = tried if request.phase == "move" else None
-    parameters, warning = dict(change.preview), _newly_impossible(analysis, tried)
+    is_about_bodies = request.kind != "joint" or change.bindings
+    warning = _newly_impossible(analysis, tried) if is_about_bodies else ""
+    parameters = dict(change.preview)
     return RequestOutcome(writing, document, change.text, change.value, parameters, warning)
 
 
@@ -91,8 +93,11 @@ def _newly_impossible(before: Analysis, after: Analysis) -> str:
 
 def _impossible_bodies(analysis: Analysis) -> dict[str, str]:
     """Return what is said of each impossible body, by its name."""
-    found = (f for f in analysis.findings if f.code in _IMPOSSIBLE and f.severity is Severity.ERROR)
-    return {finding.message.split("'")[1]: finding.message for finding in found}
+    return {
+        finding.message.split("'")[1]: finding.message
+        for finding in analysis.check_without_twins()
+        if finding.code in _IMPOSSIBLE and finding.severity is Severity.ERROR
+    }
 
 
 def plan_outcome(analysis: Analysis, request: Plan) -> RequestOutcome | Refusal:

@@ -25,7 +25,11 @@ class _Page(NamedTuple):
 
 
 class PostedPreviews(DocumentPreviews):
-    """Shows documents by messages; a page is told by the identifier of its document."""
+    """Shows documents by messages.
+
+    A page calls itself by the identifier of its document, and if there may be others of the same
+    document by a name of its own after a slash.
+    """
 
     def __init__(
         self, post: Post, on_reveal: OnReveal | None = None, on_edit: OnEdit | None = None
@@ -52,29 +56,32 @@ class PostedPreviews(DocumentPreviews):
     def admit(self, origin: str) -> None:
         """Do nothing: who may send messages is decided where they come from."""
 
-    def take(self, identifier: str, data: object) -> None:
-        """Do what a page asks for; one that says hello is sent everything."""
-        document = self.document(identifier)
+    def take(self, name: str, data: object) -> None:
+        """Do what a page asks for; one that says hello is sent everything, None is goodbye."""
+        document = self.document(name.partition("/")[0])
         request = request_of(data)
-        if document is None or request is None:
+        if document is None:
             return
+        if data is None or isinstance(request, Hello):
+            self._leave(name, document)
         if isinstance(request, Hello):
-            self._join(identifier, document)
-        if identifier in self._pages:
-            self.receive(document, self._pages[identifier].tab, request)
+            self._join(name, document)
+        if request is not None and name in self._pages:
+            self.receive(document, self._pages[name].tab, request)
 
-    def _join(self, identifier: str, document: DocumentPreview) -> None:
-        """Make a page the one that shows a document, instead of what it was before a reload."""
-
-        async def write(change: Change) -> None:
-            self._post(identifier, as_json(change))
-
-        former = self._pages.get(identifier)
-        if former is not None:
+    def _leave(self, name: str, document: DocumentPreview) -> None:
+        """Forget a page, or what it was before a reload."""
+        if name in self._pages:
+            former = self._pages.pop(name)
             document.channel.leave(former.tab)
             former.writing.cancel()
+
+    def _join(self, name: str, document: DocumentPreview) -> None:
+        async def write(change: Change) -> None:
+            self._post(name, as_json(change))
+
         tab = Tab(write)
-        self._pages[identifier] = _Page(tab, asyncio.ensure_future(tab.run()))
+        self._pages[name] = _Page(tab, asyncio.ensure_future(tab.run()))
         document.channel.join(tab)
 
 

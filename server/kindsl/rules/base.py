@@ -123,6 +123,7 @@ class Rule(NamedTuple):
         check_island: See above.
         check_body: See above.
         reads: All that `check_document` reads of the document.
+        reads_twins: Whether `check_document` reads other files of the robot, too.
         is_default: Whether it runs without being selected or needed by a target.
         good: Documents, or single blocks, in which it finds nothing.
         bad: The same, in which it finds something; with the fixed text where there is a fix.
@@ -135,6 +136,7 @@ class Rule(NamedTuple):
     check_island: IslandCheck | None = None
     check_body: BodyCheck | None = None
     reads: Aspect = Aspect.ALL
+    reads_twins: bool = False
     is_default: bool = True
     good: tuple[str | Example, ...] = ()
     bad: tuple[str | Example, ...] = ()

@@ -69,6 +69,6 @@ def _fix(twin: "TwinFile", number: "NumberDifference") -> Fix | None:
 def as_in_twin(number: "NumberDifference", value: float) -> str:
     """Return a number for the document, with the twin's digits if it stands there."""
     other = number.there_number
-    if other is not None and other.value == value:
+    if other is not None and other.value == value and not other.is_implied:
         return plain_decimal(other.text)
     return significant_decimal(value, _DIGITS)

@@ -109,8 +109,8 @@ def _actions(analysis: Analysis, moving: _Moving) -> Iterator[CodeAction]:
 
 def _is_harmful(analysis: Analysis, action: CodeAction) -> bool:
     """Return whether a document has more errors after an action."""
-    before, after = analysis.findings, analysis.edited(action.edits).findings
-    return _n_errors(after) > _n_errors(before)
+    after = analysis.edited(action.edits).check_without_twins()
+    return _n_errors(after) > _n_errors(analysis.check_without_twins())
 
 
 def _n_errors(findings: Sequence[Diagnostic]) -> int:

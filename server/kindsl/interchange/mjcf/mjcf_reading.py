@@ -152,7 +152,7 @@ def _links_of_body(model: Any, body: int, parent: int, n_links: int) -> Iterator
                         body=carried, frames=sites)  # fmt: skip
         return
     for number, joint in enumerate(joints):
-        link = _jointed(model, joint, T)
+        link = _jointed(model, joint, T, has_own_body=number == 0)
         if joint == joints[-1]:
             link = replace(link, name=name, body=_body(model, body), frames=_sites(model, body))
         else:
@@ -161,10 +161,11 @@ def _links_of_body(model: Any, body: int, parent: int, n_links: int) -> Iterator
         T = IDENTITY
 
 
-def _jointed(model: Any, joint: int, parent_T_body: RigidPose) -> RigidLink:
+def _jointed(model: Any, joint: int, parent_T_body: RigidPose, *, has_own_body: bool) -> RigidLink:
     """Return a link without name and mass; MuJoCo's joint values become ours.
 
-    MuJoCo turns a body about an anchor in its frame, and by the joint value less `ref`.
+    MuJoCo turns a body about an anchor in its frame, and by the joint value less `ref`. The pose
+    that is written is the body's, and where it has another joint already, the anchor.
     """
     axis, slides = model.jnt_axis[joint], model.jnt_type[joint] == _SLIDE
     body_T_anchor = IDENTITY if slides else _translation(model.jnt_pos[joint])
@@ -178,6 +179,7 @@ def _jointed(model: Any, joint: int, parent_T_body: RigidPose) -> RigidLink:
         _triple(axis),
         parent_T_body.then(body_T_anchor).then(back),
         body_T_anchor.inverse(),
+        written_T_joint=body_T_anchor.then(back) if has_own_body else back,
     )
 
 

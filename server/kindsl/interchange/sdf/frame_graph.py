@@ -55,7 +55,7 @@ class FrameGraph:
             seen.append(name)
             element = self._element(name, asking)
             T = pose_of(element).then(T)
-            name = _reference(element)
+            name = reference_of(element)
         return T if name == MODEL else self.world_T_model.inverse().then(T)
 
     def link_of(self, name: str, asking: Any) -> str:
@@ -74,6 +74,21 @@ class FrameGraph:
             name = text_of(element, "child") if is_joint else element.get("attached_to") or MODEL
         return WORLD
 
+    def placing(self, joint: Any) -> Any:
+        """Return the element whose pose says where a joint is: its own, else that it is given in.
+
+        Of a joint without a pose of its own that is the child's, or what the child is given in.
+        """
+        element = joint
+        while _is_untouched(element):
+            name = reference_of(element)
+            if name in (MODEL, WORLD):
+                return joint
+            element = self._element(name, joint)
+            if element is joint:
+                break
+        return element
+
     def _placed(self, model: Any) -> RigidPose:
         """Return where a model is, which its pose says of one of its frames, itself or another."""
         pose = model.find("pose")
@@ -90,7 +105,12 @@ class FrameGraph:
         return self._elements[name]
 
 
-def _reference(element: Any) -> str:
+def _is_untouched(element: Any) -> bool:
+    """Return whether an element is where what it is given in is."""
+    return pose_of(element) == IDENTITY
+
+
+def reference_of(element: Any) -> str:
     """Return what an element's pose is relative to."""
     pose = element.find("pose")
     if pose is not None and pose.get("relative_to"):

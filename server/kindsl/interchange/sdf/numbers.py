@@ -1,21 +1,61 @@
-"""Places of the masses and moments of an SDF's links."""
+"""Places of the numbers of an SDF's links and joints."""
 
-from kindsl.comparison.written import INERTIA, WrittenNumber
-from kindsl.interchange.written_numbers import FileNumbers, XmlNumbers, keyed
+from collections.abc import Iterator
+from typing import Any
+
+from kindsl.comparison.written import INERTIA, POSE, WrittenNumber
+from kindsl.interchange.format import FormatError
+from kindsl.interchange.sdf.frame_graph import FrameGraph
+from kindsl.interchange.sdf.nesting import flatten
+from kindsl.interchange.written_numbers import FileNumbers, XmlNumbers, implied, keyed
 
 _MOMENTS = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
+_Found = Iterator[tuple[tuple[str, str, str], WrittenNumber]]
 
 
 def numbers_of_sdf(content: bytes | str) -> FileNumbers:
-    """Return the numbers of the inertias along their links' axes, none of what is not XML."""
+    """Return the numbers of inertias along their links' axes, and of what places the joints."""
     xml = XmlNumbers(content)
     found: dict[tuple[str, str, str], WrittenNumber] = {}
-    for link in xml.root.iter("link") if xml.root is not None else ():
-        name, inertial = link.get("name") or "", link.find("inertial")
-        if inertial is None:
-            continue
-        found |= keyed("link", name, ("mass",), xml.of_text(inertial.find("mass")))
-        found |= keyed("link", name, INERTIA[1:4], xml.of_text(inertial.find("pose"))[:3])
-        for key, tag in zip(INERTIA[4:], _MOMENTS, strict=True):
-            found |= keyed("link", name, (key,), xml.of_text(inertial.find(f"inertia/{tag}")))
+    for model in _models(xml.root):
+        for link in model.iterfind("link"):
+            found |= _inertia(xml, link)
+        found |= _joints(xml, model)
     return FileNumbers(found, {})
+
+
+def _models(root: Any) -> Iterator[Any]:
+    """Yield the models of a file, each with those in it as one."""
+    for model in (*root.findall("model"), *root.findall("world/model")) if root is not None else ():
+        try:
+            flatten(model)
+        except FormatError:
+            continue
+        yield model
+
+
+def _inertia(xml: XmlNumbers, link: Any) -> _Found:
+    name, inertial = link.get("name") or "", link.find("inertial")
+    if inertial is not None:
+        yield from keyed("link", name, ("mass",), xml.of_text(inertial.find("mass")))
+        yield from keyed("link", name, INERTIA[1:4], xml.of_text(inertial.find("pose"))[:3])
+        for key, tag in zip(INERTIA[4:], _MOMENTS, strict=True):
+            yield from keyed("link", name, (key,), xml.of_text(inertial.find(f"inertia/{tag}")))
+
+
+def _joints(xml: XmlNumbers, model: Any) -> _Found:
+    try:
+        graph = FrameGraph(model, "")
+        placing = [(joint, graph.placing(joint)) for joint in model.iterfind("joint")]
+    except FormatError:
+        return
+    for joint, placed in placing:
+        name, pose = joint.get("name") or "", placed.find("pose")
+        yield from implied("joint", name, POSE[3:], xml.of_text(joint.find("axis/xyz")))
+        numbers = xml.of_text(pose)
+        yield from keyed("joint", name, POSE[:3], numbers[:3])
+        is_as_meant = pose is not None and not pose.get("degrees") and len(numbers) == len(POSE)
+        if is_as_meant and any(number.value for number in numbers[3:]):
+            yield from keyed("joint", name, POSE[3:], numbers[3:])
+        elif any(number.value for number in numbers[3:6]):
+            yield from implied("joint", name, POSE[3:], numbers[3:])

@@ -26,7 +26,7 @@ from kindsl.interchange.sdf.elements import (
     pose_of,
     text_of,
 )
-from kindsl.interchange.sdf.frame_graph import MODEL, WORLD, FrameGraph
+from kindsl.interchange.sdf.frame_graph import MODEL, WORLD, FrameGraph, reference_of
 from kindsl.interchange.sdf.including import include, not_found
 from kindsl.interchange.sdf.joint_properties import joint_properties
 from kindsl.interchange.sdf.losses import losses, world_losses
@@ -184,11 +184,24 @@ def _carried(joint: Any, index: int, parent: str, child: str, graph: FrameGraph)
     model_T_joint = graph.model_T(name_of(joint), joint)
     parent_T_joint = graph.model_T(parent, joint).inverse().then(model_T_joint)
     joint_T_child = model_T_joint.inverse().then(graph.model_T(child, joint))
+    placing = graph.placing(joint)
+    model_T_written = graph.model_T(name_of(placing), joint)
+    model_T_origin = graph.model_T(reference_of(placing), joint)
     kind = _KINDS[joint.get("type")]
     axis = (0.0, 0.0, 1.0)
     if kind != "fixed":
         axis = model_T_joint.inverse().turn(_axis_in_model(joint, graph))
-    return RigidLink(child, index, name_of(joint), kind, axis, parent_T_joint, joint_T_child)
+    return RigidLink(
+        child,
+        index,
+        name_of(joint),
+        kind,
+        axis,
+        parent_T_joint,
+        joint_T_child,
+        graph.model_T(parent, joint).inverse().then(model_T_origin),
+        model_T_written.inverse().then(model_T_joint),
+    )
 
 
 def _axis_in_model(joint: Any, graph: FrameGraph) -> Vector3:

@@ -92,7 +92,9 @@ def _action(view: Sight, action: "CodeAction") -> types.CodeAction | None:
         kind=action.kind,
         diagnostics=[
             view.state.editor.protocol.structured(each, types.Diagnostic)
-            for each in diagnostics(view.document, action.diagnostics, view.client)
+            for each in diagnostics(
+                view.document, action.diagnostics, view.client.shows_in_diagnostics
+            )
         ]
         or None,
         is_preferred=action.is_preferred or None,

@@ -8,6 +8,7 @@ from pygls.capabilities import ServerCapabilitiesBuilder
 from kindsl.lsp.handlers.table import Handlers
 from kindsl.lsp.session.disk_watch import watch_disk
 from kindsl.lsp.session.session import Session
+from kindsl.lsp.session.symbols import read_ahead
 from kindsl.lsp.session.warm_up import warm_up
 from kindsl.lsp.session.worker import start_task
 from kindsl.lsp.session.workspace import CONFIGURATION_FILES
@@ -45,6 +46,7 @@ async def initialized(session: Session, _: types.InitializedParams) -> None:
         await asked(session.editor.client_register_capability_async(params))
     if session.surroundings.has_files:
         start_task(watch_disk(session, session.publisher, lambda: refresh(session)))
+        start_task(read_ahead(session))
     await ask_for_settings(session)
 
 

@@ -1,6 +1,7 @@
 """Diagnostics that the client asks for."""
 
 import itertools
+import logging
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from lsprotocol import types
@@ -13,6 +14,8 @@ from kindsl.lsp.session.session import Session
 from kindsl.lsp.session.worker import Urgency
 from kindsl.lsp.text import uris
 from kindsl.lsp.text.document import Document
+from kindsl.lsp.text.document import document as document_of
+from kindsl.lsp.wire.client import DiagnosticParts
 from kindsl.text.facts import Fact
 
 if TYPE_CHECKING:
@@ -20,6 +23,8 @@ if TYPE_CHECKING:
     from kindsl.analysis.settings import Settings
 
 Report = dict[str, Any]
+
+logger = logging.getLogger(__name__)
 
 handlers = Handlers()
 
@@ -42,13 +47,16 @@ async def pull(session: Session, params: types.DocumentDiagnosticParams) -> Repo
     session.publisher.leave_to_pull(document)
     if not document.is_robot:
         return {"kind": "full", "items": await companion_diagnostics(session, document)}
-    findings = await session.analyses.findings(document)
-    if session.client.is_told_to_pull and session.documents.is_current(document):
-        findings = session.calm.told(document, findings)
+    if not session.client.is_told_to_pull:
+        findings = await session.analyses.findings(document)
+    else:
+        findings = await session.analyses.findings_without_twins(document)
+        if session.documents.is_current(document):
+            findings = session.calm.told(document, findings)
     result_id = result_id_of(document, findings)
     if result_id == params.previous_result_id:
         return {"kind": "unchanged", "resultId": result_id}
-    items = diagnostics(document, findings, session.client)
+    items = diagnostics(document, findings, session.client.shows_in_diagnostics)
     return {"kind": "full", "resultId": result_id, "items": items}
 
 
@@ -70,13 +78,10 @@ async def _workspace_reports(
     session: Session, params: types.WorkspaceDiagnosticParams
 ) -> list[Report]:
     known = {uris.key(each.uri): each.value for each in params.previous_result_ids}
-    reports: list[Report] = []
     async with Progress(session, "Checking robots", params.work_done_token) as progress:
         robots = await session.open_and_closed()
-        for number, uri in enumerate(robots):
-            await progress.report(number, len(robots))
-            report = await _workspace_report(session, uri, known.get(uris.key(uri)))
-            reports += [report] if report is not None else []
+        asked = progress.over(robots, lambda uri: _workspace_report(session, uri, known))
+        reports = [report async for report in asked if report is not None]
     listed = {uris.key(report["uri"]) for report in reports}
     gone = (each for each in params.previous_result_ids if uris.key(each.uri) not in listed)
     return [*reports, *map(_gone_report, gone)]
@@ -94,13 +99,13 @@ def _is_news(report: Report) -> bool:
     return bool(report["kind"] == "full")
 
 
-async def _workspace_report(session: Session, uri: str, known: str | None) -> Report | None:
+async def _workspace_report(session: Session, uri: str, known: dict[str, str]) -> Report | None:
     document = session.documents.get(uri)
     if document is None or not document.is_robot:
         return None
     report = await _report(session, document)
     told = {"uri": uri, "version": document.version, "resultId": report.result_id}
-    if report.result_id == known:
+    if report.result_id == known.get(uris.key(uri)):
         return {**told, "kind": "unchanged"}
     return {**told, "kind": "full", "items": report.items}
 
@@ -110,12 +115,31 @@ async def _report(session: Session, document: Document) -> "_Report":
     settings = await session.analyses.settings(document)
     report = document.facts.get(_REPORT)
     if report is None or report.settings != settings:
-        findings = await session.analyses.findings(document, Urgency.BACKGROUND)
-        items = diagnostics(document, findings, session.client)
-        report = _Report(settings, result_id_of(document, findings), items)
-        document.facts.keep(_REPORT, report)
-        session.analyses.rest(document)
+        parts = session.client.shows_in_diagnostics
+        if document.version is None:
+            told = document.uri, document.text, document.encoding
+            items, faults = await session.helper.run(_checked, *told, settings, parts)
+            for fault in faults:
+                logger.error("a rule failed: %s", fault)
+            result_id = str(next(_SERIAL))
+        else:
+            findings = await session.analyses.findings(document, Urgency.BACKGROUND)
+            items = diagnostics(document, findings, parts)
+            result_id = result_id_of(document, findings)
+        report = document.facts.keep(_REPORT, _Report(settings, result_id, items))
     return report
+
+
+def _checked(
+    uri: str, text: str, encoding: str, settings: "Settings", parts: DiagnosticParts
+) -> tuple[list[dict[str, Any]], list[str]]:
+    """Return what is wrong with a text, as it is sent, and what is to be logged."""
+    from kindsl.analysis.analysis import Analysis
+
+    closed = document_of(uri, None, text, encoding)
+    analysis = Analysis(closed.tree, settings)
+    items = diagnostics(closed, analysis.findings, parts)
+    return items, [fault.message for fault in analysis.faults]
 
 
 class _Report(NamedTuple):

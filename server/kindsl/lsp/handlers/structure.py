@@ -8,8 +8,8 @@ from kindsl.lsp.handlers.table import Handlers
 from kindsl.lsp.session.configuration_files import configuration_links
 from kindsl.lsp.session.progress import Progress
 from kindsl.lsp.session.session import Session
+from kindsl.lsp.session.symbols import TITLE, RobotSymbol, all_symbols
 from kindsl.lsp.session.view import View
-from kindsl.text.facts import Fact
 
 if TYPE_CHECKING:
     from kindsl.features.document_symbols import DocumentSymbol
@@ -27,7 +27,6 @@ _KINDS = {
 }
 _FOLDS = {"block": types.FoldingRangeKind.Region, "comment": types.FoldingRangeKind.Comment}
 _MOST_SYMBOLS = 1000
-_SYMBOLS = Fact[list[types.SymbolInformation]]("workspace symbols")
 
 
 @handlers.document(types.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
@@ -66,42 +65,28 @@ def _tree(view: View, _: Any) -> list[types.DocumentSymbol]:
 @handlers.session(types.WORKSPACE_SYMBOL, types.WorkspaceSymbolOptions())
 async def workspace_symbols(
     session: Session, params: types.WorkspaceSymbolParams
-) -> list[types.SymbolInformation]:
+) -> list[dict[str, Any]]:
     """Find named things in all robots of the workspace."""
     from kindsl.features.workspace_symbols import is_match
 
-    found: list[types.SymbolInformation] = []
-    async with Progress(session, "Reading robots", params.work_done_token) as progress:
-        robots = await session.open_and_closed()
-        for number, uri in enumerate(robots):
-            await progress.report(number, len(robots))
-            symbols = await _symbols_of(session, uri)
-            found += [symbol for symbol in symbols if is_match(params.query, symbol.name)]
+    found: list[dict[str, Any]] = []
+    progress = Progress(session, TITLE, params.work_done_token)
+    async for uri, symbols in all_symbols(session, await session.open_and_closed(), progress):
+        matching = (each for each in symbols if is_match(params.query, each.name))
+        found += [_found_in(uri, symbol) for symbol in matching]
+        if len(found) >= _MOST_SYMBOLS:
+            break
     return found[:_MOST_SYMBOLS]
 
 
-async def _symbols_of(session: Session, uri: str) -> list[types.SymbolInformation]:
-    """Return the symbols of a document; of a file that is not open only they are kept."""
-    document = session.documents.get(uri)
-    if document is None or not document.is_robot:
-        return []
-    known = document.facts.get(_SYMBOLS)
-    if known is None:
-        found = await session.ask_at_once(_all_symbols, uri, None)
-        known = document.facts.keep(_SYMBOLS, found)
-        session.analyses.rest(document)
-    return known
-
-
-def _all_symbols(view: View, _: None) -> list[types.SymbolInformation]:
-    from kindsl.features.workspace_symbols import workspace_symbols
-
-    return [
-        types.SymbolInformation(
-            view.location(s.start, s.end), s.name, _KINDS[s.kind], container_name=s.container
-        )
-        for s in workspace_symbols(view.analysis, "")
-    ]
+def _found_in(uri: str, symbol: RobotSymbol) -> dict[str, Any]:
+    """Return a symbol in the protocol's form."""
+    return {
+        "name": symbol.name,
+        "kind": _KINDS[symbol.kind].value,
+        "location": {"uri": uri, "range": symbol.range},
+        "containerName": symbol.container,
+    }
 
 
 @handlers.document(types.TEXT_DOCUMENT_FOLDING_RANGE)

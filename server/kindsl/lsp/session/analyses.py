@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 logger = logging.getLogger(__name__)
 
 T = TypeVar("T")
+_FINDINGS = "findings"
 _JOBS: "Fact[tuple[Settings, dict[str, _SharedJob[Any]]]]" = Fact("jobs")
 
 
@@ -49,16 +50,28 @@ class Analyses:
     async def findings(
         self, document: Document, urgency: Urgency = Urgency.ANSWER
     ) -> "tuple[Diagnostic, ...]":
-        """Return what is wrong with a version."""
+        """Return what is wrong with a version; twins are read when all else is known."""
         analysis = await self.of(document)
         jobs = _jobs(document, analysis.settings)
-        return await self._shared(jobs, "findings", lambda: self._check(analysis), urgency)
+        if analysis.settings.twins:
+            await self.findings_without_twins(document, urgency)
+            urgency = Urgency.BACKGROUND
+        return await self._shared(jobs, _FINDINGS, lambda: self._check(analysis), urgency)
 
-    def rest(self, document: Document) -> None:
-        """Drop what is known of a file that no editor shows, for it may be one of many."""
-        if document.version is None:
-            document.facts.forget(_JOBS)
-            document.rest()
+    async def findings_without_twins(
+        self, document: Document, urgency: Urgency = Urgency.ANSWER
+    ) -> "tuple[Diagnostic, ...]":
+        """Return all findings if they are known or there are no twins, else those of the text."""
+        analysis = await self.of(document)
+        jobs = _jobs(document, analysis.settings)
+        known = jobs.get(_FINDINGS)
+        if not analysis.settings.twins or (known is not None and known.future.done()):
+            return await self._shared(jobs, _FINDINGS, lambda: self._check(analysis), urgency)
+
+        def check() -> "tuple[Diagnostic, ...]":
+            return analysis.check_without_twins(self._worker.checkpoint)
+
+        return await self._shared(jobs, "findings without twins", check, urgency)
 
     def _check(self, analysis: "Analysis") -> "tuple[Diagnostic, ...]":
         """Return the findings as long as somebody waits; rules that failed are logged."""

@@ -33,4 +33,6 @@ async def companion_diagnostics(state: State, document: Document) -> list[dict[s
     """Return what is wrong with a companion as it is in the editor, as it is sent."""
     if document.is_toml:
         return await configuration_diagnostics(state, document)
-    return diagnostics(document, await transforms_diagnostics(state, document), state.client)
+    return diagnostics(
+        document, await transforms_diagnostics(state, document), state.client.shows_in_diagnostics
+    )

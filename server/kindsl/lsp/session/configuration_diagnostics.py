@@ -30,7 +30,9 @@ async def configuration_diagnostics(state: State, document: Document) -> list[di
     problems = await state.worker.run(lambda: configuration_problems(document))
     if problems:
         return problems
-    return diagnostics(document, await _unused_bindings(state, document), state.client)
+    return diagnostics(
+        document, await _unused_bindings(state, document), state.client.shows_in_diagnostics
+    )
 
 
 def configuration_problems(document: Document) -> list[dict[str, Any]]:

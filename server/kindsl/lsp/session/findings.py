@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 from lsprotocol import types
 
 from kindsl.lsp.text.document import Document
-from kindsl.lsp.wire.client import Client, DiagnosticParts
+from kindsl.lsp.wire.client import DiagnosticParts
 
 if TYPE_CHECKING:
     from kindsl.analysis.diagnostics import Diagnostic
@@ -25,10 +25,9 @@ _TAGS = {
 
 
 def diagnostics(
-    document: Document, findings: "Iterable[Diagnostic]", client: Client
+    document: Document, findings: "Iterable[Diagnostic]", parts: DiagnosticParts
 ) -> list[dict[str, Any]]:
-    """Return findings as the client can show them, in the protocol's form, for there are many."""
-    parts = client.shows_in_diagnostics
+    """Return findings as a client can show them, in the protocol's form, for there are many."""
     return [_diagnostic(document, finding, parts) for finding in findings]
 
 

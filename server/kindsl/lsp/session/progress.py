@@ -1,14 +1,20 @@
 """Progress of work that takes a while, shown by clients that can."""
 
+import asyncio
 import time
 import uuid
-from typing import Any
+from collections.abc import AsyncIterator, Awaitable, Callable, Sequence
+from typing import Any, TypeVar
 
 from lsprotocol import types
 from pygls.exceptions import JsonRpcException
 
 from kindsl.lsp.session.state import State
 
+S = TypeVar("S")
+T = TypeVar("T")
+
+_AT_A_TIME = 16
 _WHOLE = 100
 _PATIENCE = 0.5
 
@@ -44,6 +50,14 @@ class Progress:
         if percentage > self._shown:
             self._shown = percentage
             self._send(types.WorkDoneProgressReport(percentage=min(percentage, _WHOLE)))
+
+    async def over(self, items: Sequence[S], work: Callable[[S], Awaitable[T]]) -> AsyncIterator[T]:
+        """Yield what work on each item comes to, some at a time; tell how much is done."""
+        for start in range(0, len(items), _AT_A_TIME):
+            await self.report(start, len(items))
+            for found in await asyncio.gather(*map(work, items[start : start + _AT_A_TIME])):
+                yield found
+            await asyncio.sleep(0)
 
     async def __aexit__(self, *_: object) -> None:
         self._send(types.WorkDoneProgressEnd())

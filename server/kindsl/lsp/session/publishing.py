@@ -111,18 +111,27 @@ class Publisher:
         if not document.is_robot:
             await self._publish_companion(document)
             return
-        findings = await self._findings(document)
+        first = await self._findings_without_twins(document)
         if uris.key(document.uri) not in self._checked:
             self._checked.add(uris.key(document.uri))
             memory.set_aside()
-        if self._state.documents.is_current(document):
+        if not self._state.documents.is_current(document):
+            return
+        told = self._state.calm.told(document, first)
+        await self._tell(document, told)
+        findings = await self._state.analyses.findings(document, Urgency.DIAGNOSTICS)
+        if findings != first:
             told = self._state.calm.told(document, findings)
-            await self._tell(document, told)
-            if told is not findings:
-                await asyncio.sleep(calm.PATIENCE - delay)
-                self._state.calm.settle(document, findings)
-                await self._tell(document, findings)
-                self._ask_to_pull(document)
+            await self._tell_again(document, told)
+        if len(told) != len(findings):
+            await asyncio.sleep(calm.PATIENCE - delay)
+            self._state.calm.settle(document, findings)
+            await self._tell_again(document, findings)
+
+    async def _tell_again(self, document: Document, findings: "tuple[Diagnostic, ...]") -> None:
+        """Tell more of a version, also to a client that has pulled already."""
+        await self._tell(document, findings)
+        self._ask_to_pull(document)
 
     async def _tell(self, document: Document, findings: "tuple[Diagnostic, ...]") -> None:
         """Tell the client and all who listen what was found in a version, if it is shown still."""
@@ -137,16 +146,16 @@ class Publisher:
             await self._check_companions(document)
             await tell_status(self._state, document, findings)
 
-    async def _findings(self, document: Document) -> "tuple[Diagnostic, ...]":
+    async def _findings_without_twins(self, document: Document) -> "tuple[Diagnostic, ...]":
         await self._state.analyses.of(document)
         await self._state.until_quiet()
-        return await self._state.analyses.findings(document, Urgency.DIAGNOSTICS)
+        return await self._state.analyses.findings_without_twins(document, Urgency.DIAGNOSTICS)
 
     async def _encoded(self, document: Document, findings: "tuple[Diagnostic, ...]") -> Encoded:
         """Return findings as they are sent; many are made ready in the worker."""
 
         def encoded() -> Encoded:
-            shown = diagnostics(document, findings, self._state.client)
+            shown = diagnostics(document, findings, self._state.client.shows_in_diagnostics)
             params = {"uri": document.uri, "version": document.version, "diagnostics": shown}
             return self._state.editor.protocol.encoded(params)
 

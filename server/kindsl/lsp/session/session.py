@@ -50,6 +50,7 @@ class Session(State):
     async def close(self) -> None:
         """Stop what runs beside the message loop."""
         await self.previews.stop()
+        self.helper.stop()
 
     async def _answer(
         self, handler: Handler, document: Document | None, params: Any, look: Look

@@ -34,6 +34,7 @@ class State:
         client: Capabilities of the editor.
         documents: The open documents.
         worker: Does the long work.
+        helper: Does the long work about closed files.
         workspace: The folders and their settings.
         analyses: The analysis of each version of a document.
         calm: Holds back findings while someone types.
@@ -52,6 +53,7 @@ class State:
         self.editor = editor
         self.surroundings = surroundings
         self.client = Client(types.ClientCapabilities(), {})
+        self.helper = surroundings.new_helper(surroundings.worker)
         self.documents = editor.protocol.documents
         self.worker = surroundings.worker
         self.workspace = Workspace()

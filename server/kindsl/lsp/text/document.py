@@ -87,11 +87,6 @@ class Document:
             self._basis = None
         return self._tree
 
-    def rest(self) -> None:
-        """Drop the syntax; it is parsed again when it is next asked for."""
-        self.lines = _plain(self.text)
-        self._tree = self._basis = None
-
     def changed(self, changes: Sequence[ContentChange], version: int) -> "Document":
         """Return the next version."""
         basis = self._basis  # before the tree, which the worker puts in its place

@@ -90,7 +90,9 @@ class Documents:
             known = self._files.get(path)
             if known is None or known[0] != present:
                 text = path.read_bytes().decode("utf-8", "surrogateescape").removeprefix(_BOM)
-                known = self._files[path] = (present, document(uri, None, text, self.encoding))
+                if known is None or known[1].text != text:
+                    known = (present, document(uri, None, text, self.encoding))
+                known = self._files[path] = (present, known[1])
         except OSError:
             self._files.pop(path, None)
             return None

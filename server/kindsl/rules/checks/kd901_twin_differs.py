@@ -51,4 +51,5 @@ RULE = Rule(
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES | Aspect.SYMBOLS,
+    reads_twins=True,
 )

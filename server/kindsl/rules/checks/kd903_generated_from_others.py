@@ -50,4 +50,5 @@ RULE = Rule(
     Severity.WARNING,
     check_document=check_document,
     reads=Aspect.STRUCTURE | Aspect.PLACES | Aspect.MASSES | Aspect.SYMBOLS,
+    reads_twins=True,
 )

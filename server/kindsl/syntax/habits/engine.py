@@ -24,7 +24,7 @@ LETTERS = {
     **dict(zip(map(token_kind, ("base", "link", "joint")), "BLJ", strict=True)),
     **dict(zip(map(token_kind, ("inertia", "children")), "IC", strict=True)),
 }  # fmt: skip
-_SIGNS = frozenset("#\"'")
+_SIGNS = frozenset("#\"';")
 
 
 class Rewrite(NamedTuple):

@@ -41,6 +41,8 @@ HABITS = (
           "{0} '{1}' has a 'ref_frame', which only joints have", "Remove 'ref_frame'"),
     Habit("children { upper via }", r"C \{", words.half_children,
           "expected {0} after '{1}'"),
+    Habit("mass = 1.0;", r"(?s:.)*;(?s:.)*", words.semicolons,
+          "unexpected ';'", "Remove {0}", is_safe=True),
     Habit("# the upper arm", rf"= (?!#)(?:{_VALUE})|#(?P<words>[^\n={{}}(]+)(?=\n|\Z)",
           words.comment,
           "'#' does not begin a comment", "Write '//'", is_safe=True),

@@ -34,6 +34,7 @@ _CLOSING = {"{": "}", "(": ")"}
 _OWNERS = {"V": "F", "D": "LJ"}
 _CHILD = ("NAME", "via", "NAME")
 _HALF_CHILD = re.compile(r"\n?(?:n\n?v(?=\n?\}|\nn\n?v)|n(?=\n?\}|\nn))")
+_ENDED = re.compile(r"(?<=[fiepmqPn)};]);(?=\n?(?:[SDcVRIC};]|n\n?v)|\n|\Z)")
 _WHOLE_CHILD = re.compile(r"\n?n\n?v\n?n")
 
 
@@ -157,6 +158,16 @@ def comment(found: Sighting) -> Iterator[Rewrite]:
     if is_comment:
         edit = Edit(sign.start, sign.end, "//")
         yield Rewrite(first, behind, (), (sign.start, sign.end), (), (edit,))
+
+
+def semicolons(found: Sighting) -> Iterator[Rewrite]:
+    """Leave out each `;` behind a section or child; the first stands for all in the block."""
+    places = [found.index(match.start()) for match in _ENDED.finditer(found.kinds)]
+    edits = tuple(Edit(found.tokens[i].start, found.tokens[i].end, "") for i in places)
+    title = "';'" if len(edits) == 1 else "each ';' of this block"
+    for place in places:
+        at = None if place != places[0] else (edits[0].start, edits[0].end)
+        yield Rewrite(place, place + 1, (), at, (title,), edits)
 
 
 def half_children(found: Sighting) -> Iterator[Rewrite]:

@@ -5,6 +5,7 @@ import { toThree } from "./camera.js";
 import { originOf, transformPoint } from "./kinematics.js";
 import { LabelPlaces } from "./label_places.js";
 import { LETTER } from "./line_art.js";
+import { isClick } from "./picking.js";
 
 /** @import { Actions, Kind, Thing, Vector } from "../base/types.js" */
 /** @import { Box } from "./label_places.js" */
@@ -37,6 +38,8 @@ export class Labels {
   byKey = new Map();
   /** @type {readonly Named[] | null} */
   things = null;
+  /** @type {{ thing: Thing, from: MouseEvent } | null} */
+  pressed = null;
 
   /** @param {Scene} scene @param {HTMLElement} pane @param {Actions} actions @param {{ readonly lettered: readonly Vector[] }} lineArt */
   constructor(scene, pane, actions, lineArt) {
@@ -48,8 +51,8 @@ export class Labels {
     this.lines = makeSvg("svg", { "aria-hidden": "true" });
     this.layer.append(this.lines);
     pane.append(this.layer);
-    // The viewer's controls would take a press for the start of a turn, and the click with it.
-    this.layer.addEventListener("pointerdown", (event) => event.stopPropagation());
+    // A press on a name may begin a turn: the viewer's controls capture the pointer, so its release comes to the pane.
+    pane.addEventListener("pointerup", (event) => this.release(event));
     this.pen = document.createElement("canvas").getContext("2d");
     scene.onChange(() => { this.things = null; });
   }
@@ -179,13 +182,20 @@ export class Labels {
     nameIn(element, name);
     element.tabIndex = -1;
     element.style.width = `${label.size[0]}px`;
-    element.addEventListener("click", () => this.actions.reveal({ kind, name }));
+    element.addEventListener("pointerdown", (from) => { this.pressed = { thing: { kind, name }, from }; });
+    element.addEventListener("click", ({ detail }) => { if (!detail) this.actions.reveal({ kind, name }); }); // by no pointer
     element.addEventListener("mouseenter", () => this.actions.hover({ kind, name }));
     element.addEventListener("mouseleave", () => this.actions.hover(null));
     this.layer.append(element);
     this.lines.append(line);
     Object.assign(label, { element, line });
     return { element, line };
+  }
+
+  /** @param {PointerEvent} event */
+  release(event) {
+    if (this.pressed && isClick(this.pressed.from, event)) this.actions.reveal(this.pressed.thing);
+    this.pressed = null;
   }
 
   // Forget the labels of what is no longer there.

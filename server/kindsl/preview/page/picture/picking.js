@@ -12,7 +12,7 @@ const CLICK_TOLERANCE = 4; // pixels that the mouse may move in a click
 export class Picking {
   /**
    * Where the mouse was pressed.
-   * @type {readonly number[] | null}
+   * @type {MouseEvent | null}
    */
   pressed = null;
 
@@ -26,7 +26,7 @@ export class Picking {
     this.actions = actions;
     this.canvas.addEventListener("pointermove", (event) => this.hover(event));
     this.canvas.addEventListener("pointerleave", () => this.show(null));
-    this.canvas.addEventListener("pointerdown", (event) => { this.pressed = [event.clientX, event.clientY]; });
+    this.canvas.addEventListener("pointerdown", (event) => { this.pressed = event; });
     // The viewer's controls capture the pointer, so its release comes to the pane.
     pane.addEventListener("pointerup", (event) => this.release(event));
   }
@@ -56,10 +56,9 @@ export class Picking {
 
   /** @param {PointerEvent} event */
   release(event) {
-    const [x, y] = this.pressed || [NaN, NaN];
+    const isHere = this.pressed && isClick(this.pressed, event);
     this.pressed = null;
-    const isClick = Math.hypot(event.clientX - x, event.clientY - y) <= CLICK_TOLERANCE;
-    if (!isClick || event.button !== 0) return;
+    if (!isHere) return;
     const found = this.at(event);
     if (found) this.actions.reveal({ kind: found.kind, name: found.name });
     else this.actions.clear();
@@ -100,3 +99,11 @@ export class Picking {
     return this.scene.bodies.hits(fromThree(origin), fromThree(direction));
   }
 }
+
+/**
+ * Whether a press and its release are a click of the first button.
+ * @param {MouseEvent} press
+ * @param {MouseEvent} release
+ */
+export const isClick = (press, release) =>
+  release.button === 0 && Math.hypot(release.clientX - press.clientX, release.clientY - press.clientY) <= CLICK_TOLERANCE;
