@@ -47,6 +47,12 @@ async def test_the_panel_is_usable_at_any_width(browser, server, width):
         await page.locator("#panel").wait_for()
 
 
+async def test_the_address_tells_the_theme_before_there_is_a_robot(browser, server):
+    await server.show("robot", analyse(""), ())
+    async with opened(browser, f"{server.url('robot')}#theme=dark") as page:
+        await until(page, IS_DARK)
+
+
 async def axe_findings(page):
     found = await page.evaluate("axe.run(document)")
     return [(one["id"], [n["html"][:120] for n in one["nodes"]]) for one in found["violations"]]

@@ -74,16 +74,23 @@ export class Address {
     return `#${told}`;
   }
 
+  // Take what the address tells of the page itself, before there is a robot.
+  restorePage() {
+    const told = Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
+    const { bars, units, actions } = this.parts;
+    if (told.theme) actions.chooseTheme(told.theme);
+    if (told.angle) units.choose(told.angle);
+    (told.panel || "").split(",").forEach((value, i) => { if (value) bars[i]?.set(Number(value)); });
+  }
+
   // Take what the address tells; whatever it does not say or the robot has not stays as it is.
   restore() {
     const told = Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
-    const { bars, scene, presets, camera, selection, units, actions } = this.parts, { links, joints } = scene.trees.robot;
+    const { scene, presets, camera, selection, actions } = this.parts, { links, joints } = scene.trees.robot;
     this.isRestored = true;
-    if (told.theme) actions.chooseTheme(told.theme);
-    if (told.angle) units.choose(told.angle);
+    this.restorePage();
     if (told.meshes) this.parts.meshes.restore(told.meshes);
     if (told.compare) this.parts.compare.restore(told.compare);
-    (told.panel || "").split(",").forEach((value, i) => { if (value) bars[i]?.set(Number(value)); });
     if (told.preset) presets.choose(told.preset);
     for (const [key, opacity] of pairs(told.show)) presets.set(key, opacity > 0, opacity || presets.usual(key).opacity);
     actions.setPose(new Map(pairs(told.q).filter(([name]) => joints.has(name))));

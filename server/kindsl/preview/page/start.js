@@ -266,6 +266,7 @@ page.selection.onChange(() => {
 
 const hash = new URLSearchParams(location.hash.slice(1));
 document.body.classList.toggle("picture", hash.has("picture"));
+page.address.restorePage();
 const onFrame = (/** @type {Uint8Array} */ frame) => viewer.handle_command_bytearray(frame);
 /** @returns {Request} */
 const greeting = () => ({ type: "hello", joints: Object.fromEntries(scene.q), parameters: page.inbox.typedValues() });
