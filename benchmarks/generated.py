@@ -1,6 +1,6 @@
 """What generated and compiled code costs, as ratios against others in the same process.
 
-    python benchmarks/generated.py [--robot arm|quadruped] [--robcogen FOLDER]
+    python benchmarks/generated.py [--robot arm|quadruped]
 
 Times are microseconds of the processor for one configuration. All contestants of a robot take
 turns, some dozens of short rounds each, so that a busy machine is as busy for one as for another;
@@ -11,17 +11,11 @@ Against pinocchio from Python: single calls as they are made; derivatives less a
 both sides one that takes and gives the same but for a robot of one joint; also ours in C alone, one
 of a hundred in one call, against pinocchio's less that of a trivial call without arguments; batches
 of 10,000 on one thread against a loop of calls.
-
-Against RobCoGen's own C++ for HyQ, if FOLDER has its generated headers (the folder above
-`testhyq/generated` with the shims that they include; Eigen's headers are found beside Python's
-packages or in /usr/include): both sides are compiled into one program, and results escape.
 """
 
 import argparse
 import statistics
-import subprocess
 import sys
-import tempfile
 import time
 from collections.abc import Callable, Mapping
 from functools import partial
@@ -36,12 +30,8 @@ import pinocchio as pin
 from benchmarks.dynamics_models import arm, pendulum, quadruped
 from tests.dynamics.pinocchio_model import PinocchioModel
 
-from kindsl.analysis.analysis import analyse
-from kindsl.codegen.generating import Source, generate
-from kindsl.codegen.library import Options
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.evaluation.compiled import CompiledMechanics
-from kindsl.dynamics.generation.functions import QUANTITIES
 from kindsl.spatial.arrays import Array
 
 ROUNDS = 41
@@ -55,13 +45,10 @@ Call = Callable[[], object]
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=_Raw)
     parser.add_argument("--robot", choices=ROBOTS, help="only this one")
-    parser.add_argument("--robcogen", metavar="FOLDER", type=Path)
     args = parser.parse_args()
     for name, bodies in ROBOTS.items():
         if args.robot in (None, name):
             against_pinocchio(name, bodies())
-    if args.robcogen is not None:
-        against_robcogen(args.robcogen)
 
 
 class _Raw(argparse.RawDescriptionHelpFormatter):
@@ -171,39 +158,6 @@ def calls_of(bodies: Bodies) -> Calls:
         },
         partial(pin.computeKineticEnergy, model, data),
     )  # fmt: skip
-
-
-def against_robcogen(folder: Path) -> None:
-    """Print a row for each quantity of HyQ, both sides in one program."""
-    document = folder / "testhyq" / "description" / "test_hyq.kindsl"
-    analysis = analyse(document.read_text(encoding="utf-8"))
-    options = Options("c", tuple(QUANTITIES)[:12], "double", False, "unbound", "hyq")
-    _, files = generate(Source(document.name, analysis, {}), options)
-    here = Path(__file__).resolve().parent
-    with tempfile.TemporaryDirectory() as temporary:
-        place = Path(temporary)
-        for name, text in files.items():
-            (place / name).write_text(text, encoding="utf-8")
-        sources = [str(p) for p in place.glob("hyq_*.c") if p.name != "hyq_test.c"]
-        include = [f"-I{folder}", f"-I{folder / 'include'}", f"-I{place}", f"-I{_eigen()}"]
-        theirs = sorted(map(str, (folder / "testhyq" / "generated").glob("*.cpp")))
-        program = here / "generated_robcogen.cpp"
-        for command in (
-            ["gcc", "-std=c11", "-O2", "-c", *sources],
-            ["g++", "-std=c++17", "-O3", *include, str(program), *theirs,
-             *(f"{Path(s).stem}.o" for s in sources), "-o", "contest"],
-        ):  # fmt: skip
-            subprocess.run(command, cwd=place, check=True)
-        done = subprocess.run(["./contest"], cwd=place, check=True, capture_output=True, text=True)
-    for line in done.stdout.splitlines():
-        what, theirs_us, ours_us = line.split("\t")
-        _row("HyQ, RobCoGen", what, [(float(ours_us), float(theirs_us))])
-
-
-def _eigen() -> Path:
-    places = [Path("/usr/include/eigen3")]
-    places += [Path(p) / "cmeel.prefix" / "include" / "eigen3" for p in sys.path if p]
-    return next((p for p in places if p.is_dir()), places[0])
 
 
 def _nothing() -> None:

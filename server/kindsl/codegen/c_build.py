@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from kindsl.codegen.c_text import macro
 from kindsl.codegen.library import Library
 
 
@@ -29,6 +30,10 @@ target_include_directories({p} PUBLIC
   $<INSTALL_INTERFACE:${{CMAKE_INSTALL_INCLUDEDIR}}>)
 if(UNIX)
   target_link_libraries({p} PUBLIC m)
+endif()
+option({macro(library)}_NATIVE "Use all instructions of the processor that compiles" OFF)
+if({macro(library)}_NATIVE)
+  target_compile_options({p} PRIVATE -march=native -ffp-contract=fast)
 endif()
 
 if(BUILD_TESTING)

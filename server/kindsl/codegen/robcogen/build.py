@@ -24,6 +24,12 @@ target_include_directories(iitgen@LOWER@ PUBLIC
   $<BUILD_INTERFACE:${IIT_RBD_ROOT}>
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_link_libraries(iitgen@LOWER@ PUBLIC Eigen3::Eigen)
+option(@UPPER@_NATIVE "Use all instructions of the processor that compiles" OFF)
+if(@UPPER@_NATIVE)
+  # Public, for Eigen aligns by what a program is compiled for; C++17 aligns in containers too.
+  target_compile_features(iitgen@LOWER@ PUBLIC cxx_std_17)
+  target_compile_options(iitgen@LOWER@ PUBLIC -march=native -ffp-contract=fast)
+endif()
 
 install(FILES
   @HEADERS@
@@ -48,6 +54,7 @@ def build(robot: GeneratedRobot, files: Iterable[str], has_runtime: bool) -> dic
         GENERATOR=robot.library.stamp.generator,
         DOCUMENT=robot.library.stamp.document,
         LOWER=robot.space.lower(),
+        UPPER=robot.space.upper(),
         VERSION=robot.library.version,
         RUNTIME="${CMAKE_CURRENT_SOURCE_DIR}" if has_runtime else "",
         SOURCE=" ".join(name for name in named if name.endswith(".cpp")),
