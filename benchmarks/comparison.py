@@ -10,12 +10,13 @@ import statistics
 import sys
 import time
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from tests.comparison.trials import (
+    Trial,
     described_text,
     described_urdf,
     equal_trial,
@@ -26,6 +27,7 @@ from tests.comparison.variants import links_of, urdf_of, variant
 
 from kindsl.analysis.analysis import analyse
 from kindsl.comparison.mechanical import compared_mechanics
+from kindsl.comparison.written import INERTIA, POSE
 
 QUADRUPED = Path(__file__).resolve().parents[1] / "examples" / "quadruped.kindsl"
 _ROUNDS = 15
@@ -38,10 +40,16 @@ def main() -> None:
     number = parser.parse_args().number
     equal = Counter(equal_trial(random_document(s), s).is_equal for s in range(number))
     print(f"conventions only: equal in {equal[True]} of {number}")
-    off = Counter(off_trial(random_document(s), s).result for s in range(number))
-    told = ", ".join(f"{result} {count}" for result, count in off.most_common())
-    print(f"one number off by 1 %: {told}, of {number}")
+    trials = [off_trial(random_document(s), s) for s in range(number)]
+    print(f"one number off by 1 %: {_told(trials)}, of {number}")
+    for quantity in (*INERTIA, *POSE):
+        print(f"  {quantity:5}  {_told([t for t in trials if t.expected[1] == quantity])}")
     print_times()
+
+
+def _told(trials: Sequence[Trial]) -> str:
+    counts = Counter(trial.result for trial in trials)
+    return ", ".join(f"{result} {count}" for result, count in counts.most_common())
 
 
 def print_times() -> None:

@@ -32,7 +32,14 @@ def test_a_number_off_is_named_unless_no_motion_can_tell() -> None:
     results = Counter(off_trial(random_document(seed), seed).result for seed in range(N_TRIALS))
     assert results["missed"] == 0
     assert results["right"] >= 0.6 * N_TRIALS
-    assert results["other number"] <= 0.04 * N_TRIALS
+    assert results["other number"] <= 0.01 * N_TRIALS
+    assert results["as good"] <= 0.02 * N_TRIALS
+
+
+@pytest.mark.parametrize("seed", [60, 92, 119, 186, 268, 350, 370, 373, 423, 429])
+def test_the_number_is_named_though_it_moves_what_frames_are_found_by(seed: int) -> None:
+    """Seeds where axes, principal axes or a gimbal lock once led to another number."""
+    assert off_trial(random_document(seed), seed).result == "right"
 
 
 def test_equal_numbers_agree_in_inertia_matrix_and_bias_forces() -> None:

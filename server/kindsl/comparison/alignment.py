@@ -87,14 +87,17 @@ def base_frames(ours: Skeleton, theirs: Skeleton) -> list[RigidPose]:
 
 def likely_base_frames(
     ours: Skeleton, theirs: Skeleton, matching: MatchedJoints
-) -> list[RigidPose]:
-    """Return where the other's base may be in ours, the best first; our own is one of them."""
+) -> Iterator[RigidPose]:
+    """Yield where the other's base may be in ours, the best first; our own is one of them."""
     root = _root_pair(ours, theirs, matching, _size(ours))
-    options = [IDENTITY, *_candidates(root.ours, root.theirs)]
-    best = sorted(options, key=lambda each: -_agreement(root, each))
-    others = _unlike_each_other(best[:_MOST_ROOTS], (IDENTITY,))
     is_likely = _agreement(root, IDENTITY) >= _LIKELY * _agreement(root, IDENTITY, root.ours)
-    return [IDENTITY, *others] if is_likely else [*others, IDENTITY]
+    if is_likely:
+        yield IDENTITY
+    options = _candidates(root.ours, root.theirs)
+    best = sorted(options, key=lambda each: -_agreement(root, each))
+    yield from _unlike_each_other(best, (IDENTITY,), _MOST_ROOTS)
+    if not is_likely:
+        yield IDENTITY
 
 
 def aligned(
@@ -130,11 +133,15 @@ def _size(skeleton: Skeleton) -> float:
     return max(dist(pose.translation, _ORIGIN) for pose in skeleton.zero_poses()) or 1.0
 
 
-def _unlike_each_other(frames: Iterable[RigidPose], known: Sequence[RigidPose]) -> list[RigidPose]:
+def _unlike_each_other(
+    frames: Iterable[RigidPose], known: Sequence[RigidPose], most: int
+) -> list[RigidPose]:
     kept: list[RigidPose] = []
     for frame in frames:
         if all(dist(frame.numbers, other.numbers) > _SAME for other in (*known, *kept)):
             kept.append(frame)
+            if len(kept) == most:
+                break
     return kept
 
 
@@ -217,7 +224,7 @@ def _options(pair: _BodyPair, D: RigidPose, slides: bool) -> list[RigidPose]:
             return [frame]
         found.append((score, frame))
     found.sort(key=lambda each: -each[0])
-    return _unlike_each_other([frame for _, frame in found], ())[:_MOST_OPTIONS]
+    return _unlike_each_other([frame for _, frame in found], (), _MOST_OPTIONS)
 
 
 def _n_apart(pair: _BodyPair, frame: RigidPose) -> int:

@@ -57,7 +57,7 @@ def frames_of(features: Features) -> Iterator[RigidPose | None]:
     """
     lines, mass, points = features
     for index, line in enumerate(lines):
-        yield _frame_of_line_and_point(line, mass)
+        yield _frame_of_line_and_point(line, mass.com) if mass.mass else None
         for other in lines[index + 1 :]:
             yield _frame_of_lines(line, other)
     yield _frame_of_mass(mass)
@@ -67,9 +67,14 @@ def frames_of(features: Features) -> Iterator[RigidPose | None]:
         yield _frame(mass.com, line.direction, other.direction) if mass.mass else None
         for point in points:
             yield _frame(point, line.direction, other.direction)
+    for line, point in zip(lines, points, strict=False):
+        yield _frame_of_line_and_point(line, point)
     for line in lines:
         for point, second in pairwise(points):
             yield _frame(point, line.direction, minus(second, point))
+        for point in points if mass.mass else ():
+            yield _frame(mass.com, line.direction, minus(point, mass.com))
+            yield _frame(point, _principal_axis(mass), line.direction)
 
 
 def seen_features(features: Features, pose: RigidPose) -> Features:
@@ -78,11 +83,11 @@ def seen_features(features: Features, pose: RigidPose) -> Features:
     return Features(lines, seen_from(features.mass, pose), tuple(map(pose.point, features.points)))
 
 
-def _frame_of_line_and_point(line: AxisLine, mass: MassDistribution) -> RigidPose | None:
-    if line.is_free or not mass.mass:
+def _frame_of_line_and_point(line: AxisLine, point: Vector3) -> RigidPose | None:
+    if line.is_free:
         return None
-    foot = nearest_on(line, mass.com)
-    return _frame(foot, line.direction, minus(mass.com, foot))
+    foot = nearest_on(line, point)
+    return _frame(foot, line.direction, minus(point, foot))
 
 
 def _frame_of_lines(line: AxisLine, other: AxisLine) -> RigidPose | None:

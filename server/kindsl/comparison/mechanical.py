@@ -16,7 +16,7 @@ from kindsl.comparison.number_differences import (
 )
 from kindsl.comparison.written import Described, written_frame
 from kindsl.mechanism.skeleton import Skeleton
-from kindsl.rigid.pose import IDENTITY, RigidPose
+from kindsl.rigid.pose import RigidPose
 from kindsl.text.phrases import counted
 
 # Of gravity beside ours, radians: as much as the digits of an angle allow.
@@ -72,7 +72,7 @@ def compared_mechanics(
     tried: list[MechanicalComparison] = []
     for root in likely_base_frames(one, other, matching):
         tried.append(_under(ours, theirs, matching, bounds, root))
-        if _n_differences(tried[-1]) <= (_FEW if root == IDENTITY else 0):
+        if _n_differences(tried[-1]) <= _FEW:
             break
     return min(tried, key=_n_differences)
 

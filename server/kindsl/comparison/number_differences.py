@@ -8,11 +8,13 @@ from kindsl.comparison.alignment import Alignment, moved_by
 from kindsl.comparison.written import (
     INERTIA,
     POSE,
+    TURNS,
     Described,
     Numbers,
     WrittenInertia,
     WrittenNumber,
     WrittenPose,
+    is_round_angle,
     less,
     no_inertia,
 )
@@ -286,9 +288,17 @@ def _shorter(kind: str, ours: _WantedNumbers, theirs: _WantedNumbers) -> list[Nu
     """Return the differences as numbers of the file that has fewer to change, ours if equal."""
     if not theirs.unlike:
         return []
-    if len(ours.unlike) <= len(theirs.unlike):
+    if (len(ours.unlike), _n_round(ours, theirs)) <= (len(theirs.unlike), _n_round(theirs, ours)):
         return [_difference(kind, ours, theirs.form, k, theirs) for k in ours.unlike]
     return [_reversed(_difference(kind, theirs, ours.form, k, ours)) for k in theirs.unlike]
+
+
+def _n_round(wanted: _WantedNumbers, others: _WantedNumbers) -> int:
+    """Return how many round angles would change, where the other file would change others."""
+    form, unlike = wanted.form, wanted.unlike
+    if isinstance(form, WrittenInertia) or unlike == others.unlike:
+        return 0
+    return sum(is_round_angle(form.values[k]) for k in unlike if POSE[k] in TURNS)
 
 
 def _difference(

@@ -26,7 +26,8 @@ from kindsl.semantics.places import Located
 from kindsl.syntax.vocabulary import MOMENTS
 
 INERTIA = ("mass", "CoM x", "CoM y", "CoM z", *MOMENTS)
-POSE = ("x", "y", "z", "rx", "ry", "rz")
+TURNS = ("rx", "ry", "rz")
+POSE = ("x", "y", "z", *TURNS)
 _ORIGIN = (0.0, 0.0, 0.0)
 _GIMBAL = 1e-9
 # No number is taken to be less exact than this, however few its digits, nor more exact than a
@@ -206,10 +207,19 @@ def _with_meant_angles(joint: WrittenPose) -> WrittenPose:
 
 def _meant_angle(value: float, number: WrittenNumber | None) -> float:
     """Return the fraction of a turn that an angle is within its digits, else the angle."""
-    step = 2.0 * pi / _FRACTIONS_OF_TURN
-    fraction = round(value / step) * step + 0.0
     slack = max(_FLOAT, number.slack if number is not None else 0.0)
+    fraction = _round_angle(value)
     return fraction if abs(value - fraction) <= slack else value
+
+
+def is_round_angle(value: float) -> bool:
+    """Return whether an angle is a fraction of a turn, as it is when nobody changed it."""
+    return abs(value - _round_angle(value)) <= _FLOAT
+
+
+def _round_angle(value: float) -> float:
+    step = 2.0 * pi / _FRACTIONS_OF_TURN
+    return round(value / step) * step + 0.0
 
 
 def written_frame(name: str, pose: RigidPose) -> WrittenPose:
@@ -259,11 +269,10 @@ def _nearest_turns(rotation: Rotation, written: Vector3) -> Vector3:
 
 
 def _otherness(option: Sequence[float], written: Sequence[float]) -> tuple[int, int, float]:
-    """Return how many angles are others, how many of these are odd, and by how much they are."""
+    """Return how many angles are others, how many of these were round, and by how much they are."""
     apart = [abs(a - b) for a, b in zip(option, written, strict=True)]
-    others = [a for a, gap in zip(option, apart, strict=True) if gap > _CAP]
-    odd = [a for a in others if _meant_angle(a, None) == a]
-    return len(others), len(odd), sum(apart)
+    others = [b for b, gap in zip(written, apart, strict=True) if gap > _CAP]
+    return len(others), sum(map(is_round_angle, others)), sum(apart)
 
 
 def _negated(vector: Vector3) -> Vector3:
