@@ -37,6 +37,9 @@ EDITS = st.lists(
 @example("")
 @example("/*")
 @example("link")
+@example(
+    "link l { frames { f { rotation = ((1.0 + 90000000000.0)*PI, 0.0, 90000000000.0 deg) } } }"
+)
 @example("Robot Q { RobotBase b { children { } } link /* l { id = 1")
 def test_any_text_is_read_without_loss(text: str) -> None:
     document = parse(text)

@@ -143,7 +143,7 @@ def _part_of_pi(value: float) -> str | None:
     divisor = math.pi / abs(value) if value else math.inf
     text = f"{divisor:.6f}".rstrip("0")
     text += "0" if text.endswith(".") else ""
-    if divisor > _MOST_PARTS or math.pi / float(text or 1) != abs(value):
+    if divisor > _MOST_PARTS or not float(text) or math.pi / float(text) != abs(value):
         return None
     return f"{'-' if value < 0 else ''}PI" + ("" if divisor == 1 else f"/{text}")
 
