@@ -221,6 +221,12 @@ def test_refusals(thing, name, value, reason):
     assert set_component(analysis, thing, name, value) == Refusal(reason)
 
 
+def test_a_step_is_no_divisor_that_makes_a_value_infinite():
+    analysis = analyse(JOINT.format(x="0.1", rx="0.0"))
+    refused = set_component(analysis, Thing("joint", "j"), "x", 1e308, 1e-300)
+    assert refused == Refusal("a component takes a finite number")
+
+
 def test_broken_numbers_are_locked():
     analysis = analyse(JOINT.format(x="0.1.2", rx=f"{pi:.15f}"))
     assert isinstance(set_component(analysis, Thing("joint", "j"), "x", 0.5), Refusal)

@@ -53,7 +53,8 @@ def set_component(
         step: The value becomes a multiple of this; None for any value.
         typed: Values of parameters that the preview shows instead of the document's.
     """
-    if not isfinite(value) or (step is not None and not (isfinite(step) and step > 0.0)):
+    is_step = step is None or (isfinite(step) and step > 0.0)
+    if not isfinite(value) or not is_step or not isfinite(value / (step or 1.0)):
         return Refusal("a component takes a finite number")
     expression = component(analysis, thing, name)
     if isinstance(expression, Missing):
