@@ -139,3 +139,11 @@ def test_comments_of_the_elements_stay_as_comments(place):
 def test_comments_of_an_inertial_stay():
     text = INERTIAL.format(yaw="0").replace("<mass", "<!-- weighed --><mass")
     assert "// weighed\n" in taken_over(pasted(text, "in a link")).text
+
+
+def test_a_link_within_its_own_inertia_is_not_taken_over() -> None:
+    inside = f"mass = </inertial>\n{HAND.replace('hand', 'upper')}"
+    text = ARM.replace("mass =", inside, 1)
+    assert ("link 'upper' of URDF cannot be taken over: it stands within what it would change") in [
+        finding.message for finding in analyse(text).findings
+    ]

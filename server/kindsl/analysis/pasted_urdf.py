@@ -14,7 +14,7 @@ from kindsl.rules.base import Finding, Fix, Replacement
 from kindsl.rules.inertia_writing import body_around, inertia_changes, new_inertia, without_lines
 from kindsl.semantics.declarations import Joint, Link
 from kindsl.semantics.model import Model
-from kindsl.semantics.places import Place
+from kindsl.semantics.places import Located, Place
 from kindsl.syntax.indentation import indentation
 from kindsl.text.phrases import listed
 
@@ -68,8 +68,15 @@ def _changes(model: Model, fragment: Fragment, at: Place) -> tuple[Replacement, 
     changes += _edges(model, fragment)
     last = [model.bodies[-1], model.joints[-1] if model.joints else model.bodies[-1]]
     texts = [list(_links(model, fragment, new)), list(_joints(fragment))]
+    if any(_overlaps(change.at, at) for change in changes[1:]):
+        raise _NotTakenError("it stands within what it would change")
     changes += _behind(last, texts)
     return tuple(changes)
+
+
+def _overlaps(one: Located, other: Place) -> bool:
+    is_near = one.start < other.end and other.start < one.end
+    return one.island is other.island and is_near
 
 
 def _with_comments(changes: tuple[Replacement, ...], at: Place) -> tuple[Replacement, ...]:
