@@ -14,6 +14,7 @@ from tests.support.urdf_mutants import mutant
 
 from kindsl.interchange.format import FormatError, ReadRobot
 from kindsl.interchange.kindsl_writing import kindsl_text, written_kindsl
+from kindsl.interchange.mjcf.mjcf_reading import read_mjcf
 from kindsl.interchange.registry import format_named
 from kindsl.semantics.parameters import JointProperties
 
@@ -171,3 +172,10 @@ def test_names_that_collide_are_told(tmp_path: Path) -> None:
     told = written_kindsl(found).remarks
     assert any("joint 'lower' is now 'lower_joint'" in sentence for sentence in told)
     assert any("frame 'tool' is now 'tool_frame'" in sentence for sentence in told)
+
+
+def test_a_name_that_is_not_utf_8_is_refused(tmp_path: Path) -> None:
+    file = tmp_path / "arm.xml"
+    file.write_bytes(ARM.encode().replace(b'"lower"', b'"l\xf6wer"'))
+    with pytest.raises(FormatError, match="a name in it is not UTF-8"):
+        read_mjcf(file)

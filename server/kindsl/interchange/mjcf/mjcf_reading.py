@@ -42,7 +42,13 @@ def read_mjcf(path: Path, *, floating: bool = False) -> ReadRobot:
         OSError: The file cannot be read.
         ModuleNotFoundError: mujoco is not installed.
     """
-    spec = spec_of_file(path)
+    try:
+        return _read(spec_of_file(path), path.stem, floating)
+    except UnicodeDecodeError as error:
+        raise FormatError("not a readable MJCF: a name in it is not UTF-8") from error
+
+
+def _read(spec: Any, name: str, floating: bool) -> ReadRobot:
     lost = tuple(losses(spec))
     strip(spec)
     model = compiled(spec)
@@ -60,7 +66,7 @@ def read_mjcf(path: Path, *, floating: bool = False) -> ReadRobot:
         *_joint_remarks(model),
         *fixed_remarks(links, "body"),
     )
-    robot = described(spec.modelname or path.stem, base, links)
+    robot = described(spec.modelname or name, base, links)
     return ReadRobot(robot, (*lost, *told), _joint_properties(model))
 
 
