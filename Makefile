@@ -91,13 +91,13 @@ bench: $(STAMP)
 	for file in $(filter-out benchmarks/soak.py benchmarks/mutation.py,$(wildcard benchmarks/*.py)); do \
 		$(BIN)/python $$file || exit 1; done
 
-# Coverage-guided, each target for a while: SECONDS_EACH=3600 make fuzz.
-SECONDS_EACH ?= 600
+# Coverage-guided, so many inputs for each target: RUNS_EACH=1000000 make fuzz.
+RUNS_EACH ?= 20000
 .PHONY: fuzz
 fuzz: $(STAMP)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check 'atheris>=2.3'
-	for target in configuration document page urdf wire; do \
-		$(BIN)/python -m tests.fuzz.run --target $$target --seconds $(SECONDS_EACH) || exit 1; done
+	for target in $(basename $(notdir $(wildcard tests/fuzz/targets/*.py))); do \
+		$(BIN)/python -m tests.fuzz.run --target $$target --runs $(RUNS_EACH) || exit 1; done
 
 # New random documents against RobCoGen2's own reader: N=20000 SEED=7 make differential.
 N ?= 5000

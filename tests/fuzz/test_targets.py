@@ -6,8 +6,9 @@ from pathlib import Path
 import pytest
 from tests.fuzz.changing import changed
 from tests.fuzz.inputs import TARGETS, corpus, words
+from tests.support.amount import usually
 
-CHANGES, BLOCKS = 25, 2
+CHANGES, BLOCKS = 25, usually(2, 40)
 FILES = [(target, path) for target in TARGETS for path in corpus(target)]
 
 
