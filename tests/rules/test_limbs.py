@@ -164,6 +164,29 @@ def test_a_copied_inertia_is_that_of_its_twins_instead() -> None:
     assert told("KD509", apply_edits(text, finding.fix.edits)) == []
 
 
+def test_moments_shifted_twice_are_told_as_such() -> None:
+    twice = section(2.0, "0.02, 0.01, 0.05", 0.0352, 0.0368, 0.033)
+    twice = twice.replace("Ixy=0.0", "Ixy=0.0004").replace("Ixz=0.0", "Ixz=0.002")
+    text = legs_with(RH=twice.replace("Iyz=0.0", "Iyz=0.001"))
+    (finding,) = found("KD509", text)
+    assert finding.message == (
+        "moments of 'RH_hip' differ from its twins: they would be theirs if "
+        "the moments were shifted to the frame origin once, not twice"
+    )
+    assert finding.fix is not None
+    assert apply_edits(text, finding.fix.edits) == legs_with()
+
+
+def test_signs_alone_may_also_be_those_of_a_turned_frame() -> None:
+    hip = HIP.replace("Ixz=0.0", "Ixz=0.002")
+    turned = hip.replace("0.02, 0.01", "-0.02, -0.01").replace("Ixz=0.002", "Ixz=-0.002")
+    (finding,) = found("KD509", legs_with(LF=hip, RF=hip, LH=hip, RH=turned))
+    assert finding.message == (
+        "signs of inertia of 'RH_hip' differ from its twins, unless rotation of 'RH_HAA' is wrong"
+    )
+    assert finding.fix is None
+
+
 def test_a_com_behind_its_joint_is_told_once() -> None:
     """It is not what its twins have, either, which KD509 leaves to KD511."""
     text = four_legs()

@@ -6,7 +6,7 @@ from math import inf
 from operator import sub
 from typing import NamedTuple
 
-from kindsl.limbs.comparison import LOOSE, LimbComparison, Reading
+from kindsl.limbs.comparison import LOOSE, LimbComparison, Reading, Tolerance
 from kindsl.limbs.limb import Body
 from kindsl.limbs.slips import angles_near, n_retyped
 from kindsl.rigid.body import MassDistribution
@@ -137,15 +137,17 @@ class WeighedComparison:
         )
 
 
-def differing(here: MassDistribution, there: MassDistribution) -> list[str]:
+def differing(
+    here: MassDistribution, there: MassDistribution, within: Tolerance = LOOSE
+) -> list[str]:
     """Return `mass`, `com` and `moments` where two bodies in one frame differ."""
     if here == there:
         return []
-    found = [] if abs(there.mass - here.mass) <= LOOSE.share * abs(here.mass) else ["mass"]
-    if not LOOSE.is_same(there.com, here.com):
+    found = [] if abs(there.mass - here.mass) <= within.share * abs(here.mass) else ["mass"]
+    if not within.is_same(there.com, here.com):
         found.append("com")
     if here.moments != there.moments:
-        allowed = max(1e-7, LOOSE.share * max(map(abs, here.moments)))
+        allowed = max(1e-7, within.share * max(map(abs, here.moments)))
         if max(map(abs, map(sub, here.moments, there.moments))) > allowed:
             found.append("moments")
     return found

@@ -19,6 +19,7 @@ def written(
     meant: Sequence[Sequence[float]],
     assignments: Sequence[Mapping[str, float]],
     kinds: Sequence[slice] = (),
+    share: float = LOOSE.share,
 ) -> tuple[str, ...] | None:
     """Return numbers as they should be written, None where that takes a new formula.
 
@@ -28,6 +29,7 @@ def written(
         meant: The values at each assignment.
         assignments: Of the parameters.
         kinds: Those of a kind, where the author's own may differ a little to be kept.
+        share: How much, of the greatest number of its kind.
     """
     texts = []
     for index, expression in enumerate(own):
@@ -35,7 +37,7 @@ def written(
         words = [e for twin in twins for e in twin[kind]]
         wanted = [numbers[index] for numbers in meant]
         size = max(abs(x) for numbers in meant for x in numbers[kind])
-        little = LOOSE.share * size if kinds else _SAME
+        little = max(share, _SAME) * size if kinds else _SAME
         said = _said(expression, words, wanted, assignments, little, _SAME * (size if kinds else 1))
         if said is None:
             return None

@@ -1,9 +1,10 @@
 """What twins are called, and which of their differences and signs are told (KD312)."""
 
 import pytest
-from tests.support.one_rule import MOMENTS, row, section, told
+from tests.support.one_rule import MOMENTS, found, row, section, told
 
 from kindsl.limbs.names import mirrored_name, other_side, part_name
+from kindsl.rigid.body import MassDistribution, shifted
 
 
 @pytest.mark.parametrize(
@@ -102,6 +103,32 @@ def test_signs_are_those_of_a_turn_or_reflection(
     right: tuple[str, ...], messages: list[str]
 ) -> None:
     assert told("KD312", pair(LEFT, right)) == messages
+
+
+def shifted_by(times: float, side: float) -> tuple[str, ...]:
+    moments = (0.5, 0.45, 0.3, side * 0.04, 0.06, side * 0.12)
+    body = MassDistribution(2.0, (0.1, side * 0.2, 0.3), moments)
+    body = shifted(body, times) if times else body
+    return tuple(f"{number:.9f}" for number in (body.mass, *body.com, *body.moments))
+
+
+def test_a_slip_in_many_numbers_is_told_with_its_rivals() -> None:
+    """What was shifted twice is the same as the other side's moments about the CoM."""
+    for left, right in ((0.0, 1.0), (1.0, 0.0)):
+        (finding,) = found("KD312", pair(shifted_by(left, 1.0), shifted_by(right, -1.0)))
+        told_of = {finding.message, *(each.message for each in finding.related)}
+        assert any("shifted to the frame origin once, not twice" in each for each in told_of)
+        assert any("taken about the CoM rather than the frame" in each for each in told_of)
+
+
+def test_moments_of_another_part_are_told() -> None:
+    copied = (*MIRRORED[:4], "2.345", "2.456", "3.567", "0.04", "0.06", "0.12")
+    hand = section("0.9", "0.0, 0.1, 0.2", *copied[4:])
+    sides = [section(n[0], ", ".join(n[1:4]), *n[4:]) for n in (LEFT, copied)]
+    assert told("KD312", row(*sides, hand, names="left_arm right_arm hand")) == [
+        "'right_arm' is not the mirror image of 'left_arm': its moments are those of 'hand', "
+        "which is another part"
+    ]
 
 
 @pytest.mark.parametrize("place", range(10))

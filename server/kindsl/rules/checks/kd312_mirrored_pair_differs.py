@@ -9,10 +9,11 @@ signs that are not those of any turn or reflection of the axes.
 Such parts are copied and then edited by hand. One number that was changed on one side only, or one
 sign that was forgotten, makes the robot drift to that side.
 
-A pair in which many numbers differ was measured part by part and is not reported, nor are
-differences below 5 % of the greatest number of their kind. Impossible inertias are left to KD301
-and KD302, a centre of mass behind its joint to KD511, and where more limbs than two are alike and
-one differs, that is left to KD509.
+Where many numbers differ, and one slip explains that, such as moments shifted twice or those of
+another part, the slip is told. Else the two were measured part by part and are not reported, nor
+are differences below 5 % of the greatest number of their kind. Impossible inertias are left to
+KD301 and KD302, a centre of mass behind its joint to KD511, and where more limbs than two are alike
+and one differs, that is left to KD509.
 
 ## Example
 ```kindsl
@@ -21,8 +22,14 @@ link right_arm { id = 2 inertia_params { mass = 1.42 ... } children {} }
 ```
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
+from typing import TYPE_CHECKING
 
+from kindsl.limbs.comparison import Tolerance
+from kindsl.limbs.mounts import REFLECTIONS
+from kindsl.limbs.weighing import differing, seen_by
+from kindsl.mechanism.link_inertia import link_inertia
 from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
@@ -35,23 +42,83 @@ from kindsl.rules.limb_verdicts import limb_slips
 from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model, model_part
+from kindsl.semantics.unknown import Unknown
 from kindsl.syntax.document import Chunk
-from kindsl.text.facts import kept
+from kindsl.text.facts import Fact, kept
+
+if TYPE_CHECKING:
+    from kindsl.rules.inertia.slips import Hypothesis
+
+_NEARLY = Tolerance(5e-4, 0.05, 0.05)
+# How the two are no mirror images: the numbers that differ, or the slip of either.
+_Slips = list["Hypothesis"]
+_Unlike = tuple[str, tuple[_Slips, ...]]
+_UNLIKE = Fact[tuple[object, _Unlike]]("unlike twins")
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
-    """Yield a finding for each pair of parts that is nearly the same."""
+    """Yield a finding for each pair of parts of which one has a slip."""
     verdicts = limb_slips(model, context).verdicts
     outvoted = {p.link for v in verdicts if v.is_convicted for p in v.places if p.what in OF_A_LINK}
     for left, name in (pair for chunk in model.document.chunks for pair in _twins(chunk)):
         right = model.body_named.get(name)
         if right is None or left.inertia is None or right.inertia is None:
             continue
-        message = mirror_difference(left, right)
-        pair = (left, right)
-        if message and not any(is_told_of(b, model, context) or b.name in outvoted for b in pair):
-            related = Related(keyword(left.inertia), f"inertia of '{left.name}'")
-            yield Finding(keyword(right.inertia), message, (related,))
+        given, compare = (right, context.values), partial(_unlike, left, right, context.values)
+        numbers, slips = left.facts.made_of(_UNLIKE, given, compare)
+        if not (numbers or slips) or any(
+            is_told_of(b, model, context) or b.name in outvoted for b in (left, right)
+        ):
+            continue
+        if numbers:
+            yield _finding(right, left, numbers)
+        else:
+            yield from _explained(model, slips, left, right)
+
+
+def _unlike(left: Link, right: Link, values: Mapping[str, float]) -> _Unlike:
+    numbers = mirror_difference(left, right)
+    here, there = (link_inertia(body, values) for body in (left, right))
+    if numbers or isinstance(here, Unknown) or isinstance(there, Unknown):
+        return numbers, ()
+    if any(not differing(seen_by(here, C), there, _NEARLY) for C in REFLECTIONS):
+        return "", ()
+    # Imported for twins that are unlike only, since it delays the linter's start.
+    from kindsl.rules.inertia.surroundings import images
+    from kindsl.rules.inertia.unlike_twins import slips_of
+
+    return "", (slips_of(here, images(there)), slips_of(there, images(here)))
+
+
+def _explained(model: Model, slips: Sequence[_Slips], *pair: Link) -> Iterator[Finding]:
+    """Yield what explains many numbers that differ: another part's moments, or slips."""
+    from kindsl.rules.inertia.unlike_twins import copied_from, without
+
+    sides = list(zip(pair, pair[::-1], slips, strict=True))
+    copies = [(own, twin, copied_from(model, own, (str(twin.name),))) for own, twin, _ in sides]
+    copied = [(own, twin, why) for own, twin, why in copies if why]
+    likely = sorted((side for side in sides if side[2]), key=lambda side: -side[2][0].weight)
+    if len(copied) == 1:
+        own, twin, why = copied[0]
+        yield _finding(own, twin, f"'{own.name}' is not the mirror image of '{twin.name}': {why}")
+    elif likely:
+        own, twin, found = likely[0]
+        why, *others = without(found, "it would be")
+        rivals = [(own, each) for each in others]
+        rivals += [
+            (o, each) for o, _, s in likely[1:] for each in without(s, f"'{o.name}' would be")
+        ]
+        message = f"'{own.name}' is not the mirror image of '{twin.name}': {why}"
+        yield _finding(own, twin, message, rivals)
+
+
+def _finding(
+    own: Link, twin: Link, message: str, rivals: Sequence[tuple[Link, str]] = ()
+) -> Finding:
+    told = [*((link, f"or {rival}") for link, rival in rivals), (twin, f"inertia of '{twin.name}'")]
+    related = (Related(keyword(b.inertia), each) for b, each in told if b.inertia is not None)
+    assert own.inertia is not None
+    return Finding(keyword(own.inertia), message, tuple(related))
 
 
 @kept

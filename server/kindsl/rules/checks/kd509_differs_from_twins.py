@@ -29,16 +29,16 @@ Writes what the twins have at the place, if it is the only one that explains the
 fix is unsafe: it changes the robot. There is none where the twins' inertias are impossible.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
+from kindsl.limbs.comparison import LOOSE
 from kindsl.limbs.verdicts import LimbVerdict
-from kindsl.limbs.weighing import Suspect
+from kindsl.rigid.body import MassDistribution
 from kindsl.rules.base import Example, Finding, Fix, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import four_legs
 from kindsl.rules.inertia.judgements import TEN, is_impossible
 from kindsl.rules.inertia.shapes import is_told_of
-from kindsl.rules.inertia.surroundings import copies
 from kindsl.rules.limb_places import OF_A_LINK, PARTS, located, numbers_at, place_at, told
 from kindsl.rules.limb_verdicts import limb_slips
 from kindsl.rules.limb_writing import as_numbers, rewriting, written
@@ -65,28 +65,40 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
 
 def _message(model: Model, context: Context, verdict: LimbVerdict) -> tuple[str, Fix | None]:
     place = verdict.places[0]
-    own, texts = numbers_at(model, place), _texts(model, context, verdict)
+    own, texts = numbers_at(model, place), _texts(model, context, verdict, LOOSE.share)
     changed = [i for i, text in enumerate(texts) if text != own[i].text]
     if not changed:
         return f"{' or '.join(map(told, verdict.places))} differs from its twins", None
+    may_be_right = place.what in OF_A_LINK and _are_impossible(model, context, verdict.twins)
+    if place.what == "inertia" and all(
+        x.text.lstrip("-") == y.lstrip("-") for x, y in zip(own, texts, strict=True)
+    ):
+        turned = told(place._replace(what="angles"))
+        return f"signs of {told(place)} differ from its twins, unless {turned} is wrong", None
     name, here, there = told(place), as_numbers(own), as_numbers(texts)
     if place.what in ("moments", "inertia"):
-        if len(changed) > _MOST_NAMED:
-            message = f"{name} differs from its twins{_origin(model, context, place)}"
+        why = _why(model, context, verdict)
+        if why or len(changed) > _MOST_NAMED:
+            texts = _texts(model, context, verdict, 0.0)
             fix = rewriting(f"Set {name} to that of its twins", own, texts)
-            return message, None if _are_impossible(model, context, verdict.twins) else fix
+            verb = "differ" if place.what == "moments" else "differs"
+            return f"{name} {verb} from its twins{why}", None if may_be_right else fix
         names = [TEN[PARTS[place.what]][i] for i in changed]
         name = f"{' and '.join(names)} of '{place.link}'"
         here = " and ".join(own[i].text for i in changed)
         there = " and ".join(texts[i] for i in changed)
-    message = f"{name} is {here}, by its twins {there}"
-    if place.what in OF_A_LINK and _are_impossible(model, context, verdict.twins):
+    message = f"{name} {'are' if ' and ' in here else 'is'} {here}, by its twins {there}"
+    if may_be_right:
         return f"{message}, which are physically impossible", None
     return message, rewriting(f"Set {name} to {there}", own, texts)
 
 
-def _texts(model: Model, context: Context, verdict: LimbVerdict) -> tuple[str, ...]:
-    """Return the numbers of the twins as they should be written, none where that is not known."""
+def _texts(model: Model, context: Context, verdict: LimbVerdict, share: float) -> tuple[str, ...]:
+    """Return the numbers of the twins as they should be written, none where that is not known.
+
+    Inertias are compared loosely, and so the twin's last digits are not those meant: the author's
+    own are kept that differ by no more than a share of the greatest.
+    """
     place = verdict.places[0]
     own = numbers_at(model, place)
     if not own or not verdict.repairs:
@@ -94,18 +106,31 @@ def _texts(model: Model, context: Context, verdict: LimbVerdict) -> tuple[str, .
     places = [place_at(model, twin, place.what) for twin in verdict.twins]
     twins = [numbers for p in places if (numbers := numbers_at(model, p))]
     assignments = limb_slips(model, context).assignments
-    # Inertias are compared loosely, and so the twin's last digits are not those meant.
     kinds = list(PARTS.values())[:3] if place.what == "inertia" else [slice(len(own))]
     kinds = kinds if place.what in OF_A_LINK else []
-    return written(own, twins, verdict.repairs[0].meant, assignments, kinds) or ()
+    return written(own, twins, verdict.repairs[0].meant, assignments, kinds, share) or ()
 
 
-def _origin(model: Model, context: Context, place: Suspect) -> str:
-    """Return of which other part the moments are as well, if of any."""
-    body = model.body_named[place.link]
-    parts = (name for name, what in copies(model, context, body) if what == "moments")
-    name = next(parts, None)
-    return f": its moments are those of '{name}', which is another part" if name else ""
+def _why(model: Model, context: Context, verdict: LimbVerdict) -> str:
+    """Return what was done to the moments of a body, if its twins and other links tell."""
+    # Imported for a misfit only, since it delays the linter's start.
+    from kindsl.rules.inertia.unlike_twins import copied_from, slips_of, without
+
+    place, body = verdict.places[0], model.body_named[verdict.places[0].link]
+    whole = place._replace(what="inertia")
+    ten = [x for e in numbers_at(model, whole) if (x := e.value(context.values)) is not None]
+    said = f"{'they' if place.what == 'moments' else 'it'} would be theirs"
+    why = copied_from(model, body, verdict.twins)
+    if not why and len(ten) == len(TEN):
+        own = _body(ten)
+        ten[PARTS[place.what]] = verdict.repairs[0].meant[0]
+        why = next(iter(without(slips_of(own, [_body(ten)]), said)), "")
+    return why and f": {why}"
+
+
+def _body(ten: Sequence[float]) -> MassDistribution:
+    mass, x, y, z, *moments = ten
+    return MassDistribution(mass, (x, y, z), tuple(moments))  # type: ignore[arg-type]
 
 
 def _are_impossible(model: Model, context: Context, twins: tuple[str, ...]) -> bool:

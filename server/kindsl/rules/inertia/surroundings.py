@@ -148,7 +148,12 @@ def is_mirror_image(one: MassDistribution, other: MassDistribution) -> bool:
     """Return whether axes turned round by some signs, or none, make one body the other."""
     if not is_same_body(_without_signs(one), _without_signs(other)):
         return False
-    return any(is_same_body(seen_by(one, C), other) for C in REFLECTIONS)
+    return any(is_same_body(image, other) for image in images(one))
+
+
+def images(body: MassDistribution) -> Iterator[MassDistribution]:
+    """Yield a body with some, or none, of its axes turned round."""
+    return (seen_by(body, C) for C in REFLECTIONS)
 
 
 def may_be_image(one: MassDistribution, other: MassDistribution) -> bool:
@@ -197,6 +202,14 @@ def copies(model: Model, context: Context, link: Link) -> Iterator[tuple[str, st
         for other in _bodies_by_numbers(model)[key][:_MOST_PARTS]:
             if part_of(other) != part_of(link) and not is_impossible(other, context):
                 yield str(other.name), key[0]
+
+
+def same_moments(model: Model, link: Link) -> Iterator[str]:
+    """Yield the names of other links that have the moments of a link."""
+    for key in _telling_numbers(link)[:1]:
+        if key[0] == "moments":
+            same = _bodies_by_numbers(model)[key][:_MOST_PARTS]
+            yield from (str(other.name) for other in same if other is not link)
 
 
 @kept
