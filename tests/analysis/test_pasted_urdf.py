@@ -142,7 +142,7 @@ def test_comments_of_an_inertial_stay():
 
 
 def test_a_link_within_its_own_inertia_is_not_taken_over() -> None:
-    inside = f"mass = </inertial>\n{HAND.replace('hand', 'upper')}"
+    inside = f"mass = </inertial>\n</link>\n{HAND.replace('hand', 'upper')}"
     text = ARM.replace("mass =", inside, 1)
     assert ("link 'upper' of URDF cannot be taken over: it stands within what it would change") in [
         finding.message for finding in analyse(text).findings
