@@ -2,13 +2,19 @@
 
 The folder gets review.md, review.html (one file that needs nothing else), comment.md (without
 pictures) and the pictures before and after. Broken documents are shown as far as they go.
+
+Where OLD or NEW is of another format (.urdf, .xacro, .xml, .mjcf, .sdf) or a folder of generated
+code, the mechanics are compared, as kindsl diff does, and both robots are drawn in one frame.
 """
 
 import argparse
 import os
+import sys
 from typing import TYPE_CHECKING
 
+from kindsl.cli.console import write
 from kindsl.cli.documents.choices import Choices, choices_of
+from kindsl.cli.documents.compared_robots import is_foreign, read_robots
 from kindsl.cli.documents.document_reading import (
     CommandError,
     missing_module,
@@ -19,6 +25,7 @@ from kindsl.cli.documents.versions import analysed_versions, read_versions
 from kindsl.cli.documents.writing import unwritable
 from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import Failure
+from kindsl.text.printable import printable
 from kindsl.text.writing import write_folder
 
 if TYPE_CHECKING:
@@ -44,7 +51,11 @@ def run(args: argparse.Namespace) -> int:
         0, or 2 if a document cannot be read or the folder cannot be written.
     """
     _check_folder(args)
-    old, new, names = _documents(args, choices_of(args))
+    choices = choices_of(args)
+    if args.git is None and len(args.files) == 2 and any(map(is_foreign, args.files)):
+        _write(args.output, _mechanics(args.files, choices))
+        return 0
+    old, new, names = _documents(args, choices)
     _write(args.output, _files(args, old, new, names))
     return 0
 
@@ -71,6 +82,26 @@ def _documents(
     base, head = map(short, commits)
     before = versions.old_name
     return old, new, (f"{base}:{before}" if before is not None else base, head)
+
+
+def _mechanics(files: list[str], choices: Choices) -> dict[str, str]:
+    """Return the files of a review of two robots of any formats."""
+    from kindsl.comparison.mechanical import compared_mechanics
+    from kindsl.reports.mechanics import report_of
+
+    read = read_robots(files, choices)
+    report = report_of(read.old, read.new, compared_mechanics(read.old.robot, read.new.robot))
+    broken = dict.fromkeys(
+        f"{failed.path} has errors: showing the rest" for failed in read.failures
+    )
+    write(sys.stderr, "".join(f"note: {printable(note)}\n" for note in read.notes))
+    try:
+        from kindsl.reports.review.files import review_files
+        from kindsl.reports.review.mechanics_page import mechanics_page
+
+        return review_files(mechanics_page(report, tuple(broken)))
+    except ModuleNotFoundError as error:
+        raise missing_module(files[0], error, "numpy") from None
 
 
 def _files(

@@ -74,7 +74,7 @@ def facts(report: MechanicsReport) -> dict[str, object]:
         "old": old.name,
         "new": new.name,
         "equal": found.is_equal,
-        "verdict": _verdict(report),
+        "verdict": verdict_of(report),
         "differences": [_entry(report, number, effect) for number, effect in _sorted(report)],
         "structure": list(found.structure),
         "conventions": list(found.conventions),
@@ -92,7 +92,7 @@ def facts(report: MechanicsReport) -> dict[str, object]:
 
 def lines(report: MechanicsReport) -> Iterator[str]:
     """Yield the report as lines of text: the largest effect first, then conventions."""
-    yield _verdict(report)
+    yield verdict_of(report)
     yield from (f"  {sentence}" for sentence in report.found.structure)
     for number, effect in _sorted(report):
         yield f"  {_sentence(report, number)}{_effect(effect)}"
@@ -102,21 +102,39 @@ def lines(report: MechanicsReport) -> Iterator[str]:
 def markdown(report: MechanicsReport) -> Iterator[str]:
     """Yield the report as pieces of Markdown."""
     yield f"### Mechanics of `{report.old.name}` and `{report.new.name}`\n\n"
-    told_verdict = _verdict(report)
-    yield f"{told_verdict[:1].upper()}{told_verdict[1:]}.\n"
+    summary = verdict_of(report)
+    yield f"{summary[:1].upper()}{summary[1:]}.\n"
     if report.found.structure:
         yield "\n" + "".join(f"- {sentence}\n" for sentence in report.found.structure)
     if report.found.numbers:
         yield f"\n| what | name | number | `{report.old.name}` | `{report.new.name}` | torque |\n"
         yield "|---|---|---|---|---|---|\n"
-        yield from (_row(report, number, effect) for number, effect in _sorted(report))
+        for what, name, *cells in number_cells(report):
+            yield f"| {' | '.join((what, f'`{name}`', *cells))} |\n"
     if report.found.conventions:
         yield "\nConventions:\n\n"
         yield from (f"- {sentence}\n" for sentence in report.found.conventions)
 
 
-def _verdict(report: MechanicsReport) -> str:
+def number_cells(report: MechanicsReport) -> Iterator[tuple[str, ...]]:
+    """Yield kind, name, quantity, both values with their lines, and torque of what differs."""
+    for number, effect in _sorted(report):
+        lines = _lines(report, number)
+        yield (
+            number.kind,
+            number.owner,
+            number.quantity,
+            f"{number.here:.6g} {number.unit}{_line(lines[0])}",
+            f"{number.there:.6g} {number.unit}{_line(lines[1])}",
+            "" if effect is None else f"{effect:.3g}",
+        )
+
+
+def verdict_of(report: MechanicsReport) -> str:
+    """Return what the comparison comes to."""
     dynamics = report.torques
+    if report.found.is_equal and (report.old.robot.unknown or report.new.robot.unknown):
+        return "the mechanics are equal as far as both can be read"
     found = verdict(report.found.is_equal, None if dynamics is None else dynamics.is_seen)
     if dynamics is None or dynamics.is_confirmed is None:
         return found
@@ -173,19 +191,6 @@ def _entry(
         "torque": effect,
         "message": _sentence(report, number),
     }
-
-
-def _row(report: MechanicsReport, number: NumberDifference, effect: float | None) -> str:
-    lines = _lines(report, number)
-    cells = (
-        number.kind,
-        f"`{number.owner}`",
-        number.quantity,
-        f"{number.here:.6g} {number.unit}{_line(lines[0])}",
-        f"{number.there:.6g} {number.unit}{_line(lines[1])}",
-        "" if effect is None else f"{effect:.3g}",
-    )
-    return f"| {' | '.join(cells)} |\n"
 
 
 def _line(line: int | None) -> str:
