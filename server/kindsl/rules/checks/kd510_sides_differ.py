@@ -37,9 +37,13 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
             (here, _), (there, _) = verdict.repairs
             own, twin = numbers_at(model, here), numbers_at(model, there)
             if own and twin:
-                message = f"{told(here)} is {as_numbers(own)}, and {told(there)} "
-                message += f"{as_numbers(twin)}: "
-                message += "one slip keeps the two sides from being alike"
+                like_twin = _texts(model, context, *verdict.repairs)
+                message = f"{told(here)} is {as_numbers(own)}, " + (
+                    f"by {told(there)} it would be {as_numbers(like_twin)}"
+                    if like_twin
+                    else f"and {told(there)} {as_numbers(twin)}"
+                )
+                message += ": one slip keeps the two sides from being alike"
                 others = [Related(located(model, p), told(p)) for p in verdict.places if p != here]
                 choices = tuple(_choices(model, context, verdict))
                 yield Finding(located(model, here), message, tuple(others), choices=choices)
@@ -54,11 +58,19 @@ def _choices(model: Model, context: Context, verdict: LimbVerdict) -> Iterator[F
 
 
 def _fix(model: Model, context: Context, repair: MeantNumbers, other: MeantNumbers) -> Fix | None:
-    own, twin = numbers_at(model, repair.place), numbers_at(model, other.place)
-    texts = written(own, [twin], repair.meant, limb_slips(model, context).assignments)
+    texts = _texts(model, context, repair, other)
     if texts is None:
         return None
-    return rewriting(f"Set {told(repair.place)} to {as_numbers(texts)}", own, texts)
+    title = f"Set {told(repair.place)} to {as_numbers(texts)}"
+    return rewriting(title, numbers_at(model, repair.place), texts)
+
+
+def _texts(
+    model: Model, context: Context, repair: MeantNumbers, other: MeantNumbers
+) -> tuple[str, ...] | None:
+    """Return the numbers at a place as the other side has them, None where none can be written."""
+    own, twin = numbers_at(model, repair.place), numbers_at(model, other.place)
+    return written(own, [twin], repair.meant, limb_slips(model, context).assignments)
 
 
 RULE = Rule(
