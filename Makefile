@@ -131,6 +131,30 @@ site: playground
 	$(BIN)/python docs/site/build.py
 	@echo "Read it with: python3 -m http.server --bind 127.0.0.1 --directory dist/site"
 
+# What the extension and the playground bundle: pinned with hashes, listed (CycloneDX), held against known flaws.
+SUPPLY := build/supply/bin
+.PHONY: lock sbom audit
+$(SUPPLY)/pip-audit:
+	$(PYTHON) -m venv build/supply
+	$(SUPPLY)/python -m pip install --quiet --disable-pip-version-check 'uv>=0.9' 'cyclonedx-bom>=7' 'pip-audit>=2.9'
+
+PINS := vscode-extension/requirements
+lock: $(SUPPLY)/pip-audit
+	head -1 $(PINS).txt > build/requirements.txt
+	$(SUPPLY)/uv pip compile --quiet --no-deps --generate-hashes --universal --no-header --no-annotate \
+		--python-version 3.11 $(PINS).in >> build/requirements.txt
+	mv build/requirements.txt $(PINS).txt
+
+sbom: $(SUPPLY)/pip-audit
+	mkdir -p dist/sbom
+	$(SUPPLY)/cyclonedx-py requirements $(PINS).txt --of JSON -o dist/sbom/python.cdx.json
+	for part in web vscode-extension; do (cd $$part && npm sbom --sbom-format cyclonedx --package-lock-only \
+		--omit dev) > dist/sbom/$$part.cdx.json || exit 1; done
+
+audit: $(SUPPLY)/pip-audit
+	$(SUPPLY)/pip-audit --requirement $(PINS).txt --no-deps --disable-pip
+	for part in web vscode-extension; do (cd $$part && npm audit --omit dev) || exit 1; done
+
 demo-web: playground
 	@echo "The playground, on this machine only; Ctrl-C stops it."
 	$(BIN)/python web/serve.py dist/playground

@@ -8,8 +8,9 @@ import { notices, nodeParts, pythonParts, viewerParts } from "./notices.mjs";
 
 const libs = path.resolve("bundled/libs");
 const python = process.env.PYTHON ?? "python3";
-// What tornado gains by C does not matter to a server for one person, and meshcat's own Python is not imported.
-const unused = /^bin$|^__pycache__$|\.pyc$|^tornado\/(test$|speedups\.)|^meshcat\/(?!__init__\.py$|viewer(\/dist(\/main\.min\.js)?)?$)/;
+// What tornado gains by C does not matter to a server for one person, what it does besides serving is not asked for,
+// and meshcat's own Python is not imported.
+const unused = /^bin$|^__pycache__$|\.pyc$|^tornado\/(test$|speedups\.|(testing|auth|autoreload|curl_httpclient|wsgi|platform\/(twisted|caresresolver))\.py$)|^lark\/(tools|__pyinstaller)$|^meshcat\/(?!__init__\.py$|viewer(\/dist(\/main\.min\.js)?)?$)/;
 
 await rm(libs, { recursive: true, force: true });
 await mkdir(libs, { recursive: true });
@@ -19,7 +20,7 @@ await prune();
 await copyServer();
 
 function installLibraries() {
-  const pip = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-compile", "--no-deps"];
+  const pip = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-compile", "--no-deps", "--require-hashes"];
   execFileSync(python, [...pip, "--target", libs, "--requirement", "requirements.txt"], { stdio: "inherit" });
 }
 

@@ -32,10 +32,13 @@ await makeImage();
 async function gatherSite() {
   await rm(SITE, { recursive: true, force: true });
   await mkdir(SITE, { recursive: true });
-  const pins = (await readFile(path.join(ROOT, "vscode-extension/requirements.txt"), "utf8")).split("\n");
-  const wanted = pins.filter((line) => LIBRARIES.includes(line.split("==")[0]));
-  const pip = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-compile", "--no-deps"];
-  execFileSync(process.env.PYTHON ?? "python3", [...pip, "--target", SITE, ...wanted], { stdio: "inherit" });
+  const pins = (await readFile(path.join(ROOT, "vscode-extension/requirements.txt"), "utf8")).split(/\n(?! )/);
+  const wanted = pins.filter((pin) => LIBRARIES.includes(pin.split("==")[0].replaceAll("-", "_")));
+  if (wanted.length !== LIBRARIES.length) throw new Error("requirements.txt pins not all libraries, or not once");
+  const list = path.join(BUILD, "requirements.txt");
+  await writeFile(list, wanted.join("\n"));
+  const pip = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-compile", "--no-deps", "--require-hashes"];
+  execFileSync(process.env.PYTHON ?? "python3", [...pip, "--target", SITE, "--requirement", list], { stdio: "inherit" });
   const parts = await pythonParts(SITE);
   await writeFile(path.join(SERVER, "NOTICES.txt"), notices([...parts, ...(await pyodideParts())]));
   await cp(path.join(ROOT, "server/kindsl"), path.join(SITE, "kindsl"), {
