@@ -1,7 +1,7 @@
-"""Code that the classes for inverse and forward dynamics share."""
+"""What the classes for inverse and forward dynamics share."""
 
-from collections.abc import Callable, Mapping, Sequence
-from typing import TypeAlias
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import NamedTuple, TypeAlias
 
 from kindsl.codegen.robcogen.robot import GeneratedRobot
 from kindsl.dynamics.generation.terms import Scalar
@@ -9,13 +9,13 @@ from kindsl.dynamics.generation.vectors import Vector
 
 Arguments: TypeAlias = Mapping[str, Sequence[Scalar]]
 
-INCLUDES = (
+_INCLUDES = (
     "<Eigen/Dense>", "<iit/rbd/rbd.h>", "<iit/rbd/InertiaMatrix.h>", "<iit/rbd/utils.h>",
     "<iit/rbd/robcogen_commons.h>", "<iit/rbd/traits/DoubleTrait.h>", '"declarations.h"',
     '"inertia_properties.h"', '"transforms.h"', '"link_data_map.h"',
 )  # fmt: skip
 
-TYPES = """\
+_TYPES = """\
     EIGEN_MAKE_ALIGNED_OPERATOR_NEW
     typedef typename TRAIT::Scalar Scalar;
     typedef Scalar SCALAR;
@@ -35,16 +35,34 @@ TYPES = """\
         "the forces on all links must lie one after the other in memory");
 """
 
-STATUS = """\
+_CLASS = """
+namespace iit {
+namespace @NS@ {
+namespace dyn {
+namespace tpl {
+
+/**
+ * @ABOUT@
+ *
+ * Overloads without q take the joint positions that the transforms have. Forces on links are in the
+ * links' coordinates.
+ */
+template <typename TRAIT>
+class @CLASS@ {
+public:
+@TYPES@
+@CALLS@
     /** Updates the transforms across joints. */
     void setJointStatus(const JointState& q) const
     {
 @UPDATES@    }
-"""
 
+@REST@
+    static const Scalar* first(const ExtForces& fext)
+    {
+        return fext[orderedLinkIDs[0]].data();
+    }
 
-# The end of either class, and what follows it.
-MEMBERS = """\
     JointState jointStatus() const
     {
         JointState q;
@@ -65,12 +83,47 @@ const typename @CLASS@<TRAIT>::ExtForces
 }
 
 typedef tpl::@CLASS@<rbd::DoubleTrait> @CLASS@;
+
+}
+}
+}
 """
 
 
-def updates(robot: GeneratedRobot) -> str:
-    """Return the statements that update the transforms across joints."""
-    return "".join(f"        xm->{robot.across(i)}(q);\n" for i in robot.tree.links())
+class Engine(NamedTuple):
+    """A class that computes dynamics.
+
+    Attributes:
+        name: Its name.
+        about: What it computes, in a sentence.
+        calls: Its constructor and the functions that programs call.
+        rest: What follows them, private at its end.
+    """
+
+    name: str
+    about: str
+    calls: str
+    rest: str
+
+
+def engine_headers(
+    robot: GeneratedRobot, file: str, engine: Engine, kernels: Iterable[str]
+) -> dict[str, str]:
+    """Return the header of a class, and that of the functions that it calls, by their names."""
+    body = robot.filled(
+        _CLASS,
+        CLASS=engine.name,
+        ABOUT=engine.about,
+        TYPES=robot.filled(_TYPES),
+        CALLS=engine.calls,
+        UPDATES="".join(f"        xm->{robot.across(i)}(q);\n" for i in robot.tree.links()),
+        REST=engine.rest,
+    )
+    own, impl = f"{file}.h", f"{file}.impl.h"
+    return {
+        own: robot.header(own, [*_INCLUDES, f'"{impl}"'], body),
+        impl: robot.header(impl, ['"declarations.h"'], robot.kernels(kernels)),
+    }
 
 
 def parameters(robot: GeneratedRobot, transforms: str = "xm->", indent: str = "        ") -> str:
@@ -83,7 +136,7 @@ def parameters(robot: GeneratedRobot, transforms: str = "xm->", indent: str = " 
     )
 
 
-def handed(robot: GeneratedRobot) -> str:
+def parameters_first(robot: GeneratedRobot) -> str:
     """Return the first argument of functions, which parameters are."""
     return "p, " if robot.has_parameters else ""
 

@@ -3,48 +3,17 @@
 from collections.abc import Sequence
 
 from kindsl.codegen.robcogen.engines import (
-    INCLUDES,
-    MEMBERS,
-    STATUS,
-    TYPES,
     Arguments,
-    handed,
+    Engine,
+    engine_headers,
     kernels_under_loads,
     parameters,
-    updates,
+    parameters_first,
 )
 from kindsl.codegen.robcogen.robot import GeneratedRobot
 from kindsl.dynamics.generation.forward_dynamics import forward_dynamics
 from kindsl.dynamics.generation.terms import Scalar
 from kindsl.dynamics.generation.vectors import ZERO, Vector
-
-_TEXT = """
-namespace iit {
-namespace @NS@ {
-namespace dyn {
-namespace tpl {
-
-/**
- * The joint accelerations under joint forces.
- *
- * Overloads without q take the joint positions that the transforms have. Forces on links are in the
- * links' coordinates.
- */
-template <typename TRAIT>
-class ForwardDynamics {
-public:
-@TYPES@
-    ForwardDynamics(IProperties& in, MTransforms& tr) : inertiaProps(&in), xm(&tr) {}
-
-@FUNCTIONS@
-@STATUS@
-private:
-@COMPUTE@
-@MEMBERS@
-}
-}
-}
-"""
 
 _FIXED = """\
     void fd(
@@ -68,9 +37,9 @@ _FIXED_COMPUTE = """\
         const ExtForces& fext)
     {
         const Scalar g(iit::rbd::g);
-@PARAMETERS@@UNUSED@        if (&fext != &zeroExtForces) {
+@PARAMETERS@        if (&fext != &zeroExtForces) {
             kernels::forward_dynamics_loaded<TRAIT>(
-                @P@q.data(), qd.data(), tau.data(), &g, fext[orderedLinkIDs[0]].data(), qdd.data());
+                @P@q.data(), qd.data(), tau.data(), &g, first(fext), qdd.data());
         } else {
             kernels::forward_dynamics<TRAIT>(@P@q.data(), qd.data(), tau.data(), &g, qdd.data());
         }
@@ -104,7 +73,7 @@ _FLOATING_COMPUTE = """\
 @PARAMETERS@        if (&fext != &zeroExtForces) {
             kernels::forward_dynamics_loaded<TRAIT>(
                 @P@q.data(), qd.data(), tau.data(), velocity.data(),
-                fext[orderedLinkIDs[0]].data(), qdd.data(), acceleration.data());
+                first(fext), qdd.data(), acceleration.data());
         } else {
             kernels::forward_dynamics<TRAIT>(
                 @P@q.data(), qd.data(), tau.data(), velocity.data(), qdd.data(),
@@ -118,19 +87,16 @@ _FLOATING_COMPUTE = """\
 def forward_dynamics_headers(robot: GeneratedRobot) -> dict[str, str]:
     """Return both headers by their names."""
     compute = _FLOATING_COMPUTE if robot.is_floating else _FIXED_COMPUTE
-    body = robot.filled(
-        _TEXT,
-        TYPES=robot.filled(TYPES),
-        FUNCTIONS=robot.filled(_FLOATING if robot.is_floating else _FIXED),
-        STATUS=robot.filled(STATUS, UPDATES=updates(robot)),
-        MEMBERS=robot.filled(MEMBERS, CLASS="ForwardDynamics"),
-        COMPUTE=robot.filled(compute, PARAMETERS=parameters(robot), P=handed(robot), UNUSED=""),
+    computing = robot.filled(compute, PARAMETERS=parameters(robot), P=parameters_first(robot))
+    construction = "    ForwardDynamics(IProperties& in, MTransforms& tr)"
+    calls = robot.filled(_FLOATING if robot.is_floating else _FIXED)
+    engine = Engine(
+        "ForwardDynamics",
+        "The joint accelerations under joint forces.",
+        f"{construction} : inertiaProps(&in), xm(&tr) {{}}\n\n{calls}",
+        f"private:\n{computing}",
     )
-    name = "forward_dynamics.impl.h"
-    return {
-        "forward_dynamics.h": robot.header("forward_dynamics.h", [*INCLUDES, f'"{name}"'], body),
-        name: robot.header(name, ['"declarations.h"'], robot.kernels(_kernels(robot))),
-    }
+    return engine_headers(robot, "forward_dynamics", engine, _kernels(robot))
 
 
 def _kernels(robot: GeneratedRobot) -> list[str]:

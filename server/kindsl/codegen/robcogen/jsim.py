@@ -1,6 +1,6 @@
 """`jsim.h` and `jsim.impl.h`: the joint-space inertia matrix."""
 
-from kindsl.codegen.robcogen.engines import handed, parameters
+from kindsl.codegen.robcogen.engines import parameters, parameters_first
 from kindsl.codegen.robcogen.robot import GeneratedRobot
 from kindsl.dynamics.generation.composite_bodies import joint_space_inertia
 from kindsl.dynamics.generation.vectors import transpose
@@ -162,7 +162,7 @@ def jsim(robot: GeneratedRobot) -> dict[str, str]:
         BEFORE=", ".join(map(str, _before(robot))),
         WHOLE="    mutable InertiaMatrix whole;\n" if robot.is_floating else "",
         PARAMETERS=parameters(robot, "frcTransf->"),
-        P=handed(robot),
+        P=parameters_first(robot),
     )
     includes = [
         "<cmath>", "<iit/rbd/rbd.h>", "<iit/rbd/StateDependentMatrix.h>",
