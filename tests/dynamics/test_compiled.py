@@ -238,7 +238,7 @@ def test_derivatives_are_compiled_once(monkeypatch: pytest.MonkeyPatch, tmp_path
     compiled = CompiledMechanics(bodies_of_seed(4, 2))
     method, q = compiled.regressor, np.zeros(compiled.n_joints)
     first = method(q, q, q)
-    monkeypatch.setattr("kindsl.dynamics.evaluation.compiled.kernels_of", None)
+    monkeypatch.setattr("kindsl.dynamics.evaluation.extension.kernels_of", None)
     np.testing.assert_array_equal(method(q, q, q), first)
     assert len(list(tmp_path.iterdir())) == 2
 
