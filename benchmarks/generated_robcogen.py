@@ -34,6 +34,9 @@ def main() -> None:
     parser.add_argument("--rounds", type=int, default=5)
     args, options = parser.parse_known_args()
     folder = args.folder.resolve()
+    if not folder.is_dir():
+        print(f"there is no folder {folder}")
+        return
     with tempfile.TemporaryDirectory() as temporary:
         programs = []
         for side in ("theirs", "ours"):

@@ -1,4 +1,4 @@
-"""What generated C takes of a microcontroller: flash and stack on a Cortex-M4F, `--real float`.
+"""The room that generated C takes of a microcontroller: flash and stack on a Cortex-M4F, `--real float`.
 
     python benchmarks/generated_size.py
 
@@ -7,6 +7,7 @@ links what inverse dynamics, forward dynamics and M take with `-Os`: flash, and 
 the stack; then the flash and static RAM of a program that calls both dynamics, libm included.
 """
 
+import shutil
 import subprocess
 import tempfile
 from pathlib import Path
@@ -39,6 +40,9 @@ int main(void)
 
 
 def main() -> None:
+    if shutil.which(COMPILE[0]) is None:
+        print(f"there is no {COMPILE[0]}")
+        return
     for name in ROBOTS:
         document = ROOT / f"{name}.kindsl"
         analysis = kindsl.load(document)

@@ -1,4 +1,4 @@
-"""What the classes for inverse and forward dynamics share."""
+"""The class around the code of inverse dynamics and of forward dynamics."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import NamedTuple, TypeAlias

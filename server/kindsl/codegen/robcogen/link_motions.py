@@ -1,4 +1,4 @@
-"""What links do in a motion that inverse dynamics was asked for: computed when a getter asks."""
+"""The motions of links that inverse dynamics was asked for, computed when a getter asks."""
 
 from kindsl.codegen.robcogen.engines import parameters, parameters_first
 from kindsl.codegen.robcogen.robot import GeneratedRobot
