@@ -1,4 +1,4 @@
-"""The room that generated C takes of a microcontroller: flash and stack on a Cortex-M4F, `--real float`.
+"""The room that generated C takes of a microcontroller: flash and stack on a Cortex-M4F, floats.
 
     python benchmarks/generated_size.py
 
