@@ -156,10 +156,17 @@ def test_the_linter_ends_without_a_trace(vsix: Path, tmp_path: Path) -> None:
     assert "Traceback" not in wrong.stderr
 
 
-def test_an_image_that_does_not_start_says_why_and_ends(vsix: Path, tmp_path: Path) -> None:
+@pytest.mark.parametrize("name", ["server.snap.gz", "pyodide.asm.wasm", "pyodide.asm.js"])
+@pytest.mark.parametrize("is_cut", [False, True], ids=["gone", "cut"])
+def test_an_image_that_does_not_start_says_why_and_ends(
+    vsix: Path, tmp_path: Path, name: str, is_cut: bool
+) -> None:
     folder = tmp_path / "server"
     shutil.copytree(HOST.parent, folder)
-    (folder / "site.zip").unlink()
+    content = (folder / name).read_bytes()
+    (folder / name).unlink()
+    if is_cut:
+        (folder / name).write_bytes(content[: len(content) // 2])
     node, flag, _ = built_in()
     client = RawClient([node, flag, str(folder / "host.js")])
     assert client.process.wait(60) == 2

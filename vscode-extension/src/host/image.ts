@@ -16,11 +16,13 @@ for name in [name for name in sys.modules if name.startswith("pyodide_js")]:
 export async function loadImage(base: string): Promise<Pyodide> {
   const { loadPyodide } = createRequire(path.join(base, "host.js"))("./pyodide.js") as { loadPyodide: LoadPyodide };
   const image = ownImage(base);
-  const py = await loadPyodide({
+  const broken = brokenInstance();
+  const loading = loadPyodide({
     indexURL: base + path.sep,
     jsglobals: Object.freeze(Object.create(null)) as object,
     ...(image === undefined ? {} : { _loadSnapshot: image }),
   });
+  const py = await Promise.race([loading, broken]);
   py.FS.writeFile("/lib/site.zip", fs.readFileSync(path.join(base, "site.zip")));
   if (image === undefined) py.runPython("import sys; sys.path.insert(0, '/lib/site.zip')");
   seal(py);
@@ -33,6 +35,19 @@ function ownImage(base: string): Uint8Array | undefined {
   const image = gunzipSync(fs.readFileSync(path.join(base, "server.snap.gz")));
   const isOwn = image.length === told.bytes && told.head.every((byte, index) => image[index] === byte);
   return isOwn ? new Uint8Array(image.buffer, image.byteOffset, image.length) : undefined;
+}
+
+/** Reject where WebAssembly does: Pyodide prints that only, and never answers. */
+function brokenInstance(): Promise<never> {
+  const { WebAssembly: assembly } = globalThis as unknown as { WebAssembly: { instantiate: (...given: unknown[]) => Promise<unknown> } };
+  const { instantiate } = assembly;
+  return new Promise((_, reject) => {
+    assembly.instantiate = (...given) => {
+      const instance = instantiate(...given);
+      instance.catch(reject);
+      return instance;
+    };
+  });
 }
 
 /** Leave Python nothing of Node's but its random numbers: Emscripten would start processes and open connections for it. */

@@ -5,10 +5,13 @@ import { serve } from "./serve";
 
 const [command, ...args] = process.argv.slice(2);
 
-void start().catch((error: unknown) => {
+// What Pyodide starts and nobody waits for fails here, too.
+process.on("uncaughtException", (error: unknown) => {
   process.stderr.write(`The built-in Python failed: ${String(error)}\n`);
   process.exit(2);
 });
+
+void start();
 
 async function start(): Promise<void> {
   if (command === "lint") process.exit(lint(await loadImage(__dirname), args));
