@@ -82,8 +82,9 @@ class CodeServer:
     data: Path
 
     def url(self, folder: Path, payload: Sequence[tuple[str, str]] = ()) -> str:
-        """Return the address that opens a folder, with startup options for the window."""
-        address = f"http://127.0.0.1:{self.port}/?folder={folder}"
+        """Return the address that opens a folder or workspace, with options for the window."""
+        kind = "workspace" if folder.suffix == ".code-workspace" else "folder"
+        address = f"http://127.0.0.1:{self.port}/?{kind}={folder}"
         return f"{address}&payload={json.dumps(payload)}" if payload else address
 
     def remote(self, path: Path) -> str:

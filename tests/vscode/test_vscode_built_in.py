@@ -1,20 +1,21 @@
 """The extension on a machine without a Python that it can use: the built-in one runs the server."""
 
+import json
 import os
 import shutil
 import signal
 import subprocess
 import sys
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from playwright.sync_api import Browser, Locator, Page, expect
+from playwright.sync_api import Browser, Locator, Page, TimeoutError, expect
 from tests.vscode import code_server, models
 from tests.vscode.browser import missing
 from tests.vscode.code_server import Machine
 from tests.vscode.extension_host import HOST, OLD_PYTHON, run_suite
-from tests.vscode.workbench import SHOTS, Workbench
+from tests.vscode.workbench import GESTURES, SHOTS, Workbench
 
 BUILT_IN = {"kindsl.interpreter": ["built-in"]}
 # What the reach of the elbow is: said above the folder that is open.
@@ -87,15 +88,61 @@ def test_a_server_that_is_killed_or_hangs_is_replaced(
         workbench.type(" {")
         expect(workbench.squiggles("error")).not_to_have_count(2)
         (second,) = host_processes(tmp_path)
-        os.kill(second, signal.SIGSTOP)
+        keep_busy(workbench, second)
+        # Typed in vain, and not lost.
+        workbench.press("Backspace")
+        workbench.press("Backspace")
         workbench.run("Kinematics-DSL: Restart Server")
         workbench.eventually(
             lambda: host_processes(tmp_path) not in ([], [second]), "a third process"
         )
-        workbench.press("Backspace")
-        workbench.press("Backspace")
         expect(workbench.squiggles("error")).to_have_count(2)
         expect(workbench.notifications()).to_have_count(0)
+
+
+def test_a_workspace_that_is_not_trusted_runs_nothing_of_its_own(
+    browser: Browser, vsix: Path, tmp_path: Path
+) -> None:
+    trust = {"enabled": True, "startupPrompt": "never"}
+    settings = {f"security.workspace.trust.{name}": value for name, value in trust.items()}
+    planted = tmp_path / "robots" / ".venv" / "bin" / "python"
+    planted.parent.mkdir(parents=True)
+    planted.write_text(f"#!/bin/sh\ntouch '{tmp_path}/has-run'\n")
+    planted.chmod(0o755)
+    with window(browser, vsix, tmp_path, settings, bare_machine(tmp_path)) as workbench:
+        expect(workbench.status("Restricted Mode")).to_be_visible()
+        workbench.open("broken.kindsl", models.BROKEN)
+        expect(workbench.squiggles("error")).to_have_count(2)
+        expect(language_status(workbench)).to_contain_text("built-in Python")
+        expect(workbench.notifications()).to_have_count(0)
+        assert not (tmp_path / "has-run").exists()
+
+
+def test_each_folder_of_a_workspace_has_its_configuration(
+    browser: Browser, vsix: Path, tmp_path: Path
+) -> None:
+    names = ("bound", "free")
+    for name in names:
+        (tmp_path / name).mkdir()
+        (tmp_path / name / f"{name}.kindsl").write_text(BROKEN)
+    (tmp_path / "bound" / "kindsl.toml").write_text(CONFIGURATION)
+    workspace = tmp_path / "all.code-workspace"
+    workspace.write_text(json.dumps({"folders": [{"path": name} for name in names]}))
+    with window(browser, vsix, tmp_path, BUILT_IN, opened=workspace) as workbench:
+        for name, findings in zip(names, "23", strict=True):
+            file_name = f"{name}.kindsl"
+            folder, file = (
+                workbench.page.get_by_role("treeitem", name=each, exact=True)
+                for each in (name, file_name)
+            )
+            expect(folder.or_(file).first).to_be_visible()
+            if not file.is_visible():
+                workbench.click_until(folder, file)
+            workbench.click_until(file, workbench.active_tab(file_name))
+            count = workbench.problems().filter(has_text=file_name).locator(".monaco-count-badge")
+            expect(count).to_have_text(findings)
+        expect(workbench.notifications()).to_have_count(0)
+        workbench.screenshot("built-in-folders")
 
 
 def test_the_preview_opens_in_a_browser_too(browser: Browser, vsix: Path, tmp_path: Path) -> None:
@@ -170,10 +217,12 @@ def window(
     work: Path,
     settings: Mapping[str, object],
     machine: Machine = Machine(),  # noqa: B008 (immutable)
+    opened: Path | None = None,
 ) -> Iterator[Workbench]:
-    """A window on the folder `robots` in an installation of its own."""
-    folder = work / "robots"
-    folder.mkdir()
+    """A window on a workspace, else on the folder `robots`, in an installation of its own."""
+    folder = opened or work / "robots"
+    if opened is None:
+        folder.mkdir(exist_ok=True)
     with code_server.running(work / "data", settings, [vsix], machine) as server:
         page = browser.new_page(viewport={"width": 1280, "height": 800})
         workbench = Workbench(page, server, folder)
@@ -196,6 +245,35 @@ def host_processes(work: Path) -> list[int]:
         if any(word.startswith(str(work)) and word.endswith("server/host.js") for word in words):
             found.append(int(process.name))
     return found
+
+
+def keep_busy(workbench: Workbench, process: int) -> None:
+    """Let a process of Node run in a loop that never ends."""
+    node = shutil.which("node")
+    assert node is not None
+    debugger = subprocess.Popen(
+        [node, "inspect", "-p", str(process)], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL
+    )
+    assert debugger.stdin is not None
+    try:
+        for _ in range(GESTURES):
+            debugger.stdin.write(b"exec for (;;) {}\n")
+            debugger.stdin.flush()
+            before = processor_ticks(process)
+            with suppress(TimeoutError):
+                workbench.wait_until(lambda since=before: processor_ticks(process) > since + 100)
+                return
+        raise AssertionError("not seen: a busy process")
+    finally:
+        debugger.kill()
+        debugger.stdin.close()
+        debugger.wait(60)
+
+
+def processor_ticks(process: int) -> int:
+    """Return how much a process has worked, in hundredths of a second."""
+    fields = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
+    return int(fields[11]) + int(fields[12])
 
 
 def language_status(workbench: Workbench) -> Locator:
