@@ -117,16 +117,18 @@ class LimbNames:
 
     def _crossed_by_name(self) -> list[Misplaced]:
         """Return two links that have each other's joints, as the names of all others go."""
-        count = Counter(c for a in self._attachments for c in _customs(a.link, a.joint))
+        customs = [(a, tuple(_customs(a.link, a.joint))) for a in self._attachments]
+        count = Counter(custom for _, each in customs for custom in each)
 
-        def is_usual(link: str, joint: str) -> bool:
-            return any(count[custom] >= _ENOUGH for custom in _customs(link, joint))
+        def is_usual(customs: Iterable[object]) -> bool:
+            return any(count[custom] >= _ENOUGH for custom in customs)
 
-        odd = [a for a in self._attachments if not is_usual(a.link, a.joint)]
+        odd = [a for a, own in customs if not is_usual(own)]
         pairs = [
             (one, other)
             for one, other in combinations(odd[:_MOST_ODD], 2)
-            if is_usual(one.link, other.joint) and is_usual(other.link, one.joint)
+            if is_usual(_customs(one.link, other.joint))
+            and is_usual(_customs(other.link, one.joint))
         ]
         if len(pairs) != 1:
             return []

@@ -13,6 +13,8 @@ from kindsl.semantics.numbers import triple, written_pose
 
 # No robot has more or longer ones that are written by hand, and comparing takes their square.
 _MOST_LIMBS, _MOST_BODIES = 12, 48
+# Named ones may be a left and a right one; of two numbered ones nothing can be told.
+_FEWEST = {True: 2, False: 3}
 
 Side = tuple[object, ...]
 Values = Mapping[str, float]
@@ -76,44 +78,58 @@ def limbs_of(model: Model, values: Values) -> dict[Link, list[Limbs]]:
         model: The robot.
         values: Of its parameters and constants.
     """
-    tree = model.tree
-    bases = [body for body in model.bodies if body not in tree.above]
-    bodies = [*bases, *(link for base in bases for link in tree.in_topological_order(base))]
-    groups: dict[Link, list[Limbs]] = {}
-    # What each link is with all that it carries, and how many bodies that are.
-    made: dict[Link | None, tuple[Body, int]] = {}
-    for body in reversed(bodies):
-        edges, above = tree.successor_edges(body), tree.above.get(body, ())
-        carried = [made.get(edge.link) for edge in edges]
-        found = list(_groups(edges, carried)) if len(edges) > 1 else []
-        if found:
-            groups[body] = found
-        known = [each for each in carried if each is not None]
-        n_bodies = 1 + sum(n for _, n in known)
-        if len(above) == 1 and len(known) == len(edges) and n_bodies <= _MOST_BODIES:
-            whole = body_of(above[0], values, tuple(child for child, _ in known))
-            if whole is not None:
-                made[body] = whole, n_bodies
-    return groups
+    made: dict[Link, _Whole | None] = {}
+    found: dict[Link, list[Limbs]] = {}
+    for body, edges in reversed(model.tree.below.items()):
+        groups = []
+        for is_named, by_label in _labelled(edges):
+            limbs = ((label, _whole(edge, model, values, made)) for label, edge in by_label.items())
+            heads = tuple((label, limb.head) for label, limb in limbs if limb is not None)
+            if len(heads) >= _FEWEST[is_named]:
+                groups.append(Limbs(heads, is_named))
+        if groups:
+            found[body] = groups
+    return found
 
 
-def _groups(edges: Sequence[Edge], carried: Sequence[tuple[Body, int] | None]) -> Iterator[Limbs]:
-    """Yield the groups of limbs among what one body carries."""
-    groups: dict[tuple[bool, tuple[str, ...]], dict[Side, list[Body | None]]] = {}
-    for edge, limb in zip(edges, carried, strict=True):
+def _labelled(edges: Sequence[Edge]) -> Iterator[tuple[bool, dict[Side, Edge]]]:
+    """Yield what one body carries that is called alike, by side and row, or else by numbers."""
+    groups: dict[tuple[bool, tuple[str, ...]], dict[Side, list[Edge]]] = {}
+    for edge in edges if len(edges) > 1 else ():
         side, row, words = label_of(str(edge.child.link))
         is_named = bool(side or row)
         label: Side = (side, row) if is_named else tuple(int(w) for w in words if w.isdigit())
         if label:
             kept = tuple(word for word in words if is_named or not word.isdigit())
-            alike = groups.setdefault((is_named, kept), {}).setdefault(label, [])
-            alike.append(limb[0] if limb is not None else None)
+            groups.setdefault((is_named, kept), {}).setdefault(label, []).append(edge)
     for (is_named, _), by_label in groups.items():
-        if 1 < len(by_label) <= _MOST_LIMBS:
-            single = ((label, found[0]) for label, found in by_label.items() if len(found) == 1)
-            heads = tuple((label, head) for label, head in single if head is not None)
-            if len(heads) > (1 if is_named else 2):
-                yield Limbs(heads, is_named)
+        if _FEWEST[is_named] <= len(by_label) <= _MOST_LIMBS:
+            yield is_named, {label: found[0] for label, found in by_label.items() if not found[1:]}
+
+
+class _Whole(NamedTuple):
+    """A body with all that it carries, and how many bodies that is."""
+
+    head: Body
+    n_bodies: int
+
+
+def _whole(
+    edge: Edge, model: Model, values: Values, made: dict[Link, _Whole | None], depth: int = 1
+) -> _Whole | None:
+    """Return what an edge leads to, None where it has very many bodies or no numbers."""
+    link = edge.link
+    if link is None or depth > _MOST_BODIES or len(model.tree.above[link]) > 1:
+        return None
+    if link not in made:
+        edges = model.tree.successor_edges(link)
+        carried = [_whole(each, model, values, made, depth + 1) for each in edges]
+        known = [each for each in carried if each is not None]
+        n_bodies = 1 + sum(each.n_bodies for each in known)
+        is_whole = len(known) == len(edges) and n_bodies <= _MOST_BODIES
+        head = body_of(edge, values, tuple(each.head for each in known)) if is_whole else None
+        made[link] = _Whole(head, n_bodies) if head is not None else None
+    return made[link]
 
 
 def body_of(edge: Edge, values: Values, children: tuple[Body, ...] = ()) -> Body | None:

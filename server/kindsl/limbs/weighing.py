@@ -70,7 +70,11 @@ class WeighedComparison:
         self.limbs, self.masses = limbs, masses
         self._known: dict[tuple[int, Rotation], list[str]] = {}
         ranked: dict[object, tuple[float, Reading]] = {}
+        # No mass can make a reading with a costlier mount the cheapest, where none has a slip.
+        most = 3 * _OF_MASS * len(limbs.rows) if limbs.n_slips == 0 else inf
         for reading in limbs.readings:
+            if reading.mount.extra > limbs.readings[0].mount.extra + most:
+                break
             n_differing = len(self.differing(reading.conventions))
             cost = reading.mount.extra + _OF_MASS * n_differing
             key = reading.mount, reading.slip

@@ -106,8 +106,8 @@ def test_signs_are_those_of_a_turn_or_reflection(
 
 
 def shifted_by(times: float, side: float) -> tuple[str, ...]:
-    moments = (0.5, 0.45, 0.3, side * 0.04, 0.06, side * 0.12)
-    body = MassDistribution(2.0, (0.1, side * 0.2, 0.3), moments)
+    moments = (2.84, 2.25, 1.2, side * 0.4, 0.6, side * 1.2)
+    body = MassDistribution(20.0, (0.1, side * 0.2, 0.3), moments)
     body = shifted(body, times) if times else body
     return tuple(f"{number:.9f}" for number in (body.mass, *body.com, *body.moments))
 
@@ -122,9 +122,9 @@ def test_a_slip_in_many_numbers_is_told_with_its_rivals() -> None:
 
 
 def test_moments_of_another_part_are_told() -> None:
-    copied = (*MIRRORED[:4], "2.345", "2.456", "3.567", "0.04", "0.06", "0.12")
-    hand = section("0.9", "0.0, 0.1, 0.2", *copied[4:])
-    sides = [section(n[0], ", ".join(n[1:4]), *n[4:]) for n in (LEFT, copied)]
+    hand = section("5.0", "0.0, 0.1, 0.2", "0.33456", "0.28567", "0.13678", "0.0", "0.0", "0.1")
+    left = shifted_by(0.0, 1.0)
+    sides = section(left[0], ", ".join(left[1:4]), *left[4:]), hand
     assert told("KD312", row(*sides, hand, names="left_arm right_arm hand")) == [
         "'right_arm' is not the mirror image of 'left_arm': its moments are those of 'hand', "
         "which is another part"

@@ -36,6 +36,7 @@ from kindsl.rules.examples import link, robot
 from kindsl.rules.inertia.judgements import keyword
 from kindsl.rules.inertia.mirror_images import mirror_difference
 from kindsl.rules.inertia.shapes import is_told_of
+from kindsl.rules.inertia.suspects import suspects_of
 from kindsl.rules.inertia.twins import right_twin_of
 from kindsl.rules.limb_places import OF_A_LINK
 from kindsl.rules.limb_verdicts import limb_slips
@@ -67,12 +68,12 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
         given, compare = (right, context.values), partial(_unlike, left, right, context.values)
         numbers, slips = left.facts.made_of(_UNLIKE, given, compare)
         if not (numbers or slips) or any(
-            is_told_of(b, model, context) or b.name in outvoted for b in (left, right)
+            b.name in outvoted or is_told_of(b, model, context) for b in (left, right)
         ):
             continue
         if numbers:
             yield _finding(right, left, numbers)
-        else:
+        elif not any(found.link in (left, right) for found in suspects_of(model, context)):
             yield from _explained(model, slips, left, right)
 
 

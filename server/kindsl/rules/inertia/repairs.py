@@ -36,7 +36,7 @@ from kindsl.text.quantities import with_unit
 _LIKELY, _SURE = 0.5, 0.85
 _MOST_RELATED = 20
 _LEAST_SHARED = 3
-_EVIDENCE = frozenset(("KD311", "KD312"))
+_EVIDENCE = frozenset(("KD311",))
 # The code of the rule that tells it, and what it tells.
 _Told = tuple[str, Finding]
 _TELLINGS = Fact[tuple[object, _Told | None]]("told causes")

@@ -21,11 +21,13 @@ from kindsl.semantics.model import Model
 from kindsl.semantics.numbers import mass_distribution, written_pose
 from kindsl.text.facts import Fact, kept
 
-_Telling = tuple[str, tuple[float | None, ...]]
+_Telling = tuple[str, tuple[str, ...]]
 _Inertia = tuple[Link, MassDistribution]
 _FRAMES = Fact[tuple[object, dict[tuple[str, str], list[Rotation]]]]("frames of twins, by names")
 _FEWEST_MASSES = 3
 _FEWEST_DIGITS = 8
+# Numbers are copied with their digits rounded, too.
+_DIGITS = 5
 _MOST_PARTS = 8
 _NEAR = 0.02
 _ELONGATED = 2.5
@@ -231,7 +233,7 @@ def _telling_numbers(body: Link) -> list[_Telling]:
     for what, group in (("moments", moments), ("CoM", inertia.com.components)):
         digits = {abs(v.literal): significant_digits(v.text) for v in group if v.literal}
         if len(digits) > 1 and sum(digits.values()) >= _FEWEST_DIGITS:
-            found.append((what, tuple(value.literal for value in group)))
+            found.append((what, tuple(f"{value.literal or 0.0:.{_DIGITS}g}" for value in group)))
     return found
 
 
