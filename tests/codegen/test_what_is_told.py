@@ -66,3 +66,20 @@ def test_chosen_parameters_stay_inputs(choice: str, inputs: list[str]) -> None:
     readme = files(replace(OPTIONS, parameters=choice), BOUND).get("README.md", "")
     told = [name for name in ("m", "n") if f"| {name} | {name} | 1.5 |" in readme]
     assert told == inputs
+
+
+@pytest.mark.parametrize("language", ["c", "cpp", "robcogen"])
+def test_a_parameter_without_value_is_not_a_number_until_it_is_set(language: str) -> None:
+    options = replace(OPTIONS, language=language, parameters="all")
+    bound = Settings(bindings={"m": Binding(1.5)})
+    _, made = generate(Source("arm.kindsl", analyse(BOUND, bound), {}), options)
+    told = "".join(made.values())
+    unknown, known = {
+        "c": ("parameters.n = (arm_real)NAN;", "parameters.m = 1.5;"),
+        "cpp": ("quiet_NaN", "1.5"),
+        "robcogen": ("double n = std::numeric_limits<double>::quiet_NaN();", "double m = 1.5;"),
+    }[language]
+    assert unknown in told
+    assert known in told
+    if language == "cpp":
+        assert "    arm_model model{arm_parameters()};" in made["arm_test.cpp"]
