@@ -1,9 +1,10 @@
 """For pytest: notes which tests reach which changes, or runs the tests of a list in its order.
 
-With `MUTATION_REACHED` a JSON file is written there: for each test the numbers it reached, which
-are names of files in `MUTATION_NOTES`, and its seconds; under no name the numbers that importing
-the tests reached. A test that fails is left out. With `MUTATION_TESTS` that file's tests are run,
-one a line, and no others. What drives a browser is too slow for either.
+With `MUTATION_REACHED` a JSON file is written there: for each test the numbers that it reached, or
+that were reached with a fixture which it shares, and its seconds; under no name the numbers that
+importing the tests reached. Numbers are names of files in `MUTATION_NOTES`. A test that fails is
+left out. With `MUTATION_TESTS` that file's tests are run, one a line, and no others. What drives a
+browser is too slow for either.
 """
 
 import json
@@ -15,6 +16,8 @@ from pathlib import Path
 import pytest
 
 _found: dict[str, tuple[list[int], float]] = {}
+# What tests reached that had a fixture first which others share, by the fixture.
+_by_fixture: dict[tuple[str, object], set[int]] = {}
 _failed: set[str] = set()
 
 
@@ -29,8 +32,20 @@ def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
         return (yield)
     start = time.perf_counter()
     result = yield
-    _found[item.nodeid] = _reached(), time.perf_counter() - start
+    own = set(_reached())
+    reached = own.union(*(_by_fixture.setdefault(key, own) for key in _shared_fixtures(item)))
+    _found[item.nodeid] = sorted(reached), time.perf_counter() - start
     return result
+
+
+def _shared_fixtures(item: pytest.Item) -> Iterator[tuple[str, object]]:
+    """Yield the fixtures of ours that are set up once for several tests, with their parameters."""
+    known = getattr(item, "_fixtureinfo", None)
+    for name, definitions in known.name2fixturedefs.items() if known else ():
+        function = definitions[-1].func
+        if definitions[-1].scope != "function" and function.__module__.startswith("tests."):
+            place = getattr(item, "callspec", None)
+            yield f"{function.__module__}.{name}", place.indices.get(name) if place else None
 
 
 def pytest_collection_finish() -> None:
