@@ -72,7 +72,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="write the transforms document used without --transforms, to edit it",
     )
     add("--frames", metavar="LIST", help="links and frames to limit poses and Jacobians to")
-    add("--layout", choices=LAYOUTS, default=LAYOUTS[0], help="the folders of RobCoGen's classes")
+    add(
+        "--layout",
+        choices=LAYOUTS,
+        default=LAYOUTS[0],
+        help="whose folders and names RobCoGen's classes have",
+    )
     add(
         "--runtime",
         action="store_true",

@@ -1,3 +1,3 @@
-"""Whose folders RobCoGen's classes are laid out for."""
+"""Whose folders and names RobCoGen's classes have."""
 
-LAYOUTS = ("control-toolbox", "robcogen")
+LAYOUTS = ("control-toolbox", "robcogen", "robcogen-0.5")

@@ -1,5 +1,6 @@
 """`declarations.h`: sizes, joint vectors, and the identifiers of joints and links."""
 
+from kindsl.codegen.robcogen import rcg_names
 from kindsl.codegen.robcogen.robot import GeneratedRobot
 
 _TEXT = """
@@ -60,7 +61,8 @@ def declarations(robot: GeneratedRobot) -> dict[str, str]:
         JOINTS1=", ".join(robot.joint_ids),
         LINKS1=", ".join(robot.body_ids),
     )
-    includes = ["<Eigen/Dense>", "<iit/rbd/rbd.h>"]
+    has_names = robot.library.options.layout == rcg_names.LAYOUT
+    includes = ["<Eigen/Dense>", "<iit/rbd/rbd.h>", *['"rbd_types.h"'] * has_names]
     return {"declarations.h": robot.header("declarations.h", includes, body)}
 
 

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from kindsl.codegen.library import Library
+from kindsl.codegen.robcogen import rcg_names
 from kindsl.codegen.robcogen.build import build
 from kindsl.codegen.robcogen.data_maps import data_maps
 from kindsl.codegen.robcogen.declarations import declarations
@@ -29,9 +30,12 @@ def robot_files(library: Library) -> dict[str, str]:
     """Return the text of each file by its path."""
     robot = GeneratedRobot(library)
     files = {name: text for make in HEADERS for name, text in make(robot).items()}
-    if library.options.layout == "robcogen":
+    layout = library.options.layout
+    if layout == rcg_names.LAYOUT:
+        files |= rcg_names.rcg_names(robot)
+    if layout == "robcogen":
         files = {f"iit/robots/{robot.space.lower()}/{n}": text for n, text in files.items()}
-    has_runtime = library.options.has_runtime
+    has_runtime = library.options.has_runtime or layout == rcg_names.LAYOUT
     if has_runtime:
         files |= runtime_files()
     return {**files, **build(robot, files, has_runtime)}

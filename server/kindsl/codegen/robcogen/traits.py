@@ -14,6 +14,7 @@ struct Traits {
 
     typedef SCALAR S;
     typedef typename iit::rbd::tpl::TraitSelector<SCALAR>::Trait Trait;
+    typedef Trait ScalarTraits;
     typedef typename iit::@NS@::tpl::JointState<SCALAR> JointState;
 
     typedef iit::@NS@::JointIdentifiers JointID;
