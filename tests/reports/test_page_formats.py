@@ -1,5 +1,7 @@
 """Each block of a page in each format, word for word."""
 
+import re
+
 import pytest
 
 from kindsl.reports.drawing.shapes import Drawing
@@ -53,8 +55,8 @@ def latex_body(page: Page) -> str:
             '<table>\n<tr><th>link</th><th class="right">m_1</th></tr>\n'
             '<tr><td>  arm</td><td class="right">1 &lt; 2</td></tr>\n'
             '<tr><td>a|b</td><td class="right">-</td></tr>\n</table>',
-            "\\begin{longtable}{lr}\nlink & m\\_1 \\\\ \\hline\n~~arm & 1 < 2 \\\\\n"
-            "a|b & - \\\\\n\\end{longtable}",
+            "{\\footnotesize\\begin{longtable}{lr}\nlink & m\\_1 \\\\ \\hline\n~~arm & 1 < 2 \\\\\n"
+            "a|b & - \\\\\n\\end{longtable}}",
         ),
         (
             MATRIX,
@@ -119,3 +121,15 @@ def test_a_comment_has_all_but_the_pictures_their_heading_and_their_legend() -> 
     bare = review_files((*front, *back))
     assert set(bare) == {"review.md", "review.html", "comment.md"}
     assert bare["comment.md"] == bare["review.md"]
+
+
+def test_a_table_in_latex_is_no_wider_than_its_page() -> None:
+    names = ", ".join(f"fr_camera_{number}" for number in range(40))
+    table = Table(
+        ("link", "frames", "mass / kg"), (("base", names, "1.5"), ("arm", "-", "2")), frozenset({2})
+    )
+    text = latex_body((table,))
+    columns = re.search(r"\{(l>.*)\}\n", text)
+    assert columns is not None
+    assert columns[1] == r">{\raggedright\arraybackslash}p{404pt}".join("lr")
+    assert "fr\\_\\allowbreak{}camera" in text

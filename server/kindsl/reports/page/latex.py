@@ -1,5 +1,6 @@
 """A page in LaTeX: a document of its own, drawings in TikZ."""
 
+import math
 from collections.abc import Iterator
 
 from kindsl.reports.drawing.tikz import tikz_text
@@ -20,11 +21,15 @@ _SPECIAL = {
     "~": r"\textasciitilde{}", "#": r"\#", "$": r"\$", "%": r"\%", "&": r"\&",
     "²": r"\textsuperscript{2}", "°": r"\textdegree{}",
 }  # fmt: skip
+# In points: a line, what is on either side of a column, characters of a small table.
+_LINE, _GAP, _CAPITAL, _SMALL = 483, 3, 6.6, 4.7
 _LEVELS = {1: "section*", 2: "subsection*", 3: "subsubsection*"}
 _HEAD = r"""\documentclass{article}
 \usepackage[utf8]{inputenc}
 \usepackage[T1]{fontenc}
-\usepackage{textcomp,amsmath,longtable,tikz}
+\usepackage[a4paper,margin=20mm]{geometry}
+\usepackage{textcomp,amsmath,array,longtable,tikz}
+\setlength{\tabcolsep}{3pt}
 \begin{document}
 """
 
@@ -57,17 +62,45 @@ def _figure(picture: Figure) -> Iterator[str]:
 
 
 def _table(table: Table) -> Iterator[str]:
-    columns = "".join("r" if i in table.right else "l" for i in range(len(table.header)))
-    yield f"\\begin{{longtable}}{{{columns}}}"
+    yield f"{{\\footnotesize\\begin{{longtable}}{{{_columns(table)}}}"
     yield f"{' & '.join(map(escaped, table.header))} \\\\ \\hline"
     for row in table.rows:
         yield f"{' & '.join(map(_cell, row))} \\\\"
-    yield "\\end{longtable}"
+    yield "\\end{longtable}}"
+
+
+def _columns(table: Table) -> str:
+    """Return the columns: as wide as their text, or where the line is not, the widest narrower."""
+    cells = zip(table.header, *table.rows, strict=True)
+    wanted = [max(map(_width, column)) for column in cells]
+    widths = _fitted(wanted, _LINE - 2 * _GAP * len(wanted))
+    return "".join(
+        ("r" if i in table.right else "l")
+        if width == wish
+        else f">{{\\raggedright\\arraybackslash}}p{{{width:.0f}pt}}"
+        for i, (wish, width) in enumerate(zip(wanted, widths, strict=True))
+    )
+
+
+def _width(text: str) -> float:
+    return sum(_CAPITAL if letter.isupper() else _SMALL for letter in text)
+
+
+def _fitted(wanted: list[float], room: float) -> list[float]:
+    """Return widths that fit: who wants less than an equal share has it, others share the rest."""
+    most, narrow = math.inf, sorted(wanted)
+    for number, width in enumerate(narrow):
+        share = room / (len(narrow) - number)
+        if width > share:
+            most = share
+            break
+        room -= width
+    return [min(width, most) for width in wanted]
 
 
 def _cell(text: str) -> str:
     indent = len(text) - len(text.lstrip(" "))
-    return "~" * indent + escaped(text.lstrip(" "))
+    return "~" * indent + escaped(text.lstrip(" ")).replace("\\_", "\\_\\allowbreak{}")
 
 
 def escaped(text: str) -> str:
