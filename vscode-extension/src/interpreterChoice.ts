@@ -1,5 +1,6 @@
 // The command "Select Python Interpreter".
 import * as vscode from "vscode";
+import { BUILT_IN } from "./builtIn";
 import { detectedCandidates, probeIn, type Home } from "./launch";
 import { isPythonExtensionPresent } from "./msPython";
 import { isRecent, OLDEST_PYTHON, type Command, type Interpreter } from "./python";
@@ -14,6 +15,7 @@ export async function selectInterpreter(home: Home, log: vscode.LogOutputChannel
   const commands = await detectedCandidates(log);
   const found = await Promise.all(commands.map((command) => probe(command).catch(() => undefined)));
   for (const interpreter of found.filter((one) => one !== undefined)) choices.push(choiceOf(interpreter));
+  choices.push({ label: "$(package) Built-in Python", description: "of this extension", run: () => store([BUILT_IN]) });
   choices.push({ label: "$(edit) Enter a path...", run: enterPath });
   if (isPythonExtensionPresent()) {
     choices.push({ label: "$(list-selection) Choose in the Python extension...", run: chooseInPythonExtension });
