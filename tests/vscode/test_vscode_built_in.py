@@ -43,6 +43,17 @@ def test_a_machine_without_python_needs_nothing(
         workbench.eventually(lambda: page.evaluate(turned), "the arm turned")
         expect(workbench.notifications()).to_have_count(0)
         workbench.screenshot("built-in")
+        # Another server draws the same picture, another robot is seen from where it fits.
+        page.evaluate("kindsl.isOfArm = true")
+        workbench.run("Kinematics-DSL: Restart Server")
+        workbench.open("arm.kindsl")
+        workbench.go_to_place(1, len("Robot arm") + 1)
+        workbench.type("2")
+        expect(page.locator("#robot")).to_have_text("arm2")
+        assert page.evaluate(turned)
+        workbench.open("other.kindsl", models.OTHER)
+        expect(page.locator("#robot")).to_have_text("other")
+        assert page.evaluate("kindsl.isOfArm") is None
 
 
 def test_an_old_python_is_passed_over(browser: Browser, vsix: Path, tmp_path: Path) -> None:

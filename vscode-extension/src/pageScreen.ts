@@ -6,7 +6,6 @@ import { previewPage, type PanelState } from "./previewPage";
 import type { PageServer } from "./serverAccess";
 
 const ACTIONS = [RESTART, SHOW_LOG];
-const HELLO = { type: "hello", joints: {}, parameters: {} };
 let panels = 0;
 
 interface FromPage {
@@ -18,9 +17,7 @@ export class PageScreen implements Screen {
   /** How the server calls the page: by the document that is shown, and a name of the panel's. */
   #name: string | undefined;
   readonly #suffix = `/panel${++panels}`;
-  #hasPage = false;
-  /** Whether the page's scripts run; what is sent before is lost. */
-  #isListening = false;
+  #state: PanelState | undefined;
   #request = 0;
   readonly #listening: vscode.Disposable;
 
@@ -50,24 +47,24 @@ export class PageScreen implements Screen {
       const document = await askForPreview(this.server, uri);
       const page = await this.page;
       if (request !== this.#request) return;
-      this.#call(document + this.#suffix);
-      if (!this.#hasPage) this.panel.webview.html = page;
-      this.#hasPage = true;
-      void this.panel.webview.postMessage({ kindslState: state });
-      if (this.#isListening) this.server.sendFromPage(document + this.#suffix, HELLO);
+      this.#state = state;
+      // Each document has a page of its own, which looks at it from where it fits; the server may be another one.
+      if (!this.#call(document + this.#suffix)) void this.panel.webview.postMessage({ kindslState: state, kindslGreet: true });
+      else this.panel.webview.html = `${page}<!-- ${document} -->`;
     } catch (error) {
       if (request === this.#request) this.#tell((error as Error).message, state);
     }
   }
 
-  /** Give the page a name; a document that it has shown is told goodbye. */
-  #call(name: string | undefined): void {
-    if (this.#name !== undefined && name !== this.#name) this.server.sendFromPage(this.#name, null);
+  /** Give the page a name, and tell goodbye for the one before; return whether it is another. */
+  #call(name: string | undefined): boolean {
+    if (name === this.#name) return false;
+    if (this.#name !== undefined) this.server.sendFromPage(this.#name, null);
     this.#name = name;
+    return true;
   }
 
   #tell(text: string, state: PanelState): void {
-    this.#hasPage = this.#isListening = false;
     this.#call(undefined);
     const content = { kind: "message", text, actions: ACTIONS.map(({ title }) => title) } as const;
     this.panel.webview.html = previewPage(content, state, crypto.randomUUID());
@@ -76,8 +73,8 @@ export class PageScreen implements Screen {
   #receive({ action, kindslRequest: request }: FromPage): void {
     void ACTIONS.find(({ title }) => title === action)?.run();
     if (request === undefined || this.#name === undefined) return;
-    // A panel that was hidden or moved starts its page again, which then says hello.
-    if (request.type === "hello") this.#isListening = true;
+    // Before it says hello a page hears nothing.
+    if (request.type === "hello") void this.panel.webview.postMessage({ kindslState: this.#state });
     this.server.sendFromPage(this.#name, request);
   }
 }

@@ -20,6 +20,7 @@ class Messages {
       // In an editor's panel nobody else can send anything, and its page knows no parent.
       if (!editor && source !== parent) return;
       if (editor && data?.kindslState) editor.setState(data.kindslState);
+      if (editor && data?.kindslGreet) this.send(greeting());
       if (!Array.isArray(data?.kindslMessages)) return;
       // Said once: whoever hears it begins anew.
       if (!this.#isLive) onState("live");
