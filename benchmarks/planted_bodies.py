@@ -15,8 +15,7 @@ from math import dist
 from pathlib import Path
 from typing import NamedTuple
 
-from planted_slips import HEADING as LIMBS
-from planted_slips import PAGE, Robot, edited, robots
+from planted_slips import Robot, edited, robots, write_section
 
 from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.analysis.diagnostics import Diagnostic
@@ -110,9 +109,9 @@ KINDS: dict[str, Kind] = {
         with_moments(lambda m: [m[0], m[2], m[1], *m[3:]]), r"Iy and Iz|about the axes"
     ),
     "tensor turned to other axes": Kind(with_moments(cyclic), r"about the axes|were swapped"),
-    "mass in grams": Kind(heavier(1e3), r"mass were in g"),
-    "mass ten times": Kind(heavier(10.0), r"mass were divided by 10\b|mass is "),
-    "mass a tenth": Kind(heavier(0.1), r"mass were multiplied by 10\b|mass is "),
+    "mass in grams": Kind(heavier(1e3), r"mass were in g|mass of .* is|mass is "),
+    "mass ten times": Kind(heavier(10.0), r"mass were divided by 10\b|mass of .* is|mass is "),
+    "mass a tenth": Kind(heavier(0.1), r"mass were multiplied by 10\b|mass of .* is|mass is "),
     "CoM in mm": Kind(com(lambda _, c: [1e3 * x for x in c]), r"CoM.* mm|millimetres"),
     "sign of the CoM": Kind(com(negated), r"of the CoM|CoM is|CoM of"),
     "CoM exchanged": Kind(com(swapped), r"of the CoM|CoM is|CoM of"),
@@ -308,11 +307,7 @@ def main() -> None:
         return
     text = table(pool, given.number, given.seed, given.wrong)
     if given.write:
-        page = PAGE.read_text("utf-8")
-        before, heading, limbs = page.partition(LIMBS)
-        before = before.partition(HEADING)[0].rstrip()
-        section = f"{HEADING}\n{INTRODUCTION}\n{text}"
-        PAGE.write_text(f"{before}\n\n{section}\n{heading}{limbs}", encoding="utf-8")
+        write_section(HEADING, f"{INTRODUCTION}\n{text}")
 
 
 INTRODUCTION = """\

@@ -33,7 +33,7 @@ from kindsl.text.edits import TextEdit, apply_edits
 ROOT = Path(__file__).resolve().parents[1]
 PAGE = ROOT / "docs" / "seeded_defects.md"
 HEADING = "## Slips in limbs\n"
-LIMB_CODES = ("KD208", "KD209", "KD210", "KD509", "KD510")
+CODES = ("KD208", "KD209", "KD210", "KD312", "KD313", "KD509", "KD510", "KD511")
 MECHANICS = 1e-6
 
 
@@ -395,15 +395,21 @@ def main() -> None:
     if given.honest:
         for robot in pool:
             for finding in robot.analysis.findings:
-                if finding.code in LIMB_CODES:
+                if finding.code in CODES:
                     print(f"{robot.name}: {finding.code} {finding.message}")
         print(f"{len(pool)} robots")
         return
     text = table(pool, given.number, given.seed)
     print(text)
     if given.write:
-        page = PAGE.read_text("utf-8").partition(HEADING)[0].rstrip()
-        PAGE.write_text(f"{page}\n\n{HEADING}\n{INTRODUCTION}\n{text}", encoding="utf-8")
+        write_section(HEADING, f"{INTRODUCTION}\n{text}")
+
+
+def write_section(heading: str, text: str) -> None:
+    """Put a section in the place of the one that the page has."""
+    before, _, rest = PAGE.read_text("utf-8").partition(heading)
+    after = "".join(rest.partition("\n## ")[1:])
+    PAGE.write_text(f"{before}{heading}\n{text}{after}", encoding="utf-8")
 
 
 INTRODUCTION = """\

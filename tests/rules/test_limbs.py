@@ -84,6 +84,13 @@ def test_sides_have_two_choices() -> None:
     assert len(made) == 2
 
 
+def test_a_number_that_both_sides_have_alike_is_told_where_the_rest_is_mirrored() -> None:
+    text = two_arms("0.3, -0.001, 0.02").replace("0.3, 0.1, 0.02", "0.3, -0.001, 0.02")
+    left, wrist, right = text.rpartition("0.25, 0.0, 0.0")
+    mirrored = left.replace(wrist, "0.25, 0.05, 0.0") + "0.25, -0.05, 0.0" + right
+    assert (codes(text), codes(mirrored)) == ([], ["KD510"])
+
+
 def test_a_number_that_no_slip_explains_is_meant() -> None:
     assert codes(two_arms("0.37, -0.13, 0.02")) == []
 

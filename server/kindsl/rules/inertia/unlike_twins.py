@@ -29,7 +29,7 @@ def slips_of(own: MassDistribution, meant: Iterable[MassDistribution]) -> list[H
 
     A unit beside a shift would leave nothing of the moments as they are written.
     """
-    likely = [each for each in meant if each.mass * own.mass > 0.0 and may_be_image(own, each)]
+    likely = [each for each in set(meant) if each.mass * own.mass > 0.0 and may_be_image(own, each)]
     fitting = (
         h
         for h in (hypotheses(own, own) if likely else ())
