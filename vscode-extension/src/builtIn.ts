@@ -1,7 +1,7 @@
 // The Python that the extension brings along, in a process of the editor's own Node.
 import { spawn, type ChildProcess } from "node:child_process";
 import * as vscode from "vscode";
-import type { Home } from "./launch";
+import type { Home } from "./home";
 
 /** How the setting for the interpreter names it. */
 export const BUILT_IN = "built-in";

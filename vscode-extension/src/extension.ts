@@ -6,7 +6,7 @@ import { onDocument, registerCommands, type Commands } from "./commands";
 import { selectInterpreter } from "./interpreterChoice";
 import { EitherScreen } from "./eitherScreen";
 import { previewAddress } from "./frameScreen";
-import type { Home } from "./launch";
+import type { Home } from "./home";
 import { onSelectionChange } from "./msPython";
 import { readPage } from "./pageScreen";
 import { registerPasting } from "./pasting";

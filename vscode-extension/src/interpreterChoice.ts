@@ -1,7 +1,8 @@
 // The command "Select Python Interpreter".
 import * as vscode from "vscode";
 import { BUILT_IN } from "./builtIn";
-import { detectedCandidates, probeIn, type Home } from "./launch";
+import type { Home } from "./home";
+import { detectedCandidates, probeIn } from "./launch";
 import { isPythonExtensionPresent } from "./msPython";
 import { isRecent, OLDEST_PYTHON, type Command, type Interpreter } from "./python";
 

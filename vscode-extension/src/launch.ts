@@ -3,6 +3,7 @@ import { readdir } from "node:fs/promises";
 import { homedir } from "node:os";
 import * as vscode from "vscode";
 import { BUILT_IN } from "./builtIn";
+import type { Home } from "./home";
 import { installedPythons } from "./installedPythons";
 import { selectedInterpreter } from "./msPython";
 import { candidates, PROBE_MILLISECONDS, probeWith, search, type Command, type Hints, type Interpreter, type Probe } from "./python";
@@ -15,9 +16,6 @@ export interface Launch {
   /** Absent where the user's own `kindsl.path` is run. */
   readonly interpreter?: Interpreter;
 }
-
-/** Where the extension's files are. */
-export type Home = Pick<vscode.ExtensionContext, "extensionUri">;
 
 /** The built-in Python is to run the server. */
 export interface BuiltIn {

@@ -4,7 +4,8 @@ import { State as ClientState, type LanguageClient } from "vscode-languageclient
 import { BuiltInProcess } from "./builtIn";
 import { createClient } from "./client";
 import { rulePages, type Requests } from "./clientOptions";
-import { findLaunch, type BuiltIn, type Home, type Launch } from "./launch";
+import type { Home } from "./home";
+import { findLaunch, type BuiltIn, type Launch } from "./launch";
 import type { Interpreter } from "./python";
 import type { Problem } from "./problems";
 import { PAGE_MESSAGES, PAGE_REQUEST, type PageMessages, type PageServer } from "./serverAccess";

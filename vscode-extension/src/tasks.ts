@@ -1,7 +1,8 @@
 // Tasks that run kdsl-lint with the same interpreter and libraries as the server.
 import * as vscode from "vscode";
 import { builtInCommand } from "./builtIn";
-import { launchWith, type Home } from "./launch";
+import type { Home } from "./home";
+import { launchWith } from "./launch";
 import type { Server } from "./server";
 import { readSettings } from "./settings";
 
