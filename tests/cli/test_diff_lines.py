@@ -129,3 +129,46 @@ def test_the_line_of_a_joint_pose_is_named(
     assert run.status == 1
     assert f" {file} (line {line})" in run.out.splitlines()[1], run.out
     assert "of joint 'elbow'" in run.out.splitlines()[1]
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "new"),
+    [
+        ("arm.urdf", 'xyz="0.0 0.0 1.0"', 'xyz="0.0 0.05 1.0"'),
+        ("arm.xml", 'axis="0 0 1"', 'axis="0.05 0 -1"'),
+        ("arm.sdf", "<xyz>0 0 1</xyz>", "<xyz>0 0.05 1</xyz>"),
+    ],
+)
+@pytest.mark.parametrize("number", [0, 1])
+def test_an_axis_that_is_turned_is_one_difference(
+    kindsl: Runner, folder: Path, file: str, old: str, new: str, number: int
+) -> None:
+    if file.endswith("xml"):
+        pytest.importorskip("mujoco")
+    (folder / "arm.kindsl").write_text(ARM)
+    _add_frames(folder / "arm.kindsl")
+    assert kindsl("convert", "-q", "arm.kindsl", file).status == 0
+    text = Path(file).read_text()
+    at = text.index(old, text.index(old) + 1 if number else 0)
+    Path(file).write_text(text[:at] + new + text[at + len(old) :])
+    line, joint = text.count("\n", 0, at) + 1, ("shoulder", "elbow")[number]
+    for sides in (("arm.kindsl", file), (file, "arm.kindsl")):
+        run = kindsl("diff", *sides)
+        assert run.status == 1
+        told = run.out.splitlines()
+        assert told[0] == "the mechanics differ"
+        assert told[1].startswith(f"  axes of joint '{joint}' in {sides[0]} (line ")
+        assert f" {file} (line {line})" in told[1]
+        assert " are 0.04996 rad apart [" in told[1]
+        assert not any(each.startswith("  ") for each in told[2:])
+
+
+def _add_frames(document: Path) -> None:
+    """Add a frame to each link."""
+    pose = "translation = (0.1, 0.2, 0.3)  rotation = (0.3, 0.2, 0.1)"
+    first, *links = document.read_text().split("    children {")
+    framed = (
+        link.replace("}", f"}}\n    frames {{ tip{k} {{ {pose} }} }}", 1)
+        for k, link in enumerate(links)
+    )
+    document.write_text("    children {".join((first, *framed)))

@@ -1,7 +1,7 @@
 """Two robots of any files: what moves where and what weighs what, apart from conventions."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import acos, hypot
 
 from kindsl.comparison.alignment import Alignment, aligned, base_frames, likely_base_frames
@@ -14,6 +14,7 @@ from kindsl.comparison.number_differences import (
     inertia_differences,
     joint_differences,
 )
+from kindsl.comparison.turned_axes import axis_differences, described_with_axis
 from kindsl.comparison.written import Described, written_frame
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.rigid.pose import RigidPose
@@ -24,6 +25,7 @@ _TILT = 3e-4
 _FAR = 2.0
 # So few differences are no base frame elsewhere, which moves all.
 _FEW = 1
+_MOST_AXES = 6
 # Numbers explain a difference better than another direction of gravity.
 _OF_STRUCTURE = 10
 
@@ -74,7 +76,29 @@ def compared_mechanics(
         tried.append(_under(ours, theirs, matching, bounds, root))
         if _n_differences(tried[-1]) <= _FEW:
             break
-    return min(tried, key=_n_differences)
+    return _with_axes_told(ours, theirs, bounds, min(tried, key=_n_differences))
+
+
+def _with_axes_told(
+    ours: Described, theirs: Described, bounds: Tolerances, found: MechanicalComparison
+) -> MechanicalComparison:
+    """Tell axes that are turned as such, where that says what many numbers say."""
+    told: list[NumberDifference] = []
+    bodies = sorted({each.body for each in found.numbers if each.body})[:_MOST_AXES]
+    for body in bodies:
+        if _n_differences(found) <= _FEW:
+            break
+        matching, its = found.matching, found.matching.theirs[body]
+        for axis, turn in axis_differences(ours, theirs, matching, found.alignment, body):
+            other = described_with_axis(theirs, its, turn)
+            again = _under(ours, other, matching, bounds, found.alignment.frames[0])
+            if _n_differences(again) + 1 < _n_differences(found):
+                frames = again.alignment.frames
+                frames[body] = frames[body].then(turn.inverse())
+                theirs, found = other, again
+                told.append(axis)
+                break
+    return replace(found, numbers=(*told, *found.numbers))
 
 
 def _under(

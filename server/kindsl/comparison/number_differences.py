@@ -44,7 +44,7 @@ class NumberDifference(NamedTuple):
         kind: `"link"`, `"joint"` or `"frame"`.
         owner: Whose number it is, in our file.
         other: Its name in the other file.
-        quantity: Of `INERTIA` or `POSE`.
+        quantity: Of `INERTIA` or `POSE`, or `AXIS`: then the values are nothing and the angle.
         unit: Of both values.
         here: Our file's value, or the one it needs where only the other's number is to blame.
         there: The other's value, or the one it needs.
@@ -57,6 +57,7 @@ class NumberDifference(NamedTuple):
         is_theirs: Whether it is the other's number that would have to be another.
         our_changes: Edits of our file for both to agree; none where these are not known.
         their_changes: The same in the other file.
+        turn: Of an axis: the frame whose z is the other's, in our joint's.
     """
 
     kind: str
@@ -75,6 +76,7 @@ class NumberDifference(NamedTuple):
     is_theirs: bool = False
     our_changes: tuple[NumberChange, ...] = ()
     their_changes: tuple[NumberChange, ...] = ()
+    turn: RigidPose | None = None
 
 
 class _WantedNumbers(NamedTuple):

@@ -2,6 +2,8 @@
 
 from typing import TYPE_CHECKING
 
+from kindsl.comparison.written import AXIS
+
 if TYPE_CHECKING:
     from kindsl.comparison.number_differences import NumberDifference
     from kindsl.comparison.written import WrittenNumber
@@ -15,17 +17,23 @@ def told(number: "NumberDifference", here: str, there: str) -> str:
         here: Where our value stands: `"here"`, `"in a.kindsl (line 12)"`.
         there: Where the other's stands.
     """
+    if number.quantity == AXIS:
+        return f"axes of {_subject(number)} {here} and {there} are {number.there:.4g} rad apart"
     values = f"{number.here:.6g}", f"{number.there:.6g}"
     if values[0] == values[1]:
         values = f"{number.here:.15g}", f"{number.there:.15g}"
-    other = f" (there '{number.other}')" if number.other not in (number.owner, "") else ""
-    subject = f"{number.quantity} of {number.kind} '{number.owner}'{other}"
+    subject = f"{number.quantity} of {_subject(number)}"
     left, right = (f"{value} {number.unit}" for value in values)
     if not _stands(number.here_number or number.here_near, number.here):
         return f"{subject} is {right} {there} and would be {left} to match what is {here}"
     if not _stands(number.there_number or number.there_near, number.there):
         return f"{subject} is {left} {here} and would be {right} to match what is {there}"
     return f"{subject} is {left} {here} and {right} {there}"
+
+
+def _subject(number: "NumberDifference") -> str:
+    other = f" (there '{number.other}')" if number.other not in (number.owner, "") else ""
+    return f"{number.kind} '{number.owner}'{other}"
 
 
 def _stands(written: "WrittenNumber | None", value: float) -> bool:

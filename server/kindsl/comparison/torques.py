@@ -9,11 +9,13 @@ import numpy as np
 from kindsl.comparison.alignment import moved_by
 from kindsl.comparison.mechanical import MechanicalComparison
 from kindsl.comparison.number_differences import NumberDifference
+from kindsl.comparison.turned_axes import with_axis
 from kindsl.comparison.written import INERTIA, POSE, Described
 from kindsl.dynamics.evaluation.mechanics import GRAVITY, Mechanics
 from kindsl.mechanism.bodies import bodies_of
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.rigid.body import lumped, seen_from
+from kindsl.rigid.pose import RigidPose
 from kindsl.spatial.arrays import Array
 from kindsl.spatial.transforms import plucker
 
@@ -113,10 +115,13 @@ def _carried(ours: Described, theirs: Described, found: MechanicalComparison) ->
     """Return our robot with the other's numbers where they differ, in our conventions."""
     one, other = ours.skeleton, theirs.skeleton
     masses, placements = list(one.masses), list(one.placements)
+    turns: list[tuple[int, RigidPose]] = []
     frames = found.alignment.frames
     for number in found.numbers:
         body, its = number.body, found.matching.theirs[number.body]
-        if number.quantity in INERTIA:
+        if number.turn is not None:
+            turns.append((body, number.turn))
+        elif number.quantity in INERTIA:
             parts = [part.body() for part in theirs.inertias[its]]
             masses[body] = seen_from(lumped(parts), frames[body])
         elif number.kind == "joint":
@@ -125,7 +130,10 @@ def _carried(ours: Described, theirs: Described, found: MechanicalComparison) ->
             parent = frames[one.parents[body - 1]]
             pose = parent.then(other.placements[its - 1]).then(at_zero)
             placements[body - 1] = pose.then(frames[body].inverse())
-    return replace(one, masses=tuple(masses), placements=tuple(placements))
+    carried = replace(one, masses=tuple(masses), placements=tuple(placements))
+    for body, turn in turns:
+        carried = with_axis(carried, body, turn)
+    return carried
 
 
 def _gap(one: tuple[Array, Array], other: tuple[Array, Array]) -> float:
@@ -152,6 +160,8 @@ def _effect(
 def _changed(side: Described, found: MechanicalComparison, number: NumberDifference) -> Skeleton:
     skeleton = side.skeleton
     body = found.matching.theirs[number.body] if number.is_theirs else number.body
+    if number.turn is not None:
+        return with_axis(skeleton, body, number.turn)
     value = number.others_value if number.is_theirs else number.there
     if value is None or number.kind == "frame":
         return skeleton

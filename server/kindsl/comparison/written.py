@@ -28,6 +28,7 @@ from kindsl.syntax.vocabulary import MOMENTS
 INERTIA = ("mass", "CoM x", "CoM y", "CoM z", *MOMENTS)
 TURNS = ("rx", "ry", "rz")
 POSE = ("x", "y", "z", *TURNS)
+AXIS = "axis"
 _ORIGIN = (0.0, 0.0, 0.0)
 _GIMBAL = 1e-9
 # No number is taken to be less exact than this, however few its digits, nor more exact than a
@@ -135,6 +136,7 @@ class WrittenPose:
         is_intrinsic: Whether angles are about own axes x, y, z in turn, else about fixed ones.
         values: Translation and angles, in the order of `POSE`.
         numbers: Where they are written.
+        axis: Where the axis of a joint is written, if that is apart from the pose.
     """
 
     owner: str
@@ -143,6 +145,7 @@ class WrittenPose:
     is_intrinsic: bool
     values: tuple[float, ...]
     numbers: Numbers
+    axis: WrittenNumber | None = None
 
     def pose(self, values: Sequence[float] | None = None) -> RigidPose:
         """Return the frame meant in the predecessor's frame, of these or other values."""

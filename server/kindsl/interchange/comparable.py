@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from kindsl.comparison.written import (
+    AXIS,
     INERTIA,
     POSE,
     Described,
@@ -107,7 +108,9 @@ def _pose(link: DescribedLink, numbers: FileNumbers) -> WrittenPose:
     written = (numbers.found.get(("joint", link.joint, name)) for name in POSE)
     guess = tuple(0.0 if n is None or n.is_implied else n.value for n in written)
     values = replace(form, values=guess).values_of(link.parent_T_joint)
-    return replace(form, values=values, numbers=_found(numbers, "joint", link.joint, POSE, values))
+    found = _found(numbers, "joint", link.joint, POSE, values)
+    axis = numbers.found.get(("joint", link.joint, AXIS))
+    return replace(form, values=values, numbers=found, axis=axis)
 
 
 def _found(

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import Any
 
-from kindsl.comparison.written import INERTIA, POSE, WrittenNumber
+from kindsl.comparison.written import AXIS, INERTIA, POSE, TURNS, WrittenNumber
 from kindsl.interchange.written_numbers import FileNumbers, XmlNumbers, implied, keyed
 
 _ORIENTATIONS = ("quat", "euler", "axisangle", "xyaxes", "zaxis")
@@ -37,8 +37,8 @@ def _pose(
     """Yield the place of each number of a joint's pose; its own attributes say what is left."""
     name, own = joint.get("name") or "", xml.of_attribute(joint, "pos")
     yield from implied("joint", name, POSE[:3], own)
-    yield from implied("joint", name, POSE[3:], xml.of_attribute(joint, "axis"))
+    yield from implied("joint", name, (*TURNS, AXIS), xml.of_attribute(joint, "axis"))
     yield from keyed("joint", name, POSE[:3], xml.of_attribute(placed, "pos"))
     if placed is not joint:
         for attribute in _ORIENTATIONS:
-            yield from implied("joint", name, POSE[3:], xml.of_attribute(placed, attribute))
+            yield from implied("joint", name, TURNS, xml.of_attribute(placed, attribute))

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import Any
 
-from kindsl.comparison.written import INERTIA, POSE, WrittenNumber
+from kindsl.comparison.written import AXIS, INERTIA, POSE, TURNS, WrittenNumber
 from kindsl.interchange.format import FormatError
 from kindsl.interchange.sdf.frame_graph import FrameGraph
 from kindsl.interchange.sdf.nesting import flatten
@@ -51,11 +51,12 @@ def _joints(xml: XmlNumbers, model: Any) -> _Found:
         return
     for joint, placed in placing:
         name, pose = joint.get("name") or "", placed.find("pose")
-        yield from implied("joint", name, POSE[3:], xml.of_text(joint.find("axis/xyz")))
+        axis = xml.of_text(joint.find("axis/xyz"))
+        yield from implied("joint", name, (*TURNS, AXIS), axis)
         numbers = xml.of_text(pose)
         yield from keyed("joint", name, POSE[:3], numbers[:3])
         is_as_meant = pose is not None and not pose.get("degrees") and len(numbers) == len(POSE)
         if is_as_meant and any(number.value for number in numbers[3:]):
-            yield from keyed("joint", name, POSE[3:], numbers[3:])
+            yield from keyed("joint", name, TURNS, numbers[3:])
         elif any(number.value for number in numbers[3:6]):
-            yield from implied("joint", name, POSE[3:], numbers[3:])
+            yield from implied("joint", name, TURNS, numbers[3:])

@@ -1,7 +1,7 @@
 """The places of a URDF's numbers."""
 
-from kindsl.comparison.written import INERTIA, POSE, WrittenNumber
-from kindsl.interchange.written_numbers import FileNumbers, XmlNumbers, keyed
+from kindsl.comparison.written import AXIS, INERTIA, POSE, TURNS, WrittenNumber
+from kindsl.interchange.written_numbers import FileNumbers, XmlNumbers, implied, keyed
 from kindsl.rigid.pose import Rotation, pose_from_fixed_axes
 
 _MOMENTS = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
@@ -26,6 +26,8 @@ def numbers_of_urdf(content: bytes | str) -> FileNumbers:
             turns[name] = pose_from_fixed_axes((0.0, 0.0, 0.0), (rpy[0], rpy[1], rpy[2])).rotation
     for joint in xml.root.iterfind("joint") if xml.root is not None else ():
         name, origin = joint.get("name") or "", joint.find("origin")
+        axis = xml.of_attribute(joint.find("axis"), "xyz")
+        found |= implied("joint", name, (*TURNS, AXIS), axis)
         found |= keyed("joint", name, POSE[:3], xml.of_attribute(origin, "xyz"))
         found |= keyed("joint", name, POSE[3:], xml.of_attribute(origin, "rpy"))
     return FileNumbers(found, turns)
