@@ -1,5 +1,6 @@
 """Lines of joint poses in other formats, whatever form these write them in."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -161,6 +162,25 @@ def test_an_axis_that_is_turned_is_one_difference(
         assert f" {file} (line {line})" in told[1]
         assert " are 0.04996 rad apart [" in told[1]
         assert not any(each.startswith("  ") for each in told[2:])
+
+
+@pytest.mark.parametrize("file", ["arm.urdf", "arm.xml", "arm.sdf"])
+def test_the_line_of_a_frame_is_named(kindsl: Runner, folder: Path, file: str) -> None:
+    if file.endswith("xml"):
+        pytest.importorskip("mujoco")
+    (folder / "arm.kindsl").write_text(ARM)
+    _add_frames(folder / "arm.kindsl")
+    assert kindsl("convert", "-q", "arm.kindsl", file).status == 0
+    text = Path(file).read_text()
+    at = text.rindex("0.1 0.2 0.3")
+    Path(file).write_text(f"{text[:at]}0.1 0.2 0.4{text[at + 11 :]}")
+    run = kindsl("diff", "arm.kindsl", file)
+    line = text.count("\n", 0, at) + 1
+    assert run.status == 1
+    told = rf" is 0\.3 m in arm\.kindsl \(line \d+\) and 0\.4 m in {file} \(line {line}\)"
+    assert re.search(told, run.out)
+    run = kindsl("diff", file, "arm.kindsl")
+    assert f"is 0.4 m in {file} (line {line}) and 0.3 m in arm.kindsl" in run.out
 
 
 def _add_frames(document: Path) -> None:

@@ -207,4 +207,4 @@ def _frames(
             continue
         written = ours.frames.get(frame.name) or written_frame(frame.name, frame.pose)
         pose = alignment.frames[frame.body].then(other.pose)
-        yield from frame_differences(written, pose, bounds)
+        yield from frame_differences(written, theirs.frames.get(frame.name), pose, bounds)

@@ -130,14 +130,17 @@ def joint_differences(
 
 
 def frame_differences(
-    frame: WrittenPose, pose: RigidPose, bounds: Tolerances
+    frame: WrittenPose, other: WrittenPose | None, pose: RigidPose, bounds: Tolerances
 ) -> list[NumberDifference]:
     """Return the numbers of a frame that differ from another's pose in the same body."""
     values = frame.values_of(pose)
     scales, slack = _scales_of_pose(bounds), (_FRAME * bounds.size,) * 3 + (_FRAME,) * 3
     unlike = _unlike(frame.values, frame.numbers, values, scales, bounds, slack)
     wanted = _WantedNumbers(frame, values, unlike)
-    return [_difference("frame", wanted, frame, k, None) for k in unlike]
+    near = (None,) * len(POSE) if other is None else other.numbers
+    return [
+        _difference("frame", wanted, frame, k, None)._replace(there_near=near[k]) for k in unlike
+    ]
 
 
 def inertia_differences(

@@ -13,6 +13,7 @@ from kindsl.comparison.written import (
     WrittenNumber,
     WrittenPose,
     exactly_turned,
+    written_frame,
 )
 from kindsl.interchange.format import FormatError
 from kindsl.interchange.robot_description import DescribedLink, DescribedPart, RobotDescription
@@ -39,13 +40,15 @@ def described_robot(
     Raises:
         FormatError: Two things have one name.
     """
-    return exactly_turned(
+    described = exactly_turned(
         label,
         skeleton_of_robot(robot),
         tuple(tuple(_inertias(link, numbers)) for link in robot.links),
         tuple(_pose(link, numbers) for link in robot.links[1:]),
         frozenset(part.name for link in robot.links for part in link.parts if part.body),
     )
+    frames = {f.name: _frame(f, numbers) for f in described.skeleton.frames}
+    return replace(described, frames=frames)
 
 
 def skeleton_of_robot(robot: RobotDescription) -> Skeleton:
@@ -100,6 +103,11 @@ def _inertia(part: DescribedPart, numbers: FileNumbers) -> WrittenInertia:
     found = _found(numbers, "link", part.name, INERTIA, values)
     exact = tuple(v if n is None else n.value for v, n in zip(values, found, strict=True))
     return replace(form, values=exact, numbers=found)
+
+
+def _frame(frame: AttachedFrame, numbers: FileNumbers) -> WrittenPose:
+    form = written_frame(frame.name, frame.pose)
+    return replace(form, numbers=_found(numbers, "frame", frame.name, POSE, form.values))
 
 
 def _pose(link: DescribedLink, numbers: FileNumbers) -> WrittenPose:

@@ -20,9 +20,19 @@ def numbers_of_mjcf(content: bytes | str) -> FileNumbers:
         found |= keyed("link", name, INERTIA[1:4], xml.of_attribute(inertial, "pos"))
         found |= keyed("link", name, INERTIA[4:7], xml.of_attribute(inertial, "diaginertia"))
         found |= keyed("link", name, INERTIA[4:], xml.of_attribute(inertial, "fullinertia"))
+        for placed in (body, *body.iterfind("site")):
+            found |= _frame(xml, placed)
         for joint, placed in _placed_joints(body):
             found |= _pose(xml, joint, placed)
     return FileNumbers(found, {})
+
+
+def _frame(xml: XmlNumbers, placed: Any) -> Iterator[tuple[tuple[str, str, str], WrittenNumber]]:
+    """Yield the place of each number of a body without joints, or a site."""
+    name = placed.get("name") or ""
+    yield from implied("frame", name, POSE[:3], xml.of_attribute(placed, "pos"))
+    for attribute in _ORIENTATIONS:
+        yield from implied("frame", name, TURNS, xml.of_attribute(placed, attribute))
 
 
 def _placed_joints(body: Any) -> Iterator[tuple[Any, Any]]:

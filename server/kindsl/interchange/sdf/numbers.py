@@ -20,6 +20,8 @@ def numbers_of_sdf(content: bytes | str) -> FileNumbers:
     for model in _models(xml.root):
         for link in model.iterfind("link"):
             found |= _inertia(xml, link)
+        for frame in model.iterfind("frame"):
+            found |= _frame(xml, frame.get("name") or "", frame)
         found |= _joints(xml, model)
     return FileNumbers(found, {})
 
@@ -43,6 +45,13 @@ def _inertia(xml: XmlNumbers, link: Any) -> _Found:
             yield from keyed("link", name, (key,), xml.of_text(inertial.find(f"inertia/{tag}")))
 
 
+def _frame(xml: XmlNumbers, name: str, placed: Any) -> _Found:
+    """Yield the place of each number of a frame, or of a link that is fixed to another."""
+    numbers = xml.of_text(placed.find("pose"))
+    yield from implied("frame", name, POSE[:3], numbers[:3])
+    yield from implied("frame", name, TURNS, numbers[3:])
+
+
 def _joints(xml: XmlNumbers, model: Any) -> _Found:
     try:
         graph = FrameGraph(model, "")
@@ -54,6 +63,8 @@ def _joints(xml: XmlNumbers, model: Any) -> _Found:
         axis = xml.of_text(joint.find("axis/xyz"))
         yield from implied("joint", name, (*TURNS, AXIS), axis)
         numbers = xml.of_text(pose)
+        if joint.get("type") == "fixed":
+            yield from _frame(xml, (joint.findtext("child") or "").strip(), placed)
         yield from keyed("joint", name, POSE[:3], numbers[:3])
         is_as_meant = pose is not None and not pose.get("degrees") and len(numbers) == len(POSE)
         if is_as_meant and any(number.value for number in numbers[3:]):

@@ -28,6 +28,11 @@ def numbers_of_urdf(content: bytes | str) -> FileNumbers:
         name, origin = joint.get("name") or "", joint.find("origin")
         axis = xml.of_attribute(joint.find("axis"), "xyz")
         found |= implied("joint", name, (*TURNS, AXIS), axis)
-        found |= keyed("joint", name, POSE[:3], xml.of_attribute(origin, "xyz"))
-        found |= keyed("joint", name, POSE[3:], xml.of_attribute(origin, "rpy"))
+        at, turned = xml.of_attribute(origin, "xyz"), xml.of_attribute(origin, "rpy")
+        found |= keyed("joint", name, POSE[:3], at)
+        found |= keyed("joint", name, TURNS, turned)
+        child = joint.find("child")
+        if joint.get("type") == "fixed" and child is not None:
+            found |= implied("frame", child.get("link") or "", POSE[:3], at)
+            found |= implied("frame", child.get("link") or "", TURNS, turned)
     return FileNumbers(found, turns)
