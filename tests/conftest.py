@@ -9,10 +9,12 @@ import signal
 
 import pytest
 from hypothesis import settings
+from tests.delays.injected import inject
 from tests.support.published import ABSENT, CORPUS
 
 settings.register_profile("kindsl", deadline=None, derandomize=True)
 settings.load_profile("kindsl")
+inject()
 
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)

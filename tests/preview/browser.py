@@ -6,6 +6,7 @@ from contextlib import asynccontextmanager
 from weakref import WeakKeyDictionary
 
 from playwright.async_api import Browser, Error, Page, async_playwright
+from tests.delays import injected
 from tests.preview.robots import require
 
 from kindsl.preview.server import PreviewServer
@@ -132,6 +133,8 @@ async def _blank_page(browser: Browser) -> Page:
     if not _spare.get(browser):
         page = await browser.new_page(viewport=SIZE)
         page.set_default_timeout(TIMEOUT)
+        if injected.WHO == "frames":
+            await page.add_init_script(injected.FRAMES)
         return page
     page = _spare[browser].pop()
     await page.set_viewport_size(SIZE)

@@ -11,9 +11,11 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from tests.delays import injected
 from tests.support.lsp_messages import faults
 
-SERVER = (sys.executable, "-m", "kindsl.cli.language_server")
+_LATE = str(Path(injected.__file__).with_name("server.py"))
+SERVER = (sys.executable, *((_LATE,) if injected.WHO else ("-m", "kindsl.cli.language_server")))
 TIMEOUT = 60.0
 
 

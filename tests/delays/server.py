@@ -1,0 +1,13 @@
+"""The language server, late at random moments."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parents[2]))
+
+from tests.delays.injected import inject
+
+from kindsl.cli.language_server import main
+
+inject()
+main()
