@@ -53,9 +53,10 @@ def label_of(name: str) -> LimbLabel:
     return LimbLabel(side, row, tuple(words))
 
 
-def tokens(name: str) -> list[str]:
+@lru_cache(maxsize=4096)
+def tokens(name: str) -> tuple[str, ...]:
     """Return the words and numbers of a name, in lower case."""
-    return [token.lower() for token in _TOKEN.findall(name)]
+    return tuple([token.lower() for token in _TOKEN.findall(name)])
 
 
 def is_held(*names: str) -> bool:

@@ -78,12 +78,12 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
 
 
 def _unlike(left: Link, right: Link, values: Mapping[str, float]) -> _Unlike:
-    numbers = mirror_difference(left, right)
     here, there = (link_inertia(body, values) for body in (left, right))
-    if numbers or isinstance(here, Unknown) or isinstance(there, Unknown):
-        return numbers, ()
-    if any(not differing(seen_by(here, C), there, _NEARLY) for C in REFLECTIONS):
+    if isinstance(here, Unknown) or isinstance(there, Unknown):
         return "", ()
+    numbers = mirror_difference((str(left.name), str(right.name)), here, there)
+    if numbers or any(not differing(seen_by(here, C), there, _NEARLY) for C in REFLECTIONS):
+        return numbers, ()
     # Imported for twins that are unlike only, since it delays the linter's start.
     from kindsl.rules.inertia.surroundings import images
     from kindsl.rules.inertia.unlike_twins import slips_of
