@@ -20,6 +20,7 @@ from kindsl.rigid.pose import (
     pose_from,
     pose_from_fixed_axes,
     product,
+    round_angle,
     transposed,
 )
 from kindsl.semantics.places import Located
@@ -35,7 +36,6 @@ _GIMBAL = 1e-9
 # float, in which some programs write.
 _CAP = 1e-4
 _FLOAT = 2e-7
-_FRACTIONS_OF_TURN = 24
 
 
 class TextPlace(NamedTuple):
@@ -211,18 +211,13 @@ def _with_meant_angles(joint: WrittenPose) -> WrittenPose:
 def _meant_angle(value: float, number: WrittenNumber | None) -> float:
     """Return the fraction of a turn that an angle is within its digits, else the angle."""
     slack = max(_FLOAT, number.slack if number is not None else 0.0)
-    fraction = _round_angle(value)
+    fraction = round_angle(value)
     return fraction if abs(value - fraction) <= slack else value
 
 
 def is_round_angle(value: float) -> bool:
     """Return whether an angle is a fraction of a turn, as it is when nobody changed it."""
-    return abs(value - _round_angle(value)) <= _FLOAT
-
-
-def _round_angle(value: float) -> float:
-    step = 2.0 * pi / _FRACTIONS_OF_TURN
-    return round(value / step) * step + 0.0
+    return abs(value - round_angle(value)) <= _FLOAT
 
 
 def written_frame(name: str, pose: RigidPose) -> WrittenPose:

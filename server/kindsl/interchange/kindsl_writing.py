@@ -20,7 +20,10 @@ from kindsl.text.decimals import digits_after_point, fixed_decimal, significant_
 _DECIMALS = 15
 _DIGITS = 15
 _ANGLE_TOLERANCE = 1e-14
-_QUARTER_TURNS = {0: "0.0", 1: "PI/2.0", -1: "-PI/2.0", 2: "PI", -2: "-PI"}
+_FRACTIONS = {
+    pi: "PI",
+    **{pi / n: f"PI/{n}.0" for n in (2, 3, 4, 6)},
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -157,7 +160,7 @@ def joint_text(link: DescribedLink, name: str) -> str:
 def _pose(pose: RigidPose, indent: str) -> list[str]:
     return [
         f"{indent}translation = {_vector(map(_number, pose.translation))}",
-        f"{indent}rotation = {_vector(map(_angle, angles(pose.rotation, within=0.0)))}",
+        f"{indent}rotation = {_vector(map(_angle, angles(pose.rotation, _ANGLE_TOLERANCE)))}",
     ]
 
 
@@ -166,9 +169,12 @@ def _vector(components: Iterable[str]) -> str:
 
 
 def _angle(angle: float) -> str:
-    quarters = round(angle / (pi / 2.0))
-    is_exact = abs(angle - quarters * pi / 2.0) < _ANGLE_TOLERANCE
-    return _QUARTER_TURNS[quarters] if is_exact and quarters in _QUARTER_TURNS else _number(angle)
+    sign = "-" if angle < 0.0 else ""
+    fractions = (
+        text for value, text in _FRACTIONS.items() if abs(abs(angle) - value) < _ANGLE_TOLERANCE
+    )
+    text = next(fractions, None)
+    return _number(angle) if text is None else f"{sign}{text}"
 
 
 def _number(value: float) -> str:

@@ -1,12 +1,15 @@
 """Poses on plain floats, without NumPy."""
 
-from math import atan2, cos, hypot, sin
+from math import atan2, cos, hypot, pi, sin
 from typing import NamedTuple
 
 # For people: nearer to a quarter turn, one sum is plainer than two angles.
 PLAIN = 1e-9
 # For programs: no more than rounding, so that a quarter turn is one.
 _ROUNDING = 1e-15
+# As far as eleven decimals leave an angle open, rounded or cut off.
+_CUT_OFF = 1e-11
+_ROUND = pi / 12.0
 
 Vector3 = tuple[float, float, float]
 Rotation = tuple[Vector3, Vector3, Vector3]
@@ -139,6 +142,17 @@ def fixed_axis_angles(rotation: Rotation) -> Vector3:
     """Return the turns about the fixed x, y, z (roll, pitch, yaw) that make a rotation, radians."""
     x, y, z = angles(transposed(rotation), _ROUNDING)
     return 0.0 - x, 0.0 - y, 0.0 - z
+
+
+def round_angle(value: float) -> float:
+    """Return the nearest whole fraction of a turn, a multiple of 15 degrees; radians."""
+    return round(value / _ROUND) * _ROUND + 0.0
+
+
+def meant_angle(value: float) -> float:
+    """Return the fraction of a turn that is written with eleven digits or more, else the angle."""
+    fraction = round_angle(value)
+    return fraction if abs(value - fraction) <= _CUT_OFF else value
 
 
 def transposed(rotation: Rotation) -> Rotation:

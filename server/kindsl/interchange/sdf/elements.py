@@ -6,7 +6,13 @@ from typing import Any
 
 from kindsl.interchange.format import FormatError
 from kindsl.interchange.xml_reading import XmlError, parsed_xml
-from kindsl.rigid.pose import IDENTITY, RigidPose, pose_from_fixed_axes, rotation_from_quaternion
+from kindsl.rigid.pose import (
+    IDENTITY,
+    RigidPose,
+    meant_angle,
+    pose_from_fixed_axes,
+    rotation_from_quaternion,
+)
 
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 _GREATEST = 1e50
@@ -84,7 +90,7 @@ def pose_of(element: Any) -> RigidPose:
     x, y, z, *angles = numbers_in(pose, 6)
     if (pose.get("degrees") or "").lower() in ("1", "true"):
         angles = [radians(angle) for angle in angles]
-    roll, pitch, yaw = angles
+    roll, pitch, yaw = map(meant_angle, angles)
     return pose_from_fixed_axes((x, y, z), (roll, pitch, yaw))
 
 

@@ -18,7 +18,7 @@ from kindsl.interchange.rigid_links import (
 from kindsl.interchange.robot_description import RobotDescription
 from kindsl.interchange.urdf.checking import Remarkable, UrdfError, checked, numbers_of, rotation_of
 from kindsl.rigid.body import MassDistribution, Symmetric
-from kindsl.rigid.pose import IDENTITY, RigidPose, Vector3, pose_from_fixed_axes
+from kindsl.rigid.pose import IDENTITY, RigidPose, Vector3, meant_angle, pose_from_fixed_axes
 from kindsl.semantics.parameters import UNTOLD, JointProperties
 from kindsl.text.phrases import counted
 
@@ -167,7 +167,8 @@ def pose_of_origin(origin: Any) -> RigidPose:
     zero = (0.0, 0.0, 0.0)
     if origin.get("quat_xyzw") is not None:
         return RigidPose(rotation_of(origin), _triple(origin, "xyz", zero))
-    return pose_from_fixed_axes(_triple(origin, "xyz", zero), _triple(origin, "rpy", zero))
+    roll, pitch, yaw = map(meant_angle, _triple(origin, "rpy", zero))
+    return pose_from_fixed_axes(_triple(origin, "xyz", zero), (roll, pitch, yaw))
 
 
 def _triple(element: Any, name: str, default: Vector3) -> Vector3:
