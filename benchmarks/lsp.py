@@ -3,7 +3,8 @@
     python benchmarks/lsp.py [--quick]
 
 The trivial server is pygls as it comes: one hover that answers a constant, one check that looks
-for a word. Each figure is the median of alternating rounds, so that both see the same machine.
+for a word. Each figure is the median of alternating rounds, so that both see the same machine; a
+change is measured by the processor time of all threads, which others on the machine change little.
 """
 
 import argparse
@@ -23,6 +24,8 @@ from tests.support.lsp import SERVER, RawClient
 TRIVIAL = (sys.executable, __file__, "--trivial-server")
 URI = "untitled:robot"
 _FIRST = 10
+# By the number of links: the goals; 10,000 no slower than before rules declared what they read.
+MOST_CHANGES = {12: 2.4, 1000: 3.0, 10_000: 7.0}
 NO_DELAY = {"kindsl": {"diagnostics": {"delay": 0}}}
 
 
@@ -76,8 +79,8 @@ def figures(is_quick: bool) -> Iterator[Figure]:
                     "hover on a link, 12 links", *answering(kindsl, other, text, 40 * rounds), 1.5
                 )
             changes[links], trivial = changing(kindsl, other, text, rounds)
-            name = f"didChange to published diagnostics, {links} links"
-            yield Figure(name, changes[links], trivial, 10.0)
+            name = f"didChange to published diagnostics, processor time, {links} links"
+            yield Figure(name, changes[links], trivial, MOST_CHANGES[links])
             completions[links] = completing(kindsl, text, 8 * rounds)
             if links == 10_000:
                 memory = resident_megabytes(kindsl.process.pid)
@@ -162,14 +165,14 @@ class Changes:
         self.make()
 
     def make(self) -> float:
-        """Return how long it takes until the diagnostics of the next version are there."""
+        """Return the processor time until the diagnostics of the next version are there."""
         self.version += 1
         end = {**self.start, "character": self.start["character"] + 1}
         digit = {"range": {"start": self.start, "end": end}, "text": str(1 + self.version % 9)}
-        begin = time.perf_counter()
+        begin = busy_milliseconds(self.client.process.pid)
         self.client.change(URI, self.version, digit)
         wait_for_version(self.client, self.version)
-        return milliseconds(begin)
+        return busy_milliseconds(self.client.process.pid) - begin
 
 
 def changing(kindsl: RawClient, other: RawClient, text: str, rounds: int) -> tuple[float, float]:
@@ -246,6 +249,12 @@ def resident_megabytes(process: int) -> float:
         if line.startswith("VmRSS"):
             return int(line.split()[1]) / 1024
     raise OSError("the system does not tell a process' memory")
+
+
+def busy_milliseconds(process: int) -> float:
+    """Return the processor time that all threads of a process have had."""
+    threads = Path(f"/proc/{process}/task").glob("*/schedstat")
+    return sum(int(each.read_text().split()[0]) for each in threads) / 1e6
 
 
 def milliseconds(begin: float) -> float:
