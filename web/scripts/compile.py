@@ -2,10 +2,18 @@
 
 import importlib._bootstrap_external as bootstrap
 import importlib.util
+import re
 import zipfile
 from pathlib import Path
 
 WORK = Path("/build")
+# Of the standard library: programs, tests, mail, servers, other processes.
+UNUSED = re.compile(
+    r"(_pyrepl|bdb|cProfile|cmd|colorsys|compileall|doctest|ftplib|imaplib|mailbox|modulefinder"
+    r"|multiprocessing|netrc|pdb|pickletools|plistlib|poplib|profile|pstats|pyclbr|pydoc|pydoc_data"
+    r"|rlcompleter|sched|shelve|smtplib|socketserver|tabnanny|timeit|trace|unittest|wave|wsgiref"
+    r"|xmlrpc|zipapp)(/|\.py$)"
+)
 
 
 def compiled(name, data):
@@ -26,8 +34,9 @@ def write(archive, files):
 
 
 with zipfile.ZipFile(WORK / "stdlib.zip") as library:
-    entries = [entry for entry in library.infolist() if not entry.is_dir()]
-    write(WORK / "compiled_stdlib.zip", ((e.filename, library.read(e)) for e in entries))
+    names = [entry.filename for entry in library.infolist() if not entry.is_dir()]
+    kept = ((name, library.read(name)) for name in names if not UNUSED.match(name))
+    write(WORK / "compiled_stdlib.zip", kept)
 site = WORK / "site"
 sources = sorted(path for path in site.rglob("*") if path.is_file())
 write(
