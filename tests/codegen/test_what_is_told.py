@@ -81,5 +81,14 @@ def test_a_parameter_without_value_is_not_a_number_until_it_is_set(language: str
     }[language]
     assert unknown in told
     assert known in told
+    if language == "c":
+        assert "    arm_real m; /* 1.5 */\n    arm_real n; /* unbound */\n" in made["arm.h"]
     if language == "cpp":
         assert "    arm_model model{arm_parameters()};" in made["arm_test.cpp"]
+
+
+def test_the_readme_tells_the_columns_of_feet() -> None:
+    readme = files(replace(OPTIONS, quantities=("foot_jacobians",)))["README.md"]
+    assert "Columns of the foot Jacobians:\n" in readme
+    assert "| tool | shoulder, lift |\n" in readme
+    assert "Columns" not in files(OPTIONS)["README.md"]

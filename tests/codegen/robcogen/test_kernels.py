@@ -18,7 +18,7 @@ from tests.codegen.robots import PLAIN
 import kindsl
 from kindsl.analysis.settings import Settings
 from kindsl.codegen.generating import Source, generate
-from kindsl.codegen.library import Options
+from kindsl.codegen.library import GenerationError, Options
 from kindsl.codegen.robcogen import long_transforms
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.semantics.parameters import Binding
@@ -202,6 +202,12 @@ def test_transforms_between_all_frames(asked: dict[str, Asked], kind: str) -> No
             equal(robot.result(f"{letter}_{base}_X_{target}", "X"), X.T)
 
 
+def test_transforms_to_the_frames_of_joints(asked: dict[str, Asked]) -> None:
+    robot = asked["floating"]
+    for joint, T in robot.mechanics.joint_poses(q).items():
+        equal(robot.result(f"h_fr_shell_X_fr_{joint}", "X"), T.T)
+
+
 def test_jacobians_between_all_frames(asked: dict[str, Asked]) -> None:
     robot, h = asked["floating"], 1e-6
     for base, target in PAIRS:
@@ -271,3 +277,19 @@ def test_frames_choose_the_pairs_that_have_one_of_them_on_either_side() -> None:
         expected = [pair for pair in PAIRS if own & {*pair}]
         for pairs in library.wanted:
             assert [(base.name, target.name) for base, target in pairs] == expected
+
+
+@pytest.mark.parametrize(
+    ("wrong", "message"),
+    [
+        ("base=fr_shell, target=tap\n", "--transforms, 4:23: "),
+        ("\n\n  base=fr_Lift, target=tip\n", "--transforms, 6:8: "),
+    ],
+)
+def test_an_unknown_frame_is_told_with_its_place(wrong: str, message: str) -> None:
+    text = f"Robot Crab\nFrames {{ {LISTED} }}\nTransforms {{\n{wrong}}}\nJacobians {{ }}\n"
+    analysis = kindsl.parse(MOVING, Settings(bindings={n: Binding(v) for n, v in VALUES.items()}))
+    options = Options("robcogen", PLAIN, "double", False, "all", "crab")
+    with pytest.raises(GenerationError) as error:
+        generate(Source("crab.kindsl", analysis, {}, text), options)
+    assert str(error.value).startswith(message)

@@ -1,0 +1,58 @@
+"""What is recorded for a library gives, number by number, the right answers of its test program."""
+
+import numpy as np
+import pytest
+from tests.codegen.robots import ALL, bodies_of_seed, library, reference
+from tests.support.differences import worst_difference
+
+from kindsl.codegen.library import Library
+from kindsl.codegen.reference import Reference
+from kindsl.dynamics.generation.emitters.numbers import evaluate
+from kindsl.dynamics.generation.function import Function, Result
+from kindsl.dynamics.generation.terms import Term
+from kindsl.spatial.arrays import Array
+
+
+@pytest.fixture(scope="module", params=[4, 3], ids=["fixed", "floating"])
+def pair(request: pytest.FixtureRequest) -> tuple[Library, Reference]:
+    """All functions of a robot and the right answers."""
+    bodies = bodies_of_seed(request.param, 4)
+    return library(bodies, ALL), reference(bodies)
+
+
+def answers(
+    made: Library, function: Function, results: tuple[Result, ...], values: dict[str, Array]
+) -> list[Array]:
+    """Return what results evaluate to."""
+    given = [(values["fext"], made.external)]
+    given += [(values[a.name], a.components) for a in function.arguments]
+    numbers = {
+        term.index: float(value)
+        for array, components in given
+        for value, term in zip(array, components, strict=True)
+        if isinstance(term, Term)
+    }
+    return [
+        np.array(evaluate(made.robot.graph, numbers, result.entries)).reshape(result.shape)
+        for result in results
+    ]
+
+
+def test_each_function_gives_the_right_answer(pair: tuple[Library, Reference]) -> None:
+    made, expected = pair
+    for function in made.all_functions:
+        found = answers(made, function, function.results, expected.values)
+        right = expected.results(function)
+        assert [x.shape for x in found] == [r.shape for r in function.results]
+        assert worst_difference([x.ravel() for x in found], right) < 1e-9, function.name
+        if function.loaded is not None:
+            found = answers(made, function, function.loaded, expected.values)
+            right = expected.loaded_results(function)
+            assert worst_difference([x.ravel() for x in found], right) < 1e-9, function.name
+
+
+def test_sampled_values_are_small_and_all_different(pair: tuple[Library, Reference]) -> None:
+    values = {name: value for name, value in pair[1].values.items() if name != "active"}
+    everything = np.concatenate([*values.values()])
+    assert abs(everything).max() < 10.0
+    assert len({*everything.tolist()}) > 0.9 * len(everything)
