@@ -200,6 +200,12 @@ def test_arguments_and_folders_of_packages_are_taken_from_the_command(
     assert "mass = 4.5" in target.read_text() and "r_joint hip_joint" in target.read_text()
 
 
+def test_an_argument_that_the_file_does_not_have_is_refused(leg: Path) -> None:
+    choices = ReadingChoices(arguments={"side": "right", "with_feet": "false"})
+    with pytest.raises(FormatError, match="no argument 'with_feet'; did you mean 'with_foot'"):
+        expanded(leg, choices)
+
+
 def test_arguments_are_for_xacro_files(tmp_path: Path, capsys) -> None:
     path = tmp_path / "leg.urdf"
     path.write_text(MEANT)

@@ -55,10 +55,22 @@ def kindsl_text(robot: RobotDescription) -> str:
     for index, link in enumerate(robot.links):
         children.setdefault(link.parent, []).append(index)
     indices = range(len(robot.links))
-    blocks = [_link(robot, index, children.get(index, []), names) for index in indices]
-    blocks += [joint_text(robot.links[index], names.joints[index]) for index in indices[1:]]
-    head = f"Robot {names.robot} {{"
+    blocks = [
+        _comments(robot, "link", robot.links[index].name)
+        + _link(robot, index, children.get(index, []), names)
+        for index in indices
+    ]
+    blocks += [
+        _comments(robot, "joint", robot.links[index].joint)
+        + joint_text(robot.links[index], names.joints[index])
+        for index in indices[1:]
+    ]
+    head = f"{_comments(robot, 'robot', '')}Robot {names.robot} {{"
     return "\n\n".join((head, *blocks)) + "\n}\n"
+
+
+def _comments(robot: RobotDescription, kind: str, name: str) -> str:
+    return "".join(f"// {line}\n" for line in robot.comments.get((kind, name), ()))
 
 
 def _renamed(robot: RobotDescription) -> tuple[str, ...]:

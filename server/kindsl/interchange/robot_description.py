@@ -1,6 +1,7 @@
 """A robot as plain numbers and names, between another format and the Kinematics-DSL."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from kindsl.rigid.body import MassDistribution
@@ -60,8 +61,17 @@ class DescribedLink:
 
 @dataclass(frozen=True, slots=True)
 class RobotDescription:
-    """A tree of links, the base first, parents before children."""
+    """A tree of links, the base first, parents before children.
+
+    Attributes:
+        name: The robot's name.
+        is_floating: Whether the base floats.
+        links: The links.
+        comments: Lines of text on the robot (without a name), on links and joints, by `"robot"`,
+            `"link"` or `"joint"` and the name.
+    """
 
     name: str
     is_floating: bool
     links: tuple[DescribedLink, ...]
+    comments: Mapping[tuple[str, str], tuple[str, ...]] = field(default_factory=dict)

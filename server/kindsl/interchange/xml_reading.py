@@ -1,8 +1,8 @@
 """XML to elements that know their lines.
 
 Names are what is written, prefix and all, so that a prefix that nobody declared does no harm.
-Comments and processing instructions are passed over; entities are refused, since no robot needs
-them and what they expand to may be without bound.
+Comments are kept with what they precede, processing instructions passed over; entities are refused,
+since no robot needs them and what they expand to may be without bound.
 """
 
 from typing import NoReturn, cast
@@ -23,10 +23,12 @@ class XmlElement(Element):
     Attributes:
         sourceline: The line where it begins, from 1.
         offset: Where its tag begins: in code points of a text, in bytes of a file's content.
+        comments: Before it, or behind it in the line where it ends.
     """
 
     sourceline: int
     offset: int
+    comments: tuple[str, ...]
 
 
 def parsed_xml(content: bytes | str) -> XmlElement:
@@ -48,6 +50,8 @@ class _Reading:
 
     def __init__(self) -> None:
         self._depth = 0
+        self._comments: tuple[str, ...] = ()
+        self._ended: tuple[int, XmlElement] | None = None
         self._encoded: bytes | None = None
         self._last = 0, 0
         self._builder = TreeBuilder(self._element)
@@ -56,6 +60,7 @@ class _Reading:
         self._parser.StartElementHandler = self._start
         self._parser.EndElementHandler = self._end
         self._parser.CharacterDataHandler = self._builder.data
+        self._parser.CommentHandler = self._comment
         self._parser.EntityDeclHandler = self._refuse_entity
 
     def of(self, content: bytes | str) -> XmlElement:
@@ -83,6 +88,7 @@ class _Reading:
         element = XmlElement(tag, attributes)
         element.sourceline = self._parser.CurrentLineNumber
         element.offset = self._offset(self._parser.CurrentByteIndex)
+        element.comments, self._comments = self._comments, ()
         return element
 
     def _start(self, tag: str, attributes: dict[str, str]) -> None:
@@ -93,7 +99,15 @@ class _Reading:
 
     def _end(self, tag: str) -> None:
         self._depth -= 1
-        self._builder.end(tag)
+        element = cast(XmlElement, self._builder.end(tag))
+        self._ended, self._comments = (self._parser.CurrentLineNumber, element), ()
+
+    def _comment(self, text: str) -> None:
+        line, element = self._ended or (0, None)
+        if element is not None and line == self._parser.CurrentLineNumber:
+            element.comments += (text,)
+        else:
+            self._comments += (text,)
 
     def _refuse_entity(self, *_: object) -> None:
         self._refuse("an entity declared")

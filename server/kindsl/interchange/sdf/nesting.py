@@ -85,7 +85,7 @@ def _place(part: Any) -> None:
 def _element(tag: str, near: Any) -> XmlElement:
     """Return a new element, whose errors are told where another one is."""
     made = XmlElement(tag)
-    made.sourceline, made.offset = near.sourceline, near.offset
+    made.sourceline, made.offset, made.comments = near.sourceline, near.offset, ()
     return made
 
 

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,7 @@ from kindsl.interchange.rigid_links import (
 )
 from kindsl.interchange.robot_description import RobotDescription
 from kindsl.interchange.urdf.checking import Remarkable, UrdfError, checked, numbers_of, rotation_of
+from kindsl.interchange.urdf.commenting import comments_of
 from kindsl.rigid.body import MassDistribution, Symmetric
 from kindsl.rigid.pose import IDENTITY, RigidPose, Vector3, meant_angle, pose_from_fixed_axes
 from kindsl.semantics.parameters import UNTOLD, JointProperties
@@ -74,7 +76,9 @@ def robot_of_urdf(text: bytes | str, name: str, *, floating: bool = False) -> Re
     if not any(link.joint_kind in ("revolute", "prismatic") for link in links):
         raise UrdfError("the URDF has no joint that moves, and a document needs one")
     base: BaseKind = "floating" if floating else "fixed"
-    read = described(robot.get("name") or name, base, links)
+    read = replace(
+        described(robot.get("name") or name, base, links), comments=dict(comments_of(robot))
+    )
     roots = (*lost, *root_remarks(links[0], base))
     legs = _legged_remarks(read) if base == "fixed" and root != _WORLD else ()
     remarks = (*_remarks(remarkable), *roots, *legs, *fixed_remarks(links, "link"))

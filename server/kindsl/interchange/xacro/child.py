@@ -22,14 +22,40 @@ def main() -> int:
 
     task = json.loads(sys.argv[1])
     _let_find([Path(folder) for folder in task["searched"]])
+    arguments = _Arguments(task["arguments"])
     try:
         with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
-            text = xacro.process_file(task["file"], mappings=task["arguments"]).toxml()
+            text = xacro.process_file(task["file"], mappings=arguments).toxml()
+            arguments.require_asked(task["arguments"])
             status = 0
     except Exception as error:
         text, status = _reason(error), 1
     sys.stdout.buffer.write(text.encode("utf-8", "replace"))
     return status
+
+
+class _Arguments(dict[str, str]):
+    """Arguments that know which of them the file asks for."""
+
+    def __init__(self, given: dict[str, str]) -> None:
+        super().__init__(given)
+        self._asked: dict[str, None] = {}
+
+    def __contains__(self, name: object) -> bool:
+        self._asked[str(name)] = None
+        return super().__contains__(name)
+
+    def __getitem__(self, name: str) -> str:
+        self._asked[name] = None
+        return super().__getitem__(name)
+
+    def require_asked(self, given: dict[str, str]) -> None:
+        """Raise ValueError if the file does not ask for one."""
+        from kindsl.text.nearest import hint, nearest_name
+
+        for name in given:
+            if name not in self._asked:
+                raise ValueError(f"no argument '{name}'{hint(nearest_name(name, self._asked))}")
 
 
 def _let_find(searched: list[Path]) -> None:
