@@ -84,6 +84,34 @@ def test_sides_have_two_choices() -> None:
     assert len(made) == 2
 
 
+@pytest.mark.parametrize(
+    ("right", "n_choices"),
+    [
+        ("0.1, 0.02, -0.01", None),
+        ("0.1, 0.02, 0.01", None),
+        ("0.1, -0.02, 0.01", 2),
+        ("0.1, -0.02, -0.01", 2),
+        ("0.13, 0.02, -0.01", None),
+    ],
+)
+def test_a_com_that_only_a_sign_keeps_from_that_of_the_other_side(
+    right: str, n_choices: int | None
+) -> None:
+    """Copies are left in peace, and what KD312 tells."""
+    text = two_arms("0.3, -0.1, 0.02")
+    for side, com in (("left", "0.1, 0.02, 0.01"), ("right", right)):
+        at = text.index("inertia_params", text.index(f"link {side}_forearm"))
+        inertia = section(2.0, com, 0.01, 0.04, 0.041)
+        text = text[:at] + inertia + text[text.index("}", at) + 1 :]
+    findings = [f for f in analyse(text).findings if f.code in CODES]
+    assert [(f.code, len(f.choices)) for f in findings] == (
+        [("KD510", n_choices)] if n_choices else []
+    )
+    for finding in findings:
+        for fix in finding.choices:
+            assert told("KD510", apply_edits(text, fix.edits)) == []
+
+
 def test_a_number_that_both_sides_have_alike_is_told_where_the_rest_is_mirrored() -> None:
     text = two_arms("0.3, -0.001, 0.02").replace("0.3, 0.1, 0.02", "0.3, -0.001, 0.02")
     left, wrist, right = text.rpartition("0.25, 0.0, 0.0")

@@ -2,10 +2,12 @@
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
+from math import inf
 from typing import NamedTuple
 
 from kindsl.limbs.comparison import LOOSE, TIGHT, LimbComparison, Tolerance
 from kindsl.limbs.limb import Limbs, Match, Side, held_by, matched
+from kindsl.limbs.slips import n_retyped
 from kindsl.limbs.weighing import Accusation, Masses, Suspect, WeighedComparison, seen_by
 from kindsl.rigid.pose import IDENTITY, Rotation, pose_from, transposed
 
@@ -15,6 +17,7 @@ _SAME_PLACE, _SAME_TURN = 1e-3, 0.02
 _Pair = tuple[Side, Side]
 _ByTwin = Sequence[Sequence[Accusation]]
 _Weighed = Mapping[_Pair, WeighedComparison]
+_Conventions = Mapping[_Pair, Mapping[int, Rotation]]
 _Differing = Mapping[_Pair, set[tuple[int, str]]]
 
 
@@ -218,6 +221,8 @@ def _odd_masses(edges: _Weighed) -> Iterator[LimbVerdict]:
     differing = {pair: set(c.differing(mirrored[pair])) for pair, c in edges.items()}
     if not any(differing.values()):
         return
+    if len(edges) == 1:
+        yield from _odd_com(edges, mirrored)
     rows = {index for found in differing.values() for index, _ in found}
     copied = dict.fromkeys(edges, dict.fromkeys(rows, IDENTITY.rotation))
     as_copies = {pair: set(c.differing(copied[pair])) for pair, c in edges.items()}
@@ -230,6 +235,21 @@ def _odd_masses(edges: _Weighed) -> Iterator[LimbVerdict]:
             said = [([what for row, what in odd if row == index], C) for odd, C in ways]
             words, conventions = max(said, key=lambda each: len(each[0]))
             yield _odd_mass(label, index, words, edges, conventions)
+
+
+def _odd_com(edges: _Weighed, conventions: _Conventions) -> Iterator[LimbVerdict]:
+    """Yield the one CoM that a sign or an order keeps from being that of the other side."""
+    ((pair, c),) = edges.items()
+    differing = c.differing(conventions[pair])
+    coms = [index for index, what in differing if what == "com"]
+    if len(c.limbs.rows) < _SMALLEST.get(c.limbs.how, inf) or len(coms) != 1:
+        return
+    alone, as_copies = [(coms[0], "com")], c.differing({coms[0]: IDENTITY.rotation})
+    one, other = (_odd_mass(label, coms[0], ["com"], edges, conventions) for label in pair)
+    x, y, z = one.repairs[0].meant[0]
+    is_slip = n_retyped(c.masses[one.places[0].link].com, (x, y, z)) == 0
+    if is_slip and [each for each in differing if each[0] == coms[0]] == alone == as_copies:
+        yield LimbVerdict(other.places + one.places, other.repairs + one.repairs, (), False)
 
 
 def _only_in(label: Side, differing: _Differing) -> set[tuple[int, str]]:
@@ -246,7 +266,7 @@ def _odd_mass(
     index: int,
     words: Sequence[str],
     edges: _Weighed,
-    conventions: Mapping[_Pair, Mapping[int, Rotation]],
+    conventions: _Conventions,
 ) -> LimbVerdict:
     mine = [pair for pair in edges if label in pair]
     rows = [edges[pair].limbs.rows[index][1:][:: 1 if pair[0] == label else -1] for pair in mine]

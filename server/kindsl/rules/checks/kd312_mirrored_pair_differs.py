@@ -60,7 +60,7 @@ _UNLIKE = Fact[tuple[object, _Unlike]]("unlike twins")
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each pair of parts of which one has a slip."""
     verdicts = limb_slips(model, context).verdicts
-    outvoted = {p.link for v in verdicts if v.is_convicted for p in v.places if p.what in OF_A_LINK}
+    told = {place.link for v in verdicts for place in v.places if place.what in OF_A_LINK}
     for left, name in (pair for chunk in model.document.chunks for pair in _twins(chunk)):
         right = model.body_named.get(name)
         if right is None or left.inertia is None or right.inertia is None:
@@ -68,7 +68,7 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
         given, compare = (right, context.values), partial(_unlike, left, right, context.values)
         numbers, slips = left.facts.made_of(_UNLIKE, given, compare)
         if not (numbers or slips) or any(
-            b.name in outvoted or is_told_of(b, model, context) for b in (left, right)
+            b.name in told or is_told_of(b, model, context) for b in (left, right)
         ):
             continue
         if numbers:

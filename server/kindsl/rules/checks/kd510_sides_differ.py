@@ -4,7 +4,9 @@
 Compares a left and a right limb, when there are no more that could outvote one of them. Where a
 single translation or rotation keeps them from being mirror images, or copies, and a sign, an order
 or a unit explains it, or in limbs of three links and more one number that was typed otherwise, both
-are reported in one finding.
+are reported in one finding. Where
+all joints agree, it is one CoM that a sign or an order of its coordinates keeps from that of the
+other side.
 
 ## Why is this bad?
 One of the two is wrong: the robot is not symmetric, though it looks so. Which of them is right
@@ -23,7 +25,8 @@ from kindsl.limbs.verdicts import LimbVerdict, MeantNumbers
 from kindsl.rules.base import Finding, Fix, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import two_arms
-from kindsl.rules.limb_places import located, numbers_at, told
+from kindsl.rules.inertia.shapes import is_told_of
+from kindsl.rules.limb_places import OF_A_LINK, located, numbers_at, told
 from kindsl.rules.limb_verdicts import limb_slips
 from kindsl.rules.limb_writing import as_numbers, rewriting, written
 from kindsl.semantics.aspects import Aspect
@@ -35,6 +38,9 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     for verdict in limb_slips(model, context).verdicts:
         if not verdict.is_convicted and verdict.repairs:
             (here, _), (there, _) = verdict.repairs
+            bodies = [model.body_named[p.link] for p in verdict.places if p.what in OF_A_LINK]
+            if any(is_told_of(body, model, context) for body in bodies):
+                continue
             own, twin = numbers_at(model, here), numbers_at(model, there)
             if own and twin:
                 like_twin = _texts(model, context, *verdict.repairs)
