@@ -9,6 +9,7 @@ import kindsl
 from kindsl.analysis.settings import Settings
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.mechanism.drawable import drawable_skeleton
+from kindsl.mechanism.strict_reading import strict_skeleton
 from kindsl.spatial.inertia import move_inertia
 from kindsl.spatial.transforms import rotation_from_intrinsic_xyz
 
@@ -96,3 +97,9 @@ def test_a_fixed_base_does_not_matter() -> None:
         assert np.array_equal(other.center_of_mass([0.1] * 6), moving.center_of_mass([0.1] * 6))
     floating = ARM.replace("RobotBase base", "RobotBase base floating")
     assert mechanism(floating, tool_length=0.1).total_mass() == pytest.approx(21.7)
+
+
+def test_a_second_base_is_refused_in_a_sentence() -> None:
+    text = ARM.replace("RobotBase", "RobotBase other { children {} }\nRobotBase", 1)
+    with pytest.raises(kindsl.ModelError, match="there is a second base, '"):
+        strict_skeleton(kindsl.parse(text, Settings()).model, {})

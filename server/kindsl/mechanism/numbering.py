@@ -13,6 +13,8 @@ def numbered_by_id(model: Model) -> list[Edge]:
         ModelError: The tree has a defect, or the ids are no regular numbering of it.
     """
     base = require_base(model)
+    for other in model.bases[1:]:
+        raise ModelError(f"there is a second base, '{other.name}'", other.name)
     _check_edges(model)
     by_id: dict[int, Link] = {}
     for link in model.links:
