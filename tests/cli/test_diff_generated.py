@@ -27,6 +27,24 @@ def test_generated_code_has_the_numbers_it_was_made_from(
     assert "mass of link 'lower' is 0.9 kg in arm.kindsl (line 17) and 0.8 kg in code" in run.out
 
 
+@pytest.mark.parametrize("language", ["c", "python", "robcogen"])
+def test_code_that_somebody_edited_is_not_said_to_be_equal(
+    kindsl: Runner, folder: Path, language: str
+) -> None:
+    Path("arm.kindsl").write_text(ARM)
+    assert kindsl("generate", "arm.kindsl", "--language", language, "-o", "code").status == 0
+    file = next(f for f in sorted(Path("code").iterdir()) if "0.8" in f.read_text("utf-8")
+                and f.suffix in (".c", ".h", ".py"))  # fmt: skip
+    text = file.read_text("utf-8")
+    file.write_bytes(text.replace("\n", "\r\n").encode())
+    Path("code", "README.md").write_text("our own")
+    assert kindsl("diff", "arm.kindsl", "code").status == 0
+    file.write_text(text.replace("0.8", "0.9"))
+    run = kindsl("diff", "arm.kindsl", "code")
+    assert run.status == 2
+    assert run.err.startswith(f"code: error: '{file.name}' was edited after it was generated")
+
+
 @pytest.mark.parametrize(
     "manifest", ["", "[]", "{}", '{"robot": {}}', '{"robot": 1}', '{"robot": {"links": [{}]}}']
 )

@@ -9,7 +9,7 @@ from kindsl.analysis.analysis import analyse
 from kindsl.analysis.settings import Settings
 from kindsl.codegen.generating import Source, generate
 from kindsl.codegen.library import Options
-from kindsl.codegen.manifest import digest
+from kindsl.interchange.generated_folder import digest
 from kindsl.semantics.parameters import Binding
 
 OPTIONS = Options("c", ("poses", "inverse_dynamics"), "double", False, "unbound", "arm")

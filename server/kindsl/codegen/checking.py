@@ -9,7 +9,8 @@ from pathlib import Path
 
 from kindsl.codegen.generating import Source, generate
 from kindsl.codegen.library import GenerationError
-from kindsl.codegen.manifest import NAME, Manifest, changed_files, digest, read_manifest
+from kindsl.codegen.manifest import NAME, Manifest, changed_files, read_manifest
+from kindsl.interchange.generated_folder import digest
 from kindsl.semantics.parameters import Binding
 
 _PATIENCE = 600  # seconds

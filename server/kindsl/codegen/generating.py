@@ -16,13 +16,13 @@ from kindsl.codegen.library import (
     Stamp,
     library_of,
 )
-from kindsl.codegen.manifest import NAME, digest, manifest_text
+from kindsl.codegen.manifest import NAME, manifest_text
 from kindsl.codegen.names_in_code import command_line, file_name
 from kindsl.codegen.reference import Reference, independent_contacts, sample
 from kindsl.codegen.resistance import refuse_unresisted
 from kindsl.codegen.wanted import restricted, wanted_pairs
 from kindsl.features.transforms_actions import transforms_document
-from kindsl.interchange.generated_folder import robot_record
+from kindsl.interchange.generated_folder import digest, robot_record
 from kindsl.mechanism.bodies import skeleton_of_bodies
 from kindsl.mechanism.build import Mechanism
 from kindsl.mechanism.symbolic import symbolic_robot

@@ -1,6 +1,5 @@
 """The manifest of a folder of generated code, so that it can be checked and replaced."""
 
-import hashlib
 import json
 from collections.abc import Mapping
 from dataclasses import asdict
@@ -9,7 +8,7 @@ from typing import Any, NamedTuple
 
 from kindsl.codegen.language import language_names
 from kindsl.codegen.library import GenerationError, Options, Stamp
-from kindsl.interchange.generated_folder import KEY, MANIFEST
+from kindsl.interchange.generated_folder import KEY, MANIFEST, digest
 
 NAME = MANIFEST
 
@@ -89,11 +88,6 @@ def _manifest(record: dict[str, Any]) -> Manifest:
         record["transforms"],
         {str(name): str(value) for name, value in record["files"].items()},
     )
-
-
-def digest(content: bytes) -> str:
-    """Return the SHA-256 of something, in hexadecimal digits."""
-    return hashlib.sha256(content).hexdigest()
 
 
 def changed_files(folder: Path, manifest: Manifest) -> list[str]:

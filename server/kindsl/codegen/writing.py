@@ -4,7 +4,8 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from kindsl.codegen.library import GenerationError
-from kindsl.codegen.manifest import NAME, changed_files, digest, read_manifest
+from kindsl.codegen.manifest import NAME, changed_files, read_manifest
+from kindsl.interchange.generated_folder import digest
 from kindsl.text.writing import write_folder
 
 

@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Mapping
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +19,8 @@ from kindsl.rigid.pose import IDENTITY, RigidPose
 
 MANIFEST = "kindsl-generated.json"
 KEY = "robot"
+# Build files and texts, which anybody may edit.
+_WITHOUT_NUMBERS = (".md", ".txt")
 
 
 def robot_record(skeleton: Skeleton) -> dict[str, object]:
@@ -61,21 +64,42 @@ def described_generated(folder: Path, label: str) -> Described:
     """Return the robot of a folder that `kindsl generate` wrote.
 
     Raises:
-        FormatError: Its manifest is not one, or an earlier version wrote it, without numbers.
+        FormatError: Its manifest is not one, or an earlier version wrote it, without numbers; or
+            somebody edited the code.
         OSError: It cannot be read.
     """
     try:
         record = json.loads((folder / MANIFEST).read_text("utf-8"))
-        robot = record[KEY]
-        skeleton = _skeleton(robot)
+        skeleton = _skeleton(record[KEY])
+        edited = _edited(folder, record.get("files", {}))
     except KeyError:
         raise FormatError(f"'{MANIFEST}' has no numbers: generate the code again") from None
     except (ValueError, TypeError, AttributeError):
         raise FormatError(f"'{MANIFEST}' is not a manifest of generated code") from None
+    if edited is not None:
+        message = f"'{edited}' was edited after it was generated, so its numbers are not known"
+        raise FormatError(f"{message}: generate the code again")
     bodies = zip(skeleton.body_names, skeleton.masses, strict=True)
     poses = zip(skeleton.joint_names, skeleton.placements, strict=True)
     inertias = tuple((_inertia(name, body),) if body.mass else () for name, body in bodies)
     return exactly_turned(label, skeleton, inertias, tuple(written_frame(*each) for each in poses))
+
+
+def digest(content: bytes) -> str:
+    """Return the SHA-256 of something, in hexadecimal digits."""
+    return sha256(content).hexdigest()
+
+
+def _edited(folder: Path, files: Mapping[str, str]) -> str | None:
+    """Return a file of code that is not as it was generated, whatever its line ends."""
+    for name, expected in files.items():
+        path = folder / name
+        if path.suffix in _WITHOUT_NUMBERS or not path.is_file():
+            continue
+        content = path.read_bytes()
+        if expected not in (digest(content), digest(content.replace(b"\r\n", b"\n"))):
+            return name
+    return None
 
 
 def _inertia_record(body: MassDistribution) -> list[float]:
