@@ -6,6 +6,9 @@ from pathlib import Path
 from typing import Any
 
 from kindsl.interchange.format import FormatError
+from kindsl.interchange.xml_reading import XmlError, parsed_xml
+
+_UNREADABLE = "not a readable MJCF"
 
 
 def spec_of_file(path: Path) -> Any:
@@ -24,12 +27,24 @@ def spec_of_file(path: Path) -> Any:
         hint = "a URDF: use --from urdf" if is_urdf else "its root element is not <mujoco>"
         raise FormatError(f"not an MJCF: {hint}")
     is_known = path.suffix.lower() == ".xml"
-    return _told(
-        (lambda: mujoco.MjSpec.from_file(str(path)))
-        if is_known
-        else (lambda: _spec(path, content)),
-        "not a readable MJCF",
-    )
+    try:
+        return _told(
+            (lambda: mujoco.MjSpec.from_file(str(path)))
+            if is_known
+            else (lambda: _spec(path, content)),
+            _UNREADABLE,
+        )
+    except FormatError:
+        _require_well_formed(content)
+        raise
+
+
+def _require_well_formed(content: bytes) -> None:
+    """Raise FormatError for what is no XML, of which MuJoCo tells the codes of its parser."""
+    try:
+        parsed_xml(content)
+    except XmlError as error:
+        raise FormatError(f"{_UNREADABLE}: {error}") from None
 
 
 def _spec(path: Path, content: bytes) -> Any:
