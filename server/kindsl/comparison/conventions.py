@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from math import degrees, hypot
 
 from kindsl.comparison.alignment import Alignment
+from kindsl.comparison.limits import other_limits
 from kindsl.comparison.matching import MatchedJoints
 from kindsl.comparison.written import Described
 from kindsl.rigid.pose import RigidPose
@@ -16,10 +17,11 @@ _SHOWN = 5
 def conventions(
     ours: Described, theirs: Described, matching: MatchedJoints, alignment: Alignment
 ) -> Iterator[str]:
-    """Yield names, order, zeros and directions of joints, link frames, frames of one side."""
+    """Yield names, order, zeros, directions and limits of joints, link frames, other frames."""
     yield from _names(ours, theirs, matching)
     yield from _joints(ours, theirs, alignment)
     yield from _frames(ours, theirs, alignment)
+    yield from other_limits(ours, theirs, matching, alignment)
     one, other = ({f.name for f in side.skeleton.frames} for side in (ours, theirs))
     for here, there, where in ((one, other, "here"), (other, one, f"in {theirs.label}")):
         only = sorted(here - there)

@@ -23,6 +23,7 @@ from kindsl.rigid.pose import (
     round_angle,
     transposed,
 )
+from kindsl.semantics.parameters import JointProperties
 from kindsl.semantics.places import Located
 from kindsl.syntax.vocabulary import MOMENTS
 
@@ -177,6 +178,7 @@ class Described:
             convention.
         frames: The written poses of other frames by name, as far as numbers are written.
         unknown: Bodies and joints that cannot be read: their numbers are not compared.
+        properties: Limits of joints and the like, by the joint's name, as far as they are told.
     """
 
     label: str
@@ -186,6 +188,7 @@ class Described:
     heavy_frames: frozenset[str] = frozenset()
     frames: Mapping[str, WrittenPose] = field(default_factory=dict)
     unknown: frozenset[str] = frozenset()
+    properties: Mapping[str, JointProperties] = field(default_factory=dict)
 
 
 def exactly_turned(

@@ -47,6 +47,7 @@ def read_description(path: Path, label: str, floating: bool | None) -> ReadDescr
     read = format.read(path, ReadingChoices(bool(floating)))
     find, content = format.find_numbers, path.read_bytes()
     robot = described_robot(label, read.robot, find(content) if find else NO_NUMBERS)
+    robot = replace(robot, properties=read.joints)
     if floating is None or format.name == _TELLS_BASE:
         return ReadDescription(robot)
     kind = "floating" if floating else "fixed"

@@ -1,6 +1,7 @@
 """Reads two robots of any formats, to compare their mechanics."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -109,7 +110,9 @@ def _document(path: str, analysis: "Analysis") -> tuple[ComparedRobot, list[Fail
         return lines.position(analysis.resolver.span(at)[0])[0] + 1
 
     name = shown_name(path)
-    return ComparedRobot(name, described_document(name, model, values, skeleton), line_of), failures
+    robot = described_document(name, model, values, skeleton)
+    robot = replace(robot, properties=analysis.settings.joints)
+    return ComparedRobot(name, robot, line_of), failures
 
 
 def _foreign(path: str, floating: bool | None) -> "ReadDescription":
