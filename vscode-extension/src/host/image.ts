@@ -12,29 +12,20 @@ del os.system, posix.system
 for name in [name for name in sys.modules if name.startswith("pyodide_js")]:
     del sys.modules[name]`;
 
-/** Load the memory image of a folder, or its zips where the image is another Pyodide's. */
+/** Load the memory image of a folder, which was made with the Pyodide in it. */
 export async function loadImage(base: string): Promise<Pyodide> {
   const { loadPyodide } = createRequire(path.join(base, "host.js"))("./pyodide.js") as { loadPyodide: LoadPyodide };
-  const image = ownImage(base);
+  const image = gunzipSync(fs.readFileSync(path.join(base, "server.snap.gz")));
   const broken = brokenInstance();
   const loading = loadPyodide({
     indexURL: base + path.sep,
     jsglobals: Object.freeze(Object.create(null)) as object,
-    ...(image === undefined ? {} : { _loadSnapshot: image }),
+    _loadSnapshot: new Uint8Array(image.buffer, image.byteOffset, image.length),
   });
   const py = await Promise.race([loading, broken]);
   py.FS.writeFile("/lib/site.zip", fs.readFileSync(path.join(base, "site.zip")));
-  if (image === undefined) py.runPython("import sys; sys.path.insert(0, '/lib/site.zip')");
   seal(py);
   return py;
-}
-
-/** The image, if it is the one that was made with this Pyodide; another would never load. */
-function ownImage(base: string): Uint8Array | undefined {
-  const told = JSON.parse(fs.readFileSync(path.join(base, "image.json"), "utf8")) as { bytes: number; head: readonly number[] };
-  const image = gunzipSync(fs.readFileSync(path.join(base, "server.snap.gz")));
-  const isOwn = image.length === told.bytes && told.head.every((byte, index) => image[index] === byte);
-  return isOwn ? new Uint8Array(image.buffer, image.byteOffset, image.length) : undefined;
 }
 
 /** Reject where WebAssembly does: Pyodide prints that only, and never answers. */

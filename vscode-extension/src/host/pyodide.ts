@@ -2,10 +2,7 @@
 
 /** A file or folder as Emscripten holds it. */
 export interface FsNode {
-  readonly name: string;
-  readonly parent: FsNode;
   readonly mode: number;
-  readonly mount: { readonly mountpoint: string };
   node_ops: object;
   stream_ops: object;
 }
@@ -25,7 +22,6 @@ export interface FileSystem {
   hashRemoveNode(node: FsNode): void;
   closeStream(fd: number): void;
   isDir(mode: number): boolean;
-  isFile(mode: number): boolean;
   getPath(node: FsNode): string;
   analyzePath(path: string): { readonly exists: boolean };
   readdir(path: string): string[];
@@ -47,5 +43,5 @@ export interface Pyodide {
 export type LoadPyodide = (options: {
   readonly indexURL: string;
   readonly jsglobals: object;
-  readonly _loadSnapshot?: Uint8Array;
+  readonly _loadSnapshot: Uint8Array;
 }) => Promise<Pyodide>;
