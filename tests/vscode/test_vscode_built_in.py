@@ -6,6 +6,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import zipfile
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -82,6 +83,26 @@ def test_a_good_python_beside_an_old_one_is_used(
 
         workbench.insist(find, "a server of the good Python")
         expect(language_status(workbench)).not_to_contain_text("built-in Python")
+
+
+def test_where_neither_starts_the_user_is_told(
+    browser: Browser, vsix: Path, tmp_path: Path
+) -> None:
+    spoilt = tmp_path / vsix.name
+    with zipfile.ZipFile(vsix) as package, zipfile.ZipFile(spoilt, "w") as other:
+        for name in package.namelist():
+            content = package.read(name)
+            is_cut = name.endswith("pyodide.asm.wasm")
+            other.writestr(name, content[: len(content) // 2] if is_cut else content)
+    machine = bare_machine(tmp_path, python3=OLD_PYTHON)
+    with window(browser, spoilt, tmp_path, {}, machine) as workbench:
+        workbench.open("broken.kindsl", models.BROKEN)
+        message = workbench.notifications().first
+        expect(message).to_contain_text("Kinematics-DSL needs Python 3.11 or later: ")
+        expect(message).to_contain_text("python3: Python 3.8.10 is too old")
+        expect(message).to_contain_text("the built-in Python does not start")
+        expect(workbench.notifications()).to_have_count(1)
+        workbench.screenshot("built-in-spoilt")
 
 
 def test_a_server_that_is_killed_or_hangs_is_replaced(
