@@ -87,31 +87,31 @@ def _words(island: Island) -> dict[Aspect, list[str]]:
 
     In broken text also where a problem is, for nothing is concluded there, and all that is written.
     """
-    words: dict[Aspect, list[str]] = {aspect: [] for aspect in Aspect}
-    words[Aspect.LAYOUT] = _gaps(island)
+    structure: list[str] = []
+    places: list[str] = []
+    masses: list[str] = []
+    symbols: list[str] = []
     if island.problems:
-        words[Aspect.STRUCTURE] += [
-            "!",
-            *(token.text for token in island.tokens if _is_word(token)),
-        ]
-    pending: list[tuple[Node | Token, Node | None, Aspect]] = [
-        (node, None, Aspect.MASSES) for node in island.nodes[::-1]
+        structure += ["!", *(token.text for token in island.tokens if _is_word(token))]
+    pending: list[tuple[Node | Token, Node | None, list[str]]] = [
+        (node, None, masses) for node in island.nodes[::-1]
     ]
     while pending:
-        part, parent, kind = pending.pop()
+        part, parent, own = pending.pop()
         doubt = _doubt(island, part) if island.problems else ""
         if isinstance(part, Token):
-            words[Aspect.STRUCTURE].append("" if part.is_missing else part.text + doubt)
+            structure.append("" if part.is_missing else part.text + doubt)
         elif parent is not None and parent.kind in VALUE_HOLDERS:
             text = " ".join(token.text for token in part.tokens()) + doubt
-            for aspect in (kind,) if is_decimal(part) else (kind, Aspect.SYMBOLS):
-                words[aspect].append(text)
+            own.append(text)
+            if not is_decimal(part):
+                symbols.append(text)
         else:
-            kind = Aspect.PLACES if part.kind in POSE else kind
+            own = places if part.kind in POSE else own
             if doubt:
-                words[kind].append(doubt)
-            pending += ((child, part, kind) for child in part.children[::-1])
-    return words
+                own.append(doubt)
+            pending += [(child, part, own) for child in part.children[::-1]]
+    return dict(zip(Aspect, (structure, places, masses, symbols, _gaps(island)), strict=True))
 
 
 def _is_word(token: Token) -> bool:
