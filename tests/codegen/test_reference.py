@@ -2,20 +2,33 @@
 
 import numpy as np
 import pytest
+from tests.codegen.robcogen.test_classes import VALUES
+from tests.codegen.robcogen.test_kernels import MOVING, TRANSFORMS
 from tests.codegen.robots import ALL, bodies_of_seed, library, reference
 from tests.support.differences import worst_difference
 
-from kindsl.codegen.library import Library
-from kindsl.codegen.reference import Reference
+import kindsl
+from kindsl.analysis.settings import Settings
+from kindsl.codegen.generating import Source, generate
+from kindsl.codegen.library import Library, Options
+from kindsl.codegen.reference import Reference, sample
 from kindsl.dynamics.generation.emitters.numbers import evaluate
 from kindsl.dynamics.generation.function import Function, Result
 from kindsl.dynamics.generation.terms import Term
+from kindsl.semantics.parameters import Binding
 from kindsl.spatial.arrays import Array
 
 
-@pytest.fixture(scope="module", params=[4, 3], ids=["fixed", "floating"])
+@pytest.fixture(scope="module", params=[4, 3, None], ids=["fixed", "floating", "transforms"])
 def pair(request: pytest.FixtureRequest) -> tuple[Library, Reference]:
-    """All functions of a robot and the right answers."""
+    """All functions of a robot, or those between all of its frames, and the right answers."""
+    if request.param is None:
+        bindings = {name: Binding(value) for name, value in VALUES.items()}
+        analysis = kindsl.parse(MOVING, Settings(bindings=bindings))
+        options = Options("c", ("poses",), "double", False, "unbound", "crab")
+        made, _ = generate(Source("crab.kindsl", analysis, {}, TRANSFORMS), options)
+        mechanics = analysis.mechanism()
+        return made, Reference(mechanics, sample(mechanics.bodies))
     bodies = bodies_of_seed(request.param, 4)
     return library(bodies, ALL), reference(bodies)
 
