@@ -92,3 +92,13 @@ def test_the_readme_tells_the_columns_of_feet() -> None:
     assert "Columns of the foot Jacobians:\n" in readme
     assert "| tool | shoulder, lift |\n" in readme
     assert "Columns" not in files(OPTIONS)["README.md"]
+
+
+def test_each_source_tells_where_it_is_from() -> None:
+    for name, text in files(OPTIONS).items():
+        if name.endswith((".c", ".h")):
+            head = text.partition("*/")[0]
+            assert head.startswith("/* "), name
+            assert "from arm.kindsl; do not edit." in head
+            assert f"SHA-256 of the document: {digest(LIFT.encode())}\n" in head
+            assert "Options: kindsl generate arm.kindsl --language c --name arm" in head
