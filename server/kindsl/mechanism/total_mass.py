@@ -106,11 +106,15 @@ def _parts(model: Model, values: Mapping[str, float]) -> Iterator[tuple[str, Wei
 
 
 def body_mass(body: Link, values: Mapping[str, float]) -> Weight:
-    """Return what a body adds to a total; a fixed base adds nothing."""
+    """Return what a body adds to a total: a fixed base nothing, a negative mass a gap."""
     if body.is_base and not body.is_floating:
         return NO_MASS
     mass = own_mass(body, values)
-    return Weight(0.0, 1, mass) if isinstance(mass, Unknown) else Weight(mass)
+    if isinstance(mass, Unknown):
+        return Weight(0.0, 1, mass)
+    if mass < 0.0:
+        return Weight(0.0, 1, Unknown(f"mass of `{body.name}` is negative"))
+    return Weight(mass)
 
 
 def edge_mass(edge: Edge) -> Weight:

@@ -23,7 +23,7 @@ OF_EACH = 3
 
 # What a fix says that it changes: numbers that were rounded, inertia that no body can have.
 ROUNDED = {"KD503": 1e-5}
-NEW_INERTIA = {"KD306", "KD307", "KD308", "KD313"}
+NEW_INERTIA = {"KD306", "KD307", "KD308", "KD313", "KD509"}
 # Comments that are the matter of the finding.
 OTHER_COMMENTS = {"KD003", "KD602", "KD704"}
 
