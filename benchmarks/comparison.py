@@ -27,7 +27,7 @@ from tests.comparison.variants import links_of, urdf_of, variant
 
 from kindsl.analysis.analysis import analyse
 from kindsl.comparison.mechanical import compared_mechanics
-from kindsl.comparison.written import INERTIA, POSE
+from kindsl.comparison.quantities import INERTIA, POSE
 
 QUADRUPED = Path(__file__).resolve().parents[1] / "examples" / "quadruped.kindsl"
 _ROUNDS = 15

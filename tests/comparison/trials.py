@@ -11,8 +11,9 @@ from tests.interchange.random_robots import random_robot
 from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.comparison.document_side import described_document
 from kindsl.comparison.mechanical import MechanicalComparison, compared_mechanics
+from kindsl.comparison.quantities import INERTIA, POSE
 from kindsl.comparison.torques import torques
-from kindsl.comparison.written import INERTIA, POSE, Described, TextPlace, WrittenNumber
+from kindsl.comparison.written import Described, TextPlace, WrittenNumber
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.interchange.comparable import described_robot
 from kindsl.interchange.kindsl_writing import kindsl_text

@@ -3,8 +3,8 @@
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
+from kindsl.comparison.quantities import POSE
 from kindsl.comparison.written import (
-    POSE,
     Described,
     Numbers,
     WrittenInertia,

@@ -5,10 +5,8 @@ from math import atan2, hypot
 from typing import NamedTuple
 
 from kindsl.comparison.alignment import Alignment, moved_by
+from kindsl.comparison.quantities import INERTIA, POSE, TURNS
 from kindsl.comparison.written import (
-    INERTIA,
-    POSE,
-    TURNS,
     Described,
     Numbers,
     WrittenInertia,

@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from kindsl.comparison.written import AXIS
+from kindsl.comparison.quantities import AXIS
 
 if TYPE_CHECKING:
     from kindsl.comparison.number_differences import NumberDifference

@@ -9,8 +9,9 @@ import numpy as np
 from kindsl.comparison.alignment import moved_by
 from kindsl.comparison.mechanical import MechanicalComparison
 from kindsl.comparison.number_differences import NumberDifference
+from kindsl.comparison.quantities import INERTIA, POSE
 from kindsl.comparison.turned_axes import with_axis
-from kindsl.comparison.written import INERTIA, POSE, Described
+from kindsl.comparison.written import Described
 from kindsl.dynamics.evaluation.mechanics import GRAVITY, Mechanics
 from kindsl.mechanism.bodies import bodies_of
 from kindsl.mechanism.skeleton import Skeleton

@@ -11,7 +11,8 @@ from math import atan2, hypot
 from kindsl.comparison.alignment import Alignment
 from kindsl.comparison.matching import MatchedJoints
 from kindsl.comparison.number_differences import NumberDifference
-from kindsl.comparison.written import AXIS, Described, WrittenInertia, WrittenPose
+from kindsl.comparison.quantities import AXIS
+from kindsl.comparison.written import Described, WrittenInertia, WrittenPose
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.rigid.body import seen_from
 from kindsl.rigid.pose import RigidPose, Vector3, rotation_from_z

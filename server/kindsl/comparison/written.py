@@ -25,12 +25,7 @@ from kindsl.rigid.pose import (
 )
 from kindsl.semantics.parameters import JointProperties
 from kindsl.semantics.places import Located
-from kindsl.syntax.vocabulary import MOMENTS
 
-INERTIA = ("mass", "CoM x", "CoM y", "CoM z", *MOMENTS)
-TURNS = ("rx", "ry", "rz")
-POSE = ("x", "y", "z", *TURNS)
-AXIS = "axis"
 _ORIGIN = (0.0, 0.0, 0.0)
 _GIMBAL = 1e-9
 # No number is taken to be less exact than this, however few its digits, nor more exact than a

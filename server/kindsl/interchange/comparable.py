@@ -3,10 +3,8 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from kindsl.comparison.quantities import AXIS, INERTIA, POSE
 from kindsl.comparison.written import (
-    AXIS,
-    INERTIA,
-    POSE,
     Described,
     Numbers,
     WrittenInertia,

@@ -3,7 +3,8 @@
 from collections.abc import Iterator
 from typing import Any
 
-from kindsl.comparison.written import AXIS, INERTIA, POSE, TURNS, WrittenNumber
+from kindsl.comparison.quantities import AXIS, INERTIA, POSE, TURNS
+from kindsl.comparison.written import WrittenNumber
 from kindsl.interchange.written_numbers import FileNumbers, XmlNumbers, implied, keyed
 
 _ORIENTATIONS = ("quat", "euler", "axisangle", "xyaxes", "zaxis")

@@ -3,7 +3,8 @@
 from collections.abc import Iterator
 from typing import Any
 
-from kindsl.comparison.written import AXIS, INERTIA, POSE, TURNS, WrittenNumber
+from kindsl.comparison.quantities import AXIS, INERTIA, POSE, TURNS
+from kindsl.comparison.written import WrittenNumber
 from kindsl.interchange.format import FormatError
 from kindsl.interchange.sdf.frame_graph import FrameGraph
 from kindsl.interchange.sdf.nesting import flatten

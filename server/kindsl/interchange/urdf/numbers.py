@@ -1,6 +1,7 @@
 """The places of a URDF's numbers."""
 
-from kindsl.comparison.written import AXIS, INERTIA, POSE, TURNS, WrittenNumber
+from kindsl.comparison.quantities import AXIS, INERTIA, POSE, TURNS
+from kindsl.comparison.written import WrittenNumber
 from kindsl.interchange.written_numbers import FileNumbers, XmlNumbers, implied, keyed
 from kindsl.rigid.pose import Rotation, pose_from_fixed_axes
 
