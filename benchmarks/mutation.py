@@ -7,7 +7,8 @@ A folder is one of the server's, such as `rules` or `lsp/session`. Works on copi
 The tests run once to find which of them come past which change, in this process or in one that
 they start; those that drive a browser are left out. Then each change is made and these tests are
 run, those of its own package first and the quickest of them first, until one fails. Prints what
-lives on, and a table. Exits with 1 when a score is below 95 %.
+lives on, what makes its tests end too late, which counts as noticed, and a table. Exits with 1
+when a score is below 95 %.
 """
 
 import argparse
@@ -57,14 +58,16 @@ OPTIONS = ["-q", "-p", "no:cacheprovider", "-p", "no:xdist"]
 OPTIONS += ["-p", "benchmarks.mutating.plugin", "-W", "ignore::pytest.PytestAssertRewriteWarning"]
 # A file for each number, since the tests may come past it in a process that they start.
 REACHED = """
-import os
+import contextlib, os
 
 def note(numbers):
     if "MUTATION_NOTES" in os.environ:
         for number in numbers:
             path = os.path.join(os.environ["MUTATION_NOTES"], str(number))
+            # A test may give up its rights.
             if not os.path.exists(path):
-                open(path, "w").close()
+                with contextlib.suppress(OSError):
+                    open(path, "w").close()
 """
 
 Seconds = dict[str, float]
@@ -92,8 +95,8 @@ class Copy:
         """Write a module as it is in the project."""
         self.write(path, original(path))
 
-    def passes(self, tests: Sequence[str], timeout: float, **variables: str) -> bool:
-        """Return whether tests pass, in a process that has all but kindsl loaded already."""
+    def status(self, tests: Sequence[str], timeout: float, **variables: str) -> int | None:
+        """Return pytest's status, in a process that has all but kindsl loaded; None if too late."""
         process = os.fork()
         if process == 0:
             try:
@@ -103,7 +106,7 @@ class Copy:
                 os._exit(status)
             finally:
                 os._exit(1)
-        return _exit_status(process, timeout) == 0
+        return _exit_status(process, timeout)
 
     def _become(self, variables: dict[str, str]) -> None:
         """Make this process one that imports the copy and is quiet."""
@@ -168,7 +171,7 @@ class Worker:
         shutil.rmtree(notes, ignore_errors=True)
         notes.mkdir()
         variables = {"MUTATION_REACHED": str(report), "MUTATION_NOTES": str(notes)}
-        if not cls.copy.passes([f"tests/{folder}"], 3600.0, **variables):
+        if cls.copy.status([f"tests/{folder}"], 3600.0, **variables) != 0:
             output = (notes.parent / "output.txt").read_text(encoding="utf-8")
             print(f"left out, since they fail without a change:\n{output[-1000:]}")
         for path in numbers:
@@ -182,26 +185,28 @@ class Worker:
         return found
 
     @classmethod
-    def lives(cls, change: tuple[Site, Seconds]) -> bool:
-        """Return whether all tests that come past a change pass with it."""
+    def fate(cls, change: tuple[Site, Seconds]) -> str:
+        """Return `lives` if all tests that come past a change pass with it, else `killed` or `late`."""
         site, tests = change
         near = f"tests/{site.path.parts[0]}/"
         own = {name: seconds for name, seconds in tests.items() if name.startswith(near)}
         others = {name: seconds for name, seconds in tests.items() if name not in own}
         cls.copy.write(site.path, mutated(original(site.path), site))
-        lives = all(cls._passes(cls._quickest(some)) for some in (own, others))
+        fates = (cls._fate(cls._quickest(some)) for some in (own, others))
+        fate = next((fate for fate in fates if fate != "lives"), "lives")
         cls.copy.restore(site.path)
-        return lives
+        return fate
 
     @classmethod
-    def _passes(cls, tests: Seconds) -> bool:
+    def _fate(cls, tests: Seconds) -> str:
         if not tests:
-            return True
+            return "lives"
         listed = cls.copy.kindsl.parent / "tests.txt"
         listed.write_text("\n".join(tests), encoding="utf-8")
         files = sorted({name.partition("::")[0] for name in tests})
         timeout = 30.0 + 5.0 * sum(tests.values())
-        return cls.copy.passes(files, timeout, MUTATION_TESTS=str(listed), PYTEST_ADDOPTS="-x")
+        told = cls.copy.status(files, timeout, MUTATION_TESTS=str(listed), PYTEST_ADDOPTS="-x")
+        return {0: "lives", None: "late"}.get(told, "killed")
 
     @classmethod
     def _quickest(cls, tests: Seconds) -> Seconds:
@@ -232,11 +237,12 @@ def score(pool: Pool, folder: str, sites: Sequence[Site], tests: Sequence[str]) 
     ]
     print(f"{folder}: {_minutes(start)} to find the tests", flush=True)
     alive: list[Site] = []
-    for (site, passed), lives in zip(changes, pool.imap(Worker.lives, changes), strict=True):
-        if lives:
+    for (site, passed), fate in zip(changes, pool.imap(Worker.fate, changes), strict=True):
+        if fate == "lives":
             alive.append(site)
+        if fate != "killed":
             where = f"{site.path}:{site.line}"
-            print(f"  lives: {where}: {site.change} ({len(passed)} tests)", flush=True)
+            print(f"  {fate}: {where}: {site.change} ({len(passed)} tests)", flush=True)
     for kind in sorted({site.kind for site in sites}):
         print(f"  {kind}s: {_noticed(sites, alive, kind)}")
     print(f"{folder}: {_noticed(sites, alive)} noticed, {_minutes(start)}", flush=True)
