@@ -79,7 +79,7 @@ class Copy:
     def __init__(self, folder: Path) -> None:
         self.kindsl = folder / "server" / "kindsl"
         shutil.copytree(ROOT / "server" / "kindsl", self.kindsl)
-        for beside in ("docs", "grammar"):
+        for beside in ("docs", "grammar", "pyproject.toml"):
             (folder / beside).symlink_to(ROOT / beside)
         (self.kindsl / "_reached.py").write_text(REACHED, encoding="utf-8")
         compileall.compile_dir(self.kindsl, quiet=2)
@@ -186,7 +186,7 @@ class Worker:
 
     @classmethod
     def fate(cls, change: tuple[Site, Seconds]) -> str:
-        """Return `lives` if all tests that come past a change pass with it, else `killed` or `late`."""
+        """Return `lives` if all tests that come past a change pass, else `killed` or `late`."""
         site, tests = change
         near = f"tests/{site.path.parts[0]}/"
         own = {name: seconds for name, seconds in tests.items() if name.startswith(near)}
