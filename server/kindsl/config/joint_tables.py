@@ -1,10 +1,10 @@
 """A configuration file's tables of the joints of one document, written into it."""
 
 import os
-import tomllib
 from collections.abc import Mapping
 
 from kindsl.config.configuration_reading import configuration_of
+from kindsl.config.errors import ConfigurationError
 from kindsl.config.parameter_lines import key
 from kindsl.semantics.parameters import JointProperties
 
@@ -37,10 +37,10 @@ def with_joints(
     own = os.path.relpath(document, os.path.dirname(os.path.abspath(file))).replace(os.sep, "/")
     extended = f"{_ended(text)}{_new_table(configuration.root, own, missing)}"
     try:
-        tomllib.loads(extended)
-    except tomllib.TOMLDecodeError:
+        told = configuration_of(file, extended).settings_for(document).joints
+    except ConfigurationError:
         return None
-    return extended
+    return extended if told.keys() >= joints.keys() else None
 
 
 def _new_table(root: tuple[str, ...], document: str, joints: Mapping[str, JointProperties]) -> str:
