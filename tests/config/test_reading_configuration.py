@@ -148,6 +148,10 @@ def test_patterns(pattern: str, path: str, is_meant: bool) -> None:
             '[[twins]]\ndocument = "a"\nfile = "b"\njoints = { x = 1 }\n',
             ":4:12: error: 'twins[0].joints.x' must be a string",
         ),
+        ("version = 3\n", ":1:1: error: 'version' must be a string, not a number"),
+        ('version = "1.x"\n', ":1:1: error: version '1.x' is not up to four numbers with dots"),
+        ("baseline = 3\n", ":1:1: error: 'baseline' must be a string, not a number"),
+        ('baseline = " "\n', ":1:1: error: 'baseline' is empty"),
         ("target = [\n", ":2:1: error: not valid TOML: "),
         ("x = = 1\n", ":1:5: error: not valid TOML: invalid value"),
         ("1975-01-01 = 3\nx", ":2:2: error: not valid TOML: "),
@@ -157,6 +161,8 @@ def test_what_is_wrong_is_told_with_its_place(text: str, told: str) -> None:
     with pytest.raises(ConfigurationError) as caught:
         configuration_of("sub/kindsl.toml", text)
     assert str(caught.value).startswith("sub/kindsl.toml" + told)
+    (problem,) = caught.value.problems
+    assert "(at " not in problem.message
 
 
 @given(st.text(max_size=8))
@@ -221,11 +227,14 @@ def test_a_wrong_file_is_told_for_each_document(tmp_path: Path) -> None:
             configurations.above(str(tmp_path / name))
 
 
-@pytest.mark.parametrize("content", [b"x = 1\xff", b"\xff\xfex\x00"])
-def test_not_utf_8_is_told(tmp_path: Path, content: bytes) -> None:
+@pytest.mark.parametrize(
+    ("content", "line"), [(b"x = 1\xff", 1), (b"\xff\xfex\x00", 1), (b"x = 1\n\n# \xff\n", 3)]
+)
+def test_not_utf_8_is_told_with_its_line(tmp_path: Path, content: bytes, line: int) -> None:
     (tmp_path / "kindsl.toml").write_bytes(content)
-    with pytest.raises(ConfigurationError, match="is not valid UTF-8"):
+    with pytest.raises(ConfigurationError, match="is not valid UTF-8") as caught:
         read_configuration(str(tmp_path / "kindsl.toml"))
+    assert caught.value.problems[0].place == (line, 1, 0, 0)
 
 
 @pytest.mark.parametrize("text", ["x = 1\n", "[parameters]\nx = 1\n", "[x]\nvalue = 1\nmin = 0\n"])
@@ -294,6 +303,10 @@ def test_a_broken_pyproject_is_ours_if_it_has_our_table(
 ) -> None:
     (tmp_path / "pyproject.toml").write_bytes(content)
     assert has_python_table(str(tmp_path / "pyproject.toml")) is is_ours
+
+
+def test_a_pyproject_that_cannot_be_read_is_not_ours(tmp_path: Path) -> None:
+    assert not has_python_table(str(tmp_path))
 
 
 def test_one_letter_is_no_code() -> None:
