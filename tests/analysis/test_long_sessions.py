@@ -1,4 +1,8 @@
-"""Edit after edit of a long document: what is found is what a fresh analysis finds, every time."""
+"""Edit after edit of a document: what is found is what a fresh analysis finds, every time.
+
+One session in four is of a long document. A fresh analysis of that takes ten times as long as the
+edit, so it is compared in part of the steps; a short one is compared in all.
+"""
 
 import random
 import re
@@ -13,7 +17,8 @@ from kindsl.analysis.settings import Settings
 from kindsl.semantics.parameters import Binding
 from kindsl.text.edits import TextEdit
 
-LINKS = 300
+LONG, SHORT, EVERY = 300, 30, 4
+COMPARED = 0.25
 BINDINGS = {"offset": Binding(0.1), "load": Binding(2.0, 0.0, 9.0)}
 CHOICES = [
     Settings(frozenset(t), bindings=BINDINGS) for t in ((), (), ("robcogen",), ("robcogen2",))
@@ -29,11 +34,11 @@ PIECES = (
 )  # fmt: skip
 
 
-def document(generator: random.Random) -> str:
+def document(generator: random.Random, n_links: int) -> str:
     """Return a tree of links whose base carries four legs besides, with mistakes in them."""
-    plain = random_model(LINKS, generator.randrange(99), Style(tree="tree", has_expressions=True))
+    plain = random_model(n_links, generator.randrange(99), Style(tree="tree", has_expressions=True))
     legs = "".join(match[0] for match in BLOCK.finditer(walker(generator)))
-    legs = re.sub(r"\bid = (\d+)", lambda match: f"id = {LINKS + int(match[1])}", legs)
+    legs = re.sub(r"\bid = (\d+)", lambda match: f"id = {n_links + int(match[1])}", legs)
     pairs = "".join(f" {leg}_hip via {leg}_top" for leg in LEGS)
     tree = plain.replace("children {", f"children {{{pairs}", 1).rstrip().removesuffix("}")
     first_joint = re.search(r"^[rp]_joint", tree, re.MULTILINE)
@@ -71,11 +76,13 @@ def assert_as_fresh(analysis: Analysis) -> None:
     assert analysis.faults == fresh.faults == ()
 
 
-@pytest.mark.parametrize("seed", range(usually(2, thoroughly=100)))
+@pytest.mark.parametrize("seed", range(usually(2, thoroughly=60)))
 def test_every_edit_of_a_session_finds_what_a_fresh_analysis_does(seed: int) -> None:
     generator = random.Random(seed)
-    versions = [analyse(document(generator), CHOICES[0])]
-    for _ in range(usually(15, thoroughly=100)):
+    is_long = seed % EVERY == 0
+    versions = [analyse(document(generator, LONG if is_long else SHORT), CHOICES[0])]
+    n_steps = usually(15, thoroughly=100)
+    for step in range(1, n_steps + 1):
         last = versions[-1]
         kind = generator.random()
         if kind < 0.6 or len(versions) == 1:
@@ -91,4 +98,7 @@ def test_every_edit_of_a_session_finds_what_a_fresh_analysis_does(seed: int) -> 
             versions.append(last.edited([back]))
         else:
             versions.pop()
-        assert_as_fresh(versions[-1])
+        if not is_long or step == n_steps or generator.random() < COMPARED:
+            assert_as_fresh(versions[-1])
+        else:
+            assert versions[-1].faults == ()
