@@ -160,36 +160,34 @@ def eigensystem(matrix: Symmetric) -> tuple[Eigenpair, Eigenpair, Eigenpair]:
     Loan 2013, sec. 8.5.
     """
     xx, yy, zz, xy, xz, yz = matrix
-    a = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
-    v = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+    diagonal, beside = [xx, yy, zz], [yz, xz, xy]
+    axes = [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)]
     scale = max(map(abs, matrix))
     for _ in range(_SWEEPS):
-        if hypot(a[0][1], a[0][2], a[1][2]) <= 1e-17 * scale:
+        if hypot(*beside) <= 1e-17 * scale:
             break
-        for p, q in ((0, 1), (0, 2), (1, 2)):
-            _rotate(a, v, p, q)
-    pairs = [Eigenpair(a[i][i], (v[0][i], v[1][i], v[2][i])) for i in range(3)]
-    pairs.sort(key=lambda pair: pair.value)
-    return pairs[0], pairs[1], pairs[2]
+        for p, q, r in ((0, 1, 2), (0, 2, 1), (1, 2, 0)):
+            if beside[r]:
+                _rotate(diagonal, beside, axes, p, q, r)
+    first, second, third = sorted(map(Eigenpair, diagonal, axes), key=lambda pair: pair.value)
+    return first, second, third
 
 
-def _rotate(a: list[list[float]], v: list[list[float]], p: int, q: int) -> None:
-    """Turn in the plane of p and q so that `a[p][q]` vanishes."""
-    if a[p][q] == 0.0:
-        return
-    theta = (a[q][q] - a[p][p]) / (2.0 * a[p][q])
+def _rotate(
+    diagonal: list[float], beside: list[float], axes: list[Vector3], p: int, q: int, r: int
+) -> None:
+    """Turn about axis r so that the entry of p and q, `beside[r]`, vanishes."""
+    pq, rp, rq = beside[r], beside[q], beside[p]
+    theta = (diagonal[q] - diagonal[p]) / (2.0 * pq)
     t = copysign(1.0, theta) / (abs(theta) + sqrt(theta * theta + 1.0))
     c = 1.0 / sqrt(t * t + 1.0)
     s = t * c
-    r = 3 - p - q
-    apq, arp, arq = a[p][q], a[r][p], a[r][q]
-    a[p][p] -= t * apq
-    a[q][q] += t * apq
-    a[p][q] = a[q][p] = 0.0
-    a[r][p] = a[p][r] = c * arp - s * arq
-    a[r][q] = a[q][r] = s * arp + c * arq
-    for row in v:
-        row[p], row[q] = c * row[p] - s * row[q], s * row[p] + c * row[q]
+    diagonal[p] -= t * pq
+    diagonal[q] += t * pq
+    beside[r], beside[q], beside[p] = 0.0, c * rp - s * rq, s * rp + c * rq
+    (px, py, pz), (qx, qy, qz) = axes[p], axes[q]
+    axes[p] = c * px - s * qx, c * py - s * qy, c * pz - s * qz
+    axes[q] = s * px + c * qx, s * py + c * qy, s * pz + c * qz
 
 
 def greatest_second_moment(body: MassDistribution, half: MassDistribution, axis: Vector3) -> float:

@@ -67,7 +67,7 @@ def opposite(value: Expression) -> str:
 def significant_digits(text: str) -> int:
     """Return how many digits a number has from the first that is not zero, at least one."""
     mantissa = text.lower().partition("e")[0]
-    return max(1, len("".join(c for c in mantissa if c.isdigit()).lstrip("0")))
+    return max(1, len("".join(filter(str.isdigit, mantissa)).lstrip("0")))
 
 
 def decimals(text: str) -> int:

@@ -81,7 +81,8 @@ def half_unit(text: str) -> float:
     """Return half a unit of the last digit of a decimal number as written."""
     mantissa, _, exponent = text.lower().partition("e")
     _, _, decimals = mantissa.partition(".")
-    return 0.5 * float(f"1e{exponent or 0}") / 10.0 ** min(len(decimals), _MOST_DECIMALS)
+    unit = float(f"1e{exponent}") if exponent else 1.0
+    return 0.5 * unit / 10.0 ** min(len(decimals), _MOST_DECIMALS)
 
 
 def symbols(expression: Expression) -> Iterator[ParameterUse | ConstantUse]:

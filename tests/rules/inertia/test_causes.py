@@ -32,7 +32,7 @@ from kindsl.rules.inertia.surroundings import (
 )
 from kindsl.rules.inertia.suspects import suspects_of
 
-NOWHERE = LinkSurroundings(points=(), twins=(), share=0.0, mirror=None)
+NOWHERE = LinkSurroundings(points=(), twins=(), share=0.0)
 EXACT = MassDistribution(0.0, (0.0, 0.0, 0.0), (0.0,) * 6)  # type: ignore[arg-type]
 BALL = MassDistribution(1.0, (0.0, 0.0, 0.0), (0.02, 0.02, 0.02, 0.0, 0.0, 0.0))
 SHAPE = MassShape((0.01, 0.01, 0.01, 0.0, 0.0, 0.0), EXACT.moments, eigensystem((0.01,) * 6))
@@ -284,7 +284,7 @@ def test_what_is_known_of_a_link_is_added() -> None:
     """A rod along x, its next joint ahead; a twin that expects it to be so."""
     rod = MassDistribution(2.0, (0.2, 0.0, 0.0), (0.001, 0.101, 0.101, 0.0, 0.0, 0.0))
     twin = Twin("other", rod, rod)
-    around = LinkSurroundings(points=((0.4, 0.0, 0.0),), twins=(twin,), share=1.0, mirror=None)
+    around = LinkSurroundings(points=((0.4, 0.0, 0.0),), twins=(twin,), share=1.0)
     causes = candidates(judgement(rod._replace(mass=2000.0), Verdict.IMPLAUSIBLE), around)
     (cause,) = (c for c in causes if c.hypothesis.slips == (Slip.MASS,))
     shape = shape_of(rod, EXACT)

@@ -13,7 +13,7 @@ has dropped no zeros.
 """
 
 from collections.abc import Mapping, Sequence
-from math import floor, log10
+from math import floor, inf, log10
 from typing import NamedTuple
 
 from kindsl.rigid.body import MassDistribution
@@ -34,7 +34,8 @@ class WrittenDigits(NamedTuple):
     Attributes:
         text: The text.
         literal: Its value if it is a plain decimal number, else None.
-        rounding: How far the value of anything else may be from what is written.
+        rounding: Half a unit of its last digit, or how far the value of anything else may be from
+            what is written.
     """
 
     text: str
@@ -79,9 +80,11 @@ def all_written_as(text: str) -> Interval:
 
 
 def likely_half_widths(numbers: Sequence[WrittenDigits]) -> MassDistribution:
-    """Return the same if all ten numbers were written in the same manner."""
-    halves = _halves(numbers, numbers[1:])
-    return _ten(halves)
+    """Return how far ten numbers, written in one manner, are likely to be from their digits."""
+    manner = [number for number in numbers[1:] if number.literal]
+    finest = min((number.rounding for number in manner), default=inf)
+    digits = max([_FEWEST_DIGITS, *map(_believed_digits, manner)])
+    return _ten([_half(number, finest, digits) for number in numbers])
 
 
 def numbers_written(inertia: Inertia, values: Mapping[str, float]) -> list[WrittenDigits]:
@@ -105,22 +108,16 @@ def _ten(numbers: Sequence[float]) -> MassDistribution:
 
 
 def _written(value: Expression, values: Mapping[str, float]) -> WrittenDigits:
-    return WrittenDigits(value.text, value.literal, value.rounding(values))
-
-
-def _halves(group: Sequence[WrittenDigits], manner: Sequence[WrittenDigits]) -> list[float]:
-    """Return the half-widths of a group that is written in the manner of some numbers."""
-    numbers = [number for number in manner if number.literal]
-    finest = min((half_unit(number.text) for number in numbers), default=float("inf"))
-    digits = max([_FEWEST_DIGITS, *map(_believed_digits, numbers)])
-    return [_half(number, finest, digits) for number in group]
+    text, literal = value.text, value.literal
+    rounding = value.rounding(values) if literal is None else half_unit(text)
+    return WrittenDigits(text, literal, rounding)
 
 
 def _half(number: WrittenDigits, finest: float, digits: int) -> float:
     if number.literal is None:
         return number.rounding
     if number.literal == 0.0:
-        return min(finest, half_unit(number.text))
+        return min(finest, number.rounding)
     own = _own_half(number.text)
     if _believed_digits(number) > _MOST_OF_A_ROUND_NUMBER:
         return own

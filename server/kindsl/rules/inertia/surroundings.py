@@ -59,9 +59,8 @@ class LinkSurroundings(NamedTuple):
 
     Attributes:
         points: Origins of its frames and of its children's joints, in the link frame, m.
-        twins: Links of the same part, on the other side or at another leg.
+        twins: Links of the same part at another leg, the one on the other side first.
         share: How many of the links of the same part these are.
-        mirror: Name of the mirrored twin, if there are twins and it may be one of them.
         mass: The middle one of the robot's links, kg; zero if there are few.
         copies: Unlike links that have the same moments, or CoM, and which of these.
     """
@@ -69,7 +68,6 @@ class LinkSurroundings(NamedTuple):
     points: tuple[Vector3, ...]
     twins: tuple[Twin, ...]
     share: float
-    mirror: str | None
     mass: float = 0.0
     copies: tuple[tuple[str, str], ...] = ()
 
@@ -101,7 +99,6 @@ def surroundings(model: Model, context: Context, found: Judgement) -> LinkSurrou
         tuple(point for point in points if hypot(*point) > _NEAR),
         twins,
         len(twins) / len(alike) if twins else 0.0,
-        _mirror(model, link) if twins else None,
         _middle_mass(model),
         tuple(copies(model, context, link)),
     )
@@ -129,15 +126,13 @@ def of_points(h: Hypothesis, shape: MassShape, around: LinkSurroundings) -> Evid
 
 def of_twins(h: Hypothesis, around: LinkSurroundings) -> Evidence:
     """Return what the twin that says most says of a hypothesis."""
-    nearest_first = sorted(around.twins, key=lambda twin: twin.name != around.mirror)
-    said = [_of_twin(h, twin, around.share) for twin in nearest_first]
+    images = [twin for twin in around.twins if is_mirror_image(h.body, twin.body)]
+    said = [_of_image(h, twin, around.share) for twin in images]
     return max(said, key=lambda each: each.log_weight, default=Evidence(0.0))
 
 
-def _of_twin(h: Hypothesis, twin: Twin, share: float) -> Evidence:
-    """Return what a twin says: most where the body is as it expects it."""
-    if not is_mirror_image(h.body, twin.body):
-        return Evidence(0.0)
+def _of_image(h: Hypothesis, twin: Twin, share: float) -> Evidence:
+    """Return what a mirror image says: most where the body is as it expects it."""
     is_equal = is_same_body(h.body, twin.body)
     is_expected = twin.expected is not None and is_same_body(h.body, twin.expected)
     return Evidence(
@@ -148,9 +143,12 @@ def _of_twin(h: Hypothesis, twin: Twin, share: float) -> Evidence:
 
 def is_mirror_image(one: MassDistribution, other: MassDistribution) -> bool:
     """Return whether axes turned round by some signs, or none, make one body the other."""
-    if not is_same_body(_without_signs(one), _without_signs(other)):
-        return False
-    return any(is_same_body(image, other) for image in images(one))
+    return (
+        _is_near(one.mass, other.mass)
+        and _are_near([*map(abs, one.com)], [*map(abs, other.com)])
+        and _are_near([*map(abs, one.moments)], [*map(abs, other.moments)])
+        and any(is_same_body(image, other) for image in images(one))
+    )
 
 
 def images(body: MassDistribution) -> Iterator[MassDistribution]:
@@ -164,7 +162,7 @@ def may_be_image(one: MassDistribution, other: MassDistribution) -> bool:
     It may change the order and the signs of a CoM, a mass by powers of ten, and any moment.
     """
     power = round(log10(one.mass / other.mass))
-    return _are_near((one.mass,), (other.mass * 10.0**power,)) and _are_near(
+    return _is_near(one.mass, other.mass * 10.0**power) and _are_near(
         sorted(map(abs, one.com)), sorted(map(abs, other.com))
     )
 
@@ -172,21 +170,19 @@ def may_be_image(one: MassDistribution, other: MassDistribution) -> bool:
 def is_same_body(one: MassDistribution, other: MassDistribution) -> bool:
     """Return whether all ten numbers agree but for a little of the greatest of their kind."""
     return (
-        _are_near((one.mass,), (other.mass,))
+        _is_near(one.mass, other.mass)
         and _are_near(one.com, other.com)
         and _are_near(one.moments, other.moments)
     )
 
 
+def _is_near(one: float, other: float) -> bool:
+    return abs(one - other) <= _SAME * max(abs(one), abs(other))
+
+
 def _are_near(one: Sequence[float], other: Sequence[float]) -> bool:
     size = max(map(abs, (*one, *other)))
     return all(abs(a - b) <= _SAME * size for a, b in zip(one, other, strict=True))
-
-
-def _without_signs(body: MassDistribution) -> MassDistribution:
-    mass, (x, y, z), (xx, yy, zz, xy, xz, yz) = body
-    moments = abs(xx), abs(yy), abs(zz), abs(xy), abs(xz), abs(yz)
-    return MassDistribution(abs(mass), (abs(x), abs(y), abs(z)), moments)
 
 
 @kept
@@ -253,16 +249,18 @@ def _twins(
     twins = [(other, body) for other, body in alike if not is_impossible(other, context)]
     may_be_twin = any(may_be_image(found.body, body) for _, body in twins)
     expected = _expected(model, context, found.link, twins) if may_be_twin else None
-    return tuple(Twin(str(other.name), body, expected) for other, body in twins)
+    mirror = _mirror(model, found.link) if len(twins) > 1 else None
+    nearest_first = sorted(twins, key=lambda twin: twin[0].name != mirror)
+    return tuple(Twin(str(other.name), body, expected) for other, body in nearest_first)
 
 
 def _expected(
     model: Model, context: Context, link: Link, twins: Sequence[_Inertia]
 ) -> MassDistribution | None:
     """Return the inertia that all twins let expect, None where they do not agree."""
-    masses = [(body.mass,) for _, body in twins]
+    masses = [body.mass for _, body in twins]
     agreed: list[MassDistribution] | None = None
-    for other, body in twins if all(_are_near(mass, masses[0]) for mass in masses) else ():
+    for other, body in twins if all(_is_near(mass, masses[0]) for mass in masses) else ():
         seen = [seen_by(body, transposed(C)) for C in _frames(model, context, link, other)]
         if agreed is None:
             agreed = seen
