@@ -54,12 +54,12 @@ def test_a_file_is_found_by_its_whole_path(package: Path) -> None:
         ("../%2e%2e/secret.stl", "outside 'arm'"),
         ("file:///etc/passwd", "outside 'arm'"),
         ("//host/share/x.stl", "outside 'arm'"),
-        ("http://example.org/x.stl", "not found"),
-        ("package://other/x.stl", "not found"),
-        ("package://arm/meshes", "not found"),
+        ("http://example.org/x.stl", "not found in 'arm'"),
+        ("package://other/x.stl", "not found in 'arm'"),
+        ("package://arm/meshes", "not found in 'arm'"),
         ("package://arm/meshes/notes.txt", "neither STL, OBJ nor COLLADA"),
-        ("package://arm/meshes/\0.stl", "not found"),
-        ("package://", "not found"),
+        ("package://arm/meshes/\0.stl", "not found in 'arm'"),
+        ("package://", "not found in 'arm'"),
     ],
 )
 def test_nothing_else_is_read(package: Path, address: str, problem: str) -> None:
@@ -82,7 +82,7 @@ def test_a_pipe_and_a_file_too_large_are_refused(
     package: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     os.mkfifo(package / "meshes/pipe.stl")
-    assert found(package, "package://arm/meshes/pipe.stl") == ("not found", None)
+    assert found(package, "package://arm/meshes/pipe.stl") == ("not found in 'arm'", None)
     monkeypatch.setattr(mesh_files, "LARGEST", 2)
     assert found(package, "../meshes/a b.stl") == ("larger than 0 MB", None)
 

@@ -44,6 +44,10 @@ REACHES = """() => {
 }"""
 
 
+def bare_urdf():
+    return format_named("urdf").write("arm", analyse(ARM).skeleton(), ORDINARY).text
+
+
 def visual(geometry):
     return f"<visual><geometry>{geometry}</geometry></visual>"
 
@@ -51,7 +55,7 @@ def visual(geometry):
 @pytest.fixture
 def urdf(tmp_path):
     """Return a URDF with shapes, beside its meshes."""
-    written = format_named("urdf").write("arm", analyse(ARM).skeleton(), ORDINARY).text
+    written = bare_urdf()
     (tmp_path / "x.dae").write_text(COLLADA)
     (tmp_path / "x.stl").write_bytes(STL)
     (tmp_path / "x.obj").write_text(OBJ)
@@ -85,8 +89,8 @@ def test_shapes_stand_on_their_links_and_what_is_left_out_is_told(urdf):
     ]
     (told,) = messages(preview, "meshes")
     assert told.problems == (
-        "1 mesh left out, not found: x.glb",
-        f"1 mesh left out, outside '{urdf.parent.name}': ../out.stl",
+        f"1 mesh left out, not found in '{urdf.parent.name}': x.glb",
+        f"1 mesh left out, outside '{urdf.parent.name}': out.stl",
     )
 
 
@@ -165,6 +169,16 @@ async def test_the_page_draws_them_plain_and_as_x_rays(browser, server, urdf):
         await page.locator("#meshes").click()
         assert await page.locator("#mesh-problems").is_hidden()
         assert await page.evaluate("kindsl.address.text()") == "#"
+
+
+async def test_without_a_mesh_there_is_none_to_choose(browser, server, tmp_path):
+    file, lost = tmp_path / "arm.urdf", visual('<mesh filename="x.stl"/>')
+    file.write_text(bare_urdf().replace('<link name="upper">', f'<link name="upper">{lost}'))
+    await server.show("robot", analyse(ARM), ())
+    server.draw_meshes("robot", MeshSource("arm.urdf", file))
+    async with opened(browser, server.url("robot")) as page:
+        await page.locator("#mesh-problems li").wait_for()
+        assert await page.locator("#meshes").is_disabled()
 
 
 async def test_an_exported_page_holds_them(browser, tmp_path, urdf):

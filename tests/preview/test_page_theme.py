@@ -53,6 +53,17 @@ async def test_the_address_tells_the_theme_before_there_is_a_robot(browser, serv
         await until(page, IS_DARK)
 
 
+async def test_the_first_press_changes_what_is_seen(browser, server):
+    await server.show("robot", analyse((EXAMPLES / "fancy.kindsl").read_text()), ())
+    async with opened(browser, server.url("robot")) as page:
+        assert await page.locator("#theme").inner_text() == "Use dark"
+        await page.locator("#theme").click()
+        await until(page, IS_DARK)
+        assert await page.locator("#theme").inner_text() == "Use light"
+        await page.locator("#theme").click()
+        assert await page.locator("#theme").inner_text() == "Use auto"
+
+
 async def axe_findings(page):
     found = await page.evaluate("axe.run(document)")
     return [(one["id"], [n["html"][:120] for n in one["nodes"]]) for one in found["violations"]]

@@ -36,11 +36,11 @@ class MeshFile(NamedTuple):
             real = self.path.resolve(strict=True)
             size = real.stat().st_size
         except (OSError, RuntimeError, ValueError):
-            return "not found"
+            return f"not found in '{self.folder.name}'"
         if not real.is_relative_to(self.folder):
             return f"outside '{self.folder.name}'"
         if not real.is_file():
-            return "not found"
+            return f"not found in '{self.folder.name}'"
         if real.suffix.lower() not in SUFFIXES:
             return "neither STL, OBJ nor COLLADA"
         return f"larger than {LARGEST // 2**20} MB" if size > LARGEST else ""

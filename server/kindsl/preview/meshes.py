@@ -3,7 +3,7 @@
 import base64
 from collections.abc import Iterable, Iterator, Mapping
 from math import asin, degrees
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
 from kindsl.analysis.twins import read_file
@@ -220,7 +220,7 @@ def _files(
 
 def _losses(lost: Mapping[str, str]) -> Iterator[str]:
     for problem in dict.fromkeys(lost.values()):
-        names = [address for address, why in lost.items() if why == problem]
+        names = [PurePosixPath(address).name for address, why in lost.items() if why == problem]
         some = ", ".join(names[:_SHOWN]) + (", ..." if names[_SHOWN:] else "")
         plural = "mesh" if len(names) == 1 else "meshes"
         yield f"{len(names)} {plural} left out, {problem}: {some}"

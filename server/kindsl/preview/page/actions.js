@@ -5,11 +5,6 @@ import { drawPicture, savePicture } from "./picture/snapshot.js";
 /** @import { Actions, NamedValue } from "./base/types.js" */
 /** @import { Page } from "./page.js" */
 
-/**
- * What the button chooses next, and what is chosen.
- * @type {Readonly<Record<string, readonly [next: string, now: string]>>}
- */
-const THEMES = { auto: ["light", "those of the system or editor"], light: ["dark", "light"], dark: ["auto", "dark"] };
 const MOST_AT_ONCE = 500; // values in a message to the server
 /** @param {readonly NamedValue[]} parameters */
 const byName = (parameters) => Object.fromEntries(parameters.map(({ name, value }) => [name, value]));
@@ -75,8 +70,6 @@ export function makeActions(page) {
     },
     chooseTheme(choice) {
       page.theme.choose(choice);
-      const [next, now] = THEMES[page.theme.choice];
-      Object.assign(byId("theme"), { textContent: `Use ${next}`, title: `Colours are ${now}` });
       note();
     },
     hover: (thing) => selection.hover(thing),
@@ -125,7 +118,7 @@ function connect(actions, page) {
   on("png", () => actions.savePicture());
   on("link", () => actions.copyLink());
   on("help", () => actions.showKeys());
-  on("theme", () => actions.chooseTheme(page.theme.next()));
+  on("theme", () => actions.chooseTheme(page.theme.next));
   on("close-panel", () => actions.foldPanel(true));
   on("open-panel", () => actions.foldPanel(false));
   // The viewer's controls would take the press for the start of a turn.

@@ -252,9 +252,15 @@ function onState(state) {
   if (state === "live") page.editing.rejoin();
 }
 
+const nameTheme = () => {
+  const now = theme.choice === "auto" ? "those of the system or editor" : theme.choice;
+  Object.assign(byId("theme"), { textContent: `Use ${theme.next}`, title: `Colours are ${now}` });
+};
+nameTheme();
 theme.onChange = () => {
   scene.setColors(theme.colors);
   page.legend.show();
+  nameTheme();
 };
 passOn(page);
 page.camera.onMove(page.actions.note);

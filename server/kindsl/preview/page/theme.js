@@ -44,9 +44,19 @@ export class Theme {
     this.apply();
   }
 
-  next() {
-    this.choose(CHOICES[(CHOICES.indexOf(this.choice) + 1) % CHOICES.length]);
-    return this.choice;
+  /**
+   * What comes after the choice: first of all the kind that is not to be seen.
+   * @returns {Choice}
+   */
+  get next() {
+    /** @type {readonly Choice[]} */
+    const ring = this.usual === "dark" ? ["auto", "light", "dark"] : ["auto", "dark", "light"];
+    return ring[(ring.indexOf(this.choice) + 1) % ring.length];
+  }
+
+  /** Without a choice. */
+  get usual() {
+    return (this.editor && this.kindOf(this.editor)) || (this.system.matches ? "dark" : "light");
   }
 
   /**
@@ -88,8 +98,7 @@ export class Theme {
       if (color) root.style.setProperty(`--${name}`, color);
       else root.style.removeProperty(`--${name}`);
     }
-    const own = this.choice === "auto" ? null : this.choice;
-    this.kind = own || (editor && this.kindOf(editor)) || (this.system.matches ? "dark" : "light");
+    this.kind = this.choice === "auto" ? this.usual : this.choice;
     root.dataset.theme = this.kind;
     root.style.colorScheme = this.kind;
     this.onChange();

@@ -46,6 +46,7 @@ export class MeshButton {
     const { way, failed } = this.meshes, problems = [...(told?.problems ?? [])];
     if (failed.size) problems.push(`${failed.size} mesh${failed.size === 1 ? "" : "es"} cannot be drawn`);
     this.button.hidden = !told;
+    this.button.disabled = Boolean(told?.is_loaded) && this.meshes.isEmpty;
     this.button.textContent = WORDS[way];
     this.button.ariaPressed = String(way !== "off");
     this.button.title = told ? `Meshes of ${told.name}: in place of the bodies, as an X-ray over them, or not at all` : "";

@@ -40,6 +40,7 @@ export class Meshes {
   }
 
   get isOn() { return this.way !== "off"; }
+  get isEmpty() { return !this.#wanted.size; }
 
   /** @param {Way} way */
   choose(way) {
