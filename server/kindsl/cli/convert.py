@@ -152,7 +152,7 @@ def _told_of_joints(
     from kindsl.config.configuration_reading import text_of
     from kindsl.config.discovery import nearest_configuration
     from kindsl.config.file_names import OWN_FILE
-    from kindsl.config.joint_tables import with_joints
+    from kindsl.config.document_tables import with_joints
 
     folder = os.path.dirname(os.path.abspath(args.output))
     file = args.config or nearest_configuration(folder)

@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kindsl.config.configuration_reading import configuration_of
-from kindsl.config.joint_tables import with_joints
+from kindsl.config.document_tables import with_joints
 from kindsl.semantics.parameters import JointProperties
 
 ELBOW = JointProperties(minimum=-1.0, maximum=2.0)
