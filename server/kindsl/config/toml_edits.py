@@ -17,7 +17,7 @@ from kindsl.config.configuration_reading import configuration_of
 from kindsl.config.errors import ConfigurationError
 from kindsl.config.patterns import is_match
 from kindsl.config.toml_places import KeyPath, spans_of
-from kindsl.text.edits import TextEdit, apply_edits
+from kindsl.text.edits import TextEdit, apply_edits, difference
 from kindsl.text.lines import LineIndex
 
 # A table, TOML's or Python's: of its values nothing is known.
@@ -54,7 +54,7 @@ def binding_edit(
         if edit is None:
             return None
         bound = apply_edits(bound, [edit])
-    return _difference(text, bound)
+    return difference(text, bound)
 
 
 def renaming_edits(text: str, keys: KeyPath, name: str) -> tuple[TextEdit, ...] | None:
@@ -110,7 +110,7 @@ def _binding_edits(text: str, place: KeyPath, name: str, value: float) -> Iterat
             parsed = tomlkit.parse(text)
             plain = tomlkit.dumps(parsed)
             _set(parsed, place, name, value, new_table)
-            edit = _tidy(plain, _difference(plain, tomlkit.dumps(parsed)))
+            edit = _tidy(plain, difference(plain, tomlkit.dumps(parsed)))
             edit = in_line_style(_moved(edit, plain, text), text)
             after = tomllib.loads(apply_edits(text, [edit]))
         except (TOMLKitError, ValueError):
@@ -161,15 +161,6 @@ def _is_same(one: object, other: object) -> bool:
     if isinstance(one, list) and isinstance(other, list):
         return len(one) == len(other) and all(map(_is_same, one, other))
     return type(one) is type(other) and (one == other or (one != one and other != other))
-
-
-def _difference(old: str, new: str) -> TextEdit:
-    """Return the shortest edit that turns one text into another."""
-    most = min(len(old), len(new))
-    start = sum(1 for _ in takewhile(bool, (old[i] == new[i] for i in range(most))))
-    most -= start
-    same = sum(1 for _ in takewhile(bool, (old[-i] == new[-i] for i in range(1, most + 1))))
-    return TextEdit(start, len(old) - same, new[start : len(new) - same])
 
 
 def _tidy(text: str, edit: TextEdit) -> TextEdit:

@@ -1,6 +1,7 @@
 """Replacements in a text."""
 
 from collections.abc import Iterable
+from itertools import takewhile
 from typing import NamedTuple
 
 
@@ -30,3 +31,12 @@ def apply_edits(text: str, edits: Iterable[TextEdit]) -> str:
         pieces += text[done : edit.start], edit.text
         done = edit.end
     return "".join((*pieces, text[done:]))
+
+
+def difference(old: str, new: str) -> TextEdit:
+    """Return the shortest edit that turns one text into another."""
+    most = min(len(old), len(new))
+    start = sum(1 for _ in takewhile(bool, (old[i] == new[i] for i in range(most))))
+    most -= start
+    same = sum(1 for _ in takewhile(bool, (old[-i] == new[-i] for i in range(1, most + 1))))
+    return TextEdit(start, len(old) - same, new[start : len(new) - same])
