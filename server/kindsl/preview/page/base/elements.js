@@ -73,15 +73,24 @@ export function sectionOf(element) {
  * Give an element a name whose middle gives way where there is little room: names that begin alike differ at their ends.
  * @param {HTMLElement} element
  * @param {string} name
+ * @param {string} [ending] Of the name; it is not shown.
  */
-export function nameIn(element, name) {
-  const end = name.length < LONG ? 0 : Math.min(9, name.length >> 1), at = name.length - end;
+export function nameIn(element, name, ending = "") {
+  const shown = name.slice(0, name.length - ending.length), end = shown.length < LONG ? 0 : Math.min(9, shown.length >> 1), at = shown.length - end;
   element.classList.add("cut");
   // Told whole: two parts would be read out as two words.
-  for (const [part, text] of [["start", name.slice(0, at)], ["end", name.slice(at)]]) {
-    element.append(Object.assign(make("span", part, text), { ariaHidden: "true" }));
-  }
+  element.replaceChildren(...[["start", shown.slice(0, at)], ["end", shown.slice(at)]].map(([part, text]) => (
+    Object.assign(make("span", part, text), { ariaHidden: "true" }))));
   element.title = name;
+}
+
+/**
+ * The last word of all names, as `_joint`; empty if they do not share it, and for fewer than three.
+ * @param {readonly string[]} names
+ */
+export function sharedEnding(names) {
+  const [ending = ""] = /[_-][^_-]+$/.exec(names[0] ?? "") ?? [];
+  return names.length > 2 && names.every((name) => name.endsWith(ending) && name.length > ending.length) ? ending : "";
 }
 
 /**

@@ -1,5 +1,5 @@
 // The joints' sliders, each with a bar for the torque that holds it against gravity.
-import { byId, format, make, sectionOf } from "../base/elements.js";
+import { byId, format, make, nameIn, sectionOf, sharedEnding } from "../base/elements.js";
 import { SliderRow } from "./slider_row.js";
 import { VirtualList } from "./virtual_list.js";
 
@@ -8,7 +8,7 @@ import { VirtualList } from "./virtual_list.js";
 /** @import { JointMessage } from "../messages.js" */
 /** @import { Scene } from "../picture/scene.js" */
 /** @typedef {SliderRow & { readonly torque: HTMLElement, readonly bar: HTMLElement, readonly amount: HTMLElement }} Row */
-/** @typedef {{ readonly key: string, readonly joint: JointMessage }} Item */
+/** @typedef {{ readonly key: string, readonly joint: JointMessage, readonly ending: string }} Item */
 
 /** @type {Readonly<Record<string, readonly string[]>>} */
 const KINDS = { revolute: ["angle", "N m"], prismatic: ["length", "N"] };
@@ -26,7 +26,7 @@ export class JointRows {
     this.actions = actions;
     this.box = byId("joints");
     /** @type {VirtualList<Item, Row>} */
-    this.list = new VirtualList(this.box, (item) => this.make(item.key), (row, item) => this.show(row, item.joint));
+    this.list = new VirtualList(this.box, (item) => this.make(item.joint.name, item.ending), (row, item) => this.show(row, item.joint));
     new ResizeObserver(() => this.update()).observe(byId("panel"));
     units.onChange(() => this.update());
   }
@@ -42,7 +42,8 @@ export class JointRows {
     const joints = [...trees.robot.joints.values()].sort((a, b) => a.index - b.index);
     sectionOf(this.box).hidden = joints.length === 0;
     this.box.classList.toggle("with-torque", isTorque);
-    this.list.set(joints.map((joint) => ({ key: joint.name, joint })));
+    const ending = sharedEnding(joints.map(({ name }) => name));
+    this.list.set(joints.map((joint) => ({ key: `${joint.name} ${ending}`, joint, ending })));
   }
 
   // Values and torques of the rows in sight.
@@ -73,14 +74,15 @@ export class JointRows {
     return low < high ? [low, high] : [low - reach, low + reach];
   }
 
-  /** @param {string} name @returns {Row} */
-  make(name) {
+  /** @param {string} name @param {string} ending @returns {Row} */
+  make(name, ending) {
     const row = new SliderRow(name, this.units, {
       onInput: (value) => this.actions.setJoint(name, value),
       onName: () => this.actions.reveal({ kind: "joint", name }),
       onReset: () => this.actions.setJoint(name, 0),
       onHover: (isOn) => this.actions.hover(isOn ? { kind: "joint", name } : null),
     });
+    nameIn(row.name, name, ending);
     const play = make("button", "play", "▷");
     Object.assign(play, { title: "Move between the limits", ariaLabel: `animate ${name}` });
     play.addEventListener("click", () => this.actions.animate(name));
