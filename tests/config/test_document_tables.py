@@ -1,11 +1,11 @@
-"""Tables of joints that are written into a configuration file."""
+"""Tables of one document that are written into a configuration file."""
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from kindsl.config.configuration_reading import configuration_of
-from kindsl.config.document_tables import with_joints
+from kindsl.config.document_tables import with_joints, with_pose
 from kindsl.semantics.parameters import JointProperties
 
 ELBOW = JointProperties(minimum=-1.0, maximum=2.0)
@@ -55,3 +55,60 @@ def test_an_empty_line_stands_before_a_table(before, between):
 )
 def test_a_file_that_takes_no_table_of_the_document_is_left_alone(text, document):
     assert with_joints("kindsl.toml", text, document, {"elbow": ELBOW}) is None
+
+
+POSE = {"wrist": 0.5, "elbow": -1.25}
+
+
+@pytest.mark.parametrize(
+    ("before", "header"),
+    [
+        ("", '[[document]]\npath = "arm.kindsl"\n[document.poses.stand]\n'),
+        ("[joints.wrist]\nmax = 3.0\n", "\n[document.poses.stand]\n"),
+        ('[[document]]\npath = "arm.kindsl"\n\n\n', "[document.poses.stand]\n"),
+        ('[[document]]\npath = "leg.kindsl"\n', 'path = "arm.kindsl"\n[document.poses.stand]\n'),
+        ('[[document]]\npath = "arm.kindsl"\n[poses.sit]\nwrist = 1.0', "\n[document.poses.stand]"),
+        ("[poses.stand]\nwrist = 1.0\n", "\n[document.poses.stand]\n"),
+        (
+            '[[document]]\npath = "arm.kindsl"\nposes = { stand = { wrist = 1.0 } }\n',
+            'path = "arm.kindsl"\n[document.poses.stand]\n',
+        ),
+    ],
+)
+def test_a_pose_is_added_behind_what_is_told(tmp_path, before, header):
+    file, document = str(tmp_path / "kindsl.toml"), str(tmp_path / "arm.kindsl")
+    old = configuration_of(file, before).settings_for(document)
+    written = with_pose(file, before, document, "stand", POSE)
+    assert written is not None
+    assert written.startswith(before.rstrip("\n")) and header in written
+    new = configuration_of(file, written)
+    assert new.settings_for(document) == old._replace(poses={**old.poses, "stand": POSE})
+    leg = str(tmp_path / "leg.kindsl")
+    assert new.settings_for(leg) == configuration_of(file, before).settings_for(leg)
+    again = with_pose(file, written, document, "stand", {"wrist": 2.0})
+    assert again is not None and again.startswith(written.rstrip("\n"))
+    assert configuration_of(file, again).settings_for(document).poses["stand"] == {"wrist": 2.0}
+
+
+@pytest.mark.parametrize("name", ["a b", 'the "tall" one', "a\\b", "stand.2", "Übung", ""])
+def test_any_name_is_a_key(tmp_path, name):
+    file, document = str(tmp_path / "kindsl.toml"), str(tmp_path / "arm.kindsl")
+    written = with_pose(file, "", document, name, POSE)
+    assert written is not None
+    assert configuration_of(file, written).settings_for(document).poses == {name: POSE}
+
+
+def test_line_ends_stay_and_a_pyproject_keeps_its_table(tmp_path):
+    document = str(tmp_path / "arm.kindsl")
+    written = with_pose(
+        str(tmp_path / "kindsl.toml"), "[parameters]\r\na = 1.0\r\n", document, "s", POSE
+    )
+    assert written is not None and "\n" not in written.replace("\r\n", "")
+    project = with_pose(
+        str(tmp_path / "pyproject.toml"),
+        '[tool.kindsl]\ntarget = "robcogen"\n',
+        document,
+        "s",
+        POSE,
+    )
+    assert project is not None and "[tool.kindsl.document.poses.s]" in project

@@ -220,6 +220,30 @@ async def test_a_lost_file_is_told_in_the_page_and_found_again(tmp_path, file):
         assert (await first_part(page, lambda m: m["type"] == "status"))["state"] == "live"
 
 
+KEEP = '{"type": "keep-pose", "name": "stand", "values": {"shoulder": 0.5, "x": 1}}'
+STAND = "[poses.stand]\nshoulder = 0.5\n"
+
+
+async def test_a_pose_is_kept_in_a_new_configuration_and_offered(tmp_path, file):
+    async with running(tmp_path, file, "--edit") as (process, address), connected(address) as page:
+        await whole_state(page)
+        await page.write_message(KEEP)
+        pose = await first_part(page, lambda m: m["type"] == "pose")
+        assert (pose["name"], pose["joints"]) == ("stand", {"shoulder": 0.5})
+        assert (await line_of(process.stdout)).endswith("kindsl.toml: pose 'stand'")
+    written = (file.parent / "kindsl.toml").read_text()
+    assert written == f'[[document]]\npath = "{file.name}"\n' + STAND.replace("[", "[document.")
+
+
+async def test_a_pose_is_told_as_lines_where_nothing_may_be_written(tmp_path, file):
+    async with running(tmp_path, file) as (_, address), connected(address) as page:
+        await whole_state(page)
+        await page.write_message(KEEP)
+        lines = await first_part(page, lambda m: m["type"] == "lines")
+        assert lines["text"] == STAND
+    assert not (file.parent / "kindsl.toml").exists()
+
+
 async def test_lines_for_the_configuration_are_told_and_a_ghost_shows_what_is_saved(tmp_path, file):
     file.write_text(PARAMETRIC_ARM.replace("(reach,", "(reach[0.4],"))
     async with running(tmp_path, file) as (process, address), connected(address) as page:

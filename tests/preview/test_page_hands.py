@@ -10,6 +10,7 @@ from tests.preview.robots import ARM, EXAMPLES, PARAMETRIC_ARM
 
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.settings import Settings
+from kindsl.preview.requests import KeepPose, WriteParameters
 from kindsl.preview.server import PreviewServer
 from kindsl.semantics.parameters import JointProperties
 
@@ -302,7 +303,7 @@ async def test_values_are_given_to_whoever_can_write_them(browser, server):
         await until_shown(page, "Arm")
         await page.get_by_text("Write these to kindsl.toml").click()
         await page.locator("dialog[open] pre", has_text="reach = 1").wait_for()
-        assert wanted == [("robot", {"reach": 0.5})]
+        assert wanted == [("robot", WriteParameters({"reach": 0.5}))]
 
 
 LONG = (EXAMPLES / "quadruped.kindsl").read_text().replace("LF_thigh", "left_front_thigh_link")
@@ -358,6 +359,23 @@ async def test_bars_share_the_panel_out_and_the_address_keeps_it(page_of_quadrup
     await page.locator("#divider").dblclick()
     assert await page.evaluate(SHARES) == usual
     await until(page, "!location.hash.includes('panel=')")
+
+
+async def test_a_pose_gets_a_name(browser, server):
+    kept = []
+    server.on_write = lambda key, wanted: kept.append((key, wanted)) or ""
+    async with opened(browser, await url_of(server)) as page:
+        await until_shown(page, "Arm")
+        await page.evaluate("kindsl.actions.setJoint('shoulder', 1 / 3)")
+        await page.get_by_role("button", name="Keep pose").click()
+        name = page.get_by_label("Name", exact=True)
+        await name.fill("zero")
+        await name.press("Enter")
+        assert await page.locator("#keep-pose").is_visible()
+        await name.fill(" stand ")
+        await name.press("Enter")
+        await eventually(lambda: kept)
+        assert kept == [("robot", KeepPose("stand", {"shoulder": 0.333333}))]
 
 
 @pytest.mark.parametrize(("width", "least"), [(200, 70), (360, 80), (1280, 80), (2560, 200)])

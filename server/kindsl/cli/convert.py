@@ -151,8 +151,8 @@ def _told_of_joints(
         return {}, (joints_dropped(joints),)
     from kindsl.config.configuration_reading import text_of
     from kindsl.config.discovery import nearest_configuration
-    from kindsl.config.file_names import OWN_FILE
     from kindsl.config.document_tables import with_joints
+    from kindsl.config.file_names import OWN_FILE
 
     folder = os.path.dirname(os.path.abspath(args.output))
     file = args.config or nearest_configuration(folder)

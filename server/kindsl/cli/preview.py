@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from kindsl.preview.document_preview import DocumentPreview
     from kindsl.preview.meshes import MeshSource
     from kindsl.preview.outcomes import Writing
+    from kindsl.preview.requests import KeepPose, WriteParameters
 
 SUMMARY = "show the robot in 3D while its document is edited"
 RUNS_LONG = True
@@ -39,7 +40,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--trajectory", metavar="FILE", help="play a motion: CSV or JSON with time and joints")
     add("--export", metavar="FILE.html", help="write a self-contained page and exit")
     add("--screenshot", metavar="FILE.png", type=Path, help="write a picture and exit")
-    add("--edit", action="store_true", help="write what is dragged in the page to FILE")
+    add(
+        "--edit",
+        action="store_true",
+        help="write what is dragged in the page to FILE, and poses that are kept to kindsl.toml",
+    )
     add_parameter_arguments(parser.add_argument_group("parameters and configuration"))
 
 
@@ -178,7 +183,6 @@ def _serve(args: argparse.Namespace, other: "OtherRobot | None") -> None:
     import asyncio
 
     from kindsl.analysis.twins import watched_files
-    from kindsl.config.parameter_lines import parameter_table
     from kindsl.preview.command import Command, serve
     from kindsl.preview.watch import fingerprint
 
@@ -201,7 +205,7 @@ def _serve(args: argparse.Namespace, other: "OtherRobot | None") -> None:
     opens = not args.no_open
     command = Command(
         *(args.file, reread, first, other, args.port, opens, paths, known),
-        *(parameter_table, write, args.pose, _motion(args), _meshes(args)),
+        *(partial(_keep, args), write, args.pose, _motion(args), _meshes(args)),
     )
     asyncio.run(serve(command))
 
@@ -221,6 +225,49 @@ def _write_dragged(args: argparse.Namespace, writing: "Writing") -> str:
             return str(error)
     failure = write_text(file, file, writing.text, apply_edits(writing.text, writing.edits))
     return failure.message if failure is not None else ""
+
+
+def _keep(args: argparse.Namespace, wanted: "WriteParameters | KeepPose") -> str:
+    """Keep a pose where the page may write; return the lines to be written by hand elsewhere."""
+    from kindsl.cli.documents.document_reading import CommandError
+    from kindsl.config.parameter_lines import parameter_table, pose_table
+    from kindsl.preview.requests import KeepPose
+
+    if not isinstance(wanted, KeepPose):
+        return parameter_table(wanted.values)
+    if not args.edit:
+        return pose_table(*wanted)
+    try:
+        problem = _keep_pose(args, wanted)
+    except (CommandError, ConfigurationError) as error:
+        problem = str(error)
+    if problem:
+        print(problem, file=sys.stderr, flush=True)
+    return pose_table(*wanted) if problem else ""
+
+
+def _keep_pose(args: argparse.Namespace, pose: "KeepPose") -> str:
+    """Write a pose into the configuration file, maybe a new one; return why not, or nothing."""
+    from kindsl.cli.documents.writing import write_output, write_text
+    from kindsl.config.document_tables import with_pose
+    from kindsl.config.file_names import OWN_FILE
+
+    if args.isolated:
+        return "with --isolated there is no configuration file"
+    configuration = choices_of(args).configuration_for(args.file)
+    file = (
+        configuration.path if configuration else os.path.join(os.path.dirname(args.file), OWN_FILE)
+    )
+    old = read_source(file, file) if configuration else ""
+    new = with_pose(file, old, args.file, *pose) if isinstance(old, str) else None
+    if isinstance(old, Failure) or new is None:
+        return f"{file}: pose '{pose.name}' cannot be added"
+    if configuration is None:
+        write_output(file, new)
+    elif (failure := write_text(file, file, old, new)) is not None:
+        return failure.message
+    print(f"{file}: pose '{pose.name}'", flush=True)
+    return ""
 
 
 def _bind(args: argparse.Namespace, writing: "Writing") -> str:

@@ -1,12 +1,15 @@
-"""A configuration file's tables of the joints of one document, written into it."""
+"""A configuration file's tables of one document, its joints and poses, written into it."""
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
+from kindsl.analysis.fixing import in_line_style
+from kindsl.config.configuration import Configuration
 from kindsl.config.configuration_reading import configuration_of
 from kindsl.config.errors import ConfigurationError
-from kindsl.config.parameter_lines import key
+from kindsl.config.parameter_lines import key, parameter_lines
 from kindsl.semantics.parameters import JointProperties
+from kindsl.text.edits import TextEdit
 
 _KEYS = {"minimum": "min", "maximum": "max"}
 _GLOB = "*?[]!#\\"
@@ -34,8 +37,10 @@ def with_joints(
     missing = {name: own for name, own in joints.items() if name not in told}
     if not missing:
         return text
-    own = os.path.relpath(document, os.path.dirname(os.path.abspath(file))).replace(os.sep, "/")
-    extended = f"{_ended(text)}{_new_table(configuration.root, own, missing)}"
+    header = _header(configuration)
+    lines = [f"{key(name)} = {{ {_values(own)} }}" for name, own in missing.items()]
+    new = (*_new_document(configuration, document), f"[{header}.joints]", *lines)
+    extended = _extended(text, new)
     try:
         told = configuration_of(file, extended).settings_for(document).joints
     except ConfigurationError:
@@ -43,12 +48,53 @@ def with_joints(
     return extended if told.keys() >= joints.keys() else None
 
 
-def _new_table(root: tuple[str, ...], document: str, joints: Mapping[str, JointProperties]) -> str:
-    header = ".".join((*root, "document"))
-    pattern = _pattern(document).replace("\\", "\\\\").replace('"', '\\"')
-    lines = [f"[[{header}]]", f'path = "{pattern}"', f"[{header}.joints]"]
-    lines += [f"{key(name)} = {{ {_values(own)} }}" for name, own in joints.items()]
-    return "\n".join((*lines, ""))
+def with_pose(
+    file: str, text: str, document: str, name: str, joints: Mapping[str, float]
+) -> str | None:
+    """Return a configuration's text with a pose of a document told at its end; what it tells stays.
+
+    None if the file cannot be extended so.
+
+    Args:
+        file: The configuration file's path, which tells its kind.
+        text: Its content; empty for a new one.
+        document: The document's path.
+        name: Of the pose; one that it has already is overridden.
+        joints: Positions by joint name, radians or metres.
+
+    Raises:
+        ConfigurationError: The file says something wrong.
+    """
+    configuration = configuration_of(file, text)
+    own = _new_document(configuration, document)
+    table = (f"[{_header(configuration)}.poses.{key(name)}]", *parameter_lines(joints.items()))
+    wanted = {**configuration.settings_for(document).poses, name: joints}
+    last = configuration.documents[-1].pattern if configuration.documents else None
+    # Below the last table of this document itself, unless it has such a pose.
+    for new in ((*table,), (*own, *table))[last != _pattern(_within(file, document)) :]:
+        extended = _extended(text, new)
+        try:
+            found = configuration_of(file, extended)
+        except ConfigurationError:
+            continue
+        if found.settings_for(document).poses == wanted:
+            return extended
+    return None
+
+
+def _header(configuration: Configuration) -> str:
+    return ".".join((*configuration.root, "document"))
+
+
+def _new_document(configuration: Configuration, document: str) -> tuple[str, str]:
+    pattern = _pattern(_within(configuration.path, document))
+    quoted = pattern.replace("\\", "\\\\").replace('"', '\\"')
+    return f"[[{_header(configuration)}]]", f'path = "{quoted}"'
+
+
+def _within(file: str, document: str) -> str:
+    """Return a document's path from the folder of the configuration file."""
+    return os.path.relpath(document, os.path.dirname(os.path.abspath(file))).replace(os.sep, "/")
 
 
 def _values(joint: JointProperties) -> str:
@@ -61,7 +107,8 @@ def _pattern(document: str) -> str:
     return "".join(f"\\{letter}" if letter in _GLOB else letter for letter in document)
 
 
-def _ended(text: str) -> str:
-    """Return a text that ends with an empty line, if it is not empty."""
-    body = text.rstrip("\n")
-    return f"{body}\n\n" if body else ""
+def _extended(text: str, lines: Iterable[str]) -> str:
+    """Return a text with lines behind it, after an empty one."""
+    body = text.rstrip("\r\n")
+    new = "\n".join((*([body, ""] if body else []), *lines, ""))
+    return body + in_line_style(TextEdit(0, 0, new[len(body) :]), text).text

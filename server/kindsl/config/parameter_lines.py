@@ -1,5 +1,6 @@
-"""Values of parameters as the lines of a `kindsl.toml`."""
+"""Values of parameters, and poses, as the lines of a `kindsl.toml`."""
 
+import json
 import re
 from collections.abc import Iterable, Mapping
 
@@ -7,7 +8,7 @@ _BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 
 def parameter_lines(values: Iterable[tuple[str, float]]) -> list[str]:
-    """Return a line for each parameter, for below `[parameters]`."""
+    """Return a line for each name, for below a header."""
     return [f"{key(name)} = {value!r}" for name, value in values]
 
 
@@ -16,6 +17,11 @@ def parameter_table(values: Mapping[str, float]) -> str:
     return "\n".join(("[parameters]", *parameter_lines(values.items()), ""))
 
 
+def pose_table(name: str, joints: Mapping[str, float]) -> str:
+    """Return a pose, joints in radians or metres, as a table to be copied by hand."""
+    return "\n".join((f"[poses.{key(name)}]", *parameter_lines(joints.items()), ""))
+
+
 def key(name: str) -> str:
     """Return a name as a key of TOML."""
-    return name if _BARE.fullmatch(name) else f'"{name}"'
+    return name if _BARE.fullmatch(name) else json.dumps(name, ensure_ascii=False)

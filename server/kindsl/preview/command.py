@@ -6,7 +6,7 @@ import signal
 import sys
 import threading
 import webbrowser
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from contextlib import suppress
 from functools import partial
 from typing import NamedTuple
@@ -15,7 +15,7 @@ from kindsl.analysis.analysis import Analysis
 from kindsl.preview.comparing import OtherRobot
 from kindsl.preview.meshes import MeshSource
 from kindsl.preview.outcomes import Writing
-from kindsl.preview.requests import Reveal
+from kindsl.preview.requests import KeepPose, Reveal, WriteParameters
 from kindsl.preview.server import PreviewServer
 from kindsl.preview.watch import Fingerprint, saves
 from kindsl.text.lines import LineIndex
@@ -34,7 +34,8 @@ class Command(NamedTuple):
         opens_browser: Whether to open the page.
         paths: The document and what else it is shown with: a configuration file, twins.
         fingerprint: Of these files, taken before they were read.
-        table: Returns values of parameters as lines of the configuration file.
+        keep: Keeps values of parameters or a pose in the configuration file; returns the lines to
+            be written by hand if it may not.
         write: Writes what was dragged; returns why not, or an empty text. None if nothing may be.
         pose: Name of the pose in the configuration to begin with.
         motion: A file's name and text, to be played.
@@ -49,7 +50,7 @@ class Command(NamedTuple):
     opens_browser: bool
     paths: tuple[str, ...]
     fingerprint: Fingerprint
-    table: Callable[[Mapping[str, float]], str]
+    keep: Callable[[WriteParameters | KeepPose], str]
     write: Callable[[Writing], str] | None = None
     pose: str | None = None
     motion: tuple[str, str] | None = None
@@ -65,7 +66,7 @@ async def serve(command: Command) -> None:
     """
     follower = _Follower(command)
     server = follower.server
-    server.on_write = lambda _, values: _told(command.table(values))
+    server.on_write = follower.keep
     address = await server.start()
     await follower.show(command.first)
     if command.other is not None:
@@ -143,17 +144,19 @@ class _Follower:
             self._redrawing = asyncio.ensure_future(self._reload())
         return reason
 
+    def keep(self, _key: str, wanted: WriteParameters | KeepPose) -> str:
+        """Keep values or a pose; return, and say on the terminal, what is to be written by hand."""
+        lines = self._command.keep(wanted)
+        print(lines, end="", flush=True)
+        if not lines:
+            self._redrawing = asyncio.ensure_future(self._reload())
+        return lines
+
     def _print_place(self, key: str, span: Span, chosen: Reveal) -> None:
         text = "" if self._shown is None else self._shown.text
         line, column = LineIndex(text).position(span.start)
         what = "finding" if chosen.kind == "finding" else f"{chosen.kind} {chosen.name}"
         print(f"{key}:{line + 1}:{column + 1}: {what}", flush=True)
-
-
-def _told(lines: str) -> str:
-    """Say on the terminal too what a page is told to write by hand."""
-    print(lines, end="", flush=True)
-    return lines
 
 
 async def _until_stopped(reloading: "asyncio.Future[None]") -> None:

@@ -3,7 +3,7 @@
 import asyncio
 import hashlib
 from abc import ABC, abstractmethod
-from collections.abc import Awaitable, Callable, Mapping, Sequence
+from collections.abc import Awaitable, Callable, Sequence
 from functools import partial
 from typing import Any
 
@@ -19,6 +19,7 @@ from kindsl.preview.outcomes import Writing
 from kindsl.preview.requests import (
     Compare,
     Hello,
+    KeepPose,
     Request,
     Reveal,
     SetJoint,
@@ -37,7 +38,7 @@ BREATH = 0.005  # seconds between two moves of a handle in which others are hear
 
 OnReveal = Callable[[str, Span, Reveal], None]
 # Returns what to tell the page: lines to be written by hand, empty if they are written for it.
-OnWrite = Callable[[str, Mapping[str, float]], str]
+OnWrite = Callable[[str, WriteParameters | KeepPose], str]
 # Returns why nothing was written, or an empty text.
 OnEdit = Callable[[str, Writing], Awaitable[str]]
 Beside = Callable[..., Awaitable[Any]]
@@ -50,7 +51,7 @@ class DocumentPreviews(ABC):
     in the loop that `start` was awaited in, and none of them waits for a page.
 
     Attributes:
-        on_write: Called with a document's key and values of parameters that are to be kept.
+        on_write: Called with a document's key and what is to be kept in its configuration.
     """
 
     def __init__(
@@ -66,7 +67,7 @@ class DocumentPreviews(ABC):
         Args:
             on_reveal: Called with the document's key, the place in its text (code points) and
                 what was clicked.
-            on_write: Called with the document's key and values of parameters to be kept.
+            on_write: Called with the document's key and what is to be kept.
             on_edit: Awaited with the document's key and what was dragged; else nothing can.
             beside: Awaits a function's result and lets the loop go on meanwhile, if it can.
         """
@@ -192,8 +193,8 @@ class DocumentPreviews(ABC):
                 document.set_joint(name, value, tab)
         elif isinstance(request, SetParameters):
             document.set_parameters(request.values)
-        elif isinstance(request, WriteParameters):
-            self._write(document, tab, request.values)
+        elif isinstance(request, WriteParameters | KeepPose):
+            self._write(document, tab, request)
         elif isinstance(request, Compare):
             document.choose_other(request.name)
         elif isinstance(request, ShowMeshes):
@@ -250,15 +251,22 @@ class DocumentPreviews(ABC):
     def _key(self, document: DocumentPreview) -> str | None:
         return next((key for key, known in self._documents.items() if known is document), None)
 
-    def _write(self, document: DocumentPreview, tab: Tab, values: Mapping[str, float]) -> None:
+    def _write(
+        self, document: DocumentPreview, tab: Tab, request: WriteParameters | KeepPose
+    ) -> None:
         key = self._key(document)
         if key is None or self.on_write is None or document.analysis is None:
             return
         analysis = document.analysis
-        names = {str(parameter.name) for parameter in analysis.model.parameters}
-        free = names - analysis.settings.bindings.keys()
-        known = {name: value for name, value in values.items() if name in free}
-        lines = self.on_write(key, known) if known else ""
+        if isinstance(request, KeepPose):
+            joints = {str(joint.name) for joint in analysis.model.joints}
+            kept = {name: value for name, value in request.joints.items() if name in joints}
+            lines = self.on_write(key, KeepPose(request.name, kept))
+        else:
+            names = {str(parameter.name) for parameter in analysis.model.parameters}
+            free = names - analysis.settings.bindings.keys()
+            known = {name: value for name, value in request.values.items() if name in free}
+            lines = self.on_write(key, WriteParameters(known)) if known else ""
         if lines:
             tab.send(LinesMessage(lines))
 

@@ -29,6 +29,13 @@ class WriteParameters(NamedTuple):
     values: dict[str, float]
 
 
+class KeepPose(NamedTuple):
+    """Give a pose a name in the configuration file: positions of its joints, radians or metres."""
+
+    name: str
+    joints: dict[str, float]
+
+
 class SetParameters(NamedTuple):
     """Give parameters values by name, or their own back for None."""
 
@@ -60,8 +67,8 @@ class Hello(NamedTuple):
 
 
 Request = (
-    SetJoint | SetJoints | SetParameters | WriteParameters | Reveal | Compare | ShowMeshes | Hello
-    | GestureRequest
+    SetJoint | SetJoints | SetParameters | WriteParameters | KeepPose | Reveal | Compare
+    | ShowMeshes | Hello | GestureRequest
 )  # fmt: skip
 
 
@@ -103,6 +110,8 @@ def _named_request(data: dict[str, Any], name: str, value: object) -> Request | 
         return SetJoint(name, float(value))  # type: ignore[arg-type]
     if kind == "set-parameter" and (value is None or _is_number(value)):
         return SetParameters({name: None if value is None else float(value)})  # type: ignore[arg-type]
+    if kind == "keep-pose":
+        return KeepPose(name, _numbers(data.get("values")))
     if kind == "reveal" and data.get("kind") in _REVEALED:
         return Reveal(str(data["kind"]), name)
     return None

@@ -36,7 +36,7 @@ class PreviewServer(DocumentPreviews):
         Args:
             on_reveal: Called with the document's key, the place in its text (code points) and
                 what was clicked.
-            on_write: Called with the document's key and values of parameters to be kept.
+            on_write: Called with the document's key and what is to be kept.
             on_edit: Awaited with the document's key and what was dragged; else nothing can.
             port: To listen on; 0 for a free one.
             token: To ask for; None for a new one.

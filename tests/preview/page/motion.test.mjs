@@ -18,5 +18,5 @@ test("an arm is one limb, legs are one each, and what they carry together anothe
 });
 
 test("a pose is a table of names and numbers", () => {
-  assert.equal(poseLines([["LF_HAA", 0.5], ["a.b", -1 / 3]]), "[poses.NAME]\nLF_HAA = 0.5\n\"a.b\" = -0.333333");
+  assert.equal(poseLines("tall stand", [["LF_HAA", 0.5], ["a.b", -0.333333]]), "[poses.\"tall stand\"]\nLF_HAA = 0.5\n\"a.b\" = -0.333333");
 });

@@ -1,14 +1,15 @@
-"""Gives parameters values in the project's `kindsl.toml`, which may have to be made."""
+"""Keeps values of parameters and poses in the project's `kindsl.toml`, which may be a new one."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
+from kindsl.config.errors import ConfigurationError
 from kindsl.config.file_names import OWN_FILE
 from kindsl.config.parameter_lines import parameter_lines
 from kindsl.lsp.session.state import State
 from kindsl.lsp.text import uris
 from kindsl.lsp.text.document import Document, document
-from kindsl.text.edits import TextEdit
+from kindsl.text.edits import TextEdit, difference
 
 
 class ConfigurationEdit(NamedTuple):
@@ -29,20 +30,43 @@ def bound(
     state: State, shown: Document, values: Iterable[tuple[str, float]]
 ) -> ConfigurationEdit | None:
     """Return the edit that binds parameters of a document; None if there is no place for one."""
-    file = state.workspace.configuration_file(shown)
-    if file is None:
-        return _new_file(state, shown, parameter_lines(values))
-    found = state.documents.get(uris.uri(file))
-    if found is None:
-        return None
     from kindsl.config.toml_edits import binding_edit
 
-    edit = binding_edit(str(file), found.text, str(uris.path(shown.uri)), values)
-    return None if edit is None else ConfigurationEdit(found, False, edit)
+    place = _place(state, shown)
+    if place is None:
+        return None
+    if place.is_new:
+        text = "\n".join(("[parameters]", *parameter_lines(values), ""))
+        return place._replace(edit=TextEdit(0, 0, text))
+    file, document = str(uris.path(place.document.uri)), str(uris.path(shown.uri))
+    edit = binding_edit(file, place.document.text, document, values)
+    return None if edit is None else place._replace(edit=edit)
 
 
-def _new_file(state: State, shown: Document, lines: list[str]) -> ConfigurationEdit | None:
-    """Return a new file beside the document, in the innermost workspace folder if there is one."""
+def posed(
+    state: State, shown: Document, name: str, joints: Mapping[str, float]
+) -> ConfigurationEdit | None:
+    """Return the edit that keeps a pose of a document; None if there is no place for one."""
+    from kindsl.config.document_tables import with_pose
+
+    place = _place(state, shown)
+    if place is None:
+        return None
+    file, text = str(uris.path(place.document.uri)), place.document.text
+    try:
+        new = with_pose(file, text, str(uris.path(shown.uri)), name, joints)
+    except ConfigurationError:
+        return None
+    return None if new is None else place._replace(edit=difference(text, new))
+
+
+def _place(state: State, shown: Document) -> ConfigurationEdit | None:
+    """Return the configuration file of a document, with nothing to be written yet."""
+    nothing = TextEdit(0, 0, "")
+    file = state.workspace.configuration_file(shown)
+    if file is not None:
+        found = state.documents.get(uris.uri(file))
+        return None if found is None else ConfigurationEdit(found, False, nothing)
     from kindsl.config.discovery import nearest_configuration
 
     path = uris.path(shown.uri)
@@ -51,4 +75,4 @@ def _new_file(state: State, shown: Document, lines: list[str]) -> ConfigurationE
     around = [folder for folder in state.workspace.paths() if path.is_relative_to(folder)]
     file = max(around, key=lambda folder: len(folder.parts), default=path.parent) / OWN_FILE
     empty = document(uris.uri(file), None, "", shown.encoding)
-    return ConfigurationEdit(empty, True, TextEdit(0, 0, "\n".join(("[parameters]", *lines, ""))))
+    return ConfigurationEdit(empty, True, nothing)

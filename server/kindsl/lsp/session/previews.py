@@ -7,13 +7,13 @@ drawn, and drawing takes at most half the time.
 
 import asyncio
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from lsprotocol import types
 
-from kindsl.config.parameter_lines import parameter_table
-from kindsl.lsp.session.binding import bound
+from kindsl.config.parameter_lines import parameter_table, pose_table
+from kindsl.lsp.session.binding import ConfigurationEdit, bound, posed
 from kindsl.lsp.session.state import State
 from kindsl.lsp.session.view import View
 from kindsl.lsp.session.worker import Urgency, start_task
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from kindsl.analysis.diagnostics import Diagnostic
     from kindsl.preview.documents import DocumentPreviews
     from kindsl.preview.outcomes import Writing
+    from kindsl.preview.requests import KeepPose, WriteParameters
     from kindsl.text.span import Span
 
 _FRAME = 0.03
@@ -174,20 +175,34 @@ class Previews:
         view = View(document, await self._state.analyses.of(document), self._state)
         return await written(self._state, view, writing.label, writing.edits, writing.bindings)
 
-    def _keep(self, key: str, values: Mapping[str, float]) -> str:
-        """Let the editor write values of parameters; return what to write by hand if it cannot."""
+    def _keep(self, key: str, wanted: "WriteParameters | KeepPose") -> str:
+        """Let the editor write values or a pose; return what to write by hand if it cannot."""
         document, client = self._state.documents.get(key), self._state.client
-        binding = bound(self._state, document, values.items()) if document is not None else None
-        is_new = binding is not None and binding.is_new
-        if binding is None or not client.can("workspace.apply_edit"):
-            return parameter_table(values)
-        if is_new and not makes_files(client):
-            return parameter_table(values)
-        edits = [(binding.document, text_edits(binding.document, [binding.edit]))]
-        edit = workspace_edit(client, edits, [binding.document] if is_new else [])
-        params = types.ApplyWorkspaceEditParams(edit, label="Give parameters values")
+        made, lines, label = self._kept(document, wanted)
+        if made is None or not client.can("workspace.apply_edit"):
+            return lines
+        if made.is_new and not makes_files(client):
+            return lines
+        edits = [(made.document, text_edits(made.document, [made.edit]))]
+        edit = workspace_edit(client, edits, [made.document] if made.is_new else [])
+        params = types.ApplyWorkspaceEditParams(edit, label=label)
         start_task(asked(self._state.editor.workspace_apply_edit_async(params)))
         return ""
+
+    def _kept(
+        self, document: Document | None, wanted: "WriteParameters | KeepPose"
+    ) -> tuple[ConfigurationEdit | None, str, str]:
+        """Return the edit of the configuration, if there is one, its lines, and its title."""
+        from kindsl.preview.requests import KeepPose
+
+        made = None
+        if isinstance(wanted, KeepPose):
+            if document is not None:
+                made = posed(self._state, document, *wanted)
+            return made, pose_table(*wanted), f"Keep pose '{wanted.name}'"
+        if document is not None:
+            made = bound(self._state, document, wanted.values.items())
+        return made, parameter_table(wanted.values), "Give parameters values"
 
     def _highlight(self, uri: str, kind: str, name: str) -> None:
         """Light up what the cursor is on; from any thread."""

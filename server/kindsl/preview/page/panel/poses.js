@@ -1,29 +1,58 @@
-// Poses by name: zero, those of the configuration, and the lines that keep the present one there.
+// Poses by name: zero, those of the configuration, and the present one, which can be kept there.
 import { byId, make, partOf } from "../base/elements.js";
 
 /** @import { Actions } from "../base/types.js" */
 /** @import { PoseMessage } from "../messages.js" */
 /** @import { Scene } from "../picture/scene.js" */
+/** @typedef {readonly (readonly [joint: string, value: number])[]} Joints radians or metres */
 
 export class Poses {
-  /** @param {Scene} scene @param {Pick<Actions, "setPose" | "zero">} actions @param {(lines: string) => void} onKeep */
+  /** @type {ReadonlySet<string>} */
+  #names = new Set();
+
+  /** @param {Scene} scene @param {Pick<Actions, "setPose" | "zero">} actions @param {(name: string, joints: Joints) => void} onKeep */
   constructor(scene, actions, onKeep) {
     this.scene = scene;
     this.actions = actions;
     this.section = byId("poses");
     this.list = partOf(this.section, ".poses");
-    partOf(this.section, ".keep").addEventListener("click", () => onKeep(poseLines(this.pose())));
+    /** @type {HTMLDialogElement} */
+    this.dialog = byId("keep-pose");
+    /** @type {HTMLInputElement} */
+    this.name = partOf(this.dialog, "input");
+    this.name.addEventListener("input", () => this.judge());
+    partOf(this.section, ".keep").addEventListener("click", () => this.ask());
+    this.dialog.addEventListener("close", () => {
+      if (this.dialog.returnValue) onKeep(this.name.value.trim(), this.pose());
+    });
   }
 
-  // Where joints stand that are not at zero.
+  ask() {
+    this.name.value = this.dialog.returnValue = "";
+    this.judge();
+    this.dialog.showModal();
+  }
+
+  // Say what a name would do.
+  judge() {
+    const name = this.name.value.trim(), isTaken = this.#names.has(name);
+    this.name.setCustomValidity(name === "zero" ? "Zero is the pose with all joints at zero." : name || !this.name.value ? "" : "A name is more than blanks.");
+    partOf(this.dialog, "p").textContent = isTaken ? `It takes the place of the pose '${name}'.` : "It is one of this robot's poses in kindsl.toml.";
+  }
+
+  /**
+   * Where joints stand that are not at zero, to six decimals.
+   * @returns {Joints}
+   */
   pose() {
     const joints = [...this.scene.trees.robot.joints.values()].sort((a, b) => a.index - b.index);
-    return joints.map(({ name }) => /** @type {const} */ ([name, this.scene.q.get(name) ?? 0])).filter(([, value]) => value !== 0);
+    return joints.map(({ name }) => /** @type {const} */ ([name, Number((this.scene.q.get(name) ?? 0).toFixed(6))])).filter(([, value]) => value !== 0);
   }
 
   /** @param {readonly PoseMessage[]} poses */
   show(poses) {
     this.section.hidden = this.scene.trees.robot.joints.size === 0;
+    this.#names = new Set(poses.map(({ name }) => name));
     const zero = this.button("zero", () => this.actions.zero());
     this.list.replaceChildren(zero, ...poses.map(({ name, joints }) => this.button(name, () => this.take(joints))));
   }
@@ -45,9 +74,10 @@ export class Poses {
 
 /**
  * A pose as a table of the configuration file.
- * @param {readonly (readonly [name: string, value: number])[]} joints
+ * @param {string} name
+ * @param {Joints} joints
  */
-export function poseLines(joints) {
-  const lines = joints.map(([name, value]) => `${/^[\w-]+$/.test(name) ? name : JSON.stringify(name)} = ${Number(value.toFixed(6))}`);
-  return ["[poses.NAME]", ...lines].join("\n");
+export function poseLines(name, joints) {
+  const key = (/** @type {string} */ text) => (/^[\w-]+$/.test(text) ? text : JSON.stringify(text));
+  return [`[poses.${key(name)}]`, ...joints.map(([joint, value]) => `${key(joint)} = ${value}`)].join("\n");
 }
