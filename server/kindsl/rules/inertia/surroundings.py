@@ -59,8 +59,9 @@ class LinkSurroundings(NamedTuple):
 
     Attributes:
         points: Origins of its frames and of its children's joints, in the link frame, m.
-        twins: Links of the same part at another leg, the one on the other side first.
-        share: How many of the links of the same part these are.
+        twins: Links of the same part whose mirror image it may be but for a mistake, the one on
+            the other side first.
+        share: How many of the links of the same part are possible, if there are twins.
         mass: The middle one of the robot's links, kg; zero if there are few.
         copies: Unlike links that have the same moments, or CoM, and which of these.
     """
@@ -94,11 +95,12 @@ def surroundings(model: Model, context: Context, found: Judgement) -> LinkSurrou
         placed = (written_pose(pose, context.values) for pose in poses)
         points = [place.translation for place in placed if place is not None]
     alike = list(_alike(model, context, link))
-    twins = _twins(model, context, found, alike)
+    possible = [each for each in alike if not is_impossible(each[0], context)]
+    twins = _twins(model, context, found, possible)
     return LinkSurroundings(
         tuple(point for point in points if hypot(*point) > _NEAR),
         twins,
-        len(twins) / len(alike) if twins else 0.0,
+        len(possible) / len(alike) if twins else 0.0,
         _middle_mass(model),
         tuple(copies(model, context, link)),
     )
@@ -243,12 +245,11 @@ def _alike(model: Model, context: Context, link: Link) -> Iterator[_Inertia]:
 
 
 def _twins(
-    model: Model, context: Context, found: Judgement, alike: Sequence[_Inertia]
+    model: Model, context: Context, found: Judgement, possible: Sequence[_Inertia]
 ) -> tuple[Twin, ...]:
-    """Return those that are possible, and what all of them can expect, seeing how they lie."""
-    twins = [(other, body) for other, body in alike if not is_impossible(other, context)]
-    may_be_twin = any(may_be_image(found.body, body) for _, body in twins)
-    expected = _expected(model, context, found.link, twins) if may_be_twin else None
+    """Return those that may be images, and what all possible links let expect of this one."""
+    twins = [each for each in possible if may_be_image(found.body, each[1])]
+    expected = _expected(model, context, found.link, possible) if twins else None
     mirror = _mirror(model, found.link) if len(twins) > 1 else None
     nearest_first = sorted(twins, key=lambda twin: twin[0].name != mirror)
     return tuple(Twin(str(other.name), body, expected) for other, body in nearest_first)
