@@ -400,9 +400,9 @@ class TestWorker:
             lambda: asyncio.run_coroutine_threadsafe(gate.wait(), loop).result()
         )
         left_out = worker.submit(lambda: done.append(1))
-        assert left_out.cancel()
+        assert left_out.future.cancel()
         gate.set()
-        await asyncio.wrap_future(blocker)
+        await asyncio.wrap_future(blocker.future)
         assert await worker.run(lambda: done.append(2), Urgency.BACKGROUND) is None
         assert done == [2]
 

@@ -3,9 +3,10 @@
 import asyncio
 import logging
 from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
-from kindsl.lsp.session.worker import Urgency, Worker
+from kindsl.lsp.session.worker import Job, Urgency, Worker
 from kindsl.lsp.session.workspace import Workspace
 from kindsl.lsp.text.document import Document
 from kindsl.text.facts import Fact
@@ -19,7 +20,8 @@ logger = logging.getLogger(__name__)
 
 T = TypeVar("T")
 _FINDINGS = "findings"
-_JOBS: "Fact[tuple[Settings, dict[str, _SharedJob[Any]]]]" = Fact("jobs")
+_JOBS: "Fact[tuple[object, dict[str, _SharedJob[Any]]]]" = Fact("jobs")
+_ANALYSIS: "Fact[tuple[object, Analysis]]" = Fact("analysis")
 
 
 class Analyses:
@@ -37,8 +39,12 @@ class Analyses:
     async def of(self, document: Document) -> "Analysis":
         """Return the analysis of a version under the present settings, its model made."""
         settings = await self.settings(document)
+        known = document.facts.get(_ANALYSIS)
+        if known is not None and known[0] == settings:
+            return known[1]
         jobs = _jobs(document, settings)
-        return await self._shared(jobs, "model", lambda: _model(document, settings), Urgency.ANSWER)
+        make = partial(_analysis, document, settings)
+        return await self._shared(jobs, "analysis", make, Urgency.ANSWER)
 
     async def settings(self, document: Document) -> "Settings":
         """Return the decisions for a document; files are read in the worker."""
@@ -51,30 +57,36 @@ class Analyses:
         self, document: Document, urgency: Urgency = Urgency.ANSWER
     ) -> "tuple[Diagnostic, ...]":
         """Return what is wrong with a version; twins are read when all else is known."""
-        analysis = await self.of(document)
-        jobs = _jobs(document, analysis.settings)
-        if analysis.settings.twins:
+        settings = await self.settings(document)
+        if settings.twins:
             await self.findings_without_twins(document, urgency)
             urgency = Urgency.BACKGROUND
-        return await self._shared(jobs, _FINDINGS, lambda: self._check(analysis), urgency)
+        return await self._all_findings(document, settings, urgency)
 
     async def findings_without_twins(
         self, document: Document, urgency: Urgency = Urgency.ANSWER
     ) -> "tuple[Diagnostic, ...]":
         """Return all findings if they are known or there are no twins, else those of the text."""
-        analysis = await self.of(document)
-        jobs = _jobs(document, analysis.settings)
+        settings = await self.settings(document)
+        jobs = _jobs(document, settings)
         known = jobs.get(_FINDINGS)
-        if not analysis.settings.twins or (known is not None and known.future.done()):
-            return await self._shared(jobs, _FINDINGS, lambda: self._check(analysis), urgency)
+        if not settings.twins or (known is not None and known.future.done()):
+            return await self._all_findings(document, settings, urgency)
 
         def check() -> "tuple[Diagnostic, ...]":
-            return analysis.check_without_twins(self._worker.checkpoint)
+            return _analysis(document, settings).check_without_twins(self._worker.checkpoint)
 
         return await self._shared(jobs, "findings without twins", check, urgency)
 
-    def _check(self, analysis: "Analysis") -> "tuple[Diagnostic, ...]":
+    async def _all_findings(
+        self, document: Document, settings: "Settings", urgency: Urgency
+    ) -> "tuple[Diagnostic, ...]":
+        check = partial(self._check, document, settings)
+        return await self._shared(_jobs(document, settings), _FINDINGS, check, urgency)
+
+    def _check(self, document: Document, settings: "Settings") -> "tuple[Diagnostic, ...]":
         """Return the findings as long as somebody waits; rules that failed are logged."""
+        analysis = _analysis(document, settings)
         findings = analysis.check(self._worker.checkpoint)
         for fault in analysis.faults:
             logger.error("a rule failed: %s", fault.message, exc_info=fault.error)
@@ -86,7 +98,7 @@ class Analyses:
         """Await a job that others may wait for, too."""
         job = jobs.get(name)
         if job is None:
-            job = jobs[name] = _SharedJob(asyncio.ensure_future(self._worker.run(work, urgency)))
+            job = jobs[name] = _SharedJob(self._worker.submit(work, urgency))
         elif job.future.done():
             return cast(T, job.future.result())
         job.waiters += 1
@@ -95,31 +107,38 @@ class Analyses:
         finally:
             job.waiters -= 1
             if not job.waiters and not job.future.done():
-                job.future.cancel()
+                job.abandon()
                 jobs.pop(name, None)
 
 
 class _SharedJob(Generic[T]):
     """Work under way, and how many wait for it."""
 
-    __slots__ = ("future", "waiters")
+    __slots__ = ("_job", "future", "waiters")
 
-    def __init__(self, future: "asyncio.Future[T]") -> None:
-        self.future = future
+    def __init__(self, job: Job[T]) -> None:
+        self._job = job
+        self.future = asyncio.wrap_future(job.future)
         self.waiters = 0
+
+    def abandon(self) -> None:
+        """Leave it out, or end it at its next checkpoint."""
+        self._job.is_abandoned = True
+        self.future.cancel()
 
 
 def _jobs(document: Document, settings: "Settings") -> "dict[str, _SharedJob[Any]]":
     """Return what has been asked of a version under these settings; other settings start anew."""
-    known = document.facts.get(_JOBS)
-    if known is None or known[0] != settings:
-        known = document.facts.keep(_JOBS, (settings, {}))
-    return known[1]
+    return document.facts.made_of(_JOBS, settings, dict)
 
 
-def _model(document: Document, settings: "Settings") -> "Analysis":
+def _analysis(document: Document, settings: "Settings") -> "Analysis":
+    """Return the analysis of a version, its model made; only jobs make one."""
     from kindsl.analysis.analysis import Analysis
 
-    analysis = Analysis(document.tree, settings)
-    analysis.model  # noqa: B018
-    return analysis
+    def made() -> Analysis:
+        analysis = Analysis(document.tree, settings)
+        analysis.model  # noqa: B018
+        return analysis
+
+    return document.facts.made_of(_ANALYSIS, settings, made)

@@ -40,7 +40,7 @@ class Calm:
                 each
                 for each in findings
                 if _key(each) in known.keys
-                or (has_left and document.position(each.start).line != line)
+                or (has_left and document.lines.line(each.start) != line)
             )
             told = findings if len(told) == len(findings) else told
         self._known[key] = _Told(line, frozenset(map(_key, told)))
@@ -75,5 +75,5 @@ def _line_of_edit(document: Document) -> int | None:
     """Return the line that the last edit is all in, None without one."""
     if document.touched is None:
         return None
-    first, last = (document.position(offset).line for offset in document.touched)
+    first, last = map(document.lines.line, document.touched)
     return first if first == last else None

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from kindsl.analysis.diagnostics import Diagnostic
 
 _MANY = 200
+_LONG = 50_000
 
 
 class Publisher:
@@ -147,7 +148,8 @@ class Publisher:
             await tell_status(self._state, document, findings)
 
     async def _findings_without_twins(self, document: Document) -> "tuple[Diagnostic, ...]":
-        await self._state.analyses.of(document)
+        if document.lines.length > _LONG:
+            await self._state.analyses.of(document)  # which is enough for most questions
         await self._state.until_quiet()
         return await self._state.analyses.findings_without_twins(document, Urgency.DIAGNOSTICS)
 

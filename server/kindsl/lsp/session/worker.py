@@ -40,23 +40,26 @@ class Worker:
     __slots__ = ("_count", "_jobs", "_thread", "_under_way")
 
     def __init__(self) -> None:
-        self._jobs: queue.PriorityQueue[tuple[int, int, _Job[Any]]] = queue.PriorityQueue()
+        self._jobs: queue.PriorityQueue[tuple[int, int, Job[Any]]] = queue.PriorityQueue()
         self._count = itertools.count()
         self._thread: threading.Thread | None = None
-        self._under_way: _Job[Any] | None = None
+        self._under_way: Job[Any] | None = None
 
-    async def run(self, job: Callable[[], T], urgency: Urgency = Urgency.ANSWER) -> T:
-        """Await a job; cancelling the task leaves it out, or ends it at its next checkpoint."""
-        queued = self._put(job, urgency)
+    async def run(self, work: Callable[[], T], urgency: Urgency = Urgency.ANSWER) -> T:
+        """Await work; cancelling the task leaves it out, or ends it at its next checkpoint."""
+        job = self.submit(work, urgency)
         try:
-            return await asyncio.wrap_future(queued.future)
+            return await asyncio.wrap_future(job.future)
         except asyncio.CancelledError:
-            queued.is_abandoned = True
+            job.is_abandoned = True
             raise
 
-    def submit(self, job: Callable[[], T], urgency: Urgency = Urgency.ANSWER) -> "Future[T]":
-        """Queue a job; cancelling its future before it starts leaves it out."""
-        return self._put(job, urgency).future
+    def submit(self, work: Callable[[], T], urgency: Urgency = Urgency.ANSWER) -> "Job[T]":
+        """Queue work; cancelling its future before it starts leaves it out."""
+        if self._thread is None:
+            self._thread = threading.Thread(target=self._run, name="kindsl-worker", daemon=True)
+            self._thread.start()
+        return self._put(work, urgency)
 
     def checkpoint(self) -> None:
         """Go on with the job under way only if somebody still waits for it; for jobs to call.
@@ -67,11 +70,8 @@ class Worker:
         if self._under_way is not None and self._under_way.is_abandoned:
             raise AbandonedError
 
-    def _put(self, work: Callable[[], T], urgency: Urgency) -> "_Job[T]":
-        if self._thread is None:
-            self._thread = threading.Thread(target=self._run, name="kindsl-worker", daemon=True)
-            self._thread.start()
-        job = _Job(work)
+    def _put(self, work: Callable[[], T], urgency: Urgency) -> "Job[T]":
+        job = Job(work)
         self._jobs.put((urgency, next(self._count), job))
         return job
 
@@ -90,9 +90,9 @@ class InlineWorker(Worker):
 
     __slots__ = ()
 
-    def _put(self, work: Callable[[], T], urgency: Urgency) -> "_Job[T]":
-        job = _Job(work)
-        self._jobs.put((urgency, next(self._count), job))
+    def submit(self, work: Callable[[], T], urgency: Urgency = Urgency.ANSWER) -> "Job[T]":
+        """Queue work; cancelling its future before it starts leaves it out."""
+        job = self._put(work, urgency)
         asyncio.get_running_loop().call_soon(self._do_next)
         return job
 
@@ -105,8 +105,13 @@ def start_task(work: Coroutine[Any, Any, Any]) -> "asyncio.Task[Any]":
     return task
 
 
-class _Job(Generic[T]):
-    """Work to do, who gets its result, and whether they still want it."""
+class Job(Generic[T]):
+    """Work to do.
+
+    Attributes:
+        future: Its result.
+        is_abandoned: Whether nobody wants that any more; the work ends at its next checkpoint.
+    """
 
     __slots__ = ("_work", "future", "is_abandoned")
 
