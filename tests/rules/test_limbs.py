@@ -41,6 +41,14 @@ def test_one_leg_differs_from_three(leg: str, numbers: str, fixed: str) -> None:
     assert apply_edits(text, finding.fix.edits) == four_legs()
 
 
+@pytest.mark.parametrize("number", ["0.8\u00a0", "0.0\u00a08", "\u00a00.8"])
+def test_a_number_in_broken_text_is_left_to_the_rules_of_syntax(number: str) -> None:
+    """A fix that writes another number, and one that reads this one, would contradict."""
+    for text in (four_legs(RH=f"{number}, 0.0, 0.0"), two_arms(f"{number}, -0.1, 0.02")):
+        assert codes(text) == []
+        assert any(finding.code.startswith("KD0") for finding in analyse(text).findings)
+
+
 def test_front_and_hind_legs_may_differ() -> None:
     assert codes(four_legs(LH="0.1, 0.0, 0.0", RH="0.1, 0.0, 0.0")) == []
 

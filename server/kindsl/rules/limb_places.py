@@ -1,6 +1,7 @@
 """Places of the numbers of a limb, and their names."""
 
 from kindsl.limbs.weighing import Suspect
+from kindsl.rules.broken_text import has_problem_within
 from kindsl.rules.inertia.judgements import TEN, keyword
 from kindsl.semantics.declarations import Child, Joint, Vector
 from kindsl.semantics.expressions import Expression
@@ -57,6 +58,13 @@ def numbers_at(model: Model, place: Suspect) -> tuple[Expression, ...]:
     moments = (inertia.moments.get(name) for name in MOMENTS)
     ten = (inertia.mass, *inertia.com.components, *(m for m in moments if m is not None))
     return ten[PARTS[place.what]] if len(ten) == len(TEN) else ()
+
+
+def is_broken(model: Model, place: Suspect) -> bool:
+    """Return whether something is not in the language among, or right beside, these numbers."""
+    inertia = model.body_named[place.link].inertia
+    whole = inertia if place.what in OF_A_LINK and place.what != "com" else vector_at(model, place)
+    return whole is not None and has_problem_within(whole)
 
 
 def located(model: Model, place: Suspect) -> Located:

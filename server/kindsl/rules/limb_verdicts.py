@@ -1,7 +1,8 @@
 """Misfits in the limbs of a robot: found once for all rules that tell of them.
 
 Who carries whom, where the joints are and how heavy the links are is looked at in this order, each
-again only where it has changed.
+again only where it has changed. Numbers in broken text are not yet read, so they are told of by the
+rules about syntax alone: two fixes of one number would contradict each other.
 """
 
 from collections.abc import Mapping, Sequence
@@ -15,6 +16,7 @@ from kindsl.limbs.verdicts import ComparedLimbs, LimbVerdict, agreed, verdicts
 from kindsl.limbs.weighing import Masses
 from kindsl.mechanism.link_inertia import link_inertia
 from kindsl.rules.context import Context
+from kindsl.rules.limb_places import is_broken
 from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Link, ValueKind
 from kindsl.semantics.model import Model
@@ -96,7 +98,8 @@ def _slips(model: Model, context: Context) -> LimbSlips:
         judge = partial(_judged, groups, links, assignments)
         judged = carrier.facts.made_of(_VERDICTS, (assignments, groups, links), judge)
         found += judged
-    return LimbSlips(found, assignments)
+    read = [v for v in found if not any(is_broken(model, place) for place in v.places)]
+    return LimbSlips(read, assignments)
 
 
 def _compared_limbs(model: Model, assignments: Sequence[Values]) -> dict[str, list[_Compared]]:
