@@ -1,6 +1,7 @@
 """What moves where and what weighs what, apart from link frames, names, order, signs and parts."""
 
 import math
+import re
 from collections import Counter
 
 import pytest
@@ -9,6 +10,8 @@ from tests.support.amount import usually
 
 from kindsl.comparison.mechanical import compared_mechanics
 from kindsl.comparison.null_space import n_base_parameters
+from kindsl.comparison.quantities import INERTIA
+from kindsl.comparison.sentences import told
 from kindsl.comparison.torques import torques
 from kindsl.mechanism.bodies import bodies_of
 
@@ -104,6 +107,41 @@ def test_another_robot_is_one_finding() -> None:
     assert found.numbers == ()
     (told,) = found.structure
     assert "2 joints here, 6 joints in a.kindsl" in told
+
+
+def test_a_link_without_inertia_is_told_as_that() -> None:
+    ours = described_text(ARM)[0]
+    theirs = described_text(
+        re.sub(r"    inertia_params \{.*?\n    \}\n", "", ARM, count=1, flags=re.S)
+    )[0]
+    for one, other, here, there in (
+        (ours, theirs, "a mass of 1.3 kg here", "no inertia there"),
+        (theirs, ours, "no inertia here", "a mass of 1.3 kg there"),
+    ):
+        found = compared_mechanics(one, other)
+        (number,) = found.numbers
+        assert told(number, "here", "there") == f"link 'upper' has {here} and {there}"
+        assert number.our_changes == number.their_changes == ()
+        (effect,) = torques(one, other, found).effects
+        assert effect > 0.1
+
+
+def test_a_file_without_any_inertia_is_one_difference() -> None:
+    ours = described_text(ARM)[0]
+    bare = described_text(re.sub(r"    inertia_params \{.*?\n    \}\n", "", ARM, flags=re.S))[0]
+    found = compared_mechanics(ours, bare)
+    assert found.numbers == found.conventions == ()
+    assert found.structure == ("no link has an inertia in a.kindsl",)
+    assert compared_mechanics(bare, ours).structure == ("no link has an inertia here",)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_the_axes_of_a_robot_without_masses_are_compared(seed: int) -> None:
+    text = random_document(seed)
+    weightless = re.sub(r"mass = [\d.]+", "mass = 0.0", text)
+    found = compared_mechanics(described_text(text)[0], described_text(weightless)[0])
+    assert found.conventions == ()
+    assert {n.quantity for n in found.numbers} <= set(INERTIA)
 
 
 def test_a_map_names_the_joints() -> None:

@@ -176,8 +176,10 @@ def _root_pair(ours: Skeleton, theirs: Skeleton, matching: MatchedJoints, size: 
     masses = [ours.masses[0], theirs.masses[0]]
     if not (ours.is_floating and masses[0].mass and masses[1].mass):
         masses = [_whole(ours), _whole(theirs)]
-    points = _coms_at_zero(ours, bodies)
-    its_points = _coms_at_zero(theirs, [matching.theirs[body] for body in bodies])
+    pairs = [(body, matching.theirs[body]) for body in bodies]
+    heavy = [(b, its) for b, its in pairs if ours.masses[b].mass and theirs.masses[its].mass]
+    points = _coms_at_zero(ours, [body for body, _ in heavy])
+    its_points = _coms_at_zero(theirs, [its for _, its in heavy])
     mine, its = Features(lines, masses[0], points), Features(others, masses[1], its_points)
     return _BodyPair(mine, its, size)
 

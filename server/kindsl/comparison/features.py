@@ -72,7 +72,10 @@ def frames_of(features: Features) -> Iterator[RigidPose | None]:
     for line in lines:
         for point, second in pairwise(points):
             yield _frame(point, line.direction, minus(second, point))
-        for point in points if mass.mass else ():
+        for point in points:
+            if not mass.mass:
+                yield from (None, None)
+                continue
             yield _frame(mass.com, line.direction, minus(point, mass.com))
             yield _frame(point, _principal_axis(mass), line.direction)
 

@@ -142,6 +142,9 @@ def _structure(
             kinds = one.joint_kinds[body - 1], other.joint_kinds[its - 1]
             name = one.joint_names[body - 1]
             yield f"joint '{name}' is {kinds[0]} here and {kinds[1]} in {theirs.label}"
+    if any(ours.inertias) != any(theirs.inertias):
+        where = f"in {theirs.label}" if any(ours.inertias) else "here"
+        yield f"no link has an inertia {where}"
     if one.is_floating != other.is_floating:
         kind, its_kind = ("floating" if each.is_floating else "fixed" for each in (one, other))
         yield f"the base is {kind} here and {its_kind} in {theirs.label}"
@@ -187,7 +190,8 @@ def _body_numbers(
         return
     if body and one.joint_kinds[body - 1] == other.joint_kinds[its - 1]:
         yield from joint_differences(ours, theirs, body, its, alignment, bounds)
-    if body or (one.is_floating and other.is_floating):
+    is_heavy = any(ours.inertias) and any(theirs.inertias)
+    if is_heavy and (body or (one.is_floating and other.is_floating)):
         yield from inertia_differences(ours, theirs, body, its, alignment, bounds)
 
 

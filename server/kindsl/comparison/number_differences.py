@@ -158,8 +158,11 @@ def inertia_differences(
         return []
     others = _wanted_inertia(its, mine, frame.inverse(), bounds)
     found = [each._replace(body=body) for each in _shorter("link", wanted, others)]
-    is_missing = not ours.inertias[body] or not theirs.inertias[other]
-    return [each for each in found if each.quantity == "mass"] or found if is_missing else found
+    if ours.inertias[body] and theirs.inertias[other]:
+        return found
+    # No single number makes up for an inertia that is not written.
+    left = [each for each in found if each.quantity == INERTIA[0]] or found
+    return [each._replace(our_changes=(), their_changes=()) for each in left]
 
 
 def _wanted_pose(

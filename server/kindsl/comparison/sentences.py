@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from kindsl.comparison.quantities import AXIS
+from kindsl.comparison.quantities import AXIS, INERTIA
 
 if TYPE_CHECKING:
     from kindsl.comparison.number_differences import NumberDifference
@@ -19,6 +19,11 @@ def told(number: "NumberDifference", here: str, there: str) -> str:
     """
     if number.quantity == AXIS:
         return f"axes of {_subject(number)} {here} and {there} are {number.there:.4g} rad apart"
+    missing = _without_inertia(number)
+    if any(missing):
+        mass = f"a mass of {number.there if missing[0] else number.here:.6g} kg"
+        left, right = ("no inertia" if is_missing else mass for is_missing in missing)
+        return f"{_subject(number)} has {left} {here} and {right} {there}"
     values = f"{number.here:.6g}", f"{number.there:.6g}"
     if values[0] == values[1]:
         values = f"{number.here:.15g}", f"{number.there:.15g}"
@@ -34,6 +39,14 @@ def told(number: "NumberDifference", here: str, there: str) -> str:
 def _subject(number: "NumberDifference") -> str:
     other = f" (there '{number.other}')" if number.other not in (number.owner, "") else ""
     return f"{number.kind} '{number.owner}'{other}"
+
+
+def _without_inertia(number: "NumberDifference") -> tuple[bool, bool]:
+    """Return whether our link has no inertia, and whether the other has none."""
+    is_mass = number.quantity == INERTIA[0]
+    here = is_mass and not number.here and (number.here_number or number.here_near) is None
+    there = is_mass and not number.there and (number.there_number or number.there_near) is None
+    return here, there
 
 
 def _stands(written: "WrittenNumber | None", value: float) -> bool:

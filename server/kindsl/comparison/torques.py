@@ -147,8 +147,13 @@ def _effect(
     ours: Described, theirs: Described, found: MechanicalComparison, number: NumberDifference
 ) -> float:
     """Return the greatest change of a force, the base's too, if this number changed alone."""
-    side = theirs if number.is_theirs else ours
-    changed = _changed(side, found, number)
+    its = found.matching.theirs[number.body]
+    if number.quantity in INERTIA and not (ours.inertias[number.body] and theirs.inertias[its]):
+        # The whole inertia is another.
+        side, changed = ours, _carried(ours, theirs, replace(found, numbers=(number,)))
+    else:
+        side = theirs if number.is_theirs else ours
+        changed = _changed(side, found, number)
     states = _states(side.skeleton)
     first = 6 if side.skeleton.is_floating else 0
     taus = []
