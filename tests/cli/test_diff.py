@@ -137,7 +137,7 @@ def test_a_folder_without_generated_code_is_no_description(kindsl: Runner, folde
     (folder / "own.kindsl").write_text(ARM % ("2.0", "0.5", "0.3"))
     (folder / "code").mkdir()
     told = kindsl("diff", "own.kindsl", "code")
-    assert (told.status, told.err) == (2, "code: error: is a folder without generated code\n")
+    assert (told.status, told.err) == (2, "code: error: no generated code in this folder\n")
 
 
 def test_a_centre_of_mass_that_stays_in_the_base_has_not_moved(

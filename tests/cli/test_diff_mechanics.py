@@ -122,7 +122,7 @@ def test_the_rest_of_a_broken_document_is_compared(kindsl: Runner, arm: Path) ->
             "names a link 'c' that does not exist",
         ),
         ("a.sdf", "<sdf/>", "no model"),
-        ("folder", "", "is a folder without generated code"),
+        ("folder", "", "no generated code in this folder"),
     ],
 )
 def test_what_cannot_be_read_is_said_in_a_sentence(

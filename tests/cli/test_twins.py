@@ -69,11 +69,12 @@ def test_a_tolerance_and_a_map_of_joints_are_heard(kdsl_lint: Runner) -> None:
 @pytest.mark.parametrize(
     ("name", "content", "message"),
     [
-        ("gone.urdf", None, "cannot be read: No such file or directory"),
+        ("gone.urdf", None, "No such file or directory"),
+        ("gone", None, "No such file or directory"),
         ("broken.urdf", "<robot", "not a readable URDF: not well-formed XML at line 1"),
-        ("arm.xacro", "<robot/>", "is xacro, which is not expanded here"),
+        ("arm.xacro", "<robot/>", "xacro is not expanded here"),
         ("arm.txt", "", "the suffix '.txt' does not determine the format"),
-        (".", None, "is a folder without generated code"),
+        (".", None, "no generated code in this folder"),
     ],
 )
 def test_what_cannot_be_read_is_reported_at_its_path(
@@ -84,7 +85,7 @@ def test_what_cannot_be_read_is_reported_at_its_path(
     Path("kindsl.toml").write_text(TWINS.format(name))
     ((code, path, line, told),) = findings(kdsl_lint)
     assert (code, path, line) == ("KD902", "kindsl.toml", 3)
-    assert told.startswith(f"twin '{name}' {message}")
+    assert told.startswith(f"twin '{name}' cannot be read: {message}")
 
 
 def test_generated_code_is_one_finding(kindsl: Runner, kdsl_lint: Runner) -> None:

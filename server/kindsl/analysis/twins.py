@@ -45,14 +45,14 @@ def compared_twins(
 
 
 def read_twin(twin: TwinFile, floating: bool | None = None) -> Described | str:
-    """Return the robot of a twin, or why it cannot be read: one sentence about the file.
+    """Return the robot of a twin, or why it cannot be read.
 
     Args:
         twin: The file. A xacro file is not read, since that evaluates expressions in it.
         floating: Whether its base floats, where the file leaves that open.
     """
     if Path(twin.path).suffix.lower() == _XACRO:
-        return "is xacro, which is not expanded here: name the URDF that it makes"
+        return "xacro is not expanded here, name the URDF that it makes"
     return read_file(twin.path, twin.label, floating)
 
 
@@ -99,8 +99,8 @@ def _read(version: _TwinVersion, label: str, floating: bool | None) -> Described
     except FormatError as error:
         return str(error)
     except ModuleNotFoundError as error:
-        return f"needs {error.name}, which is not installed"
+        return f"{error.name} is not installed"
     except OSError as error:
-        return f"cannot be read: {error.strerror or error}"
+        return error.strerror or str(error)
     except ValueError as error:
-        return f"cannot be read: {error}"
+        return str(error)

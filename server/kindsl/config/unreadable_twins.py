@@ -8,7 +8,7 @@ from kindsl.config.configuration import Configuration
 from kindsl.rules.base import Severity
 from kindsl.rules.checks.kd902_twin_unreadable import RULE
 
-_NOT_TRUSTED = "is outside the folders of a workspace that is not trusted"
+_NOT_TRUSTED = "it is outside the folders of a workspace that is not trusted"
 
 
 def unreadable_twins(
@@ -34,6 +34,6 @@ def unreadable_twins(
         severity = severity_of(RULE, None if is_allowed else Severity.INFORMATION, settings)
         problem = read_twin(twin) if is_allowed else _NOT_TRUSTED
         if isinstance(problem, str):
-            message = f"twin '{twin.label}' {problem}"
+            message = f"twin '{twin.label}' cannot be read: {problem}"
             found.append(Diagnostic(RULE.code, RULE.name, severity, message, start, end))
     return found

@@ -41,6 +41,7 @@ def read_description(path: Path, label: str, floating: bool | None) -> ReadDescr
     """
     if path.is_dir():
         return ReadDescription(_of_folder(path, label))
+    path.stat()
     format = _format(path)
     assert format.read is not None, "only formats that can be read are found"
     require_regular(str(path))
@@ -60,7 +61,7 @@ def _of_folder(folder: Path, label: str) -> Described:
         return described_generated(folder, label)
     if is_robcogen_folder(folder):
         return described_robcogen(folder, label)
-    raise FormatError("is a folder without generated code")
+    raise FormatError("no generated code in this folder")
 
 
 def with_base(robot: Described, floating: bool) -> Described:

@@ -100,7 +100,7 @@ def _of_file(
     name: str, read: Callable[[bool], Described | str], floating: bool
 ) -> ComparedRobot | str:
     robot = read(floating)
-    return robot if isinstance(robot, str) else ComparedRobot(name, robot)
+    return f"cannot be read: {robot}" if isinstance(robot, str) else ComparedRobot(name, robot)
 
 
 def _document(
