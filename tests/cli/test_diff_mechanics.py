@@ -37,6 +37,57 @@ def test_what_was_converted_is_equal_until_a_number_is_another(
     assert f"is 1.3 kg in arm.kindsl (line 8) and 1.4 kg in {other.name} (line {line})" in run.out
 
 
+# A point mass between axes that meet, whose angles are written with few digits.
+WRIST = """Robot wrist {
+RobotBase base { children { forearm via roll } }
+link forearm {
+    id = 1
+    inertia_params {
+        mass = 0.5  CoM = (0.0, 0.005, -0.06)
+        Ix = 0.003  Iy = 0.003  Iz = 0.0002  Ixy = 0.0  Ixz = 0.0  Iyz = -0.0002
+    }
+    children { wrist via pitch }
+}
+link wrist {
+    id = 2
+    inertia_params {
+        mass = 0.1  CoM = (0.0, 0.0, 0.0)
+        Ix = 0.0  Iy = 0.0  Iz = 0.0  Ixy = 0.0  Ixz = 0.0  Iyz = 0.0
+    }
+    children { hand via yaw }
+}
+link hand {
+    id = 3
+    inertia_params {
+        mass = 0.2  CoM = (0.07, -0.008, 0.007)
+        Ix = 0.0002  Iy = 0.0013  Iz = 0.0014  Ixy = -0.0001  Ixz = 0.0001  Iyz = 0.0
+    }
+    children {}
+}
+r_joint roll { ref_frame {
+    translation = (0.015, 0.0, 0.0)  rotation = (1.570796326781404, -0.000003673205103, -1.5708)
+} }
+r_joint pitch { ref_frame {
+    translation = (0.0, 0.0, -0.1373)  rotation = (1.570796326781404, 0.000003673205103, 1.5708)
+} }
+r_joint yaw { ref_frame { translation = (0.0, 0.0, 0.0)  rotation = (PI/2.0, 0.0, 3.14159) } }
+}
+"""
+
+
+@pytest.mark.parametrize("suffix", [".urdf", ".sdf", ".xml"])
+def test_a_point_mass_between_axes_that_meet_is_equal(
+    kindsl: Runner, folder: Path, suffix: str
+) -> None:
+    if suffix == ".xml":
+        pytest.importorskip("mujoco")
+    Path("wrist.kindsl").write_text(WRIST)
+    assert kindsl("convert", "-q", "wrist.kindsl", f"wrist{suffix}").status == 0
+    run = kindsl("diff", "wrist.kindsl", f"wrist{suffix}")
+    assert run.status == 0, run.out
+    assert "is zero in" not in run.out
+
+
 def test_both_lines_are_named(kindsl: Runner, arm: Path) -> None:
     kindsl("convert", "-q", arm, "arm.urdf")
     text = Path("arm.urdf").read_text().replace('value="0.8"', 'value="0.9"')
@@ -79,7 +130,7 @@ def test_the_base_is_taken_as_ours_is(kindsl: Runner, folder: Path) -> None:
     run = kindsl("diff", "a.kindsl", "a.urdf")
     assert run.status == 0
     assert run.err == (
-        "note: the base of a.urdf is compared as a floating one, which the other has\n"
+        "note: a.urdf leaves open whether its base floats: compared as floating, like the other\n"
     )
 
 

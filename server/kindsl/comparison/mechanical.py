@@ -76,7 +76,13 @@ def compared_mechanics(
         tried.append(_under(ours, theirs, matching, bounds, root))
         if _n_differences(tried[-1]) <= _FEW:
             break
-    return _with_axes_told(ours, theirs, bounds, min(tried, key=_n_differences))
+    found = min(tried, key=_n_differences)
+    if found.numbers:
+        # The choice between frames may have been led astray by digits, which cost time to heed.
+        root = found.alignment.frames[0]
+        again = _under(ours, theirs, matching, bounds, root, is_rough=False)
+        found = min(found, again, key=_n_differences)
+    return _with_axes_told(ours, theirs, bounds, found)
 
 
 def _with_axes_told(
@@ -102,13 +108,18 @@ def _with_axes_told(
 
 
 def _under(
-    ours: Described, theirs: Described, matching: MatchedJoints, bounds: Tolerances, root: RigidPose
+    ours: Described,
+    theirs: Described,
+    matching: MatchedJoints,
+    bounds: Tolerances,
+    root: RigidPose,
+    is_rough: bool = True,
 ) -> MechanicalComparison:
-    """Compare with the other's base at a pose in ours."""
+    """Compare with the other's base at a pose in ours, frames chosen roughly or by all digits."""
+    of_choice = bounds._replace(is_rough=is_rough)
 
     def cost(body: int, tried: Alignment) -> int:
-        rough = bounds._replace(is_rough=True)
-        return len(list(_body_numbers(ours, theirs, matching, tried, rough, body)))
+        return len(list(_body_numbers(ours, theirs, matching, tried, of_choice, body)))
 
     alignment = aligned(ours.skeleton, theirs.skeleton, matching, root, cost)
     structure = tuple(_structure(ours, theirs, matching, alignment))

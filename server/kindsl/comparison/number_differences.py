@@ -23,6 +23,8 @@ _ROUNDING = 1e-11
 _FLOAT = 2e-7
 # Of a frame whose digits in the other file are not known, beside the robot and in radians.
 _FRAME = 1e-5
+# Zero in an MJCF, kg m^2: MuJoCo takes nothing less.
+_NO_MOMENT = 3e-14
 _UNITS = dict(zip(INERTIA, ("kg", *("m",) * 3, *("kg m²",) * 6), strict=True)) | dict(
     zip(POSE, (*("m",) * 3, *("rad",) * 3), strict=True)
 )
@@ -287,7 +289,7 @@ def _scales_of_inertia(
     mass = sum(abs(each.mass) for each in parts)
     reach = max(hypot(*each.com) for each in parts) + hypot(*part.body_T_frame.translation)
     moments = sum(max(map(abs, each.moments)) for each in parts) + mass * reach * reach
-    return mass, *(reach,) * 3, *(moments,) * 6
+    return mass, *(reach,) * 3, *(max(moments, _NO_MOMENT / _ROUNDING),) * 6
 
 
 def _shorter(kind: str, ours: _WantedNumbers, theirs: _WantedNumbers) -> list[NumberDifference]:

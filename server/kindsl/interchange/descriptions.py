@@ -52,7 +52,7 @@ def read_description(path: Path, label: str, floating: bool | None) -> ReadDescr
     if floating is None or format.name == _TELLS_BASE:
         return ReadDescription(robot)
     kind = "floating" if floating else "fixed"
-    note = f"the base of {label} is compared as a {kind} one, which the other has"
+    note = f"{label} leaves open whether its base floats: compared as {kind}, like the other"
     return ReadDescription(with_base(robot, floating), (note,))
 
 
