@@ -27,7 +27,7 @@ from kindsl.scene.marks import (
     mass_marks,
     robot_com_mark,
 )
-from kindsl.scene.messages import Part
+from kindsl.scene.messages import Affine, Part
 from kindsl.scene.parameters import parameter_messages
 from kindsl.scene.picture import Picture, PictureState, picture
 from kindsl.scene.robot import ghost_messages, robot_messages
@@ -392,12 +392,24 @@ class TestFormulas:
     def test_a_value_that_is_known_is_still_a_factor(self) -> None:
         assert formulas(PARAMETRIC_ARM, reach=3.0) == formulas(PARAMETRIC_ARM)
 
-    def test_a_component(self) -> None:
-        model = analyse(PARAMETRIC_ARM.replace("(reach,", "(reach/4.0,")).model
+    @pytest.mark.parametrize(
+        ("written", "read"),
+        [
+            ("0.4", (0.4, ())),
+            ("reach/4.0", (0.0, (("reach", 0.25),))),
+            ("0.5 + 2.0 * reach", (0.5, (("reach", 2.0),))),
+            ("0.5 + reach + tilt", (0.5, (("reach", 1.0), ("tilt", 1.0)))),
+            ("reach * reach", None),
+            ("reach * tilt", None),
+            ("1.0/reach", None),
+        ],
+    )
+    def test_a_component(self, written: str, read: Affine | None) -> None:
+        model = analyse(ARM.replace("(0.4,", f"({written},")).model
         (lift,) = [j for j in model.joints if str(j.name) == "lift"]
         assert lift.pose.translation is not None
         first, second, _ = lift.pose.translation.components
-        assert affine_component(first, {}) == (0.0, (("reach", 0.25),))
+        assert affine_component(first, {}) == read
         assert affine_component(second, {}) == (0.0, ())
 
 

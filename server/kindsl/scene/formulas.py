@@ -14,6 +14,7 @@ from kindsl.semantics.expressions import Expression, ParameterUse, symbols
 from kindsl.semantics.model import Model
 
 _COMPONENTS = 3
+_ELSEWHERE = 2.3
 
 
 def formula_messages(model: Model, values: Mapping[str, float]) -> Iterator[FormulaMessage]:
@@ -75,8 +76,13 @@ def affine_component(expression: Expression, values: Mapping[str, float]) -> Aff
         return None
     factors: list[tuple[str, float]] = []
     for name in sorted(names):
-        once, twice = (expression.value({**at_zero, name: factor}) for factor in (1.0, 2.0))
-        if once is None or twice is None or abs(twice - 2.0 * once + constant) > 1e-9:
+        at_one = expression.value({**at_zero, name: 1.0})
+        if at_one is None:
             return None
-        factors.append((name, once - constant))
+        factors.append((name, at_one - constant))
+    # Somewhere else, to tell what is not linear, or a product of two parameters.
+    value = expression.value({**at_zero, **dict.fromkeys(names, _ELSEWHERE)})
+    linear = constant + _ELSEWHERE * sum(factor for _, factor in factors)
+    if value is None or abs(value - linear) > 1e-9:
+        return None
     return constant, tuple(factors)
