@@ -1,10 +1,11 @@
 """Bodies are drawn where they are."""
 
 import numpy as np
+import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from kindsl.scene.marks import body_marks
+from kindsl.scene.marks import JOINT_TURNS, body_marks
 from kindsl.scene.size import Segment
 
 components = st.floats(-3.0, 3.0).map(lambda number: 0.0 if abs(number) < 1e-6 else number)
@@ -31,3 +32,11 @@ def test_a_joint_of_another_kind_is_another_mark():
     ]
     assert "/kindsl/robot/joints/j/revolute/mark" in paths[0] - paths[1]
     assert "/kindsl/robot/joints/j/prismatic/mark" in paths[1] - paths[0]
+
+
+@pytest.mark.parametrize(("kind", "along"), [("revolute", (0, 1, 0)), ("prismatic", (0, 0, 1))])
+def test_the_axis_of_a_mark_is_turned_to_that_of_the_joint(kind, along):
+    turn = np.reshape(JOINT_TURNS[kind], (4, 4)).T
+    np.testing.assert_array_equal(turn @ [*along, 1.0], [0.0, 0.0, 1.0, 1.0])
+    np.testing.assert_array_equal(turn @ turn.T, np.eye(4))
+    assert np.linalg.det(turn) == 1.0

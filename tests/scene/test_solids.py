@@ -4,7 +4,7 @@ import math
 from dataclasses import replace
 
 import pytest
-from tests.preview.robots import EXAMPLES, plain_robot, skeleton_in, skeleton_of
+from tests.preview.robots import ARM, EXAMPLES, plain_robot, skeleton_in, skeleton_of
 from tests.support.documents import all_documents
 
 from kindsl.analysis.analysis import analyse
@@ -12,8 +12,9 @@ from kindsl.rigid.body import MassDistribution
 from kindsl.rules.inertia.shapes import shape_verdicts
 from kindsl.scene.picture import picture
 from kindsl.scene.size import extent
-from kindsl.scene.solids import filling_radius, link_solids, shell_factor, usual_density
+from kindsl.scene.solids import STEP, SUNK, filling_radius, link_solids, shell_factor, usual_density
 
+SHARES = [k / 1000 for k in range(1001)]
 QUADRUPED = (EXAMPLES / "quadruped.kindsl").read_text()
 
 
@@ -116,3 +117,136 @@ def test_bones_have_the_volume_of_the_mass(ends):
     radius = filling_radius(ends, 0.002)
     length = sum(math.hypot(*end) for end in ends)
     assert math.pi * radius**2 * length + 4 / 3 * math.pi * radius**3 == pytest.approx(0.002)
+
+
+def ball(radius, center, mass=2.0):
+    """Return a uniform ball, its moments about the frame's origin."""
+    x, y, z = center
+    own = 0.4 * mass * radius**2
+    moments = (y * y + z * z, x * x + z * z, x * x + y * y)
+    products = (mass * x * y, mass * x * z, mass * y * z)
+    a, b, c = (own + mass * moment for moment in moments)
+    return MassDistribution(mass, center, (a, b, c, *products))
+
+
+def with_body(skeleton, name, body):
+    masses = list(skeleton.masses)
+    masses[skeleton.body_names.index(name)] = body
+    return replace(skeleton, masses=tuple(masses))
+
+
+@pytest.mark.parametrize("below", [-0.1, 0.9, 1.1, 3.0])
+@pytest.mark.parametrize("radius", [0.1, 0.15])
+def test_a_sound_body_well_below_the_ground_is_of_glass(below, radius):
+    skeleton = skeleton_of(QUADRUPED)
+    measures = extent(skeleton)
+    name = "LF_shank"
+    pose = skeleton.zero_poses()[skeleton.body_names.index(name)]
+    lowest = measures.ground - below * SUNK * measures.size
+    center = pose.inverse().point((0.1, 0.2, lowest + radius))
+    body = ball(radius, center)
+    found = solids(with_body(skeleton, name, body))[name]
+    assert found.core.semi_axes == pytest.approx((radius,) * 3)
+    assert (found.look == "glass") is (below > 1.0), found
+
+
+@pytest.mark.parametrize("mass", [-1.0, 1e4])
+def test_a_fixed_base_is_not_judged(mass):
+    for is_floating in (False, True):
+        skeleton = replace(skeleton_of(ARM), is_floating=is_floating)
+        body = ball(0.1, (0.0, 0.0, 0.0), mass)
+        found = solids(with_body(skeleton, skeleton.body_names[0], body))[skeleton.body_names[0]]
+        assert bool(found.doubts) is is_floating
+        light = with_body(skeleton, skeleton.body_names[0], ball(2.0, (0.0, 0.0, 0.0)))
+        assert (link_solids(light, extent(light))[0].core is not None) is is_floating
+
+
+def test_a_placeholder_is_not_judged():
+    skeleton = skeleton_of(QUADRUPED)
+    total = sum(body.mass for body in skeleton.masses)
+    for share, is_judged in ((1e-4, False), (1e-2, True)):
+        # Too light for its size, and placed outside of all that the link holds.
+        light = ball(10.0 * share ** (1 / 3), (0.0, 0.0, 0.0), share * total)
+        found = solids(with_body(skeleton, "LF_shank", light))["LF_shank"]
+        assert (found.core is not None, bool(found.doubts)) == (is_judged, is_judged)
+    small = ball(0.01, (0.0, 0.0, -0.1), 4e-3)
+    assert small.mass < 1e-3 * total
+    assert solids(with_body(skeleton, "LF_shank", small))["LF_shank"].core is not None
+
+
+def test_only_a_negative_mass_is_told_of_a_link_without_body():
+    skeleton = skeleton_of(QUADRUPED)
+    for mass, codes in ((-0.6, ["KD303"]), (0.0, []), (1e-4, [])):
+        body = ball(1.0, (1.0, 0.0, 0.0), mass)
+        found = solids(with_body(skeleton, "LF_shank", body))["LF_shank"]
+        assert found.core is None
+        assert [doubt.code for doubt in found.doubts] == codes
+        assert found.look == ("impossible" if codes else "sound")
+
+
+def scaled(skeleton, scale):
+    """Return a robot of the same densities, all lengths some times as long."""
+
+    def pose(old):
+        return old._replace(translation=tuple(scale * x for x in old.translation))
+
+    def body(old):
+        moments = tuple(scale**5 * m for m in old.moments)
+        return MassDistribution(scale**3 * old.mass, tuple(scale * x for x in old.com), moments)
+
+    return replace(
+        skeleton,
+        placements=tuple(map(pose, skeleton.placements)),
+        frames=tuple(f._replace(pose=pose(f.pose)) for f in skeleton.frames),
+        masses=tuple(map(body, skeleton.masses)),
+    )
+
+
+@pytest.mark.parametrize("scale", [STEP**-20, STEP**20])
+@pytest.mark.parametrize(
+    "file", [EXAMPLES / "quadruped.kindsl", EXAMPLES / "industrial_arm.kindsl"]
+)
+def test_a_robot_of_any_size_looks_the_same(file, scale):
+    analysis = analyse(file.read_text())
+    skeleton = picture(analysis.model, analysis.context.values, None).skeleton
+    large = ball(1.05 * extent(skeleton).size, (0.0, 0.0, 0.0), 1e3)
+    skeleton = with_body(skeleton, skeleton.body_names[-1], large)
+    larger = link_solids(scaled(skeleton, scale), extent(scaled(skeleton, scale)))
+    assert larger[-1].is_oversized
+    for small, large in zip(link_solids(skeleton, extent(skeleton)), larger, strict=True):
+        assert large.doubts == small.doubts
+        assert large.look == small.look
+        assert large.is_oversized == small.is_oversized
+        assert [large.bone, large.drum] == pytest.approx([scale * small.bone, scale * small.drum])
+        assert len(large.strut) == len(small.strut)
+        for end, other in zip(large.strut, small.strut, strict=True):
+            assert end == pytest.approx([scale * x for x in other], abs=1e-9)
+
+
+@pytest.mark.parametrize("center", [(0.3, 0.0, -0.1), (0.0, 0.2, 0.3), (0.02, 0.0, -0.05)])
+def test_a_body_beside_its_bones_hangs_on_the_shortest_strut(center):
+    skeleton = skeleton_of(QUADRUPED)
+    measures = extent(skeleton)
+    at = skeleton.body_names.index("LF_thigh")
+    (bone,) = measures.segments[at]
+    ways = [(math.dist([share * x for x in bone.end], center), share) for share in SHARES]
+    length, share = min(ways)
+    for radius, is_held in ((0.9 * length, True), (1.1 * length, False)):
+        found = solids(with_body(skeleton, "LF_thigh", ball(radius, center)))["LF_thigh"]
+        assert bool(found.strut) is is_held
+        if is_held:
+            assert found.strut[0] == pytest.approx([share * x for x in bone.end], abs=2e-3)
+            assert found.strut[1] == pytest.approx(center)
+
+
+def test_a_bone_stays_beneath_the_surface_of_its_body():
+    skeleton = skeleton_of(QUADRUPED)
+    unit = extent(skeleton).radius
+    for radius, bone in ((0.2, 0.55), (1.5, 0.85 * 1.5), (30.0, 4.0)):
+        body = ball(radius * unit, (0.0, 0.0, -0.1), 50.0)
+        found = solids(with_body(skeleton, "LF_thigh", body))
+        assert found["LF_thigh"].bone == pytest.approx(bone * unit)
+        # The drum stands out of the thicker of its bones, as far as they are alike.
+        thin, thick = sorted((bone, found["LF_hip"].bone / unit))
+        drum = max(1.0, 1.15 * min(thick, 2.5 * thin))
+        assert found["LF_thigh"].drum == pytest.approx(drum * unit)
