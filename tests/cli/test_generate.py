@@ -65,7 +65,17 @@ def test_a_prefix_that_differs_from_the_name_is_told(
     (folder / "robot.kindsl").write_text(f"Robot {robot} {GOOD[GOOD.index('{') :]}")
     told = kindsl(*_c(folder / "robot.kindsl", "--quantities", "poses"))
     prefix = {"double": "double_", "Größe": "gr__e"}[robot]
-    assert told.err.endswith(f"note: the robot is '{robot}', so the prefix is '{prefix}'\n")
+    assert told.err.endswith(f"note: '{robot}' is '{prefix}' in the code\n")
+
+
+def test_names_that_robcogen_could_not_have_are_told(kindsl: Runner, folder: Path) -> None:
+    (folder / "robot.kindsl").write_text(f"Robot Größe {GOOD[GOOD.index('{') :]}")
+    command = ("generate", "--language", "robcogen", "-o", str(folder / "out"))
+    told = kindsl(*command, str(folder / "robot.kindsl"))
+    assert told.err.endswith(
+        "error: 'Größe' is not a valid name in RobCoGen's code: "
+        "use letters a to z, digits and '_'\n"
+    )
 
 
 def test_a_second_generation_replaces_the_first(

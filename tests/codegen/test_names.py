@@ -4,11 +4,19 @@ import keyword
 import re
 from dataclasses import replace
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.codegen.robots import bodies_of_seed, library
 
-from kindsl.codegen.names_in_code import RESERVED, file_name, identifier, identifiers, prefix_of
+from kindsl.codegen.names_in_code import (
+    RESERVED,
+    UnusableNameError,
+    file_name,
+    identifier,
+    identifiers,
+    prefix_of,
+)
 from kindsl.dynamics.bodies import BodyFrame
 
 ODD = [*sorted(RESERVED), "a.b", "a_b"]
@@ -31,7 +39,10 @@ def test_prefixes() -> None:
     assert prefix_of("", None) == "robot"
     assert prefix_of("Int", None) == "int_"
     assert identifier("2") == "x2"
+    assert prefix_of("Gamma", None) == "gamma_"  # a function of <math.h>
     assert not keyword.iskeyword(prefix_of("Class", None))
+    with pytest.raises(UnusableNameError, match="'time' is a reserved word in C"):
+        prefix_of("Clock", "time")
 
 
 def test_a_files_name_ends_no_comment() -> None:

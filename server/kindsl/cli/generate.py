@@ -295,9 +295,6 @@ def _remarks(library: "Library", args: argparse.Namespace, n_files: int) -> str:
     lines = [f"{counted(n_files, 'file')} written"]
     lines += [
         f"note: '{printable(name)}' is '{safe}' in the code"
-        for name, safe in library.renamed.items()
+        for name, safe in language_named(args.language).renamed(library).items()
     ]
-    robot, prefix = library.robot_name, library.prefix
-    if args.name is None and prefix != robot.lower():
-        lines.append(f"note: the robot is '{printable(robot)}', so the prefix is '{prefix}'")
     return "".join(f"{args.output}: {line}\n" for line in lines)

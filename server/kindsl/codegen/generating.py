@@ -1,5 +1,6 @@
 """From a document and options to the text of all files."""
 
+import re
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import NamedTuple
@@ -85,6 +86,11 @@ def generate(
         listed = source.transforms
         if listed is None and language.makes_transforms:
             listed = transforms_document(model)
+            if foreign := re.search(r"\w*[^\W\x00-\x7f]\w*", listed):
+                raise GenerationError(
+                    f"'{foreign[0]}' is not a valid name in RobCoGen's code: "
+                    "use letters a to z, digits and '_'"
+                )
         wanted = wanted_pairs(listed, model, robot) if listed else None
         if options.frames:
             robot, wanted = restricted(robot, wanted, options.frames)

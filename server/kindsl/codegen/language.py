@@ -1,7 +1,8 @@
 """The languages of generated code, found by walking `languages`: each module holds one."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from importlib import import_module
+from operator import attrgetter
 from typing import TYPE_CHECKING, NamedTuple
 
 from kindsl.codegen import languages
@@ -24,6 +25,7 @@ class Language(NamedTuple):
         parameters: Which parameters stay inputs where that is not said.
         makes_transforms: Whether it has transforms where no transforms document lists them.
         is_rigid: Whether rotors and friction of joints are left out.
+        renamed: Takes a library; returns the names that are others in the code.
     """
 
     files: "Callable[[Library, Reference, dict[str, float]], Files]"
@@ -31,6 +33,7 @@ class Language(NamedTuple):
     parameters: str = "unbound"
     makes_transforms: bool = False
     is_rigid: bool = False
+    renamed: "Callable[[Library], Mapping[str, str]]" = attrgetter("renamed")
 
 
 def language_names() -> list[str]:

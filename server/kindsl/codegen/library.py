@@ -7,7 +7,7 @@ from functools import cached_property
 from typing import Literal, NamedTuple
 
 from kindsl.codegen.layouts import LAYOUTS
-from kindsl.codegen.names_in_code import identifiers
+from kindsl.codegen.names_in_code import identifiers, prefix_of
 from kindsl.dynamics.generation.emitters.numbers import evaluate
 from kindsl.dynamics.generation.emitters.straight_line import setup_nodes
 from kindsl.dynamics.generation.function import Function, Inputs, inputs_of
@@ -151,9 +151,12 @@ class Library:
 
     @cached_property
     def renamed(self) -> dict[str, str]:
-        """The names that are others in code."""
+        """The names that are others in code; the robot's is in lower case there."""
         groups = (self.joint_names, self.body_names, self.pose_names, self.parameter_names)
-        return {name: safe for group in groups for name, safe in group.items() if name != safe}
+        found = {name: safe for group in groups for name, safe in group.items() if name != safe}
+        if self.prefix == prefix_of(self.robot_name, None) != self.robot_name.lower():
+            found[self.robot_name] = self.prefix
+        return found
 
     @property
     def is_bound(self) -> bool:

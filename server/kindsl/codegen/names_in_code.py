@@ -9,7 +9,7 @@ _UNSAFE = re.compile(r"[^A-Za-z0-9_]")
 _COMMENT_END = re.compile(r'[*"\\]|[^\w\s!-~]|[^\S ]')
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 
-# Of C, C++ and Python; what one of them reserves is no name in any.
+# Of C, C++ and Python; what one of them reserves is no name in any. At the end, macros of headers.
 _C_AND_CPP = """
     alignas alignof and and_eq asm auto bitand bitor bool break case catch char char16_t
     char32_t char8_t class compl concept const const_cast consteval constexpr constinit
@@ -19,9 +19,27 @@ _C_AND_CPP = """
     register reinterpret_cast requires restrict return short signed sizeof static
     static_assert static_cast std struct switch template this thread_local throw true try
     typedef typeid typename union unsigned using virtual void volatile wchar_t while xor
-    xor_eq errno linux unix
+    xor_eq errno linux unix stdin stdout stderr
+    BUFSIZ EDOM EILSEQ EINTR EIO ELOOP EOF ERANGE EROFS ETIME EXIT_FAILURE EXIT_SUCCESS
+    FILENAME_MAX FOPEN_MAX FP_INFINITE FP_NAN FP_NORMAL FP_SUBNORMAL FP_ZERO HUGE_VAL HUGE_VALF
+    HUGE_VALL INFINITY INT_MAX INT_MIN LINE_MAX LONG_MAX LONG_MIN MATH_ERRNO MAXFLOAT MAX_INPUT
+    M_1_PI M_2_PI M_E M_LN10 M_LN2 M_PI M_PI_2 M_PI_4 M_SQRT2 NAME_MAX NAN NULL NZERO PATH_MAX
+    RAND_MAX SEEK_CUR SEEK_END SEEK_SET SNAN TMP_MAX
 """
 RESERVED = frozenset(_C_AND_CPP.split()) | frozenset(keyword.kwlist)
+
+# Functions and namespaces that headers declare, and the headers themselves: members may have
+# these names, a library's namespace and header may not.
+_TAKEN = """
+    abort abs access acct alarm assert atexit bind brk ceil clock close complex connect copysign cos
+    ctype daylight div drem dup Eigen environ erf exit exp fabs floor fma fmax fmin fmod fork free
+    frexp gamma iit index isatty j0 j1 jn kill labs ldexp lgamma limits link listen locale log logb
+    malloc math memory modf nan nice open pause pipe pow puts raise rand random read remove rename
+    rint rmdir round scalb select send setjmp signal significand sin sleep socket sqrt stat stddef
+    stdio stdlib string strings swab sync system tan tempnam tgamma time times timezone trunc
+    truncate unistd unlink vector wait wchar write y0 y1 yn
+"""
+_TAKEN_IN_HEADERS = frozenset(_TAKEN.split())
 
 
 class UnusableNameError(ValueError):
@@ -36,14 +54,20 @@ def prefix_of(robot: str, given: str | None) -> str:
         given: The name asked for, if any.
 
     Raises:
-        UnusableNameError: What was asked for is not a name in C, C++ and Python.
+        UnusableNameError: What was asked for is not a free name in C, C++ and Python.
     """
     if given is not None:
-        if not _NAME.fullmatch(given) or given in RESERVED:
-            what = "a reserved word" if given in RESERVED else "not a valid name"
+        if not _NAME.fullmatch(given) or given in RESERVED | _TAKEN_IN_HEADERS:
+            what = "a reserved word" if _NAME.fullmatch(given) else "not a valid name"
             raise UnusableNameError(f"--name: '{given}' is {what} in C, C++ or Python")
         return given
-    return identifier(robot.lower()) if robot else "robot"
+    return whole_name(robot.lower()) if robot else "robot"
+
+
+def whole_name(name: str) -> str:
+    """Return the nearest name that a library may have, which is its namespace's and header's."""
+    safe = identifier(name)
+    return f"{safe}_" if safe in _TAKEN_IN_HEADERS else safe
 
 
 def identifier(name: str) -> str:

@@ -1,5 +1,6 @@
 """RobCoGen's classes, called as programs call them, against the mechanics of this project."""
 
+import re
 import subprocess
 from pathlib import Path
 
@@ -10,6 +11,7 @@ from tests.codegen.robcogen.programs import COMPILERS, HEAD, built, generated, n
 from kindsl.codegen.library import Library
 from kindsl.codegen.robcogen import long_transforms
 from kindsl.codegen.robcogen import robot as generated_robot
+from kindsl.codegen.robcogen.robot import GeneratedRobot
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.dynamics.generation.emitters import cpp_templates
 from kindsl.spatial.arrays import Array
@@ -364,6 +366,29 @@ def test_no_compiler_warns(compiler: str, standard: str, tmp_path: Path) -> None
     _, library = generated(ROBOTS[robot], VALUES, tmp_path)
     options = (f"-std={standard}", "-Wconversion", "-Wno-sign-conversion", "-fsyntax-only")
     done = built(tmp_path, program(library), *options, compiler=compiler)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+@needs_cpp
+def test_names_that_headers_and_classes_have_are_changed_and_told(tmp_path: Path) -> None:
+    names = {"Crab": "Eigen", "Left": "union", "claw": "null", "right": "scalar", "L1": "UNION",
+             "L2": "m_pi", "tip": "operator", "reach": "INFINITY"}  # fmt: skip
+    text = re.sub(r"\w+", lambda word: names.get(word[0], word[0]), CRAB)
+    values = {names.get(name, name): value for name, value in VALUES.items()}
+    _, library = generated(text, values, tmp_path, layout="robcogen-0.5")
+    assert GeneratedRobot(library).renamed == {
+        "Eigen": "Eigen_", "union": "UNION_2", "null": "NULL_", "scalar": "SCALAR_2",
+        "m_pi": "M_PI_", "operator": "operator_", "INFINITY": "INFINITY_",
+    }  # fmt: skip
+    whole = "".join(
+        f"template class iit::Eigen_::{name}<iit::rbd::DoubleTrait>;\n"
+        for name in (
+            "tpl::MotionTransforms", "tpl::HomogeneousTransforms", "tpl::Jacobians",
+            "dyn::tpl::InertiaProperties", "dyn::tpl::InverseDynamics", "dyn::tpl::ForwardDynamics",
+            "dyn::tpl::JSIM",
+        )
+    )  # fmt: skip
+    done = built(tmp_path, HEAD + whole, "-std=c++14", "-fsyntax-only")
     assert (done.returncode, done.stderr) == (0, "")
 
 

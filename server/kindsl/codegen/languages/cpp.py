@@ -1,12 +1,12 @@
 """A header in C++14 with Eigen's types, a template of the type of numbers."""
 
+import re
 from collections.abc import Sequence
 
 from kindsl.codegen.c_test_program import test_program
 from kindsl.codegen.c_text import EXTERNAL, stamp_comment
 from kindsl.codegen.language import Language
 from kindsl.codegen.library import Library
-from kindsl.codegen.names_in_code import RESERVED, identifier
 from kindsl.codegen.readme import readme
 from kindsl.codegen.reference import Reference
 from kindsl.dynamics.generation.emitters.cpp_templates import (
@@ -44,7 +44,7 @@ def cpp_header(library: Library) -> str:
 
 #include <Eigen/Core>
 
-namespace {namespace(library)} {{
+namespace {library.prefix} {{
 
 constexpr int n_joints = {len(library.robot.joint_names)};
 constexpr int n_velocities = {library.robot.n_velocities};
@@ -107,7 +107,7 @@ using Vector = Model::Vector<rows>;
 using JointVector = Model::JointVector;
 using ExternalForces = Model::ExternalForces;
 
-}} // namespace {namespace(library)}
+}} // namespace {library.prefix}
 """
 
 
@@ -134,11 +134,6 @@ inline S sign(const S& x)
 def _has_friction(library: Library) -> bool:
     drives = library.robot.tree.drives
     return drives is not None and any(drives.friction)
-
-
-def namespace(library: Library) -> str:
-    """Return a namespace's name."""
-    return identifier(library.prefix) if library.prefix not in RESERVED else f"{library.prefix}_"
 
 
 def _defaults(library: Library) -> dict[str, str]:
@@ -228,7 +223,7 @@ def _type(result: Result) -> str:
 
 
 def _usage(library: Library) -> str:
-    p, space = library.prefix, namespace(library)
+    p = library.prefix
     given = "" if library.is_bound else "(parameters)"
     return f"""\
 ## Use
@@ -240,18 +235,18 @@ several are filled in, and `fext` comes last and may be left out:
 ```cpp
 #include <{p}.hpp>
 
-const {space}::Model model{given};
-const {space}::JointVector q = {space}::JointVector::Zero();
+const {p}::Model model{given};
+const {p}::JointVector q = {p}::JointVector::Zero();
 ```
 
-`{space}::BasicModel<S>` is the same for other types of numbers, those of CppAD and ceres
+`{p}::BasicModel<S>` is the same for other types of numbers, those of CppAD and ceres
 among them.
 """
 
 
 def _test(library: Library, reference: Reference, parameters: dict[str, float]) -> str:
     """Return the test program of C, which calls a model's functions of pointers."""
-    p, space = library.prefix, namespace(library)
+    p = library.prefix
     calls = "".join(
         f"template <class... A>\nvoid {p}_{name}(const {p}_model *m, A... a)\n"
         f"{{\n    m->{name}(a...);\n}}\n"
@@ -260,9 +255,9 @@ def _test(library: Library, reference: Reference, parameters: dict[str, float]) 
     include = f"""\
 #include "{p}.hpp"
 
-typedef {space}::Model {p}_model;
-typedef {space}::Model::Scalar {p}_real;
-typedef {space}::Parameters {p}_parameters;
+typedef {p}::Model {p}_model;
+typedef {p}::Model::Scalar {p}_real;
+typedef {p}::Parameters {p}_parameters;
 
 static {p}_parameters {p}_default_parameters() {{ return {p}_parameters(); }}
 static void {p}_model_init({p}_model *m, const {p}_parameters *parameters)
@@ -272,7 +267,7 @@ static void {p}_model_init({p}_model *m, const {p}_parameters *parameters)
 {calls}"""
     text = test_program(library, reference, parameters, include)
     start = f"{p}_model model" + ("" if library.is_bound else f"{{{p}_parameters()}}")
-    return text.replace("NULL", "nullptr").replace(f"    {p}_model model;", f"    {start};")
+    return re.sub(r"\bNULL\b", "nullptr", text).replace(f"    {p}_model model;", f"    {start};")
 
 
 def _cmake(library: Library) -> str:

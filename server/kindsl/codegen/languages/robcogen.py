@@ -4,10 +4,15 @@ from kindsl.codegen.language import Language
 from kindsl.codegen.library import Library
 from kindsl.codegen.reference import Reference
 from kindsl.codegen.robcogen.files import robot_files
+from kindsl.codegen.robcogen.robot import GeneratedRobot
 
 
 def _files(library: Library, _: Reference, _parameters: dict[str, float]) -> dict[str, str]:
     return robot_files(library)
+
+
+def _renamed(library: Library) -> dict[str, str]:
+    return GeneratedRobot(library).renamed
 
 
 LANGUAGE = Language(
@@ -16,4 +21,5 @@ LANGUAGE = Language(
     parameters="all",
     makes_transforms=True,
     is_rigid=True,
+    renamed=_renamed,
 )

@@ -4,9 +4,10 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import chain
 
 from kindsl.codegen.library import Library
-from kindsl.codegen.names_in_code import identifier, identifiers, prefix_of
+from kindsl.codegen.names_in_code import identifiers, prefix_of, whole_name
 from kindsl.dynamics.generation.emitters.cpp_templates import (
     Template,
     TemplateDialect,
@@ -19,6 +20,9 @@ from kindsl.dynamics.generation.tree import Tree
 from kindsl.dynamics.generation.vectors import Matrix, Vector
 
 MOST_JOINTS_OF_SMALL = 20
+
+# Enumerators of these names would be hidden where classes use them.
+_TYPES_IN_CLASSES = ("TRAIT", "SCALAR")
 
 DIALECT = TemplateDialect("class TRAIT", "TRAIT::Scalar", "TRAIT", "TRAIT::{}")
 
@@ -47,7 +51,7 @@ class GeneratedRobot:
     def space(self) -> str:
         """The robot's namespace: its name as in the document, unless another was asked for."""
         name, prefix = self.library.robot_name, self.library.prefix
-        return identifier(name) if name and prefix == prefix_of(name, None) else prefix
+        return whole_name(name) if name and prefix == prefix_of(name, None) else prefix
 
     @cached_property
     def joints(self) -> list[str]:
@@ -57,14 +61,36 @@ class GeneratedRobot:
     @cached_property
     def bodies(self) -> list[str]:
         """The names of bodies, base first."""
+        return list(identifiers(self.body_names).values())
+
+    @property
+    def body_names(self) -> tuple[str, ...]:
+        """The names of bodies in the document, base first."""
+        return (self.library.robot.base_name, *self.library.robot.link_names)
+
+    @cached_property
+    def frame_names(self) -> dict[str, str]:
+        """The names of frames in code: of bodies' and joints' own and of those that are listed."""
+        own = (*self.body_names, *self.library.robot.joint_names)
+        listed = chain(*self.library.wanted.transforms, *self.library.wanted.jacobians)
+        names = [*(f"fr_{name}" for name in own), *(frame.name for frame in listed)]
+        return identifiers(dict.fromkeys(names))
+
+    @cached_property
+    def renamed(self) -> dict[str, str]:
+        """The names that are others in code; of a link or joint, that of its enumerator."""
         robot = self.library.robot
-        return list(identifiers((robot.base_name, *robot.link_names)).values())
+        names = (self.library.robot_name, *robot.joint_names, *self.body_names)
+        in_code = zip(names, (self.space, *self._enumerators), strict=True)
+        changed = [(name, safe) for name, safe in in_code if safe.upper() != name.upper()]
+        others = {k: v for k, v in self.library.renamed.items() if k != names[0]}
+        return {**others, **dict(changed)}
 
     @cached_property
     def _enumerators(self) -> list[str]:
-        return list(
-            identifiers(_distinct(n.upper() for n in (*self.joints, *self.bodies))).values()
-        )
+        names = (name.upper() for name in (*self.joints, *self.bodies))
+        distinct = _distinct((*_TYPES_IN_CLASSES, *names))[len(_TYPES_IN_CLASSES) :]
+        return list(identifiers(distinct).values())
 
     @property
     def joint_ids(self) -> list[str]:
@@ -102,7 +128,7 @@ class GeneratedRobot:
 
     def frame(self, body: int) -> str:
         """Return the name of a body's own frame."""
-        return f"fr_{self.bodies[body]}"
+        return self.frame_names[f"fr_{self.body_names[body]}"]
 
     def across(self, joint: int) -> str:
         """Return the name of the transform from a link's parent to it, by body index."""

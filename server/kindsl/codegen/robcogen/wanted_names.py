@@ -3,7 +3,6 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from kindsl.codegen.names_in_code import identifier
 from kindsl.codegen.robcogen.robot import GeneratedRobot
 from kindsl.dynamics.generation.relative_frames import between
 from kindsl.dynamics.generation.robot import PlacedFrame
@@ -34,7 +33,7 @@ def transform_pairs(robot: GeneratedRobot) -> list[NamedPair]:
 
 def jacobian_pairs(robot: GeneratedRobot) -> list[NamedPair]:
     """Return the pairs of Jacobians between which there is a joint."""
-    pairs = (_pair(base, target, "J") for base, target in robot.library.wanted.jacobians)
+    pairs = (_pair(robot, base, target, "J") for base, target in robot.library.wanted.jacobians)
     found = {pair.name: pair for pair in pairs if joints_of(robot, pair)}
     return list(found.values())
 
@@ -46,28 +45,29 @@ def joints_of(robot: GeneratedRobot, pair: NamedPair) -> list[int]:
 
 def _all_transforms(robot: GeneratedRobot) -> Iterator[NamedPair]:
     for base, target in robot.library.wanted.transforms:
-        yield _pair(base, target, "X")
+        yield _pair(robot, base, target, "X")
     for link in robot.tree.links():
         own, parent = link_frame(robot, link), link_frame(robot, robot.tree.parents[link])
-        yield _pair(own, parent, "X")
-        yield _pair(parent, own, "X")
+        yield _pair(robot, own, parent, "X")
+        yield _pair(robot, parent, own, "X")
     for pair in jacobian_pairs(robot):
-        yield _pair(pair.base, pair.target, "X")
+        yield _pair(robot, pair.base, pair.target, "X")
         for joint in joints_of(robot, pair):
-            yield _pair(pair.base, joint_frame(robot, joint), "X")
+            yield _pair(robot, pair.base, joint_frame(robot, joint), "X")
 
 
 def link_frame(robot: GeneratedRobot, body: int) -> PlacedFrame:
     """Return a body's own frame."""
-    return PlacedFrame(robot.frame(body), body, EYE, [0.0, 0.0, 0.0])
+    return PlacedFrame(f"fr_{robot.body_names[body]}", body, EYE, [0.0, 0.0, 0.0])
 
 
 def joint_frame(robot: GeneratedRobot, joint: int) -> PlacedFrame:
     """Return a joint's frame, which the predecessor carries, by body index."""
     tree = robot.tree
-    name = f"fr_{robot.joints[joint - 1]}"
+    name = f"fr_{robot.library.robot.joint_names[joint - 1]}"
     return PlacedFrame(name, tree.parents[joint], tree.rotations[joint], tree.positions[joint])
 
 
-def _pair(base: PlacedFrame, target: PlacedFrame, letter: str) -> NamedPair:
-    return NamedPair(f"{identifier(base.name)}_{letter}_{identifier(target.name)}", base, target)
+def _pair(robot: GeneratedRobot, base: PlacedFrame, target: PlacedFrame, letter: str) -> NamedPair:
+    names = robot.frame_names
+    return NamedPair(f"{names[base.name]}_{letter}_{names[target.name]}", base, target)
