@@ -146,19 +146,19 @@ export class Compare {
       tag.hidden = !at;
       if (!at) return;
       if (tag.textContent !== short(shown[i])) tag.textContent = short(shown[i]);
-      tag.style.transform = `translate(${at[0].toFixed(0)}px, ${at[1].toFixed(0)}px) translate(-50%, -100%)`;
+      tag.style.transform = `translate(${at[0].toFixed(0)}px, ${at[1].toFixed(0)}px) translate(${this.parts.scene.compared.isBeside ? -50 : -100}%, -100%)`;
     });
   }
 
   /**
-   * Where a robot's name stands on the pane, pixels; of two in one place below each other in a corner.
+   * Where a robot's name stands on the pane, pixels; of two in one place below each other in the right corner.
    * @param {"robot" | "ghost"} tree
    * @param {number} i
    * @returns {readonly [x: number, y: number] | null}
    */
   above(tree, i) {
     const { scene, labels, pane } = this.parts;
-    if (!scene.compared.isBeside) return [pane.clientWidth / 2, pane.clientHeight - 38 + 24 * i];
+    if (!scene.compared.isBeside) return [pane.clientWidth - 8, pane.clientHeight - 34 + 24 * i];
     const origins = [...scene.poses[tree].links.values()].map(originOf);
     if (!origins.length) return null;
     const middle = [0, 1].map((axis) => origins.reduce((sum, point) => sum + point[axis], 0) / origins.length);
