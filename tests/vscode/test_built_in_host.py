@@ -156,7 +156,10 @@ def test_the_linter_ends_without_a_trace(vsix: Path, tmp_path: Path) -> None:
     assert "Traceback" not in wrong.stderr
 
 
-@pytest.mark.parametrize("name", ["server.snap.gz", "pyodide.asm.wasm", "pyodide.asm.js"])
+@pytest.mark.parametrize(
+    "name",
+    ["server.snap.gz", "pyodide.asm.wasm", "pyodide.asm.js", "site.zip", "python_stdlib.zip"],
+)
 @pytest.mark.parametrize("is_cut", [False, True], ids=["gone", "cut"])
 def test_an_image_that_does_not_start_says_why_and_ends(
     vsix: Path, tmp_path: Path, name: str, is_cut: bool

@@ -5,6 +5,10 @@ import * as path from "node:path";
 import { gunzipSync } from "node:zlib";
 import type { LoadPyodide, Pyodide } from "./pyodide";
 
+/** The record behind all else in an archive without a comment. */
+const ARCHIVE_END = "PK\x05\x06";
+const ARCHIVE_END_SIZE = 22; // bytes
+
 /** What else leads out of Python; a refusal further down would end it as a whole. */
 const SEAL = `
 import os, posix, sys
@@ -15,6 +19,8 @@ for name in [name for name in sys.modules if name.startswith("pyodide_js")]:
 /** Load the memory image of a folder, which was made with the Pyodide in it. */
 export async function loadImage(base: string): Promise<Pyodide> {
   const { loadPyodide } = createRequire(path.join(base, "host.js"))("./pyodide.js") as { loadPyodide: LoadPyodide };
+  const site = wholeArchive(path.join(base, "site.zip"));
+  wholeArchive(path.join(base, "python_stdlib.zip")); // which Pyodide reads
   const image = gunzipSync(fs.readFileSync(path.join(base, "server.snap.gz")));
   const broken = brokenInstance();
   const loading = loadPyodide({
@@ -23,9 +29,16 @@ export async function loadImage(base: string): Promise<Pyodide> {
     _loadSnapshot: new Uint8Array(image.buffer, image.byteOffset, image.length),
   });
   const py = await Promise.race([loading, broken]);
-  py.FS.writeFile("/lib/site.zip", fs.readFileSync(path.join(base, "site.zip")));
+  py.FS.writeFile("/lib/site.zip", site);
   seal(py);
   return py;
+}
+
+/** Read an archive; of one that was cut short, Python would miss modules one by one. */
+function wholeArchive(file: string): Buffer {
+  const content = fs.readFileSync(file);
+  if (content.lastIndexOf(ARCHIVE_END) !== content.length - ARCHIVE_END_SIZE) throw new Error(`${file} is cut short`);
+  return content;
 }
 
 /** Reject where WebAssembly does: Pyodide prints that only, and never answers. */
