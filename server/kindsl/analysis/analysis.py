@@ -7,7 +7,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
-from kindsl.analysis.check_run import Checkpoint, CheckRun, Fault, go_on
+from kindsl.analysis.check_run import (
+    Checkpoint,
+    CheckRun,
+    Fault,
+    RunningRules,
+    by_sight,
+    go_on,
+)
 from kindsl.analysis.diagnostics import Diagnostic, Findings, Resolver
 from kindsl.analysis.explained import is_explained
 from kindsl.analysis.known_findings import Apart, blocks_of, set_apart
@@ -34,7 +41,7 @@ if TYPE_CHECKING:
     from kindsl.mechanism.skeleton import Skeleton
 
 _NO_SETTINGS = Settings()
-_ENABLED = Fact[tuple[object, list[Rule]]]("rules that run")
+_ENABLED = Fact[tuple[object, RunningRules]]("rules that run")
 
 
 class Analysis:
@@ -104,7 +111,7 @@ class Analysis:
             checkpoint: Called again and again while rules run; what it raises stops them.
         """
         if self._findings is None:
-            run = CheckRun(checkpoint, self.model, self.context)
+            run = self._run(checkpoint)
             self._apart = self._set_apart(run)
             self._findings, self._faults = Findings(self._apart.told, self.text), tuple(run.faults)
         return self._findings
@@ -116,12 +123,12 @@ class Analysis:
         """
         if self._findings is not None or not self.settings.twins:
             return self.check(checkpoint)
-        run = CheckRun(checkpoint, self.model, self.context, is_without_twins=True)
+        run = self._run(checkpoint, is_without_twins=True)
         return Findings(self._set_apart(run).told, self.text)
 
     def unsilenced(self) -> list[Diagnostic]:
         """Return all findings, including those that comments or a baseline suppress."""
-        return self._found(CheckRun(go_on, self.model, self.context))
+        return self._found(self._run(go_on))
 
     def edited(self, edits: Sequence[TextEdit]) -> Analysis:
         """Return the analysis of the edited text; only edited parts are computed again."""
@@ -193,32 +200,32 @@ class Analysis:
         """Return the findings of a run, without suppressed ones, apart from known ones."""
         with paused_collector():
             found = self._found(run)
-        enabled = [r.code for r in self._rules() if not (r.reads_twins and run.is_without_twins)]
-        unsilenced = self._without_silenced(found, enabled)
+        unsilenced = self._without_silenced(found, run)
         if not self.settings.known:
             return Apart(unsilenced)
         return set_apart(unsilenced, blocks_of(self.syntax), self.settings)
 
     def _found(self, run: CheckRun) -> list[Diagnostic]:
-        rules = self._rules()
         found = [*syntax_findings(self.syntax, self.model, self.settings.targets)]
-        of_meaning = run.document_findings(rules) + run.body_findings(rules)
-        of_meaning += run.island_findings(rules)
-        found += (entry for entry in of_meaning if not is_explained(entry[1]))
+        found += (entry for entry in run.findings() if not is_explained(entry[1]))
         return [self._resolve(rule, finding) for rule, finding in found]
 
-    def _rules(self) -> list[Rule]:
-        """Return the rules that run, chosen once for all versions under the same settings."""
+    def _run(self, checkpoint: Checkpoint, *, is_without_twins: bool = False) -> CheckRun:
+        """Return a run of the rules, chosen once for all versions under the same settings."""
 
-        def enabled() -> list[Rule]:
-            return [rule for rule in all_rules() if is_enabled(rule, self.settings)]
+        def enabled() -> RunningRules:
+            return by_sight(rule for rule in all_rules() if is_enabled(rule, self.settings))
 
-        return self.syntax.versions.made_of(_ENABLED, self.settings, enabled)
+        rules = self.syntax.versions.made_of(_ENABLED, self.settings, enabled)
+        return CheckRun(
+            checkpoint, self.model, self.context, rules, is_without_twins=is_without_twins
+        )
 
-    def _without_silenced(self, found: list[Diagnostic], enabled: list[str]) -> list[Diagnostic]:
+    def _without_silenced(self, found: list[Diagnostic], run: CheckRun) -> list[Diagnostic]:
         """Return what comments do not suppress; rules that ran tell of comments in vain."""
         islands, starts = self.syntax.islands, self.syntax.starts
         if any("kindsl:" in island.text for island in islands):
+            enabled = run.codes()
             if UNKNOWN_SUPPRESSION.code in enabled:
                 found += self._of(UNKNOWN_SUPPRESSION, unknown_suppressions(self._unknown(found)))
             silenced = suppressions(islands, starts, len(self.text))

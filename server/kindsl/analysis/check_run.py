@@ -39,7 +39,52 @@ class _Known(NamedTuple):
 
 _OF_ISLANDS = Fact[_Known]("findings of islands")
 _OF_BODIES = Fact[_Known]("findings of bodies")
-_BY_CODE = Fact[dict[str, _Known]]("findings of documents")
+_OF_DOCUMENT = Fact[dict[object, _Known]]("findings of documents")
+
+
+class Readers(NamedTuple):
+    """Rules that read the same of a document.
+
+    Attributes:
+        reads: What.
+        reads_twins: Whether they read other files of the robot, too.
+        rules: The rules.
+    """
+
+    reads: Aspect
+    reads_twins: bool
+    rules: tuple[Rule, ...]
+
+
+class RunningRules(NamedTuple):
+    """The rules that run, by what they see.
+
+    Attributes:
+        all: All of them.
+        of_islands: Those that see one island at a time.
+        of_bodies: Those that see one body and the joints on it.
+        of_documents: Those that see the whole model.
+    """
+
+    all: tuple[Rule, ...]
+    of_islands: tuple[Rule, ...]
+    of_bodies: tuple[Rule, ...]
+    of_documents: tuple[Readers, ...]
+
+
+def by_sight(rules: Iterable[Rule]) -> RunningRules:
+    """Return rules by what they see."""
+    chosen = tuple(rules)
+    readers: dict[tuple[Aspect, bool], list[Rule]] = {}
+    for rule in chosen:
+        if rule.check_document is not None:
+            readers.setdefault((rule.reads, rule.reads_twins), []).append(rule)
+    return RunningRules(
+        chosen,
+        tuple(rule for rule in chosen if rule.check_island is not None),
+        tuple(rule for rule in chosen if rule.check_body is not None),
+        tuple(Readers(*reads, tuple(who)) for reads, who in readers.items()),
+    )
 
 
 class Fault(NamedTuple):
@@ -72,35 +117,57 @@ class CheckRun:
         checkpoint: Checkpoint,
         model: Model,
         context: Context,
+        rules: RunningRules,
         *,
         is_without_twins: bool = False,
     ) -> None:
         self.faults: list[Fault] = []
         self.is_without_twins = is_without_twins
         self._checkpoint, self._model, self._context = checkpoint, model, context
+        self._rules = rules
         self._islands = frozenset(model.islands)
-        self._keys: dict[Aspect, _Key] = {}
 
-    def document_findings(self, rules: Iterable[Rule]) -> Found:
+    def findings(self) -> Found:
+        """Return all that the rules find."""
+        return self._document_findings() + self._body_findings() + self._island_findings()
+
+    def codes(self) -> list[str]:
+        """Return the codes of the rules that run."""
+        left_out = self.is_without_twins
+        return [rule.code for rule in self._rules.all if not (left_out and rule.reads_twins)]
+
+    def _document_findings(self) -> Found:
         """Return the findings of the rules that see the whole model."""
         versions = self._model.document.versions
-        last = versions.get(_BY_CODE) or versions.keep(_BY_CODE, {})
+        last = versions.get(_OF_DOCUMENT) or versions.keep(_OF_DOCUMENT, {})
         found: Found = []
-        for rule in rules:
-            if rule.reads_twins and self.is_without_twins:
-                before = last[rule.code].found if rule.code in last else ()
-                found += (each for each in before if _islands([each]) <= self._islands)
-            elif rule.check_document is not None:
-                key = rule, self._key(rule.reads)
-                findings = rule.check_document(self._model, self._context)
-                known = self._known(last.get(rule.code), key, partial(self._of, rule, findings))
-                last[rule.code] = known
+        for reads, reads_twins, rules in self._rules.of_documents:
+            if reads_twins and self.is_without_twins:
+                before = (last[rule.code].found for rule in rules if rule.code in last)
+                found += (
+                    each for some in before for each in some if _islands([each]) <= self._islands
+                )
+            else:
+                known, key = last.get((reads, reads_twins)), self._key(reads)
+                check = partial(self._of_readers, rules, key, last)
+                known = last[reads, reads_twins] = self._known(known, (rules, *key), check)
                 found += known.found
         return found
 
-    def island_findings(self, rules: Iterable[Rule]) -> Found:
+    def _of_readers(
+        self, rules: Iterable[Rule], key: _Key, last: dict[object, _Known]
+    ) -> _Findings:
+        """Yield the findings of rules that read the same, each run where its own do not hold."""
+        for rule in rules:
+            if rule.check_document is not None:
+                check = partial(self._of, rule, rule.check_document(self._model, self._context))
+                known = self._known(last.get(rule.code), (rule, *key), check)
+                last[rule.code] = known
+                yield from known.found
+
+    def _island_findings(self) -> Found:
         """Return the findings of the rules that see one island at a time."""
-        chosen = tuple(rule for rule in rules if rule.check_island is not None)
+        chosen = self._rules.of_islands
 
         def check(declared: Declarations) -> _Findings:
             for rule in chosen:
@@ -115,9 +182,9 @@ class CheckRun:
             check,
         )
 
-    def body_findings(self, rules: Iterable[Rule]) -> Found:
+    def _body_findings(self) -> Found:
         """Return the findings of the rules that see one body and the joints on it."""
-        chosen = tuple(rule for rule in rules if rule.check_body is not None)
+        chosen = self._rules.of_bodies
         joints_on = self._model.tree.joints_on
 
         def check(declared: Declarations) -> _Findings:
@@ -176,10 +243,7 @@ class CheckRun:
         return _Known(key if len(self.faults) == n_faults else (), found, _islands(found))
 
     def _key(self, reads: Aspect) -> _Key:
-        known = self._keys.get(reads)
-        if known is None:
-            known = self._context.key, self._model.edition.facts(reads)
-        return self._keys.setdefault(reads, known)
+        return self._context.key, self._model.edition.facts(reads)
 
     def _of(self, rule: Rule, findings: Iterator[Finding]) -> Found:
         """Return all findings of a rule, those before a fault too."""
