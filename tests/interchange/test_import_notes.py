@@ -5,6 +5,8 @@ from pathlib import Path
 import pytest
 from tests.interchange.round_trips import read
 
+import kindsl
+from kindsl.interchange.kindsl_writing import written_kindsl
 from kindsl.interchange.registry import format_named
 
 MJCF = """<mujoco model="m"><option/><worldbody><body name="torso"><!---->
@@ -27,6 +29,7 @@ GRAVITY = "gravity ({}) m/s² dropped: kindsl computes with (0, 0, -9.81) unless
 WORLDS = "the frame of the fixed base 'torso' is now the world's"
 NOT_SUPPORTED = "{} dropped: not supported"
 FLUID = NOT_SUPPORTED.format("forces of the fluid around the bodies")
+SITES = '<site name="tool"/><site name="tip" pos="0 0 1"/></body></body></worldbody>'
 WELD = SDF[SDF.index("<joint") : SDF.index("<link")]
 WEIGHTLESS = "gravity, which 1 link did without, acts on all links"
 STATIC = "the model is static: its joints can move here"
@@ -36,6 +39,13 @@ TURNED = FLOATING.replace(
 )
 GROUND = '<model name="ground"><static>true</static><link name="plane"/></model>'
 INITIAL = "the initial orientation of the floating base 'torso' dropped"
+
+
+def test_a_frame_that_is_its_links_is_left_out(tmp_path: Path) -> None:
+    text = MJCF.replace("</body></body></worldbody>", SITES)
+    written = written_kindsl(read(text, format_named("mjcf"), tmp_path))
+    assert written.remarks == ("the frame 'tool' left out: it is that of link 'arm' itself",)
+    assert [str(frame.name) for frame in kindsl.parse(written.text).model.frames] == ["tip"]
 
 
 def notes(text: str, format: str, folder: Path) -> tuple[str, ...]:

@@ -12,18 +12,19 @@ from kindsl.interchange.robot_description import (
     DescribedLink,
     RobotDescription,
 )
-from kindsl.rigid.pose import IDENTITY
+from kindsl.rigid.pose import IDENTITY, RigidPose
 
 WORDS = ["arm", "Arm", "fr_arm", "arm_link", "arm_joint", "arm_frame", "arm_robot", "arm_2", "link"]
 WORDS += ["union", "end", "floating", "2nd", "a b", "a-b", "é", "", "_", "world", "id", "PI"]
 NAMES = st.sampled_from(WORDS) | st.text(max_size=3)
+BESIDE = RigidPose(IDENTITY.rotation, (0.1, 0.0, 0.0))
 
 
 @st.composite
 def robots(draw: st.DrawFn) -> RobotDescription:
     links = []
     for index in range(draw(st.integers(2, 5))):
-        frames = tuple(DescribedFrame(name, IDENTITY) for name in draw(st.lists(NAMES, max_size=3)))
+        frames = tuple(DescribedFrame(name, BESIDE) for name in draw(st.lists(NAMES, max_size=3)))
         parent = draw(st.integers(0, index - 1)) if index else None
         link = draw(NAMES), None, frames, parent, draw(NAMES), "revolute", IDENTITY
         links.append(DescribedLink(*link))
@@ -65,7 +66,7 @@ def test_each_new_name_is_told_and_no_other(robot: RobotDescription) -> None:
 
 
 def test_links_keep_their_names_before_joints_frames_and_the_robot() -> None:
-    frames = (DescribedFrame("arm", IDENTITY), DescribedFrame("fr_arm", IDENTITY))
+    frames = (DescribedFrame("arm", BESIDE), DescribedFrame("fr_arm", BESIDE))
     base = DescribedLink("base", None, frames, None, "", "", IDENTITY)
     arm = DescribedLink("arm", None, (), 0, "arm", "revolute", IDENTITY)
     read = ReadRobot(RobotDescription("arm", False, (base, arm)), ("a note",))

@@ -122,9 +122,10 @@ def test_fixed_links_become_frames_and_names_become_valid(tmp_path: Path) -> Non
     assert document.model.name == "my_robot_1"
     assert [str(link.name) for link in document.model.links] == ["_2nd"]
     assert [str(joint.name) for joint in document.model.joints] == ["_2nd_joint"]
-    assert [str(frame.name) for frame in document.model.frames] == ["link_", "tip"]
+    assert [str(frame.name) for frame in document.model.frames] == ["tip"]
     assert "limits" not in remarks
-    assert "'tip', fixed to '2nd'" in remarks
+    assert "the link 'tip', fixed to '2nd', became a frame of it" in remarks
+    assert "the link 'link', fixed to 'world', merged with it" in remarks
 
 
 @pytest.mark.parametrize("axis", ["0 1 0", "0 0 -1", "0.6 0 -0.8", "1e-5 0 -1", "-2 1 0.5"])

@@ -22,11 +22,16 @@ def conventions(
     yield from _joints(ours, theirs, alignment)
     yield from _frames(ours, theirs, alignment)
     yield from other_limits(ours, theirs, matching, alignment)
-    one, other = ({f.name for f in side.skeleton.frames} for side in (ours, theirs))
+    one, other = map(_own_frames, (ours, theirs))
     for here, there, where in ((one, other, "here"), (other, one, f"in {theirs.label}")):
         only = sorted(here - there)
         if only:
             yield f"{counted(len(only), 'frame')} only {where}: {_some(only)}"
+
+
+def _own_frames(side: Described) -> set[str]:
+    """Return the frames that are not their link's: nothing else than links is called so."""
+    return {frame.name for frame in side.skeleton.frames if _is_elsewhere(frame.pose)}
 
 
 def _names(ours: Described, theirs: Described, matching: MatchedJoints) -> Iterator[str]:

@@ -1,7 +1,7 @@
 """A robot description as a document of the Kinematics-DSL."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import pi
 
 from kindsl.interchange.format import ReadRobot, WrittenRobot
@@ -38,18 +38,20 @@ class _Names:
 
 def written_kindsl(read: ReadRobot) -> WrittenRobot:
     """Return the document of a robot, with all notes."""
-    links, names = read.robot.links[1:], _names(read.robot).joints[1:]
+    robot = _without_frames_of_links(read.robot)
+    links, names = robot.links[1:], _names(robot).joints[1:]
     joints = {
         name: read.joints[link.joint]
         for link, name in zip(links, names, strict=True)
         if link.joint in read.joints
     }
-    remarks = (*read.remarks, *_renamed(read.robot))
-    return WrittenRobot(kindsl_text(read.robot), remarks, joints)
+    remarks = (*read.remarks, *_left_out(read.robot), *_renamed(robot))
+    return WrittenRobot(kindsl_text(robot), remarks, joints)
 
 
 def kindsl_text(robot: RobotDescription) -> str:
     """Return the document of a robot; its names made valid and unique."""
+    robot = _without_frames_of_links(robot)
     names = _names(robot)
     children: dict[int | None, list[int]] = {}
     for index, link in enumerate(robot.links):
@@ -67,6 +69,22 @@ def kindsl_text(robot: RobotDescription) -> str:
     ]
     head = f"{_comments(robot, 'robot', '')}Robot {names.robot} {{"
     return "\n\n".join((head, *blocks)) + "\n}\n"
+
+
+def _without_frames_of_links(robot: RobotDescription) -> RobotDescription:
+    """Return a robot without the frames that are their link's own."""
+    kept = (tuple(f for f in link.frames if not f.is_of_link) for link in robot.links)
+    links = (replace(link, frames=frames) for link, frames in zip(robot.links, kept, strict=True))
+    return replace(robot, links=tuple(links))
+
+
+def _left_out(robot: RobotDescription) -> Iterator[str]:
+    """Yield which of these were not links."""
+    for link in robot.links:
+        merged = {part.name for part in link.parts}
+        for frame in link.frames:
+            if frame.is_of_link and frame.name not in merged:
+                yield f"the frame '{frame.name}' left out: it is that of link '{link.name}' itself"
 
 
 def _comments(robot: RobotDescription, kind: str, name: str) -> str:

@@ -14,6 +14,7 @@ from kindsl.interchange.robot_description import (
     DescribedLink,
     DescribedPart,
     RobotDescription,
+    is_in_place,
 )
 from kindsl.rigid.body import MassDistribution, Symmetric, lumped, seen_from
 from kindsl.rigid.pose import IDENTITY, RigidPose, Vector3, rotation_from_z
@@ -99,15 +100,18 @@ def described(name: str, base: BaseKind, links: Sequence[RigidLink]) -> RobotDes
     return RobotDescription(name, base == "floating", tuple(map(_described, bodies)))
 
 
-def fixed_remarks(links: Sequence[RigidLink], noun: str) -> Iterator[str]:
+def fixed_remarks(links: Sequence[RigidLink], noun: str, robot: RobotDescription) -> Iterator[str]:
     """Yield what became of links that do not move by themselves, and which have no mass."""
+    parts = (part for body in robot.links for part in body.parts)
+    merged = {part.name for part in parts if is_in_place(part.body_T_link)}
     carriers: list[int] = []
     for index, link in enumerate(links):
         is_fixed = link.joint_kind == "fixed" and link.parent is not None
         carriers.append(carriers[link.parent or 0] if is_fixed else index)
         if is_fixed:
             carrier = links[carriers[index]].name
-            yield f"the {noun} '{link.name}', fixed to '{carrier}', became a frame of it"
+            became = "merged with it" if link.name in merged else "became a frame of it"
+            yield f"the {noun} '{link.name}', fixed to '{carrier}', {became}"
     heavy = {carriers[index] for index, link in enumerate(links) if link.body is not None}
     for index, link in enumerate(links):
         if link.joint_kind in ("revolute", "prismatic") and index not in heavy:

@@ -2,10 +2,18 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from math import dist
 from typing import NamedTuple
 
 from kindsl.rigid.body import MassDistribution
 from kindsl.rigid.pose import IDENTITY, RigidPose
+
+_ROUNDING = 1e-14
+
+
+def is_in_place(pose: RigidPose) -> bool:
+    """Return whether a frame is the one that its pose is given in."""
+    return dist(pose.numbers, IDENTITY.numbers) < _ROUNDING
 
 
 @dataclass(frozen=True, slots=True)
@@ -14,6 +22,11 @@ class DescribedFrame:
 
     name: str
     link_T_frame: RigidPose
+
+    @property
+    def is_of_link(self) -> bool:
+        """True if it is the link's own frame, for which nobody needs another name."""
+        return is_in_place(self.link_T_frame)
 
 
 class DescribedPart(NamedTuple):

@@ -58,15 +58,15 @@ def _read(spec: Any, name: str, floating: bool) -> ReadRobot:
     links = _links(model, roots, base)
     if not any(link.joint_kind in ("revolute", "prismatic") for link in links):
         raise FormatError("the MJCF has no joint that moves, and a document needs one")
+    robot = described(spec.modelname or name, base, links)
     told = (
         *physics_losses(model),
         *joint_losses(model),
         *outside,
         *root_remarks(links[0], base),
         *_joint_remarks(model),
-        *fixed_remarks(links, "body"),
+        *fixed_remarks(links, "body", robot),
     )
-    robot = described(spec.modelname or name, base, links)
     return ReadRobot(robot, (*lost, *told), _joint_properties(model))
 
 

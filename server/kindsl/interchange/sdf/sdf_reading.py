@@ -71,17 +71,18 @@ def robot_of_sdf(
     links = _links(model, graph, joints, start, base)
     if not any(link.joint_kind in ("revolute", "prismatic") for link in links):
         raise FormatError("the SDF has no joint that moves, and a document needs one")
+    robot = described(name_of(model), base, links)
     told = (
         *others,
         *world_losses(root),
         *losses(model),
         *_default_masses(model, start, base),
         *root_remarks(links[0], base),
-        *fixed_remarks(links, "link"),
+        *fixed_remarks(links, "link", robot),
     )
     joints = {name_of(joint): joint_properties(joint) for joint in model.iterfind("joint")}
     known = {name: own for name, own in joints.items() if own != UNTOLD}
-    return ReadRobot(described(name_of(model), base, links), told, known)
+    return ReadRobot(robot, told, known)
 
 
 def _only_model(root: Any, searched: Sequence[Path]) -> tuple[Any, tuple[str, ...]]:

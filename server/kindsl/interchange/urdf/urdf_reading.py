@@ -81,7 +81,7 @@ def robot_of_urdf(text: bytes | str, name: str, *, floating: bool = False) -> Re
     )
     roots = (*lost, *root_remarks(links[0], base))
     legs = _legged_remarks(read) if base == "fixed" and root != _WORLD else ()
-    remarks = (*_remarks(remarkable), *roots, *legs, *fixed_remarks(links, "link"))
+    remarks = (*_remarks(remarkable), *roots, *legs, *fixed_remarks(links, "link", read))
     moving = (joint for joint in joints if joint.get("type") not in ("fixed", "floating"))
     told = {str(joint.get("name")): _properties(joint) for joint in moving}
     return ReadRobot(read, remarks, {name: own for name, own in told.items() if own != UNTOLD})
