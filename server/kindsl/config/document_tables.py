@@ -1,13 +1,14 @@
 """A configuration file's tables of one document, its joints and poses, written into it."""
 
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from kindsl.analysis.fixing import in_line_style
 from kindsl.config.configuration import Configuration
 from kindsl.config.configuration_reading import configuration_of
 from kindsl.config.errors import ConfigurationError
 from kindsl.config.parameter_lines import key, parameter_lines
+from kindsl.config.toml_places import KeyPath
 from kindsl.semantics.parameters import JointProperties
 from kindsl.text.edits import TextEdit
 
@@ -51,28 +52,24 @@ def with_joints(
 def with_pose(
     file: str, text: str, document: str, name: str, joints: Mapping[str, float]
 ) -> str | None:
-    """Return a configuration's text with a pose of a document told at its end; what it tells stays.
+    """Return a configuration's text with a pose of a document; all else that it tells stays.
 
+    One of that name that the document's own table has is replaced; else it is added at the end.
     None if the file cannot be extended so.
 
     Args:
         file: The configuration file's path, which tells its kind.
         text: Its content; empty for a new one.
         document: The document's path.
-        name: Of the pose; one that it has already is overridden.
+        name: Of the pose.
         joints: Positions by joint name, radians or metres.
 
     Raises:
         ConfigurationError: The file says something wrong.
     """
     configuration = configuration_of(file, text)
-    own = _new_document(configuration, document)
-    table = (f"[{_header(configuration)}.poses.{key(name)}]", *parameter_lines(joints.items()))
     wanted = {**configuration.settings_for(document).poses, name: joints}
-    last = configuration.documents[-1].pattern if configuration.documents else None
-    # Below the last table of this document itself, unless it has such a pose.
-    for new in ((*table,), (*own, *table))[last != _pattern(_within(file, document)) :]:
-        extended = _extended(text, new)
+    for extended in _with_pose(configuration, text, document, name, joints):
         try:
             found = configuration_of(file, extended)
         except ConfigurationError:
@@ -80,6 +77,26 @@ def with_pose(
         if found.settings_for(document).poses == wanted:
             return extended
     return None
+
+
+def _with_pose(
+    configuration: Configuration, text: str, document: str, name: str, joints: Mapping[str, float]
+) -> Iterator[str]:
+    """Yield ways to tell a pose: in its place, below the document's table, in a new one."""
+    pattern = _pattern(_within(configuration.path, document))
+    own = [i for i, each in enumerate(configuration.documents) if each.pattern == pattern]
+    told = [i for i in own if name in configuration.documents[i].decisions.poses]
+    if told:
+        from kindsl.config.toml_edits import with_other_numbers
+
+        keys: KeyPath = (*configuration.root, "document", told[-1], "poses", name)
+        replaced = with_other_numbers(text, keys, joints)
+        if replaced is not None:
+            yield replaced
+    table = (f"[{_header(configuration)}.poses.{key(name)}]", *parameter_lines(joints.items()))
+    if own and own[-1] == len(configuration.documents) - 1:
+        yield _extended(text, table)
+    yield _extended(text, (*_new_document(configuration, document), *table))
 
 
 def _header(configuration: Configuration) -> str:

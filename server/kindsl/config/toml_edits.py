@@ -3,7 +3,7 @@
 import os
 import re
 import tomllib
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import takewhile
 from typing import Any
 
@@ -55,6 +55,30 @@ def binding_edit(
             return None
         bound = apply_edits(bound, [edit])
     return difference(text, bound)
+
+
+def with_other_numbers(text: str, keys: KeyPath, numbers: Mapping[str, float]) -> str | None:
+    """Return a text whose table has these numbers and no others; None if it cannot be so written.
+
+    Args:
+        text: Valid TOML.
+        keys: The path of the table.
+        numbers: All that is to stand in it.
+    """
+    expected = tomllib.loads(text)
+    table = _at(expected, keys)
+    table.clear()
+    table.update(numbers)
+    try:
+        parsed = tomlkit.parse(text)
+        written = _at(parsed, keys)
+        for name in [name for name in written if name not in numbers]:
+            del written[name]
+        written.update(numbers)
+        made = tomlkit.dumps(parsed)
+        return made if _is_same(tomllib.loads(made), expected) else None
+    except (TOMLKitError, ValueError):
+        return None
 
 
 def renaming_edits(text: str, keys: KeyPath, name: str) -> tuple[TextEdit, ...] | None:
