@@ -231,6 +231,17 @@ async def test_all_marks_stand_out_of_their_surroundings(browser, server, theme)
         assert {name: c for name, c in drawn.items() if c < 3.0} == {}
 
 
+async def test_a_judged_body_is_told_by_its_name_wherever_it_is(browser, server):
+    text = ARM.replace("CoM = (0.2, 0.0, 0.0)", "CoM = (40.0, 0.0, 0.0)")
+    assert text != ARM
+    async with opened(browser, await url_of(server, text)) as page:
+        await until_shown(page, "Arm")
+        await page.locator(".label[data-verdict=impossible]").wait_for()
+        judged = page.locator("[data-verdict=impossible] .start")
+        assert set(await judged.all_text_contents()) == {"upper"}
+        await page.locator(".branch[data-verdict=impossible] .name", has_text="upper").wait_for()
+
+
 async def test_large_robots_take_few_draw_calls_and_elements(browser, server):
     analysis = plain_robot(200, 3)
     await server.show("robot", analysis, ())

@@ -96,6 +96,7 @@ export class Tree {
     element.style.setProperty("--depth", String(Math.min(depth, DEEPEST)));
     element.classList.toggle("chosen", isSame(chosen, { kind, name }));
     element.classList.toggle("off", isOff);
+    element.dataset.verdict = kind === "link" ? this.scene.verdictOf(name) : "";
     if (!eye || !isolate) return;
     eye.textContent = isOff ? "○" : "●";
     Object.assign(eye, { title: isOff ? "Show" : "Hide", ariaLabel: `${isOff ? "show" : "hide"} ${name}`, ariaPressed: null });

@@ -21,13 +21,13 @@ import { isClick } from "./picking.js";
  * @property {HTMLElement} [element] Made when it is first shown.
  * @property {SVGLineElement} [line]
  */
-/** @typedef {Thing & { readonly key: string, readonly isLit: boolean, readonly links: readonly string[], readonly position: THREE.Vector3 }} Named whose bodies its name may lie on */
+/** @typedef {Thing & { readonly key: string, readonly isLit: boolean, readonly verdict: string, readonly links: readonly string[], readonly position: THREE.Vector3 }} Named whose bodies its name may lie on */
 /** @typedef {readonly [x: number, y: number, distance: number, radius: number]} At x, y and the radius of a mark there in pixels */
 
 const AREA = 24000; // square pixels of the pane for each label
 const FEWEST = 6;
 const RANKS = { link: 3, joint: 2, frame: 1 };
-const LIT = 100, SHOWN = 1.5; // what counts for the rank of a label besides
+const LIT = 100, JUDGED = 50, SHOWN = 1.5; // what counts for the rank of a label besides
 const MARK = 1.6; // of a mark's radius is kept free of names
 const FAR = 16; // pixels from which on there is a line
 const WIDEST = 190; // pixels
@@ -100,7 +100,7 @@ export class Labels {
       const at = this.projectThree(thing.position);
       if (!at) continue;
       const label = this.byKey.get(thing.key), [x, y, distance, radius] = at;
-      const rank = (thing.isLit ? LIT : 0) + RANKS[thing.kind] + (label?.isShown ? SHOWN : 0);
+      const rank = (thing.isLit ? LIT : 0) + (thing.verdict ? JUDGED : 0) + RANKS[thing.kind] + (label?.isShown ? SHOWN : 0);
       list.push({ thing, at, rank, distance, depth: 0, box: [x - radius, y - radius, x + radius, y + radius] });
     }
     const near = Math.min(...list.map((one) => one.distance)), far = Math.max(...list.map((one) => one.distance));
@@ -117,7 +117,8 @@ export class Labels {
     const add = (kind, name, position, links) => {
       const isLit = highlighted !== null && highlighted.kind === kind && highlighted.name === name;
       const isShown = scene.lookOf(`${kind}-names`).visible && !hidden.hidesThing(`${kind}s`, name);
-      if (isLit || isShown) list.push({ key: `${kind} ${name}`, kind, name, isLit, links, position: toThree(position) });
+      const verdict = kind === "link" ? scene.verdictOf(name) : "";
+      if (isLit || isShown) list.push({ key: `${kind} ${name}`, kind, name, isLit, verdict, links, position: toThree(position) });
     };
     for (const [name, pose] of poses.robot.links) {
       const link = trees.robot.links.get(name);
@@ -132,13 +133,14 @@ export class Labels {
   }
 
   /** @param {Label} label @param {Box} box @param {At} at @param {Named} thing @param {number} depth */
-  put(label, box, at, { isLit }, depth) {
+  put(label, box, at, { isLit, verdict }, depth) {
     const { element, line } = this.built(label);
     if (!label.isShown) element.style.visibility = "visible";
     label.isShown = true;
     element.style.opacity = isLit ? "1" : (1 - 0.3 * depth).toFixed(2);
     element.style.transform = `translate(${Math.round(box[0])}px, ${Math.round(box[1])}px)`;
     element.classList.toggle("highlighted", isLit);
+    element.dataset.verdict = verdict;
     const end = [clamp(at[0], box[0], box[2]), clamp(at[1], box[1], box[3])];
     const isFar = Math.hypot(end[0] - at[0], end[1] - at[1]) > FAR;
     line.style.visibility = isFar ? "visible" : "hidden";

@@ -150,6 +150,15 @@ export class Scene {
     return true;
   }
 
+  /**
+   * What is said of a link's body, empty for a sound one.
+   * @param {string} link
+   */
+  verdictOf(link) {
+    const look = this.trees.robot.solids.get(link)?.look;
+    return look === "doubtful" || look === "impossible" ? look : "";
+  }
+
   /** @param {string} name @param {string} link @param {Vector} end */
   moveBone(name, link, end) {
     const { solids } = this.trees.robot, solid = solids.get(link), bones = solid?.bones ?? [];
