@@ -258,6 +258,8 @@ class CheckRun:
 
 def _islands(found: Found) -> frozenset[Island]:
     """Return the islands to which findings point."""
+    if not found:
+        return frozenset()
     fixes = {id(fix): fix for _, f in found for fix in (f.fix, *f.choices) if fix is not None}
     places = [place for _, f in found for place in (f.at, *(related.at for related in f.related))]
     places += [change.at for fix in fixes.values() for change in fix.changes]

@@ -48,8 +48,8 @@ def is_enabled(rule: Rule, settings: Settings) -> bool:
     """Return whether a rule is to report; the syntax rules always are."""
     if rule.code.startswith(_FIRST_DIGITS_OF_SYNTAX):
         return True
-    selected = _longest_match(rule.code, settings.select)
-    ignored = _longest_match(rule.code, settings.ignore)
+    selected = _longest_match(rule.code, settings.select) if settings.select else ""
+    ignored = _longest_match(rule.code, settings.ignore) if settings.ignore else ""
     if settings.select and not selected:
         return False
     if ignored and len(ignored) >= len(selected):

@@ -119,16 +119,13 @@ class LimbNames:
         """Return two links that have each other's joints, as the names of all others go."""
         customs = [(a, tuple(_customs(a.link, a.joint))) for a in self._attachments]
         count = Counter(custom for _, each in customs for custom in each)
-
-        def is_usual(customs: Iterable[object]) -> bool:
-            return any(count[custom] >= _ENOUGH for custom in customs)
-
-        odd = [a for a, own in customs if not is_usual(own)]
+        usual = {custom for custom, number in count.items() if number >= _ENOUGH}
+        odd = [a for a, own in customs if usual.isdisjoint(own)]
         pairs = [
             (one, other)
-            for one, other in combinations(odd[:_MOST_ODD], 2)
-            if is_usual(_customs(one.link, other.joint))
-            and is_usual(_customs(other.link, one.joint))
+            for one, other in combinations(odd[:_MOST_ODD] if usual else (), 2)
+            if not usual.isdisjoint(_customs(one.link, other.joint))
+            and not usual.isdisjoint(_customs(other.link, one.joint))
         ]
         if len(pairs) != 1:
             return []

@@ -163,15 +163,18 @@ def transposed(rotation: Rotation) -> Rotation:
 
 def product(first: Rotation, second: Rotation) -> Rotation:
     """Return the matrix product, `A_R_C` of `A_R_B` and `B_R_C`."""
-    x, y, z = transposed(second)
-    rows = [(dot(row, x), dot(row, y), dot(row, z)) for row in first]
-    return rows[0], rows[1], rows[2]
+    (a, b, c), (d, e, f), (g, h, i) = second
+    above, middle, below = [
+        (x * a + y * d + z * g, x * b + y * e + z * h, x * c + y * f + z * i) for x, y, z in first
+    ]
+    return above, middle, below
 
 
 def turned(rotation: Rotation, vector: Vector3) -> Vector3:
     """Return a vector given in B, in A, for `A_R_B`."""
-    a, b, c = rotation
-    return dot(a, vector), dot(b, vector), dot(c, vector)
+    (a, b, c), (d, e, f), (g, h, i) = rotation
+    x, y, z = vector
+    return a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z
 
 
 def dot(a: Vector3, b: Vector3) -> float:

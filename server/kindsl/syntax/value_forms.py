@@ -56,13 +56,11 @@ def formed_values(island: Island) -> list[Node]:
     """Return the values of an island that are more than a decimal, in order; kept with it."""
     found: list[Node] = []
     pending = [*island.nodes]
-    while pending:
-        node = pending.pop()
-        nodes = [child for child in node.children if isinstance(child, Node)]
-        if node.kind in VALUE_HOLDERS:
-            found += [each for each in nodes if not is_decimal(each)]
-        else:
-            pending += nodes
+    for node in pending:
+        nodes = found if node.kind in VALUE_HOLDERS else pending
+        for child in node.children:
+            if child.__class__ is Node and not (nodes is found and is_decimal(child)):
+                nodes.append(child)
     found.sort(key=lambda node: node.start)
     return found
 

@@ -21,14 +21,17 @@ from kindsl.semantics.declarations import Declarations, ValueKind, link_values, 
 from kindsl.semantics.expressions import Expression
 from kindsl.semantics.places import Place
 from kindsl.syntax.tree import Island, Node
+from kindsl.syntax.value_forms import formed_values
 
 
 def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
     """Yield a finding for each divisor that is zero."""
     for body in declared.bodies():
-        yield from _check(link_values(body), context)
+        if formed_values(body.island):
+            yield from _check(link_values(body), context)
     for moved in declared.joints:
-        yield from _check(pose_values(moved.pose), context)
+        if formed_values(moved.island):
+            yield from _check(pose_values(moved.pose), context)
 
 
 def _check(values: Iterator[tuple[Expression, ValueKind]], context: Context) -> Iterator[Finding]:
