@@ -88,6 +88,11 @@ async def test_of_what_is_typed_while_a_version_is_drawn_only_the_newest_is_draw
     for version in range(2, 20):
         type_comment(session, version, f"version-{version}")
     type_comment(session, 20, "last")
+    last = session.documents.get(URI)
+    assert last is not None
+    await session.analyses.of(last)
+    await asyncio.sleep(0.05)
+    assert slow.begun == ["first", "one"]
     slow.may_draw.release()
     await until(lambda: "last" in slow.begun)
     slow.may_draw.release()

@@ -17,6 +17,7 @@ from kindsl.analysis.analysis import analyse
 from kindsl.analysis.diagnostics import RelatedPlace
 from kindsl.config.editor_settings import editor_settings
 from kindsl.lsp.session.binding import bound
+from kindsl.lsp.session.closed_configurations import ClosedConfigurations
 from kindsl.lsp.session.findings import diagnostics
 from kindsl.lsp.session.progress import Progress
 from kindsl.lsp.session.status import tell_status
@@ -532,3 +533,37 @@ async def test_a_transforms_document_is_seen_with_the_robot_beside_it(tmp_path: 
             assert (str(view.model.name) if view.model else None) == name
         view = await transforms_view(session, opened(session, "untitled:x.dtdsl", ""))
         assert view.model is None
+
+
+@pytest.mark.parametrize(("named", "found"), [("arm", "arm"), ("leg", "leg"), ("tail", None)])
+async def test_of_several_robots_the_one_that_a_transforms_document_names_is_seen(
+    tmp_path: Path, named: str, found: str | None
+) -> None:
+    for number, name in enumerate(("arm", "leg")):
+        (tmp_path / f"{number}.kindsl").write_text(GOOD.replace("Robot arm", f"Robot {name}"))
+    with session_with() as (session, _):
+        text = f"Robot {named}\n\nTransforms {{\n}}\n"
+        shown = opened(session, (tmp_path / "pairs.dtdsl").as_uri(), text)
+        view = await transforms_view(session, shown)
+        assert (str(view.model.name) if view.model else None) == found
+
+
+async def test_only_closed_configuration_files_are_looked_at(tmp_path: Path) -> None:
+    told: list[str] = []
+    for name in ("kindsl.toml", "notes.toml", "open/kindsl.toml"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text("mistaken = 1\n")
+    closed, notes, shown = (
+        (tmp_path / name).as_uri() for name in ("kindsl.toml", "notes.toml", "open/kindsl.toml")
+    )
+    with session_with() as (session, _):
+        opened(session, shown, "mistaken = 1\n")
+        configurations = ClosedConfigurations(session, lambda uri, _: told.append(uri))
+        await configurations.look([notes, shown, "untitled:kindsl.toml", closed])
+        assert told == [closed]
+        await configurations.look([closed])
+        assert told == [closed]
+        (tmp_path / "kindsl.toml").unlink()
+        await configurations.look()
+        assert told == [closed, closed]
+        assert not configurations.is_anything_told

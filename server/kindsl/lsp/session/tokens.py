@@ -9,7 +9,7 @@ from typing import Any
 from kindsl.lsp.text import uris
 from kindsl.lsp.text.document import Document
 
-_SERIAL = itertools.count(1)
+_SERIAL = itertools.count()
 
 
 class TokenMemory:
