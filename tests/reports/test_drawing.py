@@ -1,20 +1,31 @@
 """Drawings of robots: where things are on the sheet, in which order, and each shape's words."""
 
 from dataclasses import replace
-from math import cos, hypot, radians, sin
+from io import BytesIO
+from math import cos, hypot, inf, radians, sin
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from tests.preview.robots import ARM, skeleton_of
 
-from kindsl.reports.drawing.bodies import BODY, EDGE, JOINTS, JUDGED, SHADED, hatching
+from kindsl.reports.drawing.bodies import (
+    BODY,
+    EDGE,
+    JOINTS,
+    JUDGED,
+    SHADED,
+    Deep,
+    body_shapes,
+    hatching,
+)
 from kindsl.reports.drawing.camera import HEIGHT, WIDTH, Camera, camera_for, depth
 from kindsl.reports.drawing.robot import (
     AXIS,
     COM,
     FRAME,
     NAME,
+    PRESETS,
     _overlap,
     points_of,
     robot_drawing,
@@ -22,6 +33,7 @@ from kindsl.reports.drawing.robot import (
 from kindsl.reports.drawing.shapes import Disc, Drawing, Label, Line, Polygon, Spot
 from kindsl.reports.drawing.svg import svg_text
 from kindsl.reports.drawing.tikz import tikz_text
+from kindsl.rigid.body import MassDistribution
 from kindsl.rigid.pose import transposed, turned
 from kindsl.scene.size import extent
 from kindsl.scene.solids import link_solids
@@ -122,6 +134,60 @@ def test_a_core_is_as_large_on_the_sheet_as_it_is() -> None:
     assert max(widths) == pytest.approx(2.0 * (camera.spot(far)[0] - x), rel=0.01)
 
 
+def test_a_bone_is_as_deep_as_its_middle_but_in_front_of_nothing_that_holds_it() -> None:
+    skeleton = skeleton_of(ARM)
+    poses, camera = skeleton.zero_poses(), Camera(100.0, (0.0, 0.5))
+    solids = link_solids(skeleton, extent(skeleton))
+    for is_solid in (False, True):
+        found = list(body_shapes(skeleton, poses, camera, {}, is_solid=is_solid))
+        lone, upper, *_ = [thing.depth for thing in found]
+        assert lone == pytest.approx(depth((0.0, 0.0, 0.25)))
+        core = solids[1].core if is_solid else None
+        deepest = depth(poses[1].point(core.center)) if core else inf
+        assert upper == pytest.approx(min(depth((0.2, 0.0, 0.5)), deepest))
+
+
+def test_a_body_beside_its_bones_hangs_on_a_strut() -> None:
+    skeleton = skeleton_of(ARM)
+    counts = []
+    for place in ((0.2, 0.0, 0.0), (0.2, 0.3, 0.3)):
+        x, y, z = place
+        moments = (y * y + z * z, x * x + z * z, x * x + y * y)
+        a, b, c = (4e-4 + moment for moment in moments)
+        small = MassDistribution(1.0, place, (a, b, c, x * y, x * z, y * z))
+        masses = (skeleton.masses[0], small, *skeleton.masses[2:])
+        shapes = robot_drawing(replace(skeleton, masses=masses), colors={"upper": "000001"}).shapes
+        counts.append(len([s for s in shapes if isinstance(s, Polygon) and s.color == "000001"]))
+    assert counts[1] == counts[0] + 1
+
+
+def test_solids_are_left_out_where_kinematics_are_to_be_seen() -> None:
+    counts = {
+        preset: len([s for s in robot_drawing(skeleton_of(ARM), preset=preset).shapes
+                     if isinstance(s, Polygon)])
+        for preset in PRESETS
+    }  # fmt: skip
+    assert counts["bodies"] == counts["inertia"] == counts["all"]
+    assert counts["kinematics"] == counts["frames"] == counts["bodies"] - 2
+
+
+def test_a_picture_of_pixels_has_each_shape_where_it_is() -> None:
+    image = pytest.importorskip("PIL.Image")
+    png = pytest.importorskip("kindsl.reports.drawing.png")
+    drawing = DRAWING._replace(shapes=DRAWING.shapes[:3])
+    picture = image.open(BytesIO(png.png_bytes(drawing)))
+    assert picture.size == (640, 480)
+    wanted = {
+        (150, 100): (0x7D, 0x93, 0xAB), (298, 62): (0x2B, 0x45, 0x62), (25, 10): (0xD4, 0xDB, 0xE4),
+        (170, 100): (255, 255, 255), (307, 60): (255, 255, 255),
+    }  # fmt: skip
+    for place, color in wanted.items():
+        assert picture.getpixel(place) == pytest.approx(color, abs=6), place
+    assert max(picture.getpixel((30, 20))) < 150
+    named = image.open(BytesIO(png.png_bytes(DRAWING))).crop((8, 5, 60, 25))
+    assert len(named.getcolors(10_000)) > 10
+
+
 def test_what_is_judged_is_striped_within_its_outline() -> None:
     text = ARM.replace("Ix = 0.02", "Ix = 0.06", 1)
     drawing = robot_drawing(skeleton_of(text))
@@ -134,6 +200,43 @@ def test_what_is_judged_is_striped_within_its_outline() -> None:
         for x, y in (stripe.start, stripe.end):
             assert min(xs) - 1e-6 <= x <= max(xs) + 1e-6
             assert min(ys) - 1e-6 <= y <= max(ys) + 1e-6
+
+
+def upper_as(look: str) -> list[Deep]:
+    """Return the shapes of a robot whose upper link is a ball, or impossible, by its verdict."""
+    skeleton = skeleton_of(ARM)
+    place = (0.2, {"glass": -0.8}.get(look, 0.0), 0.0)
+    size = {"oversized": 2.0}.get(look, 0.2)
+    mass = {"oversized": 0.5}.get(look, 32.0)
+    own = 0.4 * mass * size**2
+    x, y, _ = place
+    moments = (own + mass * y * y, own + mass * x * x, own + mass * (x * x + y * y))
+    if look == "impossible":
+        moments = (moments[0], moments[1], 1.4 * moments[2])
+    body = MassDistribution(mass, place, (*moments, mass * x * y, 0.0, 0.0))
+    skeleton = replace(skeleton, masses=(skeleton.masses[0], body, *skeleton.masses[2:]))
+    (upper,) = link_solids(skeleton, extent(skeleton))[1:2]
+    assert upper.is_oversized if look == "oversized" else upper.look == look
+    poses, camera = skeleton.zero_poses(), Camera(100.0, (0.0, 0.5))
+    farthest = max(hypot(*point) for point in points_of(skeleton))
+    assert farthest < 1.5 * hypot(0.4, 0.8)
+    return list(body_shapes(skeleton, poses, camera, {}, is_solid=True))[1:]
+
+
+@pytest.mark.parametrize(
+    ("look", "opacities", "stripes"),
+    [("sound", [], set()), ("glass", [0.4], set()), ("oversized", [], set()),
+     ("impossible", [0.25], {JUDGED["impossible"]})],
+)  # fmt: skip
+def test_a_body_is_drawn_as_it_is_judged(
+    look: str, opacities: list[float], stripes: set[str]
+) -> None:
+    shapes = [shape for thing in upper_as(look) for shape in thing.shapes]
+    polygons = [shape for shape in shapes if isinstance(shape, Polygon)]
+    assert [shape.opacity for shape in polygons if shape.opacity < 1.0] == opacities
+    assert {shape.color for shape in shapes if isinstance(shape, Line)} == stripes
+    assert polygons[0].color == JUDGED.get("doubtful" if look == "oversized" else look, SHADED)
+    assert len(upper_as("oversized")) == len(upper_as("sound")) - 1
 
 
 def test_stripes_cross_a_square_from_edge_to_edge() -> None:

@@ -210,6 +210,31 @@ def test_info_draws_the_tree() -> None:
     assert lines[start + 3].startswith("│  └─ last")
 
 
+def test_info_draws_apart_what_nothing_carries() -> None:
+    loose = GOOD.replace("children { lower via elbow }", "children {}")
+    assert robot_text(robot_facts(document(loose))).split("\n\n")[:2] == [
+        "arm: fixed base, 1 degree of freedom, 3 kg",
+        "link      id  joint               mass  frames\n"
+        "base       0                      1 kg\n"
+        "└─ upper   1  shoulder  revolute  2 kg\n"
+        "? lower    2                      1 kg  tip",
+    ]
+
+
+def test_info_aligns_its_columns() -> None:
+    facts = robot_facts(document(arm(reach="length", mass="m")))
+    facts["parameters"][0].update(value=2.5, min=1.0, max=3.0, origin="--param")
+    assert robot_text(facts).split("\n\n")[1:3] == [
+        "link         id  joint                mass  frames\n"
+        "base          0                       1 kg\n"
+        "└─ upper      1  shoulder  revolute      -\n"
+        "   └─ lower   2  elbow     prismatic  1 kg  tip",
+        "parameter  kind      value  range  bound by  places\n"
+        "m          dynamics    2.5  1 … 3  --param   8:29\n"
+        "length     length        -         nothing   21:32",
+    ]
+
+
 def test_info_shows_constants() -> None:
     facts = robot_facts(document(GOOD))
     facts["constants"] = [{"name": "half", "value": 0.5}, {"name": "x", "value": None}]

@@ -61,8 +61,7 @@ def _tree_rows(facts: dict[str, Any]) -> Iterator[tuple[str, ...]]:
     if facts["base"]:
         yield from _branch(facts["base"], "", "", children, drawn)
     for body in bodies:
-        if body["name"] not in drawn:
-            yield from _branch(body, "? ", "  ", children, drawn)
+        yield from _branch(body, "? ", "  ", children, drawn)
 
 
 def _branch(

@@ -39,7 +39,7 @@ def body_shapes(
     camera: Camera,
     colors: Mapping[str, str],
     *,
-    is_solid: bool = True,
+    is_solid: bool,
 ) -> Iterator[Deep]:
     """Yield the bodies of a robot.
 
