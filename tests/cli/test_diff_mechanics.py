@@ -134,6 +134,68 @@ def test_the_base_is_taken_as_ours_is(kindsl: Runner, folder: Path) -> None:
     )
 
 
+WORLD = '<link name="world"/><joint name="w" type="{}"><parent link="world"/>'
+WORLD += '<child link="base"/></joint></robot>'
+
+
+@pytest.mark.parametrize("other", ["a.sdf", "a.xml", "world.urdf"])
+def test_a_base_that_the_other_file_tells_is_compared(
+    kindsl: Runner, arm: Path, other: str
+) -> None:
+    if other.endswith(".xml"):
+        pytest.importorskip("mujoco")
+    target = other if other.startswith("a.") else "a.urdf"
+    assert kindsl("convert", "-q", arm, target).status == 0
+    urdf = Path(target).read_text().replace("</robot>", WORLD.format("fixed"))
+    Path("world.urdf").write_text(urdf)
+    assert kindsl("diff", arm, other).status == 0
+    arm.write_text(ARM.replace("RobotBase base {", "RobotBase base floating {"))
+    run = kindsl("diff", arm, other)
+    assert run.status == 1
+    assert run.out.splitlines()[1] == f"  the base is floating here and fixed in {other}"
+    assert run.err == ""
+
+
+def test_a_floating_joint_to_the_world_is_told(kindsl: Runner, arm: Path) -> None:
+    kindsl("convert", "-q", arm, "a.urdf")
+    urdf = Path("a.urdf").read_text().replace("</robot>", WORLD.format("floating"))
+    Path("world.urdf").write_text(urdf)
+    assert "fixed here and floating in" in kindsl("diff", arm, "world.urdf").out
+    arm.write_text(ARM.replace("RobotBase base {", "RobotBase base floating {"))
+    run = kindsl("diff", arm, "world.urdf")
+    assert (run.status, run.err) == (0, "")
+
+
+def test_a_joint_that_mimics_another_is_noted(kindsl: Runner, arm: Path) -> None:
+    kindsl("convert", "-q", arm, "a.urdf")
+    mimic = '<mimic joint="shoulder"/><child link="lower"/>'
+    urdf = Path("a.urdf").read_text().replace('<child link="lower"/>', mimic)
+    Path("a.urdf").write_text(urdf)
+    run = kindsl("diff", arm, "a.urdf")
+    assert run.status == 0
+    assert "note: 1 mimicking joint of a.urdf compared as if independent\n" in run.err
+
+
+def test_a_missing_inertia_is_no_zero_in_a_table(kindsl: Runner, arm: Path) -> None:
+    kindsl("convert", "-q", arm, "a.urdf")
+    urdf = Path("a.urdf").read_text()
+    start = urdf.index("<inertial>", urdf.index('<link name="lower"'))
+    end = urdf.index("</inertial>", start) + len("</inertial>")
+    Path("a.urdf").write_text(urdf[:start] + urdf[end:])
+    run = kindsl("diff", arm, "a.urdf", "--output-format", "markdown")
+    assert "| link | `lower` | mass | 0.8 kg (line 17) | no inertia |" in run.out
+
+
+def test_of_two_other_formats_one_may_tell_the_base(kindsl: Runner, arm: Path) -> None:
+    pytest.importorskip("mujoco")
+    arm.write_text(ARM.replace("RobotBase base {", "RobotBase base floating {"))
+    for suffix in ("urdf", "xml"):
+        kindsl("convert", "-q", arm, f"a.{suffix}")
+    run = kindsl("diff", "a.urdf", "a.xml")
+    assert run.status == 0, run.out
+    assert run.err.startswith("note: a.urdf leaves open whether its base floats: compared as float")
+
+
 def test_conventions_count_for_two_documents_without_the_option(kindsl: Runner, arm: Path) -> None:
     Path("b.kindsl").write_text(ARM.replace("shoulder", "hip"))
     assert kindsl("diff", arm, "b.kindsl").status == 1

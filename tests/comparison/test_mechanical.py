@@ -101,6 +101,14 @@ def test_what_the_first_axis_does_not_see_differs_without_a_torque() -> None:
     assert torques(ours, heavier, compared_mechanics(ours, heavier)).is_seen
 
 
+def test_where_a_leg_is_on_a_floating_base_is_felt_by_the_base() -> None:
+    floating = ARM.replace("RobotBase base {", "RobotBase base floating {")
+    ours = described_text(floating)[0]
+    theirs = described_text(floating.replace("(0.0, 0.0, 0.3)", "(0.1, 0.0, 0.3)"))[0]
+    (effect,) = torques(ours, theirs, compared_mechanics(ours, theirs)).effects
+    assert effect > 1.0
+
+
 def test_another_robot_is_one_finding() -> None:
     ours, other = described_text(random_document(25))[0], described_text(ARM)[0]
     found = compared_mechanics(other, ours)

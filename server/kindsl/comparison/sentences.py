@@ -19,7 +19,7 @@ def told(number: "NumberDifference", here: str, there: str) -> str:
     """
     if number.quantity == AXIS:
         return f"axes of {_subject(number)} {here} and {there} are {number.there:.4g} rad apart"
-    missing = _without_inertia(number)
+    missing = without_inertia(number)
     if any(missing):
         mass = f"a mass of {number.there if missing[0] else number.here:.6g} kg"
         left, right = ("no inertia" if is_missing else mass for is_missing in missing)
@@ -41,7 +41,7 @@ def _subject(number: "NumberDifference") -> str:
     return f"{number.kind} '{number.owner}'{other}"
 
 
-def _without_inertia(number: "NumberDifference") -> tuple[bool, bool]:
+def without_inertia(number: "NumberDifference") -> tuple[bool, bool]:
     """Return whether our link has no inertia, and whether the other has none."""
     is_mass = number.quantity == INERTIA[0]
     here = is_mass and not number.here and (number.here_number or number.here_near) is None

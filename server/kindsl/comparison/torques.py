@@ -159,7 +159,7 @@ def _effect(
     taus = []
     for skeleton in (side.skeleton, changed):
         M, bias = _forces(skeleton, states)
-        taus.append(np.einsum("sij,sj->si", M[:, first:, first:], states.qdd) + bias[:, first:])
+        taus.append(np.einsum("sij,sj->si", M[:, :, first:], states.qdd) + bias)
     return float(np.abs(taus[0] - taus[1]).max())
 
 

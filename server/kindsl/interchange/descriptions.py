@@ -1,29 +1,42 @@
 """Any description of a robot that is not a document of ours, to compare: a file or a folder."""
 
+from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
 from kindsl.comparison.written import Described
 from kindsl.interchange.comparable import described_robot
-from kindsl.interchange.format import Format, FormatError, ReadingChoices
+from kindsl.interchange.format import (
+    AS_WRITTEN,
+    Format,
+    FormatError,
+    ReadingChoices,
+    ReadRobot,
+    n_mimics,
+)
 from kindsl.interchange.generated_folder import MANIFEST, described_generated
 from kindsl.interchange.registry import all_formats, format_of_suffix
 from kindsl.interchange.robcogen_folder import described_robcogen, is_robcogen_folder
 from kindsl.interchange.written_numbers import NO_NUMBERS
 from kindsl.rigid.body import NO_BODY
-from kindsl.text.phrases import alternatives
+from kindsl.text.phrases import alternatives, counted
 from kindsl.text.regular import require_regular
-
-# MuJoCo's format says of a root whether it floats; the others leave it to who reads them.
-_TELLS_BASE = "mjcf"
 
 
 class ReadDescription(NamedTuple):
-    """A robot to compare, and notes on how it was read."""
+    """A robot to compare.
+
+    Attributes:
+        robot: The robot.
+        notes: On how it was read.
+        tells_base: Whether the file says that the root floats, or that it is fixed.
+    """
 
     robot: Described
     notes: tuple[str, ...] = ()
+    tells_base: bool = True
 
 
 def read_description(path: Path, label: str, floating: bool | None) -> ReadDescription:
@@ -45,15 +58,45 @@ def read_description(path: Path, label: str, floating: bool | None) -> ReadDescr
     format = _format(path)
     assert format.read is not None, "only formats that can be read are found"
     require_regular(str(path))
-    read = format.read(path, ReadingChoices(bool(floating)))
-    find, content = format.find_numbers, path.read_bytes()
-    robot = described_robot(label, read.robot, find(content) if find else NO_NUMBERS)
-    robot = replace(robot, properties=read.joints)
-    if floating is None or format.name == _TELLS_BASE:
-        return ReadDescription(robot)
-    kind = "floating" if floating else "fixed"
-    note = f"{label} leaves open whether its base floats: compared as {kind}, like the other"
-    return ReadDescription(with_base(robot, floating), (note,))
+    return read_robot(format, partial(format.read, path), path.read_bytes(), label, floating)
+
+
+def read_robot(
+    format: Format,
+    read: Callable[[ReadingChoices], ReadRobot],
+    content: bytes,
+    label: str,
+    floating: bool | None,
+) -> ReadDescription:
+    """Return the robot of a file's content, its base as the file says, else as others do.
+
+    Args:
+        format: The file's format.
+        read: Reads it.
+        content: What numbers and their places are looked for in.
+        label: Its name in messages.
+        floating: Whether the root floats where the file leaves that open; None if nobody says.
+
+    Raises:
+        FormatError: It is not in its format.
+    """
+    found = read(AS_WRITTEN)
+    is_open = floating is not None and not found.tells_base
+    if is_open and floating:
+        found = read(ReadingChoices(floating=True))
+    numbers = format.find_numbers(content) if format.find_numbers else NO_NUMBERS
+    robot = described_robot(label, found.robot, numbers)
+    robot = replace(robot, properties=found.joints)
+    notes = []
+    mimics = n_mimics(found.remarks)
+    if mimics:
+        told = f"{counted(mimics, 'mimicking joint')} of {label}"
+        notes.append(f"{told} compared as if independent")
+    if is_open and floating is not None:
+        robot, kind = _with_base(robot, floating), "floating" if floating else "fixed"
+        told = f"{label} leaves open whether its base floats"
+        notes.append(f"{told}: compared as {kind}, like the other")
+    return ReadDescription(robot, tuple(notes), found.tells_base)
 
 
 def _of_folder(folder: Path, label: str) -> Described:
@@ -64,7 +107,7 @@ def _of_folder(folder: Path, label: str) -> Described:
     raise FormatError("no generated code in this folder")
 
 
-def with_base(robot: Described, floating: bool) -> Described:
+def _with_base(robot: Described, floating: bool) -> Described:
     """Return a robot whose base floats or does not."""
     skeleton = robot.skeleton
     masses = skeleton.masses if floating else (NO_BODY, *skeleton.masses[1:])

@@ -1,6 +1,6 @@
 """A format of other tools: its name, its reader, its writer."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
@@ -29,11 +29,13 @@ class ReadRobot(NamedTuple):
         robot: All that a document says of it.
         remarks: Notes on parts that could not be kept.
         joints: Properties in the configuration, by joint name.
+        tells_base: Whether the file says that the root floats, or that it is fixed.
     """
 
     robot: "RobotDescription"
     remarks: tuple[str, ...]
     joints: "Joints" = MappingProxyType({})
+    tells_base: bool = False
 
 
 class WrittenRobot(NamedTuple):
@@ -79,6 +81,7 @@ class WritingChoices(NamedTuple):
     joints: "Joints" = MappingProxyType({})
 
 
+_INDEPENDENT = ": it is now independent"
 AS_WRITTEN = ReadingChoices()
 ORDINARY = WritingChoices()
 
@@ -87,6 +90,16 @@ def joints_dropped(joints: "Joints") -> str:
     """Return the note on limits and friction of joints, which the language does not support."""
     where = "kindsl.toml takes them, as [joints.NAME]"
     return f"limits, friction and armature of {counted(len(joints), 'joint')} dropped: {where}"
+
+
+def mimic_dropped(joint: str, other: str) -> str:
+    """Return the note on a joint that moves as another does."""
+    return f"the joint '{joint}' mimics '{other}'{_INDEPENDENT}"
+
+
+def n_mimics(remarks: Iterable[str]) -> int:
+    """Return how many notes are on such joints."""
+    return sum(remark.endswith(_INDEPENDENT) for remark in remarks)
 
 
 def gravity_dropped(gravity: Sequence[float]) -> str:

@@ -1,16 +1,15 @@
 """Any description of a robot in the folder, to compare; only the named file is read."""
 
 import re
+from functools import partial
 from pathlib import Path
 
 from kindsl.comparison.compared_robot import ComparedRobot
 from kindsl.comparison.document_side import described_document
 from kindsl.comparison.written import Described
-from kindsl.interchange.comparable import described_robot
-from kindsl.interchange.descriptions import read_description, with_base
-from kindsl.interchange.format import FormatError, ReadingChoices
+from kindsl.interchange.descriptions import read_description, read_robot
+from kindsl.interchange.format import FormatError
 from kindsl.interchange.registry import format_of_suffix
-from kindsl.interchange.written_numbers import NO_NUMBERS
 from kindsl.mcp.documents import DocumentArguments, document
 from kindsl.mcp.errors import ToolError
 from kindsl.mcp.folder import Folder
@@ -75,7 +74,5 @@ def _described(given: str, folder: Folder, floating: bool | None) -> Described:
         if _OTHER_FILES.search(text):
             raise ToolError(f"'{given}' names other files, which this server does not read")
         return read_description(folder.path(given), given, floating).robot
-    read = format.parse(text, Path(given).stem, ReadingChoices(bool(floating)))
-    numbers = format.find_numbers(text.encode("utf-8", "replace")) if format.find_numbers else None
-    robot = described_robot(given, read.robot, numbers or NO_NUMBERS)
-    return robot if floating is None else with_base(robot, floating)
+    read = partial(format.parse, text, Path(given).stem)
+    return read_robot(format, read, text.encode("utf-8", "replace"), given, floating).robot

@@ -6,7 +6,7 @@ from typing import NamedTuple
 from kindsl.comparison.compared_robot import ComparedRobot
 from kindsl.comparison.mechanical import MechanicalComparison
 from kindsl.comparison.number_differences import NumberDifference
-from kindsl.comparison.sentences import told, verdict
+from kindsl.comparison.sentences import told, verdict, without_inertia
 
 _DUST = 1e-9
 
@@ -119,13 +119,16 @@ def markdown(report: MechanicsReport) -> Iterator[str]:
 def number_cells(report: MechanicsReport) -> Iterator[tuple[str, ...]]:
     """Yield kind, name, quantity, both values with their lines, and torque of what differs."""
     for number, effect in _sorted(report):
-        lines = _lines(report, number)
+        lines, missing = _lines(report, number), without_inertia(number)
+        values = (f"{value:.6g} {number.unit}" for value in (number.here, number.there))
+        cells = ("no inertia" if m else value for m, value in zip(missing, values, strict=True))
+        here, there = (cell + _line(line) for cell, line in zip(cells, lines, strict=True))
         yield (
             number.kind,
             number.owner,
             number.quantity,
-            f"{number.here:.6g} {number.unit}{_line(lines[0])}",
-            f"{number.there:.6g} {number.unit}{_line(lines[1])}",
+            here,
+            there,
             "" if effect is None else f"{effect:.3g}",
         )
 

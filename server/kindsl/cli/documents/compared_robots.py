@@ -65,6 +65,9 @@ def read_robots(paths: Sequence[str], choices: "Choices") -> ComparedRobots:
     if documents:
         require_parameters(next(iter(documents)), *documents.values())
     bases = [a.model.base.is_floating for a in documents.values() if a.model.base is not None]
+    if not documents:
+        reads = (_foreign(path, None) for path in paths)
+        bases = [each.robot.skeleton.is_floating for each in reads if each.tells_base]
     sides: list[ComparedRobot] = []
     notes: list[str] = []
     failures: list[Failure] = []

@@ -67,7 +67,7 @@ def _read(spec: Any, name: str, floating: bool) -> ReadRobot:
         *_joint_remarks(model),
         *fixed_remarks(links, "body", robot),
     )
-    return ReadRobot(robot, (*lost, *told), _joint_properties(model))
+    return ReadRobot(robot, (*lost, *told), _joint_properties(model), tells_base=True)
 
 
 def _joint_properties(model: Any) -> dict[str, JointProperties]:

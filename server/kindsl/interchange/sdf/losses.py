@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from kindsl.dynamics.quantities import STANDARD_GRAVITY
-from kindsl.interchange.format import gravity_dropped
+from kindsl.interchange.format import gravity_dropped, mimic_dropped
 from kindsl.interchange.sdf.elements import is_true, name_of, numbers_in
 from kindsl.text.phrases import counted
 
@@ -52,7 +52,7 @@ def losses(model: Any) -> Iterator[str]:
         mimic = joint.find("axis/mimic")
         if mimic is not None:
             other = mimic.get("joint") or "?"
-            yield f"the joint '{name_of(joint)}' mimics '{other}': it is now independent"
+            yield mimic_dropped(name_of(joint), other)
     for tag, noun in _ELSEWHERE:
         if n := sum(1 for _ in model.iter(tag)):
             yield f"{counted(n, noun)} dropped: not supported"

@@ -82,7 +82,7 @@ def robot_of_sdf(
     )
     joints = {name_of(joint): joint_properties(joint) for joint in model.iterfind("joint")}
     known = {name: own for name, own in joints.items() if own != UNTOLD}
-    return ReadRobot(robot, told, known)
+    return ReadRobot(robot, told, known, tells_base=is_fixed)
 
 
 def _only_model(root: Any, searched: Sequence[Path]) -> tuple[Any, tuple[str, ...]]:

@@ -6,7 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from kindsl.interchange.format import ReadRobot
+from kindsl.interchange.format import ReadRobot, mimic_dropped
 from kindsl.interchange.rigid_links import (
     BaseKind,
     LinkJoint,
@@ -68,10 +68,11 @@ def robot_of_urdf(text: bytes | str, name: str, *, floating: bool = False) -> Re
     root = next(link for link in bodies if link not in carried)
     first = RigidLink(root, body=bodies[root])
     lost: tuple[str, ...] = ()
+    tells_base = root == _WORLD
     below = children.get(root, [])
     if len(below) == 1 and below[0].get("type") == "floating":
         first, floating = _floating(below[0], bodies), True
-        lost = (f"the link '{root}', which does not move, dropped",)
+        lost, tells_base = (f"the link '{root}', which does not move, dropped",), True
     links = _links(first, children, bodies)
     if not any(link.joint_kind in ("revolute", "prismatic") for link in links):
         raise UrdfError("the URDF has no joint that moves, and a document needs one")
@@ -84,7 +85,8 @@ def robot_of_urdf(text: bytes | str, name: str, *, floating: bool = False) -> Re
     remarks = (*_remarks(remarkable), *roots, *legs, *fixed_remarks(links, "link", read))
     moving = (joint for joint in joints if joint.get("type") not in ("fixed", "floating"))
     told = {str(joint.get("name")): _properties(joint) for joint in moving}
-    return ReadRobot(read, remarks, {name: own for name, own in told.items() if own != UNTOLD})
+    known = {name: own for name, own in told.items() if own != UNTOLD}
+    return ReadRobot(read, remarks, known, tells_base)
 
 
 def _legged_remarks(robot: RobotDescription) -> Iterator[str]:
@@ -188,4 +190,4 @@ def _remarks(found: Remarkable) -> Iterator[str]:
     for noun, number in found.elsewhere:
         yield f"{counted(number, noun)} dropped: not supported"
     for joint, other in found.mimics:
-        yield f"the joint '{joint}' mimics '{other}': it is now independent"
+        yield mimic_dropped(joint, other)
