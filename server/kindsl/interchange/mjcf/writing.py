@@ -49,7 +49,6 @@ def written_mjcf(name: str, skeleton: Skeleton, choices: WritingChoices = ORDINA
     import mujoco  # noqa: F401
 
     bodies = bodies_of(skeleton)
-    inertials = [_inertial(bodies, body) for body in range(bodies.n_links + 1)]
     root = Element("mujoco", {"model": name})
     added(root, "compiler", angle="radian", autolimits="true", balanceinertia="false")
     elements = [_base(added(root, "worldbody"), bodies)]
@@ -57,7 +56,7 @@ def written_mjcf(name: str, skeleton: Skeleton, choices: WritingChoices = ORDINA
         elements.append(_link(elements[parent], bodies, link, choices))
     bodies_that_move = range(0 if bodies.is_floating else 1, bodies.n_links + 1)
     for body in bodies_that_move:
-        elements[body].insert(0, Element("inertial", inertials[body]))
+        elements[body].insert(0, Element("inertial", _inertial(bodies, body)))
     for frame in bodies.frames:
         pose = _pose(frame.body_R_frame, frame.body_r_frame)
         added(elements[frame.body], "site", name=frame.name, **pose)
@@ -134,8 +133,6 @@ def _inertial(bodies: Bodies, body: int) -> dict[str, str]:
 
 def _is_impossible(bodies: Bodies, body: int) -> bool:
     """Return whether a body that moves has an inertia that MuJoCo refuses."""
-    if body == 0 and not bodies.is_floating:
-        return False
     I = _about_com(bodies, body)  # noqa: E741
     allowed = 2.0 * _LEAST + _ROUNDING * abs(np.linalg.eigvalsh(I)[2])
     return bool(_missing(I) > allowed or bodies.masses[body] < 0.0)

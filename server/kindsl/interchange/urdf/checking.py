@@ -104,8 +104,7 @@ def _check_joint(joint: Any) -> None:
         _required(elements[0], "link")
     _check_origin(joint)
     for axis in joint.findall("axis") if kind not in ("fixed", "floating") else ():
-        x, y, z = numbers_of(axis, "xyz", 3) if axis.get("xyz") is not None else (1.0, 0.0, 0.0)
-        if not x * x + y * y + z * z > 0.0:
+        if axis.get("xyz") is not None and not any(x * x for x in numbers_of(axis, "xyz", 3)):
             raise _error(axis, f"of joint '{joint.get('name')}' has no length")
 
 
