@@ -48,7 +48,7 @@ TESTS = {
     "rigid": ("rigid", "rules", "mechanism"),
     "dynamics": ("dynamics", "mechanism", "spatial"),
     "reports": ("reports", "cli"),
-    "interchange": ("interchange", "cli"),
+    "interchange": ("interchange", "comparison", "cli"),
     "lsp/session": ("lsp",),
     "config": ("config", "cli"),
     "codegen": ("codegen", "cli"),

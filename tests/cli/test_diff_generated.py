@@ -125,6 +125,15 @@ def test_an_older_folder_is_read_too(kindsl: Runner, folder: Path) -> None:
     assert "-0.003 kg m² in code/inertia_properties.impl.h (line 5)" in run.out
 
 
+@pytest.mark.parametrize("sum", ["0.75 - 0.5*0.5", "- 0.5 + 2.0*0.5", "1.0/2.0", "0.5 + q(J1)"])
+def test_an_entry_is_arithmetic_on_numbers(kindsl: Runner, folder: Path, sum: str) -> None:
+    Path("one.kindsl").write_text(ONE.replace("r_joint", "p_joint") if "q(" in sum else ONE)
+    turning = "" if "q(" in sum else TURNING
+    robcogen_folder(folder / "code", f"{turning}    (*this)(0,3) = {sum};\n", INERTIA)
+    run = kindsl("diff", "one.kindsl", "code")
+    assert run.status == 0, run.out
+
+
 @pytest.mark.parametrize(
     ("transform", "inertia", "message"),
     [

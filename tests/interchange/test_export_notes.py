@@ -1,6 +1,8 @@
 """What another format says beyond the document, or what other tools refuse of it: told."""
 
+from math import pi
 from pathlib import Path
+from xml.etree.ElementTree import fromstring
 
 import pytest
 from tests.interchange.round_trips import read
@@ -35,6 +37,14 @@ def notes(text: str, format: str, choices: WritingChoices = ORDINARY) -> list[st
 def test_limits_that_a_urdf_must_give() -> None:
     assert notes(TEXT, "urdf") == [TURN, SLIDE]
     assert notes(TEXT, "urdf", WritingChoices(endless_joints=True)) == [SLIDE]
+    skeleton = kindsl.parse(TEXT, Settings()).skeleton()
+    root = fromstring(format_named("urdf").write("r", skeleton, ORDINARY).text)
+    given = {
+        joint.get("name"): [float(limit.get(end) or "nan") for end in ("lower", "upper")]
+        for joint in root.iter("joint")
+        for limit in joint.iter("limit")
+    }
+    assert given == {"turn": [-2.0 * pi, 2.0 * pi], "slide": [-1.0, 1.0]}
     limits = {"slide": JointProperties(0.0, 1.0)}
     assert notes(TEXT, "urdf", WritingChoices(joints=limits)) == [TURN]
 

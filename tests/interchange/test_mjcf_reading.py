@@ -165,6 +165,12 @@ def test_each_loss_is_one_sentence(tmp_path: Path) -> None:
     assert kindsl_text(found.robot) == kindsl_text(plain.robot)
 
 
+def test_an_equality_of_one_joint_names_it_alone(tmp_path: Path) -> None:
+    text = LOSSY.replace(" joint2='shoulder'/></equality>", "/></equality>")
+    (told,) = [remark for remark in robot(text, tmp_path).remarks if "equality" in remark]
+    assert told.startswith("the equality (joint of 'slider') dropped")
+
+
 def test_names_that_collide_are_told(tmp_path: Path) -> None:
     text = ARM.replace('"elbow"', '"tool"').replace('"slider"', '"lower"')
     found = robot(text, tmp_path)

@@ -12,6 +12,7 @@ from tests.support.urdf_mutants import mutant
 from kindsl.interchange.format import AS_WRITTEN, FormatError, ReadingChoices, ReadRobot
 from kindsl.interchange.kindsl_writing import kindsl_text
 from kindsl.interchange.registry import format_named
+from kindsl.semantics.parameters import UNTOLD
 
 MASS = "<inertial><pose>0.1 0 0 0 0 0</pose><mass>2</mass><inertia><ixx>0.1</ixx><iyy>0.2</iyy>"
 MASS += "<izz>0.2</izz><ixy>0.01</ixy></inertia></inertial>"
@@ -48,6 +49,18 @@ def test_poses_follow_what_they_are_relative_to(tmp_path: Path) -> None:
     anchor = np.array([0, 0, 1]) + upper @ [0.1, 0, 0]
     expected = anchor + np.array([0.9, 0.0, 1.0 - 0.2])
     np.testing.assert_allclose(moved["tool"][:3, 3], expected, atol=1e-12)
+
+
+def test_a_limit_as_far_as_sdformat_s_default_is_none(tmp_path: Path) -> None:
+    for lower, upper, told in (
+        ("-1e16", "1e16", (None, None)),
+        ("-9e15", "1e16", (-9e15, None)),
+        ("-1e17", "9e15", (None, 9e15)),
+    ):
+        limit = f"<limit><lower>{lower}</lower><upper>{upper}</upper></limit>"
+        text = ARM.replace("<xyz>0 0 -1</xyz>", f"<xyz>0 0 -1</xyz>{limit}")
+        found = robot(text, tmp_path).joints.get("slider", UNTOLD)
+        assert found.limits == told
 
 
 def test_without_a_joint_to_the_world_the_base_floats(tmp_path: Path) -> None:
