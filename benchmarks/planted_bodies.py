@@ -165,7 +165,8 @@ class Outcome(NamedTuple):
 
     Attributes:
         codes: Of what is found in the link besides.
-        is_first: Whether the cause is told first.
+        has_cause: Whether a cause is told, rightly or not.
+        is_first: Whether the right one is told first.
         is_told: Whether it is told at all.
         has_fix: Whether a fix is offered.
         is_right: Whether it restores the numbers.
@@ -173,6 +174,7 @@ class Outcome(NamedTuple):
     """
 
     codes: tuple[str, ...]
+    has_cause: bool
     is_first: bool
     is_told: bool
     has_fix: bool
@@ -192,6 +194,7 @@ def outcome(robot: Robot, link: Link, text: str, meant: Body, words: str) -> Out
     mended = [each for fix in fixes for each in _in_rounds(text, fix, link)]
     return Outcome(
         tuple(f.code for f in found),
+        bool(sentences),
         bool(sentences) and re.search(words, sentences[0]) is not None,
         any(re.search(words, sentence) for sentence in sentences),
         bool(fixes),
@@ -260,7 +263,10 @@ def measure(
 
 
 def table(pool: Sequence[Robot], number: int, seed: int, show: bool = False) -> str:
-    head = ("slip", "planted", "found", "cause told", "told first", "fix", "fix right", "codes")
+    head = (
+        *("slip", "planted", "found", "a cause told", "the cause told", "told first"),
+        *("fix", "fix right", "codes"),
+    )
     lines = [f"| {' | '.join(head)} |", "|---" * len(head) + "|"]
     total: list[Outcome] = []
     for kind in KINDS:
@@ -278,6 +284,7 @@ def _row(kind: str, outcomes: Sequence[Outcome]) -> str:
     numbers = (
         len(outcomes),
         sum(bool(each.codes) for each in outcomes),
+        sum(each.has_cause for each in outcomes),
         sum(each.is_told for each in outcomes),
         sum(each.is_first for each in outcomes),
         sum(each.has_fix for each in outcomes),
@@ -312,8 +319,9 @@ def main() -> None:
 
 INTRODUCTION = """\
 Each slip is made in the inertia of one moving link in the text of a whole robot, whatever was odd
-there before. `found` counts findings in that link that were not there before, `cause told` those
-that name the slip, first or among rivals, `fix right` fixes that restore the numbers within 2 %,
+there before. `found` counts findings in that link that were not there before, `a cause told` those
+that say what was done, `the cause told` those of them that name the slip, first or among rivals,
+`fix right` fixes that restore the numbers within 2 %,
 at once or with the one that is offered then. What leaves a possible body is not found without a
 twin. Robots and halves are those of the limbs below:
 `python benchmarks/planted_bodies.py --half 1 --number 60 --seed 7 --write FOLDER` makes the table.

@@ -192,19 +192,56 @@ def test_numbers_of_an_inertia_are_those_of_the_twins(old: str, new: str, messag
     assert apply_edits(text, findings[0].fix.edits) == legs_with()
 
 
-def test_a_copied_inertia_is_that_of_its_twins_instead() -> None:
-    knee = section(1.2345, "0.012345, 0.0, 0.10123", 0.015678, 0.016789, 0.005123)
-    text = legs_with(RH=knee)
+COPIED = (
+    "inertia of 'RH_hip' differs from its twins: its moments are those of 'LF_shank', "
+    "which is another part"
+)
+
+
+def with_shanks(text: str, inertia: str) -> str:
+    """Return legs whose shanks have an inertia."""
     for leg in ("LF", "RF", "LH", "RH"):
         at = text.index("inertia_params", text.index(f"link {leg}_shank"))
-        text = text[:at] + knee + text[text.index("}", at) + 1 :]
+        text = text[:at] + inertia + text[text.index("}", at) + 1 :]
+    return text
+
+
+def test_a_copied_inertia_is_that_of_its_twins_instead() -> None:
+    knee = section(1.2345, "0.012345, 0.0, 0.10123", 0.015678, 0.016789, 0.005123)
+    text = with_shanks(legs_with(RH=knee), knee)
     (finding,) = found("KD509", text)
-    assert finding.message == (
-        "inertia of 'RH_hip' differs from its twins: its moments are those of 'LF_shank', "
-        "which is another part"
-    )
+    assert finding.message == COPIED
     assert finding.fix is not None
     assert told("KD509", apply_edits(text, finding.fix.edits)) == []
+
+
+def test_of_a_copied_mass_the_link_is_told_that_it_was_copied_from() -> None:
+    knee = section(1.2345, "0.02, 0.01, 0.05", 0.015678, 0.016789, 0.015123)
+    hind = section(2.0, "0.02, 0.01, 0.05", 0.05, 0.052, 0.053)
+    text = legs_with(RH=knee, LH=hind)
+    (finding,) = found("KD509", with_shanks(text, knee))
+    assert finding.message == COPIED
+    assert finding.fix is None
+
+
+def test_legs_across_are_no_other_part() -> None:
+    """Whose moments a leg has besides those beside and behind it tells nothing of a copy."""
+    crossed = {
+        leg: HIP.replace("Ixz=0.0", f"Ixz={sign}0.0023456").replace("Ix=0.03 ", "Ix=0.0312345 ")
+        for leg, sign in (("LF", ""), ("RF", ""), ("LH", ""), ("RH", "-"))
+    }
+    messages = told("KD509", legs_with(**crossed))
+    assert not any("another part" in message for message in messages)
+
+
+def test_a_placeholder_among_twins_is_told_as_such() -> None:
+    text = legs_with(RH=section(2.0, "0.02, 0.01, 0.05", 0.02, 0.02, 0.02))
+    (finding,) = found("KD509", text)
+    assert finding.message == (
+        "moments of 'RH_hip' differ from its twins: Ix, Iy and Iz are all 0.02, a placeholder"
+    )
+    assert finding.fix is not None
+    assert apply_edits(text, finding.fix.edits) == legs_with()
 
 
 def test_moments_shifted_twice_are_told_as_such() -> None:

@@ -208,6 +208,39 @@ def test_a_single_slip_may_leave_a_body_a_bit_odd(
     assert is_found(scaled, Slip.SCALE, power=-7) == of_unit
 
 
+def test_what_is_denser_than_matter_is_not_right_unless_it_is_thin() -> None:
+    dense = ball(2e7)
+    assert likelihood_as_written(judgement(ball(9e6), Verdict.IMPLAUSIBLE), NOWHERE) > -inf
+    assert likelihood_as_written(judgement(dense, Verdict.IMPLAUSIBLE), NOWHERE) == -inf
+    assert likelihood_as_written(judgement(dense, Verdict.SINGULAR), NOWHERE) > -inf
+
+
+def test_no_unit_makes_a_moment_that_is_not_positive() -> None:
+    """Half a matrix in rows has the first products in the place of two moments."""
+    moments = (4e-3, 0.0, 0.0, 3e-3, 0.0, 8e-3)
+    found = found_slips(BALL._replace(moments=moments))
+    assert is_found(found, Slip.ROWS)
+    assert not any(Slip.SCALE in h.slips for h in found)
+
+
+def test_a_slip_is_told_without_which_a_body_is_its_twin_however_light_that_is() -> None:
+    light = ball(2.0)
+    wrong = light._replace(mass=0.1 * light.mass)
+    alone = candidates(judgement(wrong, Verdict.IMPLAUSIBLE), NOWHERE)
+    assert Slip.MASS not in {slip for cause in alone for slip in cause.hypothesis.slips}
+    around = NOWHERE._replace(twins=(Twin("twin", light, light),), share=1.0)
+    found = ranked(candidates(judgement(wrong, Verdict.IMPLAUSIBLE), around), {})
+    assert found[0].hypothesis.slips == (Slip.MASS,)
+
+
+def test_equal_round_moments_are_told_where_they_are_of_no_material() -> None:
+    light = BALL._replace(moments=(0.3, 0.3, 0.3, 0.0, 0.0, 0.0))
+    odd = judgement(light, Verdict.IMPLAUSIBLE)
+    found = ranked(candidates(odd, NOWHERE), {}, likelihood_as_written(odd, NOWHERE))
+    assert found[0].hypothesis.slips == (Slip.PLACEHOLDER,)
+    assert found[0].probability > 0.5
+
+
 def test_of_two_slips_the_unit_is_mended_first() -> None:
     body = ball(1000.0)
     (unit,) = [

@@ -78,6 +78,13 @@ def test_two_numbers_differ_from_the_twin(places: tuple[int, ...], is_told: bool
     assert told("KD312", text) == (not_mirrored(*places) if is_told else [])
 
 
+def test_numbers_that_were_swapped_are_told_as_such() -> None:
+    swapped = changed(MIRRORED, {5: MIRRORED[6], 6: MIRRORED[5]})
+    assert told("KD312", pair(LEFT, swapped)) == [
+        "'right_arm' is not the mirror image of 'left_arm': Iy and Iz were swapped"
+    ]
+
+
 SIGNS = "signs of 'right_arm' do not match a mirror image of 'left_arm'"
 
 
@@ -121,10 +128,15 @@ def test_a_slip_in_many_numbers_is_told_with_its_rivals() -> None:
         assert any("taken about the CoM rather than the frame" in each for each in told_of)
 
 
-def test_moments_of_another_part_are_told() -> None:
-    hand = section("5.0", "0.0, 0.1, 0.2", "0.33456", "0.28567", "0.13678", "0.0", "0.0", "0.1")
+@pytest.mark.parametrize("ixx", ["0.33456", "0.334561", "0.33456499"])
+def test_moments_of_another_part_are_told(ixx: str) -> None:
+    """They may have been copied with fewer digits."""
+    hand, arm = (
+        section("5.0", "0.0, 0.1, 0.2", text, "0.28567", "0.13678", "0.0", "0.0", "0.1")
+        for text in ("0.33456", ixx)
+    )
     left = shifted_by(0.0, 1.0)
-    sides = section(left[0], ", ".join(left[1:4]), *left[4:]), hand
+    sides = section(left[0], ", ".join(left[1:4]), *left[4:]), arm
     assert told("KD312", row(*sides, hand, names="left_arm right_arm hand")) == [
         "'right_arm' is not the mirror image of 'left_arm': its moments are those of 'hand', "
         "which is another part"

@@ -33,11 +33,12 @@ from collections.abc import Iterator, Sequence
 
 from kindsl.limbs.comparison import LOOSE
 from kindsl.limbs.verdicts import LimbVerdict
+from kindsl.limbs.weighing import Suspect
 from kindsl.rigid.body import MassDistribution
 from kindsl.rules.base import Example, Finding, Fix, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import four_legs
-from kindsl.rules.inertia.judgements import TEN, is_impossible
+from kindsl.rules.inertia.judgements import TEN, is_impossible, is_round
 from kindsl.rules.inertia.shapes import is_told_of
 from kindsl.rules.limb_places import OF_A_LINK, PARTS, located, numbers_at, place_at, told
 from kindsl.rules.limb_verdicts import limb_slips
@@ -76,6 +77,9 @@ def _message(model: Model, context: Context, verdict: LimbVerdict) -> tuple[str,
         turned = told(place._replace(what="angles"))
         return f"signs of {told(place)} differ from its twins, unless {turned} is wrong", None
     name, here, there = told(place), as_numbers(own), as_numbers(texts)
+    if place.what in ("mass", "com") and (copy := _copied(model, place)):
+        whole = told(place._replace(what="inertia"))
+        return f"{whole} differs from its twins: {copy}", None
     if place.what in ("moments", "inertia"):
         why = _why(model, context, verdict)
         if why or len(changed) > _MOST_NAMED:
@@ -111,6 +115,13 @@ def _texts(model: Model, context: Context, verdict: LimbVerdict, share: float) -
     return written(own, twins, verdict.repairs[0].meant, assignments, kinds, share) or ()
 
 
+def _copied(model: Model, place: Suspect) -> str:
+    # Imported for a misfit only, since it delays the linter's start.
+    from kindsl.rules.inertia.unlike_twins import copied_from
+
+    return copied_from(model, model.body_named[place.link])
+
+
 def _why(model: Model, context: Context, verdict: LimbVerdict) -> str:
     """Return what was done to the moments of a body, if its twins and other links tell."""
     # Imported for a misfit only, since it delays the linter's start.
@@ -120,9 +131,11 @@ def _why(model: Model, context: Context, verdict: LimbVerdict) -> str:
     whole = place._replace(what="inertia")
     ten = [x for e in numbers_at(model, whole) if (x := e.value(context.values)) is not None]
     said = f"{'they' if place.what == 'moments' else 'it'} would be theirs"
-    why = copied_from(model, body, verdict.twins)
+    why = copied_from(model, body)
     if not why and len(ten) == len(TEN):
         own = _body(ten)
+        if is_round(own.moments):
+            return f": Ix, Iy and Iz are all {own.moments[0]:g}, a placeholder"
         ten[PARTS[place.what]] = verdict.repairs[0].meant[0]
         why = next(iter(without(slips_of(own, [_body(ten)]), said)), "")
     return why and f": {why}"

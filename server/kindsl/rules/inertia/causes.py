@@ -24,6 +24,7 @@ from kindsl.rigid.body import (
 from kindsl.rules.inertia.judgements import (
     IMPOSSIBLE,
     Judgement,
+    Verdict,
     can_be_of_matter,
     is_round,
     verdict_of,
@@ -36,7 +37,12 @@ from kindsl.rules.inertia.likelihood import (
     shape_of,
 )
 from kindsl.rules.inertia.slips import TABLE, Hypothesis, Kind, Slip, hypotheses
-from kindsl.rules.inertia.surroundings import LinkSurroundings, of_points, of_twins
+from kindsl.rules.inertia.surroundings import (
+    LinkSurroundings,
+    is_mirror_image,
+    of_points,
+    of_twins,
+)
 from kindsl.text.facts import Fact
 
 _NEGLIGIBLE = 0.1
@@ -50,7 +56,7 @@ _OF_DENSITY = frozenset((Slip.SCALE, Slip.MASS, Slip.TWICE))
 # Of 101 published documents 21 had an impossible inertia: what remains without a slip may be odd.
 _LOG_ODD = log(0.1)
 _GREATEST_OF_ODD = -4
-_LEAST_LEFT, _NOTHING, _MORE_THAN_MATTER = 1e-3, 0.1, 1e6
+_LEAST_LEFT, _NOTHING, _MORE_THAN_MATTER, _DENSEST = 1e-3, 0.1, 1e6, 1e7
 
 
 class Cause(NamedTuple):
@@ -100,18 +106,35 @@ _FITS = Fact[tuple[object, list[Fit]]]("fitting mistakes")
 def candidates(found: Judgement, around: LinkSurroundings) -> list[Cause]:
     """Return all mistakes that explain an inertia, in no order."""
     fitting = found.link.facts.made_of(_FITS, found, lambda: list(_fits_of(found)))
+    fitting = [*fitting, *_fits_of_twins(found, around, fitting)]
     explained = [_simple_first(_weighed(fit, around)) for fit in fitting]
     common = [cause for cause in explained if not cause.hypothesis.is_last_resort]
     kept = _merged(common if common and found.is_impossible else explained)
     return [*kept, *_without_meaning(found, around, kept)]
 
 
+def _fits_of_twins(
+    found: Judgement, around: LinkSurroundings, fitting: Sequence[Fit]
+) -> Iterator[Fit]:
+    """Yield the mistakes without which a body is a twin, of whatever shape, that it is not yet."""
+    twins = [t.body for t in around.twins if not is_mirror_image(found.body, t.body)]
+    known = [fit.hypothesis.body for fit in fitting]
+    for h in _tried(found) if twins else ():
+        if h.body not in known and any(is_mirror_image(h.body, twin) for twin in twins):
+            shape = shape_of(h.body, h.half)
+            if shape is not None and verdict_of(h.body, h.half, shape.pairs) not in IMPOSSIBLE:
+                yield Fit(h, shape, is_left_odd=False)
+
+
+def _tried(found: Judgement) -> Iterator[Hypothesis]:
+    slips = frozenset(Slip) if found.is_impossible else _OF_DENSITY
+    return hypotheses(found.body, found.half, slips)
+
+
 def _fits_of(found: Judgement) -> Iterator[Fit]:
     """Yield all mistakes that may explain an inertia, looking at nothing else."""
     size = _size(found.body.mass, found.second_moments)
-    for h in hypotheses(
-        found.body, found.half, frozenset(Slip) if found.is_impossible else _OF_DENSITY
-    ):
+    for h in _tried(found):
         shape = shape_of(h.body, h.half)
         if shape is not None and _is_fitting(h, shape):
             yield Fit(h, shape, is_left_odd=False)
@@ -132,6 +155,8 @@ def _without_meaning(
     if best is not None:
         log_weight += log_likelihood_of_mass(body.mass, around.mass)
         log_weight -= log_likelihood_of_mass(best.hypothesis.body.mass, around.mass)
+    # Numbers that may be right are no more likely to be so than to be without meaning.
+    log_weight = max(log_weight, likelihood_as_written(found, around))
     slips: list[tuple[Slip, tuple[str, ...]]] = []
     if (
         found.is_impossible
@@ -151,10 +176,16 @@ def _without_meaning(
 def likelihood_as_written(found: Judgement, around: LinkSurroundings) -> float:
     """Return the logarithm of how likely numbers are that may be right, minus infinity if not."""
     shape = shape_of(found.body, found.half)
-    if shape is None or found.is_impossible:
+    if shape is None or found.is_impossible or _is_denser_than_matter(found):
         return -inf
     fit = Fit(Hypothesis((), found.body, found.half, 1.0), shape, is_left_odd=False)
     return _weighed(fit, around).log_likelihood
+
+
+def _is_denser_than_matter(found: Judgement) -> bool:
+    """Return whether no material is so dense; of a thin body the density is not known."""
+    size = _size(found.body.mass, found.second_moments)
+    return found.verdict is Verdict.IMPLAUSIBLE and size > _DENSEST
 
 
 def ranked(
@@ -207,9 +238,14 @@ def _simple_first(cause: Cause) -> Cause:
 
 
 def _leaves_odd(h: Hypothesis, size: float) -> bool:
-    """Return whether a body was of no size with a slip, though odd without it, too."""
+    """Return whether a body is far from any with a slip, though odd without it, too."""
+    moments = h.body.moments
+    if h.slips == (Slip.ROWS,):
+        return min(moments[3:5]) <= 0.0 < min(moments[:3])
     if h.slips == (Slip.SCALE,):
-        return bool(h.unit) and h.power <= _GREATEST_OF_ODD and size < _NOTHING
+        # No unit makes a moment that is not positive.
+        is_of_unit = bool(h.unit) and h.power <= _GREATEST_OF_ODD and min(moments[:3]) > 0.0
+        return is_of_unit and size < _NOTHING
     return h.slips == (Slip.MASS,) and bool(h.unit) and size > _MORE_THAN_MATTER
 
 

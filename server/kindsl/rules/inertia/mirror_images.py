@@ -1,5 +1,7 @@
 """Inertias of a left and a right part that are nearly mirror images."""
 
+from math import isclose
+
 from kindsl.limbs.mounts import REFLECTIONS
 from kindsl.limbs.weighing import seen_by
 from kindsl.rigid.body import MassDistribution
@@ -7,6 +9,7 @@ from kindsl.rules.inertia.judgements import TEN
 
 _SIGNIFICANT = 0.05
 _MOST_DIFFERENCES = 2
+_ROUNDED = 1e-3
 
 
 def mirror_difference(names: tuple[str, str], *both: MassDistribution) -> str:
@@ -19,6 +22,9 @@ def mirror_difference(names: tuple[str, str], *both: MassDistribution) -> str:
     differing = [i for i, (a, b) in enumerate(pairs) if abs(a - b) > sizes[i]]
     exact = sum(a == b for a, b in pairs)
     if 0 < len(differing) <= _MOST_DIFFERENCES and exact + len(differing) == len(TEN):
+        if len(differing) == 2 and _are_swapped(*(pairs[i] for i in differing)):
+            swapped = " and ".join(TEN[i] for i in differing)
+            return f"'{right}' is not the mirror image of '{left}': {swapped} were swapped"
         told = (f"{TEN[i]} is {there[i]:g} against {here[i]:g}" for i in differing)
         return f"'{right}' is not the mirror image of '{left}': {', '.join(told)}"
     images = (seen_by(both[0], C) for C in REFLECTIONS)
@@ -28,3 +34,8 @@ def mirror_difference(names: tuple[str, str], *both: MassDistribution) -> str:
     ):
         return f"signs of '{right}' do not match a mirror image of '{left}'"
     return ""
+
+
+def _are_swapped(one: tuple[float, float], other: tuple[float, float]) -> bool:
+    """Return whether two numbers of one part are those of the other in reverse order."""
+    return all(isclose(a, b, rel_tol=_ROUNDED) for a, b in zip(one, other[::-1], strict=True))

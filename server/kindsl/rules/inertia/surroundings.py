@@ -1,7 +1,8 @@
 """Evidence from the rest of the robot on a link's inertia: its children's joints, its twins."""
 
-from collections.abc import Iterator, Sequence
-from math import hypot, log, log10
+from collections.abc import Callable, Iterator, Sequence
+from itertools import islice
+from math import hypot, isclose, log, log10
 from typing import NamedTuple
 
 from kindsl.limbs.mounts import REFLECTIONS
@@ -21,13 +22,12 @@ from kindsl.semantics.model import Model
 from kindsl.semantics.numbers import mass_distribution, written_pose
 from kindsl.text.facts import Fact, kept
 
-_Telling = tuple[str, tuple[str, ...]]
 _Inertia = tuple[Link, MassDistribution]
 _FRAMES = Fact[tuple[object, dict[tuple[str, str], list[Rotation]]]]("frames of twins, by names")
 _FEWEST_MASSES = 3
-_FEWEST_DIGITS = 8
+_FEWEST_DIGITS = 7
 # Numbers are copied with their digits rounded, too.
-_DIGITS = 5
+_ROUNDED, _NEXT = 5e-5, 1e-3
 _MOST_PARTS = 8
 _NEAR = 0.02
 _ELONGATED = 2.5
@@ -197,27 +197,58 @@ def _middle_mass(model: Model) -> float:
 
 
 def copies(model: Model, context: Context, link: Link) -> Iterator[tuple[str, str]]:
-    """Yield the possible links of other parts that have the moments, or the CoM, of a link."""
-    for key in _telling_numbers(link):
-        for other in _bodies_by_numbers(model)[key][:_MOST_PARTS]:
-            if part_of(other) != part_of(link) and not is_impossible(other, context):
-                yield str(other.name), key[0]
+    """Yield the possible links of other parts that have the moments, or the CoM, of a link.
+
+    What a twin of the link has besides, but for signs, is their own.
+    """
+    parts = _parts(model).get(part_of(link), ())
+    owned = [numbers for twin in parts if twin is not link for numbers in _telling_numbers(twin)]
+    for telling in _telling_numbers(link):
+        if not any(telling.is_as(each, abs) for each in owned):
+            for other in _others_with(model, link, telling):
+                if not is_impossible(other, context):
+                    yield str(other.name), telling.what
 
 
 def same_moments(model: Model, link: Link) -> Iterator[str]:
-    """Yield the names of other links that have the moments of a link."""
-    for key in _telling_numbers(link)[:1]:
-        if key[0] == "moments":
-            same = _bodies_by_numbers(model)[key][:_MOST_PARTS]
-            yield from (str(other.name) for other in same if other is not link)
+    """Yield the names of links of other parts that have the moments of a link."""
+    for telling in _telling_numbers(link)[:1]:
+        if telling.what == "moments":
+            yield from (str(other.name) for other in _others_with(model, link, telling))
+
+
+class _Telling(NamedTuple):
+    """Numbers that no two bodies have by chance: the `moments` or the `CoM`."""
+
+    what: str
+    numbers: tuple[float, ...]
+
+    @property
+    def size(self) -> int:
+        """Which others are to be looked at: those of this size, or one that is next to it."""
+        return round(log(sum(map(abs, self.numbers))) / _NEXT)
+
+    def is_as(self, other: "_Telling", seen: Callable[[float], float] = float) -> bool:
+        """Return whether others are the same, as far as copies with fewer digits are."""
+        pairs = zip(map(seen, self.numbers), map(seen, other.numbers), strict=False)
+        return self.what == other.what and all(isclose(a, b, rel_tol=_ROUNDED) for a, b in pairs)
+
+
+def _others_with(model: Model, link: Link, telling: _Telling) -> list[Link]:
+    """Return some links of other parts that have the same numbers."""
+    near = (telling.size + step for step in (-1, 0, 1))
+    known = _bodies_by_size(model)
+    found = (each for size in near for each in known.get((telling.what, size), ()))
+    others = (o for o, numbers in found if part_of(o) != part_of(link) and telling.is_as(numbers))
+    return list(islice(others, _MOST_PARTS))
 
 
 @kept
-def _bodies_by_numbers(model: Model) -> dict[_Telling, list[Link]]:
-    found: dict[_Telling, list[Link]] = {}
+def _bodies_by_size(model: Model) -> dict[tuple[str, int], list[tuple[Link, _Telling]]]:
+    found: dict[tuple[str, int], list[tuple[Link, _Telling]]] = {}
     for body in model.bodies:
-        for key in _telling_numbers(body):
-            found.setdefault(key, []).append(body)
+        for telling in _telling_numbers(body):
+            found.setdefault((telling.what, telling.size), []).append((body, telling))
     return found
 
 
@@ -231,7 +262,7 @@ def _telling_numbers(body: Link) -> list[_Telling]:
     for what, group in (("moments", moments), ("CoM", inertia.com.components)):
         digits = {abs(v.literal): significant_digits(v.text) for v in group if v.literal}
         if len(digits) > 1 and sum(digits.values()) >= _FEWEST_DIGITS:
-            found.append((what, tuple(f"{value.literal or 0.0:.{_DIGITS}g}" for value in group)))
+            found.append(_Telling(what, tuple(value.literal or 0.0 for value in group)))
     return found
 
 

@@ -7,7 +7,7 @@ from math import inf
 from kindsl.mechanism.body_verdicts import density_of
 from kindsl.rules.base import Finding
 from kindsl.rules.context import Context
-from kindsl.rules.inertia.judgements import Judgement, Verdict, judgements
+from kindsl.rules.inertia.judgements import Judgement, Verdict, is_round, judgements
 from kindsl.semantics.model import Model, ModelPart
 from kindsl.text.facts import Fact
 
@@ -41,7 +41,10 @@ def _suspects(part: ModelPart, context: Context) -> list[Judgement]:
         found
         for declared in part.declared
         for found in judgements(declared, context)
-        if found.is_impossible or found.verdict is Verdict.IMPLAUSIBLE or _is_of_no_size(found)
+        if found.is_impossible
+        or found.verdict is Verdict.IMPLAUSIBLE
+        or is_round(found.body.moments)
+        or _is_of_no_size(found)
     ]
 
 
