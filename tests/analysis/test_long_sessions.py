@@ -101,3 +101,15 @@ def test_every_edit_of_a_session_finds_what_a_fresh_analysis_does(seed: int) -> 
         if step == n_steps or generator.random() < COMPARED:
             assert_as_fresh(versions[-1])
         assert versions[-1].faults == ()
+
+
+def test_a_block_that_becomes_as_a_later_one_is_not_taken_for_that() -> None:
+    """Both have the same name, and the later one is told to be out of order."""
+
+    def text(mass: str) -> str:
+        twins = [f"link twin {{ id = 1 inertia_params {{ mass = {m} }} }}\n" for m in (mass, "2.0")]
+        return f"Robot R {{ RobotBase b {{}}\n{twins[0]}link other {{ id = 2 }}\n{twins[1]}"
+
+    last = analyse(text("1.0"))
+    assert "KD701" in {finding.code for finding in last.findings}
+    assert_as_fresh(last.edited([TextEdit(0, len(last.text), text("2.0"))]))

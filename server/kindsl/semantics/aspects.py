@@ -64,9 +64,13 @@ def edition(document: SyntaxDocument) -> Edition:
 def _difference(before: Sequence[Island], after: Sequence[Island]) -> Aspect:
     if len(before) != len(after):
         return Aspect.ALL
+    changed = [pair for pair in zip(before, after, strict=True) if pair[0] is not pair[1]]
+    # What points to an island that stands elsewhere now must be derived again.
+    if {id(old) for old, _ in changed} & {id(new) for _, new in changed}:
+        return Aspect.ALL
     found = Aspect.NOTHING
-    for old, new in zip(before, after, strict=True):
-        if old is not new and found != Aspect.ALL:
+    for old, new in changed:
+        if found != Aspect.ALL:
             found |= _differing(old, new)
     return found
 

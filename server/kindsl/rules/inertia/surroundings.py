@@ -225,7 +225,7 @@ class _Telling(NamedTuple):
 
     @property
     def size(self) -> int:
-        """Which others are to be looked at: those of this size, or one that is next to it."""
+        """The order of magnitude, finely: what is the same has this one, or one next to it."""
         return round(log(sum(map(abs, self.numbers))) / _NEXT)
 
     def is_as(self, other: "_Telling", seen: Callable[[float], float] = float) -> bool:
