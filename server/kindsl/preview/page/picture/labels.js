@@ -137,7 +137,7 @@ export class Labels {
     const { element, line } = this.built(label);
     if (!label.isShown) element.style.visibility = "visible";
     label.isShown = true;
-    element.style.opacity = isLit ? "1" : (1 - 0.3 * depth).toFixed(2);
+    element.style.opacity = isLit || verdict ? "1" : (1 - 0.3 * depth).toFixed(2);
     element.style.transform = `translate(${Math.round(box[0])}px, ${Math.round(box[1])}px)`;
     element.classList.toggle("highlighted", isLit);
     element.dataset.verdict = verdict;
