@@ -86,6 +86,9 @@ async def test_axe_finds_nothing(browser, server, theme, axe):
             assert await axe_findings(page) == []
         await page.locator("#help").click()
         assert await axe_findings(page) == []
+        await page.keyboard.press("Escape")
+        await page.get_by_role("button", name="Keep pose").click()
+        assert await axe_findings(page) == []
 
 
 @pytest.fixture(scope="module")
