@@ -152,7 +152,7 @@ async function copy(link, isLasting) {
  * Say something for a while, over all else.
  * @param {string} text
  */
-function tell(text) {
+export function tell(text) {
   const box = byId("told");
   box.textContent = text;
   box.showPopover();

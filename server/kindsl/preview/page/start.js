@@ -1,5 +1,5 @@
 // Puts the page together: viewer, scene, panel, and the line to the server or the state of an exported page.
-import { makeActions, showText } from "./actions.js";
+import { makeActions, showText, tell } from "./actions.js";
 import { Address, eyeOf, eyeText } from "./address.js";
 import { byId, partOf } from "./base/elements.js";
 import { inUnit } from "./base/quantities.js";
@@ -45,6 +45,7 @@ import { Units } from "./base/units.js";
 const STATES = {
   connecting: "connecting…", live: "live", reconnecting: "reconnecting…", exported: "exported", stale: "stale", incomplete: "incomplete",
 };
+const SOON = 1500; // ms in which what was kept is heard of
 const pane = byId("pane"), embedded = document.getElementById("embedded-state");
 const viewer = openViewer();
 const theme = new Theme();
@@ -70,8 +71,12 @@ page.compass = new Compass(scene, pane, page.camera);
 page.joints = new JointRows(scene, page.units, page.actions);
 page.parameters = new ParameterRows(page.units, page.actions);
 page.poses = new Poses(scene, page.actions, (name, joints) => {
-  if (page.isStatic) showText("Lines to add to kindsl.toml", poseLines(name, joints));
-  else page.send({ type: "keep-pose", name, values: Object.fromEntries(joints) });
+  if (page.isStatic) return showText("Lines to add to kindsl.toml", poseLines(name, joints));
+  page.send({ type: "keep-pose", name, values: Object.fromEntries(joints) });
+  setTimeout(() => {
+    const isThere = [...page.inbox.poses.values()].some((pose) => pose.name === name) || document.querySelector("dialog[open]");
+    if (!isThere) tell(`The pose '${name}' is offered here once kindsl.toml is saved.`);
+  }, SOON);
 });
 page.tree = new Tree(scene, page.selection, page.actions);
 page.findings = new Findings(pane, page.inbox, page.actions);
