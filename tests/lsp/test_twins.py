@@ -37,9 +37,18 @@ def compared(client: RawClient, uri: str) -> list[dict[str, Any]]:
     return differing(client, uri)
 
 
-def test_the_number_is_marked_and_written_into_the_other_file(folder: Path) -> None:
+@pytest.mark.parametrize(("mark", "is_open"), [("", False), ("\ufeff", False), ("\ufeff", True)])
+def test_the_number_is_marked_and_written_into_the_other_file(
+    folder: Path, mark: str, is_open: bool
+) -> None:
+    """A byte order mark, which editors do not count, stands before the only line."""
     uri = uris.uri(folder / "arm.kindsl")
+    other = folder.parent / "arm.urdf"
+    text = other.read_text().replace("\n", " ")
+    other.write_text(mark + text, encoding="utf-8")
     with ready_client(workspaceFolders=roots(folder)) as client:
+        if is_open:
+            client.open(uris.uri(other), text)
         client.open(uri, ARM)
         (found,) = compared(client, uri)
         assert found["message"].startswith("mass of link 'lower' is 0.8 kg here and 0.85 kg in ")
@@ -51,12 +60,11 @@ def test_the_number_is_marked_and_written_into_the_other_file(folder: Path) -> N
         changes = edit.get("changes") or {
             each["textDocument"]["uri"]: each["edits"] for each in edit["documentChanges"]
         }
-        other = folder.parent / "arm.urdf"
         ((changed, (change,)),) = changes.items()
         assert (changed, change["newText"]) == (uris.uri(other), "0.8")
-        line = other.read_text().splitlines()[change["range"]["start"]["line"]]
+        assert change["range"]["start"]["line"] == 0
         start, end = (change["range"][which]["character"] for which in ("start", "end"))
-        assert line[start:end] == "0.85"
+        assert text[start:end] == "0.85"
 
 
 def test_a_twin_that_changes_on_disk_is_compared_again(folder: Path) -> None:

@@ -14,6 +14,8 @@ from kindsl.text.edits import TextEdit
 if TYPE_CHECKING:
     from kindsl.features.actions.action import CodeAction
 
+_MARK = "\ufeff"
+
 
 def other_file_edits(
     state: State, action: "CodeAction"
@@ -25,8 +27,11 @@ def other_file_edits(
     except (OSError, UnicodeDecodeError):
         return None
     opened = state.documents.get(uris.uri(path))
-    found = opened or document(uris.uri(path), None, content, state.documents.encoding)
-    edits = action.other_edits
+    plain = content.removeprefix(_MARK)
+    found = opened or document(uris.uri(path), None, plain, state.documents.encoding)
+    # Offsets count a byte order mark, which editors take off.
+    off = found.text.startswith(_MARK) - content.startswith(_MARK)
+    edits = [e._replace(start=e.start + off, end=e.end + off) for e in action.other_edits]
     if any(found.text[edit.start : edit.end] != edit.old for edit in edits):
         return None
     return found, text_edits(found, [TextEdit(e.start, e.end, e.new) for e in edits])
