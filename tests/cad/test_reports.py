@@ -50,6 +50,7 @@ LAYOUTS: dict[str, Callable[[str], str]] = {
     "no blanks": lambda text: text.replace(" = ", "="),
     "tabs": lambda text: re.sub(r"  +", "\t", text),
     "blanks": lambda text: text.replace("\t", "    "),
+    "blanks of print": lambda text: re.sub(r"[ \t]", "\N{NO-BREAK SPACE}", text),
     "capitals": str.upper,
     "one block": lambda text: re.sub(r"\n\s*\n", "\r\n", text),
     "a comment": lambda text: "\n".join(f"// {line}" for line in text.split("\n")),

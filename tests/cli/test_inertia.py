@@ -76,7 +76,7 @@ def test_a_shape_is_printed(kindsl: Runner) -> None:
         (("--sphere", "0.1", "--mass", "1", "--density", "1"), "either --mass or --density"),
         (("--sphere", "0.1", "--box", "1,1,1", "--mass", "1"), "give one of REPORT"),
         ((REPORT, "--mass", "1"), "belong to a shape"),
-        ((REPORT, "--link", "upper"), "go together"),
+        ((REPORT, "--link", "upper"), "must be used together"),
         ((REPORT, "--document", "arm.kindsl", "--link", "uper"), "did you mean 'upper'"),
     ],
 )

@@ -63,6 +63,8 @@ _ENTRY = re.compile(r"(?<![A-Za-z_])([LIJ])(?:[oOcC])?_?([xyzXYZ])([xyzXYZ])?(?!
 _PLACE = re.compile(r"(?<![A-Za-z_])(?:[Cc]_?)?([XYZxyz])(?:[cC]|bar|cg|com)?(?![A-Za-z_0-9])")
 _PRINCIPAL = re.compile(r"(?<![A-Za-z_])[PIJ]_?([xyzXYZ123])(?![A-Za-z_0-9])")
 _AXIS = re.compile(r"(?<![A-Za-z_])I_?([xyzXYZ123])\s*[=:]\s*[(\[]([^()\[\]]*)[)\]]")
+# Blanks of print, where they do not group digits.
+_BLANK = re.compile(r"(?<!\d)[\xa0\u2007\u2009\u202f]|[\xa0\u2007\u2009\u202f](?!\d{3})")
 _INDEX = {"x": 0, "y": 1, "z": 2, "1": 0, "2": 1, "3": 2}
 _DEFAULT_SYSTEM = re.compile(r"^\W*default\W*$|^_|^global$|^origin$|csys_def$", re.IGNORECASE)
 
@@ -73,6 +75,7 @@ def readings(text: str) -> Iterator[Callable[[], Report]]:
     Raises:
         ReportError: Some number has a decimal comma and another one a decimal point.
     """
+    text = _BLANK.sub(" ", text)
     lines = [_FRAME.sub("", line.translate(_MINUS), count=1) for line in text.splitlines()]
     lines = [with_joined_groups(_REMARK.sub("", line).replace("|", "  ")) for line in lines]
     styles = number_styles([line for line in lines if not _NAME.match(line)])

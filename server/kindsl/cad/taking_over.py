@@ -83,7 +83,9 @@ def _check_single(report: Report) -> None:
 
 def _numbers(report: Report) -> Numbers:
     if not (report.masses or report.center or report.about_com or report.about_origin):
-        raise NoReportError(report.program, "this is not a report of mass properties")
+        known = "SolidWorks, Onshape, Fusion 360, Inventor, Creo or FreeCAD"
+        reason = f"this is not a report of mass properties by {known} in English"
+        raise NoReportError(report.program, reason)
     lacking = _lacking(report)
     if lacking:
         raise ReportError(report.program, f"the report lacks {listed(lacking)}")

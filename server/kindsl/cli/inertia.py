@@ -86,7 +86,9 @@ def _check(args: argparse.Namespace) -> None:
     if sources != ["report"] and n_given != 1:
         raise CommandError([Failure(_name(args), "give either --mass or --density")])
     if (args.document is None) != (args.link is None):
-        raise CommandError([Failure("kindsl inertia", "--document and --link go together")])
+        raise CommandError(
+            [Failure("kindsl inertia", "--document and --link must be used together")]
+        )
 
 
 def _given(args: argparse.Namespace, name: str) -> bool:
