@@ -75,6 +75,13 @@ def test_a_mesh_inside_out_is_the_same_body() -> None:
     assert found.moments == right.moments and "inwards" in found.notes[0]
 
 
+def test_a_mesh_in_millimetres_is_doubted() -> None:
+    text = as_text(box((40.0, 30.0, 20.0)))
+    (note,) = mesh_properties(text, ONE).notes
+    assert note == "the mesh is 40 m in size: is that in millimetres?"
+    assert mesh_properties(text, ONE, scale=Decimal("0.001")).notes == ()
+
+
 def test_a_scale_changes_the_unit() -> None:
     big = mesh_properties(as_text(box((500.0, 250.0, 2000.0))), mass=ONE, scale=Decimal("0.001"))
     assert big.moments == mesh_properties(as_text(box()), mass=ONE).moments

@@ -56,6 +56,11 @@ def test_a_capsule_is_a_rod_with_half_a_ball_at_each_end() -> None:
     assert float(found.moments[2]) == pytest.approx(rod * r * r / 2 + ball * 0.4 * r * r, rel=1e-8)
 
 
+def test_a_size_in_millimetres_is_doubted() -> None:
+    found = shape_properties(BOX, [Decimal(40), Decimal(40), Decimal(300)], Decimal(1))
+    assert found.notes == ("the box is 300 m in size: is that in millimetres?",)
+
+
 def test_digits_follow_what_is_given() -> None:
     found = made(SPHERE, "0.12345678901", mass="1.0")
     assert len(found.moments[0].lstrip("0.")) == 13

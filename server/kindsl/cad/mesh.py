@@ -13,7 +13,7 @@ from itertools import product
 from math import frexp, isfinite
 
 from kindsl.cad.properties import MassProperties
-from kindsl.cad.shape import ShapeError, rounded
+from kindsl.cad.shape import ShapeError, implausible, rounded
 
 _DIGITS = 15
 _HEADER, _RECORD = 84, 50
@@ -55,7 +55,15 @@ def mesh_properties(
         _check_closed(_open_edges(welded), unit)
         triangles = welded
         notes = (f"corners less than {float(reach * unit):.1g} m apart are taken for one",)
+    notes += implausible("the mesh", _extent(triangles) * unit)
     return _properties(_integrals(triangles), unit, mass, density, notes)
+
+
+def _extent(triangles: Sequence[Triangle]) -> int:
+    """Return the longest side of the box around a mesh."""
+    points = [point for triangle in triangles for point in triangle]
+    sides = ([point[axis] for point in points] for axis in range(3))
+    return max(max(side) - min(side) for side in sides)
 
 
 def _triangles(content: bytes) -> tuple[list[Triangle], Fraction]:

@@ -8,6 +8,7 @@ from typing import NamedTuple
 from kindsl.cad.properties import MassProperties
 
 _FEWEST_DIGITS = 9
+_LARGEST = 10
 _PI = Fraction("3.14159265358979323846264338327950288419716939937510")
 
 Moments = tuple[Fraction, Fraction, Fraction]
@@ -65,7 +66,14 @@ def shape_properties(
     texts = [rounded(heavy * moment, digits) for moment in per_mass]
     zero = ("0.0", "0.0", "0.0")
     moments = (texts[0], texts[1], texts[2], *zero)
-    return MassProperties(f"a {kind.name}", rounded(heavy, digits), zero, moments)
+    notes = implausible(f"the {kind.name}", Fraction(max(sizes)))
+    return MassProperties(f"a {kind.name}", rounded(heavy, digits), zero, moments, notes=notes)
+
+
+def implausible(noun: str, size: Fraction) -> tuple[str, ...]:
+    """Return the note on a body that is larger than links of robots are, in metres."""
+    told = f"{noun} is {float(size):.3g} m in size: is that in millimetres?"
+    return (told,) if size > _LARGEST else ()
 
 
 def shape_called(text: str) -> MassProperties:
