@@ -1,5 +1,8 @@
 """What is told of limbs (KD208 to KD210, KD509, KD510), with which fixes, and what it costs."""
 
+from collections.abc import Iterator
+from typing import Any
+
 import pytest
 from tests.support.one_rule import found, section, told
 from tests.support.published import CORPUS, published
@@ -8,8 +11,12 @@ from kindsl.analysis.analysis import analyse
 from kindsl.limbs.limb import Limbs
 from kindsl.limbs.verdicts import ComparedLimbs, LimbVerdict, verdicts
 from kindsl.limbs.weighing import Masses
+from kindsl.mechanism.body_verdicts import BodyVerdict
 from kindsl.rules import limb_verdicts
 from kindsl.rules.examples import four_legs, link, placed_joint, robot, two_arms
+from kindsl.rules.inertia import shapes
+from kindsl.rules.inertia.shapes import shape_verdicts
+from kindsl.semantics.declarations import Link
 from kindsl.text.edits import TextEdit, apply_edits
 
 CODES = ("KD208", "KD209", "KD210", "KD509", "KD510")
@@ -277,6 +284,25 @@ def test_a_com_behind_its_joint_is_told_once() -> None:
         text = text[:at] + section(2.0, com, 0.006, 0.0807, 0.0807) + text[end:]
     told_of_one = [f.code for f in analyse(text).findings if f.code in (*CODES, "KD312", "KD511")]
     assert told_of_one == ["KD511"]
+
+
+def test_a_shape_is_judged_again_only_where_it_has_changed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Who has a slip to tell of asks each time whether another rule tells of that body."""
+    judged: list[str] = []
+
+    def listening(body: Link, *given: Any) -> Iterator[BodyVerdict]:
+        judged.append(str(body.name))
+        return shape_verdicts(body, *given)
+
+    monkeypatch.setattr(shapes, "shape_verdicts", listening)
+    analysis = analyse(legs_with(RH=HIP.replace("0.02, 0.01", "0.06, 0.01")))
+    assert analysis.findings
+    for old, new in (("mass = 2.0", "mass = 2.01"), ("0.06, 0.01", "0.07, 0.01")):
+        judged.clear()
+        at = analysis.text.index(old)
+        analysis = analysis.edited([TextEdit(at, at + len(old), new)])
+        assert "KD509" in {finding.code for finding in analysis.findings}
+        assert set(judged) == {"LF_hip" if "mass" in old else "RH_hip"}
 
 
 def test_only_limbs_that_changed_are_compared_again(monkeypatch: pytest.MonkeyPatch) -> None:

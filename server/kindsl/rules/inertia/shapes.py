@@ -27,7 +27,7 @@ def shape_doubts(
 ) -> Iterator[BodyVerdict]:
     """Yield what one rule reports of a body's shape; it is judged once for all of them."""
     verdicts = body.facts.made_of(
-        _VERDICTS, (joints, context), lambda: list(shape_verdicts(body, joints, context))
+        _VERDICTS, (joints, context.values), lambda: list(shape_verdicts(body, joints, context))
     )
     yield from (verdict for verdict in verdicts if verdict.code == code)
 
