@@ -134,7 +134,7 @@ class LimbNames:
 
     def _read(self, name: str) -> tuple[_Side, _Words]:
         """Return side and row, or for them the number of a limb, and the other words."""
-        side, row, words = label_of(name)
+        side, row, words, _ = label_of(name)
         for index, word in enumerate(words[1:] if not (side or row) else (), 1):
             if word.isdigit() and words[index - 1] in self._limb_words:
                 return (word, ""), words[:index] + words[index + 1 :]
@@ -179,11 +179,10 @@ def _words_of_numbered(attachments: Iterable[Attachment]) -> set[str]:
     """Return the words before the numbers of three or more limbs: `leg` of `leg3_coxa`."""
     heads: dict[tuple[str, _Words], dict[_Words, set[str]]] = {}
     for link, parent, _ in attachments:
-        side, row, words = label_of(link)
+        side, row, words, part = label_of(link)
         numbers = tuple(word for word in words if word.isdigit())
         if numbers and not (side or row):
-            kept = tuple(word for word in words if not word.isdigit())
             before = {w for w, number in pairwise(words) if number.isdigit()}
-            heads.setdefault((parent, kept), {})[numbers] = before
+            heads.setdefault((parent, part), {})[numbers] = before
     many = [by_number for by_number in heads.values() if len(by_number) > 2]
     return {word for by_number in many for word in set.intersection(*by_number.values())}

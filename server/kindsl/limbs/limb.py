@@ -96,12 +96,13 @@ def _labelled(edges: Sequence[Edge]) -> Iterator[tuple[bool, dict[Side, Edge]]]:
     """Yield what one body carries that is called alike, by side and row, or else by numbers."""
     groups: dict[tuple[bool, tuple[str, ...]], dict[Side, list[Edge]]] = {}
     for edge in edges if len(edges) > 1 else ():
-        side, row, words = label_of(str(edge.child.link))
+        side, row, words, part = label_of(str(edge.child.link))
         is_named = bool(side or row)
         label: Side = (side, row) if is_named else tuple(int(w) for w in words if w.isdigit())
         if label:
-            kept = tuple(word for word in words if is_named or not word.isdigit())
-            groups.setdefault((is_named, kept), {}).setdefault(label, []).append(edge)
+            groups.setdefault((is_named, words if is_named else part), {}).setdefault(
+                label, []
+            ).append(edge)
     for (is_named, _), by_label in groups.items():
         if _FEWEST[is_named] <= len(by_label) <= _MOST_LIMBS:
             yield is_named, {label: found[0] for label, found in by_label.items() if not found[1:]}
@@ -190,5 +191,5 @@ def _pairs(ones: Sequence[Body], others: Sequence[Body]) -> list[tuple[Body, Bod
 
 
 def _by_words(bodies: Sequence[Body], with_numbers: bool) -> dict[tuple[str, ...], Body]:
-    found = ((label_of(body.name).words, body) for body in bodies)
-    return {tuple(w for w in words if with_numbers or not w.isdigit()): b for words, b in found}
+    found = ((label_of(body.name), body) for body in bodies)
+    return {label.words if with_numbers else label.part: body for label, body in found}

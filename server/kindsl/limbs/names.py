@@ -12,7 +12,7 @@ _SIDES = {
     "fl": "fr", "hl": "hr", "rl": "rr", "bl": "br", "ml": "mr", "left": "right",
 }  # fmt: skip
 _LEFT_OF = {right: left for left, right in reversed(_SIDES.items())}
-_EITHER = frozenset(_SIDES) | frozenset(_SIDES.values())
+_EITHER = frozenset(_SIDES) | frozenset(_LEFT_OF)
 _ROWS = {
     "front": "F", "fore": "F", "hind": "H", "rear": "H", "back": "H", "middle": "M", "mid": "M",
 }  # fmt: skip
@@ -31,11 +31,13 @@ class LimbLabel(NamedTuple):
         side: `L`, `R` or nothing.
         row: `F`, `M`, `H` or nothing.
         words: The other words and numbers, in lower case.
+        part: The words without numbers, which all parts of a kind share.
     """
 
     side: str
     row: str
     words: tuple[str, ...]
+    part: tuple[str, ...]
 
 
 @lru_cache(maxsize=4096)
@@ -50,7 +52,7 @@ def label_of(name: str) -> LimbLabel:
             row = _ROWS[word]
         else:
             words.append(word)
-    return LimbLabel(side, row, tuple(words))
+    return LimbLabel(side, row, tuple(words), tuple(w for w in words if not w.isdigit()))
 
 
 @lru_cache(maxsize=4096)
@@ -64,22 +66,11 @@ def is_held(*names: str) -> bool:
     return any(token in _HELD for name in names for token in tokens(name))
 
 
-def part_name(name: str) -> str:
-    """Return a name without sides and numbers: `LF_upper_leg2` and `rightUpperLeg` are one part."""
-    words = [word.lower() for word in _WORD.findall(name)]
-    return " ".join(word for word in words if word not in _EITHER and word not in _ROWS)
-
-
-def mirrored_name(name: str) -> str | None:
-    """Return the name of the right twin of a left part, None for any other name.
-
-    Only a whole word of the name can tell the side: `LF_hip`, `left_arm`, `armLeft`, `wheel_l`.
-    """
-    return _with_side(name, _SIDES)
-
-
 def other_side(name: str) -> str | None:
-    """Return the name of the twin of a left or a right part, None where no word tells a side."""
+    """Return the name of the twin of a left or a right part, None where no word tells a side.
+
+    Only a whole word of the name can: `LF_hip`, `left_arm`, `armLeft`, `wheel_l`.
+    """
     return _with_side(name, _SIDES) or _with_side(name, _LEFT_OF)
 
 

@@ -25,12 +25,12 @@ inertia_params {
 from collections.abc import Iterable, Iterator
 from itertools import starmap
 
+from kindsl.limbs.names import label_of
 from kindsl.rules.base import Finding, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import link, robot
 from kindsl.rules.inertia.judgements import is_moving, keyword
 from kindsl.rules.inertia.suspects import explained
-from kindsl.rules.inertia.twins import part_of
 from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Inertia, Link
 from kindsl.semantics.model import Model, model_part
@@ -71,9 +71,9 @@ def _moving(chunk: Chunk) -> list[tuple[Numbers, Link, Inertia]]:
 
 def _are_unlike(group: Iterable[tuple[Link, Inertia]]) -> bool:
     """Return whether some bodies are as many parts as one inertia cannot be of."""
-    parts: set[str] = set()
+    parts: set[tuple[str, ...]] = set()
     for body, _ in group:
-        parts.add(part_of(body))
+        parts.add(label_of(str(body.name)).part)
         if len(parts) >= _ENOUGH:
             return True
     return False

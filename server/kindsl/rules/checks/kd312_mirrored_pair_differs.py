@@ -28,6 +28,7 @@ from typing import TYPE_CHECKING
 
 from kindsl.limbs.comparison import Tolerance
 from kindsl.limbs.mounts import REFLECTIONS
+from kindsl.limbs.names import label_of, other_side
 from kindsl.limbs.weighing import differing, seen_by
 from kindsl.mechanism.link_inertia import link_inertia
 from kindsl.rules.base import Finding, Related, Rule, Severity
@@ -37,7 +38,6 @@ from kindsl.rules.inertia.judgements import keyword
 from kindsl.rules.inertia.mirror_images import mirror_difference
 from kindsl.rules.inertia.shapes import is_told_of
 from kindsl.rules.inertia.suspects import suspects_of
-from kindsl.rules.inertia.twins import right_twin_of
 from kindsl.rules.limb_places import OF_A_LINK
 from kindsl.rules.limb_verdicts import limb_slips
 from kindsl.semantics.aspects import Aspect
@@ -126,8 +126,9 @@ def _finding(
 def _twins(chunk: Chunk) -> list[tuple[Link, str]]:
     """Return the left parts of a chunk with the names that their twins would have."""
     part = model_part(chunk)
-    named = ((body, right_twin_of(body)) for body in (*part.bases, *part.links))
-    return [(body, twin) for body, twin in named if twin]
+    named = ((body, str(body.name)) for body in (*part.bases, *part.links))
+    left = ((body, other_side(name)) for body, name in named if label_of(name).side == "L")
+    return [(body, twin) for body, twin in left if twin]
 
 
 _INERTIA = """inertia_params {

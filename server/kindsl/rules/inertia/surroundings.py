@@ -6,6 +6,7 @@ from math import hypot, isclose, log, log10
 from typing import NamedTuple
 
 from kindsl.limbs.mounts import REFLECTIONS
+from kindsl.limbs.names import label_of, other_side
 from kindsl.limbs.twin_frames import twin_frames
 from kindsl.limbs.weighing import seen_by
 from kindsl.rigid.body import MassDistribution
@@ -14,7 +15,6 @@ from kindsl.rules.context import Context
 from kindsl.rules.inertia.judgements import Judgement, is_impossible, is_moving
 from kindsl.rules.inertia.likelihood import MassShape
 from kindsl.rules.inertia.slips import Hypothesis, Slip
-from kindsl.rules.inertia.twins import part_of, right_twin_of
 from kindsl.rules.number_writing import significant_digits
 from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Link
@@ -201,7 +201,7 @@ def copies(model: Model, context: Context, link: Link) -> Iterator[tuple[str, st
 
     What a twin of the link has besides, but for signs, is their own.
     """
-    parts = _parts(model).get(part_of(link), ())
+    parts = _parts(model).get(label_of(str(link.name)).part, ())
     owned = [numbers for twin in parts if twin is not link for numbers in _telling_numbers(twin)]
     for telling in _telling_numbers(link):
         if not any(telling.is_as(each, abs) for each in owned):
@@ -239,8 +239,9 @@ def _others_with(model: Model, link: Link, telling: _Telling) -> list[Link]:
     near = (telling.size + step for step in (-1, 0, 1))
     known = _bodies_by_size(model)
     found = (each for size in near for each in known.get((telling.what, size), ()))
-    others = (o for o, numbers in found if part_of(o) != part_of(link) and telling.is_as(numbers))
-    return list(islice(others, _MOST_PARTS))
+    own = label_of(str(link.name)).part
+    others = (o for o, numbers in found if telling.is_as(numbers))
+    return list(islice((o for o in others if label_of(str(o.name)).part != own), _MOST_PARTS))
 
 
 @kept
@@ -268,7 +269,7 @@ def _telling_numbers(body: Link) -> list[_Telling]:
 
 def _alike(model: Model, context: Context, link: Link) -> Iterator[_Inertia]:
     """Yield the links of the same part, with their inertias."""
-    for other in _parts(model).get(part_of(link), ()):
+    for other in _parts(model).get(label_of(str(link.name)).part, ()):
         if other is not link and other.inertia is not None:
             body = mass_distribution(other.inertia, context.values)
             if body is not None and body.mass > 0.0:
@@ -281,7 +282,7 @@ def _twins(
     """Return those that may be images, and what all possible links let expect of this one."""
     twins = [each for each in possible if may_be_image(found.body, each[1])]
     expected = _expected(model, context, found.link, possible) if twins else None
-    mirror = _mirror(model, found.link) if len(twins) > 1 else None
+    mirror = other_side(str(found.link.name)) if len(twins) > 1 else None
     nearest_first = sorted(twins, key=lambda twin: twin[0].name != mirror)
     return tuple(Twin(str(other.name), body, expected) for other, body in nearest_first)
 
@@ -315,20 +316,12 @@ def _frames(model: Model, context: Context, link: Link, other: Link) -> list[Rot
     return known[names]
 
 
-def _mirror(model: Model, link: Link) -> str | None:
-    name = right_twin_of(link)
-    if name in model.body_named:
-        return name
-    others = _parts(model).get(part_of(link), ())
-    return next((str(o.name) for o in others if right_twin_of(o) == link.name), None)
-
-
 @kept
-def _parts(model: Model) -> dict[str, list[Link]]:
+def _parts(model: Model) -> dict[tuple[str, ...], list[Link]]:
     """Return the bodies that are the same part on another side or at another leg, by its name."""
-    parts: dict[str, list[Link]] = {}
+    parts: dict[tuple[str, ...], list[Link]] = {}
     for body in model.bodies:
-        part = part_of(body)
+        part = label_of(str(body.name)).part
         if part and len(parts.setdefault(part, [])) < _MOST_PARTS:
             parts[part].append(body)
     return parts
