@@ -28,7 +28,7 @@ def _c(document: Path, *more: str) -> tuple[str, ...]:
 def test_a_library_in_c(kindsl: Runner, document: Path, folder: Path) -> None:
     told = kindsl(*_c(document))
     assert (told.status, told.out) == (0, "")
-    assert told.err == "out: 17 files written\n"
+    assert told.err == "out: 18 files written\n"
     header = (folder / "out" / "arm.h").read_text()
     assert "ARM_JOINT_shoulder = 0,\n    ARM_JOINT_elbow = 1\n" in header
     assert (
@@ -46,7 +46,7 @@ def test_a_library_in_c(kindsl: Runner, document: Path, folder: Path) -> None:
 def test_unbound_parameters_stay_inputs(kindsl: Runner, folder: Path) -> None:
     (folder / "robot.kindsl").write_text(UNBOUND)
     assert kindsl(*_c(folder / "robot.kindsl", "--quantities", "poses,gravity_torque")).status == 0
-    (header,) = (folder / "out").glob("*.h")
+    header = folder / "out" / "arm.h"
     assert "/* unbound */" in header.read_text()
     assert "default_model" not in header.read_text()
     run_tests(build(COMPILERS[0], folder / "out", [], "tests"))

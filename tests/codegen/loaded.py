@@ -1,7 +1,8 @@
 """Libraries in C as functions in Python."""
 
 import ctypes
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -38,17 +39,26 @@ class Loaded:
             values: Of its arguments, and of `fext`, which may be left out.
             n: How many configurations; None calls the function for one.
         """
-        name = self.library.function_names[function.name]
         outputs = [np.full((n or 1) * len(r.entries), -7.0) for r in function.results]
+        self.prepared(function, values, outputs, n)()
+        return outputs
+
+    def prepared(
+        self,
+        function: Function,
+        values: Mapping[str, Array | None],
+        outputs: Sequence[Array],
+        n: int | None = None,
+    ) -> Callable[[], None]:
+        """Return a call that fills outputs."""
+        name = self.library.function_names[function.name]
         given = [values[a.name] for a in function.arguments]
         if function.loaded is not None:
             given.append(values.get("fext"))
         pointers = [_pointer(a) for a in (self._model, *given, *outputs)]
         if n is None:
-            self._function(name)(*pointers)
-        else:
-            self._function(f"{name}_batch")(ctypes.c_long(n), *pointers)
-        return outputs
+            return partial(self._function(name), *pointers)
+        return partial(self._function(f"{name}_batch"), ctypes.c_long(n), *pointers)
 
     def _function(self, name: str):
         return getattr(self._code, f"{self.library.prefix}_{name}")

@@ -52,14 +52,46 @@ def test_batches_are_the_single_answers(pair: tuple[Loaded, Reference]) -> None:
     loaded, expected = pair
     generator = np.random.default_rng(1)
     one = expected.values
-    many = {k: generator.uniform(-1.0, 1.0, (3, len(v))) for k, v in one.items()}
+    n = 11  # no multiple of a number of lanes
+    many = {k: generator.uniform(-1.0, 1.0, (n, len(v))) for k, v in one.items()}
+    many["q"][5] = 2e4  # for its sine lanes ask the library
     many["g"] = one["g"]
     for function in loaded.library.all_functions:
-        batch = loaded.call(function, many, n=3)
-        for k in range(3):
-            row = {key: v if key == "g" else np.ascontiguousarray(v[k]) for key, v in many.items()}
-            for whole, single in zip(batch, loaded.call(function, row), strict=True):
-                np.testing.assert_array_equal(whole.reshape(3, -1)[k], single)
+        for loads in ({}, {"fext": None}):
+            values = many | loads
+            batch = loaded.call(function, values, n=n)
+            for k in range(n):
+                row = {
+                    key: v if key == "g" or v is None else np.ascontiguousarray(v[k])
+                    for key, v in values.items()
+                }
+                for whole, single in zip(batch, loaded.call(function, row), strict=True):
+                    scale = max(1.0, abs(single).max())
+                    np.testing.assert_allclose(
+                        whole.reshape(n, -1)[k], single, 1e-12, 1e-12 * scale
+                    )
+
+
+def test_batches_without_lanes_are_the_single_answers(
+    pair: tuple[Loaded, Reference], tmp_path: Path
+) -> None:
+    expected, few = pair[1], ("inverse_dynamics", "joint_space_inertia")
+    bodies = bodies_of_seed(3, 5)
+    folder = write_c(bodies, tmp_path / "robot", few)
+    assert "ROBOT_LANES" in (folder / "robot_inverse_dynamics.c").read_text()
+    path = build(COMPILERS[0], folder, ["-shared", "-fPIC", "-DROBOT_NO_LANES"], "robot.so")
+    loaded = Loaded(path, library(bodies, few))
+    values = {k: np.stack([v, v]) for k, v in reference(bodies).values.items() if k != "fext"}
+    values |= {"g": expected.values["g"], "fext": None}
+    for function in loaded.library.all_functions:
+        single = loaded.call(function, {**reference(bodies).values, "g": values["g"], "fext": None})
+        for whole, once in zip(loaded.call(function, values, n=2), single, strict=True):
+            np.testing.assert_array_equal(whole.reshape(2, -1), np.stack([once, once]))
+
+
+def test_floats_have_no_lanes(tmp_path: Path) -> None:
+    folder = write_c(bodies_of_seed(2), tmp_path, ("inverse_dynamics",), real="float")
+    assert not list(folder.glob("*lanes*"))
 
 
 def test_extreme_values_give_numbers_or_none_but_never_a_trap(

@@ -2,12 +2,19 @@
 
 from kindsl.codegen.c_build import cmake_lists
 from kindsl.codegen.c_header import header
-from kindsl.codegen.c_sources import model_source, noinline, quantity_source, sources
+from kindsl.codegen.c_sources import (
+    has_lanes,
+    model_source,
+    noinline,
+    quantity_source,
+    sources,
+)
 from kindsl.codegen.c_test_program import test_program
 from kindsl.codegen.c_text import macro
 from kindsl.codegen.library import Library
 from kindsl.codegen.readme import readme
 from kindsl.codegen.reference import Reference
+from kindsl.dynamics.generation.emitters.lanes import shared
 
 OPTIONS = frozenset(("--real float", "--single-header"))
 
@@ -43,7 +50,8 @@ def c_files(library: Library, reference: Reference, parameters: dict[str, float]
 def single_header(library: Library) -> str:
     """Return header and code in one file; one source file is to ask for the code."""
     bodies = [quantity_source(library, functions) for functions in library.functions.values()]
-    code = "\n".join([noinline(library), model_source(library), *bodies])
+    lanes = [shared(library.prefix)] if has_lanes(library) else []
+    code = "\n".join([*lanes, noinline(library), model_source(library), *bodies])
     P = macro(library)
     return (
         f"{header(library)}\n#if defined({P}_IMPLEMENTATION) && !defined({P}_IMPLEMENTED)\n"

@@ -13,11 +13,18 @@ from kindsl.codegen.c_text import (
 )
 from kindsl.codegen.library import Library
 from kindsl.dynamics.generation.emitters.c import CArray, CBody, c_definition, literal
+from kindsl.dynamics.generation.emitters.lanes import Wide, prefixed, shared, wide_functions
 from kindsl.dynamics.generation.emitters.straight_line import operations
 from kindsl.dynamics.generation.function import Function, Result
 
 # Compilers take as long for code with external forces as for that without.
 MOST_ADDED = 0.05
+# In lanes is neither what costs less than to write it down, nor what takes compilers long or fills
+# the stack.
+LEAST_IN_LANES = 100
+LEAST_PER_ENTRY = 1.5
+MOST_OPERATIONS = 20_000
+MOST_IN_LANES = 4096
 
 
 def sources(library: Library) -> Iterator[tuple[str, str]]:
@@ -27,9 +34,13 @@ def sources(library: Library) -> Iterator[tuple[str, str]]:
     summary = f"Parameters and names of {library.robot_name}."
     head = f"{stamp_comment(library, summary)}{includes}{noinline(library)}\n"
     yield f"{p}_model.c", f"{head}{model_source(library)}"
+    if has_lanes(library):
+        about = stamp_comment(library, "What batches share; for the sources beside it alone.")
+        yield f"{p}_lanes.h", f"{about}{shared(p)}"
     for quantity, functions in library.functions.items():
         summary = f"Of {library.robot_name}: {quantity.replace('_', ' ')}."
-        head = f"{stamp_comment(library, summary)}{includes}{noinline(library)}\n"
+        lanes = f'#include "{p}_lanes.h"\n\n' if has_lanes(library) else ""
+        head = f"{stamp_comment(library, summary)}{includes}{lanes}{noinline(library)}\n"
         yield f"{p}_{quantity}.c", f"{head}{quantity_source(library, functions)}"
 
 
@@ -157,6 +168,11 @@ def _body(
     return c_definition(library.robot.graph, body, dialect(library), linkage)
 
 
+def has_lanes(library: Library) -> bool:
+    """Return whether batches are computed in lanes, which hold numbers in double."""
+    return library.options.real == "double"
+
+
 def _batch(library: Library, function: Function) -> str:
     name = f"{library.prefix}_{library.function_names[function.name]}"
     arguments = ["m"]
@@ -168,7 +184,60 @@ def _batch(library: Library, function: Function) -> str:
         stride = len(library.external)
         arguments.append(f"{EXTERNAL} != NULL ? {EXTERNAL} + i * {stride} : NULL")
     arguments += [f"{r.name} + i * {len(r.entries)}" for r in function.results]
+    loop = f"    for (; i < n; i++) {{\n        {name}({', '.join(arguments)});\n    }}\n"
+    wide, wide_loop = _lanes(library, function) if _is_wide(library, function) else ("", "")
     return (
-        f"{batch_declaration(library, function)}\n{{\n    for (long i = 0; i < n; i++) {{\n"
-        f"        {name}({', '.join(arguments)});\n    }}\n}}\n"
+        f"{wide}{batch_declaration(library, function)}\n{{\n    long i = 0;\n{wide_loop}{loop}}}\n"
     )
+
+
+def _is_wide(library: Library, function: Function) -> bool:
+    entries = [entry for result in function.results for entry in result.entries]
+    takes = [argument.name for argument in function.arguments]
+    least = max(LEAST_IN_LANES, LEAST_PER_ENTRY * len(entries))
+    return (
+        has_lanes(library)
+        and takes[:1] == ["q"]
+        and not function.name.startswith("jacobian_")
+        and len(entries) <= MOST_IN_LANES
+        and least <= operations(library.robot.graph, entries) <= MOST_OPERATIONS
+    )
+
+
+def _lanes(library: Library, function: Function) -> tuple[str, str]:
+    """Return a function for several configurations, and the statements that call it for all."""
+    name = library.function_names[function.name]
+    wide = Wide(
+        name,
+        {argument.name: argument.components for argument in function.arguments},
+        {result.name: result.entries for result in function.results},
+        {value.index: f"spread(m->c[{place}])" for place, value in enumerate(library.setup)},
+        ("m", f"const {library.prefix}_model *m"),
+    )
+    text = wide_functions(library.robot.graph, wide, f"{macro(library)}_NOINLINE ")
+    n = len(wide.takes["q"])
+    lines = [f"lanes {array}_lanes[{len(x)}];" for array, x in {**wide.takes, **wide.gives}.items()]
+    lines.append(f"lanes cosines[{n}], sines[{n}];")
+    results = ", ".join(f"{array}_lanes" for array in wide.gives)
+    lines.append(f"constants_{name}({results});")
+    if "g" in wide.takes:
+        lines += [f"g_lanes[{k}] = spread(g[{k}]);" for k in range(3)]
+    condition = f"i < n && {EXTERNAL} == NULL" if function.loaded is not None else "i < n"
+    lines.append(f"for (; {condition}; i += LANES) {{")
+    lines.append("    const ptrdiff_t width = n - i < LANES ? n - i : LANES;")
+    for array, x in wide.takes.items():
+        size = len(x)
+        if array != "g":
+            lines.append(f"    gather({array}_lanes, {array} + i * {size}, {size}, {size}, width);")
+    lines.append(f"    sines_and_cosines(q_lanes, sines, cosines, {n});")
+    takes = ", ".join(f"{array}_lanes" for array in wide.takes)
+    lines.append(f"    wide_{name}(m, {takes}, cosines, sines, {results});")
+    for array, x in wide.gives.items():
+        size = len(x)
+        lines.append(f"    scatter({array} + i * {size}, {array}_lanes, {size}, width);")
+    lines.append("}")
+    loop = "".join(f"    {line}\n" for line in lines)
+    only = "#if defined(LANES)\n"
+    texts = f"{only}{text}#endif\n\n", f"{only}{loop}#endif\n"
+    first, second = (prefixed(text, library.prefix) for text in texts)
+    return first, second

@@ -5,12 +5,12 @@ from pathlib import Path
 from typing import NamedTuple
 
 from kindsl.dynamics.generation.emitters.c import CArray, CBody, Dialect, c_definition
-from kindsl.dynamics.generation.terms import Graph, Scalar, Term
+from kindsl.dynamics.generation.emitters.lanes import Wide, shared, wide_functions
+from kindsl.dynamics.generation.terms import Graph, Scalar
 
 MODULE = "compiled_mechanism"
 RUNTIME = Path(__file__).with_name("extension_runtime.c")
 PLAIN = Dialect("double", "", "KEPT_APART ")
-WIDE = Dialect("lanes", "", "KEPT_APART ", "spread({})", "signs({})")
 
 
 class KernelArgument(NamedTuple):
@@ -66,7 +66,7 @@ def extension_source(graph: Graph, kernels: Sequence[Kernel], gravity: Sequence[
     """
     numbers = ", ".join(map(repr, gravity))
     texts = [
-        RUNTIME.read_text(encoding="utf-8"),
+        RUNTIME.read_text(encoding="utf-8").replace("@LANES@", shared()),
         "#if defined(__GNUC__)\n#define KEPT_APART __attribute__((noinline))\n"
         "#else\n#define KEPT_APART\n#define restrict __restrict\n#endif\n",
         f"static const double GRAVITY[3] = {{{numbers}}};\n",
@@ -132,24 +132,9 @@ def _many(number: int, kernel: Kernel) -> str:
 
 
 def _wide(graph: Graph, number: int, kernel: Kernel) -> str:
-    angles = [x for x in kernel.arguments[0].components if isinstance(x, Term)]
-    cosines = [graph.record("cos", x.index) for x in angles]
-    sines = [graph.record("sin", x.index) for x in angles]
-    takes = [(f"a{i}", a.components) for i, a in _given(kernel)]
-    arrays = [CArray(name, f"const lanes *restrict {name}", c) for name, c in takes]
-    trigonometry = [CArray("cosines", "const lanes *restrict cosines", cosines),
-                    CArray("sines", "const lanes *restrict sines", sines)]  # fmt: skip
-    varying, constant = [], []
-    for i, result in enumerate(kernel.results):
-        array = CArray(f"o{i}", f"lanes *restrict o{i}", result.entries)
-        entries = [(e, None) if isinstance(e, Term) else (None, e) for e in result.entries]
-        varying.append(array._replace(entries=[entry for entry, _ in entries]))
-        constant.append(array._replace(entries=[entry for _, entry in entries]))
-    bodies = (
-        CBody(f"constants_{number}", [], constant, {}),
-        CBody(f"wide_{number}", [*arrays, *trigonometry], varying, {}),
-    )
-    text = "\n".join(c_definition(graph, body, WIDE, "static ") for body in bodies)
+    takes = {f"a{i}": a.components for i, a in _given(kernel)}
+    gives = {f"o{i}": result.entries for i, result in enumerate(kernel.results)}
+    text = wide_functions(graph, Wide(str(number), takes, gives), PLAIN.noinline)
     return f"#if defined(LANES)\n{text}#endif\n"
 
 
