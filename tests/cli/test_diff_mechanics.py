@@ -124,6 +124,38 @@ def test_a_variant_is_equal_and_its_conventions_are_told(kindsl: Runner, folder:
     assert "Conventions:" in run.out
 
 
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        (
+            "",
+            "",
+            "The mechanics are equal: inertia matrix and bias forces agree in 20 random states.\n",
+        ),
+        (
+            "1.3",
+            "1.4",
+            "The mechanics differ.\n\n"
+            "| what | name | number | `arm.kindsl` | `other.kindsl` | torque |\n"
+            "|---|---|---|---|---|---|\n"
+            "| link | `upper` | mass | 1.3 kg (line 8) | 1.4 kg (line 8) | 0.0981 |\n",
+        ),
+        (
+            "r_joint",
+            "p_joint",
+            "The mechanics differ.\n\n"
+            "- joint 'shoulder' is revolute here and prismatic in other.kindsl\n",
+        ),
+    ],
+)
+def test_markdown_has_a_list_and_a_table_where_there_is_something_to_say(
+    kindsl: Runner, arm: Path, old: str, new: str, told: str
+) -> None:
+    Path("other.kindsl").write_text(ARM.replace(old, new, 1))
+    run = kindsl("diff", "--mechanics", "arm.kindsl", "other.kindsl", "--output-format", "markdown")
+    assert run.out == f"### Mechanics of `arm.kindsl` and `other.kindsl`\n\n{told}"
+
+
 def test_the_base_is_taken_as_ours_is(kindsl: Runner, folder: Path) -> None:
     Path("a.kindsl").write_text(ARM.replace("RobotBase base {", "RobotBase base floating {"))
     kindsl("convert", "-q", "a.kindsl", "a.urdf")
