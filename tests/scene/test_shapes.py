@@ -102,6 +102,9 @@ def test_a_triad_has_a_needle_along_each_axis_in_its_colour() -> None:
     assert mesh.colors is not None and len(mesh.colors) == 15
     for n in range(3):
         (color,) = set(mesh.colors[5 * n : 5 * n + 5])
+        around = {tuple(np.delete(vertex, n)) for vertex in mesh.vertices[5 * n : 5 * n + 4]}
+        assert around == {(x, y) for x in (0.25, -0.25) for y in (0.25, -0.25)}
+        assert {vertex[n] for vertex in mesh.vertices[5 * n : 5 * n + 4]} == {0.0}
         assert max(color) == color[n] and list(mesh.vertices[5 * n + 4]).index(4.0) == n
 
 

@@ -133,14 +133,8 @@ def _along(end: Vector3) -> tuple[float, ...]:
     """
     x, y, z = end
     length = math.sqrt(x * x + y * y + z * z)
-    # A normal of the end: its cross product with the axis that it is least along.
-    least = min(abs(x), abs(y), abs(z))
-    if least == abs(x):
-        normal = (0.0, z, -y)
-    elif least == abs(y):
-        normal = (-z, 0.0, x)
-    else:
-        normal = (y, -x, 0.0)
+    # A normal of the end: its cross product with an axis that it is not mostly along.
+    normal = (-z, 0.0, x) if abs(x) > max(abs(y), abs(z)) else (0.0, z, -y)
     scale = 1.0 / math.sqrt(sum(component * component for component in normal))
     a, b, c = (scale * component for component in normal)
     third = ((b * z - c * y) / length, (c * x - a * z) / length, (a * y - b * x) / length)

@@ -68,4 +68,4 @@ def _range(parameter: Parameter, binding: Binding | None, value: float) -> tuple
 def _usual_range(kind: ValueKind, value: float) -> tuple[float, float]:
     if kind is ValueKind.ANGLE or not value:
         return _USUAL[kind]
-    return (0.0, 2.0 * value) if value > 0.0 else (2.0 * value, 0.0)
+    return min(0.0, 2.0 * value), max(0.0, 2.0 * value)
