@@ -96,7 +96,7 @@ def _explained(model: Model, slips: Sequence[_Slips], *pair: Link) -> Iterator[F
     from kindsl.rules.inertia.unlike_twins import copied_from, without
 
     sides = list(zip(pair, pair[::-1], slips, strict=True))
-    copies = [(own, twin, copied_from(model, own)) for own, twin, _ in sides]
+    copies = [(own, twin, copied_from(model, own, ())) for own, twin, _ in sides]
     copied = [(own, twin, why) for own, twin, why in copies if why]
     likely = sorted((side for side in sides if side[2]), key=lambda side: -side[2][0].weight)
     if len(copied) == 1:

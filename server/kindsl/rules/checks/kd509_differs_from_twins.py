@@ -33,7 +33,6 @@ from collections.abc import Iterator, Sequence
 
 from kindsl.limbs.comparison import LOOSE
 from kindsl.limbs.verdicts import LimbVerdict
-from kindsl.limbs.weighing import Suspect
 from kindsl.rigid.body import MassDistribution
 from kindsl.rules.base import Example, Finding, Fix, Related, Rule, Severity
 from kindsl.rules.context import Context
@@ -77,7 +76,7 @@ def _message(model: Model, context: Context, verdict: LimbVerdict) -> tuple[str,
         turned = told(place._replace(what="angles"))
         return f"signs of {told(place)} differ from its twins, unless {turned} is wrong", None
     name, here, there = told(place), as_numbers(own), as_numbers(texts)
-    if place.what in ("mass", "com") and (copy := _copied(model, place)):
+    if place.what in ("mass", "com") and (copy := _copied(model, verdict)):
         whole = told(place._replace(what="inertia"))
         return f"{whole} differs from its twins: {copy}", None
     if place.what in ("moments", "inertia"):
@@ -115,11 +114,11 @@ def _texts(model: Model, context: Context, verdict: LimbVerdict, share: float) -
     return written(own, twins, verdict.repairs[0].meant, assignments, kinds, share) or ()
 
 
-def _copied(model: Model, place: Suspect) -> str:
+def _copied(model: Model, verdict: LimbVerdict) -> str:
     # Imported for a misfit only, since it delays the linter's start.
     from kindsl.rules.inertia.unlike_twins import copied_from
 
-    return copied_from(model, model.body_named[place.link])
+    return copied_from(model, model.body_named[verdict.places[0].link], verdict.twins)
 
 
 def _why(model: Model, context: Context, verdict: LimbVerdict) -> str:
@@ -131,7 +130,7 @@ def _why(model: Model, context: Context, verdict: LimbVerdict) -> str:
     whole = place._replace(what="inertia")
     ten = [x for e in numbers_at(model, whole) if (x := e.value(context.values)) is not None]
     said = f"{'they' if place.what == 'moments' else 'it'} would be theirs"
-    why = copied_from(model, body)
+    why = copied_from(model, body, verdict.twins)
     if not why and len(ten) == len(TEN):
         own = _body(ten)
         if is_round(own.moments):

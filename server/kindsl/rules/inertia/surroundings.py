@@ -203,18 +203,22 @@ def copies(model: Model, context: Context, link: Link) -> Iterator[tuple[str, st
     """
     parts = _parts(model).get(label_of(str(link.name)).part, ())
     owned = [numbers for twin in parts if twin is not link for numbers in _telling_numbers(twin)]
+    part = label_of(str(link.name)).part
     for telling in _telling_numbers(link):
         if not any(telling.is_as(each, abs) for each in owned):
-            for other in _others_with(model, link, telling):
-                if not is_impossible(other, context):
+            for other in _bodies_with(model, telling):
+                is_other = label_of(str(other.name)).part != part
+                if is_other and not is_impossible(other, context):
                     yield str(other.name), telling.what
 
 
 def same_moments(model: Model, link: Link) -> Iterator[str]:
-    """Yield the names of links of other parts that have the moments of a link."""
+    """Yield the names of links that have the moments of a link and are not its twins by name."""
+    words = label_of(str(link.name)).words
     for telling in _telling_numbers(link)[:1]:
+        names = map(str, (other.name for other in _bodies_with(model, telling)))
         if telling.what == "moments":
-            yield from (str(other.name) for other in _others_with(model, link, telling))
+            yield from (name for name in names if label_of(name).words != words)
 
 
 class _Telling(NamedTuple):
@@ -234,14 +238,12 @@ class _Telling(NamedTuple):
         return self.what == other.what and all(isclose(a, b, rel_tol=_ROUNDED) for a, b in pairs)
 
 
-def _others_with(model: Model, link: Link, telling: _Telling) -> list[Link]:
-    """Return some links of other parts that have the same numbers."""
+def _bodies_with(model: Model, telling: _Telling) -> list[Link]:
+    """Return some links that have these numbers."""
     near = (telling.size + step for step in (-1, 0, 1))
     known = _bodies_by_size(model)
     found = (each for size in near for each in known.get((telling.what, size), ()))
-    own = label_of(str(link.name)).part
-    others = (o for o, numbers in found if telling.is_as(numbers))
-    return list(islice((o for o in others if label_of(str(o.name)).part != own), _MOST_PARTS))
+    return list(islice((body for body, own in found if telling.is_as(own)), _MOST_PARTS))
 
 
 @kept

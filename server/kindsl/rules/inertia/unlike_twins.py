@@ -1,6 +1,6 @@
 """The slip, or the other link, that explains a possible inertia which is not that of its twins."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Container, Iterable, Sequence
 
 from kindsl.limbs.weighing import differing
 from kindsl.rigid.body import MassDistribution
@@ -13,9 +13,9 @@ from kindsl.semantics.model import Model
 _MOST = 3
 
 
-def copied_from(model: Model, link: Link) -> str:
-    """Return of which link of another part the moments are, empty where they are of none."""
-    other = next(same_moments(model, link), None)
+def copied_from(model: Model, link: Link, twins: Container[str]) -> str:
+    """Return of which link that is no twin the moments are, empty where they are of none."""
+    other = next((name for name in same_moments(model, link) if name not in twins), None)
     return f"its moments are those of '{other}', which is another part" if other else ""
 
 
