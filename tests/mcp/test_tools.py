@@ -12,6 +12,8 @@ from hypothesis import strategies as st
 from mcp.client.stdio import stdio_client
 from mcp.types import CallToolResult, ImageContent, TextContent
 from tests.cli.samples import GOOD, INTEGER, UNBOUND
+from tests.comparison.trials import ARM, described_text
+from tests.comparison.variants import links_of, urdf_of
 
 from kindsl.mcp.errors import ToolError
 from kindsl.mcp.examples import examples
@@ -102,6 +104,19 @@ async def test_numbers(folder: Path) -> None:
     assert poses[1][2][3] == pytest.approx(poses[0][2][3] + 0.25)
     assert "give 'parameters'" in await refused(folder, "compute", text=UNBOUND)
     assert "2 joints: shoulder, elbow" in await refused(folder, "compute", text=GOOD, q=[1.0])
+
+
+async def test_a_difference_binds_parameters_and_notes_what_a_file_leaves_open(
+    folder: Path,
+) -> None:
+    (folder / "a.urdf").write_text(urdf_of(links_of(described_text(ARM)[0].skeleton)))
+    (folder / "a.kindsl").write_text(ARM.replace("mass = 1.3", "mass = m"))
+    assert "give 'parameters'" in await refused(folder, "diff", a="a.kindsl", b="a.urdf")
+    both = {"a": "a.kindsl", "b": "a.urdf"}
+    found = await said(folder, "diff", **both, parameters={"m": 1.3})
+    assert found.startswith("the mechanics are equal")
+    assert "note: a.urdf leaves open whether its base floats" in found
+    assert "is 1.4 kg in" in await said(folder, "diff", **both, parameters={"m": 1.4})
 
 
 async def test_a_picture(folder: Path) -> None:

@@ -1,16 +1,16 @@
 """Any description of a robot in the folder, to compare; only the named file is read."""
 
 import re
+from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
 from kindsl.comparison.compared_robot import ComparedRobot
 from kindsl.comparison.document_side import described_document
-from kindsl.comparison.written import Described
-from kindsl.interchange.descriptions import read_description, read_robot
+from kindsl.interchange.descriptions import ReadDescription, read_description, read_robot
 from kindsl.interchange.format import FormatError
 from kindsl.interchange.registry import format_of_suffix
-from kindsl.mcp.documents import DocumentArguments, document
+from kindsl.mcp.documents import BoundArguments, document
 from kindsl.mcp.errors import ToolError
 from kindsl.mcp.folder import Folder
 from kindsl.mcp.mechanics import skeleton_of
@@ -26,13 +26,14 @@ def is_document(given: str) -> bool:
     return given.endswith(_DOCUMENT)
 
 
-def compared_document(given: str, folder: Folder) -> ComparedRobot:
-    """Return the robot of a document.
+def compared_document(given: str, folder: Folder, parameters: Mapping[str, float]) -> ComparedRobot:
+    """Return the robot of a document, its parameters with these values.
 
     Raises:
         ToolError: It cannot be read, or is no tree of bodies.
     """
-    path, analysis = document(DocumentArguments(path=given, text=None), folder)
+    arguments = BoundArguments(path=given, text=None, parameters=dict(parameters))
+    path, analysis = document(arguments, folder)
     skeleton, lines = skeleton_of(analysis), LineIndex(analysis.text)
     robot = described_document(path, analysis.model, analysis.context.values, skeleton)
     return ComparedRobot(
@@ -40,8 +41,10 @@ def compared_document(given: str, folder: Folder) -> ComparedRobot:
     )
 
 
-def compared_other(given: str, folder: Folder, floating: bool | None) -> ComparedRobot:
-    """Return the robot of another format, or of a folder of generated code.
+def compared_other(
+    given: str, folder: Folder, floating: bool | None
+) -> tuple[ComparedRobot, tuple[str, ...]]:
+    """Return the robot of another format, or of a folder of generated code, and notes on it.
 
     Args:
         given: The path.
@@ -55,15 +58,17 @@ def compared_other(given: str, folder: Folder, floating: bool | None) -> Compare
     try:
         if path.is_dir():
             folder.require_own_files(given)
-            return ComparedRobot(given, read_description(path, given, floating).robot)
-        return ComparedRobot(given, _described(given, folder, floating))
+            read = read_description(path, given, floating)
+        else:
+            read = _read(given, folder, floating)
+        return ComparedRobot(given, read.robot), read.notes
     except (FormatError, OSError) as error:
         raise ToolError(f"'{given}' cannot be read: {error}") from None
     except ModuleNotFoundError as error:
         raise ToolError(f"'{given}' cannot be read: {error.name} is not installed") from None
 
 
-def _described(given: str, folder: Folder, floating: bool | None) -> Described:
+def _read(given: str, folder: Folder, floating: bool | None) -> ReadDescription:
     format = format_of_suffix(Path(given).suffix)
     if format is None:
         raise ToolError(f"'{given}' is no robot: name a .kindsl, .urdf, .sdf or .xml file")
@@ -73,6 +78,6 @@ def _described(given: str, folder: Folder, floating: bool | None) -> Described:
     if format.parse is None:
         if _OTHER_FILES.search(text):
             raise ToolError(f"'{given}' names other files, which this server does not read")
-        return read_description(folder.path(given), given, floating).robot
+        return read_description(folder.path(given), given, floating)
     read = partial(format.parse, text, Path(given).stem)
-    return read_robot(format, read, text.encode("utf-8", "replace"), given, floating).robot
+    return read_robot(format, read, text.encode("utf-8", "replace"), given, floating)

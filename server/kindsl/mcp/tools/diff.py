@@ -19,14 +19,20 @@ class DiffArguments(Arguments):
 
     a: str = Field(description="A file or folder, from the server's folder")
     b: str = Field(description="Another")
+    parameters: dict[str, float] = Field({}, description="Values of parameters by their names")
 
 
 def run(arguments: DiffArguments, folder: Folder) -> list[Content]:
     """Return what differs."""
     both = arguments.a, arguments.b
-    documents = {path: compared_document(path, folder) for path in both if is_document(path)}
-    bases = [side.robot.skeleton.is_floating for side in documents.values()]
-    floating = bases[0] if bases else None
-    old, new = (documents.get(path) or compared_other(path, folder, floating) for path in both)
+    values, notes = arguments.parameters, list[str]()
+    sides = {p: compared_document(p, folder, values) for p in both if is_document(p)}
+    bases = [side.robot.skeleton.is_floating for side in sides.values()]
+    for path in both:
+        if path not in sides:
+            sides[path], told = compared_other(path, folder, bases[0] if bases else None)
+            notes += (f"note: {note}" for note in told)
+    old, new = (sides[path] for path in both)
     report = report_of(old, new, compared_mechanics(old.robot, new.robot))
-    return [text("\n".join(lines(report))), text(json.dumps(facts(report), indent=1))]
+    found = "\n".join((*lines(report), *notes))
+    return [text(found), text(json.dumps(facts(report), indent=1))]
