@@ -2,6 +2,7 @@
 
 import inspect
 import json
+import re
 from io import BytesIO
 from pathlib import Path
 
@@ -33,6 +34,18 @@ def test_a_link_without_inertia_leaves_the_totals_open(kindsl: Runner, folder: P
     assert result["missing_masses"] == [{"name": "lower", "reason": reason}]
     text = kindsl("compute", "a.kindsl", "--output-format", "text").out
     assert f"mass at least 2 kg ({reason}), centre of mass of what is known (" in text
+
+
+def test_a_robot_without_masses_has_poses(kindsl: Runner, folder: Path) -> None:
+    (folder / "a.kindsl").write_text(re.sub(r"inertia_params \{[^}]*\}", "", GOOD))
+    told = kindsl("compute", "a.kindsl")
+    assert told.status == 0, told.err
+    (found,) = json.loads(told.out)["configurations"]
+    assert (found["mass"], found["com"]) == (0.0, None)
+    assert set(found["link_poses"]) == {"upper", "lower"}
+    text = kindsl("compute", "a.kindsl", "--output-format", "text").out
+    assert "nan" not in text
+    assert "mass unknown" in text
 
 
 def test_json_at_zero(kindsl: Runner, document: Path) -> None:

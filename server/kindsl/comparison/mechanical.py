@@ -168,7 +168,8 @@ def _structure(
 def _unmatched(ours: Described, theirs: Described, matching: MatchedJoints) -> str:
     numbers = (counted(each.skeleton.n_links, "joint") for each in (ours, theirs))
     here, there = numbers
-    told = f"{matching.n_joints} joints match: {here} here, {there} in {theirs.label}"
+    match = "1 joint matches" if matching.n_joints == 1 else f"{matching.n_joints} joints match"
+    told = f"{match}: {here} here, {there} in {theirs.label}"
     rest = [f"'{name}' only here" for name in matching.only_ours[:3]]
     rest += [f"'{name}' only there" for name in matching.only_theirs[:3]]
     return f"{told}; {', '.join(rest)}"

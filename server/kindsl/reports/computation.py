@@ -101,16 +101,21 @@ class Results(NamedTuple):
                 **{name: values[k].tolist() for name, values in self.inputs.items()},
                 "link_poses": {name: pose for name, pose in poses.items() if name in links},
                 "frame_poses": {name: pose for name, pose in poses.items() if name not in links},
-                **{name: values[k].tolist() for name, values in self.quantities.items()},
+                **{name: _plain(values[k]) for name, values in self.quantities.items()},
                 "jacobians": {name: J[k].tolist() for name, J in self.jacobians.items()},
             }
+
+
+def _plain(values: Array) -> Any:
+    """Return numbers as lists, None for what is not defined."""
+    return None if np.isnan(values).any() else values.tolist()
 
 
 def compute(analysis: Analysis, mechanism: Mechanism, request: ComputationRequest) -> Results:
     """Return all quantities for all configurations.
 
     Raises:
-        ValueError: A quantity is not defined: no mass at all, a motion that nothing resists.
+        ValueError: A quantity is not defined: nothing resists a motion.
     """
     q = np.array([motion.q for motion in request.motions])
     inputs = {"q": q, "qd": np.array([motion.qd for motion in request.motions])}
@@ -132,7 +137,7 @@ def _quantities(
     base_velocity = inputs.get("base_velocity")
     found = {
         "mass": np.full(len(q), mechanism.total_mass()),
-        "com": mechanism.center_of_mass(q),
+        "com": _centre_of_mass(mechanism, q),
         "joint_space_inertia": mechanism.joint_space_inertia(q),
         "gravity_torque": mechanism.gravity_torque(q, gravity),
         "bias_torque": mechanism.bias_torque(q, qd, base_velocity, gravity),
@@ -142,6 +147,12 @@ def _quantities(
         return {**found, **_answered("qdd", answer)}
     inverse = mechanism.inverse_dynamics(q, qd, inputs["qdd"], base_velocity, gravity)
     return {**found, **_answered("inverse_dynamics", inverse)}
+
+
+def _centre_of_mass(mechanism: Mechanism, q: Array) -> Array:
+    """Return the centre of mass (k, 3), NaN for a robot that weighs nothing."""
+    has_mass = np.any(mechanism.bodies.masses)
+    return mechanism.center_of_mass(q) if has_mass else np.full((len(q), 3), np.nan)
 
 
 def _answered(name: str, answer: Array | tuple[Array, Array]) -> dict[str, Array]:

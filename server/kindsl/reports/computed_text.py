@@ -2,11 +2,14 @@
 
 from collections.abc import Iterator, Sequence
 
+import numpy as np
+
 from kindsl.mechanism.total_mass import total_mass
 from kindsl.reports.columns import aligned
 from kindsl.reports.computation import Results
 from kindsl.reports.robot_text import printable_lines
 from kindsl.rigid.pose import PLAIN, angles
+from kindsl.text.phrases import counted
 
 _POSITION = {"revolute": "rad", "prismatic": "m"}
 _FORCE = {"revolute": "N m", "prismatic": "N"}
@@ -23,7 +26,8 @@ def computed_text(results: Results) -> str:
 def _parts(results: Results) -> Iterator[str]:
     head = results.head()
     base = "floating" if head["floating"] else "fixed"
-    yield f"{head['robot'] or '(unnamed)'}: {base} base, {len(head['links'])} links\n"
+    links = counted(len(head["links"]), "link")
+    yield f"{head['robot'] or '(unnamed)'}: {base} base, {links}\n"
     if head["parameters"]:
         yield aligned([(name, _text(value)) for name, value in head["parameters"].items()])
     for k in range(results.n_configurations):
@@ -70,7 +74,8 @@ def _masses(results: Results, k: int) -> str:
     weight = total_mass(results.analysis.model, results.analysis.context.values)
     of = "" if weight.is_whole else " of what is known"
     mass = weight.explained(f"{_text(found['mass'][k])} kg")
-    text = f"mass {mass}, centre of mass{of} ({com}) m\n"
+    has_com = not np.isnan(found["com"][k]).any()
+    text = f"mass {mass}, centre of mass{of} ({com}) m\n" if has_com else f"mass {mass}\n"
     if "base_acceleration" in found:
         acceleration = ", ".join(_text(value) for value in found["base_acceleration"][k])
         text += f"base acceleration ({acceleration}) rad/s^2, m/s^2\n"

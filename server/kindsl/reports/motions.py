@@ -106,7 +106,7 @@ def _joint_values(name: str, value: object, joints: Sequence[str]) -> tuple[floa
         return tuple(numbers.get(joint, 0.0) for joint in joints)
     found = _numbers(name, value)
     if len(found) != len(joints):
-        has = f"has {counted(len(found), 'number')}, the robot has {len(joints)} joints"
+        has = f"has {counted(len(found), 'number')}, the robot has {counted(len(joints), 'joint')}"
         raise MotionError(f"{name} {has}: {', '.join(joints)}")
     return found
 
