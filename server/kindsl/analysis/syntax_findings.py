@@ -9,7 +9,6 @@ from kindsl.semantics.model import Model
 from kindsl.semantics.places import Place
 from kindsl.syntax.comment_problems import UNDECODABLE
 from kindsl.syntax.document import SyntaxDocument
-from kindsl.syntax.passages import URDF_ELEMENTS
 from kindsl.syntax.tree import Island, Problem, Repair
 from kindsl.text.facts import Fact
 
@@ -42,6 +41,9 @@ def syntax_findings(
 
 def _pasted(model: Model, island: Island, problem: Problem) -> Finding | None:
     """Return the finding of a passage of another format, None for other problems."""
+    # Imported for broken documents only, since it delays the linter's start.
+    from kindsl.syntax.passages import URDF_ELEMENTS
+
     at = Place(island, problem.start, problem.end)
     if problem.message == URDF_ELEMENTS:
         from kindsl.analysis.pasted_urdf import urdf_finding

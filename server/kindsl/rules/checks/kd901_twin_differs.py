@@ -29,13 +29,17 @@ from collections.abc import Iterator
 
 from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.context import Context
-from kindsl.rules.twin_findings import of_number, of_structure
 from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
     """Yield a finding for each number that a twin has otherwise."""
+    if not context.twins:
+        return
+    # Imported for twins only, since it delays the linter's start.
+    from kindsl.rules.twin_findings import of_number, of_structure
+
     for each in context.twins:
         if not each.is_generated:
             yield from of_structure(model, each)

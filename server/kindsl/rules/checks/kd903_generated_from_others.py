@@ -21,7 +21,6 @@ from collections.abc import Iterator
 from kindsl.comparison.twins import ComparedTwin
 from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.context import Context
-from kindsl.rules.twin_findings import of_number, of_structure
 from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 
@@ -34,6 +33,9 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
 
 
 def _findings(model: Model, each: ComparedTwin) -> Iterator[Finding]:
+    # Imported for twins only, since it delays the linter's start.
+    from kindsl.rules.twin_findings import of_number, of_structure
+
     structure = list(of_structure(model, each))
     found = [of_number(model, each.twin, number) for number in each.found.numbers]
     findings = [*structure, *(finding for finding in found if finding is not None)]
