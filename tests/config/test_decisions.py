@@ -2,7 +2,29 @@
 
 from kindsl.analysis.settings import Settings
 from kindsl.config.decisions import Decisions, overridden
+from kindsl.rules.base import Severity
 from kindsl.semantics.parameters import Binding, JointProperties
+
+
+def test_what_a_table_decides_wins_and_the_rest_stays() -> None:
+    joints = {"a": JointProperties(-1.0, 1.0)}
+    poses = {"stand": {"a": 1.0}}
+    hint, error = {"KD1": Severity.HINT}, {"KD1": Severity.ERROR}
+    first = Decisions(
+        frozenset({"robcogen"}), ("KD1",), ("KD2",), hint, {"m": Binding(1.0)}, joints, "1", poses
+    )
+    settings = Settings(*first[:3], severity=hint, bindings=first.bindings, joints=joints,
+                        version="1", poses=poses)  # fmt: skip
+    assert overridden(Settings(), first) == settings
+    assert overridden(settings, Decisions()) == settings
+    second = first._replace(
+        targets=frozenset(), select=(), ignore=(), severity=error, bindings={"m": Binding(2.0)},
+        version="2",
+    )  # fmt: skip
+    assert overridden(settings, second) == settings._replace(
+        targets=frozenset(), select=(), ignore=(), severity=error, bindings={"m": Binding(2.0)},
+        version="2",
+    )  # fmt: skip
 
 
 def test_a_value_without_range_keeps_the_range() -> None:

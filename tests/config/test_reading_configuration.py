@@ -163,6 +163,10 @@ def test_what_is_wrong_is_told_with_its_place(text: str, told: str) -> None:
     assert str(caught.value).startswith("sub/kindsl.toml" + told)
     (problem,) = caught.value.problems
     assert "(at " not in problem.message
+    place = problem.place
+    assert len(text.split("\n")[place.line - 1]) >= place.column - 1
+    lines = text.split("\n")[: place.line - 1]
+    assert place.start == sum(len(line) + 1 for line in lines) + place.column - 1
 
 
 @given(st.text(max_size=8))
@@ -180,6 +184,9 @@ def test_a_twin_is_read_from_its_table() -> None:
     assert twin.pattern == "*.kindsl"
     assert twin.twin == TwinFile("a.urdf", "../a.urdf", (("a", "b"),), 0.0)
     assert text[slice(*twin.place)] == "file"
+    configuration = configuration_of("sub/kindsl.toml", text)
+    for document, twins in (("sub/arm.kindsl", (twin.twin,)), ("sub/arm.txt", ())):
+        assert tuple(configuration.settings_for(document).twins) == twins
 
 
 def test_all_mistakes_are_told_in_order() -> None:

@@ -12,7 +12,7 @@ from tests.config.toml_layouts import DOCUMENT, NAMES, Layout, layouts
 from kindsl.config.configuration import Configuration
 from kindsl.config.configuration_reading import configuration_of
 from kindsl.config.errors import ConfigurationError
-from kindsl.config.toml_edits import binding_edit, renaming_edits
+from kindsl.config.toml_edits import _is_same, binding_edit, renaming_edits
 from kindsl.text.edits import apply_edits
 
 FOLDER = Path("/project")
@@ -103,6 +103,26 @@ def test_only_our_table_of_a_pyproject_is_written_to(text: str, expected: str) -
     edit = binding_edit(str(FOLDER / "pyproject.toml"), text, ARM, [("m", 1.0)])
     assert edit is not None
     assert apply_edits(text, [edit]) == expected
+
+
+NAN = float("nan")
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "is_same"),
+    [
+        (1, 1, True), (1, 2, False), (1, 1.0, False), (1, True, False), (NAN, float("nan"), True),
+        (NAN, 1.0, False), ([1, 2], [1, 2], True), ([1, 2], [1], False), ([1], [2], False),
+        ({"a": [NAN]}, {"a": [NAN]}, True), ({"a": 1}, {"b": 1}, False),
+        ({"a": 1}, {"a": 2}, False),
+        ({}, [], False),
+    ],
+)  # fmt: skip
+def test_values_are_the_same_if_toml_cannot_tell_them_apart(
+    one: object, other: object, is_same: bool
+) -> None:
+    assert _is_same(one, other) is is_same
+    assert _is_same(other, one) is is_same
 
 
 def test_several_values_are_one_edit() -> None:

@@ -14,8 +14,8 @@ from kindsl.semantics.parameters import Binding
 from kindsl.text.lines import LineIndex
 from kindsl.text.regular import require_regular
 
-_TOML_PLACE = re.compile(
-    r"^(?P<what>.*) \(at (?:line (?P<line>\d+), column (?P<column>\d+)|end.*)\)$"
+_TOML_ERROR = re.compile(
+    r"(?P<what>.*?)(?: \(at (?:line (?P<line>\d+), column (?P<column>\d+)|end.*)\))?", re.DOTALL
 )
 _START = KeyPlace(1, 1, 0, 0)
 
@@ -104,10 +104,10 @@ def _parsed(path: str, text: str, root: tuple[str, ...]) -> tuple[dict[str, Any]
 
 
 def _not_toml(path: str, text: str, message: str) -> ConfigurationError:
-    match = _TOML_PLACE.match(message)
-    what = match["what"] if match else message
-    lines = LineIndex(text)
-    if match and match["line"]:
+    match = _TOML_ERROR.fullmatch(message)
+    assert match is not None
+    what, lines = match["what"], LineIndex(text)
+    if match["line"]:
         line, column = int(match["line"]), int(match["column"])
         offset = lines.offset(line - 1, column - 1)
         place = KeyPlace(line, column, offset, offset)

@@ -136,7 +136,8 @@ class _Scan:
 
     def _skip_blank(self) -> int:
         match = _BLANK.match(self.text, self.position)
-        self.position = match.end() if match else self.position
+        assert match is not None
+        self.position = match.end()
         return self.position
 
 
