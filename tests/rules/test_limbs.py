@@ -1,6 +1,7 @@
 """What is told of limbs (KD208 to KD210, KD509, KD510), with which fixes, and what it costs."""
 
 from collections.abc import Iterator
+from itertools import product
 from typing import Any
 
 import pytest
@@ -229,6 +230,32 @@ def test_of_a_copied_mass_the_link_is_told_that_it_was_copied_from() -> None:
     (finding,) = found("KD509", with_shanks(text, knee))
     assert finding.message == COPIED
     assert finding.fix is None
+
+
+@pytest.mark.parametrize("signs", list(product(("", "-"), repeat=4)))
+def test_one_leg_at_most_is_told_to_be_unlike_its_twins(signs: tuple[str, ...]) -> None:
+    """As mirror images one may be odd, as copies another: two fixes would contradict."""
+    legs = {
+        leg: HIP.replace("0.02, 0.01", f"0.02, {sign}0.01").replace("Ixy=0.0", f"Ixy={sign}0.002")
+        for leg, sign in zip(("LF", "RF", "LH", "RH"), signs, strict=True)
+    }
+    assert len(told("KD509", legs_with(**legs))) <= 1
+    for leg in legs:
+        one = {leg: legs[leg].replace("Ixy=", "Ixy=-").replace("--", "")}
+        assert len(told("KD509", legs_with(**{**legs, **one}))) <= 1
+
+
+def test_where_the_twins_are_impossible_too_they_still_tell_the_slip() -> None:
+    """No cause makes such a body possible, and their value is not offered."""
+    impossible = section(2.0, "0.02, 0.01, 0.05", 0.03, 0.031, 0.072)
+    legs = dict.fromkeys(("LF", "RF", "LH"), impossible)
+    text = legs_with(**legs, RH=impossible.replace("2.0", "20.0", 1))
+    (finding,) = found("KD509", text)
+    assert finding.fix is None
+    assert finding.message == (
+        "mass of 'RH_hip' is 20.0, by its twins 2.0, which are physically impossible"
+    )
+    assert told("KD509", legs_with(**legs, RH=impossible)) == []
 
 
 def test_legs_across_are_no_other_part() -> None:

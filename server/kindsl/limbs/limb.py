@@ -100,9 +100,8 @@ def _labelled(edges: Sequence[Edge]) -> Iterator[tuple[bool, dict[Side, Edge]]]:
         is_named = bool(side or row)
         label: Side = (side, row) if is_named else tuple(int(w) for w in words if w.isdigit())
         if label:
-            groups.setdefault((is_named, words if is_named else part), {}).setdefault(
-                label, []
-            ).append(edge)
+            alike = groups.setdefault((is_named, words if is_named else part), {})
+            alike.setdefault(label, []).append(edge)
     for (is_named, _), by_label in groups.items():
         if _FEWEST[is_named] <= len(by_label) <= _MOST_LIMBS:
             yield is_named, {label: found[0] for label, found in by_label.items() if not found[1:]}

@@ -226,15 +226,24 @@ def _odd_masses(edges: _Weighed) -> Iterator[LimbVerdict]:
     rows = {index for found in differing.values() for index, _ in found}
     copied = dict.fromkeys(edges, dict.fromkeys(rows, IDENTITY.rotation))
     as_copies = {pair: set(c.differing(copied[pair])) for pair, c in edges.items()}
-    for label in dict.fromkeys(label for pair in edges for label in pair):
-        ways = [
-            (_only_in(label, found), C) for found, C in ((differing, mirrored), (as_copies, copied))
-        ]
-        for index in sorted({index for odd, _ in ways for index, _ in odd}):
-            # The way in which the twins agree most.
-            said = [([what for row, what in odd if row == index], C) for odd, C in ways]
-            words, conventions = max(said, key=lambda each: len(each[0]))
-            yield _odd_mass(label, index, words, edges, conventions)
+    labels = dict.fromkeys(label for pair in edges for label in pair)
+    for index in sorted(rows):
+        # In one way for all limbs, that in which they agree most: two ways would accuse two limbs.
+        here, C = min(
+            (
+                (_in_row(index, found), C)
+                for found, C in ((differing, mirrored), (as_copies, copied))
+            ),
+            key=lambda way: sum(map(len, way[0].values())),
+        )
+        for label in labels:
+            words = _only_in(label, here)
+            if words:
+                yield _odd_mass(label, index, words, edges, C)
+
+
+def _in_row(index: int, differing: _Differing) -> dict[_Pair, set[str]]:
+    return {pair: {w for row, w in found if row == index} for pair, found in differing.items()}
 
 
 def _odd_com(edges: _Weighed, conventions: _Conventions) -> Iterator[LimbVerdict]:
@@ -252,13 +261,13 @@ def _odd_com(edges: _Weighed, conventions: _Conventions) -> Iterator[LimbVerdict
         yield LimbVerdict(other.places + one.places, other.repairs + one.repairs, (), False)
 
 
-def _only_in(label: Side, differing: _Differing) -> set[tuple[int, str]]:
+def _only_in(label: Side, differing: Mapping[_Pair, set[str]]) -> list[str]:
     """Return what differs between one limb and all its twins, and not between any others."""
     mine = [found for pair, found in differing.items() if label in pair]
     others = [found for pair, found in differing.items() if label not in pair]
     if len(mine) < 2 or not others:
-        return set()
-    return set.intersection(*mine).difference(*others)
+        return []
+    return sorted(set.intersection(*mine).difference(*others))
 
 
 def _odd_mass(

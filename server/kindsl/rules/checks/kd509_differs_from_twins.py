@@ -54,7 +54,7 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     for verdict in slips.verdicts:
         place = verdict.places[0]
         if verdict.is_convicted and place.what != "kind":
-            if place.what in OF_A_LINK and is_told_of(model.body_named[place.link], model, context):
+            if place.what in OF_A_LINK and _is_told_better(model, context, verdict):
                 continue
             message, fix = _message(model, context, verdict)
             others = [Related(located(model, p), f"or {told(p)}") for p in verdict.places[1:]]
@@ -143,6 +143,14 @@ def _why(model: Model, context: Context, verdict: LimbVerdict) -> str:
 def _body(ten: Sequence[float]) -> MassDistribution:
     mass, x, y, z, *moments = ten
     return MassDistribution(mass, (x, y, z), tuple(moments))  # type: ignore[arg-type]
+
+
+def _is_told_better(model: Model, context: Context, verdict: LimbVerdict) -> bool:
+    """Return whether a cause is looked for that makes a body possible, as its twins are."""
+    body = model.body_named[verdict.places[0].link]
+    return is_told_of(body, model, context) and not (
+        is_impossible(body, context) and _are_impossible(model, context, verdict.twins)
+    )
 
 
 def _are_impossible(model: Model, context: Context, twins: tuple[str, ...]) -> bool:
