@@ -40,6 +40,7 @@ _GROUPS_OF_DIGITS = re.compile(
 )
 _FACTOR_BEFORE = re.compile(r"[\w.)\]>]+\Z")
 _FACTOR_BEHIND = re.compile(r"[-+]?[\w.(<]+")
+_POWER_OF_TEN = re.compile(rf"10[ \t]*(?:\^|\*\*|[-+⁻⁺]?[{SUPERSCRIPTS}])")
 _NAME_BEFORE = re.compile(r"[\w\u2010-\u2015]+\Z")
 _BEFORE_VALUES = tuple("=(,*/+-[<")
 _NEAR = 80
@@ -173,6 +174,7 @@ def _dot(plain: str, at: int) -> str | None:
         return None
     if before[-1].isdigit() and behind[0].isdigit():
         is_whole = "." not in left[0] + right[0] and left[0][0].isdigit()
+        is_whole = is_whole and not _POWER_OF_TEN.match(behind)
         return "." if is_whole else "*"
     is_name = before[-1].isalpha() and behind[0].isalpha()
     return None if is_name else "*"

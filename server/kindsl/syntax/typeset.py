@@ -22,7 +22,7 @@ _POWER = (
     rf"|{_BLANKS}(?:\^|\*\*){_BLANKS}(?P<power>[-+]?[0-9]{{1,2}}|\([-+]?[0-9]{{1,2}}\))"
 )
 _POWER_OF_TEN = re.compile(
-    rf"(?<![\w.^])(?:(?P<mantissa>{_NUMBER}){_BLANKS}(?P<times>[*xX]){_BLANKS}|(?P<sign>[-+]?))10"
+    rf"(?<![\w.^])(?P<comma>[0-9]++,(?=[0-9]++{_BLANKS}[*xX]))?(?:(?P<mantissa>{_NUMBER}){_BLANKS}(?P<times>[*xX]){_BLANKS}|(?P<sign>[-+]?))10"
     rf"(?:{_POWER}|(?P<lowered>[-+]?[0-9]{{1,2}}))(?![\w.])"
 )
 _BROKEN = re.compile(
@@ -76,6 +76,8 @@ def _joined(
 
 def _power_of_ten(text: str, match: re.Match[str]) -> Token | None:
     """Return the number that a power of ten is, a malformed one where it may be something else."""
+    if match["comma"]:
+        return Token("MALFORMED_NUMBER", text[slice(*match.span())], match.start(), *match.span())
     mantissa = match["mantissa"] or f"{match['sign']}1"
     start, end = match.span()
     if match["lowered"]:
