@@ -1,13 +1,16 @@
 """A body's mass distribution as written, in its link frame, and seen from other frames."""
 
 from collections.abc import Mapping
+from functools import partial
 
 from kindsl.rigid.body import MassDistribution, seen_from
 from kindsl.semantics.declarations import Inertia, Link, inertia_values
 from kindsl.semantics.numbers import mass_distribution, written_pose
 from kindsl.semantics.unknown import Unknown, pose_expressions, why_unknown
+from kindsl.text.facts import Fact
 
 NO_INERTIA = Unknown("it has no inertia section")
+_IN_LINK_FRAME = Fact[tuple[object, MassDistribution | Unknown]]("inertia seen in the link frame")
 
 
 def written_inertia(inertia: Inertia, values: Mapping[str, float]) -> MassDistribution | Unknown:
@@ -20,12 +23,21 @@ def link_inertia(link: Link, values: Mapping[str, float]) -> MassDistribution | 
     """Return a link's inertia in its link frame, or why it is not known."""
     if link.inertia is None:
         return NO_INERTIA
-    written = written_inertia(link.inertia, values)
-    if link.inertia.frame is None or isinstance(written, Unknown):
+    if link.inertia.frame is None:
+        return written_inertia(link.inertia, values)
+    seen = partial(_seen_in_link_frame, link, link.inertia, values)
+    return link.facts.made_of(_IN_LINK_FRAME, dict(values), seen)
+
+
+def _seen_in_link_frame(
+    link: Link, inertia: Inertia, values: Mapping[str, float]
+) -> MassDistribution | Unknown:
+    written = written_inertia(inertia, values)
+    if isinstance(written, Unknown):
         return written
-    frame = next((f for f in link.frames if f.name == link.inertia.frame), None)
+    frame = next((f for f in link.frames if f.name == inertia.frame), None)
     if frame is None:
-        name = link.inertia.frame
+        name = inertia.frame
         return Unknown(f"it has no frame `{name}`" if name else "its frame has no name")
     pose = written_pose(frame.pose, values)
     if pose is None:
