@@ -218,6 +218,15 @@ def test_a_missing_inertia_is_no_zero_in_a_table(kindsl: Runner, arm: Path) -> N
     assert "| link | `lower` | mass | 0.8 kg (line 17) | no inertia |" in run.out
 
 
+def test_a_joint_that_does_not_exist_is_not_passed_over(kindsl: Runner, arm: Path) -> None:
+    kindsl("convert", "-q", arm, "a.urdf")
+    for pair, where in (("elbow=elbo", "'elbo' in a.urdf"), ("elbo=elbow", "'elbo' here")):
+        run = kindsl("diff", arm, "a.urdf", "--joint", pair)
+        assert (run.status, run.out) == (2, "")
+        told = f"--joint: error: there is no joint {where}, did you mean 'elbow'?"
+        assert told in run.err
+
+
 def test_of_two_other_formats_one_may_tell_the_base(kindsl: Runner, arm: Path) -> None:
     pytest.importorskip("mujoco")
     arm.write_text(ARM.replace("RobotBase base {", "RobotBase base floating {"))

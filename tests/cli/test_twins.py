@@ -66,6 +66,13 @@ def test_a_tolerance_and_a_map_of_joints_are_heard(kdsl_lint: Runner) -> None:
     assert message.startswith("0 joints match: 2 joints here, 2 joints in arm.urdf")
 
 
+def test_a_joint_of_the_map_that_does_not_exist_is_told(kdsl_lint: Runner) -> None:
+    Path("kindsl.toml").write_text(f"{TWINS.format('arm.urdf')}joints = {{ elbow = 'elbo' }}")
+    ((code, path, _, message),) = findings(kdsl_lint)
+    assert (code, path) == ("KD901", "arm.kindsl")
+    assert message == "there is no joint 'elbo' in arm.urdf, did you mean 'elbow'?"
+
+
 @pytest.mark.parametrize(
     ("name", "content", "message"),
     [

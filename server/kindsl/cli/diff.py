@@ -84,11 +84,15 @@ def _joint_pair(text: str) -> tuple[str, str]:
 
 
 def _mechanics(args: argparse.Namespace) -> int:
-    from kindsl.comparison.mechanical import compared_mechanics
+    from kindsl.comparison.mechanical import compared_mechanics, unknown_joints
     from kindsl.reports.mechanics import report_of
 
     read = read_robots((args.old, args.new), choices_of(args))
-    found = compared_mechanics(read.old.robot, read.new.robot, dict(args.joint))
+    robots, joints = (read.old.robot, read.new.robot), dict(args.joint)
+    unknown = [Failure("--joint", sentence) for sentence in unknown_joints(*robots, joints)]
+    if unknown:
+        raise CommandError(unknown)
+    found = compared_mechanics(*robots, joints)
     report = report_of(read.old, read.new, found)
     write(sys.stdout, _rendered_mechanics(report, args.output_format))
     write(sys.stderr, "".join(f"note: {printable(note)}\n" for note in read.notes))

@@ -18,6 +18,7 @@ from kindsl.comparison.turned_axes import axis_differences, described_with_axis
 from kindsl.comparison.written import Described, written_frame
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.rigid.pose import RigidPose
+from kindsl.text.nearest import hint, nearest_name
 from kindsl.text.phrases import counted
 
 # Of gravity beside ours, radians: as much as the digits of an angle allow.
@@ -69,7 +70,10 @@ def compared_mechanics(
         tolerance: Relative, of what counts as equal besides what the digits leave open.
     """
     one, other = ours.skeleton, theirs.skeleton
-    matching = matched(one, other, joints or {}, lambda: base_frames(one, other))
+    given = joints or {}
+    wrong = tuple(unknown_joints(ours, theirs, given))
+    named = {a: b for a, b in given.items() if a in one.joint_names and b in other.joint_names}
+    matching = matched(one, other, named, lambda: base_frames(one, other))
     bounds = Tolerances(_size(one), tolerance)
     tried: list[MechanicalComparison] = []
     for root in likely_base_frames(one, other, matching):
@@ -82,7 +86,18 @@ def compared_mechanics(
         root = found.alignment.frames[0]
         again = _under(ours, theirs, matching, bounds, root, is_rough=False)
         found = min(found, again, key=_n_differences)
-    return _with_axes_told(ours, theirs, bounds, found)
+    found = _with_axes_told(ours, theirs, bounds, found)
+    return replace(found, structure=(*wrong, *found.structure))
+
+
+def unknown_joints(ours: Described, theirs: Described, joints: Mapping[str, str]) -> Iterator[str]:
+    """Yield which names of a map of joints no joint has, one sentence each."""
+    sides = (ours, joints, "here"), (theirs, joints.values(), f"in {theirs.label}")
+    for side, names, where in sides:
+        known = side.skeleton.joint_names
+        for name in names:
+            if name not in known:
+                yield f"there is no joint '{name}' {where}{hint(nearest_name(name, known), ',')}"
 
 
 def _with_axes_told(
