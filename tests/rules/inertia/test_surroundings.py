@@ -4,6 +4,7 @@ from math import log, sqrt
 
 import pytest
 from tests.support.bodies import document_of_bodies
+from tests.support.one_rule import row
 
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.settings import Settings
@@ -267,3 +268,14 @@ def test_a_twin_that_nothing_is_known_of_is_none() -> None:
 
 def test_nameless_links_are_of_no_part() -> None:
     assert around(legs(left=WRONG, right=RIGHT)).twins == ()
+
+
+def test_the_part_of_the_same_number_is_the_twin_in_a_chain() -> None:
+    """Of an arm of many numbered links not the first eight, but the one on the other side."""
+    names = " ".join(f"{side}_arm_{n}" for side in ("left", "right") for n in range(1, 8))
+    numbers = [SECTION % (f"{2.0 + 0.1 * n:.1f}", "0.10") for n in range(1, 8)]
+    sections = [*numbers[:-1], numbers[-1].replace("Iz=0.10", "Iz=0.30"), *numbers]
+    analysis = analyse(row(*sections, names=names))
+    (found,) = suspects_of(analysis.model, analysis.context)
+    around = surroundings(analysis.model, analysis.context, found)
+    assert [twin.name for twin in around.twins] == ["right_arm_7"]

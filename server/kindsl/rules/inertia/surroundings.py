@@ -201,8 +201,7 @@ def copies(model: Model, context: Context, link: Link) -> Iterator[tuple[str, st
 
     What a twin of the link has besides, but for signs, is their own.
     """
-    parts = _parts(model).get(label_of(str(link.name)).part, ())
-    owned = [numbers for twin in parts if twin is not link for numbers in _telling_numbers(twin)]
+    owned = [numbers for twin in _namesakes(model, link) for numbers in _telling_numbers(twin)]
     part = label_of(str(link.name)).part
     for telling in _telling_numbers(link):
         if not any(telling.is_as(each, abs) for each in owned):
@@ -271,8 +270,8 @@ def _telling_numbers(body: Link) -> list[_Telling]:
 
 def _alike(model: Model, context: Context, link: Link) -> Iterator[_Inertia]:
     """Yield the links of the same part, with their inertias."""
-    for other in _parts(model).get(label_of(str(link.name)).part, ()):
-        if other is not link and other.inertia is not None:
+    for other in _namesakes(model, link):
+        if other.inertia is not None:
             body = mass_distribution(other.inertia, context.values)
             if body is not None and body.mass > 0.0:
                 yield other, body
@@ -318,12 +317,20 @@ def _frames(model: Model, context: Context, link: Link, other: Link) -> list[Rot
     return known[names]
 
 
+def _namesakes(model: Model, link: Link) -> list[Link]:
+    """Return the same part on the other side or at other legs: with its numbers, else without."""
+    label, parts = label_of(str(link.name)), _parts(model)
+    numbered = [other for other in parts.get((True, label.words), ()) if other is not link]
+    return numbered or [o for o in parts.get((False, label.part), ()) if o is not link]
+
+
 @kept
-def _parts(model: Model) -> dict[tuple[str, ...], list[Link]]:
-    """Return the bodies that are the same part on another side or at another leg, by its name."""
-    parts: dict[tuple[str, ...], list[Link]] = {}
+def _parts(model: Model) -> dict[tuple[bool, tuple[str, ...]], list[Link]]:
+    """Return some bodies of each name without sides, with their numbers and without."""
+    parts: dict[tuple[bool, tuple[str, ...]], list[Link]] = {}
     for body in model.bodies:
-        part = label_of(str(body.name)).part
-        if part and len(parts.setdefault(part, [])) < _MOST_PARTS:
-            parts[part].append(body)
+        label = label_of(str(body.name))
+        for key in ((True, label.words), (False, label.part)) if label.part else ():
+            if len(parts.setdefault(key, [])) < _MOST_PARTS:
+                parts[key].append(body)
     return parts
