@@ -137,6 +137,14 @@ def test_limit_of_a_joint_that_no_document_has(kdsl_lint: Runner, folder: Path) 
     assert "no document that 'b.kindsl' names has a joint" in kdsl_lint("--select", "KD404").out
 
 
+def test_pose_of_a_joint_that_no_document_has(kdsl_lint: Runner, folder: Path) -> None:
+    (folder / "a.kindsl").write_text(arm())
+    (folder / "kindsl.toml").write_text("[poses.home]\nshoulder = 1.0\nelbw = 0.5\n")
+    told = kdsl_lint("--select", "KD404").out
+    assert told.startswith("kindsl.toml:3:1: warning[KD404] no document has a joint 'elbw'; did")
+    assert "shoulder" not in told
+
+
 def test_binding_in_pyproject_is_told_there(kdsl_lint: Runner, folder: Path) -> None:
     (folder / "a.kindsl").write_text(GOOD)
     (folder / "pyproject.toml").write_text("[tool.kindsl.parameters]\nfree = 0.5\n")

@@ -53,9 +53,9 @@ class Configuration(NamedTuple):
 
     @property
     def has_bindings(self) -> bool:
-        """True if it binds any parameter, or limits any joint."""
+        """True if it binds any parameter, limits any joint or names a pose."""
         tables = (self.common, *(document.decisions for document in self.documents))
-        return any(table.bindings or table.joints for table in tables)
+        return any(table.bindings or table.joints or table.poses for table in tables)
 
     def tables_for(self, document: str) -> list[Decisions]:
         """Return the tables that apply to a document, the more specific later."""

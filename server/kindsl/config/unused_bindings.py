@@ -113,6 +113,9 @@ def _of_table(pattern: str | None, keys: KeyPath, decisions: Decisions) -> Itera
         yield _Bound(pattern, "parameter", (*keys, "parameters", name))
     for name in decisions.joints:
         yield _Bound(pattern, "joint", (*keys, "joints", name))
+    for pose, joints in decisions.poses.items():
+        for name in joints:
+            yield _Bound(pattern, "joint", (*keys, "poses", pose, name))
 
 
 def _finding(severity: Severity, span: tuple[int, int], message: str) -> Diagnostic:

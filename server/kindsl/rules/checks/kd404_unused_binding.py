@@ -2,7 +2,8 @@
 
 ## What it does
 Reports, in `kindsl.toml`, a name under `[parameters]` that no document of the project uses, or
-under `[joints]` one that no document has; in `[[document]]` a name that is not in this document.
+under `[joints]` or in a pose one that no document has; in `[[document]]` a name that is not in this
+document.
 
 ## Why is this bad?
 The name is misspelt, or a leftover: the value has no effect.
