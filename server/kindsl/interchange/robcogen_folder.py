@@ -191,11 +191,10 @@ def _transforms(
         end = text.find("\n}", method.end())
         bodies[method[1]] = bodies.get(method[1], "") + text[method.end() : end]
     for name, body in bodies.items():
-        left, between, right = name.partition("_X_")
-        if between and "_X_" not in right:
-            transform = _transform(body, constants)
-            if transform is not None:
-                yield (left.removeprefix("fr_"), right.removeprefix("fr_")), transform
+        frames = name.split("_X_")
+        transform = _transform(body, constants) if len(frames) == 2 else None
+        if transform is not None:
+            yield (frames[0].removeprefix("fr_"), frames[1].removeprefix("fr_")), transform
 
 
 def _transform(body: str, constants: Mapping[str, float]) -> _Transform | None:
