@@ -15,7 +15,8 @@ from tests.support.published import published_models
 
 import kindsl
 from kindsl.analysis.settings import Settings
-from kindsl.interchange.format import ORDINARY, Format, WritingChoices
+from kindsl.interchange.descriptions import read_description
+from kindsl.interchange.format import ORDINARY, Format, FormatError, WritingChoices
 from kindsl.interchange.kindsl_writing import kindsl_text
 from kindsl.interchange.registry import all_formats, format_named, format_of_suffix
 from kindsl.interchange.repairing import repaired
@@ -25,6 +26,16 @@ from kindsl.semantics.parameters import JointProperties
 
 TOLERANCE = 1e-9
 BOTH_WAYS = [format for format in all_formats() if format.read and format.write]
+
+
+@pytest.mark.parametrize(
+    ("name", "told"), [("a.step", "the suffix '.step'"), ("a", "a name without a suffix")]
+)
+def test_a_name_that_tells_no_format_is_said(tmp_path: Path, name: str, told: str) -> None:
+    (tmp_path / name).touch()
+    message = f"^{re.escape(told)} does not determine the format: use .*\\.urdf"
+    with pytest.raises(FormatError, match=message):
+        read_description(tmp_path / name, name, None)
 
 
 def test_formats_are_found_with_their_suffixes() -> None:

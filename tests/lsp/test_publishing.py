@@ -214,6 +214,23 @@ async def test_companions_that_are_pulled_are_asked_for_again_when_names_change(
         await published(told, robot.as_uri(), 3)
         await settled(session)
         assert len(told.named("workspace_diagnostic_refresh")) == 2
+        change(session, file.as_uri(), 2, "mistaken = 1\n")
+        await settled(session)
+        assert not [p for p in told.named(PUBLISH) if p["uri"] == file.as_uri()]
+
+
+async def test_of_a_companion_only_the_version_that_is_shown_is_told(tmp_path: Path) -> None:
+    uri = (tmp_path / "kindsl.toml").as_uri()
+    with session_with() as (session, told):
+        session.workspace.set_editor_settings({"diagnostics": {"delay": 60_000}})
+        old = opened(session, uri, "mistaken = 1\n")
+        change(session, uri, 2, "wrong = 1\n")
+        new = session.documents.get(uri)
+        assert new is not None
+        told.messages.clear()
+        await session.publisher._publish_companion(old)
+        await session.publisher._publish_companion(new)
+        assert [params["version"] for params in told.named(PUBLISH)] == [2]
 
 
 async def test_the_disk_is_looked_at_for_files_that_decide(
