@@ -2,9 +2,14 @@
 
 import subprocess
 import sys
+from importlib.util import find_spec
 from pathlib import Path
 
+import pytest
 from tests.support.lsp import RawClient
+
+from kindsl.lsp.session.warm_up import FIRST
+from kindsl.lsp.session.warm_up import LATER as AFTERWARDS
 
 LATER = ("numpy", "lark", "tornado", "meshcat", "kindsl.syntax.tables", "kindsl.analysis.analysis")
 
@@ -15,6 +20,11 @@ def test_the_language_loads_after_the_answer_to_initialize() -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "set()"
+
+
+@pytest.mark.parametrize("module", [*FIRST, *AFTERWARDS])
+def test_what_is_loaded_beforehand_is_there(module: str) -> None:
+    assert find_spec(module) is not None
 
 
 def test_what_needs_more_says_what_to_install() -> None:

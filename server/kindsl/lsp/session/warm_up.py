@@ -13,16 +13,16 @@ from kindsl.lsp.session.worker import Urgency, Worker
 
 logger = logging.getLogger(__name__)
 
-_FIRST = ("kindsl.analysis.analysis", "kindsl.lsp.session.settings", "kindsl.config.discovery")
-_LATER = ("kindsl.formatting.format", "kindsl.config.toml_edits", "numpy", "kindsl.mechanism.build")
+FIRST = ("kindsl.analysis.analysis", "kindsl.config.editor_settings", "kindsl.config.discovery")
+LATER = ("kindsl.formatting.format", "kindsl.config.toml_edits", "numpy", "kindsl.mechanism.build")
 
 
 def warm_up(worker: Worker) -> None:
     """Queue the imports: first what any answer needs, the rest when nobody waits."""
-    for module in _FIRST:
+    for module in FIRST:
         worker.submit(partial(_load, module))
     worker.submit(_load_rules, Urgency.DIAGNOSTICS)
-    for module in (*_features(), *_LATER):
+    for module in (*_features(), *LATER):
         worker.submit(partial(_load, module), Urgency.BACKGROUND)
 
 
