@@ -9,14 +9,16 @@ from lsprotocol import types
 from tests.cli.samples import GOOD, UNBOUND
 from tests.lsp.sessions import REFUSAL, Told, folder_of, of_versions, opened, session_with
 
-from kindsl.config.parameter_lines import parameter_table
+from kindsl.config.parameter_lines import parameter_table, pose_table
 from kindsl.lsp.session.session import Session
 from kindsl.lsp.wire.protocol import RequestFailed
 from kindsl.preview.outcomes import Writing
+from kindsl.preview.requests import KeepPose, WriteParameters
 from kindsl.text.edits import TextEdit
 from kindsl.text.span import Span
 
 URI = "untitled:arm"
+WANTED = WriteParameters({"length": 2.0})
 WRITING = Writing("Move the elbow", GOOD, (TextEdit(6, 9, "leg"),))
 
 
@@ -184,7 +186,7 @@ async def test_values_are_kept_in_the_file_that_is_there(tmp_path: Path, answer:
         told.answers["workspace_apply_edit"] = answer
         session.workspace.add_folders([folder_of(tmp_path)])
         opened(session, robot.as_uri(), UNBOUND)
-        assert session.previews._keep(robot.as_uri(), {"length": 2.0}) == ""
+        assert session.previews._keep(robot.as_uri(), WANTED) == ""
         (params,) = await until_told(told, "workspace_apply_edit")
         assert params.label == "Give parameters values"
         (change,) = params.edit.document_changes
@@ -194,7 +196,7 @@ async def test_values_are_kept_in_the_file_that_is_there(tmp_path: Path, answer:
 
 async def test_values_are_kept_in_a_new_file_where_the_client_makes_one(tmp_path: Path) -> None:
     robot = tmp_path / "arm.kindsl"
-    by_hand = parameter_table({"length": 2.0})
+    by_hand = parameter_table(WANTED.values)
     assert "length = 2.0" in by_hand
     makes = of_versions()
     assert makes.workspace is not None and makes.workspace.workspace_edit is not None
@@ -204,9 +206,9 @@ async def test_values_are_kept_in_a_new_file_where_the_client_makes_one(tmp_path
             session.workspace.add_folders([folder_of(tmp_path)])
             opened(session, robot.as_uri(), UNBOUND)
             opened(session, URI, UNBOUND)
-            assert session.previews._keep(robot.as_uri(), {"length": 2.0}) == kept
-            assert session.previews._keep(URI, {"length": 2.0}) == by_hand
-            assert session.previews._keep("untitled:absent", {"length": 2.0}) == by_hand
+            assert session.previews._keep(robot.as_uri(), WANTED) == kept
+            assert session.previews._keep(URI, WANTED) == by_hand
+            assert session.previews._keep("untitled:absent", WANTED) == by_hand
             if kept:
                 await asyncio.sleep(0.01)
                 assert told.named("workspace_apply_edit") == []
@@ -217,3 +219,27 @@ async def test_values_are_kept_in_a_new_file_where_the_client_makes_one(tmp_path
                     creation.uri == change.text_document.uri == f"{tmp_path.as_uri()}/kindsl.toml"
                 )
                 assert [e.new_text for e in change.edits] == ["[parameters]\nlength = 2.0\n"]
+
+
+async def test_a_pose_is_kept_in_the_file_that_is_there_or_told(tmp_path: Path) -> None:
+    file, robot = tmp_path / "kindsl.toml", tmp_path / "arm.kindsl"
+    pose = KeepPose("stand", {"shoulder": 0.5})
+    by_hand = pose_table(*pose)
+    with session_with(of_versions()) as (session, told):
+        session.workspace.add_folders([folder_of(tmp_path)])
+        opened(session, robot.as_uri(), UNBOUND)
+        opened(session, URI, UNBOUND)
+        for uri in (robot.as_uri(), URI, "untitled:absent"):
+            assert session.previews._keep(uri, pose) == by_hand
+        file.write_text("wrong = 1\n")
+        assert session.previews._keep(robot.as_uri(), pose) == by_hand
+    file.write_text("[parameters]\n")
+    with session_with(of_versions()) as (session, told):
+        session.workspace.add_folders([folder_of(tmp_path)])
+        opened(session, robot.as_uri(), UNBOUND)
+        assert session.previews._keep(robot.as_uri(), pose) == ""
+        (params,) = await until_told(told, "workspace_apply_edit")
+        assert params.label == "Keep pose 'stand'"
+        (change,) = params.edit.document_changes
+        assert change.text_document.uri == file.as_uri()
+        assert "shoulder = 0.5" in "".join(edit.new_text for edit in change.edits)
