@@ -1,13 +1,15 @@
 """`kindsl`: which subcommand runs, and the help."""
 
+import argparse
 import re
+import shlex
 from pathlib import Path
 
 import pytest
 from tests.cli.conftest import Runner
 from tests.cli.samples import UNBOUND
 
-from kindsl.cli.commands import command_summaries
+from kindsl.cli.commands import command_module, command_summaries
 from kindsl.cli.main import with_joined_negatives
 
 
@@ -52,6 +54,18 @@ def test_every_command_has_help(kindsl: Runner, command: str) -> None:
     assert told.status == 0
     assert told.out.startswith(f"usage: kindsl {command} ")
     assert max(map(len, told.out.splitlines())) <= 100
+
+
+@pytest.mark.parametrize("command", command_summaries())
+def test_examples_of_help_are_understood(command: str) -> None:
+    module = command_module(command)
+    assert module is not None
+    parser = argparse.ArgumentParser(exit_on_error=False)
+    module.add_arguments(parser)
+    examples = re.findall(rf"^  kindsl {command}(.*)$", module.__doc__ or "", re.MULTILINE)
+    assert examples or command == "mcp"
+    for example in examples:
+        parser.parse_intermixed_args(with_joined_negatives(shlex.split(example)))
 
 
 def test_negative_numbers_are_values() -> None:

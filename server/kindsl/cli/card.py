@@ -3,6 +3,10 @@
 It has a picture, the tree, joints, masses, frames, parameters, each joint's transform in closed
 form, and the document's health. Broken documents are shown as far as they go. Markdown that is
 written to a file has its picture in a file beside it.
+
+examples:
+  kindsl card arm.kindsl -o arm.md
+  kindsl card arm.kindsl --output-format latex --param payload=0.5 -o arm.tex
 """
 
 import argparse

@@ -2,6 +2,12 @@
 
 A LIST is numbers separated by commas, one a joint in the order of the links' ids; or NAME=NUMBER
 pairs with the names of joints, the others zero. Angles are in radians, lengths in metres.
+
+examples:
+  kindsl compute arm.kindsl --q 0.1,-0.5,0.3
+  kindsl compute arm.kindsl --q elbow=0.5 --qd elbow=1.0 --output-format text
+  kindsl compute arm.kindsl --q-file motion.json --output-format npz -o motion.npz
+  kindsl compute arm.kindsl --forward --tau elbow=2.0
 """
 
 import argparse
@@ -52,7 +58,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="velocity of a floating base: three angular, three linear",
     )
     add("--q-file", metavar="JSON", help="an object with q, qd, ..., or an array of them")
-    add("--gravity", metavar="X,Y,Z", type=_gravity, default=(0.0, 0.0, -9.81))
+    usual, told = (0.0, 0.0, -9.81), "m/s² in the base's frame (default: 0,0,-9.81)"
+    add("--gravity", metavar="X,Y,Z", type=_gravity, default=usual, help=told)
     add("--forward", action="store_true", help="compute accelerations from forces")
     add("--tau", metavar="LIST", help="with --forward: joint forces")
     add("--output-format", choices=FORMATS, help="default: text on a terminal, json elsewhere")

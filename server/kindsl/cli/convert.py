@@ -2,6 +2,12 @@
 
 Reports on stderr what the other format cannot express. A .xacro file is expanded first, which
 evaluates Python expressions in it: convert only files that you trust.
+
+examples:
+  kindsl convert arm.urdf arm.kindsl
+  kindsl convert arm.kindsl arm.xml
+  kindsl convert --floating-base dog.urdf dog.kindsl
+  kindsl convert --package-path ~/ws/src ur5e.urdf.xacro ur5e.kindsl name:=ur5e
 """
 
 import argparse

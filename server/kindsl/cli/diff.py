@@ -7,6 +7,11 @@ document that is not there, as git has it for new and deleted files.
 With --mechanics, and always where one of both is of another format (.urdf, .xacro, .xml, .mjcf,
 .sdf) or a folder of generated code, only the mechanics count: what moves where and what weighs
 what, within the digits written. Exit status 0: equal; 1: different; 2: one cannot be read.
+
+examples:
+  kindsl diff old.kindsl new.kindsl
+  kindsl diff arm.kindsl arm.urdf
+  kindsl diff --mechanics arm.kindsl generated/arm --output-format json
 """
 
 import argparse

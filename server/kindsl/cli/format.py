@@ -1,4 +1,9 @@
-"""Formats Kinematics-DSL documents; changes whitespace only."""
+"""Formats Kinematics-DSL documents; changes whitespace only.
+
+examples:
+  kindsl format arm.kindsl
+  kindsl format --check .
+"""
 
 import argparse
 import sys

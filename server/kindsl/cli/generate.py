@@ -2,6 +2,11 @@
 
 Unbound parameters stay inputs of the code. All files go to one folder at once; what was not
 generated there is never overwritten without --force.
+
+examples:
+  kindsl generate arm.kindsl --language c -o arm_c
+  kindsl generate arm.kindsl --language python --derivatives --parameters payload -o arm_py
+  kindsl generate arm.kindsl --check arm_c
 """
 
 import argparse

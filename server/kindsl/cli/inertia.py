@@ -3,6 +3,12 @@
 REPORT is the text that SolidWorks, Onshape, Fusion 360, Inventor, Creo or FreeCAD shows for the
 mass properties of one body. Its digits are kept. What was noticed is reported on stderr. Sizes of
 shapes are in metres, densities in kg/m³; a shape is centred at the origin, its axis along z.
+
+examples:
+  kindsl inertia report.txt
+  kindsl inertia --box 0.04,0.04,0.3 --density 2700
+  kindsl inertia --stl part.stl --scale 0.001 --mass 1.2
+  kindsl inertia report.txt --document arm.kindsl --link forearm
 """
 
 import argparse
@@ -42,13 +48,20 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("report", metavar="REPORT", nargs="?", help="a file with the report, or '-' for stdin")
     shapes = parser.add_argument_group("shapes")
     for name, sizes in _SIZES.items():
-        shapes.add_argument(f"--{name}", metavar=sizes, type=_sizes(sizes))
+        told = "its sides" if name == "box" else "R: its radius"
+        told += ", L: its length" if "L" in sizes else ""
+        told += " without the caps" if name == "capsule" else ""
+        shapes.add_argument(f"--{name}", metavar=sizes, type=_sizes(sizes), help=told)
     shapes.add_argument("--stl", metavar="FILE", help="a closed mesh, in its own frame")
     shapes.add_argument(
-        "--scale", metavar="S", type=_number, default=Decimal(1), help="metres in a mesh's unit"
+        "--scale",
+        metavar="S",
+        type=_number,
+        default=Decimal(1),
+        help="the mesh's unit in metres: 0.001 for millimetres",
     )
-    shapes.add_argument("--mass", metavar="KG", type=_number)
-    shapes.add_argument("--density", metavar="KG/M3", type=_number)
+    shapes.add_argument("--mass", metavar="KG", type=_number, help="of a shape or mesh")
+    shapes.add_argument("--density", metavar="KG/M3", type=_number, help="instead of --mass")
     link = parser.add_argument_group("for a link of a document")
     link.add_argument("--document", metavar="FILE", help="write the block as this document has it")
     link.add_argument("--link", metavar="NAME", help="the link; a frame of it may be the report's")

@@ -1,4 +1,9 @@
-"""Shows what a document describes: tree, degrees of freedom, masses, parameters."""
+"""Shows what a document describes: tree, degrees of freedom, masses, parameters.
+
+examples:
+  kindsl info arm.kindsl
+  kindsl info arm.kindsl --param payload=0.5 --output-format json
+"""
 
 import argparse
 import sys

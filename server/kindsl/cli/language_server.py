@@ -1,4 +1,8 @@
-"""`kindsl language-server`: speaks the language server protocol with an editor."""
+"""Speaks the language server protocol with an editor.
+
+examples:
+  kindsl language-server --tcp 127.0.0.1:2087 --log-level debug
+"""
 
 import argparse
 import logging

@@ -1,4 +1,11 @@
-"""`kdsl-lint` and `kindsl lint`: reports problems in Kinematics-DSL documents."""
+"""Reports problems in Kinematics-DSL documents.
+
+examples:
+  kindsl lint
+  kindsl lint --target robcogen --fix arm.kindsl
+  kindsl lint --select KD3 --output-format json models
+  kindsl lint --explain KD301
+"""
 
 import sys
 from types import SimpleNamespace
@@ -10,7 +17,6 @@ if TYPE_CHECKING:
     import argparse
 
 SUMMARY = "report problems in documents"
-_DESCRIPTION = "Reports problems in Kinematics-DSL documents."
 DEFAULTS: dict[str, Any] = {
     "stdin_filename": None,
     "no_default_exclude": False,
@@ -70,7 +76,7 @@ def main(arguments: list[str] | None = None) -> int:
     from kindsl.cli.process import help_formatter
 
     parser = argparse.ArgumentParser(
-        prog="kdsl-lint", description=_DESCRIPTION, formatter_class=help_formatter
+        prog="kdsl-lint", description=__doc__, formatter_class=help_formatter
     )
     add_arguments(parser)
     return run(parser.parse_args(arguments))

@@ -1,4 +1,4 @@
-"""Gives an assistant eyes and a judge: a server of the Model Context Protocol on stdio.
+"""Lets an assistant check, view and compute robots: a Model Context Protocol server on stdio.
 
 It reads and writes in the folder it is started in, and nowhere else.
 """

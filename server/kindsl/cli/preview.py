@@ -1,4 +1,10 @@
-"""`kindsl preview`: shows a robot in the browser while its document is edited."""
+"""Shows a robot in the browser while its document is edited.
+
+examples:
+  kindsl preview arm.kindsl
+  kindsl preview arm.kindsl --edit --compare arm.urdf
+  kindsl preview arm.kindsl --export arm.html
+"""
 
 import argparse
 import os

@@ -5,6 +5,10 @@ pictures) and the pictures before and after. Broken documents are shown as far a
 
 Where OLD or NEW is of another format (.urdf, .xacro, .xml, .mjcf, .sdf) or a folder of generated
 code, the mechanics are compared, as kindsl diff does, and both robots are drawn in one frame.
+
+examples:
+  kindsl review old.kindsl new.kindsl -o review
+  kindsl review --git main..HEAD arm.kindsl -o review
 """
 
 import argparse
