@@ -291,6 +291,18 @@ def test_moments_shifted_twice_are_told_as_such() -> None:
     assert apply_edits(text, finding.fix.edits) == legs_with()
 
 
+def test_a_slip_in_an_inertia_of_another_frame_is_told_in_that_frame() -> None:
+    turned = "frames { fr_com { translation = (0.02, 0.01, 0.05) rotation = (0.0, 0.0, 0.3) } }"
+    hip = section(2.0, "0.0, 0.0, 0.0", 0.03, 0.021, 0.032).replace("Ixy=0.0", "Ixy=0.004")
+    hip = f"{hip[:-1]}    ref_frame = fr_com\n    }}\n    {turned}"
+    legs = dict.fromkeys(("LF", "RF", "LH"), hip)
+    assert told("KD509", legs_with(**legs, RH=hip)) == []
+    assert told("KD509", legs_with(**legs, RH=hip.replace("Ixy=", "Ixy=-"))) == [
+        "moments of 'RH_hip' differ from its twins: they would be theirs if "
+        "the sign of Ixy were changed"
+    ]
+
+
 def test_signs_alone_may_also_be_those_of_a_turned_frame() -> None:
     hip = HIP.replace("Ixz=0.0", "Ixz=0.002")
     turned = hip.replace("0.02, 0.01", "-0.02, -0.01").replace("Ixz=0.002", "Ixz=-0.002")

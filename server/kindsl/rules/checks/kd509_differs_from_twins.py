@@ -29,11 +29,12 @@ Writes what the twins have at the place, if it is the only one that explains the
 fix is unsafe: it changes the robot. There is none where the twins' inertias are impossible.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 from kindsl.limbs.comparison import LOOSE
 from kindsl.limbs.verdicts import LimbVerdict
-from kindsl.rigid.body import MassDistribution
+from kindsl.mechanism.link_inertia import link_inertia, written_inertia
+from kindsl.rigid.body import MassDistribution, seen_from
 from kindsl.rules.base import Example, Finding, Fix, Related, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import four_legs
@@ -43,7 +44,9 @@ from kindsl.rules.limb_places import OF_A_LINK, PARTS, located, numbers_at, plac
 from kindsl.rules.limb_verdicts import limb_slips
 from kindsl.rules.limb_writing import as_numbers, rewriting, written
 from kindsl.semantics.aspects import Aspect
+from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
+from kindsl.semantics.numbers import written_pose
 
 _MOST_NAMED = 2
 
@@ -67,8 +70,11 @@ def _message(model: Model, context: Context, verdict: LimbVerdict) -> tuple[str,
     place = verdict.places[0]
     own, texts = numbers_at(model, place), _texts(model, context, verdict, LOOSE.share)
     changed = [i for i, text in enumerate(texts) if text != own[i].text]
+    is_of_many = place.what in ("moments", "inertia")
+    verb = "differ" if place.what == "moments" else "differs"
     if not changed:
-        return f"{' or '.join(map(told, verdict.places))} differs from its twins", None
+        why = _why(model, context, verdict) if is_of_many and verdict.repairs else ""
+        return f"{' or '.join(map(told, verdict.places))} {verb} from its twins{why}", None
     may_be_right = place.what in OF_A_LINK and _are_impossible(model, context, verdict.twins)
     if place.what == "inertia" and all(
         x.text.lstrip("-") == y.lstrip("-") for x, y in zip(own, texts, strict=True)
@@ -79,12 +85,11 @@ def _message(model: Model, context: Context, verdict: LimbVerdict) -> tuple[str,
     if place.what in ("mass", "com") and (copy := _copied(model, verdict)):
         whole = told(place._replace(what="inertia"))
         return f"{whole} differs from its twins: {copy}", None
-    if place.what in ("moments", "inertia"):
+    if is_of_many:
         why = _why(model, context, verdict)
         if why or len(changed) > _MOST_NAMED:
             texts = _texts(model, context, verdict, 0.0)
             fix = rewriting(f"Set {name} to that of its twins", own, texts)
-            verb = "differ" if place.what == "moments" else "differs"
             return f"{name} {verb} from its twins{why}", None if may_be_right else fix
         names = [TEN[PARTS[place.what]][i] for i in changed]
         name = f"{' and '.join(names)} of '{place.link}'"
@@ -127,22 +132,28 @@ def _why(model: Model, context: Context, verdict: LimbVerdict) -> str:
     from kindsl.rules.inertia.unlike_twins import copied_from, slips_of, without
 
     place, body = verdict.places[0], model.body_named[verdict.places[0].link]
-    whole = place._replace(what="inertia")
-    ten = [x for e in numbers_at(model, whole) if (x := e.value(context.values)) is not None]
     said = f"{'they' if place.what == 'moments' else 'it'} would be theirs"
     why = copied_from(model, body, verdict.twins)
-    if not why and len(ten) == len(TEN):
-        own = _body(ten)
-        if is_round(own.moments):
-            return f": Ix, Iy and Iz are all {own.moments[0]:g}, a placeholder"
+    seen, own = link_inertia(body, context.values), body.inertia
+    written = written_inertia(own, context.values) if own is not None else None
+    if not why and isinstance(seen, MassDistribution) and isinstance(written, MassDistribution):
+        if is_round(written.moments):
+            return f": Ix, Iy and Iz are all {written.moments[0]:g}, a placeholder"
+        ten = [seen.mass, *seen.com, *seen.moments]
         ten[PARTS[place.what]] = verdict.repairs[0].meant[0]
-        why = next(iter(without(slips_of(own, [_body(ten)]), said)), "")
+        mass, x, y, z, *moments = ten
+        meant = MassDistribution(mass, (x, y, z), tuple(moments))  # type: ignore[arg-type]
+        slips = slips_of(written, [_as_written(body, meant, context)])
+        why = next(iter(without(slips, said)), "")
     return why and f": {why}"
 
 
-def _body(ten: Sequence[float]) -> MassDistribution:
-    mass, x, y, z, *moments = ten
-    return MassDistribution(mass, (x, y, z), tuple(moments))  # type: ignore[arg-type]
+def _as_written(body: Link, meant: MassDistribution, context: Context) -> MassDistribution:
+    """Return a mass distribution in the frame in which that of a body is written."""
+    name = body.inertia.frame if body.inertia is not None else None
+    frame = next((f for f in body.frames if name is not None and f.name == name), None)
+    pose = written_pose(frame.pose, context.values) if frame is not None else None
+    return seen_from(meant, pose.inverse()) if pose is not None else meant
 
 
 def _is_told_better(model: Model, context: Context, verdict: LimbVerdict) -> bool:
