@@ -73,6 +73,12 @@ def test_a_joint_of_the_map_that_does_not_exist_is_told(kdsl_lint: Runner) -> No
     assert message == "there is no joint 'elbo' in arm.urdf, did you mean 'elbow'?"
 
 
+def test_a_twin_of_no_document_is_told(kdsl_lint: Runner) -> None:
+    Path("kindsl.toml").write_text(TWINS.format("arm.urdf").replace("arm.kindsl", "am.kindsl"))
+    told = kdsl_lint(".", "--select", "KD404").out
+    assert told.startswith("kindsl.toml:2:1: warning[KD404] there is no document 'am.kindsl': its")
+
+
 @pytest.mark.parametrize(
     ("name", "content", "message"),
     [

@@ -53,9 +53,10 @@ class Configuration(NamedTuple):
 
     @property
     def has_bindings(self) -> bool:
-        """True if it binds any parameter, limits any joint or names a pose."""
+        """True if it binds any parameter, limits any joint, names a pose or a twin."""
         tables = (self.common, *(document.decisions for document in self.documents))
-        return any(table.bindings or table.joints or table.poses for table in tables)
+        has_names = any(table.bindings or table.joints or table.poses for table in tables)
+        return has_names or bool(self.twins)
 
     def tables_for(self, document: str) -> list[Decisions]:
         """Return the tables that apply to a document, the more specific later."""

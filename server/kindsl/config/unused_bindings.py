@@ -1,4 +1,4 @@
-"""KD404: unused bindings and limits in a configuration file."""
+"""KD404: unused bindings, limits and twins in a configuration file."""
 
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
@@ -14,6 +14,7 @@ from kindsl.rules.base import Severity
 from kindsl.rules.checks.kd404_unused_binding import RULE
 from kindsl.rules.checks.kd404_unused_binding import unused_bindings as vain_bindings
 
+_TWIN = "twin"
 _WORD = re.compile(r"\w+")
 
 
@@ -32,7 +33,9 @@ class _Bound(NamedTuple):
     keys: KeyPath
 
     def is_in(self, names: Names) -> bool:
-        """Return whether a document has the name."""
+        """Return whether a document has the name; one that has a twin needs none."""
+        if self.kind == _TWIN:
+            return True
         return self.keys[-1] in (names.parameters if self.kind == "parameter" else names.joints)
 
 
@@ -68,6 +71,8 @@ def words_of(text: str) -> Names:
 
 def _message(bound: _Bound, used: Mapping[str, Names]) -> str:
     name, kind = str(bound.keys[-1]), bound.kind
+    if kind == _TWIN:
+        return f"there is no document '{bound.pattern}': its twin is not compared"
     each = (names.parameters if kind == "parameter" else names.joints for names in used.values())
     known = sorted(frozenset[str]().union(*each))
     told = {unused.name: unused.message for unused in vain_bindings([name], known, kind)}
@@ -106,6 +111,8 @@ def _bound(configuration: Configuration) -> Iterator[_Bound]:
     for number, table in enumerate(configuration.documents):
         keys: KeyPath = (*configuration.root, "document", number)
         yield from _of_table(table.pattern, keys, table.decisions)
+    for number, twin in enumerate(configuration.twins):
+        yield _Bound(twin.pattern, _TWIN, (*configuration.root, "twins", number, "document"))
 
 
 def _of_table(pattern: str | None, keys: KeyPath, decisions: Decisions) -> Iterator[_Bound]:

@@ -3,7 +3,7 @@
 ## What it does
 Reports, in `kindsl.toml`, a name under `[parameters]` that no document of the project uses, or
 under `[joints]` or in a pose one that no document has; in `[[document]]` a name that is not in this
-document.
+document; in `[[twins]]` a document that does not exist.
 
 ## Why is this bad?
 The name is misspelt, or a leftover: the value has no effect.
