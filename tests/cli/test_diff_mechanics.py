@@ -156,6 +156,30 @@ def test_markdown_has_a_list_and_a_table_where_there_is_something_to_say(
     assert run.out == f"### Mechanics of `arm.kindsl` and `other.kindsl`\n\n{told}"
 
 
+def test_torques_are_asked_of_robots_whose_joints_match(kindsl: Runner, arm: Path) -> None:
+    lower, shoulder, elbow = map(ARM.index, ("link lower", "r_joint shoulder", "r_joint elbow"))
+    short = f"{ARM[:lower]}{ARM[shoulder:elbow]}}}\n".replace("lower via elbow", "")
+    Path("short.kindsl").write_text(short)
+    for files in (("arm.kindsl", "short.kindsl"), ("short.kindsl", "arm.kindsl")):
+        run = kindsl("diff", "--mechanics", *files, "--output-format", "json")
+        facts = json.loads(run.out)
+        assert facts["structure"]
+        assert facts["base_parameters"] is None
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "effect"),
+    [("mass = 1.3", "mass = 1.4", "[0.0981 N m or N]"), ("Iz = 0.04 ", "Iz = 0.05 ", "N m or N]"),
+     ("Ix = 0.01 ", "Ix = 0.02 ", "[no joint torque]")],
+)  # fmt: skip
+def test_a_number_is_told_with_the_torque_that_it_makes(
+    kindsl: Runner, arm: Path, old: str, new: str, effect: str
+) -> None:
+    Path("other.kindsl").write_text(ARM.replace(old, new, 1))
+    run = kindsl("diff", "--mechanics", "arm.kindsl", "other.kindsl")
+    assert run.out.splitlines()[1].endswith(effect)
+
+
 def test_the_base_is_taken_as_ours_is(kindsl: Runner, folder: Path) -> None:
     Path("a.kindsl").write_text(ARM.replace("RobotBase base {", "RobotBase base floating {"))
     kindsl("convert", "-q", "a.kindsl", "a.urdf")

@@ -134,6 +134,19 @@ def test_a_core_is_as_large_on_the_sheet_as_it_is() -> None:
     assert max(widths) == pytest.approx(2.0 * (camera.spot(far)[0] - x), rel=0.01)
 
 
+def test_a_bone_is_as_thick_all_around_as_it_is() -> None:
+    skeleton = skeleton_of(ARM)
+    camera = Camera(100.0, (0.0, 0.5))
+    radius = 100.0 * link_solids(skeleton, extent(skeleton))[0].bone
+    lone, *_ = body_shapes(skeleton, skeleton.zero_poses(), camera, {}, is_solid=False)
+    (bone,) = lone.shapes
+    assert isinstance(bone, Polygon)
+    xs, ys = zip(*bone.corners, strict=True)
+    (x, bottom), (_, top) = camera.spot((0.0, 0.0, 0.0)), camera.spot((0.0, 0.0, 0.5))
+    assert [min(xs), max(xs)] == pytest.approx([x - radius, x + radius], rel=1e-3)
+    assert [min(ys), max(ys)] == pytest.approx([top - radius, bottom + radius], rel=1e-3)
+
+
 def test_a_bone_is_as_deep_as_its_middle_but_in_front_of_nothing_that_holds_it() -> None:
     skeleton = skeleton_of(ARM)
     poses, camera = skeleton.zero_poses(), Camera(100.0, (0.0, 0.5))
@@ -184,8 +197,9 @@ def test_a_picture_of_pixels_has_each_shape_where_it_is() -> None:
     for place, color in wanted.items():
         assert picture.getpixel(place) == pytest.approx(color, abs=6), place
     assert max(picture.getpixel((30, 20))) < 150
-    named = image.open(BytesIO(png.png_bytes(DRAWING))).crop((8, 5, 60, 25))
-    assert len(named.getcolors(10_000)) > 10
+    named = image.open(BytesIO(png.png_bytes(DRAWING._replace(shapes=DRAWING.shapes[3:]))))
+    left, top, right, bottom = named.convert("L").point(lambda v: 255 * (v < 160)).getbbox()
+    assert 9 <= left <= 12 and 8 <= top <= 13 and 34 <= right <= 56 and 20 <= bottom <= 24
 
 
 def test_what_is_judged_is_striped_within_its_outline() -> None:
@@ -391,6 +405,12 @@ def test_svg_says_each_shape() -> None:
         ' stroke="#ffffff" stroke-width="3" paint-order="stroke">a_&lt;b&gt;</text>',
         "</svg>",
     ]
+
+
+def test_what_is_full_says_no_opacity() -> None:
+    full = Polygon(((1.0, 2.0), (30.0, 2.0), (30.0, 40.0)), "93a6bc", "2b3540", 1.0)
+    drawing = DRAWING._replace(shapes=(full,))
+    assert "opacity" not in svg_text(drawing) + tikz_text(drawing)
 
 
 def test_tikz_says_each_shape_in_centimetres_and_up() -> None:

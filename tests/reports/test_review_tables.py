@@ -7,6 +7,7 @@ from tests.reports.test_review import page, rows
 import kindsl
 from kindsl.analysis.settings import Settings
 from kindsl.reports.page.blocks import Block, Heading, Page, Paragraph, Table
+from kindsl.reports.review.page import review_page
 from kindsl.rules.base import Severity
 
 FLOATING = arm(floating=True)
@@ -46,6 +47,16 @@ def test_sections_stand_in_an_order_and_only_where_there_is_something_to_say() -
     assert titles(page("", "\n")) == ["Findings"]
     assert page("", "\n")[0] == Heading("(unnamed): old to new", 1)
     assert page(GOOD, "")[0] == page("", GOOD)[0] == Heading("arm: old to new", 1)
+
+
+def test_a_document_that_came_or_went_is_said() -> None:
+    there = kindsl.parse(GOOD, Settings())
+    assert review_page(None, there, ("a", "b"))[1] == Paragraph(
+        "The document is not in a: it is new."
+    )
+    assert review_page(there, None, ("a", "b"))[1] == Paragraph("The document is no longer in b.")
+    blocks = review_page(there, kindsl.parse(edited(("= 2.0", "= 3.0")), Settings()), ("a", "b"))
+    assert not [b for b in blocks if isinstance(b, Paragraph) and "The document" in b.text]
 
 
 @pytest.mark.parametrize("turn", [1, -1])
