@@ -31,46 +31,6 @@ class CompiledWholeBody(Mechanics):
         self._feet = [foot.name for foot in feet(robot_of(bodies))]
         self._later: dict[str, Extension] = {}
 
-    def frame_velocity(
-        self,
-        q: JointVector,
-        qd: JointVector,
-        name: str,
-        base_velocity: npt.ArrayLike | None = None,
-    ) -> Array:
-        """Return the velocity (..., 6) of a link or frame; see `Mechanics`."""
-        answer = self._of_frame("velocity", name, q, qd, base_velocity)
-        return super().frame_velocity(q, qd, name, base_velocity) if answer is None else answer
-
-    def frame_acceleration(
-        self,
-        q: JointVector,
-        qd: JointVector,
-        qdd: JointVector,
-        name: str,
-        base_velocity: npt.ArrayLike | None = None,
-        base_acceleration: npt.ArrayLike | None = None,
-    ) -> Array:
-        """Return the acceleration (..., 6) of a link or frame; see `Mechanics`."""
-        given = (q, qd, qdd, base_velocity, base_acceleration)
-        answer = self._of_frame("acceleration", name, *given)
-        if answer is not None:
-            return answer
-        return super().frame_acceleration(q, qd, qdd, name, base_velocity, base_acceleration)
-
-    def frame_acceleration_drift(
-        self,
-        q: JointVector,
-        qd: JointVector,
-        name: str,
-        base_velocity: npt.ArrayLike | None = None,
-    ) -> Array:
-        """Return the acceleration (..., 6) at zero acceleration; see `Mechanics`."""
-        answer = self._of_frame("acceleration_drift", name, q, qd, base_velocity)
-        if answer is not None:
-            return answer
-        return super().frame_acceleration_drift(q, qd, name, base_velocity)
-
     def constrained_forward_dynamics(
         self,
         q: JointVector,
@@ -105,14 +65,21 @@ class CompiledWholeBody(Mechanics):
         a0 = base[0] if base else np.zeros((*qdd.shape[:-1], 6))
         return ConstrainedMotion(qdd, a0, forces[..., places, :], chosen)
 
-    def _of_frame(self, kind: str, name: str, *arguments: object) -> Array | None:
-        """Return what compiled code tells of a frame, None if Python should look."""
+    def _of_frame(
+        self,
+        kind: str,
+        name: str,
+        joints: Sequence[JointVector],
+        base: Sequence[npt.ArrayLike | None],
+    ) -> Array:
         number = self._pose_indices.get(name)
-        if number is None:
-            return None
-        extension = self.compiled_later("frame_motions")
-        answer: Array | None = extension.bind(f"{kind}_{number}", not_direct, True)(*arguments)
-        return answer
+        if number is not None:
+            extension = self.compiled_later("frame_motions")
+            run = extension.bind(f"{kind}_{number}", not_direct, True)
+            answer: Array | None = run(*joints, *base)
+            if answer is not None:
+                return answer
+        return super()._of_frame(kind, name, joints, base)
 
     def compiled_later(self, group: str) -> Extension:
         """Return the functions of a group, compiled when it is asked for first."""

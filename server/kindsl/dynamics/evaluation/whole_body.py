@@ -20,7 +20,7 @@ from kindsl.dynamics.evaluation.differentiable import Differentiable
 from kindsl.dynamics.evaluation.results import ConstrainedMotion
 from kindsl.dynamics.evaluation.singular import not_finite, singular_inertia
 from kindsl.dynamics.forward_kinematics import body_poses
-from kindsl.dynamics.frame_motion import FrameMotion, frame_motion
+from kindsl.dynamics.frame_motion import frame_motion
 from kindsl.dynamics.jacobian import jacobian
 from kindsl.dynamics.joint_space_inertia import joint_space_inertia
 from kindsl.dynamics.quantities import STANDARD_GRAVITY
@@ -77,7 +77,7 @@ class WholeBody(Differentiable):
         Raises:
             ValueError: If there is no such link or frame.
         """
-        return self._frame_motion(name, q, qd, None, base_velocity, None).velocity
+        return self._of_frame("velocity", name, (q, qd), (base_velocity,))
 
     def frame_acceleration(
         self,
@@ -96,8 +96,8 @@ class WholeBody(Differentiable):
         Raises:
             ValueError: If there is no such link or frame.
         """
-        motion = self._frame_motion(name, q, qd, qdd, base_velocity, base_acceleration)
-        return motion.acceleration
+        base = (base_velocity, base_acceleration)
+        return self._of_frame("acceleration", name, (q, qd, qdd), base)
 
     def frame_acceleration_drift(
         self,
@@ -111,7 +111,7 @@ class WholeBody(Differentiable):
         Raises:
             ValueError: If there is no such link or frame.
         """
-        return self._frame_motion(name, q, qd, None, base_velocity, None).acceleration
+        return self._of_frame("acceleration_drift", name, (q, qd), (base_velocity,))
 
     def joint_space_inertia_inverse(self, q: JointVector) -> Array:
         """Return the inverse (..., nv, nv) of the joint-space inertia.
@@ -209,17 +209,26 @@ class WholeBody(Differentiable):
             return np.zeros((*batch, 0, self.bodies.n_velocities)), np.zeros((*batch, 0))
         return np.concatenate(jacobians, axis=-2), np.concatenate(drifts, axis=-1)
 
-    def _frame_motion(
+    def _of_frame(
         self,
+        kind: str,
         name: str,
-        q: JointVector,
-        qd: JointVector,
-        qdd: JointVector | None,
-        base_velocity: npt.ArrayLike | None,
-        base_acceleration: npt.ArrayLike | None,
-    ) -> FrameMotion:
-        base = {"base_velocity": base_velocity, "base_acceleration": base_acceleration}
-        joints = {"q": q, "qd": qd, "qdd": {} if qdd is None else qdd}
-        q, qd, qdd, v, a, _ = self._motion(joints, base, STANDARD_GRAVITY)
+        joints: Sequence[JointVector],
+        base: Sequence[npt.ArrayLike | None],
+    ) -> Array:
+        """Return the velocity, the acceleration or its drift of a frame.
+
+        Args:
+            kind: `velocity`, `acceleration` or `acceleration_drift`.
+            name: The link or frame.
+            joints: Joint positions, velocities and, for `acceleration`, accelerations.
+            base: Velocity and, for `acceleration`, acceleration of a floating base.
+        """
+        q, qd, qdd, v, a, _ = self._motion(
+            dict(zip(("q", "qd", "qdd"), (*joints, {}), strict=False)),
+            dict(zip(("base_velocity", "base_acceleration"), (*base, None), strict=False)),
+            STANDARD_GRAVITY,
+        )
         body, body_T_frame = placed_frame(self.bodies, name)
-        return frame_motion(self.bodies, q, qd, qdd, v, a, body, body_T_frame)
+        motion = frame_motion(self.bodies, q, qd, qdd, v, a, body, body_T_frame)
+        return motion.velocity if kind == "velocity" else motion.acceleration
