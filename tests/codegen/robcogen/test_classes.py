@@ -393,6 +393,45 @@ def test_names_that_headers_and_classes_have_are_changed_and_told(tmp_path: Path
 
 
 @needs_cpp
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_vectors_that_are_not_aligned_are_read(compiler: str, tmp_path: Path) -> None:
+    mass = "mass = 1.0 CoM = (0.1, 0.0, 0.0) Ix=0.1 Iy=0.1 Iz=0.1 Ixy=0.0 Ixz=0.0 Iyz=0.0"
+    body, place = f"inertia_params {{ {mass} }}", "translation = (0.3, 0.0, 0.1)"
+    text = f"Robot Four {{ RobotBase base floating {{ {body} children {{ l1 via j1 }} }}\n"
+    for i in range(1, 5):
+        children = f"l{i + 1} via j{i + 1}" if i < 4 else ""
+        text += f"link l{i} {{ id = {i} {body} children {{ {children} }} }}\n"
+        text += f"r_joint j{i} {{ ref_frame {{ {place} rotation = (0.4, 0.0, 0.0) }} }}\n"
+    generated(f"{text}}}\n", {}, tmp_path)
+    source = """
+typedef iit::Four::tpl::Traits<double> T;
+typedef T::InvDynEngine::Velocity Velocity;
+
+__attribute__((noinline)) void call(
+    T::InvDynEngine& id, T::JointState& tau, const T::JointState& q, const T::JointState& qd)
+{
+    Velocity v0 = numbers<Velocity>(0.9), a0;
+    id.id(tau, a0, v0, v0, q, qd, qd);
+}
+
+int main()
+{
+    alignas(32) static double places[14] = {};
+    T::JointState* v = reinterpret_cast<T::JointState*>(places + 2);
+    T::MotionTransforms X;
+    T::InertiaProperties I;
+    T::InvDynEngine id(I, X);
+    Eigen::Map<T::JointState>(places + 2).setConstant(0.1);
+    call(id, v[1], v[0], v[2]);
+    std::printf("force %.17g\\n", id.getForce_l4()(0));
+}
+"""
+    done = built(tmp_path, HEAD + source, "-std=c++14", "-O2", "-march=native", compiler=compiler)
+    assert (done.returncode, done.stderr) == (0, "")
+    subprocess.run([tmp_path / "main"], check=True, timeout=60)
+
+
+@needs_cpp
 def test_what_there_is_not_is_said_when_it_is_called(tmp_path: Path) -> None:
     generated(ROBOTS["arm"], VALUES, tmp_path)
     text = """

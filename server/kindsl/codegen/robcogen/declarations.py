@@ -37,6 +37,17 @@ static const JointIdentifiers orderedJointIDs[jointsCount] = {@JOINTS1@};
 
 static const LinkIdentifiers orderedLinkIDs[linksCount] = {@LINKS1@};
 
+/** A vector's numbers, which need not stand where Eigen wants them, as in a plain std::vector. */
+template <typename V>
+inline auto raw(V& v) -> decltype(v.data())
+{
+    auto first = v.data();
+#if defined(__clang__)
+    __asm__("" : "+r"(first)); // clang concludes from the reference that they are aligned
+#endif
+    return first;
+}
+
 namespace kernels {
 
 /** Never true, but only known so when something is used. */

@@ -62,10 +62,10 @@ _COMPUTING = """\
         keepForces(fext);
 @PARAMETERS@        if (isLoaded) {
             kernels::inverse_dynamics_loaded<TRAIT>(
-                @P@q.data(), qd.data(), qdd.data(), &g, first(fext), jForces.data());
+                @P@raw(q), raw(qd), raw(qdd), &g, first(fext), raw(jForces));
         } else {
             kernels::inverse_dynamics<TRAIT>(
-                @P@q.data(), qd.data(), qdd.data(), &g, jForces.data());
+                @P@raw(q), raw(qd), raw(qdd), &g, raw(jForces));
         }
     }
 
@@ -75,7 +75,7 @@ _COMPUTING = """\
         q_a = unaligned(q);
         asked = REST;
         setBase(g);
-@PARAMETERS@        kernels::gravity<TRAIT>(@P@q.data(), &g, jForces.data());
+@PARAMETERS@        kernels::gravity<TRAIT>(@P@raw(q), &g, raw(jForces));
     }
 
     void coriolis(JointState& jForces, const JointState& q, const JointState& qd)
@@ -83,7 +83,7 @@ _COMPUTING = """\
 @KEEP@        qdd_a.setZero();
         setBase(Scalar(0));
         isLoaded = false;
-@PARAMETERS@        kernels::coriolis<TRAIT>(@P@q.data(), qd.data(), jForces.data());
+@PARAMETERS@        kernels::coriolis<TRAIT>(@P@raw(q), raw(qd), raw(jForces));
     }
 
     /** The base stands still; it seems to accelerate upwards. */

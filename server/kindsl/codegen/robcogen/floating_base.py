@@ -91,11 +91,11 @@ _COMPUTING = """\
         keepForces(fext);
 @PARAMETERS@        if (isLoaded) {
             kernels::inverse_dynamics_loaded<TRAIT>(
-                @P@q.data(), qd.data(), qdd.data(), velocity.data(), first(fext), jForces.data(),
+                @P@raw(q), raw(qd), raw(qdd), velocity.data(), first(fext), raw(jForces),
                 acceleration.data());
         } else {
             kernels::inverse_dynamics<TRAIT>(
-                @P@q.data(), qd.data(), qdd.data(), velocity.data(), jForces.data(),
+                @P@raw(q), raw(qd), raw(qdd), velocity.data(), raw(jForces),
                 acceleration.data());
         }
         a0.setZero();
@@ -116,11 +116,11 @@ _COMPUTING = """\
         keepForces(fext);
 @PARAMETERS@        if (isLoaded) {
             kernels::inverse_dynamics_actuated_loaded<TRAIT>(
-                @P@q.data(), qd.data(), qdd.data(), velocity.data(), a0.data(), first(fext),
-                jForces.data(), wrench.data());
+                @P@raw(q), raw(qd), raw(qdd), velocity.data(), a0.data(), first(fext),
+                raw(jForces), wrench.data());
         } else {
             kernels::inverse_dynamics_actuated<TRAIT>(
-                @P@q.data(), qd.data(), qdd.data(), velocity.data(), a0.data(), jForces.data(),
+                @P@raw(q), raw(qd), raw(qdd), velocity.data(), a0.data(), raw(jForces),
                 wrench.data());
         }
     }
@@ -132,7 +132,7 @@ _COMPUTING = """\
         asked = REST;
         a0 = -g;
         isLate = false;
-@PARAMETERS@        kernels::gravity<TRAIT>(@P@q.data(), a0.data(), jForces.data(), wrench.data());
+@PARAMETERS@        kernels::gravity<TRAIT>(@P@raw(q), a0.data(), raw(jForces), wrench.data());
     }
 
     void coriolis(
@@ -145,7 +145,7 @@ _COMPUTING = """\
         isLate = false;
         isLoaded = false;
 @PARAMETERS@        kernels::coriolis<TRAIT>(
-            @P@q.data(), qd.data(), velocity.data(), jForces.data(), wrench.data());
+            @P@raw(q), raw(qd), velocity.data(), raw(jForces), wrench.data());
     }
 """
 

@@ -39,9 +39,9 @@ _FIXED_COMPUTE = """\
         const Scalar g(iit::rbd::g);
 @PARAMETERS@        if (&fext != &zeroExtForces) {
             kernels::forward_dynamics_loaded<TRAIT>(
-                @P@q.data(), qd.data(), tau.data(), &g, first(fext), qdd.data());
+                @P@raw(q), raw(qd), raw(tau), &g, first(fext), raw(qdd));
         } else {
-            kernels::forward_dynamics<TRAIT>(@P@q.data(), qd.data(), tau.data(), &g, qdd.data());
+            kernels::forward_dynamics<TRAIT>(@P@raw(q), raw(qd), raw(tau), &g, raw(qdd));
         }
     }
 """
@@ -72,11 +72,11 @@ _FLOATING_COMPUTE = """\
         const Acceleration weight = g;
 @PARAMETERS@        if (&fext != &zeroExtForces) {
             kernels::forward_dynamics_loaded<TRAIT>(
-                @P@q.data(), qd.data(), tau.data(), velocity.data(),
-                first(fext), qdd.data(), acceleration.data());
+                @P@raw(q), raw(qd), raw(tau), velocity.data(),
+                first(fext), raw(qdd), acceleration.data());
         } else {
             kernels::forward_dynamics<TRAIT>(
-                @P@q.data(), qd.data(), tau.data(), velocity.data(), qdd.data(),
+                @P@raw(q), raw(qd), raw(tau), velocity.data(), raw(qdd),
                 acceleration.data());
         }
         acceleration += weight;

@@ -51,7 +51,7 @@ _TYPE = """\
         }
         const Type_@NAME@& update(const JState& q)
         {
-@PARAMETERS@            kernels::@NAME@<TRAIT>(@P@q.data(), this->data());
+@PARAMETERS@            kernels::@NAME@<TRAIT>(@P@raw(q), this->data());
             return *this;
         }
 @MEMORY@    };

@@ -46,7 +46,7 @@ public:
 
     const JSIM& update(const JointState& q)
     {
-@PARAMETERS@        kernels::joint_space_inertia<TRAIT>(@P@q.data(), this->data());
+@PARAMETERS@        kernels::joint_space_inertia<TRAIT>(@P@raw(q), this->data());
         return *this;
     }
 

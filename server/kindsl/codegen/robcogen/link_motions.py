@@ -32,7 +32,7 @@ _PASSES = """
     /** A vector that need not stand where Eigen wants it, as in a plain std::vector. */
     static Eigen::Map<const JointState> unaligned(const JointState& v)
     {
-        return Eigen::Map<const JointState>(v.data());
+        return Eigen::Map<const JointState>(raw(v));
     }
 
     void keepForces(const ExtForces& fext)
@@ -57,7 +57,7 @@ _PASSES = """
     Matrix66s across(int link, const JointState& q) const
     {
         Matrix66s X = Matrix66s::Zero();
-@PARAMETERS@        kernels::across<TRAIT>(link, @P@q.data(), X.data());
+@PARAMETERS@        kernels::across<TRAIT>(link, @P@raw(q), X.data());
         return X;
     }
 

@@ -77,7 +77,7 @@ _TYPE = """\
         }
         const Type_@NAME@& update(const JState& q)
         {
-@PARAMETERS@            kernels::@KIND@_@NAME@<TRAIT>(@P@q.data(), this->data());
+@PARAMETERS@            kernels::@KIND@_@NAME@<TRAIT>(@P@raw(q), this->data());
 @STORE@            return *this;
         }
 @MEMORY@    };
