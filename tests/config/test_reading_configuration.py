@@ -90,7 +90,7 @@ def test_patterns(pattern: str, path: str, is_meant: bool) -> None:
         ),
         (
             '[severity]\nKD401 = "eror"\n',
-            ":2:1: error: unknown severity 'eror', did you mean 'error'?",
+            ":2:1: error: unknown severity 'eror' of 'KD401', did you mean 'error'?",
         ),
         ("[severity]\nKD401 = 1\n", ":2:1: error: 'severity.KD401' must be a string, not a number"),
         ('[severity]\nXY = "error"\n', ":2:1: error: no rule has a code that begins with 'XY'"),

@@ -324,7 +324,7 @@ def _severities(checker: Checker, keys: KeyPath, table: Mapping[str, Any]) -> di
             checker.wrong_type((*keys, code), level, "a string")
         elif level not in levels:
             hint = did_you_mean(level, levels)
-            checker.wrong((*keys, code), f"unknown severity '{level}'{hint}")
+            checker.wrong((*keys, code), f"unknown severity '{level}' of '{code}'{hint}")
         else:
             found[code.upper()] = Severity(level)
     return found
