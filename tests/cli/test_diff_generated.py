@@ -138,6 +138,7 @@ def test_an_entry_is_arithmetic_on_numbers(kindsl: Runner, folder: Path, sum: st
     ("transform", "inertia", "message"),
     [
         (TURNING, INERTIA.replace("1.5", "params->getMass()"), "depends on parameters"),
+        (TURNING, INERTIA.replace("com_arm = ", "com_leg = "), "depends on parameters"),
         (TURNING.replace("- s_q", "__import__('os')"), INERTIA, "has no transform between"),
         (TURNING.replace("- s_q", "1/0"), INERTIA, "has no transform between"),
         (TURNING + "    (*this)(4,0) = 1;\n", INERTIA, "has no transform between"),
