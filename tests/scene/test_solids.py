@@ -250,3 +250,21 @@ def test_a_bone_stays_beneath_the_surface_of_its_body():
         thin, thick = sorted((bone, found["LF_hip"].bone / unit))
         drum = max(1.0, 1.15 * min(thick, 2.5 * thin))
         assert found["LF_thigh"].drum == pytest.approx(drum * unit)
+
+
+def test_a_bone_is_as_thick_as_tubes_of_the_mass_but_less():
+    skeleton = skeleton_of(QUADRUPED)
+    measures = extent(skeleton)
+    at = skeleton.body_names.index("LF_thigh")
+    (bone,) = measures.segments[at]
+    for mass in (1.0, 2.0, 4.0):
+        heavy = with_body(skeleton, "LF_thigh", ball(0.2, (0.0, 0.0, -0.1), mass))
+        full = filling_radius([bone.end], mass / usual_density(heavy.masses))
+        assert 0.55 * measures.radius < 0.6 * full < 4.0 * measures.radius
+        assert link_solids(heavy, measures)[at].bone == pytest.approx(0.6 * full)
+
+
+@pytest.mark.parametrize(("density", "usual"), [(100.0, 300.0), (1e3, 1e3), (1e4, 3e3)])
+def test_the_usual_density_is_that_of_things_people_build(density, usual):
+    body = ball(0.1, (0.0, 0.0, 0.0), density * 4.0 / 3.0 * math.pi * 1e-3)
+    assert usual_density([body, body]) == pytest.approx(usual, rel=0.06)
