@@ -48,6 +48,16 @@ def test_the_number_that_differs_is_marked(kdsl_lint: Runner) -> None:
     ]
 
 
+def test_each_number_is_told_by_itself(kdsl_lint: Runner) -> None:
+    text = Path("arm.kindsl").read_text()
+    for old, new in (("mass = 0.8", "mass = 0.9"), ("mass = 1.3", "mass = 1.4"), ("0.35", "0.45")):
+        assert text.count(old) == 1
+        text = text.replace(old, new)
+    Path("arm.kindsl").write_text(text)
+    assert len(findings(kdsl_lint)) > 2
+    assert "more like it" not in kdsl_lint(".", "--select", "KD9").out
+
+
 def test_the_fix_takes_the_twins_number_with_its_digits(kdsl_lint: Runner) -> None:
     change_urdf('value="0.8"', 'value="8.50e-1"')
     run = kdsl_lint(".", "--select", "KD9", "--fix", "--unsafe-fixes")

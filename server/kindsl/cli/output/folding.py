@@ -8,19 +8,21 @@ from kindsl.rules.base import Severity
 
 _VARYING = re.compile(r"'[^']*'|[-+]?\d[\d.]*(?:e[-+]?\d+)?")
 LEAST_FOLDED = 3
+_OF_FILES = "KD9"  # each tells of another number, or another file
 
 
 def folded(findings: Sequence[Diagnostic]) -> list[list[Diagnostic]]:
     """Return the findings of a document in its order, three and more of a kind together.
 
     Of a kind are findings of one rule and severity; errors only if their sentences differ in names
-    and numbers alone.
+    and numbers alone, and none that compare files.
     """
     kinds: dict[object, list[Diagnostic]] = {}
     for finding in findings:
         is_error = finding.severity is Severity.ERROR
         sentence = _VARYING.sub("_", finding.message) if is_error else ""
-        kind = finding.code, finding.severity, sentence
+        place = finding.start if finding.code.startswith(_OF_FILES) else None
+        kind = finding.code, finding.severity, sentence, place
         kinds.setdefault(kind, []).append(finding)
     folds = [
         fold
