@@ -179,10 +179,10 @@ def test_what_is_told_is_one_line(name: str) -> None:
 
 def test_a_twin_is_read_from_its_table() -> None:
     text = '[[twins]]\ndocument = "*.kindsl"\nfile = "../a.urdf"\n'
-    text += 'tolerance = 0\njoints = { a = "b" }\n'
+    text += 'tolerance = 0.5\njoints = { a = "b" }\n'
     (twin,) = configuration_of("sub/kindsl.toml", text).twins
     assert twin.pattern == "*.kindsl"
-    assert twin.twin == TwinFile("a.urdf", "../a.urdf", (("a", "b"),), 0.0)
+    assert twin.twin == TwinFile("a.urdf", "../a.urdf", (("a", "b"),), 0.5)
     assert text[slice(*twin.place)] == "file"
     configuration = configuration_of("sub/kindsl.toml", text)
     for document, twins in (("sub/arm.kindsl", (twin.twin,)), ("sub/arm.txt", ())):
