@@ -16,6 +16,8 @@ MENDED = [
     ("(0.0, 0.1, 0.3)", "(0.0, 1/3, 0.3)", "KD005", "number '1' has no decimal point"),
     ("(0.0, 0.1, 0.3)", "(0,0, 0.1, 0.3)", "KD005", "'0,0' is not a number"),
     ("mass = 2.0", "mass = 2,5", "KD005", "'2,5' is not a number"),
+    ("mass = 2.0", "mass = 2,5E-3", "KD005", "'2,5E-3' is not a number"),
+    ("(0.0, 0.1, 0.3)", "(0.0, 1,5e-2, 0.3)", "KD005", "'1,5e-2' is not a number"),
     ("mass = 2.0", "mass = 1_000.0", "KD005", "'1_000.0' is not a number"),
     ("mass = 2.0", "mass = 0x10", "KD005", "'0x10' is not a number"),
     ("mass = 2.0", "mass = 1.5+0.5", "KD006", "sum '1.5+0.5' where the language has no sums"),
@@ -178,6 +180,15 @@ def test_one_mistake_is_told_once(old: str, new: str, code: str, message: str) -
 @pytest.mark.parametrize(("old", "new"), [case[:2] for case in MENDED])
 def test_the_repair_mends_it(old: str, new: str) -> None:
     assert messages(parse(repaired(parse(changed(old, new))))) == []
+
+
+@pytest.mark.parametrize(
+    ("written", "meant"),
+    [("2,5", "2.5"), ("2,5E-3", "0.0025"), ("-1,5e3", "-1500.0"), ("1,0E-3", "0.001")],
+)
+def test_a_decimal_comma_keeps_the_number(written: str, meant: str) -> None:
+    old, new = (changed("mass = 2.0", f"mass = {text}") for text in (written, meant))
+    assert repaired(parse(old)) == new
 
 
 @pytest.mark.parametrize("mass", ["2.0", "m", "m[2.0]"])

@@ -2,6 +2,8 @@
 
 import re
 
+from kindsl.text.decimals import plain_decimal
+
 _LONGEST_HEXADECIMAL = 15
 _HEXADECIMAL = re.compile(r"[-+]?0[xX](?:_?[0-9a-fA-F])+")
 _DIGITS = re.compile(r"[^0-9]+")
@@ -10,7 +12,7 @@ _GROUPED = re.compile(
     r"(?:(?!(?P=mark))[.,](?P<decimals>[0-9]+))?"
 )
 _GROUPED_DECIMALS = re.compile(r"[-+]?[0-9]*\.[0-9]{3}(?:\s[0-9]{1,3})+")
-_PLAIN = re.compile(r"[-+]?(?:[0-9]+[.,]?[0-9]*|[.,][0-9]+)")
+_PLAIN = re.compile(r"[-+]?(?:[0-9]+[.,]?[0-9]*|[.,][0-9]+)(?P<power>[eE][-+]?[0-9]{1,2})?")
 
 
 def is_grouped(text: str) -> bool:
@@ -28,7 +30,11 @@ def meant_numbers(text: str) -> tuple[str, ...]:
     if grouped is not None:
         is_comma = text.count(",") == 1 and "." not in text
         return (_with_point(text.replace(",", ".")), grouped) if is_comma else (grouped,)
-    return (_with_point(text.replace(",", ".")),) if _PLAIN.fullmatch(text) else ()
+    plain = _PLAIN.fullmatch(text)
+    if plain is None:
+        return ()
+    number = text.replace(",", ".")
+    return (plain_decimal(number) if plain["power"] else _with_point(number),)
 
 
 def _grouped(text: str) -> str | None:

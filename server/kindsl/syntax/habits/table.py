@@ -20,7 +20,7 @@ _THREE = r"(?P<quote>[\"']) [if] [if] [if] (?P=quote)|[if] [if] [if](?! [if,])"
 _BRACKETED = r"\[[^={}\]),]*,[^={}\])]*\]|\{[^={}),]*,[^={})]*\}"
 _VALUE = (
     r"\([^={})]*\)|\[[^={}\])]*[\])]|\{[^={})]*[})]"
-    r"|(?P<quote>[\"'])(?: [^\n]){0,3} (?P=quote)|[(\[{\"']|[^\n](?: [if,])*+"
+    r"|(?P<quote>[\"'])(?: [^\n]){0,3} (?P=quote)|[(\[{\"']|[^\n](?: [ief,])*+"
 )
 _VECTOR = r"[cV] = (?P<value>\([^={})]*\))"
 _PARENTS = "a {0} has no '{1}': parents list their links and joints under 'children'"

@@ -13,6 +13,7 @@ from kindsl.text.phrases import counted
 VECTOR = ("(", "FLOAT", ",", "FLOAT", ",", "FLOAT", ")")
 
 _COMPONENTS = 3
+_DECIMAL_COMMAS = (["INT", ",", "INT"], ["INT", ",", "SCIENTIFIC"])
 _LONGEST_FORM = 12
 _BEFORE_OPERATORS = OPERANDS | set(")]>")
 
@@ -145,7 +146,8 @@ def _number_end(text: str, tokens: Sequence[Token], index: int) -> int:
         if is_grouped(text[tokens[index].start : tokens[behind - 1].end]):
             return behind
     three = tokens[index : index + 3]
-    is_decimal = [token.kind for token in three] == ["INT", ",", "INT"] and three[2].text.isdigit()
+    kinds = [token.kind for token in three]
+    is_decimal = kinds in _DECIMAL_COMMAS and three[2].text[0].isdigit()
     return index + 3 if is_decimal and three[0].end + 1 == three[2].start else index + 1
 
 
