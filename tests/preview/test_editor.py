@@ -92,7 +92,22 @@ async def test_a_saved_version_stays_as_a_ghost(editor):
         assert message["name"] in ("shoulder", "lift")
 
 
-async def test_typed_values_are_written_by_the_editor(tmp_path):
+@pytest.mark.parametrize(
+    ("kept", "label", "written"),
+    [
+        (
+            {"type": "write-parameters", "values": {"reach": 0.25}},
+            "Give parameters values",
+            "reach = 0.25\n",
+        ),
+        (
+            {"type": "keep-pose", "name": "stand", "values": {"lift": 0.25}},
+            "Keep pose 'stand'",
+            '\n[[document]]\npath = "arm.kindsl"\n[document.poses.stand]\nlift = 0.25\n',
+        ),
+    ],
+)
+async def test_what_is_kept_is_written_by_the_editor(tmp_path, kept, label, written):
     (tmp_path / "kindsl.toml").write_text("[parameters]\nother = 1.0\n")
     file = tmp_path / "arm.kindsl"
     file.write_text(PARAMETRIC_ARM)
@@ -105,35 +120,12 @@ async def test_typed_values_are_written_by_the_editor(tmp_path):
     url = (await asyncio.to_thread(client.request, "workspace/executeCommand", command))["url"]
     async with connected(url) as connection:
         await whole_state(connection)
-        await connection.write_message('{"type": "write-parameters", "values": {"reach": 0.25}}')
+        await connection.write_message(json.dumps(kept))
         is_wanted = lambda m: m.get("method") == "workspace/applyEdit"  # noqa: E731
         request = await asyncio.to_thread(client.wait, is_wanted)
+        assert request["params"]["label"] == label
         made = request["params"]["edit"]["changes"][(tmp_path / "kindsl.toml").as_uri()]
-        assert [each["newText"] for each in made] == ["reach = 0.25\n"]
-        client.send(id=request["id"], result={"applied": True})
-    client.kill()
-
-
-async def test_a_pose_is_kept_by_the_editor(tmp_path):
-    (tmp_path / "kindsl.toml").write_text("[parameters]\nother = 1.0\n")
-    file = tmp_path / "arm.kindsl"
-    file.write_text(ARM)
-    client = RawClient()
-    folders = [{"uri": tmp_path.as_uri(), "name": "robots"}]
-    capabilities = {"workspace": {"applyEdit": True, "workspaceFolders": True}}
-    client.initialize(capabilities, initializationOptions=SETTINGS, workspaceFolders=folders)
-    client.open(file.as_uri(), ARM)
-    command = {"command": "kindsl.preview", "arguments": [file.as_uri()]}
-    url = (await asyncio.to_thread(client.request, "workspace/executeCommand", command))["url"]
-    async with connected(url) as connection:
-        await whole_state(connection)
-        pose = {"type": "keep-pose", "name": "stand", "values": {"lift": 0.25}}
-        await connection.write_message(json.dumps(pose))
-        is_wanted = lambda m: m.get("method") == "workspace/applyEdit"  # noqa: E731
-        request = await asyncio.to_thread(client.wait, is_wanted)
-        assert request["params"]["label"] == "Keep pose 'stand'"
-        (made,) = request["params"]["edit"]["changes"][(tmp_path / "kindsl.toml").as_uri()]
-        assert made["newText"].endswith("[document.poses.stand]\nlift = 0.25\n")
+        assert [each["newText"] for each in made] == [written]
         client.send(id=request["id"], result={"applied": True})
     client.kill()
 
