@@ -58,6 +58,13 @@ def test_each_number_is_told_by_itself(kdsl_lint: Runner) -> None:
     assert "more like it" not in kdsl_lint(".", "--select", "KD9").out
 
 
+def test_each_unknown_joint_is_told_though_all_have_one_place(kdsl_lint: Runner) -> None:
+    joints = ", ".join(f"{name} = '{name}'" for name in ("axle", "boom", "crank"))
+    Path("kindsl.toml").write_text(f"{TWINS.format('arm.urdf')}joints = {{ {joints} }}")
+    assert len(findings(kdsl_lint)) > 2
+    assert "more like it" not in kdsl_lint(".", "--select", "KD9").out
+
+
 def test_the_fix_takes_the_twins_number_with_its_digits(kdsl_lint: Runner) -> None:
     change_urdf('value="0.8"', 'value="8.50e-1"')
     run = kdsl_lint(".", "--select", "KD9", "--fix", "--unsafe-fixes")

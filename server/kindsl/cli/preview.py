@@ -261,9 +261,8 @@ def _keep_pose(args: argparse.Namespace, pose: "KeepPose") -> str:
     if args.isolated:
         return "with --isolated there is no configuration file"
     configuration = choices_of(args).configuration_for(args.file)
-    file = (
-        configuration.path if configuration else os.path.join(os.path.dirname(args.file), OWN_FILE)
-    )
+    beside = os.path.join(os.path.dirname(args.file), OWN_FILE)
+    file = configuration.path if configuration else beside
     old = read_source(file, file) if configuration else ""
     new = with_pose(file, old, args.file, *pose) if isinstance(old, str) else None
     if isinstance(old, Failure) or new is None:

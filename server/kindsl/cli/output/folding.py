@@ -18,11 +18,11 @@ def folded(findings: Sequence[Diagnostic]) -> list[list[Diagnostic]]:
     and numbers alone, and none that compare files.
     """
     kinds: dict[object, list[Diagnostic]] = {}
-    for finding in findings:
+    for number, finding in enumerate(findings):
         is_error = finding.severity is Severity.ERROR
         sentence = _VARYING.sub("_", finding.message) if is_error else ""
-        place = finding.start if finding.code.startswith(_OF_FILES) else None
-        kind = finding.code, finding.severity, sentence, place
+        alone = number if finding.code.startswith(_OF_FILES) else None
+        kind = finding.code, finding.severity, sentence, alone
         kinds.setdefault(kind, []).append(finding)
     folds = [
         fold
