@@ -65,9 +65,8 @@ def read_robots(paths: Sequence[str], choices: "Choices") -> ComparedRobots:
     if documents:
         require_parameters(next(iter(documents)), *documents.values())
     bases = [a.model.base.is_floating for a in documents.values() if a.model.base is not None]
-    if not documents:
-        reads = (_foreign(path, None) for path in paths)
-        bases = [each.robot.skeleton.is_floating for each in reads if each.tells_base]
+    reads = {} if documents else {path: _foreign(path, None) for path in paths}
+    bases += [each.robot.skeleton.is_floating for each in reads.values() if each.tells_base]
     sides: list[ComparedRobot] = []
     notes: list[str] = []
     failures: list[Failure] = []
@@ -76,7 +75,9 @@ def read_robots(paths: Sequence[str], choices: "Choices") -> ComparedRobots:
             side, failed = _document(path, documents[path])
             failures += failed
         else:
-            read = _foreign(path, bases[0] if bases else None)
+            read = reads.get(path)
+            if read is None or (bases and not read.tells_base):
+                read = _foreign(path, bases[0] if bases else None)
             side = ComparedRobot(shown_name(path), read.robot)
             notes += read.notes
         sides.append(side)
