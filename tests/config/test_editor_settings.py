@@ -58,6 +58,10 @@ def test_everything_is_understood() -> None:
     assert found.inlay_hints == {"units": True}
 
 
+def test_hints_are_switched_together_or_each() -> None:
+    assert editor_settings({"inlayHints": True}).inlay_hints == {"enabled": True}
+
+
 @steady
 @given(st.dictionaries(names, json_values) | json_values)
 def test_nonsense_is_told_and_left_out(raw: object) -> None:

@@ -61,6 +61,10 @@ def read(layout: Layout) -> Configuration:
             "[parameters.b]\nvalue = 1.0\n",
             "[parameters]\nm = 1.0\n\n[parameters.b]\nvalue = 1.0\n",
         ),
+        (
+            "ignore = []\n# How.\n[parameters.b]\nvalue = 1.0\n",
+            "ignore = []\n\n[parameters]\nm = 1.0\n\n# How.\n[parameters.b]\nvalue = 1.0\n",
+        ),
         ("[parameters]\nm   =  2.0  # old\n", "[parameters]\nm   =  1.0  # old\n"),
         (
             "[parameters.m]\nvalue = 2.0 # kg\nmin = 0.5\n",

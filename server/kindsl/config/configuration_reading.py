@@ -9,7 +9,7 @@ from kindsl.config.configuration import Configuration, DocumentTable
 from kindsl.config.errors import ConfigurationError, ConfigurationProblem, KeyPlace
 from kindsl.config.file_names import PYTHON_FILE, PYTHON_TABLE
 from kindsl.config.tables import DOCUMENT_KEYS, KEYS, Checker, bindings, decisions, twin_of
-from kindsl.config.toml_places import toml_places
+from kindsl.config.toml_places import KeyPath, toml_places
 from kindsl.semantics.parameters import Binding
 from kindsl.text.lines import LineIndex
 from kindsl.text.regular import require_regular
@@ -62,19 +62,13 @@ def configuration_of(path: str, text: str) -> Configuration:
         table = {}
     checker.known_keys((), table, KEYS)
     common = decisions(checker, (), table)
-    documents = tuple(
-        DocumentTable(pattern, decisions(checker, ("document", number), entry))
-        for number, entry in enumerate(checker.tables(("document",), table))
-        if checker.known_keys(("document", number), entry, DOCUMENT_KEYS)
-        and (pattern := checker.pattern(("document", number, "path"), entry))
-    )
+    entries = enumerate(checker.tables(("document",), table))
+    documents = tuple(_document(checker, ("document", number), entry) for number, entry in entries)
     entries = enumerate(checker.tables(("twins",), table))
-    twins = [twin_of(checker, ("twins", number), entry) for number, entry in entries]
+    twins = tuple(twin_of(checker, ("twins", number), entry) for number, entry in entries)
     baseline = checker.text(("baseline",), table)
     checker.raise_if_wrong()
-    return Configuration(
-        path, text, common, documents, checker.places, root, baseline, tuple(filter(None, twins))
-    )
+    return Configuration(path, text, common, documents, checker.places, root, baseline, twins)
 
 
 def read_parameters(path: str) -> dict[str, Binding]:
@@ -91,6 +85,11 @@ def read_parameters(path: str) -> dict[str, Binding]:
         found = bindings(checker, (), table)
     checker.raise_if_wrong()
     return found
+
+
+def _document(checker: Checker, keys: KeyPath, table: dict[str, Any]) -> DocumentTable:
+    checker.known_keys(keys, table, DOCUMENT_KEYS)
+    return DocumentTable(checker.pattern((*keys, "path"), table), decisions(checker, keys, table))
 
 
 def _parsed(path: str, text: str, root: tuple[str, ...]) -> tuple[dict[str, Any], Checker]:

@@ -57,9 +57,20 @@ def nearest_configuration(folder: str) -> str | None:
 
 def candidates(folder: str) -> Iterator[str]:
     """Yield the candidates for the configuration file of a folder, the nearest first."""
-    for above in _upwards(os.path.abspath(folder)):
+    for above in upwards(folder):
         yield os.path.join(above, OWN_FILE)
         yield os.path.join(above, PYTHON_FILE)
+
+
+def upwards(folder: str) -> Iterator[str]:
+    """Yield a folder and those above it, the nearest first."""
+    folder = os.path.abspath(folder)
+    while True:
+        yield folder
+        above = os.path.dirname(folder)
+        if above == folder:
+            return
+        folder = above
 
 
 def is_configuration(path: str) -> bool:
@@ -93,15 +104,6 @@ def _read(path: str) -> "Configuration | ConfigurationError":
         return read_configuration(path)
     except ConfigurationError as error:
         return error
-
-
-def _upwards(folder: str) -> Iterator[str]:
-    while True:
-        yield folder
-        above = os.path.dirname(folder)
-        if above == folder:
-            return
-        folder = above
 
 
 def _shown(path: str) -> str:

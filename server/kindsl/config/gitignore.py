@@ -3,6 +3,7 @@
 import os
 from typing import TYPE_CHECKING, NamedTuple
 
+from kindsl.config.discovery import upwards
 from kindsl.text.regular import require_regular
 
 if TYPE_CHECKING:
@@ -24,7 +25,7 @@ class Ignored(NamedTuple):
 
         If they ignore the folder itself, nothing: who names it wants it.
         """
-        above = _up_to_repository(os.path.abspath(folder))
+        above = _up_to_repository(folder)
         if not above:
             return cls()
         ignored = cls()._with(above[-1], os.path.join(above[-1], ".git", "info", "exclude"))
@@ -60,13 +61,12 @@ class Ignored(NamedTuple):
 
 def _up_to_repository(folder: str) -> list[str]:
     """Return a folder and those above it up to a repository's root; empty outside of one."""
-    folders = [folder]
-    while not os.path.exists(os.path.join(folders[-1], ".git")):
-        parent = os.path.dirname(folders[-1])
-        if parent == folders[-1]:
-            return []
-        folders.append(parent)
-    return folders
+    folders = []
+    for above in upwards(folder):
+        folders.append(above)
+        if os.path.exists(os.path.join(above, ".git")):
+            return folders
+    return []
 
 
 def _spec(lines: list[str]) -> "GitIgnoreSpec":

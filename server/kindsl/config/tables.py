@@ -58,10 +58,9 @@ class Checker:
 
     def wrong(self, keys: KeyPath, message: str) -> None:
         """Report an error at a key, or at the nearest key above that has a place."""
-        known = (*self.root, *keys)
-        while known and known not in self.places:
-            known = known[:-1]
-        start, end = self.places.get(known, (0, 0))
+        path = (*self.root, *keys)
+        above = (path[:length] for length in range(len(path), 0, -1))
+        start, end = next(self.places[known] for known in above if known in self.places)
         line, column = self._lines.position(start)
         place = KeyPlace(line + 1, column + 1, start, end)
         problem = ConfigurationProblem(self.path, place, dotted(keys), printable(message))
@@ -72,14 +71,13 @@ class Checker:
         kind = _KINDS.get(type(value), "a date or time")
         self.wrong(keys, f"'{dotted(keys) or 'tool.kindsl'}' must be {expected}, not {kind}")
 
-    def known_keys(self, keys: KeyPath, table: Mapping[str, Any], known: Collection[str]) -> bool:
-        """Report unknown keys; return True, for use in conditions."""
+    def known_keys(self, keys: KeyPath, table: Mapping[str, Any], known: Collection[str]) -> None:
+        """Report unknown keys."""
         for key in table:
             if key not in known:
                 hint = did_you_mean(key, known)
                 where = f" in '{dotted(keys)}'" if keys else ""
                 self.wrong((*keys, key), f"unknown key '{key}'{where}{hint}")
-        return True
 
     def tables(self, keys: KeyPath, table: Mapping[str, Any]) -> list[dict[str, Any]]:
         """Return a list of tables; other elements are reported and skipped."""
@@ -108,7 +106,6 @@ class Checker:
         """Return a text; empty and reported if there is none."""
         if keys[-1] not in table:
             self.wrong(keys[:-1], f"'{dotted(keys[:-1])}' has no '{keys[-1]}'")
-            return ""
         return self.text(keys, table)
 
     def pattern(self, keys: KeyPath, table: Mapping[str, Any]) -> str:
@@ -160,16 +157,11 @@ def _version(checker: Checker, keys: KeyPath, table: Mapping[str, Any]) -> str |
 
 def bindings(checker: Checker, keys: KeyPath, table: Mapping[str, Any]) -> dict[str, Binding]:
     """Return the bindings of a table of parameters."""
-    found: dict[str, Binding] = {}
-    for name, value in table.items():
-        binding = _binding(checker, (*keys, name), value)
-        if binding is not None:
-            found[name] = binding
-    return found
+    return {name: _binding(checker, (*keys, name), value) for name, value in table.items()}
 
 
-def twin_of(checker: Checker, keys: KeyPath, table: Mapping[str, Any]) -> TwinTable | None:
-    """Return a table of `[[twins]]`; None and reported if it is invalid."""
+def twin_of(checker: Checker, keys: KeyPath, table: Mapping[str, Any]) -> TwinTable:
+    """Return a table of `[[twins]]`."""
     checker.known_keys(keys, table, TWIN_KEYS)
     pattern = checker.pattern((*keys, "document"), table)
     file = checker.required_text((*keys, "file"), table)
@@ -178,8 +170,6 @@ def twin_of(checker: Checker, keys: KeyPath, table: Mapping[str, Any]) -> TwinTa
         if not isinstance(other, str):
             checker.wrong_type((*keys, "joints", name), other, "a string")
     tolerance = _amount(checker, (*keys, "tolerance"), table)
-    if not pattern or not file:
-        return None
     pairs = tuple((str(ours), str(theirs)) for ours, theirs in joints.items())
     path = os.path.normpath(os.path.join(os.path.dirname(checker.path), file))
     place = checker.places.get((*checker.root, *keys, "file"), (0, 0))
@@ -204,17 +194,16 @@ def dotted(keys: KeyPath) -> str:
     return text
 
 
-def _binding(checker: Checker, keys: KeyPath, value: object) -> Binding | None:
+def _binding(checker: Checker, keys: KeyPath, value: object) -> Binding:
     if not isinstance(value, dict):
         number = _number(checker, keys, value, "a number, or a table with 'value', 'min', 'max'")
-        return None if number is None else Binding(number, origin=checker.path)
+        return Binding(number, origin=checker.path)
     checker.known_keys(keys, value, BINDING_KEYS)
     if "value" not in value:
         checker.wrong(keys, f"'{dotted(keys)}' has no 'value'")
-        return None
-    number = _number(checker, (*keys, "value"), value["value"], "a number")
-    lowest, highest = _range(checker, keys, value)
-    return None if number is None else Binding(number, lowest, highest, checker.path)
+        return Binding(math.nan)
+    number = _number(checker, (*keys, "value"), value["value"])
+    return Binding(number, *_range(checker, keys, value), checker.path)
 
 
 def _joints(
@@ -241,8 +230,7 @@ def _poses(
     found: dict[str, Mapping[str, float]] = {}
     for name in table:
         own = _table(checker, (*keys, name), table)
-        numbers = {j: _number(checker, (*keys, name, j), own[j], "a number") for j in own}
-        found[name] = {joint: value for joint, value in numbers.items() if value is not None}
+        found[name] = {j: _number(checker, (*keys, name, j), own[j]) for j in own}
     return found
 
 
@@ -250,10 +238,7 @@ def _range(
     checker: Checker, keys: KeyPath, table: Mapping[str, Any]
 ) -> tuple[float | None, float | None]:
     """Return `min` and `max` of a table, None where they are not given."""
-    lowest, highest = (
-        _number(checker, (*keys, key), table[key], "a number") if key in table else None
-        for key in LIMIT_KEYS
-    )
+    lowest, highest = (_optional_number(checker, (*keys, key), table) for key in LIMIT_KEYS)
     if lowest is not None and highest is not None and lowest > highest:
         checker.wrong((*keys, "min"), f"'{dotted((*keys, 'min'))}' is greater than 'max'")
     return lowest, highest
@@ -261,26 +246,29 @@ def _range(
 
 def _amount(checker: Checker, keys: KeyPath, table: Mapping[str, Any]) -> float | None:
     """Return a number that is not negative, None where it is not given."""
-    key = str(keys[-1])
-    if key not in table:
-        return None
-    number = _number(checker, keys, table[key], "a number")
+    number = _optional_number(checker, keys, table)
     if number is not None and number < 0.0:
         checker.wrong(keys, f"'{dotted(keys)}' is negative")
     return number
 
 
-def _number(checker: Checker, keys: KeyPath, value: object, expected: str) -> float | None:
+def _optional_number(checker: Checker, keys: KeyPath, table: Mapping[str, Any]) -> float | None:
+    key = str(keys[-1])
+    return _number(checker, keys, table[key]) if key in table else None
+
+
+def _number(checker: Checker, keys: KeyPath, value: object, expected: str = "a number") -> float:
+    """Return a finite number; NaN and reported if it is none."""
     if isinstance(value, bool) or not isinstance(value, int | float):
         checker.wrong_type(keys, value, expected)
-        return None
+        return math.nan
     try:
         number = float(value)
     except OverflowError:
         number = math.inf
     if not math.isfinite(number):
         checker.wrong(keys, f"'{dotted(keys)}' must be finite")
-        return None
+        return math.nan
     return number
 
 
