@@ -208,6 +208,15 @@ def test_table_of_pyproject(tmp_path: Path) -> None:
     assert caught.value.problems[0].place[:2] == (3, 1)
 
 
+@pytest.mark.parametrize(
+    "text", ["[tool]\nkindsl = 3\n", "tool = 3\n", "[[tool]]\nkindsl = {}\n", "[[tool.kindsl]]\n"]
+)
+def test_our_part_of_a_pyproject_is_a_table(text: str) -> None:
+    with pytest.raises(ConfigurationError, match=r"'tool\.kindsl' must be a table, not a"):
+        configuration_of("pyproject.toml", text)
+    assert configuration_of("pyproject.toml", "[project]\n").documents == ()
+
+
 def test_nearest_file_above_wins(tmp_path: Path) -> None:
     deep = tmp_path / "a" / "b"
     deep.mkdir(parents=True)

@@ -56,7 +56,7 @@ def configuration_of(path: str, text: str) -> Configuration:
     root = PYTHON_TABLE if os.path.basename(path) == PYTHON_FILE else ()
     table, checker = _parsed(path, text, root)
     for name in root:
-        table = table.get(name, {})
+        table = table.get(name, {}) if isinstance(table, dict) else table
     if not isinstance(table, dict):
         checker.wrong_type((), table, "a table")
         table = {}
