@@ -124,6 +124,55 @@ def test_a_variant_is_equal_and_its_conventions_are_told(kindsl: Runner, folder:
     assert "Conventions:" in run.out
 
 
+HAND = """<robot name="arm">
+<link name="base"/>
+<joint name="hinge" type="revolute"><parent link="base"/><child link="arm"/><axis xyz="0 0 1"/>
+  <limit lower="-1" upper="1" effort="1" velocity="1"/></joint>
+<link name="arm"><inertial><mass value="1"/><origin xyz="0.2 0 0"/>
+  <inertia ixx="0.01" iyy="0.02" izz="0.02" ixy="0" ixz="0" iyz="0"/></inertial></link>
+<joint name="bend" type="revolute"><parent link="arm"/><child link="palm"/><axis xyz="0 0 1"/>
+  <origin xyz="0.3 0 0"/><limit lower="-1" upper="1" effort="1" velocity="1"/></joint>
+<link name="palm"><inertial><mass value="1"/><origin xyz="0.1 0 0"/>
+  <inertia ixx="0.01" iyy="0.02" izz="0.02" ixy="0" ixz="0" iyz="0"/></inertial></link>
+<joint name="mount" type="fixed"><parent link="palm"/><child link="tip.0"/>
+  <origin xyz="0.4 0 0"/></joint>
+<link name="tip.0"><inertial><mass value="0.1"/>
+  <inertia ixx="0.01" iyy="0.01" izz="0.01" ixy="0" ixz="0" iyz="0"/></inertial></link>
+</robot>
+"""
+
+
+def test_a_frame_that_is_a_link_with_a_mass_there_is_compared_too(
+    kindsl: Runner, folder: Path
+) -> None:
+    Path("hand.urdf").write_text(HAND)
+    assert kindsl("convert", "--quiet", "hand.urdf", "hand.kindsl").status == 0
+    run = kindsl("diff", "hand.kindsl", "hand.urdf")
+    assert run.status == 0, run.out
+    assert "tip" not in run.out  # its name in the document counts as the same
+    text = Path("hand.kindsl").read_text()
+    assert text.count("(0.4, 0.0, 0.0)") == 1
+    Path("moved.kindsl").write_text(text.replace("(0.4, 0.0, 0.0)", "(0.5, 0.0, 0.0)"))
+    run = kindsl("diff", "moved.kindsl", "hand.urdf")
+    assert run.status == 1
+    assert "x of frame 'tip_0' is 0.5 m in moved.kindsl" in run.out
+
+
+def test_a_frame_on_another_link_is_told(kindsl: Runner, folder: Path) -> None:
+    Path("hand.urdf").write_text(HAND)
+    assert kindsl("convert", "--quiet", "hand.urdf", "hand.kindsl").status == 0
+    text = Path("hand.kindsl").read_text()
+    start = text.index("    frames {")
+    frames = text[start : text.index("\n    }\n", start) + len("\n    }\n")]
+    joint = "palm via bend\n    }\n"
+    other = text.replace(frames, "").replace(joint, joint + frames)
+    assert other.count(frames) == 1
+    Path("other.kindsl").write_text(other)
+    run = kindsl("diff", "other.kindsl", "hand.urdf")
+    assert run.status == 1
+    assert "frame 'tip_0' is on 'arm' here, on 'palm' in hand.urdf" in run.out
+
+
 @pytest.mark.parametrize(
     ("old", "new", "told"),
     [

@@ -5,7 +5,7 @@ from math import degrees, hypot
 
 from kindsl.comparison.alignment import Alignment
 from kindsl.comparison.limits import other_limits
-from kindsl.comparison.matching import MatchedJoints
+from kindsl.comparison.matching import MatchedJoints, writable
 from kindsl.comparison.written import Described
 from kindsl.rigid.pose import RigidPose
 from kindsl.text.phrases import counted, listed
@@ -22,9 +22,10 @@ def conventions(
     yield from _joints(ours, theirs, alignment)
     yield from _frames(ours, theirs, alignment)
     yield from other_limits(ours, theirs, matching, alignment)
-    one, other = map(_own_frames, (ours, theirs))
-    for here, there, where in ((one, other, "here"), (other, one, f"in {theirs.label}")):
-        only = sorted(here - there)
+    frames = ours.skeleton.frames, theirs.skeleton.frames
+    one, other = ({writable(frame.name) for frame in each} for each in frames)
+    for side, known, where in ((ours, other, "here"), (theirs, one, f"in {theirs.label}")):
+        only = sorted(name for name in _own_frames(side) if writable(name) not in known)
         if only:
             yield f"{counted(len(only), 'frame')} only {where}: {_some(only)}"
 

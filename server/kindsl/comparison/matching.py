@@ -1,10 +1,11 @@
 """Matching of the joints of two robots: by a map, by names, else by shape and place."""
 
+import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from math import dist, hypot
 from typing import NamedTuple
 
-from kindsl.mechanism.skeleton import Skeleton
+from kindsl.mechanism.skeleton import AttachedFrame, Skeleton
 from kindsl.rigid.body import MassDistribution, lumped, seen_from
 from kindsl.rigid.pose import IDENTITY, RigidPose
 
@@ -50,6 +51,21 @@ class _ViewAtZero(NamedTuple):
     poses: list[RigidPose]
     subtrees: list[MassDistribution]
     shapes: list[str]
+
+
+def matching_frames(
+    ours: Skeleton, theirs: Skeleton
+) -> Iterator[tuple[AttachedFrame, AttachedFrame]]:
+    """Yield the frames that have one name, as far as a document can write it."""
+    its = {writable(frame.name): frame for frame in theirs.frames}
+    for frame in ours.frames:
+        if other := its.get(writable(frame.name)):
+            yield frame, other
+
+
+def writable(name: str) -> str:
+    """Return a name as a document can write it: `tip.0` becomes `tip_0`."""
+    return re.sub(r"\W", "_", name)
 
 
 def matched(

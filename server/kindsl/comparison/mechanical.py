@@ -6,7 +6,7 @@ from math import acos, hypot
 
 from kindsl.comparison.alignment import Alignment, aligned, base_frames, likely_base_frames
 from kindsl.comparison.conventions import conventions
-from kindsl.comparison.matching import MatchedJoints, matched
+from kindsl.comparison.matching import MatchedJoints, matched, matching_frames
 from kindsl.comparison.number_differences import (
     NumberDifference,
     Tolerances,
@@ -168,6 +168,10 @@ def _structure(
             kinds = one.joint_kinds[body - 1], other.joint_kinds[its - 1]
             name = one.joint_names[body - 1]
             yield f"joint '{name}' is {kinds[0]} here and {kinds[1]} in {theirs.label}"
+    for frame, same in matching_frames(one, other):
+        if matching.theirs.get(frame.body, same.body) != same.body:
+            here, there = one.body_names[frame.body], other.body_names[same.body]
+            yield f"frame '{frame.name}' is on '{here}' here, on '{there}' in {theirs.label}"
     if any(ours.inertias) != any(theirs.inertias):
         where = f"in {theirs.label}" if any(ours.inertias) else "here"
         yield f"no link has an inertia {where}"
@@ -229,13 +233,14 @@ def _frames(
     alignment: Alignment,
     bounds: Tolerances,
 ) -> Iterator[NumberDifference]:
-    """Yield the differences of frames that both have; that of a mass is a convention."""
-    its = {frame.name: frame for frame in theirs.skeleton.frames}
-    heavy = ours.heavy_frames | theirs.heavy_frames
-    for frame in ours.skeleton.frames:
-        other = its.get(frame.name)
-        if other is None or frame.name in heavy or matching.theirs.get(frame.body) != other.body:
+    """Yield the differences of frames that both have; where links with a mass are is a convention.
+
+    It is none where one side has the frame of that name alone, whose place it means.
+    """
+    for frame, other in matching_frames(ours.skeleton, theirs.skeleton):
+        is_heavy = frame.name in ours.heavy_frames and other.name in theirs.heavy_frames
+        if is_heavy or matching.theirs.get(frame.body) != other.body:
             continue
         written = ours.frames.get(frame.name) or written_frame(frame.name, frame.pose)
         pose = alignment.frames[frame.body].then(other.pose)
-        yield from frame_differences(written, theirs.frames.get(frame.name), pose, bounds)
+        yield from frame_differences(written, theirs.frames.get(other.name), pose, bounds)
