@@ -158,6 +158,36 @@ def test_a_frame_that_is_a_link_with_a_mass_there_is_compared_too(
     assert "x of frame 'tip_0' is 0.5 m in moved.kindsl" in run.out
 
 
+# As exports write a neck: point masses on axes that meet, 1.5708 for a right angle.
+NECK = """<robot name="neck">
+<link name="chest"/>
+<joint name="pitch" type="revolute"><parent link="chest"/><child link="neck"/>
+  <origin xyz="0.00231 0.1933 0" rpy="1.5708 0 1.5708"/><axis xyz="0 1 6e-17"/>
+  <limit lower="-1" upper="1" effort="1" velocity="1"/></joint>
+<link name="neck"><inertial><mass value="0.1"/>
+  <inertia ixx="0" iyy="0" izz="0" ixy="0" ixz="0" iyz="0"/></inertial></link>
+<joint name="roll" type="revolute"><parent link="neck"/><child link="gimbal"/>
+  <origin xyz="0.0095 0 0" rpy="-1.5708 0 -1.5708"/><axis xyz="0 -1 6e-17"/>
+  <limit lower="-1" upper="1" effort="1" velocity="1"/></joint>
+<link name="gimbal"><inertial><mass value="0.1"/>
+  <inertia ixx="0" iyy="0" izz="0" ixy="0" ixz="0" iyz="0"/></inertial></link>
+<joint name="yaw" type="revolute"><parent link="gimbal"/><child link="head"/>
+  <origin xyz="0 0 0" rpy="-1.5708 0 1.5708"/><axis xyz="0 -1 6e-17"/>
+  <limit lower="-1" upper="1" effort="1" velocity="1"/></joint>
+<link name="head"><inertial><mass value="1.3"/><origin xyz="0.0185 -0.1108 0"/>
+  <inertia ixx="0" iyy="0" izz="0" ixy="0" ixz="0" iyz="0"/></inertial></link>
+</robot>
+"""
+
+
+def test_angles_of_few_digits_do_not_shift_what_hangs_on_them(kindsl: Runner, folder: Path) -> None:
+    Path("neck.urdf").write_text(NECK)
+    assert kindsl("convert", "--quiet", "neck.urdf", "neck.kindsl").status == 0
+    assert "0.0000036732" in Path("neck.kindsl").read_text()
+    run = kindsl("diff", "neck.kindsl", "neck.urdf")
+    assert run.status == 0, run.out
+
+
 def test_a_frame_on_another_link_is_told(kindsl: Runner, folder: Path) -> None:
     Path("hand.urdf").write_text(HAND)
     assert kindsl("convert", "--quiet", "hand.urdf", "hand.kindsl").status == 0

@@ -25,6 +25,8 @@ _FLOAT = 2e-7
 _FRAME = 1e-5
 # Zero in an MJCF, kg m^2: MuJoCo takes nothing less.
 _NO_MOMENT = 3e-14
+# Of the size of the robot: a mass at the origin of its frame is computed from lengths like these.
+_NO_REACH = 1e-3
 _UNITS = dict(zip(INERTIA, ("kg", *("m",) * 3, *("kg m²",) * 6), strict=True)) | dict(
     zip(POSE, (*("m",) * 3, *("rad",) * 3), strict=True)
 )
@@ -122,10 +124,12 @@ def joint_differences(
     def there(pose: RigidPose) -> RigidPose:
         return parent.inverse().then(pose).then(after.inverse())
 
-    wanted = _wanted_pose(mine, its, here, bounds)
+    carriers = (ours, ours.skeleton.parents[body - 1]), (theirs, theirs.skeleton.parents[other - 1])
+    tilt = sum(_turn_slack(robot.joints[carrier - 1]) for robot, carrier in carriers if carrier)
+    wanted = _wanted_pose(mine, its, here, bounds, tilt)
     if not wanted.unlike:
         return []
-    found = _shorter("joint", wanted, _wanted_pose(its, mine, there, bounds))
+    found = _shorter("joint", wanted, _wanted_pose(its, mine, there, bounds, tilt))
     return [each._replace(body=body) for each in found]
 
 
@@ -172,7 +176,10 @@ def _wanted_pose(
     other: WrittenPose,
     carried: Callable[[RigidPose], RigidPose],
     bounds: Tolerances,
+    tilt: float,
 ) -> _WantedNumbers:
+    """Return the numbers that agree, `tilt` being how far what it hangs on may be turned, rad."""
+
     def values(written: Sequence[float]) -> tuple[float, ...]:
         return form.values_of(carried(other.pose(written)))
 
@@ -181,12 +188,13 @@ def _wanted_pose(
     unlike = _unlike(form.values, form.numbers, wanted, scales, bounds)
     if unlike and not bounds.is_rough:
         # Angles may be ill-defined, a turn is not.
-        turn = sum(map(_own_slack, other.values[3:], other.numbers[3:]))
+        turn = _turn_slack(other)
         moved = _slack(values, wanted, other.values, other.numbers)
-        slack = (*moved[:3], *(min(each, turn) for each in moved[3:]))
+        lever = tilt * hypot(*form.values[:3])
+        slack = (*(each + lever for each in moved[:3]), *(min(each, turn) for each in moved[3:]))
         unlike = _unlike(form.values, form.numbers, wanted, scales, bounds, slack)
-        own = sum(map(_own_slack, form.values[3:], form.numbers[3:]))
-        if _angle_between(form.pose(), form.pose(wanted)) <= turn + own + _ROUNDING:
+        apart = _angle_between(form.pose(), form.pose(wanted))
+        if apart <= turn + _turn_slack(form) + _ROUNDING:
             unlike = tuple(k for k in unlike if k < 3)
     return _WantedNumbers(form, wanted, unlike)
 
@@ -194,6 +202,11 @@ def _wanted_pose(
 def _angle_between(one: RigidPose, other: RigidPose) -> float:
     (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = one.inverse().then(other).rotation
     return atan2(hypot(zy - yz, xz - zx, yx - xy), xx + yy + zz - 1.0)
+
+
+def _turn_slack(form: WrittenPose) -> float:
+    """Return how far a joint may be turned since its angles are rounded, rad."""
+    return sum(map(_own_slack, form.values[3:], form.numbers[3:]))
 
 
 def _own_slack(value: float, number: WrittenNumber | None) -> float:
@@ -226,7 +239,7 @@ def _wanted_part(
         return part.values_of(less(seen_from(lumped(parts), frame), rest))
 
     wanted = values(bodies)
-    scales = _scales_of_inertia((*rest, *bodies, part.body()), part)
+    scales = _scales_of_inertia((*rest, *bodies, part.body()), part, bounds.size)
     unlike = _unlike(part.values, part.numbers, wanted, scales, bounds)
     if not unlike or bounds.is_rough:
         return _WantedNumbers(part, wanted, unlike)
@@ -283,13 +296,13 @@ def _scales_of_pose(bounds: Tolerances) -> tuple[float, ...]:
 
 
 def _scales_of_inertia(
-    parts: Sequence[MassDistribution], part: WrittenInertia
+    parts: Sequence[MassDistribution], part: WrittenInertia, size: float
 ) -> tuple[float, ...]:
     """Return the size of what the numbers were computed from."""
     mass = sum(abs(each.mass) for each in parts)
     reach = max(hypot(*each.com) for each in parts) + hypot(*part.body_T_frame.translation)
     moments = sum(max(map(abs, each.moments)) for each in parts) + mass * reach * reach
-    return mass, *(reach,) * 3, *(max(moments, _NO_MOMENT / _ROUNDING),) * 6
+    return mass, *(max(reach, _NO_REACH * size),) * 3, *(max(moments, _NO_MOMENT / _ROUNDING),) * 6
 
 
 def _shorter(kind: str, ours: _WantedNumbers, theirs: _WantedNumbers) -> list[NumberDifference]:
