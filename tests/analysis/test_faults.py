@@ -7,7 +7,7 @@ import pytest
 from kindsl.analysis import analysis as analyses
 from kindsl.analysis.analysis import analyse
 from kindsl.rules.base import Finding, Rule, Severity
-from kindsl.rules.registry import all_rules
+from kindsl.rules.registry import checking_rules
 
 DUPLICATES = """Robot R {
 RobotBase base { inertia_params { mass = 1.0 CoM = (0.0, 0.0, 0.0) Ix = 1.0 Iy = 1.0 Iz = 1.0
@@ -28,7 +28,7 @@ def failing(*_: object) -> Iterator[Finding]:
 def faulty(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Rule:
     """A rule that fails, the first of all."""
     rule = Rule("KD999", "faulty", Severity.ERROR, **{request.param: failing})
-    monkeypatch.setattr(analyses, "all_rules", lambda: (rule, *all_rules()))
+    monkeypatch.setattr(analyses, "checking_rules", lambda: (rule, *checking_rules()))
     return rule
 
 

@@ -25,7 +25,7 @@ from kindsl.analysis.settings import Settings
 from kindsl.cli.documents.sources import is_decodable
 from kindsl.cli.linter.one_document import FixMode, Task, check
 from kindsl.rules.base import Finding, Rule, Severity
-from kindsl.rules.registry import all_rules
+from kindsl.rules.registry import checking_rules
 
 STRANGE = {
     "utf16.kindsl": GOOD.encode("utf-16"),
@@ -276,7 +276,7 @@ def test_a_rule_that_fails_is_told_with_what_the_others_found(
         yield
 
     rule = Rule("KD999", "faulty", Severity.ERROR, check_document=failing)
-    monkeypatch.setattr(analysis, "all_rules", lambda: (rule, *all_rules()))
+    monkeypatch.setattr(analysis, "checking_rules", lambda: (rule, *checking_rules()))
     monkeypatch.delenv("KINDSL_TRACEBACK")
     (folder / "arm.kindsl").write_text(INTEGER)
     told = kdsl_lint()

@@ -12,7 +12,7 @@ from kindsl.lsp.session.worker import Urgency, Worker
 from kindsl.lsp.session.workspace import Workspace
 from kindsl.lsp.text.document import document
 from kindsl.rules.base import Finding, Rule, Severity
-from kindsl.rules.registry import all_rules
+from kindsl.rules.registry import checking_rules
 
 TEXT = "Robot R {\nRobotBase base { children { one via first } }\n}\n"
 
@@ -129,7 +129,7 @@ async def test_findings_under_way_are_abandoned_and_those_that_are_left_made_lat
 
     rule = Rule("KD999", "slow", Severity.ERROR, check_document=slow)
     later = Rule("KD999", "later", Severity.ERROR, check_document=slow)
-    monkeypatch.setattr(analysis, "all_rules", lambda: (rule, later))
+    monkeypatch.setattr(analysis, "checking_rules", lambda: (rule, later))
     waiting = asyncio.ensure_future(analyses.findings(shown))
     await asyncio.to_thread(begun.wait)
     waiting.cancel()
@@ -153,7 +153,7 @@ async def test_a_rule_that_fails_is_logged(
     rule = Rule("KD999", "faulty", Severity.ERROR, check_document=failing)
     shown = document("untitled:r", 1, TEXT, "utf-16")
     expected = (await analyses.of(shown)).findings
-    monkeypatch.setattr(analysis, "all_rules", lambda: (rule, *all_rules()))
+    monkeypatch.setattr(analysis, "checking_rules", lambda: (rule, *checking_rules()))
     again = document("untitled:r", 2, TEXT, "utf-16")
     assert await analyses.findings(again) == expected != ()
     assert "KD999 failed: KeyError: 'oh'" in caplog.text

@@ -4,12 +4,12 @@ import re
 from collections import Counter
 
 import pytest
+from tests.support.example_documents import bindings_of, document_of, fixed_document_of
 
 from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.analysis.settings import Settings
 from kindsl.rules.base import Example, Rule
-from kindsl.rules.examples import bindings_of, document_of, fixed_document_of
 from kindsl.rules.registry import all_rules, page_of
 from kindsl.text.edits import apply_edits
 

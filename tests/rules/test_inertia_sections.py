@@ -1,9 +1,10 @@
 """Masses, shapes and placeholders: each sentence of their rules, and what they leave alone."""
 
 import pytest
+from tests.support.example_documents import document_of
 from tests.support.one_rule import body, found, row, section, told, with_base
 
-from kindsl.rules.examples import STEEL_BALL, document_of, link
+from kindsl.rules.examples import STEEL_BALL, link
 from kindsl.semantics.parameters import Binding
 from kindsl.text.edits import apply_edits
 

@@ -1,10 +1,11 @@
 """Parameters, constants and values: each sentence of their rules, and what they leave alone."""
 
 import pytest
+from tests.support.example_documents import document_of
 from tests.support.one_rule import found, told
 
 from kindsl.rules.checks.kd404_unused_binding import unused_bindings
-from kindsl.rules.examples import STEEL_BALL, document_of, joint, link, robot
+from kindsl.rules.examples import STEEL_BALL, joint, link, robot
 from kindsl.text.edits import apply_edits
 
 

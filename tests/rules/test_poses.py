@@ -1,9 +1,10 @@
 """Poses and numbers as written: each sentence of their rules, and what they leave alone."""
 
 import pytest
+from tests.support.example_documents import document_of
 from tests.support.one_rule import found, told
 
-from kindsl.rules.examples import STEEL_BALL, document_of, joint, link, pitched_joint, robot
+from kindsl.rules.examples import STEEL_BALL, joint, link, pitched_joint, robot
 from kindsl.text.edits import apply_edits
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 from tests.features.samples import BROKEN, PARAMETRIC, TANGLED
+from tests.support.example_documents import bindings_of, document_of
 from tests.support.markers import marked_files
 from tests.support.recorded import Teller, assert_as_recorded
 from tests.support.robots import STUB
@@ -17,7 +18,6 @@ from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.analysis.settings import Settings
 from kindsl.analysis.text_fix import TextFix
-from kindsl.rules.examples import bindings_of, document_of
 from kindsl.rules.registry import all_rules
 from kindsl.syntax.document import parse
 

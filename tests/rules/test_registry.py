@@ -6,7 +6,7 @@ import zipfile
 from pathlib import Path
 
 import kindsl
-from kindsl.rules.registry import all_rules
+from kindsl.rules.registry import all_rules, checking_rules
 
 PACKAGE = Path(kindsl.__file__).parent
 
@@ -25,3 +25,8 @@ def test_rules_are_found_in_a_zip(tmp_path):
     place, *codes = run.stdout.split()
     assert place.startswith(str(archive))
     assert codes == [rule.code for rule in all_rules()]
+
+
+def test_the_rules_that_look_at_a_model_are_those_with_a_check():
+    checks = [r for r in all_rules() if r.check_document or r.check_body or r.check_island]
+    assert list(checking_rules()) == checks

@@ -1,11 +1,12 @@
 """KD704 and KD706: what a comment `kindsl:` is told to be, and what its fix leaves of it."""
 
 import pytest
+from tests.support.example_documents import document_of
 from tests.support.one_rule import found
 
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.settings import Settings
-from kindsl.rules.examples import document_of, link
+from kindsl.rules.examples import link
 from kindsl.text.edits import apply_edits
 
 LINK = document_of(link("upper", 1, inertia=""))

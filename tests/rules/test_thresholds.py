@@ -3,11 +3,12 @@
 from collections.abc import Callable
 
 import pytest
+from tests.support.example_documents import document_of
 
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.analysis.settings import Settings
-from kindsl.rules.examples import document_of, inertia, joint, link, pitched_joint, robot
+from kindsl.rules.examples import inertia, joint, link, pitched_joint, robot
 from kindsl.semantics.parameters import Binding
 
 EVERY_RULE = Settings(select=("KD",))

@@ -1,9 +1,11 @@
 """What one rule says of a document, or of single blocks; no rule may fail meanwhile."""
 
+from tests.support.example_documents import document_of
+
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.analysis.settings import Settings
-from kindsl.rules.examples import document_of, link, robot
+from kindsl.rules.examples import link, robot
 from kindsl.semantics.parameters import Binding
 
 MOMENTS = ("Ix", "Iy", "Iz", "Ixy", "Ixz", "Iyz")

@@ -3,7 +3,7 @@
 # Signatures in `help` are as short as they are written here.
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
@@ -21,13 +21,8 @@ from kindsl.analysis.known_findings import Apart, blocks_of, set_apart
 from kindsl.analysis.settings import Settings, is_enabled, severity_of
 from kindsl.analysis.syntax_findings import syntax_findings
 from kindsl.rules.base import Finding, Rule
-from kindsl.rules.checks.kd704_unused_suppression import RULE as UNUSED_SUPPRESSION
-from kindsl.rules.checks.kd704_unused_suppression import unused_suppressions
-from kindsl.rules.checks.kd706_unknown_suppression import RULE as UNKNOWN_SUPPRESSION
-from kindsl.rules.checks.kd706_unknown_suppression import unknown_suppressions
 from kindsl.rules.context import Context
-from kindsl.rules.registry import all_rules
-from kindsl.rules.suppression import Directive, covered_by, directives, suppressions
+from kindsl.rules.registry import all_rules, checking_rules
 from kindsl.semantics.model import Model
 from kindsl.syntax.document import SyntaxDocument, parse, paused_collector
 from kindsl.syntax.readings import as_read_for
@@ -214,7 +209,7 @@ class Analysis:
         """Return a run of the rules, chosen once for all versions under the same settings."""
 
         def enabled() -> RunningRules:
-            return by_sight(rule for rule in all_rules() if is_enabled(rule, self.settings))
+            return by_sight(rule for rule in checking_rules() if is_enabled(rule, self.settings))
 
         rules = self.syntax.versions.made_of(_ENABLED, self.settings, enabled)
         return CheckRun(
@@ -222,37 +217,21 @@ class Analysis:
         )
 
     def _without_silenced(self, found: list[Diagnostic], run: CheckRun) -> list[Diagnostic]:
-        """Return what comments do not suppress; rules that ran tell of comments in vain."""
-        islands, starts = self.syntax.islands, self.syntax.starts
-        if any("kindsl:" in island.text for island in islands):
-            enabled = run.codes()
-            if UNKNOWN_SUPPRESSION.code in enabled:
-                found += self._of(UNKNOWN_SUPPRESSION, unknown_suppressions(self._unknown(found)))
-            silenced = suppressions(islands, starts, len(self.text))
-            unused = [s for s in silenced if not any(s.covers(d.code, d.start) for d in found)]
-            found = [d for d in found if not any(s.covers(d.code, d.start) for s in silenced)]
-            if UNUSED_SUPPRESSION.code in enabled:
-                found += self._of(UNUSED_SUPPRESSION, unused_suppressions(unused, enabled))
+        """Return what neither comments suppress nor other findings explain, in the text's order."""
+        if any("kindsl:" in island.text for island in self.syntax.islands):
+            # Imported for such comments only, since it delays the linter's start.
+            from kindsl.analysis.silencing import without_silenced
+
+            found = without_silenced(found, self.syntax, self._codes(run), self._resolve)
         explained = {(d.start, code) for d in found for code in d.explains}
         if explained:
             found = [d for d in found if (d.start, d.code) not in explained or d.fix or d.choices]
         return sorted(found, key=lambda d: (d.start, d.end, d.code, d.message))
 
-    def _unknown(self, found: list[Diagnostic]) -> Iterator[tuple[Directive, list[str]]]:
-        """Yield the `kindsl:` comments, each with the codes of the findings there."""
-        islands, starts = self.syntax.islands, self.syntax.starts
-        for island in islands:
-            for directive in directives(island):
-                start, end = covered_by(islands, starts, directive)
-                if directive.word == "ignore-file":
-                    start, end = 0, len(self.text) + 1
-                yield (
-                    directive,
-                    [d.code for d in found if start <= d.start < end and d.code[:3] != "KD0"],
-                )
-
-    def _of(self, rule: Rule, findings: Iterator[Finding]) -> list[Diagnostic]:
-        return [self._resolve(rule, finding) for finding in findings]
+    def _codes(self, run: CheckRun) -> list[str]:
+        """Return the codes of the rules that a run has, those of the syntax and of comments too."""
+        rules = [rule for rule in all_rules() if is_enabled(rule, self.settings)]
+        return [r.code for r in rules if not (run.is_without_twins and r.reads_twins)]
 
 
 # Its name in public is `kindsl.Document`.

@@ -60,13 +60,11 @@ class RunningRules(NamedTuple):
     """The rules that run, by what they see.
 
     Attributes:
-        all: All of them.
         of_islands: Those that see one island at a time.
         of_bodies: Those that see one body and the joints on it.
         of_documents: Those that see the whole model.
     """
 
-    all: tuple[Rule, ...]
     of_islands: tuple[Rule, ...]
     of_bodies: tuple[Rule, ...]
     of_documents: tuple[Readers, ...]
@@ -80,7 +78,6 @@ def by_sight(rules: Iterable[Rule]) -> RunningRules:
         if rule.check_document is not None:
             readers.setdefault((rule.reads, rule.reads_twins), []).append(rule)
     return RunningRules(
-        chosen,
         tuple(rule for rule in chosen if rule.check_island is not None),
         tuple(rule for rule in chosen if rule.check_body is not None),
         tuple(Readers(*reads, tuple(who)) for reads, who in readers.items()),
@@ -130,11 +127,6 @@ class CheckRun:
     def findings(self) -> Found:
         """Return all that the rules find."""
         return self._document_findings() + self._body_findings() + self._island_findings()
-
-    def codes(self) -> list[str]:
-        """Return the codes of the rules that run."""
-        left_out = self.is_without_twins
-        return [rule.code for rule in self._rules.all if not (left_out and rule.reads_twins)]
 
     def _document_findings(self) -> Found:
         """Return the findings of the rules that see the whole model."""

@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 from kindsl.comparison.document_side import described_document
-from kindsl.comparison.mechanical import compared_mechanics
-from kindsl.comparison.twins import ComparedTwin, TwinFile
+from kindsl.comparison.mechanical import ComparedTwin, compared_mechanics
+from kindsl.comparison.twins import TwinFile
 from kindsl.comparison.written import Described
 from kindsl.mechanism.errors import ModelError
 from kindsl.mechanism.strict_reading import strict_skeleton

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from math import acos, hypot
+from typing import NamedTuple
 
 from kindsl.comparison.alignment import Alignment, aligned, base_frames, likely_base_frames
 from kindsl.comparison.conventions import conventions
@@ -15,6 +16,7 @@ from kindsl.comparison.number_differences import (
     joint_differences,
 )
 from kindsl.comparison.turned_axes import axis_differences, described_with_axis
+from kindsl.comparison.twins import TwinFile
 from kindsl.comparison.written import Described, written_frame
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.rigid.pose import RigidPose
@@ -53,6 +55,20 @@ class MechanicalComparison:
     def is_equal(self) -> bool:
         """True if the mechanics are equal within the digits written."""
         return not self.numbers and not self.structure
+
+
+class ComparedTwin(NamedTuple):
+    """A twin, and what it says otherwise.
+
+    Attributes:
+        twin: The file.
+        is_generated: Whether it is a folder of generated code.
+        found: The comparison.
+    """
+
+    twin: TwinFile
+    is_generated: bool
+    found: MechanicalComparison
 
 
 def compared_mechanics(

@@ -1,9 +1,6 @@
-"""Another file of the same robot, which the configuration names, and what it says otherwise."""
+"""Another file of the same robot, which the configuration names."""
 
-from typing import TYPE_CHECKING, NamedTuple
-
-if TYPE_CHECKING:
-    from kindsl.comparison.mechanical import MechanicalComparison
+from typing import NamedTuple
 
 
 class TwinFile(NamedTuple):
@@ -22,17 +19,3 @@ class TwinFile(NamedTuple):
     joints: tuple[tuple[str, str], ...] = ()
     tolerance: float = 0.0
     version: object = None
-
-
-class ComparedTwin(NamedTuple):
-    """A twin, and what it says otherwise.
-
-    Attributes:
-        twin: The file.
-        is_generated: Whether it is a folder of generated code.
-        found: The comparison.
-    """
-
-    twin: TwinFile
-    is_generated: bool
-    found: "MechanicalComparison"

@@ -1,7 +1,5 @@
 """Places with broken syntax, of which nothing is to be concluded."""
 
-import unicodedata
-
 from kindsl.semantics.model import Model
 from kindsl.semantics.parameters import Parameter
 from kindsl.semantics.places import Located
@@ -21,7 +19,10 @@ def is_doubtful(parameter: Parameter) -> bool:
 
 def is_greek_pi(name: str) -> bool:
     """Return whether a name is the letter for the number pi, in whatever style it is set."""
-    return unicodedata.normalize("NFKC", name) == "\N{GREEK SMALL LETTER PI}"
+    # Imported for parameters only, since it delays the linter's start.
+    from unicodedata import normalize
+
+    return normalize("NFKC", name) == "\N{GREEK SMALL LETTER PI}"
 
 
 def is_cut_off(model: Model) -> bool:

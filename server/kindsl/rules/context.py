@@ -8,7 +8,7 @@ from kindsl.semantics.model import Model
 from kindsl.semantics.parameters import Binding, values_of
 
 if TYPE_CHECKING:
-    from kindsl.comparison.twins import ComparedTwin
+    from kindsl.comparison.mechanical import ComparedTwin
 
 ROBCOGEN = "robcogen"
 ROBCOGEN2 = "robcogen2"

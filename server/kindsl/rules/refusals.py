@@ -81,9 +81,9 @@ def _defects(target: str, model: Model, context: Context) -> Iterator[Finding]:
 
 
 def _of_rules(codes: tuple[str, ...], model: Model, context: Context) -> Iterator[Finding]:
-    from kindsl.rules.registry import all_rules
+    from kindsl.rules.registry import checking_rules
 
-    for rule in all_rules():
+    for rule in checking_rules():
         if rule.code in codes and rule.check_document:
             for finding in rule.check_document(model, context):
                 yield finding._replace(severity=finding.severity or rule.severity)

@@ -8,11 +8,21 @@ from kindsl.rules import checks
 from kindsl.rules.base import Rule
 from kindsl.text.modules import module_names
 
+# Rules that parsers, the configuration or comments tell of.
+_WITHOUT_CHECK = ("kd0", "kd404", "kd704", "kd706", "kd8", "kd902")
+
 
 @cache
 def all_rules() -> tuple[Rule, ...]:
     """Return the rules in the order of their codes."""
     return tuple(rule_module(name).RULE for name in _module_names())
+
+
+@cache
+def checking_rules() -> tuple[Rule, ...]:
+    """Return the rules that look at a model, without loading those that others tell of."""
+    names = (name for name in _module_names() if not name.startswith(_WITHOUT_CHECK))
+    return tuple(rule_module(name).RULE for name in names)
 
 
 @cache

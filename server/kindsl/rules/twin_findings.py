@@ -11,8 +11,9 @@ from kindsl.semantics.places import Located
 from kindsl.text.decimals import plain_decimal, significant_decimal
 
 if TYPE_CHECKING:
+    from kindsl.comparison.mechanical import ComparedTwin
     from kindsl.comparison.number_differences import NumberDifference
-    from kindsl.comparison.twins import ComparedTwin, TwinFile
+    from kindsl.comparison.twins import TwinFile
     from kindsl.comparison.written import WrittenNumber
 
 _DIGITS = 15

@@ -10,8 +10,6 @@ from kindsl.syntax.tree import Island
 from kindsl.syntax.value_forms import formed_values
 from kindsl.text.facts import Fact
 
-_SYMBOLS = Fact["Symbols"]("symbols")
-
 
 class Use(NamedTuple):
     """One place of a parameter.
@@ -106,6 +104,7 @@ class JointProperties(NamedTuple):
 UNTOLD = JointProperties()
 
 
+_SYMBOLS = Fact[Symbols]("symbols")
 _NO_SYMBOLS = Symbols((), ())
 
 

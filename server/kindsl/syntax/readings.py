@@ -16,7 +16,6 @@ from kindsl.syntax.value_forms import formed_values, is_signed_product
 from kindsl.text.facts import Fact, kept
 
 _POWER = re.compile(r"([-+]?[0-9]*\.[0-9]+)([eE][0-9]+)")
-_READINGS = Fact["tuple[TwoReadings, ...]"]("two readings")
 _Rewrite = Callable[[Node], Node | None]
 _AS_READ: "Fact[dict[_Rewrite, Island]]" = Fact("as read")
 
@@ -39,6 +38,9 @@ class TwoReadings(NamedTuple):
     text: str
     robcogen: str
     other: str
+
+
+_READINGS = Fact[tuple[TwoReadings, ...]]("two readings")
 
 
 def two_readings(island: Island) -> tuple[TwoReadings, ...]:

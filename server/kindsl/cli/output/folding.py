@@ -7,7 +7,7 @@ from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.rules.base import Severity
 
 _VARYING = re.compile(r"'[^']*'|[-+]?\d[\d.]*(?:e[-+]?\d+)?")
-LEAST_FOLDED = 3
+_LEAST_FOLDED = 3
 _OF_FILES = "KD9"  # each tells of another number, or another file
 
 
@@ -27,6 +27,6 @@ def folded(findings: Sequence[Diagnostic]) -> list[list[Diagnostic]]:
     folds = [
         fold
         for alike in kinds.values()
-        for fold in ([alike] if len(alike) >= LEAST_FOLDED else [[each] for each in alike])
+        for fold in ([alike] if len(alike) >= _LEAST_FOLDED else [[each] for each in alike])
     ]
     return sorted(folds, key=lambda fold: fold[0].start)

@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterator, Sequence
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.cli.console import coloured, plain, wants_colour
 from kindsl.cli.outcome import LintedFile, RunOutcome
-from kindsl.cli.output.folding import LEAST_FOLDED, folded
 from kindsl.text.printable import printable
 
 _WIDEST_EXCERPT = 120
@@ -29,8 +28,11 @@ def render(outcome: RunOutcome) -> str:
 
 
 def _told(findings: Sequence[Diagnostic], is_verbose: bool) -> list[list[Diagnostic]]:
-    if is_verbose or len(findings) < LEAST_FOLDED:
+    if is_verbose or len(findings) <= 1:
         return [[finding] for finding in findings]
+    # Imported for many findings only, since it delays the linter's start.
+    from kindsl.cli.output.folding import folded
+
     return folded(findings)
 
 

@@ -24,22 +24,30 @@ ids.
 """
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from kindsl.rules.base import Example, Finding, Fix, Related, Replacement, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.duplicates import repeats
 from kindsl.rules.examples import link, robot
-from kindsl.rules.renumbering import CopiedId, copied_id, renumbering
 from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
+
+if TYPE_CHECKING:
+    from kindsl.rules.renumbering import CopiedId
 
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each link whose id is taken."""
     same_id = repeats(model.links, lambda link: link.id)
     pairs = [(first, again) for first, again in same_id if first.name != again.name]
-    copied = copied_id(model) if pairs else None
+    if not pairs:
+        return
+    # Imported where ids are wrong only, since it delays the linter's start.
+    from kindsl.rules.renumbering import copied_id, renumbering
+
+    copied = copied_id(model)
     for first, again in pairs:
         if copied is None:
             yield _finding(first, again, renumbering(model, len(pairs)))
@@ -57,7 +65,7 @@ def _finding(owner: Link, again: Link, fix: Fix | None) -> Finding:
     return Finding(again.id_place or again.name, message, (related,), fix)
 
 
-def _written(copied: CopiedId) -> Fix | None:
+def _written(copied: "CopiedId") -> Fix | None:
     place = copied.copy.id_place
     if place is None or not copied.copy.name:
         return None

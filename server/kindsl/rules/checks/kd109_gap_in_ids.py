@@ -27,7 +27,6 @@ from kindsl.rules.broken_text import has_problem_within
 from kindsl.rules.context import Context
 from kindsl.rules.examples import two_links
 from kindsl.rules.reference_defects import reference_defects
-from kindsl.rules.renumbering import renumbering
 from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
@@ -39,6 +38,11 @@ def check_document(model: Model, _: Context) -> Iterator[Finding]:
     by_id = dict(reversed(certain))
     count = len(by_id)
     gaps = _gaps(sorted(number for number in by_id if number <= count), count)
+    if not gaps:
+        return
+    # Imported where ids are wrong only, since it delays the linter's start.
+    from kindsl.rules.renumbering import renumbering
+
     unknown = len(model.links) - len(certain) + len(reference_defects(model).undefined_links)
     missing = sum(high - low + 1 for low, high in gaps)
     repeated = len(certain) - count

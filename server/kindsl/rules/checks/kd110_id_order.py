@@ -26,7 +26,6 @@ from kindsl.rules.context import ROBCOGEN2, Context
 from kindsl.rules.duplicates import repeats
 from kindsl.rules.examples import two_links
 from kindsl.rules.reference_defects import reference_defects
-from kindsl.rules.renumbering import renumbering
 from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
@@ -37,6 +36,9 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
     pairs = _reversed_pairs(model)
     if not pairs:
         return
+    # Imported where ids are wrong only, since it delays the linter's start.
+    from kindsl.rules.renumbering import renumbering
+
     taken = {again.id for _, again in repeats(model.links, lambda link: link.id)}
     severity = Severity.ERROR if ROBCOGEN2 in context.targets else Severity.WARNING
     for parent, child in pairs:

@@ -29,7 +29,6 @@ from kindsl.rules.base import Example, Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import inertia, link
 from kindsl.rules.inertia.judgements import is_moving, is_plain, keyword
-from kindsl.rules.inertia.over_ranges import Conclusion, is_possible, over_ranges
 from kindsl.semantics.declarations import Declarations, Inertia, Link, inertia_values
 from kindsl.semantics.expressions import ParameterUse, symbols
 from kindsl.semantics.numbers import mass_distribution
@@ -39,15 +38,18 @@ def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
     """Yield a finding for each inertia that is impossible somewhere in its range."""
     for body in declared.bodies():
         inertia = body.inertia
-        if inertia is None or not is_moving(body) or is_plain(inertia):
-            continue
-        if is_possible(inertia, context.values):
+        if inertia is not None and is_moving(body) and not is_plain(inertia):
             yield from _findings(body, inertia, context)
 
 
 def _findings(body: Link, inertia: Inertia, context: Context) -> Iterator[Finding]:
     ranges = _ranges(inertia, context)
     if not ranges or mass_distribution(inertia, context.values) is None:
+        return
+    # Imported for ranges only, since it delays the linter's start.
+    from kindsl.rules.inertia.over_ranges import Conclusion, is_possible, over_ranges
+
+    if not is_possible(inertia, context.values):
         return
     proof = over_ranges(inertia, ranges, context.values)
     if proof.where is not None:

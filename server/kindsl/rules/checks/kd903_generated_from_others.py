@@ -17,12 +17,15 @@ file = "generated/quadrotor"
 """
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from kindsl.comparison.twins import ComparedTwin
 from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
+
+if TYPE_CHECKING:
+    from kindsl.comparison.mechanical import ComparedTwin
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
@@ -32,7 +35,7 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
             yield from _findings(model, each)
 
 
-def _findings(model: Model, each: ComparedTwin) -> Iterator[Finding]:
+def _findings(model: Model, each: "ComparedTwin") -> Iterator[Finding]:
     # Imported for twins only, since it delays the linter's start.
     from kindsl.rules.twin_findings import of_number, of_structure
 
