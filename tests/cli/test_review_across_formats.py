@@ -25,7 +25,7 @@ def test_what_differs_is_told_and_drawn_on_both_sides(kindsl: Runner, arm: Path)
     assert kindsl("review", arm.name, "arm.urdf", "-o", "out").status == 0
     page = Path("out/review.md").read_text()
     row = f"| joint | elbow | x | 0.35 m (line 27) | 0.45 m (line {line}) | "
-    assert "The mechanics differ." in page
+    assert page.startswith("# arm.kindsl and arm.urdf\n\nThe mechanics differ.")
     assert row in page
     assert "before.svg" in page
     before, after = (Path("out", f"{name}.svg").read_text() for name in ("before", "after"))

@@ -76,6 +76,16 @@ def test_a_floating_base_has_rows_of_its_own_but_none_among_the_joints() -> None
     assert f"base acceleration ({acceleration}) rad/s^2, m/s^2\n" in text
 
 
+def test_a_base_that_moves_has_its_velocity_in_everything() -> None:
+    velocity = (0.0, 0.0, 2.0, 0.5, 0.0, 0.0)
+    still, moving = computed(
+        ZERO, ZERO._replace(base_velocity=velocity), text=arm(floating=True)
+    ).as_json()["configurations"]
+    assert (still["base_velocity"], moving["base_velocity"]) == ([0.0] * 6, list(velocity))
+    assert still["gravity_torque"] == moving["gravity_torque"]
+    assert still["bias_torque"] != moving["bias_torque"]
+
+
 def test_parameters_are_told_with_their_values() -> None:
     settings = Settings(bindings={"length": Binding(0.75)})
     document = kindsl.parse(arm(reach="length"), settings)

@@ -160,6 +160,16 @@ def test_a_bone_is_as_deep_as_its_middle_but_in_front_of_nothing_that_holds_it()
         assert upper == pytest.approx(min(depth((0.2, 0.0, 0.5)), deepest))
 
 
+def test_a_drum_is_as_deep_as_its_front() -> None:
+    skeleton = skeleton_of(ARM)
+    solids, camera = link_solids(skeleton, extent(skeleton)), Camera(100.0, (0.0, 0.5))
+    found = list(body_shapes(skeleton, skeleton.zero_poses(), camera, {}, is_solid=False))
+    places = [(0.0, 0.0, 0.5), (0.4, 0.0, 0.5)]
+    assert [thing.depth for thing in found[-2:]] == pytest.approx(
+        [depth(place) + solid.drum for place, solid in zip(places, solids[1:], strict=True)]
+    )
+
+
 def test_a_body_beside_its_bones_hangs_on_a_strut() -> None:
     skeleton = skeleton_of(ARM)
     counts = []

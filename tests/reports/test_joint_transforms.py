@@ -100,6 +100,15 @@ def test_what_latex_sets() -> None:
     assert rows[0][0].latex == r"\cos q" and rows[2][2] == ("1", "1")
 
 
+def test_a_coordinate_has_each_name_with_its_sign_and_no_zero() -> None:
+    for written, plain in (
+        ("-0.0", "0"), ("0.0*a", "0"), ("-1.5", "-1.5"), ("-a - 2.0*b", "-a - 2*b"),
+        ("a - b - 0.5", "a - b - 0.5"), ("0.5 - a/4.0", "-0.25*a + 0.5"),
+    ):  # fmt: skip
+        _, rows = formulas("r_joint", f"({written}, 0.0, 0.0)", "(0.0, 0.0, 0.0)")
+        assert rows is not None and rows[0][3].plain == plain, written
+
+
 def test_a_slide_goes_along_the_turned_z() -> None:
     _, rows = formulas("p_joint", "(0.5, 0.0, 0.25)", "(-PI/2.0, 0.0, 0.0)")
     assert [row[3].plain for row in rows] == ["0.5", "q", "0.25", "1"]

@@ -128,38 +128,34 @@ def _called(name: str, angle: _Linear) -> Formula:
 
 
 def _linear(value: _Linear) -> Formula:
-    parts = [(factor, name) for name, factor in value.terms if factor]
-    plain = [(f < 0.0, _scaled(abs(f), n, "*")) for f, n in parts]
-    latex = [(f < 0.0, _scaled(abs(f), latex_name(n), r"\,")) for f, n in parts]
-    if value.constant or not parts:
-        constant = (value.constant < 0.0, _number(abs(value.constant)))
-        plain, latex = [*plain, constant], [*latex, constant]
-    return Formula(_joined(plain), _joined(latex))
+    plain = [_scaled(factor, name, "*") for name, factor in value.terms if factor]
+    latex = [_scaled(factor, latex_name(name), r"\,") for name, factor in value.terms if factor]
+    constant = [_number(value.constant)] if value.constant else []
+    return Formula(_joined([*plain, *constant]), _joined([*latex, *constant]))
 
 
 def _scaled(factor: float, name: str, times: str) -> str:
-    return name if factor == 1.0 else f"{_number(factor)}{times}{name}"
+    signed = {1.0: name, -1.0: f"-{name}"}
+    return signed.get(factor, f"{_number(factor)}{times}{name}")
 
 
 def _sum(first: Sequence[Formula], products: Sequence[_Factor] = ()) -> Formula:
     """Return formulas and products, those that are nothing left out."""
-    shown = [formula for formula in first if formula.plain != "0"]
-    plain = [(False, formula.plain) for formula in shown]
-    latex = [(False, formula.latex) for formula in shown]
-    for product in products:
-        if product.sign:
-            is_negative = product.sign < 0
-            plain.append((is_negative, "*".join(part.plain for part in product.parts) or "1"))
-            latex.append((is_negative, r"\,".join(part.latex for part in product.parts) or "1"))
-    return Formula(_joined(plain), _joined(latex))
+    terms = [formula for formula in first if formula.plain != "0"]
+    terms += [_product(factor) for factor in products if factor.sign]
+    return Formula(_joined([term.plain for term in terms]), _joined([term.latex for term in terms]))
 
 
-def _joined(terms: Sequence[tuple[bool, str]]) -> str:
-    """Return a sum of terms, each with whether it is negative."""
-    if not terms:
-        return "0"
-    text = "".join(f" {'-' if is_negative else '+'} {term}" for is_negative, term in terms)
-    return f"-{text[3:]}" if text.startswith(" - ") else text[3:]
+def _product(factor: _Factor) -> Formula:
+    minus = {1: "", -1: "-"}[factor.sign]
+    plain = "*".join(part.plain for part in factor.parts) or "1"
+    latex = r"\,".join(part.latex for part in factor.parts) or "1"
+    return Formula(minus + plain, minus + latex)
+
+
+def _joined(terms: Sequence[str]) -> str:
+    """Return a sum of terms, which may begin with a sign."""
+    return " + ".join(terms).replace("+ -", "- ") or "0"
 
 
 def _number(value: float) -> str:
