@@ -10,7 +10,7 @@ from kindsl.config.errors import ConfigurationError
 from kindsl.config.parameter_lines import key, parameter_lines
 from kindsl.config.toml_places import KeyPath
 from kindsl.semantics.parameters import JointProperties
-from kindsl.text.edits import TextEdit
+from kindsl.text.edits import TextEdit, apply_edits
 
 _KEYS = {"minimum": "min", "maximum": "max"}
 _GLOB = "*?[]!#\\"
@@ -126,6 +126,6 @@ def _pattern(document: str) -> str:
 
 def _extended(text: str, lines: Iterable[str]) -> str:
     """Return a text with lines behind it, after an empty one."""
-    body = text.rstrip("\r\n")
-    new = "\n".join((*([body, ""] if body else []), *lines, ""))
-    return body + in_line_style(TextEdit(0, 0, new[len(body) :]), text).text
+    end = len(text.rstrip("\r\n"))
+    new = "\n".join((*(["", ""] if end else []), *lines, ""))
+    return apply_edits(text, [in_line_style(TextEdit(end, len(text), new), text)])
