@@ -1,5 +1,7 @@
 """Patterns match what git's do, in time that grows with their length and not faster."""
 
+import re
+
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
@@ -12,6 +14,9 @@ PATHS = st.lists(NAMES, min_size=1, max_size=6).map("/".join)
 PIECES = st.sampled_from(("a", "b", ".", "*", "?", "[ab]", "[!.]", "**", "/", "/**/", "*a", "\\b"))
 PATTERNS = st.lists(PIECES, min_size=1, max_size=12).map("".join)
 LINES = st.lists(st.tuples(st.sampled_from(("", "!", "/")), PATTERNS).map("".join), max_size=4)
+
+# Folders for which all numbers may be tried.
+ANY_FOLDERS = re.compile(r"(?<!\(\?>)\(\?:/?\.\+\??/?\)\?")
 
 # Patterns that Python's expressions try in more ways than there are atoms, and paths for them.
 HOSTILE = [
@@ -57,6 +62,8 @@ def test_no_pattern_keeps_anybody_waiting(pattern: str, path: str) -> None:
 
 
 @given(PATTERNS)
+@example("a/**/b/**/c")
+@example("**/a/**/b/**/c")
 def test_no_place_is_tried_twice(pattern: str) -> None:
     try:
         parts = spec_of([pattern]).patterns
@@ -67,6 +74,7 @@ def test_no_place_is_tried_twice(pattern: str) -> None:
         for name in expression.split("/"):
             after_groups = name.rpartition("(?>")[2]
             assert after_groups.count("[^/]*") - after_groups.count("[^/]*?") <= 1
+        assert len(ANY_FOLDERS.findall(expression)) <= 1, expression
 
 
 @pytest.mark.parametrize("pattern", ["[[a]b", "[a&&b]", "[a||b]", "[a~~b]"])

@@ -97,6 +97,8 @@ def test_patterns(pattern: str, path: str, is_meant: bool) -> None:
         ("parameters = 1\n", ":1:1: error: 'parameters' must be a table, not a number"),
         ('[parameters]\nx = "1"\n', ":2:1: error: 'parameters.x' must be a number, or a table"),
         ("[parameters]\nx = true\n", ":2:1: error: 'parameters.x' must be a number, or a table"),
+        ("[joints.x]\nmin = inf\nmax = 1\n", ":2:1: error: 'joints.x.min' must be finite"),
+        (f"[parameters]\nx = 1{'0' * 400}\n", ":2:1: error: 'parameters.x' must be finite"),
         ("[parameters]\nx = inf\n", ":2:1: error: 'parameters.x' must be finite"),
         ("[parameters.x]\nmin = 1\n", ":1:13: error: 'parameters.x' has no 'value'"),
         (

@@ -3,6 +3,7 @@
 import math
 import os
 import re
+import sys
 from collections.abc import Collection, Mapping
 from typing import Any
 
@@ -259,16 +260,13 @@ def _optional_number(checker: Checker, keys: KeyPath, table: Mapping[str, Any]) 
 
 def _number(checker: Checker, keys: KeyPath, value: object, expected: str = "a number") -> float:
     """Return a finite number; NaN and reported if it is none."""
+    number = math.nan
     if isinstance(value, bool) or not isinstance(value, int | float):
         checker.wrong_type(keys, value, expected)
-        return math.nan
-    try:
+    elif abs(value) <= sys.float_info.max:
         number = float(value)
-    except OverflowError:
-        number = math.inf
-    if not math.isfinite(number):
+    else:
         checker.wrong(keys, f"'{dotted(keys)}' must be finite")
-        return math.nan
     return number
 
 

@@ -177,7 +177,7 @@ def _inertia(robot: GeneratedRobot) -> str:
         ten = ten_of(robot, body)
         values = {f"m{body}({k})": value for k, value in enumerate(ten, start=1)}
         lines += _lines(robot, values, {})
-        m = [f"m{body}({k})" for k in range(1, 11)]
+        m = list(values)
         lines.append(
             f"    ip.lf_{robot.bodies[body]} = properties({m[0]}, [{m[1]}; {m[2]}; {m[3]}], "
             f"[{m[4]}, {m[5]}, {m[6]}; {m[5]}, {m[7]}, {m[8]}; {m[6]}, {m[8]}, {m[9]}]);"
