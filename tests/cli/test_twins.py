@@ -116,6 +116,7 @@ def test_what_cannot_be_read_is_reported_at_its_path(
     ((code, path, line, told),) = findings(kdsl_lint)
     assert (code, path, line) == ("KD902", "kindsl.toml", 3)
     assert told.startswith(f"twin '{name}' cannot be read: {message}")
+    assert findings(kdsl_lint, "--ignore", "KD902") == []
 
 
 def test_generated_code_is_one_finding(kindsl: Runner, kdsl_lint: Runner) -> None:

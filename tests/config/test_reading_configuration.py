@@ -281,7 +281,9 @@ VALUE = st.recursive(
 def toml_texts(draw: st.DrawFn) -> str:
     lines = []
     for number in range(draw(st.integers(0, 3))):
-        header = draw(st.sampled_from(["", f"[t{number}]", f"[t{number}.x]", "[[l]]", "[[l.m]]"]))
+        header = draw(
+            st.sampled_from(["", f"[t{number}]# c", f"[t{number}.x]", "[[l]]# c", "[[l.m]]"])
+        )
         lines.append(header)
         for key, value in draw(st.dictionaries(KEY, VALUE, max_size=3)).items():
             lines.append(f"{key} = {value} # c")
