@@ -1,12 +1,16 @@
 """What generated code says of itself: its README, its head, how long its lines are."""
 
 from dataclasses import replace
+from itertools import pairwise
 
 import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
 from tests.support.robots import LIFT
 
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.settings import Settings
+from kindsl.codegen.c_text import _wrapped
 from kindsl.codegen.generating import Source, generate
 from kindsl.codegen.library import Options
 from kindsl.interchange.generated_folder import digest
@@ -52,11 +56,24 @@ def test_heads_fill_their_lines_and_no_more() -> None:
     lines = files(OPTIONS)["arm.h"].splitlines()
     starts = [number for number, line in enumerate(lines) if line.startswith("void arm_")]
     assert all(len(lines[number]) <= 100 for number in starts)
-    cut = [number for number in starts if lines[number].endswith(",")]
-    assert cut
-    for number in cut:
-        word = lines[number + 1].partition(",")[0].strip()
-        assert len(f"{lines[number]} {word}, ") > 100
+    assert any(lines[number].endswith(",") for number in starts)
+
+
+@given(st.lists(st.text("a b[", min_size=1, max_size=70).map(str.strip).filter(bool), min_size=1))
+@example(["a" * 92, "b" * 95, "c" * 96, "d"])
+@example(["a" * 120, "b"])
+def test_a_line_is_cut_where_the_next_part_would_not_fit(parts: list[str]) -> None:
+    lines = _wrapped("void f", parts).split("\n")
+    assert " ".join(map(str.strip, lines)) == f"void f({', '.join(parts)})"
+    assert all(line.startswith("    ") and line[4] != " " for line in lines[1:])
+    assert all(len(line) <= 100 or ", " not in line for line in lines)
+    for line, behind in pairwise(lines):
+        assert len(f"{line} {behind.strip().split(', ')[0].rstrip(',')},") > 100
+
+
+def test_names_that_are_others_in_code_are_listed() -> None:
+    readme = files(OPTIONS, LIFT.replace("shoulder", "class"))["README.md"]
+    assert "## Changed names\n\n| document | code |\n| --- | --- |\n| class | class_ |\n" in readme
 
 
 @pytest.mark.parametrize(
@@ -66,6 +83,8 @@ def test_chosen_parameters_stay_inputs(choice: str, inputs: list[str]) -> None:
     readme = files(replace(OPTIONS, parameters=choice), BOUND).get("README.md", "")
     told = [name for name in ("m", "n") if f"| {name} | {name} | 1.5 |" in readme]
     assert told == inputs
+    assert ("## Parameters\n" in readme) is bool(inputs)
+    assert "## Changed names" not in readme
 
 
 @pytest.mark.parametrize("language", ["c", "cpp", "robcogen"])

@@ -1,6 +1,7 @@
 """Pieces of text that all C files of a library share."""
 
 from collections.abc import Iterator, Sequence
+from textwrap import fill
 
 from kindsl.codegen.library import Library
 from kindsl.dynamics.generation.emitters.c import Dialect
@@ -9,6 +10,7 @@ from kindsl.dynamics.generation.function import Function
 # Arguments of a fixed length, whatever the robot.
 FIXED_LENGTHS = {"v0": "6", "a0": "6", "g": "3", "f0": "6"}
 EXTERNAL = "fext"
+_NO_BREAK = "\u00a0"
 
 
 def stamp_comment(library: Library, what: str) -> str:
@@ -86,11 +88,7 @@ def _bound(name: str, qualifier: str) -> str:
 
 def _wrapped(head: str, parts: Sequence[str]) -> str:
     """Return a head with parts in brackets, in lines of at most 100 characters."""
-    lines, line = [], f"{head}("
-    for number, part in enumerate(parts):
-        end = ")" if number == len(parts) - 1 else ","
-        if len(line) + len(part) + 2 > 100:
-            lines.append(line.rstrip())
-            line = "    "
-        line += f"{part}{end}" + (" " if end == "," else "")
-    return "\n".join([*lines, line])
+    kept = (text.replace(" ", _NO_BREAK) for text in (head, *parts))
+    text = f"{next(kept)}({', '.join(kept)})"
+    lines = fill(text, 100, subsequent_indent="    ", break_long_words=False)
+    return lines.replace(_NO_BREAK, " ")

@@ -1,6 +1,6 @@
 """The README of generated code: what is in which order, and how to use it."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from kindsl.codegen.library import Library
 from kindsl.dynamics.generation.jacobians import feet, support
@@ -33,37 +33,35 @@ def readme(library: Library, usage: str) -> str:
         "before the joints'.\n",
         f"Joints:\n\n{_table(('index', 'joint', 'in code', 'kind', 'link'), joints)}",
         f"Poses, `base_T_x`:\n\n{_table(('index', 'x', 'on body'), poses)}",
-        _foot_section(library),
-        _parameter_section(library),
+        *_foot_section(library),
+        *_parameter_section(library),
         _function_section(library),
-        _renamed_section(library),
+        *_renamed_section(library),
     ]
-    return "\n".join(section for section in sections if section)
+    return "\n".join(sections)
 
 
 def _body_name(library: Library, body: int) -> str:
     return (library.robot.base_name, *library.robot.link_names)[body]
 
 
-def _foot_section(library: Library) -> str:
-    if "foot_jacobians" not in library.functions:
-        return ""
+def _foot_section(library: Library) -> Iterator[str]:
     robot = library.robot
-    rows = [
-        (foot.name, ", ".join(robot.joint_names[j - 1] for j in support(robot.tree, foot.body)))
-        for foot in feet(robot)
-    ]
-    return f"Columns of the foot Jacobians:\n\n{_table(('foot', 'joints'), rows)}"
+    if "foot_jacobians" in library.functions:
+        rows = [
+            (foot.name, ", ".join(robot.joint_names[j - 1] for j in support(robot.tree, foot.body)))
+            for foot in feet(robot)
+        ]
+        yield f"Columns of the foot Jacobians:\n\n{_table(('foot', 'joints'), rows)}"
 
 
-def _parameter_section(library: Library) -> str:
-    if not library.parameter_names:
-        return ""
+def _parameter_section(library: Library) -> Iterator[str]:
     rows = [
         (name, safe, "unbound" if (value := library.defaults[name]) is None else repr(value))
         for name, safe in library.parameter_names.items()
     ]
-    return f"## Parameters\n\n{_table(('parameter', 'in code', 'default'), rows)}"
+    if rows:
+        yield f"## Parameters\n\n{_table(('parameter', 'in code', 'default'), rows)}"
 
 
 def _function_section(library: Library) -> str:
@@ -79,10 +77,9 @@ def _function_section(library: Library) -> str:
     return f"## Functions\n\n{_table(('name', 'takes', 'gives', 'which is'), rows)}"
 
 
-def _renamed_section(library: Library) -> str:
-    if not library.renamed:
-        return ""
-    return f"## Changed names\n\n{_table(('document', 'code'), library.renamed.items())}"
+def _renamed_section(library: Library) -> Iterator[str]:
+    if library.renamed:
+        yield f"## Changed names\n\n{_table(('document', 'code'), library.renamed.items())}"
 
 
 def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
