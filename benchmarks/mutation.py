@@ -38,8 +38,9 @@ sys.path.insert(0, str(ROOT))
 from benchmarks.mutating.sites import Site, instrumented, mutated, sample  # noqa: E402
 
 GOAL = 0.95
-# What is tried if nothing is named, with the folders of its tests, its own first. Any other folder
-# has the tests of the innermost folder around it that is named here, else those of its package.
+# What is tried if nothing is named, with the folders or files of its tests, its own first. Any
+# other folder has the tests of the innermost folder around it that is named here, else those of
+# its package.
 TESTS = {
     "rules": ("rules", "analysis", "config", "features"),
     "semantics": ("semantics", "rules", "mechanism", "analysis", "features"),
@@ -48,7 +49,7 @@ TESTS = {
     "rigid": ("rigid", "rules", "mechanism"),
     "dynamics": ("dynamics", "mechanism", "spatial"),
     "reports": ("reports", "cli"),
-    "interchange": ("interchange", "comparison", "cli"),
+    "interchange": ("interchange", "comparison", "cli", "analysis/test_pasted_urdf.py"),
     "lsp/session": ("lsp",),
     "config": ("config", "cli"),
     "codegen": ("codegen", "cli"),

@@ -1,6 +1,8 @@
 """`kindsl diff` of any two descriptions of a robot: mechanics count, conventions do not."""
 
 import json
+import re
+from math import pi
 from pathlib import Path
 
 import pytest
@@ -35,6 +37,24 @@ def test_what_was_converted_is_equal_until_a_number_is_another(
     run = kindsl("diff", "arm.kindsl", other.name)
     assert run.status == 1
     assert f"is 1.3 kg in arm.kindsl (line 8) and 1.4 kg in {other.name} (line {line})" in run.out
+
+
+def test_moments_about_turned_axes_are_named_as_the_file_has_them(
+    kindsl: Runner, arm: Path
+) -> None:
+    kindsl("convert", "-q", arm, "arm.urdf")
+    text = Path("arm.urdf").read_text()
+    tag = re.search("<inertia [^>]*>", text)
+    assert tag is not None
+    turned = '<inertia ixx="0.02648" ixy="0" ixz="0" iyy="0.00948" iyz="-0.0006" izz="0.027"/>'
+    text = text.replace(tag[0], turned, 1).replace('rpy="0.0 0.0 0.0"', f'rpy="0 0 {pi / 2}"', 1)
+    Path("arm.urdf").write_text(text)
+    assert kindsl("diff", "arm.urdf", "arm.kindsl").status == 0
+    Path("arm.urdf").write_text(text.replace("0.02648", "0.02748"))
+    (line,) = kindsl("diff", "arm.urdf", "arm.kindsl").out.splitlines()[1:]
+    assert line.startswith(
+        "  Ix of link 'upper' is 0.02748 kg m² in arm.urdf (line 8) and would be"
+    )
 
 
 # A point mass between axes that meet, whose angles are written with few digits.

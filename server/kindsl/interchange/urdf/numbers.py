@@ -3,7 +3,7 @@
 from kindsl.comparison.quantities import AXIS, INERTIA, POSE, TURNS
 from kindsl.comparison.written import WrittenNumber
 from kindsl.interchange.written_numbers import FileNumbers, XmlNumbers, implied, keyed
-from kindsl.rigid.pose import Rotation, pose_from_fixed_axes
+from kindsl.rigid.pose import IDENTITY, Rotation, pose_from_fixed_axes
 
 _MOMENTS = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 
@@ -23,8 +23,10 @@ def numbers_of_urdf(content: bytes | str) -> FileNumbers:
         moments = [number for m in _MOMENTS for number in xml.of_attribute(inertia, m)]
         found |= keyed("link", name, INERTIA[4:], moments)
         rpy = [number.value for number in xml.of_attribute(origin, "rpy")]
-        if len(rpy) == 3 and any(rpy):
-            turns[name] = pose_from_fixed_axes((0.0, 0.0, 0.0), (rpy[0], rpy[1], rpy[2])).rotation
+        if len(rpy) == 3:
+            roll, pitch, yaw = rpy
+            pose = pose_from_fixed_axes(IDENTITY.translation, (roll, pitch, yaw))
+            turns[name] = pose.rotation
     for joint in xml.root.iterfind("joint") if xml.root is not None else ():
         name, origin = joint.get("name") or "", joint.find("origin")
         axis = xml.of_attribute(joint.find("axis"), "xyz")
