@@ -156,6 +156,8 @@ def inertia_differences(
     bounds: Tolerances,
 ) -> list[NumberDifference]:
     """Return the numbers of a body's mass that differ; a body may consist of several links."""
+    if not (ours.inertias[body] or theirs.inertias[other]):
+        return []
     frame = alignment.frames[body]
     mine = ours.inertias[body] or (no_inertia(ours.skeleton.body_names[body]),)
     its = theirs.inertias[other] or (no_inertia(theirs.skeleton.body_names[other]),)
