@@ -21,7 +21,7 @@ from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.interchange.format import AS_WRITTEN, FormatError
 from kindsl.interchange.kindsl_writing import written_kindsl
 from kindsl.interchange.registry import format_named
-from kindsl.limbs.comparison import LOOSE, LimbComparison
+from kindsl.limbs.comparison import LimbComparison
 from kindsl.limbs.limb import limbs_of, matched
 from kindsl.limbs.names import label_of
 from kindsl.semantics.declarations import Vector
@@ -248,7 +248,9 @@ def agreeing(analysis: Analysis) -> dict[str, list[str]]:
             heads = dict(limbs.heads)
             for one, other, how in limbs.pairs():
                 rows = matched(heads[one], heads[other])
-                if rows is not None and LimbComparison(rows, how, LOOSE).n_slips == 0:
+                if rows is not None and all(
+                    r.slip is None for r in LimbComparison(rows, how).readings()
+                ):
                     alike.setdefault(one, []).append((how, [row.one.name for row in rows]))
                     alike.setdefault(other, []).append((how, [row.other.name for row in rows]))
             for pairs in alike.values():

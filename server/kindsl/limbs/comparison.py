@@ -1,4 +1,4 @@
-"""The way from a limb to its twin, and the single triple of numbers that prevents it.
+"""The ways to read a limb as its twin, and the single triple of numbers that prevents it.
 
 Frames of twins differ by a convention C, `x_one = C x_other`: a signed permutation that keeps the
 joint's axis z up to its sign. Conventions are hidden, poses are seen. At the head a mount tells the
@@ -12,15 +12,15 @@ from math import hypot
 from typing import NamedTuple
 
 from kindsl.limbs.limb import Match
-from kindsl.limbs.mounts import CONVENTIONS, Mount, is_proper, mounts
+from kindsl.limbs.mounts import CONVENTIONS, Mount, Way, is_proper, mounts
 from kindsl.rigid.pose import IDENTITY, Rotation, Vector3, product, transposed, turned
 
 _SEEN = 1e-3
 _KNOWN = frozenset(CONVENTIONS)
 _ALIKE = {kind: [C for C in CONVENTIONS if is_proper(C) == kind] for kind in (True, False)}
-# The row and the triple (`translation`, `angles`) that is wrong, if one is.
-_Slip = tuple[int, str] | None
-_Way = tuple[dict[int, Rotation], _Slip]
+# The row and the triple (`translation`, `angles`) that is wrong.
+_Slip = tuple[int, str]
+_Labelled = tuple[dict[int, Rotation], _Slip | None]
 
 
 class Tolerance(NamedTuple):
@@ -33,10 +33,11 @@ class Tolerance(NamedTuple):
     def is_same(self, here: Vector3, there: Vector3) -> bool:
         """Return whether a vector is the same as another."""
         apart = max(abs(here[0] - there[0]), abs(here[1] - there[1]), abs(here[2] - there[2]))
-        return apart <= self.length or apart <= self.share * hypot(*there)
+        return apart <= self.length or apart <= self.share * min(hypot(*here), hypot(*there))
 
 
-TIGHT, LOOSE = Tolerance(2e-6, 1e-5, 1e-5), Tolerance(5e-4, 0.01, 0.01)
+LOOSE = Tolerance(5e-4, 0.01, 0.01)
+_OF_PLACES = Tolerance(5e-4, 0.003, 0.01)
 
 
 class Reading(NamedTuple):
@@ -50,45 +51,49 @@ class Reading(NamedTuple):
 
     mount: Mount
     conventions: dict[int, Rotation]
-    slip: _Slip
+    slip: _Slip | None
 
 
 class LimbComparison:
-    """Two limbs at a tolerance, their masses left aside.
+    """Two limbs, their masses left aside.
 
     Attributes:
-        how: `LR`, `ROW`, `TURN` or `HELD`.
-        tolerance: Within which numbers are equal.
         rows: The pairs of bodies, the heads first.
-        readings: All without a slip, or else all with one; the plainest mounts first.
+        how: `LR`, `ROW`, `TURN` or `HELD`.
     """
 
     def __init__(
-        self, rows: Sequence[Match], how: str, tolerance: Tolerance, among: Sequence[Mount] = ()
+        self,
+        rows: Sequence[Match],
+        how: str,
+        among: Sequence[Mount] = (),
+        tolerance: Tolerance = _OF_PLACES,
     ) -> None:
-        self.rows, self.how, self.tolerance = rows, how, tolerance
+        self.rows, self.how = rows, how
+        self._mounts = among or sorted(mounts(how, *rows[0][1:]), key=lambda mount: mount.extra)
+        self._tolerance = tolerance
         self._below: list[list[int]] = [[] for _ in rows]
         for index, row in enumerate(rows[1:], 1):
             self._below[row.up].append(index)
-        self._known: dict[tuple[int, Rotation, bool], list[_Way]] = {}
-        self._mounts = among or list(mounts(how, rows[0].one, rows[0].other))
-        found = (self._readings(may_slip) for may_slip in (False, True))
-        self.readings = next((readings for readings in found if readings), [])
+        self._labelled: dict[tuple[int, Rotation, bool], list[_Labelled]] = {}
+        self._readings: dict[Way | None, list[Reading]] = {}
 
-    @property
-    def n_slips(self) -> int:
-        """The number of triples that differ: 0, 1, or 2 for more."""
-        return min((int(reading.slip is not None) for reading in self.readings), default=2)
+    def readings(self, way: Way | None = None) -> list[Reading]:
+        """Return all readings without a slip, or else all with one; the plainest mounts first.
+
+        Args:
+            way: Of the mounts that are tried, unless none is such.
+        """
+        if way not in self._readings:
+            among = [mount for mount in self._mounts if mount.way == way] or self._mounts
+            found = ([*self._read(among, may_slip)] for may_slip in (False, True))
+            self._readings[way] = next(filter(None, found), [])
+        return self._readings[way]
 
     @property
     def other_kinds(self) -> list[int]:
         """The rows whose joints are of different kinds."""
         return [i for i, row in enumerate(self.rows) if row.one.kind != row.other.kind]
-
-    def in_way(self, way: tuple[Rotation, bool]) -> "LimbComparison":
-        """Return the limbs read in one way, in any if it is none of theirs."""
-        among = [mount for mount in self._mounts if mount.way == way]
-        return LimbComparison(self.rows, self.how, self.tolerance, among) if among else self
 
     def is_seen_below(self, joint: str) -> bool:
         """Return whether offsets beyond a joint tell how its frame lies; a tool may lie anyhow."""
@@ -98,58 +103,55 @@ class LimbComparison:
             below += self._below[index]
         return any(max(map(abs, self.rows[i].one.translation)) > _SEEN for i in below)
 
-    def _readings(self, may_slip: bool) -> list[Reading]:
-        found = (Reading(m, *way) for m in self._mounts for way in self._mounted(m, may_slip))
-        return sorted(found, key=lambda reading: reading.mount.extra)
-
-    def _mounted(self, mount: Mount, may_slip: bool) -> Iterator[_Way]:
+    def _read(self, among: Sequence[Mount], may_slip: bool) -> Iterator[Reading]:
         here, there = self.rows[0].one.translation, self.rows[0].other.translation
-        is_placed = self.tolerance.is_same(there, mount.place)
-        if self.how == "ROW" and self.tolerance.is_same(here, there):
-            is_placed = False  # Two limbs at one place.
-        is_alike = mount.is_copy or is_proper(mount.map)
-        if is_placed or may_slip:
-            to = self._handed(0, transposed(mount.map))
+        is_one_place = self.how == "ROW" and self._tolerance.is_same(here, there)
+        for mount in among:
+            is_placed = not is_one_place and self._tolerance.is_same(there, mount.place)
+            to = self._handed(0, transposed(mount.map)) if is_placed or may_slip else None
             if mount.is_copy and to is not None:
                 to = IDENTITY.rotation
-            yield from self._joined_to(0, is_placed, to, is_alike, may_slip)
+            is_alike = mount.is_copy or is_proper(mount.map)
+            for labelled in self._joined(0, is_placed, to, is_alike, may_slip):
+                yield Reading(mount, *labelled)
 
-    def _joined_to(
+    def _joined(
         self, index: int, is_placed: bool, to: Rotation | None, is_alike: bool, may_slip: bool
-    ) -> Iterator[_Way]:
-        """Yield the ways to read a limb from a joint on.
+    ) -> Iterator[_Labelled]:
+        """Yield the conventions of a body and of all below it.
 
         Args:
-            index: Of the row.
+            index: Of its row.
             is_placed: Whether its translation agrees.
             to: The convention that its rotation makes, None where it makes none.
             is_alike: Whether conventions are rotations.
             may_slip: Whether one triple may differ.
         """
         if is_placed and to is not None:
-            yield from self._below_row(index, to, may_slip)
-        what = "angles" if is_placed else "translation"
-        for C in _ALIKE[is_alike] if may_slip else ():
+            yield from self._with(index, to, may_slip)
+        if not may_slip:
+            return
+        slip = index, "angles" if is_placed else "translation"
+        for C in _ALIKE[is_alike]:
             if (to == C) != is_placed:
-                ways = self._below_row(index, C, may_slip=False)
-                yield from ((conventions, (index, what)) for conventions, _ in ways)
+                for conventions, _ in self._with(index, C, may_slip=False):
+                    yield conventions, slip
 
-    def _below_row(self, index: int, C: Rotation, may_slip: bool) -> list[_Way]:
-        """Return the ways to read a row and all below it, where the row has a convention."""
-        known = self._known.get((index, C, may_slip))
+    def _with(self, index: int, C: Rotation, may_slip: bool) -> list[_Labelled]:
+        """Return the conventions of a row, which has this one, and of all below it."""
+        known = self._labelled.get((index, C, may_slip))
         if known is None:
             known = [({index: C}, None)]
-            for child in self._below[index] if known else ():
+            for child in self._below[index]:
                 _, one, other = self.rows[child]
                 place = turned(transposed(C), one.translation)
-                is_placed = self.tolerance.is_same(other.translation, place)
-                if not (is_placed or may_slip):
-                    known = []
-                    break
-                to = self._handed(child, C)
-                ways = list(self._joined_to(child, is_placed, to, is_proper(C), may_slip))
+                is_placed = self._tolerance.is_same(other.translation, place)
+                to = self._handed(child, C) if is_placed or may_slip else None
+                ways = list(self._joined(child, is_placed, to, is_proper(C), may_slip))
                 known = [(a | b, s or t) for a, s in known for b, t in ways if not (s and t)]
-            self._known[index, C, may_slip] = known
+                if not known:
+                    break
+            self._labelled[index, C, may_slip] = known
         return known
 
     def _handed(self, index: int, C: Rotation) -> Rotation | None:
@@ -158,7 +160,7 @@ class LimbComparison:
         rows = []
         for a, b, c in product(product(transposed(one.rotation), C), other.rotation):
             x, y, z = float(round(a)), float(round(b)), float(round(c))
-            if max(abs(a - x), abs(b - y), abs(c - z)) > self.tolerance.angle:
+            if max(abs(a - x), abs(b - y), abs(c - z)) > self._tolerance.angle:
                 return None
             rows.append((x, y, z))
         found = rows[0], rows[1], rows[2]

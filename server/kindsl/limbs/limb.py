@@ -30,7 +30,9 @@ class Body(NamedTuple):
         rotation: Of the joint frame in the parent's frame.
         translation: The same, metres.
         angles: The rotation as written, radians.
-        children: The bodies that it carries, in written order.
+        children: The bodies that it carries, in written order, without those that it holds.
+        held: Tools and hands that it holds, by their names; their own parts are not told apart.
+        n_bodies: The number of bodies, with all that it carries.
     """
 
     name: str
@@ -40,11 +42,8 @@ class Body(NamedTuple):
     translation: Vector3
     angles: Vector3
     children: tuple["Body", ...] = ()
-
-    @property
-    def is_held(self) -> bool:
-        """True if it is a tool, a hand or a part of one, by its names."""
-        return is_held(self.name, self.joint)
+    held: tuple["Body", ...] = ()
+    n_bodies: int = 1
 
 
 class Limbs(NamedTuple):
@@ -78,68 +77,51 @@ def limbs_of(model: Model, values: Values) -> dict[Link, list[Limbs]]:
         model: The robot.
         values: Of its parameters and constants.
     """
-    made: dict[Link, _Whole | None] = {}
+    tree, base = model.tree, model.base
+    whole: dict[Link, Body] = {}
     found: dict[Link, list[Limbs]] = {}
-    for body, edges in reversed(model.tree.below.items()):
-        groups = []
-        for is_named, by_label in _labelled(edges):
-            limbs = ((label, _whole(edge, model, values, made)) for label, edge in by_label.items())
-            heads = tuple((label, limb.head) for label, limb in limbs if limb is not None)
-            if len(heads) >= _FEWEST[is_named]:
-                groups.append(Limbs(heads, is_named))
+    for carrier in [base, *tree.in_topological_order(base)][::-1] if base is not None else ():
+        edges = tree.successor_edges(carrier)
+        carried = tuple([whole[e.link] for e in edges if e.link is not None and e.link in whole])
+        groups = list(_groups(carried))
         if groups:
-            found[body] = groups
+            found[carrier] = groups
+        above = tree.above.get(carrier, ())
+        if len(carried) == len(edges) and len(above) == 1:
+            body = body_of(above[0], values, carried)
+            if body is not None and body.n_bodies <= _MOST_BODIES:
+                whole[carrier] = body
     return found
 
 
-def _labelled(edges: Sequence[Edge]) -> Iterator[tuple[bool, dict[Side, Edge]]]:
+def _groups(carried: Sequence[Body]) -> Iterator[Limbs]:
     """Yield what one body carries that is called alike, by side and row, or else by numbers."""
-    groups: dict[tuple[bool, tuple[str, ...]], dict[Side, list[Edge]]] = {}
-    for edge in edges if len(edges) > 1 else ():
-        side, row, words, part = label_of(str(edge.child.link))
+    groups: dict[tuple[bool, tuple[str, ...]], dict[Side, list[Body]]] = {}
+    for head in carried if len(carried) > 1 else ():
+        side, row, words, part = label_of(head.name)
         is_named = bool(side or row)
         label: Side = (side, row) if is_named else tuple(int(w) for w in words if w.isdigit())
         if label:
             alike = groups.setdefault((is_named, words if is_named else part), {})
-            alike.setdefault(label, []).append(edge)
+            alike.setdefault(label, []).append(head)
     for (is_named, _), by_label in groups.items():
-        if _FEWEST[is_named] <= len(by_label) <= _MOST_LIMBS:
-            yield is_named, {label: found[0] for label, found in by_label.items() if not found[1:]}
+        heads = tuple((label, found[0]) for label, found in by_label.items() if not found[1:])
+        if len(by_label) <= _MOST_LIMBS and len(heads) >= _FEWEST[is_named]:
+            yield Limbs(heads, is_named)
 
 
-class _Whole(NamedTuple):
-    """A body with all that it carries, and how many bodies that is."""
-
-    head: Body
-    n_bodies: int
-
-
-def _whole(
-    edge: Edge, model: Model, values: Values, made: dict[Link, _Whole | None], depth: int = 1
-) -> _Whole | None:
-    """Return what an edge leads to, None where it has very many bodies or no numbers."""
-    link = edge.link
-    if link is None or depth > _MOST_BODIES or len(model.tree.above[link]) > 1:
-        return None
-    if link not in made:
-        edges = model.tree.successor_edges(link)
-        carried = [_whole(each, model, values, made, depth + 1) for each in edges]
-        known = [each for each in carried if each is not None]
-        n_bodies = 1 + sum(each.n_bodies for each in known)
-        is_whole = len(known) == len(edges) and n_bodies <= _MOST_BODIES
-        head = body_of(edge, values, tuple(each.head for each in known)) if is_whole else None
-        made[link] = _Whole(head, n_bodies) if head is not None else None
-    return made[link]
-
-
-def body_of(edge: Edge, values: Values, children: tuple[Body, ...] = ()) -> Body | None:
+def body_of(edge: Edge, values: Values, carried: tuple[Body, ...] = ()) -> Body | None:
     """Return a link with its joint in numbers, None where they are not known."""
     link, joint = edge.link, edge.joint
     pose = written_pose(joint.pose, values) if joint is not None else None
     angles = triple(joint.pose.rotation, values) if joint is not None else None
     if link is None or joint is None or pose is None or angles is None:
         return None
-    return Body(str(link.name), str(joint.name), joint.kind, *pose, angles, children)
+    name, by = str(link.name), str(joint.name)
+    held = () if is_held(name, by) else tuple([b for b in carried if is_held(b.name, b.joint)])
+    children = tuple([b for b in carried if b not in held]) if held else carried
+    n_bodies = 1 + sum([b.n_bodies for b in carried])
+    return Body(name, by, joint.kind, *pose, angles, children, held, n_bodies)
 
 
 class Match(NamedTuple):
@@ -156,12 +138,11 @@ class Match(NamedTuple):
     other: Body
 
 
-def matched(one: Body, other: Body, with_held: bool = False) -> list[Match] | None:
+def matched(one: Body, other: Body) -> list[Match] | None:
     """Return two limbs body by body, without what they hold; None where they do not match."""
     rows = [Match(-1, one, other)]
-    for index, (_, *both) in enumerate(rows):
-        is_all = with_held or one.is_held
-        pairs = _pairs(*([c for c in b.children if is_all or not c.is_held] for b in both))
+    for index, (_, here, there) in enumerate(rows):
+        pairs = _pairs(here.children, there.children)
         if pairs is None:
             return None
         rows += [Match(index, *pair) for pair in pairs]
@@ -171,10 +152,9 @@ def matched(one: Body, other: Body, with_held: bool = False) -> list[Match] | No
 def held_by(rows: Sequence[Match]) -> Iterator[tuple[Body, ...]]:
     """Yield what two limbs hold at the same place: a hand, or a body with nothing but fingers."""
     for _, *both in rows:
-        held = [tuple(c for c in body.children if c.is_held) for body in both]
-        if all(held) and not both[0].is_held:
-            pairs = zip(both, held, strict=True)
-            yield tuple(h[0] if len(h) == 1 else b._replace(children=h) for b, h in pairs)
+        if all(body.held for body in both):
+            hands = (b if len(b.held) > 1 else b.held[0] for b in both)
+            yield tuple(h._replace(children=h.held, held=()) if h.held else h for h in hands)
 
 
 def _pairs(ones: Sequence[Body], others: Sequence[Body]) -> list[tuple[Body, Body]] | None:

@@ -12,6 +12,9 @@ _APART = 1e-3
 # The plainest explanation first: what costs more must explain a slip more.
 _TURNED, _MOVED, _LIKE = 0.1, 0.1, 0.3
 
+# What pairs of one robot share: a map of directions, and whether limbs are copies.
+Way = tuple[Rotation, bool]
+
 
 class Mount(NamedTuple):
     """A map from the head of a limb to that of its twin.
@@ -31,7 +34,7 @@ class Mount(NamedTuple):
     is_copy: bool = False
 
     @property
-    def way(self) -> tuple[Rotation, bool]:
+    def way(self) -> Way:
         """The properties that pairs of one robot share: the map, and whether it is a copy."""
         return self.map, self.is_copy
 

@@ -39,8 +39,8 @@ def twin_frames(tree: KinematicTree, one: Link, other: Link, values: Values) -> 
     rows = [Match(i - 1, a, b) for i, (a, b) in enumerate(bodies[:n_here][::-1]) if a and b]
     if n_here != n_there or len(rows) < n_here:
         return []
-    ways = list(_mounts(rows[0].one, rows[0].other))
-    found = LimbComparison(rows, "", _NEAR, among=ways).readings if ways else ()
+    ways = sorted(_mounts(rows[0].one, rows[0].other), key=lambda mount: mount.extra)
+    found = LimbComparison(rows, "", ways, _NEAR).readings() if ways else ()
     return [r.conventions[n_here - 1] for r in found if r.slip is None]
 
 

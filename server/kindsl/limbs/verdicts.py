@@ -1,12 +1,16 @@
-"""Numbers of a robot's limbs that do not fit their twins, and the numbers that were meant."""
+"""Numbers of a robot's limbs that do not fit their twins, and the numbers that were meant.
 
-from collections import Counter
+Limbs of a group are read in pairs. Where three are alike but for one, and one place of it would
+make it alike, its twins convict that place; of two limbs either may be wrong. Where all joints
+agree, each mass, CoM and moments that one limb only has so is convicted.
+"""
+
 from collections.abc import Iterator, Mapping, Sequence
 from math import inf
 from typing import NamedTuple
 
-from kindsl.limbs.comparison import LOOSE, TIGHT, LimbComparison, Tolerance
-from kindsl.limbs.limb import Limbs, Match, Side, held_by, matched
+from kindsl.limbs.comparison import LimbComparison
+from kindsl.limbs.limb import Limbs, Side, held_by, matched
 from kindsl.limbs.slips import n_retyped
 from kindsl.limbs.weighing import Accusation, Masses, Suspect, WeighedComparison, seen_by
 from kindsl.rigid.pose import IDENTITY, Rotation, pose_from, transposed
@@ -17,8 +21,7 @@ _SAME_PLACE, _SAME_TURN = 1e-3, 0.02
 _Pair = tuple[Side, Side]
 _ByTwin = Sequence[Sequence[Accusation]]
 _Weighed = Mapping[_Pair, WeighedComparison]
-_Conventions = Mapping[_Pair, Mapping[int, Rotation]]
-_Differing = Mapping[_Pair, set[tuple[int, str]]]
+_Way = Mapping[_Pair, Rotation]
 
 
 class MeantNumbers(NamedTuple):
@@ -48,6 +51,7 @@ class ComparedLimbs:
     """A group of limbs compared in pairs, their masses left aside.
 
     Attributes:
+        pairs: The comparisons.
         held: What a left and a right limb of them hold: groups of their own.
         links: The names of the links that are compared.
     """
@@ -55,46 +59,24 @@ class ComparedLimbs:
     def __init__(self, limbs: Limbs) -> None:
         heads = dict(limbs.heads)
         self.held: list[ComparedLimbs] = []
-        self._pairs: dict[_Pair, tuple[str, list[Match]]] = {}
-        self._compared: dict[Tolerance, dict[_Pair, LimbComparison]] = {}
+        self.pairs: dict[_Pair, LimbComparison] = {}
         for one, other, how in limbs.pairs():
-            rows = matched(heads[one], heads[other], limbs.are_held)
+            rows = matched(heads[one], heads[other])
             if rows is not None:
-                self._pairs[one, other] = how, rows
+                self.pairs[one, other] = LimbComparison(rows, how)
                 for hands in held_by(rows) if how == "LR" else ():
                     sides = zip((one, other), hands, strict=True)
                     self.held.append(ComparedLimbs(Limbs(tuple(sides), True, True)))
-        bodies = (body for _, rows in self._pairs.values() for _, *both in rows for body in both)
-        self.links = list(dict.fromkeys(body.name for body in bodies))
-
-    def at(self, tolerance: Tolerance) -> dict[_Pair, LimbComparison]:
-        """Return the pairs, compared at a tolerance."""
-        if tolerance not in self._compared:
-            self._compared[tolerance] = {
-                pair: LimbComparison(rows, how, tolerance)
-                for pair, (how, rows) in self._pairs.items()
-            }
-        return self._compared[tolerance]
+        compared = (row for pair in self.pairs.values() for row in pair.rows)
+        self.links = list(dict.fromkeys(body.name for _, *both in compared for body in both))
 
 
 def verdicts(limbs: ComparedLimbs, masses: Masses) -> list[LimbVerdict]:
     """Return what does not fit in a group of limbs, nothing where more than a slip or two does."""
-    for tolerance in (TIGHT, LOOSE) if limbs.links else ():
-        edges = limbs.at(tolerance)
-        weighed = _in_one_way({pair: WeighedComparison(c, masses) for pair, c in edges.items()})
-        if any(c.other_kinds for c in edges.values()):
-            found = list(_other_kinds(weighed))
-        elif all(c.limbs.n_slips == 0 for c in weighed.values()):
-            return list(_odd_masses(weighed))
-        else:
-            outvoted = _outvoted(weighed)
-            found = _convicted(outvoted)
-            for pair, each in weighed.items() if not outvoted else ():
-                if limbs.at(LOOSE)[pair].n_slips:
-                    found += _of_pair(each)
-        if found:
-            return found
-    return []
+    weighed = _in_one_way({p: WeighedComparison(c, masses) for p, c in limbs.pairs.items()})
+    if all(c.n_slips == 0 for c in weighed.values()):
+        return [*_odd_masses(weighed)] if weighed else []
+    return _convicted(weighed) or [v for c in weighed.values() for v in _of_pair(c)]
 
 
 def agreed(found: Sequence[Sequence[LimbVerdict]]) -> list[LimbVerdict]:
@@ -113,47 +95,43 @@ def agreed(found: Sequence[Sequence[LimbVerdict]]) -> list[LimbVerdict]:
     return made
 
 
-def _in_one_way(edges: _Weighed) -> _Weighed:
+def _in_one_way(pairs: _Weighed) -> _Weighed:
     """Return all pairs of a sort read in the way in which one of them agrees best."""
-    found = dict(edges)
+    found = dict(pairs)
     for how in ("LR", "ROW"):
-        alike = {pair: c for pair, c in edges.items() if c.limbs.how == how}
-        whole = [c for c in alike.values() if c.limbs.n_slips == 0]
+        alike = {pair: c for pair, c in pairs.items() if c.limbs.how == how}
+        whole = [c.best for c in alike.values() if c.n_slips == 0]
         if whole:
-            way = min(whole, key=lambda c: c.cost).best.mount.way
-            found |= {pair: c.in_way(way) for pair, c in alike.items()}
+            _, best = min(whole, key=lambda each: each[0])
+            found |= {pair: c.in_way(best.mount.way) for pair, c in alike.items()}
     return found
 
 
-def _outvoted(edges: _Weighed) -> list[_ByTwin]:
-    """Return what two twins or more say of the one limb that they accuse, agreeing themselves."""
+def _convicted(pairs: _Weighed) -> list[LimbVerdict]:
+    """Return the verdict of two twins or more, which agree themselves, on the limb they accuse.
+
+    It names one place where that is the cheapest alone.
+    """
     cases: dict[tuple[Side, Suspect], dict[_Pair, list[Accusation]]] = {}
-    for pair, comparison in edges.items():
-        for both in comparison.accusations if len(comparison.limbs.rows) > 1 else ():
+    for pair, c in pairs.items():
+        for both in c.accusations if len(c.limbs.rows) > 1 or c.limbs.other_kinds else ():
             for label, said in zip(pair, both, strict=True):
                 cases.setdefault((label, said.place), {}).setdefault(pair, []).append(said)
-    found = []
+    ranked: list[tuple[tuple[float, ...], Accusation, _ByTwin]] = []
+    by_twin: _ByTwin
     for (label, _), by_pair in cases.items():
-        others = [c for pair, c in edges.items() if label not in pair]
-        if len(by_pair) > 1 and others and all(c.limbs.n_slips == 0 for c in others):
-            found.append(list(by_pair.values()))
-    most = max(map(len, found), default=0)
-    return [by_twin for by_twin in found if len(by_twin) == most]
-
-
-def _convicted(outvoted: Sequence[_ByTwin]) -> list[LimbVerdict]:
-    """Return the verdict on one limb; it names one place where that is the cheapest alone."""
-    ranked: list[tuple[tuple[float, int], Accusation, _ByTwin]] = []
-    for by_twin in outvoted:
+        others = [c for pair, c in pairs.items() if label not in pair]
+        by_twin = list(by_pair.values())
         meant = _agreed(by_twin)
-        if meant is not None:
-            least = [min(said.cost for said in each) for each in by_twin]
-            ranked.append(((round(sum(least) / len(least), 2), meant.n_retyped), meant, by_twin))
-    likeliest = [each for each in ranked if each[0] == min(ranked, key=lambda r: r[0])[0]]
+        if meant is not None and others and all(c.n_slips == 0 for c in others):
+            cost = sum(min(said.cost for said in each) for each in by_twin) / len(by_twin)
+            ranked.append(((-len(by_twin), round(cost, 2), meant.n_retyped), meant, by_twin))
+    ranked.sort(key=lambda each: each[0])
+    likeliest = [each for each in ranked if each[0] == ranked[0][0]]
     if not likeliest:
         return []
     _, meant, by_twin = likeliest[0]
-    places = tuple(each.place for _, each, _ in likeliest)
+    places = tuple(said.place for _, said, _ in likeliest)
     repairs = (MeantNumbers(meant.place, (meant.meant,)),) if len(likeliest) == 1 else ()
     return [LimbVerdict(places, repairs, tuple(each[0].twin for each in by_twin), True)]
 
@@ -170,24 +148,28 @@ def _agreed(by_twin: _ByTwin) -> Accusation | None:
 
 
 def _agree(one: Accusation, other: Accusation) -> bool:
-    if one.place.what == "translation":
-        pairs = enumerate(zip(one.meant, other.meant, strict=True))
-        free = one.free_axis, other.free_axis
-        return all(i in free or abs(x - y) < _SAME_PLACE for i, (x, y) in pairs)
-    here, there = (pose_from((0.0, 0.0, 0.0), said.meant).numbers for said in (one, other))
-    return all(abs(x - y) < _SAME_TURN for x, y in zip(here, there, strict=True))
+    here, there, within = one.meant, other.meant, _SAME_PLACE
+    if one.place.what == "angles":
+        here, there, within = _matrix(*here), _matrix(*there), _SAME_TURN
+    free = one.free_axis, other.free_axis
+    pairs = enumerate(zip(here, there, strict=True))
+    return all(i in free or abs(x - y) < within for i, (x, y) in pairs)
+
+
+def _matrix(x: float, y: float, z: float) -> tuple[float, ...]:
+    return pose_from((0.0, 0.0, 0.0), (x, y, z)).numbers
 
 
 def _of_pair(c: WeighedComparison) -> Iterator[LimbVerdict]:
     """Yield what differs between a left and a right limb by one slip; either may be wrong."""
     limbs = c.limbs
-    if limbs.n_slips != 1 or limbs.how not in _SMALLEST:
+    if limbs.how not in _SMALLEST:
         return
     most = 1 if len(limbs.rows) >= _SMALLEST[limbs.how] else 0
     ranked = [
         ((round(one.cost, 2), min(one.n_retyped, other.n_retyped)), other.change, (one, other))
         for one, other in c.accusations
-        if one.place.what == "translation" or limbs.is_seen_below(one.place.joint)
+        if one.place.what != "angles" or limbs.is_seen_below(one.place.joint)
     ]
     ranked.sort(key=lambda each: each[:2])
     if ranked and ranked[0][0][1] <= most:
@@ -197,91 +179,60 @@ def _of_pair(c: WeighedComparison) -> Iterator[LimbVerdict]:
         yield LimbVerdict(tuple(places), repairs, (), False)
 
 
-def _other_kinds(edges: _Weighed) -> Iterator[LimbVerdict]:
-    """Yield the joint that is prismatic where its twins are revolute, or the reverse."""
-    compared = [c.limbs for c in edges.values()]
-    if any(len(c.other_kinds) > 1 or c.n_slips > 0 for c in compared):
-        return
-    rows = [c.rows[index] for c in compared for index in c.other_kinds]
-    votes = Counter(Suspect(b.name, b.joint, "kind") for row in rows for b in (row.one, row.other))
-    most = max(votes.values())
-    odd = tuple(place for place, n in votes.items() if n == most)
-    twins = tuple(place.link for place, n in votes.items() if n < most)
-    is_pair_of_sides = len(odd) == 2 and all(c.how in _SMALLEST for c in compared)
-    if len(odd) == 1 or is_pair_of_sides:
-        yield LimbVerdict(odd, (), twins, len(odd) == 1)
-
-
-def _odd_masses(edges: _Weighed) -> Iterator[LimbVerdict]:
+def _odd_masses(pairs: _Weighed) -> Iterator[LimbVerdict]:
     """Yield each mass, CoM and moments that only one limb has so, where all joints agree.
 
-    Twins may be mirrored as the limbs are, or all have the same numbers.
+    Twins may be mirrored as the limbs are, or all have the same numbers; all limbs in one way,
+    that in which they agree most: two ways would accuse two limbs.
     """
-    mirrored = {pair: c.best.conventions for pair, c in edges.items()}
-    differing = {pair: set(c.differing(mirrored[pair])) for pair, c in edges.items()}
-    if not any(differing.values()):
-        return
-    if len(edges) == 1:
-        yield from _odd_com(edges, mirrored)
-    rows = {index for found in differing.values() for index, _ in found}
-    copied = dict.fromkeys(edges, dict.fromkeys(rows, IDENTITY.rotation))
-    as_copies = {pair: set(c.differing(copied[pair])) for pair, c in edges.items()}
-    labels = dict.fromkeys(label for pair in edges for label in pair)
-    for index in sorted(rows):
-        # In one way for all limbs, that in which they agree most: two ways would accuse two limbs.
-        here, C = min(
-            (
-                (_in_row(index, found), C)
-                for found, C in ((differing, mirrored), (as_copies, copied))
-            ),
-            key=lambda way: sum(map(len, way[0].values())),
-        )
-        for label in labels:
-            words = _only_in(label, here)
-            if words:
-                yield _odd_mass(label, index, words, edges, C)
+    mirrored = {pair: c.best[1].conventions for pair, c in pairs.items()}
+    odd = {index for pair, c in pairs.items() for index, _ in c.differing(mirrored[pair])}
+    if len(pairs) == 1 and odd:
+        yield from _odd_com(pairs, mirrored)
+    for index in sorted(odd):
+        ways: list[_Way] = [{pair: each[index] for pair, each in mirrored.items()}]
+        ways.append(dict.fromkeys(pairs, IDENTITY.rotation))
+        found = [(_differing(pairs, index, way), way) for way in ways]
+        differing, way = min(found, key=lambda each: sum(map(len, each[0].values())))
+        for label in dict.fromkeys(label for pair in pairs for label in pair):
+            mine = [words for pair, words in differing.items() if label in pair]
+            others = [words for pair, words in differing.items() if label not in pair]
+            words = set.intersection(*mine).difference(*others)
+            if words and len(mine) > 1 and others:
+                yield _odd_mass(label, index, sorted(words), pairs, way)
 
 
-def _in_row(index: int, differing: _Differing) -> dict[_Pair, set[str]]:
-    return {pair: {w for row, w in found if row == index} for pair, found in differing.items()}
+def _differing(pairs: _Weighed, index: int, way: _Way) -> dict[_Pair, set[str]]:
+    return {p: {what for _, what in c.differing({index: way[p]})} for p, c in pairs.items()}
 
 
-def _odd_com(edges: _Weighed, conventions: _Conventions) -> Iterator[LimbVerdict]:
+def _odd_com(
+    pairs: _Weighed, conventions: Mapping[_Pair, Mapping[int, Rotation]]
+) -> Iterator[LimbVerdict]:
     """Yield the one CoM that a sign or an order keeps from being that of the other side."""
-    ((pair, c),) = edges.items()
+    ((pair, c),) = pairs.items()
     differing = c.differing(conventions[pair])
     coms = [index for index, what in differing if what == "com"]
-    if len(c.limbs.rows) < _SMALLEST.get(c.limbs.how, inf) or len(coms) != 1:
+    if len(coms) != 1 or len(c.limbs.rows) < _SMALLEST.get(c.limbs.how, inf):
         return
     alone, as_copies = [(coms[0], "com")], c.differing({coms[0]: IDENTITY.rotation})
-    one, other = (_odd_mass(label, coms[0], ["com"], edges, conventions) for label in pair)
+    way = {pair: conventions[pair][coms[0]]}
+    one, other = (_odd_mass(label, coms[0], ["com"], pairs, way) for label in pair)
     x, y, z = one.repairs[0].meant[0]
     is_slip = n_retyped(c.masses[one.places[0].link].com, (x, y, z)) == 0
     if is_slip and [each for each in differing if each[0] == coms[0]] == alone == as_copies:
         yield LimbVerdict(other.places + one.places, other.repairs + one.repairs, (), False)
 
 
-def _only_in(label: Side, differing: Mapping[_Pair, set[str]]) -> list[str]:
-    """Return what differs between one limb and all its twins, and not between any others."""
-    mine = [found for pair, found in differing.items() if label in pair]
-    others = [found for pair, found in differing.items() if label not in pair]
-    if len(mine) < 2 or not others:
-        return []
-    return sorted(set.intersection(*mine).difference(*others))
-
-
 def _odd_mass(
-    label: Side,
-    index: int,
-    words: Sequence[str],
-    edges: _Weighed,
-    conventions: _Conventions,
+    label: Side, index: int, words: Sequence[str], pairs: _Weighed, way: _Way
 ) -> LimbVerdict:
-    mine = [pair for pair in edges if label in pair]
-    rows = [edges[pair].limbs.rows[index][1:][:: 1 if pair[0] == label else -1] for pair in mine]
-    (body, twin), C = rows[0], conventions[mine[0]][index]
+    """Return the verdict on numbers of a body, and the first twin's in their place."""
+    mine = [pair for pair in pairs if label in pair]
+    rows = [pairs[pair].limbs.rows[index][1:][:: 1 if pair[0] == label else -1] for pair in mine]
+    (body, twin), C = rows[0], way[mine[0]]
     what = words[0] if len(words) == 1 else "inertia"
-    meant = seen_by(edges[mine[0]].masses[twin.name], C if mine[0][1] == label else transposed(C))
+    meant = seen_by(pairs[mine[0]].masses[twin.name], C if mine[0][1] == label else transposed(C))
     numbers = {"mass": (meant.mass,), "com": meant.com, "moments": meant.moments}
     place = Suspect(body.name, body.joint, what)
     repair = MeantNumbers(place, (numbers.get(what, (meant.mass, *meant.com, *meant.moments)),))

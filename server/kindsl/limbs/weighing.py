@@ -1,4 +1,4 @@
-"""The masses of two limbs beside their joints: the likeliest reading, and what it accuses."""
+"""The ways to read a limb as its twin with the masses of both, the likeliest first."""
 
 from collections.abc import Mapping
 from functools import cached_property
@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from kindsl.limbs.comparison import LOOSE, LimbComparison, Reading, Tolerance
 from kindsl.limbs.limb import Body
+from kindsl.limbs.mounts import Way
 from kindsl.limbs.slips import angles_near, n_retyped
 from kindsl.rigid.body import MassDistribution
 from kindsl.rigid.pose import Rotation, Vector3, product, transposed, turned
@@ -36,25 +37,25 @@ class Suspect(NamedTuple):
 
 
 class Accusation(NamedTuple):
-    """A triple that, written otherwise, makes a limb like its twin.
+    """A place that, written otherwise, makes a limb like its twin.
 
     Attributes:
         place: Where it stands.
         twin: The link that says so.
-        meant: What should be written.
+        meant: The numbers that should be written; none of a kind of joint.
         cost: Of what is odd besides.
-        n_retyped: How many of its numbers no sign, order or unit explains.
+        n_retyped: How many of the numbers no sign, order or unit explains.
         change: The greatest difference of a number.
         free_axis: Along which the twin can say nothing, if any.
     """
 
     place: Suspect
     twin: str
-    meant: Vector3
-    cost: float
-    n_retyped: int
-    change: float
-    free_axis: int | None
+    meant: tuple[float, ...] = ()
+    cost: float = 0.0
+    n_retyped: int = 0
+    change: float = 0.0
+    free_axis: int | None = None
 
 
 class WeighedComparison:
@@ -64,16 +65,21 @@ class WeighedComparison:
         limbs: The limbs.
         masses: Of their links.
         ranked: The readings with their costs, for each mount and slip the cheapest one.
+        n_slips: The number of triples and kinds that differ: 0, 1, or 2 for more.
     """
 
-    def __init__(self, limbs: LimbComparison, masses: Masses) -> None:
+    def __init__(self, limbs: LimbComparison, masses: Masses, way: Way | None = None) -> None:
         self.limbs, self.masses = limbs, masses
         self._known: dict[tuple[int, Rotation], list[str]] = {}
-        ranked: dict[object, tuple[float, Reading]] = {}
+        readings = limbs.readings(way)
+        is_whole = any(reading.slip is None for reading in readings)
+        n_slips = len(limbs.other_kinds) + (not is_whole)
+        self.n_slips = min(n_slips, 2) if readings else 2
         # No mass can make a reading with a costlier mount the cheapest, where none has a slip.
-        most = 3 * _OF_MASS * len(limbs.rows) if limbs.n_slips == 0 else inf
-        for reading in limbs.readings:
-            if reading.mount.extra > limbs.readings[0].mount.extra + most:
+        most = 3 * _OF_MASS * len(limbs.rows) if is_whole else inf
+        ranked: dict[object, tuple[float, Reading]] = {}
+        for reading in readings:
+            if reading.mount.extra > readings[0].mount.extra + most:
                 break
             n_differing = len(self.differing(reading.conventions))
             cost = reading.mount.extra + _OF_MASS * n_differing
@@ -83,20 +89,15 @@ class WeighedComparison:
         self.ranked = sorted(ranked.values(), key=lambda each: each[0])
 
     @property
-    def cost(self) -> float:
-        """The cost of the cheapest reading."""
-        return self.ranked[0][0] if self.ranked else inf
+    def best(self) -> tuple[float, Reading]:
+        """The cheapest reading, there must be one, and its cost."""
+        return self.ranked[0]
 
-    @property
-    def best(self) -> Reading:
-        """The cheapest reading; there must be one."""
-        return self.ranked[0][1]
-
-    def in_way(self, way: tuple[Rotation, bool]) -> "WeighedComparison":
+    def in_way(self, way: Way) -> "WeighedComparison":
         """Return the limbs read in one way, unless that is the cheapest, or none of theirs."""
-        if self.ranked and self.best.mount.way == way:
+        if self.ranked and self.best[1].mount.way == way:
             return self
-        return WeighedComparison(self.limbs.in_way(way), self.masses)
+        return WeighedComparison(self.limbs, self.masses, way)
 
     def differing(self, conventions: Mapping[int, Rotation]) -> list[tuple[int, str]]:
         """Return rows with `mass`, `com` or `moments` where these are not alike."""
@@ -104,23 +105,25 @@ class WeighedComparison:
         for index, C in conventions.items():
             known = self._known.get((index, C))
             if known is None:
-                known = self._known[index, C] = self._differing(index, C)
+                _, one, other = self.limbs.rows[index]
+                here, there = self.masses.get(one.name), self.masses.get(other.name)
+                known = differing(seen_by(here, C), there) if here and there else []
+                self._known[index, C] = known
             found += [(index, what) for what in known]
         return found
 
-    def _differing(self, index: int, C: Rotation) -> list[str]:
-        _, one, other = self.limbs.rows[index]
-        here, there = self.masses.get(one.name), self.masses.get(other.name)
-        if here is None or there is None:
-            return []
-        return differing(seen_by(here, C), there)
-
     @cached_property
     def accusations(self) -> list[tuple[Accusation, Accusation]]:
-        """The single triples that explain the difference, as of either limb."""
-        if self.limbs.n_slips != 1:
+        """The single places that explain the difference, as of either limb."""
+        if self.n_slips != 1:
             return []
-        near = [each for each in self.ranked if each[0] <= self.cost + _NEAR]
+        for _, one, other in (self.limbs.rows[index] for index in self.limbs.other_kinds):
+            here, there = (
+                Suspect(one.name, one.joint, "kind"),
+                Suspect(other.name, other.joint, "kind"),
+            )
+            return [(Accusation(here, other.name), Accusation(there, one.name))]
+        near = [each for each in self.ranked if each[0] <= self.best[0] + _NEAR]
         return [self._accused(*each) for each in sorted(near, key=lambda each: each[1].slip or ())]
 
     def _accused(self, cost: float, reading: Reading) -> tuple[Accusation, Accusation]:
