@@ -112,6 +112,11 @@ def test_what_cannot_be_held_is_refused(old: str, new: str, message: str, tmp_pa
     assert "\n" not in str(caught.value) and not str(caught.value).endswith(".")
 
 
+def test_a_robot_that_cannot_move_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(FormatError, match="^the MJCF has no joint that moves, and a document"):
+        robot(re.sub("<joint.*?/>", "", ARM), tmp_path)
+
+
 def test_number_that_is_none_is_refused_and_leaves_no_log(
     tmp_path: Path, capfd, monkeypatch
 ) -> None:
