@@ -40,11 +40,15 @@ def test_limits_that_a_urdf_must_give() -> None:
     skeleton = kindsl.parse(TEXT, Settings()).skeleton()
     root = fromstring(format_named("urdf").write("r", skeleton, ORDINARY).text)
     given = {
-        joint.get("name"): [float(limit.get(end) or "nan") for end in ("lower", "upper")]
+        joint.get("name"): {name: float(number) for name, number in limit.items()}
         for joint in root.iter("joint")
         for limit in joint.iter("limit")
     }
-    assert given == {"turn": [-2.0 * pi, 2.0 * pi], "slide": [-1.0, 1.0]}
+    usual = {"effort": 1000.0, "velocity": 10.0}
+    assert given == {
+        "turn": {"lower": -2.0 * pi, "upper": 2.0 * pi, **usual},
+        "slide": {"lower": -1.0, "upper": 1.0, **usual},
+    }
     limits = {"slide": JointProperties(0.0, 1.0)}
     assert notes(TEXT, "urdf", WritingChoices(joints=limits)) == [TURN]
 

@@ -1,14 +1,15 @@
-"""Angles of an imported robot as a person would write them: `PI/2.0` where it is one."""
+"""Numbers of an imported robot as a person would write them: `PI/2.0` where it is one."""
 
 import re
 from math import pi
 
 import pytest
 
-from kindsl.interchange.kindsl_writing import joint_text, kindsl_text
+from kindsl.interchange.kindsl_writing import inertia_texts, joint_text, kindsl_text
 from kindsl.interchange.robot_description import DescribedLink
 from kindsl.interchange.sdf.sdf_reading import robot_of_sdf
 from kindsl.interchange.urdf.urdf_reading import robot_of_urdf
+from kindsl.rigid.body import MassDistribution
 from kindsl.rigid.pose import pose_from
 
 URDF = """<robot name="arm"><link name="base"/><link name="upper"/><link name="camera"/>
@@ -45,6 +46,16 @@ def test_a_fraction_of_a_turn_is_one(rpy: str, written: str) -> None:
     urdf = kindsl_text(robot_of_urdf(URDF.format(rpy=rpy, mount="0 0 0"), "arm").robot)
     assert rotations(urdf)[-1] == written
     assert rotations(kindsl_text(robot_of_sdf(SDF.format(rpy=rpy), "arm").robot))[-1] == written
+
+
+def test_an_inertia_has_fifteen_digits_as_numbers_that_were_computed_are_good_for() -> None:
+    dust = 0.1 + 0.2  # 0.30000000000000004
+    body = MassDistribution(
+        10.0 * dust, (dust, 0.0, -1e-16), (dust, 1e-3 / 3.0, 0.25, 0.0, 0.0, 0.0)
+    )
+    mass, com, *moments = inertia_texts(body)
+    assert (mass, com) == ("3.0", "(0.3, 0.0, 0.0)")
+    assert moments == ["0.3", "0.000333333333333", "0.25", "0.0", "0.0", "0.0"]
 
 
 def test_at_a_quarter_turn_about_y_rounding_makes_no_two_angles() -> None:

@@ -96,5 +96,4 @@ def _without_base(link: DescribedLink) -> DescribedLink:
     """Return a link with its parent's index counted from behind the base."""
     from dataclasses import replace
 
-    is_root = not link.parent
-    return replace(link, parent=None if is_root else (link.parent or 0) - 1)
+    return replace(link, parent=link.parent - 1 if link.parent else None)
