@@ -102,7 +102,9 @@ def test_what_the_first_axis_does_not_see_differs_without_a_torque() -> None:
 
 
 def test_where_a_leg_is_on_a_floating_base_is_felt_by_the_base() -> None:
-    floating = ARM.replace("RobotBase base {", "RobotBase base floating {")
+    own = re.search(r"    inertia_params \{.*?\n    \}\n", ARM, flags=re.S)
+    assert own
+    floating = ARM.replace("RobotBase base {\n", f"RobotBase base floating {{\n{own[0]}")
     ours = described_text(floating)[0]
     theirs = described_text(floating.replace("(0.0, 0.0, 0.3)", "(0.1, 0.0, 0.3)"))[0]
     (effect,) = torques(ours, theirs, compared_mechanics(ours, theirs)).effects
