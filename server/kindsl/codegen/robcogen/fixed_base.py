@@ -10,7 +10,7 @@ from kindsl.codegen.robcogen.engines import (
     parameters_first,
 )
 from kindsl.codegen.robcogen.link_motions import KEEP_MOTION
-from kindsl.codegen.robcogen.robot import GeneratedRobot
+from kindsl.codegen.robcogen.robot import GeneratedRobot, template
 from kindsl.dynamics.generation.inverse_dynamics import (
     bias_torque,
     inverse_dynamics,
@@ -18,82 +18,8 @@ from kindsl.dynamics.generation.inverse_dynamics import (
 from kindsl.dynamics.generation.terms import Scalar
 from kindsl.dynamics.generation.vectors import ZERO, Vector
 
-_CALLS = """\
-    void id(
-        JointState& jForces, const JointState& q, const JointState& qd, const JointState& qdd,
-        const ExtForces& fext = zeroExtForces)
-    {
-        xm->storeJointStatus(q);
-        compute(jForces, q, qd, qdd, fext);
-    }
-    void id(
-        JointState& jForces, const JointState& qd, const JointState& qdd,
-        const ExtForces& fext = zeroExtForces)
-    {
-        compute(jForces, jointStatus(), qd, qdd, fext);
-    }
-
-    void G_terms(JointState& jForces, const JointState& q)
-    {
-        xm->storeJointStatus(q);
-        gravity(jForces, q);
-    }
-    void G_terms(JointState& jForces) { gravity(jForces, jointStatus()); }
-
-    void C_terms(JointState& jForces, const JointState& q, const JointState& qd)
-    {
-        xm->storeJointStatus(q);
-        coriolis(jForces, q, qd);
-    }
-    void C_terms(JointState& jForces, const JointState& qd)
-    {
-        coriolis(jForces, jointStatus(), qd);
-    }
-"""
-
-_COMPUTING = """\
-    void compute(
-        JointState& jForces, const JointState& q, const JointState& qd, const JointState& qdd,
-        const ExtForces& fext)
-    {
-        const Scalar g(iit::rbd::g);
-@KEEP@        qdd_a = unaligned(qdd);
-        setBase(g);
-        keepForces(fext);
-@PARAMETERS@        if (isLoaded) {
-            kernels::inverse_dynamics_loaded<TRAIT>(
-                @P@raw(q), raw(qd), raw(qdd), &g, first(fext), raw(jForces));
-        } else {
-            kernels::inverse_dynamics<TRAIT>(
-                @P@raw(q), raw(qd), raw(qdd), &g, raw(jForces));
-        }
-    }
-
-    void gravity(JointState& jForces, const JointState& q)
-    {
-        const Scalar g(iit::rbd::g);
-        q_a = unaligned(q);
-        asked = REST;
-        setBase(g);
-@PARAMETERS@        kernels::gravity<TRAIT>(@P@raw(q), &g, raw(jForces));
-    }
-
-    void coriolis(JointState& jForces, const JointState& q, const JointState& qd)
-    {
-@KEEP@        qdd_a.setZero();
-        setBase(Scalar(0));
-        isLoaded = false;
-@PARAMETERS@        kernels::coriolis<TRAIT>(@P@raw(q), raw(qd), raw(jForces));
-    }
-
-    /** The base stands still; it seems to accelerate upwards. */
-    void setBase(const Scalar& g)
-    {
-        v0.setZero();
-        a0.setZero();
-        a0(iit::rbd::LZ) = g;
-    }
-"""
+_CALLS = template("inverse_dynamics_fixed.h")
+_COMPUTING = template("inverse_dynamics_fixed_private.h")
 
 
 def fixed_base(robot: GeneratedRobot) -> tuple[str, str, list[str]]:

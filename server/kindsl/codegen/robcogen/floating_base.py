@@ -10,7 +10,7 @@ from kindsl.codegen.robcogen.engines import (
     parameters_first,
 )
 from kindsl.codegen.robcogen.link_motions import KEEP_MOTION
-from kindsl.codegen.robcogen.robot import GeneratedRobot
+from kindsl.codegen.robcogen.robot import GeneratedRobot, template
 from kindsl.dynamics.generation.inverse_dynamics import (
     actuated_base_inverse_dynamics,
     bias_torque,
@@ -19,135 +19,8 @@ from kindsl.dynamics.generation.inverse_dynamics import (
 from kindsl.dynamics.generation.terms import Scalar
 from kindsl.dynamics.generation.vectors import ZERO, Vector
 
-_CALLS = """\
-    /** The base is free: gives its acceleration. */
-    void id(
-        JointState& jForces, Acceleration& @BASE@_a, const Acceleration& g,
-        const Velocity& @BASE@_v, const JointState& q, const JointState& qd, const JointState& qdd,
-        const ExtForces& fext = zeroExtForces)
-    {
-        xm->storeJointStatus(q);
-        compute(jForces, @BASE@_a, g, @BASE@_v, q, qd, qdd, fext);
-    }
-    void id(
-        JointState& jForces, Acceleration& @BASE@_a, const Acceleration& g,
-        const Velocity& @BASE@_v, const JointState& qd, const JointState& qdd,
-        const ExtForces& fext = zeroExtForces)
-    {
-        compute(jForces, @BASE@_a, g, @BASE@_v, jointStatus(), qd, qdd, fext);
-    }
-
-    /** The base is moved by a wrench: gives this. */
-    void id_fully_actuated(
-        Force& baseWrench, JointState& jForces, const Acceleration& g, const Velocity& @BASE@_v,
-        const Acceleration& baseAccel, const JointState& q, const JointState& qd,
-        const JointState& qdd, const ExtForces& fext = zeroExtForces)
-    {
-        xm->storeJointStatus(q);
-        actuated(baseWrench, jForces, g, @BASE@_v, baseAccel, q, qd, qdd, fext);
-    }
-    void id_fully_actuated(
-        Force& baseWrench, JointState& jForces, const Acceleration& g, const Velocity& @BASE@_v,
-        const Acceleration& baseAccel, const JointState& qd, const JointState& qdd,
-        const ExtForces& fext = zeroExtForces)
-    {
-        actuated(baseWrench, jForces, g, @BASE@_v, baseAccel, jointStatus(), qd, qdd, fext);
-    }
-
-    void G_terms_fully_actuated(
-        Force& baseWrench, JointState& jForces, const Acceleration& g, const JointState& q)
-    {
-        xm->storeJointStatus(q);
-        gravity(baseWrench, jForces, g, q);
-    }
-    void G_terms_fully_actuated(Force& baseWrench, JointState& jForces, const Acceleration& g)
-    {
-        gravity(baseWrench, jForces, g, jointStatus());
-    }
-
-    void C_terms_fully_actuated(
-        Force& baseWrench, JointState& jForces, const Velocity& @BASE@_v, const JointState& q,
-        const JointState& qd)
-    {
-        xm->storeJointStatus(q);
-        coriolis(baseWrench, jForces, @BASE@_v, q, qd);
-    }
-    void C_terms_fully_actuated(
-        Force& baseWrench, JointState& jForces, const Velocity& @BASE@_v, const JointState& qd)
-    {
-        coriolis(baseWrench, jForces, @BASE@_v, jointStatus(), qd);
-    }
-"""
-
-_COMPUTING = """\
-    void compute(
-        JointState& jForces, Acceleration& acceleration, const Acceleration& g,
-        const Velocity& velocity, const JointState& q, const JointState& qd, const JointState& qdd,
-        const ExtForces& fext)
-    {
-@KEEP@        qdd_a = unaligned(qdd);
-        v0 = velocity;
-        const Acceleration weight = g;
-        keepForces(fext);
-@PARAMETERS@        if (isLoaded) {
-            kernels::inverse_dynamics_loaded<TRAIT>(
-                @P@raw(q), raw(qd), raw(qdd), velocity.data(), first(fext), raw(jForces),
-                acceleration.data());
-        } else {
-            kernels::inverse_dynamics<TRAIT>(
-                @P@raw(q), raw(qd), raw(qdd), velocity.data(), raw(jForces),
-                acceleration.data());
-        }
-        a0.setZero();
-        a0_late = acceleration;
-        isLate = true;
-        acceleration += weight;
-    }
-
-    void actuated(
-        Force& wrench, JointState& jForces, const Acceleration& g, const Velocity& velocity,
-        const Acceleration& acceleration, const JointState& q, const JointState& qd,
-        const JointState& qdd, const ExtForces& fext)
-    {
-@KEEP@        qdd_a = unaligned(qdd);
-        v0 = velocity;
-        a0 = acceleration - g;
-        isLate = false;
-        keepForces(fext);
-@PARAMETERS@        if (isLoaded) {
-            kernels::inverse_dynamics_actuated_loaded<TRAIT>(
-                @P@raw(q), raw(qd), raw(qdd), velocity.data(), a0.data(), first(fext),
-                raw(jForces), wrench.data());
-        } else {
-            kernels::inverse_dynamics_actuated<TRAIT>(
-                @P@raw(q), raw(qd), raw(qdd), velocity.data(), a0.data(), raw(jForces),
-                wrench.data());
-        }
-    }
-
-    void gravity(
-        Force& wrench, JointState& jForces, const Acceleration& g, const JointState& q)
-    {
-        q_a = unaligned(q);
-        asked = REST;
-        a0 = -g;
-        isLate = false;
-@PARAMETERS@        kernels::gravity<TRAIT>(@P@raw(q), a0.data(), raw(jForces), wrench.data());
-    }
-
-    void coriolis(
-        Force& wrench, JointState& jForces, const Velocity& velocity, const JointState& q,
-        const JointState& qd)
-    {
-@KEEP@        qdd_a.setZero();
-        v0 = velocity;
-        a0.setZero();
-        isLate = false;
-        isLoaded = false;
-@PARAMETERS@        kernels::coriolis<TRAIT>(
-            @P@raw(q), raw(qd), velocity.data(), raw(jForces), wrench.data());
-    }
-"""
+_CALLS = template("inverse_dynamics_floating.h")
+_COMPUTING = template("inverse_dynamics_floating_private.h")
 
 
 def floating_base(robot: GeneratedRobot) -> tuple[str, str, list[str]]:

@@ -10,78 +10,15 @@ from kindsl.codegen.robcogen.engines import (
     parameters,
     parameters_first,
 )
-from kindsl.codegen.robcogen.robot import GeneratedRobot
+from kindsl.codegen.robcogen.robot import GeneratedRobot, template
 from kindsl.dynamics.generation.forward_dynamics import forward_dynamics
 from kindsl.dynamics.generation.terms import Scalar
 from kindsl.dynamics.generation.vectors import ZERO, Vector
 
-_FIXED = """\
-    void fd(
-        JointState& qdd, const JointState& q, const JointState& qd, const JointState& tau,
-        const ExtForces& fext = zeroExtForces)
-    {
-        xm->storeJointStatus(q);
-        compute(qdd, q, qd, tau, fext);
-    }
-    void fd(
-        JointState& qdd, const JointState& qd, const JointState& tau,
-        const ExtForces& fext = zeroExtForces)
-    {
-        compute(qdd, jointStatus(), qd, tau, fext);
-    }
-"""
-
-_FIXED_COMPUTE = """\
-    void compute(
-        JointState& qdd, const JointState& q, const JointState& qd, const JointState& tau,
-        const ExtForces& fext)
-    {
-        const Scalar g(iit::rbd::g);
-@PARAMETERS@        if (&fext != &zeroExtForces) {
-            kernels::forward_dynamics_loaded<TRAIT>(
-                @P@raw(q), raw(qd), raw(tau), &g, first(fext), raw(qdd));
-        } else {
-            kernels::forward_dynamics<TRAIT>(@P@raw(q), raw(qd), raw(tau), &g, raw(qdd));
-        }
-    }
-"""
-
-_FLOATING = """\
-    void fd(
-        JointState& qdd, Acceleration& @BASE@_a, const Velocity& @BASE@_v, const Acceleration& g,
-        const JointState& q, const JointState& qd, const JointState& tau,
-        const ExtForces& fext = zeroExtForces)
-    {
-        xm->storeJointStatus(q);
-        compute(qdd, @BASE@_a, @BASE@_v, g, q, qd, tau, fext);
-    }
-    void fd(
-        JointState& qdd, Acceleration& @BASE@_a, const Velocity& @BASE@_v, const Acceleration& g,
-        const JointState& qd, const JointState& tau, const ExtForces& fext = zeroExtForces)
-    {
-        compute(qdd, @BASE@_a, @BASE@_v, g, jointStatus(), qd, tau, fext);
-    }
-"""
-
-_FLOATING_COMPUTE = """\
-    void compute(
-        JointState& qdd, Acceleration& acceleration, const Velocity& velocity,
-        const Acceleration& g, const JointState& q, const JointState& qd, const JointState& tau,
-        const ExtForces& fext)
-    {
-        const Acceleration weight = g;
-@PARAMETERS@        if (&fext != &zeroExtForces) {
-            kernels::forward_dynamics_loaded<TRAIT>(
-                @P@raw(q), raw(qd), raw(tau), velocity.data(),
-                first(fext), raw(qdd), acceleration.data());
-        } else {
-            kernels::forward_dynamics<TRAIT>(
-                @P@raw(q), raw(qd), raw(tau), velocity.data(), raw(qdd),
-                acceleration.data());
-        }
-        acceleration += weight;
-    }
-"""
+_FIXED = template("forward_dynamics_fixed.h")
+_FIXED_COMPUTE = template("forward_dynamics_fixed_private.h")
+_FLOATING = template("forward_dynamics_floating.h")
+_FLOATING_COMPUTE = template("forward_dynamics_floating_private.h")
 
 
 def forward_dynamics_headers(robot: GeneratedRobot) -> dict[str, str]:

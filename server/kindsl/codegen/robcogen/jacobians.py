@@ -3,59 +3,13 @@
 from itertools import chain
 
 from kindsl.codegen.robcogen.parameters import parameter_array, parameters_of_class, setters
-from kindsl.codegen.robcogen.robot import GeneratedRobot
+from kindsl.codegen.robcogen.robot import GeneratedRobot, template
 from kindsl.codegen.robcogen.wanted_names import NamedPair, jacobian_pairs, joints_of
 from kindsl.dynamics.generation.relative_frames import relative_jacobians
 from kindsl.dynamics.generation.terms import Scalar
 
-_TEXT = """
-namespace iit {
-namespace @NS@ {
-
-template <typename SCALAR, int COLS, class M>
-class JacobianT : public iit::rbd::JacobianBase<tpl::JointState<SCALAR>, COLS, M> {};
-
-namespace tpl {
-
-/** Velocities of frames relative to others and in their coordinates, angular before linear. */
-template <typename TRAIT>
-class Jacobians {
-public:
-    EIGEN_MAKE_ALIGNED_OPERATOR_NEW
-    typedef typename TRAIT::Scalar Scalar;
-    typedef Scalar SCALAR;
-    typedef iit::rbd::Core<Scalar> CoreS;
-    typedef JointState<Scalar> JState;
-
-@TYPES@
-@CONSTRUCTION@
-@MEMBERS@@VALUES@};
-
-}
-
-using Jacobians = tpl::Jacobians<rbd::DoubleTrait>;
-
-}
-}
-"""
-
-_TYPE = """\
-    class Type_@NAME@ : public JacobianT<Scalar, @COLUMNS@, Type_@NAME@> {
-    public:
-        EIGEN_MAKE_ALIGNED_OPERATOR_NEW
-        Type_@NAME@()
-        {
-            this->setZero();
-            kernels::@NAME@_constants<TRAIT>(this->data());
-            update(JState::Zero());
-        }
-        const Type_@NAME@& update(const JState& q)
-        {
-@PARAMETERS@            kernels::@NAME@<TRAIT>(@P@raw(q), this->data());
-            return *this;
-        }
-@MEMORY@    };
-"""
+_TEXT = template("jacobians.h")
+_TYPE = template("jacobian.h")
 
 
 def jacobians(robot: GeneratedRobot) -> dict[str, str]:

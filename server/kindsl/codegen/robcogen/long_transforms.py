@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from kindsl.codegen.robcogen.robot import GeneratedRobot
+from kindsl.codegen.robcogen.robot import GeneratedRobot, template
 from kindsl.codegen.robcogen.wanted_names import NamedPair
 from kindsl.dynamics.generation.jacobians import support
 from kindsl.dynamics.generation.robot import PlacedFrame
@@ -14,70 +14,9 @@ MOST_JOINTS = 7
 MOST_JOINTS_OF_LARGE = 2
 
 # T has the columns of rotation and position; X those of a 6x6 transform.
-HELPERS = """\
-template <class S>
-inline void fill(const S* T, S* X, int coupling)
-{
-    for (int j = 0; j < 3; j++) {
-        const S *e = T + 4 * j, *r = T + 12;
-        S *first = X + 6 * j, *second = X + 6 * j + 21, *cross = X + 6 * j + coupling;
-        for (int i = 0; i < 3; i++) {
-            first[i] = second[i] = e[i];
-        }
-        cross[0] = r[1] * e[2] - r[2] * e[1];
-        cross[1] = r[2] * e[0] - r[0] * e[2];
-        cross[2] = r[0] * e[1] - r[1] * e[0];
-    }
-}
-template <class S>
-inline void m_fill(const S* T, S* X) { fill(T, X, 3); }
-template <class S>
-inline void f_fill(const S* T, S* X) { fill(T, X, 18); }
-
-/** T = T * B, and zeros in B. */
-template <class S>
-inline void append(S* T, S* B)
-{
-    for (int i = 0; i < 3; i++) {
-        const S x = T[i], y = T[4 + i], z = T[8 + i];
-        for (int j = 0; j < 3; j++) {
-            T[4 * j + i] = x * B[4 * j] + y * B[4 * j + 1] + z * B[4 * j + 2];
-        }
-        T[12 + i] += x * B[12] + y * B[13] + z * B[14];
-    }
-    for (int k = 0; k < 16; k++) {
-        B[k] = S(0);
-    }
-}
-"""
-
-_PRODUCT = """\
-template <class TRAIT>
-inline void h_@NAME@_constants(typename TRAIT::Scalar* X) { (void)X; }
-template <class TRAIT>
-inline void h_@NAME@(
-    @TAKES@const typename TRAIT::Scalar* q, typename TRAIT::Scalar* X)
-{
-    typedef typename TRAIT::Scalar S;
-    S B[16] = {};
-    for (int k = 0; k < 16; k++) {
-        X[k] = S(k % 5 == 0 ? 1 : 0);
-    }
-@STEPS@}
-"""
-
-_SHARING = """\
-template <class TRAIT>
-inline void @LETTER@_@NAME@_constants(typename TRAIT::Scalar* X) { (void)X; }
-template <class TRAIT>
-inline void @LETTER@_@NAME@(
-    @TAKES@const typename TRAIT::Scalar* q, typename TRAIT::Scalar* X)
-{
-    typename TRAIT::Scalar T[16];
-    h_@NAME@<TRAIT>(@P@q, T);
-    @LETTER@_fill(T, X);
-}
-"""
+HELPERS = template("transform_helpers.h")
+_PRODUCT = template("transform_product.h")
+_SHARING = template("transform_of_product.h")
 
 
 def is_long(robot: GeneratedRobot, pair: NamedPair) -> bool:

@@ -5,26 +5,14 @@ from collections.abc import Mapping, Sequence
 from kindsl.codegen.library import Library
 from kindsl.codegen.robcogen.inertia_properties import ten_of
 from kindsl.codegen.robcogen.jacobians import jacobian_columns
-from kindsl.codegen.robcogen.robot import GeneratedRobot
+from kindsl.codegen.robcogen.robot import GeneratedRobot, template
 from kindsl.codegen.robcogen.transforms import KINDS, matrix_of
 from kindsl.codegen.robcogen.wanted_names import jacobian_pairs, transform_pairs
 from kindsl.dynamics.generation.emitters.straight_line import OPERATORS, computed
 from kindsl.dynamics.generation.terms import Operand, Scalar, Term
 from kindsl.dynamics.generation.vectors import Matrix, transpose
 
-_INERTIA = """\
-function ip = inertiaProperties(params)
-% Mass, centre of mass and inertia of each link: ip.lf_NAME.mass, .com, .tensor6D.
-@DEFAULTS@@LINES@end
-
-function body = properties(mass, com, moments)
-    cross = mass * [0, -com(3), com(2); com(3), 0, -com(1); -com(2), com(1), 0];
-    body.mass = mass;
-    body.com = com;
-    body.tensor = moments;
-    body.tensor6D = [moments, cross; cross', mass * eye(3)];
-end
-"""
+_INERTIA = template("inertiaProperties.m")
 
 _FIXED = """\
 function tau = inverseDynamics(ip, xm, qd, qdd, varargin)
@@ -43,45 +31,7 @@ function [tau, @BASE@_a] = inverseDynamics(ip, xm, @BASE@_v, gravity, qd, qdd, v
 % own coordinates.
 """
 
-_PASSES = """\
-    names = {@NAMES@};
-    across = {@ACROSS@};
-    parents = [@PARENTS@];
-    axes = [@AXES@];
-    n = numel(parents);
-    fext = {};
-    for k = 1:numel(varargin)
-        if iscell(varargin{k})
-            fext = varargin{k};
-        else
-            xm = updateMotionTransforms(xm, varargin{k});
-        end
-    end
-    v = zeros(6, n + 1);
-    a = zeros(6, n + 1);
-    f = zeros(6, n + 1);
-@BASE_MOTION@    for i = 1:n
-        X = xm.(across{i});
-        p = parents(i) + 1;
-        joint = zeros(6, 1);
-        joint(axes(i)) = qd(i);
-        v(:, i + 1) = X * v(:, p) + joint;
-        a(:, i + 1) = X * a(:, p) + motion_cross(v(:, i + 1)) * joint;
-        a(axes(i), i + 1) = a(axes(i), i + 1) + qdd(i);
-        I = ip.(names{i}).tensor6D;
-        f(:, i + 1) = I * a(:, i + 1) - motion_cross(v(:, i + 1))' * I * v(:, i + 1);
-        if ~isempty(fext)
-            f(:, i + 1) = f(:, i + 1) - fext{i + @FEXT@}(:);
-        end
-    end
-@REST@end
-
-function vx = motion_cross(v)
-    w = [0, -v(3), v(2); v(3), 0, -v(1); -v(2), v(1), 0];
-    u = [0, -v(6), v(5); v(6), 0, -v(4); -v(5), v(4), 0];
-    vx = [w, zeros(3); u, w];
-end
-"""
+_PASSES = template("inverseDynamics.m")
 
 _FIXED_REST = """\
     tau = zeros(n, 1);
@@ -102,25 +52,7 @@ _FLOATING_BASE = """\
     end
 """
 
-_FLOATING_REST = """\
-    for i = 1:n
-        Ic{i + 1} = ip.(names{i}).tensor6D;
-    end
-    for i = n:-1:1
-        X = xm.(across{i});
-        p = parents(i) + 1;
-        f(:, p) = f(:, p) + X' * f(:, i + 1);
-        Ic{p} = Ic{p} + X' * Ic{i + 1} * X;
-    end
-    late = zeros(6, n + 1);
-    late(:, 1) = -Ic{1} \\ f(:, 1);
-    tau = zeros(n, 1);
-    for i = 1:n
-        late(:, i + 1) = xm.(across{i}) * late(:, parents(i) + 1);
-        tau(i) = Ic{i + 1}(axes(i), :) * late(:, i + 1) + f(axes(i), i + 1);
-    end
-    @BASE@_a = late(:, 1) + gravity(:);
-"""
+_FLOATING_REST = template("inverseDynamics_floating.m")
 
 _FIXED_BASE = """\
     a(6, 1) = 9.81;

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from kindsl.codegen.robcogen.robot import GeneratedRobot
+from kindsl.codegen.robcogen.robot import GeneratedRobot, template
 from kindsl.semantics.declarations import ValueKind
 
 KINEMATIC = {"lengths": ValueKind.LENGTH, "angles": ValueKind.ANGLE}
@@ -20,66 +20,9 @@ public:
 @METHODS@};
 """
 
-_KINEMATICS = """
-namespace iit {
-namespace @NS@ {
-
-@STRUCTS@
-@GETTERS@
-/** Tells the values that parameters had when this was generated; NaN where they had none. */
-class DefaultParamsGetter : public ParamsGetter_lengths, public ParamsGetter_angles {
-public:
-    DefaultParamsGetter() { resetDefaults(); }
-    void resetDefaults()
-    {
-        lengths.defaults();
-        angles.defaults();
-    }
-@DEFAULTS@
-private:
-    Params_lengths lengths;
-    Params_angles angles;
-};
-
-}
-}
-"""
-
-_DYNAMICS = """
-namespace iit {
-namespace @NS@ {
-namespace dyn {
-
-/** The parameters of links' inertia. */
-@STRUCT@
-/** What tells their values. */
-@GETTER@
-}
-}
-}
-"""
-
-_DEFAULT = """
-namespace iit {
-namespace @NS@ {
-namespace dyn {
-
-/** Tells the values that parameters had when this was generated; NaN where they had none. */
-class DefaultParamsGetter : public RuntimeParamsGetter {
-public:
-    EIGEN_MAKE_ALIGNED_OPERATOR_NEW
-    DefaultParamsGetter() { resetDefaults(); }
-    ~DefaultParamsGetter() {}
-    void resetDefaults() { values.defaults(); }
-@METHODS@
-private:
-    RuntimeInertiaParams values;
-};
-
-}
-}
-}
-"""
+_KINEMATICS = template("kinematics_parameters.h")
+_DYNAMICS = template("dynamics_parameters.h")
+_DEFAULT = template("default_dynparams_getter.h")
 
 
 def parameter_headers(robot: GeneratedRobot) -> dict[str, str]:

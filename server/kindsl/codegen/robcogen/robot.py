@@ -5,6 +5,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
+from pathlib import Path
 
 from kindsl.codegen.library import Library
 from kindsl.codegen.names_in_code import identifiers, prefix_of, whole_name
@@ -25,6 +26,13 @@ MOST_JOINTS_OF_SMALL = 20
 _TYPES_IN_CLASSES = ("TRAIT", "SCALAR")
 
 DIALECT = TemplateDialect("class TRAIT", "TRAIT::Scalar", "TRAIT", "TRAIT::{}")
+
+_TEMPLATES = Path(__file__).parent / "templates"
+
+
+def template(file: str) -> str:
+    """Return a text of the folder `templates`, to be filled; see `GeneratedRobot.filled`."""
+    return (_TEMPLATES / file).read_text(encoding="utf-8")
 
 
 @dataclass(frozen=True)

@@ -5,83 +5,13 @@ from typing import NamedTuple
 
 from kindsl.codegen.robcogen.long_transforms import HELPERS, is_long, long_kernels
 from kindsl.codegen.robcogen.parameters import groups, parameter_array, parameters_of_class, setters
-from kindsl.codegen.robcogen.robot import GeneratedRobot
+from kindsl.codegen.robcogen.robot import GeneratedRobot, template
 from kindsl.codegen.robcogen.wanted_names import transform_pairs
 from kindsl.dynamics.generation.vectors import Matrix, Vector, multiply, transpose
 
-_BASES = """
-namespace iit {
-namespace @NS@ {
-
-template <typename SCALAR, class M>
-class TransformMotion : public iit::rbd::SpatialTransformBase<tpl::JointState<SCALAR>, M> {
-public:
-    EIGEN_MAKE_ALIGNED_OPERATOR_NEW
-};
-
-template <typename SCALAR, class M>
-class TransformForce : public iit::rbd::SpatialTransformBase<tpl::JointState<SCALAR>, M> {
-public:
-    EIGEN_MAKE_ALIGNED_OPERATOR_NEW
-};
-
-template <typename SCALAR, class M>
-class TransformHomogeneous : public iit::rbd::HomogeneousTransformBase<tpl::JointState<SCALAR>, M> {
-public:
-    EIGEN_MAKE_ALIGNED_OPERATOR_NEW
-};
-
-namespace tpl {
-@CLASSES@
-}
-
-using MotionTransforms = tpl::MotionTransforms<rbd::DoubleTrait>;
-using ForceTransforms = tpl::ForceTransforms<rbd::DoubleTrait>;
-using HomogeneousTransforms = tpl::HomogeneousTransforms<rbd::DoubleTrait>;
-
-}
-}
-"""
-
-_CONTAINER = """
-/** @WHAT@ */
-template <typename TRAIT>
-class @CLASS@ {
-public:
-    EIGEN_MAKE_ALIGNED_OPERATOR_NEW
-    typedef typename TRAIT::Scalar Scalar;
-    typedef Scalar SCALAR;
-    typedef iit::rbd::Core<Scalar> CoreS;
-    typedef JointState<Scalar> JState;
-    class Dummy {};
-    typedef typename @BASE@<Scalar, Dummy>::MatrixType MatrixType;
-    static_assert(!MatrixType::IsRowMajor,
-        "these transforms are stored by columns; do not define EIGEN_DEFAULT_TO_ROW_MAJOR");
-
-@TYPES@
-@CONSTRUCTION@
-@MEMORY@
-@MEMBERS@
-@VALUES@};
-"""
-
-_TYPE = """\
-    class Type_@NAME@ : public @BASE@<Scalar, Type_@NAME@> {
-    public:
-        EIGEN_MAKE_ALIGNED_OPERATOR_NEW
-        Type_@NAME@()@INITIAL@
-        {
-            this->setZero();
-            kernels::@KIND@_@NAME@_constants<TRAIT>(this->data());
-            update(JState::Zero());
-        }
-        const Type_@NAME@& update(const JState& q)
-        {
-@PARAMETERS@            kernels::@KIND@_@NAME@<TRAIT>(@P@raw(q), this->data());
-@STORE@            return *this;
-        }
-@MEMORY@    };
-"""
+_BASES = template("transforms.h")
+_CONTAINER = template("transforms_container.h")
+_TYPE = template("transform.h")
 
 
 class _Kind(NamedTuple):

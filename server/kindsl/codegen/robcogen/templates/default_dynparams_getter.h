@@ -1,0 +1,20 @@
+
+namespace iit {
+namespace @NS@ {
+namespace dyn {
+
+/** Tells the values that parameters had when this was generated; NaN where they had none. */
+class DefaultParamsGetter : public RuntimeParamsGetter {
+public:
+    EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+    DefaultParamsGetter() { resetDefaults(); }
+    ~DefaultParamsGetter() {}
+    void resetDefaults() { values.defaults(); }
+@METHODS@
+private:
+    RuntimeInertiaParams values;
+};
+
+}
+}
+}
