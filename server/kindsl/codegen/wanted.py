@@ -31,18 +31,14 @@ def wanted_pairs(text: str, model: Model, robot: Robot) -> Wanted:
     names = {**{name: name for name in joint_frame_names(model)}, **frame_names(model)}
     placed = {target.name: target for target in robot.placed}
     placed[robot.base_name] = PlacedFrame(robot.base_name, 0, EYE, [0.0, 0.0, 0.0])
-    tree = robot.tree
-    for joint, name in enumerate(robot.joint_names, start=1):
-        own = f"{LINK_PREFIX}{name}"
-        placed.setdefault(
-            own,
-            PlacedFrame(own, tree.parents[joint], tree.rotations[joint], tree.positions[joint]),
-        )
+    for joint in robot.tree.links():
+        frame = robot.joint_frame(joint)
+        placed.setdefault(frame.name, frame)
 
     def pairs(listed: tuple[Pair, ...]) -> tuple[tuple[PlacedFrame, PlacedFrame], ...]:
         texts = dict.fromkeys((base.text, target.text) for base, target in listed)
         return tuple(
-            (_named(placed[names[base]], base), _named(placed[names[target]], target))
+            (replace(placed[names[base]], name=base), replace(placed[names[target]], name=target))
             for base, target in texts
         )
 
@@ -76,7 +72,3 @@ def restricted(
             for pairs in wanted
         ))  # fmt: skip
     return replace(robot, chosen=frames), wanted
-
-
-def _named(frame: PlacedFrame, name: str) -> PlacedFrame:
-    return PlacedFrame(name, frame.body, frame.R, frame.r)

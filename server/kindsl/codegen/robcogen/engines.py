@@ -15,7 +15,6 @@ _INCLUDES = (
     '"inertia_properties.h"', '"transforms.h"', '"link_data_map.h"',
 )  # fmt: skip
 
-_TYPES = template("engine_types.h")
 _CLASS = template("engine.h")
 
 
@@ -43,16 +42,11 @@ def engine_headers(
         _CLASS,
         CLASS=engine.name,
         ABOUT=engine.about,
-        TYPES=robot.filled(_TYPES),
         CALLS=engine.calls,
         UPDATES="".join(f"        xm->{robot.across(i)}(q);\n" for i in robot.tree.links()),
         REST=engine.rest,
     )
-    own, impl = f"{file}.h", f"{file}.impl.h"
-    return {
-        own: robot.header(own, [*_INCLUDES, f'"{impl}"'], body),
-        impl: robot.header(impl, ['"declarations.h"'], robot.kernels(kernels)),
-    }
+    return robot.headers(file, _INCLUDES, body, kernels)
 
 
 def parameters(robot: GeneratedRobot, transforms: str = "xm->", indent: str = "        ") -> str:
@@ -63,11 +57,6 @@ def parameters(robot: GeneratedRobot, transforms: str = "xm->", indent: str = " 
         f"{indent}Scalar p[{len(robot.library.robot.parameters)}] = {{}};\n"
         f"{indent}{transforms}parameters(p);\n{indent}inertiaProps->parameters(p);\n"
     )
-
-
-def parameters_first(robot: GeneratedRobot) -> str:
-    """Return the first argument of functions, which parameters are."""
-    return "p, " if robot.has_parameters else ""
 
 
 def kernels_under_loads(

@@ -7,7 +7,6 @@ from kindsl.codegen.robcogen.engines import (
     at_rest,
     kernels_under_loads,
     parameters,
-    parameters_first,
 )
 from kindsl.codegen.robcogen.link_motions import KEEP_MOTION
 from kindsl.codegen.robcogen.robot import GeneratedRobot, template
@@ -25,9 +24,7 @@ _COMPUTING = template("inverse_dynamics_floating_private.h")
 
 def floating_base(robot: GeneratedRobot) -> tuple[str, str, list[str]]:
     """Return the class's functions, what they call, and the functions that compute."""
-    hidden = robot.filled(
-        _COMPUTING, KEEP=KEEP_MOTION, PARAMETERS=parameters(robot), P=parameters_first(robot)
-    )
+    hidden = robot.filled(_COMPUTING, KEEP=KEEP_MOTION, PARAMETERS=parameters(robot))
     return robot.filled(_CALLS), hidden, _kernels(robot)
 
 

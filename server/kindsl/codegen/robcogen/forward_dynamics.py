@@ -8,7 +8,6 @@ from kindsl.codegen.robcogen.engines import (
     engine_headers,
     kernels_under_loads,
     parameters,
-    parameters_first,
 )
 from kindsl.codegen.robcogen.robot import GeneratedRobot, template
 from kindsl.dynamics.generation.forward_dynamics import forward_dynamics
@@ -24,7 +23,7 @@ _FLOATING_COMPUTE = template("forward_dynamics_floating_private.h")
 def forward_dynamics_headers(robot: GeneratedRobot) -> dict[str, str]:
     """Return both headers by their names."""
     compute = _FLOATING_COMPUTE if robot.is_floating else _FIXED_COMPUTE
-    computing = robot.filled(compute, PARAMETERS=parameters(robot), P=parameters_first(robot))
+    computing = robot.filled(compute, PARAMETERS=parameters(robot))
     construction = "    ForwardDynamics(IProperties& in, MTransforms& tr)"
     calls = robot.filled(_FLOATING if robot.is_floating else _FIXED)
     engine = Engine(

@@ -33,7 +33,6 @@ def inertia_properties(robot: GeneratedRobot) -> dict[str, str]:
         TOTAL=" + ".join(f"getMass_{n}()" for _, n in named),
         SIZE=len(values),
         PARAMETERS=parameters,
-        P="p, " if robot.has_parameters else "",
         CALLS="".join(f"        set(m + {10 * k}, com_{n}, tensor_{n});\n" for k, n in named),
         MEMBERS="".join(f"    IMatrix tensor_{n};\n    Vec3d com_{n};\n" for _, n in named),
         VALUES=members,
@@ -41,14 +40,9 @@ def inertia_properties(robot: GeneratedRobot) -> dict[str, str]:
     includes = [
         "<iit/rbd/rbd.h>", "<iit/rbd/InertiaMatrix.h>", "<iit/rbd/utils.h>",
         "<iit/rbd/traits/DoubleTrait.h>", '"declarations.h"', '"dynamics_parameters.h"',
-        '"inertia_properties.impl.h"',
     ]  # fmt: skip
-    kernels = robot.kernels([robot.kernel("inertia_properties", {}, {"m": values})])
-    name = "inertia_properties.impl.h"
-    return {
-        "inertia_properties.h": robot.header("inertia_properties.h", includes, body),
-        name: robot.header(name, ['"declarations.h"'], kernels),
-    }
+    kernel = robot.kernel("inertia_properties", {}, {"m": values})
+    return robot.headers("inertia_properties", includes, body, [kernel])
 
 
 def ten_of(robot: GeneratedRobot, body: int) -> list[Scalar]:

@@ -28,13 +28,9 @@ def jacobians(robot: GeneratedRobot) -> dict[str, str]:
     )
     includes = [
         "<iit/rbd/rbd.h>", "<iit/rbd/TransformsBase.h>", "<iit/rbd/traits/DoubleTrait.h>",
-        '"declarations.h"', '"kinematics_parameters.h"', '"jacobians.impl.h"',
+        '"declarations.h"', '"kinematics_parameters.h"',
     ]  # fmt: skip
-    kernels = robot.kernels(functions)
-    return {
-        "jacobians.h": robot.header("jacobians.h", includes, body),
-        "jacobians.impl.h": robot.header("jacobians.impl.h", ['"declarations.h"'], kernels),
-    }
+    return robot.headers("jacobians", includes, body, functions)
 
 
 def jacobian_columns(robot: GeneratedRobot, pair: NamedPair) -> list[list[Scalar]]:

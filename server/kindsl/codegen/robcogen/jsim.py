@@ -1,6 +1,6 @@
 """`jsim.h` and `jsim.impl.h`: the joint-space inertia matrix."""
 
-from kindsl.codegen.robcogen.engines import parameters, parameters_first
+from kindsl.codegen.robcogen.engines import parameters
 from kindsl.codegen.robcogen.robot import GeneratedRobot, template
 from kindsl.dynamics.generation.composite_bodies import joint_space_inertia
 from kindsl.dynamics.generation.vectors import transpose
@@ -26,18 +26,13 @@ def jsim(robot: GeneratedRobot) -> dict[str, str]:
         BEFORE=", ".join(map(str, _before(robot))),
         WHOLE="    mutable InertiaMatrix whole;\n" if robot.is_floating else "",
         PARAMETERS=parameters(robot, "frcTransf->"),
-        P=parameters_first(robot),
     )
     includes = [
         "<cmath>", "<iit/rbd/rbd.h>", "<iit/rbd/StateDependentMatrix.h>",
         "<iit/rbd/robcogen_commons.h>", "<iit/rbd/traits/DoubleTrait.h>", '"declarations.h"',
-        '"transforms.h"', '"inertia_properties.h"', '"jsim.impl.h"',
+        '"transforms.h"', '"inertia_properties.h"',
     ]  # fmt: skip
-    text = robot.kernels(kernels)
-    return {
-        "jsim.h": robot.header("jsim.h", includes, body),
-        "jsim.impl.h": robot.header("jsim.impl.h", ['"declarations.h"'], text),
-    }
+    return robot.headers("jsim", includes, body, kernels)
 
 
 def _before(robot: GeneratedRobot) -> list[int]:

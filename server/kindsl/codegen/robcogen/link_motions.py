@@ -1,6 +1,6 @@
 """The motions of links that inverse dynamics was asked for, computed when a getter asks."""
 
-from kindsl.codegen.robcogen.engines import parameters, parameters_first
+from kindsl.codegen.robcogen.engines import parameters
 from kindsl.codegen.robcogen.robot import GeneratedRobot, template
 
 # The statements that keep a motion for the getters.
@@ -41,7 +41,6 @@ def link_motions(robot: GeneratedRobot) -> str:
     return robot.filled(
         _PASSES + _STATE,
         PARAMETERS=parameters(robot),
-        P=parameters_first(robot),
         PARENTS=", ".join(map(str, robot.tree.parents)),
         AXES=", ".join(axes),
         INERTIA=f"{inertia}        default: return {_tensor(robot, last)};\n",

@@ -17,6 +17,11 @@ MOST_JOINTS_OF_LARGE = 2
 HELPERS = template("transform_helpers.h")
 _PRODUCT = template("transform_product.h")
 _SHARING = template("transform_of_product.h")
+_STEP = """\
+    h_@NAME@_constants<TRAIT>(B);
+    h_@NAME@<TRAIT>(@P@q, B);
+    append(X, B);
+"""
 
 
 def is_long(robot: GeneratedRobot, pair: NamedPair) -> bool:
@@ -28,20 +33,14 @@ def is_long(robot: GeneratedRobot, pair: NamedPair) -> bool:
 def long_kernels(robot: GeneratedRobot, pair: NamedPair) -> list[str]:
     """Return the functions of a pair's three matrices."""
     functions, steps = [], [*_across(robot, pair)]
-    for end, (R, r) in (("base", _inverse(pair.base)), ("target", _pose(pair.target))):
+    for end, (R, r) in (("base", _inverse(pair.base)), ("target", (pair.target.R, pair.target.r))):
         if (R, r) != (EYE, ZERO):
             name = f"{pair.name}_{end}"
             functions += robot.matrix_kernels(f"h_{name}", _columns(R, r))
             steps = [name, *steps] if end == "base" else [*steps, name]
-    takes = "const typename TRAIT::Scalar* p, " if robot.has_parameters else ""
-    p = "p, " if takes else ""
-    calls = "".join(
-        f"    h_{name}_constants<TRAIT>(B);\n    h_{name}<TRAIT>({p}q, B);\n    append(X, B);\n"
-        for name in steps
-    )
-    values = {"NAME": pair.name, "TAKES": takes, "P": p, "STEPS": calls}
-    functions.append(robot.filled(_PRODUCT, **values))
-    return functions + [robot.filled(_SHARING, LETTER=letter, **values) for letter in "mf"]
+    calls = "".join(robot.filled(_STEP, NAME=name) for name in steps)
+    functions.append(robot.filled(_PRODUCT, NAME=pair.name, STEPS=calls))
+    return functions + [robot.filled(_SHARING, NAME=pair.name, LETTER=x) for x in "mf"]
 
 
 def _across(robot: GeneratedRobot, pair: NamedPair) -> Iterator[str]:
@@ -51,11 +50,7 @@ def _across(robot: GeneratedRobot, pair: NamedPair) -> Iterator[str]:
     for link in reversed(back[shared:]):
         yield robot.across(link)
     for link in forth[shared:]:
-        yield f"{robot.frame(robot.tree.parents[link])}_X_{robot.frame(link)}"
-
-
-def _pose(frame: PlacedFrame) -> tuple[Matrix, Vector]:
-    return frame.R, frame.r
+        yield robot.back_across(link)
 
 
 def _inverse(frame: PlacedFrame) -> tuple[Matrix, Vector]:

@@ -142,6 +142,10 @@ class GeneratedRobot:
         """Return the name of the transform from a link's parent to it, by body index."""
         return f"{self.frame(joint)}_X_{self.frame(self.tree.parents[joint])}"
 
+    def back_across(self, joint: int) -> str:
+        """Return the name of the transform from a link to its parent, by body index."""
+        return f"{self.frame(self.tree.parents[joint])}_X_{self.frame(joint)}"
+
     @property
     def has_parameters(self) -> bool:
         """True if anything is known only when the code runs."""
@@ -192,19 +196,28 @@ class GeneratedRobot:
             f"{listed}\n{body.strip()}\n\n#endif\n"
         )
 
-    def filled(self, text: str, **values: object) -> str:
-        """Return a text in which `@NAME@` stands for a value."""
-        known = {
-            "NS": self.space, "NJ": self.n_joints, "NV": self.n_velocities, "NB": len(self.bodies),
-            "BASE": self.bodies[0], **values,
-        }  # fmt: skip
-        return re.sub(r"@(\w+)@", lambda match: str(known[match[1]]), text)
-
-    def kernels(self, functions: Iterable[str]) -> str:
-        """Return functions in the namespace that they are kept in."""
+    def headers(
+        self, file: str, includes: Sequence[str], body: str, functions: Iterable[str]
+    ) -> dict[str, str]:
+        """Return a header, and that of the functions that it calls, by their names."""
+        own, impl = f"{file}.h", f"{file}.impl.h"
         text = "\n".join(functions)
         head = f"namespace iit {{\nnamespace {self.space} {{\nnamespace kernels {{\n"
-        return f"{head}\n{text}\n}}\n}}\n}}"
+        kernels = f"{head}\n{text}\n}}\n}}\n}}"
+        return {
+            own: self.header(own, [*includes, f'"{impl}"'], body),
+            impl: self.header(impl, ['"declarations.h"'], kernels),
+        }
+
+    def filled(self, text: str, **values: object) -> str:
+        """Return a text in which `@NAME@` stands for a value: a given one, or one of the robot."""
+        has_p = self.has_parameters
+        known = {
+            "NS": self.space, "NJ": self.n_joints, "NV": self.n_velocities, "NB": len(self.bodies),
+            "BASE": self.bodies[0], "P": "p, " if has_p else "",
+            "TAKES": "const typename TRAIT::Scalar* p, " if has_p else "", **values,
+        }  # fmt: skip
+        return re.sub(r"@(\w+)@", lambda match: str(known[match[1]]), text)
 
 
 def _distinct(names: Iterable[str]) -> list[str]:

@@ -12,6 +12,20 @@ from kindsl.dynamics.generation.vectors import Matrix, Vector, multiply, transpo
 _BASES = template("transforms.h")
 _CONTAINER = template("transforms_container.h")
 _TYPE = template("transform.h")
+_CASE = """\
+    case @LINK@:
+        m_@NAME@_constants<TRAIT>(X);
+        m_@NAME@<TRAIT>(@P@q, X);
+        break;
+"""
+_ACROSS = """\
+template <class TRAIT>
+inline void across(int link, @TAKES@const typename TRAIT::Scalar* q, typename TRAIT::Scalar* X)
+{
+    switch (link) {
+@CASES@    }
+}
+"""
 
 
 class _Kind(NamedTuple):
@@ -46,13 +60,8 @@ def transforms(robot: GeneratedRobot) -> dict[str, str]:
     includes = [
         "<Eigen/Dense>", "<iit/rbd/rbd.h>", "<iit/rbd/TransformsBase.h>",
         "<iit/rbd/traits/DoubleTrait.h>", '"declarations.h"', '"kinematics_parameters.h"',
-        '"transforms.impl.h"',
     ]  # fmt: skip
-    kernels = robot.kernels(functions)
-    return {
-        "transforms.h": robot.header("transforms.h", includes, body),
-        "transforms.impl.h": robot.header("transforms.impl.h", ['"declarations.h"'], kernels),
-    }
+    return robot.headers("transforms", includes, body, functions)
 
 
 def _kernels(robot: GeneratedRobot, name: str, E: Matrix, p: Vector) -> list[str]:
@@ -64,11 +73,6 @@ def _kernels(robot: GeneratedRobot, name: str, E: Matrix, p: Vector) -> list[str
             f"{kind.letter}_{name}", transpose(matrix_of(kind.letter, E, p))
         )
     ]
-
-
-def _handed(robot: GeneratedRobot) -> dict[str, str]:
-    takes = "const typename TRAIT::Scalar* p, " if robot.has_parameters else ""
-    return {"TAKES": takes, "P": "p, " if takes else ""}
 
 
 def matrix_of(letter: str, E: Matrix, p: Vector) -> Matrix:
@@ -140,15 +144,6 @@ def _memory(across: dict[str, int]) -> str:
 
 def _across(robot: GeneratedRobot) -> str:
     """Return the function that fills in the motion transform to any link from its parent."""
-    takes, p = _handed(robot).values()
-    cases = "".join(
-        f"    case {i}:\n        m_{robot.across(i)}_constants<TRAIT>(X);\n"
-        f"        m_{robot.across(i)}<TRAIT>({p}q, X);\n        break;\n"
-        for i in robot.tree.links()
-    )
-    return (
-        "template <class TRAIT>\n"
-        f"inline void across(int link, {takes}const typename TRAIT::Scalar* q, "
-        "typename TRAIT::Scalar* X)\n"
-        f"{{\n    switch (link) {{\n{cases}    }}\n}}\n"
-    )
+    links = robot.tree.links()
+    cases = "".join(robot.filled(_CASE, LINK=i, NAME=robot.across(i)) for i in links)
+    return robot.filled(_ACROSS, CASES=cases)

@@ -53,19 +53,12 @@ def _all_transforms(robot: GeneratedRobot) -> Iterator[NamedPair]:
     for pair in jacobian_pairs(robot):
         yield _pair(robot, pair.base, pair.target, "X")
         for joint in joints_of(robot, pair):
-            yield _pair(robot, pair.base, joint_frame(robot, joint), "X")
+            yield _pair(robot, pair.base, robot.library.robot.joint_frame(joint), "X")
 
 
 def link_frame(robot: GeneratedRobot, body: int) -> PlacedFrame:
     """Return a body's own frame."""
     return PlacedFrame(f"fr_{robot.body_names[body]}", body, EYE, [0.0, 0.0, 0.0])
-
-
-def joint_frame(robot: GeneratedRobot, joint: int) -> PlacedFrame:
-    """Return a joint's frame, which the predecessor carries, by body index."""
-    tree = robot.tree
-    name = f"fr_{robot.library.robot.joint_names[joint - 1]}"
-    return PlacedFrame(name, tree.parents[joint], tree.rotations[joint], tree.positions[joint])
 
 
 def _pair(robot: GeneratedRobot, base: PlacedFrame, target: PlacedFrame, letter: str) -> NamedPair:

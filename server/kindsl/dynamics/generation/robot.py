@@ -68,6 +68,12 @@ class Robot:
         links = enumerate(self.link_names, start=1)
         return (*(PlacedFrame(name, i, EYE, [0.0] * 3) for i, name in links), *self.frames)
 
+    def joint_frame(self, joint: int) -> PlacedFrame:
+        """Return a joint's frame, `fr_` and its name, which the predecessor carries; from 1."""
+        tree = self.tree
+        pose = tree.rotations[joint], tree.positions[joint]
+        return PlacedFrame(f"fr_{self.joint_names[joint - 1]}", tree.parents[joint], *pose)
+
 
 def robot_of(bodies: Bodies) -> Robot:
     """Return a mechanism all of whose numbers are known."""
