@@ -1,6 +1,6 @@
 """The header of a library in C."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 
 from kindsl.codegen.c_text import batch_declaration, declaration, macro, stamp_comment
 from kindsl.codegen.library import Library
@@ -116,8 +116,4 @@ def _fext(library: Library, function: Function) -> str:
 
 
 def _batches(library: Library) -> str:
-    return "".join(f"{line};\n" for line in _batch_lines(library.all_functions, library))
-
-
-def _batch_lines(functions: Iterable[Function], library: Library) -> list[str]:
-    return [batch_declaration(library, function) for function in functions]
+    return "".join(f"{batch_declaration(library, f)};\n" for f in library.all_functions)

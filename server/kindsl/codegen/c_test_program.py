@@ -1,6 +1,6 @@
 """A program that compares a library in C with numbers computed when it was generated."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
 from kindsl.codegen.c_text import EXTERNAL, real, stamp_comment
 from kindsl.codegen.library import Library
@@ -119,11 +119,8 @@ def _array(number: str, name: str, values: Array) -> str:
     flat = values.ravel().tolist()
     cast = "" if number == "double" else f"({number})"
     lines = [", ".join(f"{cast}{x!r}" for x in flat[k : k + 4]) for k in range(0, len(flat), 4)]
-    return f"static const {number} {name}[{len(flat)}] = {{\n    {_joined(lines)}}};"
-
-
-def _joined(lines: Sequence[str]) -> str:
-    return ",\n    ".join(lines)
+    rows = ",\n    ".join(lines)
+    return f"static const {number} {name}[{len(flat)}] = {{\n    {rows}}};"
 
 
 def parameter_values(defaults: Iterable[tuple[str, float | None]]) -> dict[str, float]:

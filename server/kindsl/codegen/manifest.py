@@ -30,11 +30,6 @@ class Manifest(NamedTuple):
     transforms: str | None
     files: dict[str, str]
 
-    @property
-    def sha256(self) -> str:
-        """SHA-256 of the document."""
-        return self.stamp.sha256
-
 
 def manifest_text(
     stamp: Stamp,
