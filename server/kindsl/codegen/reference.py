@@ -116,15 +116,11 @@ class Reference:
         return [found.qdd, *base, forces, Lambda]
 
     def _foot_jacobian(self, name: str) -> Array:
-        bodies = self.mechanics.bodies
-        owners = {frame.name: frame.body for frame in bodies.frames}
-        body = owners[name] if name in owners else bodies.link_names.index(name) + 1
-        columns = [self._first + joint - 1 for joint in bodies.support(body)[::-1]]
+        columns = [self._first + joint - 1 for joint in self._support(name)[::-1]]
         return self._jacobian(name, is_own=False)[:, columns]
 
     def _relative_jacobian(self, target: str, base: str) -> Array:
         """Return the target's less what it would move by if it were fixed to the base."""
-        bodies = self.mechanics.bodies
         targets, bases = self._columns(target), self._columns(base)
         on_base = self._pose(target, base)[:3, 3]
         rotated = self._pose(target, base)[:3, :3]
@@ -132,8 +128,7 @@ class Reference:
         carried = bases.copy()
         carried[3:] -= skew(on_base) @ bases[:3]
         joints = sorted({*self._support(target)} ^ {*self._support(base)})
-        first = bodies.n_velocities - bodies.n_links
-        return (moved - carried)[:, [first + joint - 1 for joint in joints]]
+        return (moved - carried)[:, [self._first + joint - 1 for joint in joints]]
 
     def _columns(self, name: str) -> Array:
         own = self._own_name(name)
@@ -185,36 +180,27 @@ class Reference:
         q, qd, qdd, tau, g = (self.values[key] for key in ("q", "qd", "qdd", "tau", "g"))
         if name == "poses":
             return [np.array([pose[:3] for pose in m.forward_kinematics(q).values()])]
-        if name == "joint_space_inertia":
-            return [m.joint_space_inertia(q)]
         if name == "inertia_factorization":
             return _factors(m.joint_space_inertia(q))
-        if name == "gravity_torque":
-            return [m.gravity_torque(q, g)]
-        if name == "bias_torque":
-            return [m.bias_torque(q, qd, base, g)]
-        if name == "kinetic_energy":
-            return [np.array([m.kinetic_energy(q, qd, base)])]
-        if name == "potential_energy":
-            return [np.array([m.potential_energy(q, g)])]
-        if name == "center_of_mass":
-            return [m.center_of_mass(q)]
-        if name == "center_of_mass_jacobian":
-            return [m.center_of_mass_jacobian(q)]
-        if name == "centroidal_momentum_matrix":
-            return [m.centroidal_momentum_matrix(q)]
-        if name == "centroidal_momentum_drift":
-            return [m.centroidal_momentum_drift(q, qd, base)]
-        if name == "joint_space_inertia_inverse":
-            return [m.joint_space_inertia_inverse(q)]
-        if name == "coriolis_matrix":
-            return [m.coriolis_matrix(q, qd, base)]
         a0 = self.values["a0"] if base is not None else None
-        if name == "forward_dynamics_derivatives":
-            return [*m.forward_dynamics_derivatives(q, qd, tau, base, g)]
-        if name == "inverse_dynamics_derivatives":
-            return [*m.inverse_dynamics_derivatives(q, qd, qdd, base, a0, g)]
-        return [m.regressor(q, qd, qdd, base, a0, g)]
+        arguments: dict[str, tuple[object, ...]] = {
+            "joint_space_inertia": (q,),
+            "gravity_torque": (q, g),
+            "bias_torque": (q, qd, base, g),
+            "kinetic_energy": (q, qd, base),
+            "potential_energy": (q, g),
+            "center_of_mass": (q,),
+            "center_of_mass_jacobian": (q,),
+            "centroidal_momentum_matrix": (q,),
+            "centroidal_momentum_drift": (q, qd, base),
+            "joint_space_inertia_inverse": (q,),
+            "coriolis_matrix": (q, qd, base),
+            "forward_dynamics_derivatives": (q, qd, tau, base, g),
+            "inverse_dynamics_derivatives": (q, qd, qdd, base, a0, g),
+            "regressor": (q, qd, qdd, base, a0, g),
+        }
+        found = getattr(m, name)(*arguments[name])
+        return [*found] if name.endswith("_derivatives") else [np.atleast_1d(found)]
 
 
 def _factors(M: Array) -> list[Array]:
