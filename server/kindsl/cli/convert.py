@@ -41,10 +41,11 @@ from kindsl.interchange.format import (
     WritingChoices,
     WrittenRobot,
     joints_dropped,
+    suffix_unknown,
 )
 from kindsl.interchange.registry import all_formats, format_named, format_of_suffix
 from kindsl.interchange.repairing import repaired
-from kindsl.text.phrases import alternatives, counted
+from kindsl.text.phrases import counted
 from kindsl.text.regular import require_regular
 
 if TYPE_CHECKING:
@@ -177,7 +178,7 @@ def _formats(args: argparse.Namespace) -> tuple[Format, Format]:
     """Return the formats of input and output; stdout takes what the input is not."""
     source = _format(args.input, args.source, "--from")
     if args.output == STDIN and args.target is None:
-        target = _default_target(source)
+        target = _known(format_named("urdf")) if source is _DOCUMENT else _DOCUMENT
     else:
         target = _format(args.output, args.target, "--to")
     if source is target:
@@ -192,13 +193,6 @@ def _formats(args: argparse.Namespace) -> tuple[Format, Format]:
     return source, target
 
 
-def _default_target(source: Format) -> Format:
-    urdf = format_named("urdf")
-    if source is not _DOCUMENT or urdf is None:
-        return _DOCUMENT
-    return urdf
-
-
 def _format(path: str, named: str | None, option: str) -> Format:
     if named is not None:
         return _DOCUMENT if named == _DOCUMENT.name else _known(format_named(named))
@@ -207,9 +201,8 @@ def _format(path: str, named: str | None, option: str) -> Format:
         return _DOCUMENT
     format = format_of_suffix(suffix)
     if format is None:
-        every = alternatives(suffix for f in (_DOCUMENT, *all_formats()) for suffix in f.suffixes)
-        told = f"the suffix '{suffix}'" if suffix else "a name without a suffix"
-        message = f"{told} does not determine the format: use {every}, or {option} FORMAT"
+        every = (suffix for f in (_DOCUMENT, *all_formats()) for suffix in f.suffixes)
+        message = suffix_unknown(suffix, every, f", or {option} FORMAT")
         raise CommandError([Failure(shown_name(path), message)])
     return format
 

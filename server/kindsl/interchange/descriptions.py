@@ -15,13 +15,14 @@ from kindsl.interchange.format import (
     ReadingChoices,
     ReadRobot,
     n_mimics,
+    suffix_unknown,
 )
 from kindsl.interchange.generated_folder import MANIFEST, described_generated
 from kindsl.interchange.registry import all_formats, format_of_suffix
 from kindsl.interchange.robcogen_folder import described_robcogen, is_robcogen_folder
 from kindsl.interchange.written_numbers import NO_NUMBERS
 from kindsl.rigid.body import NO_BODY
-from kindsl.text.phrases import alternatives, counted
+from kindsl.text.phrases import counted
 from kindsl.text.regular import require_regular
 
 
@@ -118,6 +119,5 @@ def _format(path: Path) -> Format:
     format = format_of_suffix(path.suffix)
     if format is None or format.read is None:
         known = [suffix for f in all_formats() if f.read for suffix in f.suffixes]
-        told = f"the suffix '{path.suffix}'" if path.suffix else "a name without a suffix"
-        raise FormatError(f"{told} does not determine the format: use {alternatives(known)}")
+        raise FormatError(suffix_unknown(path.suffix, known))
     return format

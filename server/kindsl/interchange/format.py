@@ -7,7 +7,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
 from kindsl.dynamics.quantities import STANDARD_GRAVITY
-from kindsl.text.phrases import counted
+from kindsl.text.phrases import alternatives, counted
 
 if TYPE_CHECKING:
     from kindsl.interchange.robot_description import RobotDescription
@@ -86,10 +86,27 @@ AS_WRITTEN = ReadingChoices()
 ORDINARY = WritingChoices()
 
 
+def told_joints(joints: "Iterable[tuple[str, JointProperties]]") -> "Joints":
+    """Return the properties of the joints of which anything is told, by joint name."""
+    return {name: own for name, own in joints if any(value is not None for value in own)}
+
+
 def joints_dropped(joints: "Joints") -> str:
     """Return the note on limits and friction of joints, which the language does not support."""
     where = "kindsl.toml takes them, as [joints.NAME]"
     return f"limits, friction and armature of {counted(len(joints), 'joint')} dropped: {where}"
+
+
+def suffix_unknown(suffix: str, known: Iterable[str], otherwise: str = "") -> str:
+    """Return the sentence on a file whose name does not tell its format.
+
+    Args:
+        suffix: The file's suffix.
+        known: Those that do.
+        otherwise: What else would.
+    """
+    told = f"the suffix '{suffix}'" if suffix else "a name without a suffix"
+    return f"{told} does not determine the format: use {alternatives(known)}{otherwise}"
 
 
 def mimic_dropped(joint: str, other: str) -> str:

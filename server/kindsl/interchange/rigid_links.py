@@ -4,7 +4,7 @@ In a robot description joints turn about z or slide along it, and no joint is fi
 turned with their joints, and what is fixed to a link becomes a frame and a mass of it.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -20,6 +20,15 @@ from kindsl.rigid.body import MassDistribution, Symmetric, lumped, seen_from
 from kindsl.rigid.pose import IDENTITY, RigidPose, Vector3, rotation_from_z
 
 LinkJoint = Literal["", "fixed", "revolute", "prismatic"]
+# What URDF and SDF call the kinds of joints that there are here.
+JOINT_KINDS: dict[str, LinkJoint] = {
+    "revolute": "revolute",
+    "continuous": "revolute",
+    "prismatic": "prismatic",
+    "fixed": "fixed",
+}
+# What both call the moments of `Symmetric`.
+TENSOR = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 BaseKind = Literal["fixed", "floating"]
 _GREATEST = 1e60
 _AT_ORIGIN = (0.0, 0.0, 0.0)
@@ -116,6 +125,11 @@ def fixed_remarks(links: Sequence[RigidLink], noun: str, robot: RobotDescription
     for index, link in enumerate(links):
         if link.joint_kind in ("revolute", "prismatic") and index not in heavy:
             yield f"the {noun} '{link.name}' has no inertia"
+
+
+def moves(links: Iterable[RigidLink]) -> bool:
+    """Return whether any joint moves, as a document needs one that does."""
+    return any(link.joint_kind in ("revolute", "prismatic") for link in links)
 
 
 def root_remarks(root: RigidLink, base: BaseKind) -> Iterator[str]:

@@ -5,12 +5,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from kindsl.comparison.written import TextPlace, WrittenNumber
-from kindsl.interchange.xml_reading import XmlError, parsed_xml
+from kindsl.interchange.xml_reading import DECIMAL, XmlError, parsed_xml
 from kindsl.rigid.pose import Rotation
 from kindsl.semantics.expressions import half_unit
 from kindsl.text.lines import LineIndex
 
-_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 _WORD = re.compile(r"\S+")
 _ATTRIBUTE = r"""[\s"']{name}\s*=\s*(?:"([^"]*)"|'([^']*)')"""
 _TAG = re.compile(r"""<(?:[^"'>]|"[^"]*"|'[^']*')*>""")
@@ -85,7 +84,7 @@ def implied(
 
 def written_number(text: str, place: TextPlace) -> WrittenNumber:
     """Return a decimal number with its place."""
-    if not _NUMBER.fullmatch(text):
+    if not DECIMAL.fullmatch(text):
         return WrittenNumber(text, float("nan"), 0.0, place)
     return WrittenNumber(text, float(text), half_unit(text), place)
 

@@ -5,12 +5,16 @@ Comments are kept with what they precede, processing instructions passed over; e
 since no robot needs them and what they expand to may be without bound.
 """
 
+import re
+from math import isfinite
 from typing import NoReturn, cast
 from xml.etree.ElementTree import Element, TreeBuilder
 from xml.parsers import expat
 
 _DEEPEST = 256
 _LARGEST = 64 * 2**20
+DECIMAL = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
+_GREATEST = 1e50
 
 
 class XmlError(ValueError):
@@ -43,6 +47,12 @@ def parsed_xml(content: bytes | str) -> XmlElement:
     if len(content) > _LARGEST:
         raise XmlError(f"longer than {_LARGEST // 2**20} MB, which is not supported")
     return _Reading().of(content)
+
+
+def finite_number(word: str) -> float | None:
+    """Return a decimal number, None where a word is none, or is beyond all measure."""
+    value = float(word) if DECIMAL.fullmatch(word) else float("nan")
+    return value if isfinite(value) and abs(value) <= _GREATEST else None
 
 
 class _Reading:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from kindsl.interchange.format import FormatError, ReadRobot
+from kindsl.interchange.format import FormatError, ReadRobot, told_joints
 from kindsl.interchange.mjcf.compiling import compiled, spec_of_file
 from kindsl.interchange.mjcf.losses import check_joints, joint_losses, losses, physics_losses, strip
 from kindsl.interchange.rigid_links import (
@@ -16,12 +16,13 @@ from kindsl.interchange.rigid_links import (
     about_origin,
     described,
     fixed_remarks,
+    moves,
     root_remarks,
 )
 from kindsl.interchange.robot_description import DescribedFrame
 from kindsl.rigid.body import MassDistribution
 from kindsl.rigid.pose import IDENTITY, RigidPose, Vector3
-from kindsl.semantics.parameters import UNTOLD, JointProperties
+from kindsl.semantics.parameters import JointProperties
 from kindsl.text.phrases import listed
 
 _WORLD = 0
@@ -56,7 +57,7 @@ def _read(spec: Any, name: str, floating: bool) -> ReadRobot:
     roots, outside = _roots(model)
     base: BaseKind = "floating" if floating or _is_free(model, roots[0]) else "fixed"
     links = _links(model, roots, base)
-    if not any(link.joint_kind in ("revolute", "prismatic") for link in links):
+    if not moves(links):
         raise FormatError("the MJCF has no joint that moves, and a document needs one")
     robot = described(spec.modelname or name, base, links)
     told = (
@@ -67,28 +68,24 @@ def _read(spec: Any, name: str, floating: bool) -> ReadRobot:
         *_joint_remarks(model),
         *fixed_remarks(links, "body", robot),
     )
-    return ReadRobot(robot, (*lost, *told), _joint_properties(model), tells_base=True)
+    joints = [joint for joint in range(model.njnt) if model.jnt_type[joint] != _FREE]
+    own = told_joints((_joint_name(model, joint), _properties(model, joint)) for joint in joints)
+    return ReadRobot(robot, (*lost, *told), own, tells_base=True)
 
 
-def _joint_properties(model: Any) -> dict[str, JointProperties]:
-    """Return what is told of the joints; their values are ours, and so are their limits."""
-    found: dict[str, JointProperties] = {}
-    for joint in range(model.njnt):
-        if model.jnt_type[joint] != _FREE:
-            dof, effort = int(model.jnt_dofadr[joint]), float(model.jnt_actfrcrange[joint][1])
-            lowest, highest = map(float, model.jnt_range[joint])
-            is_limited = bool(model.jnt_limited[joint])
-            own = JointProperties(
-                lowest if is_limited else None,
-                highest if is_limited else None,
-                effort if model.jnt_actfrclimited[joint] else None,
-                armature=float(model.dof_armature[dof]) or None,
-                damping=float(model.dof_damping[dof]) or None,
-                friction=float(model.dof_frictionloss[dof]) or None,
-            )
-            if own != UNTOLD:
-                found[_joint_name(model, joint)] = own
-    return found
+def _properties(model: Any, joint: int) -> JointProperties:
+    """Return what is told of a joint; its values are ours, and so are its limits."""
+    dof, effort = int(model.jnt_dofadr[joint]), float(model.jnt_actfrcrange[joint][1])
+    lowest, highest = map(float, model.jnt_range[joint])
+    is_limited = bool(model.jnt_limited[joint])
+    return JointProperties(
+        lowest if is_limited else None,
+        highest if is_limited else None,
+        effort if model.jnt_actfrclimited[joint] else None,
+        armature=float(model.dof_armature[dof]) or None,
+        damping=float(model.dof_damping[dof]) or None,
+        friction=float(model.dof_frictionloss[dof]) or None,
+    )
 
 
 def _roots(model: Any) -> tuple[list[int], list[str]]:

@@ -1,11 +1,10 @@
 """The elements of an SDF file and the values in them, each error with its line."""
 
-import re
-from math import isfinite, radians
+from math import radians
 from typing import Any
 
 from kindsl.interchange.format import FormatError
-from kindsl.interchange.xml_reading import XmlError, parsed_xml
+from kindsl.interchange.xml_reading import XmlError, finite_number, parsed_xml
 from kindsl.rigid.pose import (
     IDENTITY,
     RigidPose,
@@ -13,9 +12,6 @@ from kindsl.rigid.pose import (
     pose_from_fixed_axes,
     rotation_from_quaternion,
 )
-
-_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
-_GREATEST = 1e50
 
 
 def parsed(content: bytes | str) -> Any:
@@ -95,7 +91,7 @@ def pose_of(element: Any) -> RigidPose:
 
 
 def _number(element: Any, word: str) -> float:
-    value = float(word) if _NUMBER.fullmatch(word) else float("nan")
-    if not isfinite(value) or abs(value) > _GREATEST:
+    value = finite_number(word)
+    if value is None:
         raise defect(element, f"has '{word}', which is not a finite number")
     return value

@@ -6,11 +6,11 @@ from typing import Any
 from kindsl.comparison.quantities import AXIS, INERTIA, POSE, TURNS
 from kindsl.comparison.written import WrittenNumber
 from kindsl.interchange.format import FormatError
+from kindsl.interchange.rigid_links import TENSOR
 from kindsl.interchange.sdf.frame_graph import FrameGraph
 from kindsl.interchange.sdf.nesting import flatten
 from kindsl.interchange.written_numbers import FileNumbers, XmlNumbers, implied, keyed
 
-_MOMENTS = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 _Found = Iterator[tuple[tuple[str, str, str], WrittenNumber]]
 
 
@@ -42,7 +42,7 @@ def _inertia(xml: XmlNumbers, link: Any) -> _Found:
     if inertial is not None:
         yield from keyed("link", name, ("mass",), xml.of_text(inertial.find("mass")))
         yield from keyed("link", name, INERTIA[1:4], xml.of_text(inertial.find("pose"))[:3])
-        for key, tag in zip(INERTIA[4:], _MOMENTS, strict=True):
+        for key, tag in zip(INERTIA[4:], TENSOR, strict=True):
             yield from keyed("link", name, (key,), xml.of_text(inertial.find(f"inertia/{tag}")))
 
 

@@ -5,14 +5,16 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from kindsl.interchange.format import FormatError, ReadRobot
+from kindsl.interchange.format import FormatError, ReadRobot, told_joints
 from kindsl.interchange.rigid_links import (
+    JOINT_KINDS,
+    TENSOR,
     BaseKind,
-    LinkJoint,
     RigidLink,
     about_origin,
     described,
     fixed_remarks,
+    moves,
     root_remarks,
 )
 from kindsl.interchange.robot_description import DescribedFrame
@@ -33,15 +35,8 @@ from kindsl.interchange.sdf.losses import losses, world_losses
 from kindsl.interchange.sdf.nesting import flatten
 from kindsl.rigid.body import MassDistribution, Symmetric
 from kindsl.rigid.pose import IDENTITY, Vector3
-from kindsl.semantics.parameters import UNTOLD
 from kindsl.text.phrases import listed
 
-_KINDS: dict[str, LinkJoint] = {
-    "revolute": "revolute",
-    "continuous": "revolute",
-    "prismatic": "prismatic",
-    "fixed": "fixed",
-}
 _UNIT: Symmetric = (1.0, 1.0, 1.0, 0.0, 0.0, 0.0)
 
 
@@ -69,7 +64,7 @@ def robot_of_sdf(
     start, is_fixed = _root(model, graph, joints)
     base: BaseKind = "fixed" if is_fixed and not floating else "floating"
     links = _links(model, graph, joints, start, base)
-    if not any(link.joint_kind in ("revolute", "prismatic") for link in links):
+    if not moves(links):
         raise FormatError("the SDF has no joint that moves, and a document needs one")
     robot = described(name_of(model), base, links)
     told = (
@@ -80,9 +75,8 @@ def robot_of_sdf(
         *root_remarks(links[0], base),
         *fixed_remarks(links, "link", robot),
     )
-    joints = {name_of(joint): joint_properties(joint) for joint in model.iterfind("joint")}
-    known = {name: own for name, own in joints.items() if own != UNTOLD}
-    return ReadRobot(robot, told, known, tells_base=is_fixed)
+    own = ((name_of(joint), joint_properties(joint)) for joint in model.iterfind("joint"))
+    return ReadRobot(robot, told, told_joints(own), tells_base=is_fixed)
 
 
 def _only_model(root: Any, searched: Sequence[Path]) -> tuple[Any, tuple[str, ...]]:
@@ -119,7 +113,7 @@ def _joints_by_child(model: Any, graph: FrameGraph) -> dict[str, Any]:
     joints: dict[str, Any] = {}
     for joint in model.iterfind("joint"):
         kind = joint.get("type")
-        if kind not in _KINDS:
+        if kind not in JOINT_KINDS:
             raise defect(joint, f"is a {kind} joint, which the language does not support")
         child = graph.link_of(text_of(joint, "child"), joint)
         if child == WORLD:
@@ -166,14 +160,14 @@ def _links(
     world_T_start = IDENTITY if start == WORLD else graph.world_T(start, model)
     first = RigidLink(start, parent_T_joint=world_T_start, frames=tuple(frames.get(start, ())))
     if start != WORLD:
-        first = _with_mass(first, elements[start])
+        first = replace(first, body=_body(elements[start]))
     links = [first]
     for index, link in enumerate(links):
         for child in below.get(link.name, ()):
             if child != start:
                 moved = _carried(joints[child], index, link.name, child, graph)
-                carried = _with_mass(moved, elements[child])
-                links.append(_with_frames(carried, tuple(frames.get(child, ()))))
+                fixed = tuple(frames.get(child, ()))
+                links.append(replace(moved, body=_body(elements[child]), frames=fixed))
     if len(links) != len(elements) + (start == WORLD):
         reached = {link.name for link in links}
         lost = next(name for name in elements if name not in reached)
@@ -188,7 +182,7 @@ def _carried(joint: Any, index: int, parent: str, child: str, graph: FrameGraph)
     placing = graph.placing(joint)
     model_T_written = graph.model_T(name_of(placing), joint)
     model_T_origin = graph.model_T(reference_of(placing), joint)
-    kind = _KINDS[joint.get("type")]
+    kind = JOINT_KINDS[joint.get("type")]
     axis = (0.0, 0.0, 1.0)
     if kind != "fixed":
         axis = model_T_joint.inverse().turn(_axis_in_model(joint, graph))
@@ -230,14 +224,6 @@ def _frames(model: Any, graph: FrameGraph, on_world: str) -> dict[str, list[Desc
     return found
 
 
-def _with_mass(link: RigidLink, element: Any) -> RigidLink:
-    return replace(link, body=_body(element))
-
-
-def _with_frames(link: RigidLink, frames: tuple[DescribedFrame, ...]) -> RigidLink:
-    return replace(link, frames=frames)
-
-
 def _body(link: Any) -> MassDistribution:
     """Return a link's mass; SDFormat's default is 1 kg, and 1 kg m^2 about each axis."""
     inertial = link.find("inertial")
@@ -254,9 +240,9 @@ def _body(link: Any) -> MassDistribution:
 
 
 def _tensor(inertia: Any) -> Symmetric:
-    ixx, iyy, izz = (number_of(inertia, tag, 1.0) for tag in ("ixx", "iyy", "izz"))
-    ixy, ixz, iyz = (number_of(inertia, tag, 0.0) for tag in ("ixy", "ixz", "iyz"))
-    return ixx, iyy, izz, ixy, ixz, iyz
+    named = zip(TENSOR, _UNIT, strict=True)
+    xx, yy, zz, xy, xz, yz = (number_of(inertia, tag, default) for tag, default in named)
+    return xx, yy, zz, xy, xz, yz
 
 
 def _default_masses(model: Any, start: str, base: BaseKind) -> Iterator[str]:

@@ -4,20 +4,16 @@ What is kept is what the Kinematics-DSL can say: links with their inertias, join
 and axes. Meshes, materials, limits and whatever other programs add cannot be wrong for us.
 """
 
-import re
-from math import isfinite
 from typing import Any, NamedTuple
 
 from kindsl.interchange.format import FormatError
-from kindsl.interchange.xml_reading import XmlElement, XmlError, parsed_xml
+from kindsl.interchange.rigid_links import TENSOR
+from kindsl.interchange.xml_reading import XmlElement, XmlError, finite_number, parsed_xml
 from kindsl.rigid.pose import Rotation, rotation_from_quaternion
 from kindsl.text.nearest import hint, nearest_name, nearest_word
 
 _TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
-_INERTIA = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 _ELSEWHERE = (("transmission", "transmission"), ("gazebo", "Gazebo extension"))
-_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
-_GREATEST = 1e50
 
 
 class UrdfError(FormatError):
@@ -44,7 +40,10 @@ def checked(content: bytes | str) -> tuple[XmlElement, Remarkable]:
     Raises:
         UrdfError: It is not well-formed, not a tree, or has a number that is none.
     """
-    robot = _parsed(content)
+    try:
+        robot = parsed_xml(content)
+    except XmlError as error:
+        raise UrdfError(f"not a readable URDF: {error}") from error
     if robot.tag != "robot":
         raise UrdfError(f"not a URDF: its root element is <{_name_of(robot)}>, not <robot>")
     _required(robot, "name")
@@ -59,13 +58,6 @@ def checked(content: bytes | str) -> tuple[XmlElement, Remarkable]:
         _check_joint(joint)
     _check_tree(links, joints)
     return robot, _remarkable(robot, links, joints)
-
-
-def _parsed(content: bytes | str) -> Any:
-    try:
-        return parsed_xml(content)
-    except XmlError as error:
-        raise UrdfError(f"not a readable URDF: {error}") from error
 
 
 def _check_names(elements: list[Any]) -> None:
@@ -86,7 +78,7 @@ def _check_link(link: Any) -> None:
             raise _error(inertial, f"of link '{link.get('name')}' has no <mass>")
         numbers_of(inertial.find("mass"), "value", 1)
         for inertia in inertial.findall("inertia"):
-            for name in _INERTIA:
+            for name in TENSOR:
                 _required(inertia, name)
                 numbers_of(inertia, name, 1)
         _check_origin(inertial)
@@ -197,8 +189,8 @@ def rotation_of(origin: Any) -> Rotation:
 
 
 def _number(element: Any, name: str, word: str) -> float:
-    value = float(word) if _NUMBER.fullmatch(word) else float("nan")
-    if not isfinite(value) or abs(value) > _GREATEST:
+    value = finite_number(word)
+    if value is None:
         raise _error(element, f"has '{word}' in '{name}', which is not a finite number")
     return value
 

@@ -2,10 +2,9 @@
 
 from kindsl.comparison.quantities import AXIS, INERTIA, POSE, TURNS
 from kindsl.comparison.written import WrittenNumber
+from kindsl.interchange.rigid_links import TENSOR
 from kindsl.interchange.written_numbers import FileNumbers, XmlNumbers, implied, keyed
 from kindsl.rigid.pose import IDENTITY, Rotation, pose_from_fixed_axes
-
-_MOMENTS = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 
 
 def numbers_of_urdf(content: bytes | str) -> FileNumbers:
@@ -20,7 +19,7 @@ def numbers_of_urdf(content: bytes | str) -> FileNumbers:
         origin, inertia = inertial.find("origin"), inertial.find("inertia")
         found |= keyed("link", name, ("mass",), xml.of_attribute(inertial.find("mass"), "value"))
         found |= keyed("link", name, INERTIA[1:4], xml.of_attribute(origin, "xyz"))
-        moments = [number for m in _MOMENTS for number in xml.of_attribute(inertia, m)]
+        moments = [number for m in TENSOR for number in xml.of_attribute(inertia, m)]
         found |= keyed("link", name, INERTIA[4:], moments)
         rpy = [number.value for number in xml.of_attribute(origin, "rpy")]
         if len(rpy) == 3:

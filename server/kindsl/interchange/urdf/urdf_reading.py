@@ -6,14 +6,16 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from kindsl.interchange.format import ReadRobot, mimic_dropped
+from kindsl.interchange.format import ReadRobot, mimic_dropped, told_joints
 from kindsl.interchange.rigid_links import (
+    JOINT_KINDS,
+    TENSOR,
     BaseKind,
-    LinkJoint,
     RigidLink,
     about_origin,
     described,
     fixed_remarks,
+    moves,
     root_remarks,
 )
 from kindsl.interchange.robot_description import RobotDescription
@@ -21,17 +23,11 @@ from kindsl.interchange.urdf.checking import Remarkable, UrdfError, checked, num
 from kindsl.interchange.urdf.commenting import comments_of
 from kindsl.rigid.body import MassDistribution, Symmetric
 from kindsl.rigid.pose import IDENTITY, RigidPose, Vector3, meant_angle, pose_from_fixed_axes
-from kindsl.semantics.parameters import UNTOLD, JointProperties
+from kindsl.semantics.parameters import JointProperties
 from kindsl.text.phrases import counted
 
 __all__ = ["UrdfError", "read_urdf", "robot_of_urdf"]
 
-_KINDS: dict[str, LinkJoint] = {
-    "revolute": "revolute",
-    "continuous": "revolute",
-    "prismatic": "prismatic",
-    "fixed": "fixed",
-}
 _WORLD = "world"
 _OF_LEGS = re.compile(r"(?<![a-z])(foot|feet|leg|ankle|knee|thigh|calf|shank|toe)(?![a-z])", re.I)
 _X, _Z = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
@@ -74,7 +70,7 @@ def robot_of_urdf(text: bytes | str, name: str, *, floating: bool = False) -> Re
         first, floating = _floating(below[0], bodies), True
         lost, tells_base = (f"the link '{root}', which does not move, dropped",), True
     links = _links(first, children, bodies)
-    if not any(link.joint_kind in ("revolute", "prismatic") for link in links):
+    if not moves(links):
         raise UrdfError("the URDF has no joint that moves, and a document needs one")
     base: BaseKind = "floating" if floating else "fixed"
     read = replace(
@@ -84,9 +80,8 @@ def robot_of_urdf(text: bytes | str, name: str, *, floating: bool = False) -> Re
     legs = _legged_remarks(read) if base == "fixed" and root != _WORLD else ()
     remarks = (*_remarks(remarkable), *roots, *legs, *fixed_remarks(links, "link", read))
     moving = (joint for joint in joints if joint.get("type") not in ("fixed", "floating"))
-    told = {str(joint.get("name")): _properties(joint) for joint in moving}
-    known = {name: own for name, own in told.items() if own != UNTOLD}
-    return ReadRobot(read, remarks, known, tells_base)
+    told = told_joints((str(joint.get("name")), _properties(joint)) for joint in moving)
+    return ReadRobot(read, remarks, told, tells_base)
 
 
 def _legged_remarks(robot: RobotDescription) -> Iterator[str]:
@@ -140,12 +135,12 @@ def _links(
 
 def _carried(joint: Any, parent: int, bodies: dict[str, MassDistribution | None]) -> RigidLink:
     name, kind = str(joint.get("name")), joint.get("type")
-    if kind not in _KINDS:
+    if kind not in JOINT_KINDS:
         raise UrdfError(f"the joint '{name}' is {kind}, which the language does not support")
     child = _end(joint, "child")
     axis = _Z if kind == "fixed" else _triple(joint.find("axis"), "xyz", _X)
     pose = pose_of_origin(joint.find("origin"))
-    return RigidLink(child, parent, name, _KINDS[kind], axis, pose, body=bodies[child])
+    return RigidLink(child, parent, name, JOINT_KINDS[kind], axis, pose, body=bodies[child])
 
 
 def _body(link: Any) -> MassDistribution | None:
@@ -161,8 +156,7 @@ def _body(link: Any) -> MassDistribution | None:
 def _tensor(inertia: Any) -> Symmetric:
     if inertia is None:
         return (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-    names = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
-    xx, yy, zz, xy, xz, yz = (numbers_of(inertia, name, 1)[0] for name in names)
+    xx, yy, zz, xy, xz, yz = (numbers_of(inertia, name, 1)[0] for name in TENSOR)
     return xx, yy, zz, xy, xz, yz
 
 
