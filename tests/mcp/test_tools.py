@@ -2,6 +2,7 @@
 
 import asyncio
 import json
+import re
 import sys
 from pathlib import Path
 from typing import Any
@@ -117,6 +118,30 @@ async def test_a_difference_binds_parameters_and_notes_what_a_file_leaves_open(
     assert found.startswith("the mechanics are equal")
     assert "note: a.urdf leaves open whether its base floats" in found
     assert "is 1.4 kg in" in await said(folder, "diff", **both, parameters={"m": 1.4})
+
+
+async def test_a_difference_tells_limits_that_a_configuration_has(folder: Path) -> None:
+    urdf = urdf_of(links_of(described_text(ARM)[0].skeleton))
+    joint = described_text(ARM)[0].skeleton.joint_names[0]
+    told = f'<joint name="{joint}" type="revolute"><limit upper="2"/>'
+    (folder / "a.kindsl").write_text(ARM)
+    (folder / "a.urdf").write_text(re.sub(f'<joint name="{joint}"[^>]*>', told, urdf))
+    (folder / "kindsl.toml").write_text(f"[joints]\n{joint} = {{ max = 1.5 }}\n")
+    found = await said(folder, "diff", a="a.kindsl", b="a.urdf")
+    assert f"maximum of joint '{joint}' is 1.5 rad here and 2 rad in a.urdf" in found
+
+
+async def test_a_base_that_one_of_two_files_leaves_open_is_as_the_other_tells(
+    folder: Path,
+) -> None:
+    urdf = urdf_of(links_of(described_text(ARM)[0].skeleton))
+    (folder / "open.urdf").write_text(urdf)
+    moving = '<robot name="r"><link name="world"/><joint name="free" type="floating">'
+    moving += '<parent link="world"/><child link="{}"/></joint>'
+    root = described_text(ARM)[0].skeleton.base_name
+    (folder / "told.urdf").write_text(re.sub(r"<robot[^>]*>", moving.format(root), urdf))
+    found = await said(folder, "diff", a="open.urdf", b="told.urdf")
+    assert "note: open.urdf leaves open whether its base floats: compared as floating" in found
 
 
 async def test_a_picture(folder: Path) -> None:

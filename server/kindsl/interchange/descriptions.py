@@ -1,6 +1,6 @@
 """Any description of a robot that is not a document of ours, to compare: a file or a folder."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -60,6 +60,33 @@ def read_description(path: Path, label: str, floating: bool | None) -> ReadDescr
     assert format.read is not None, "only formats that can be read are found"
     require_regular(str(path))
     return read_robot(format, partial(format.read, path), path.read_bytes(), label, floating)
+
+
+def read_foreign(
+    paths: Iterable[str],
+    documents: Iterable[Described],
+    read: Callable[[str, bool | None], ReadDescription],
+) -> dict[str, ReadDescription]:
+    """Return descriptions to compare with documents, or with each other, by their paths.
+
+    Where one leaves open whether its base floats, that is as with a document, or else as with
+    one that tells.
+
+    Args:
+        paths: Those of other formats.
+        documents: The documents, if any.
+        read: Takes a path, and whether its base floats where the file leaves that open, None if
+            nobody says.
+    """
+    bases = [document.skeleton.is_floating for document in documents]
+    found = {} if bases else {path: read(path, None) for path in paths}
+    bases += [each.robot.skeleton.is_floating for each in found.values() if each.tells_base]
+    if not bases:
+        return found
+    return {
+        path: found[path] if path in found and found[path].tells_base else read(path, bases[0])
+        for path in paths
+    }
 
 
 def read_robot(

@@ -5,8 +5,8 @@ from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
+from kindsl.analysis.compared_document import compared_document
 from kindsl.comparison.compared_robot import ComparedRobot
-from kindsl.comparison.document_side import described_document
 from kindsl.interchange.descriptions import ReadDescription, read_description, read_robot
 from kindsl.interchange.format import FormatError
 from kindsl.interchange.registry import format_of_suffix
@@ -14,7 +14,6 @@ from kindsl.mcp.documents import BoundArguments, document
 from kindsl.mcp.errors import ToolError
 from kindsl.mcp.folder import Folder
 from kindsl.mcp.mechanics import skeleton_of
-from kindsl.text.lines import LineIndex
 
 _DOCUMENT = ".kindsl"
 _EVALUATED = "xacro"
@@ -26,7 +25,7 @@ def is_document(given: str) -> bool:
     return given.endswith(_DOCUMENT)
 
 
-def compared_document(given: str, folder: Folder, parameters: Mapping[str, float]) -> ComparedRobot:
+def compared_robot(given: str, folder: Folder, parameters: Mapping[str, float]) -> ComparedRobot:
     """Return the robot of a document, its parameters with these values.
 
     Raises:
@@ -34,21 +33,15 @@ def compared_document(given: str, folder: Folder, parameters: Mapping[str, float
     """
     arguments = BoundArguments(path=given, text=None, parameters=dict(parameters))
     path, analysis = document(arguments, folder)
-    skeleton, lines = skeleton_of(analysis), LineIndex(analysis.text)
-    robot = described_document(path, analysis.model, analysis.context.values, skeleton)
-    return ComparedRobot(
-        path, robot, lambda at: lines.position(analysis.resolver.span(at)[0])[0] + 1
-    )
+    return compared_document(path, analysis, analysis.context.values, skeleton_of(analysis))
 
 
-def compared_other(
-    given: str, folder: Folder, floating: bool | None
-) -> tuple[ComparedRobot, tuple[str, ...]]:
-    """Return the robot of another format, or of a folder of generated code, and notes on it.
+def read_other(folder: Folder, given: str, floating: bool | None) -> ReadDescription:
+    """Return the robot of another format, or of a folder of generated code.
 
     Args:
+        folder: Where the path counts from.
         given: The path.
-        folder: Where it counts from.
         floating: Whether the root floats where the file leaves that open; None if nobody says.
 
     Raises:
@@ -58,10 +51,8 @@ def compared_other(
     try:
         if path.is_dir():
             folder.require_own_files(given)
-            read = read_description(path, given, floating)
-        else:
-            read = _read(given, folder, floating)
-        return ComparedRobot(given, read.robot), read.notes
+            return read_description(path, given, floating)
+        return _read(given, folder, floating)
     except (FormatError, OSError) as error:
         raise ToolError(f"'{given}' cannot be read: {error}") from None
     except ModuleNotFoundError as error:

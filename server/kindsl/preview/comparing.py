@@ -5,9 +5,9 @@ from functools import partial
 from typing import NamedTuple
 
 from kindsl.analysis.analysis import Analysis
+from kindsl.analysis.compared_document import compared_document
 from kindsl.analysis.twins import read_file, read_twin
-from kindsl.comparison.compared_robot import ComparedRobot, LineOf
-from kindsl.comparison.document_side import described_document
+from kindsl.comparison.compared_robot import ComparedRobot
 from kindsl.comparison.mechanical import compared_mechanics
 from kindsl.comparison.number_differences import NumberDifference
 from kindsl.comparison.restated import restated
@@ -20,7 +20,6 @@ from kindsl.mechanism.fragments import skeleton_as_far_as_known
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.scene.messages import ComparisonMessage, DifferenceRow, OtherMessage
 from kindsl.scene.state import Messages, keyed, path_of
-from kindsl.text.lines import LineIndex
 
 LAST_SAVED = "last saved"
 
@@ -78,7 +77,7 @@ def _as_far_as_known(name: str, analysis: Analysis) -> ComparedRobot | str:
         if found is None:
             return str(error)
         skeleton = found
-    return _document(name, analysis, values, skeleton)
+    return compared_document(name, analysis, values, skeleton)
 
 
 def file_robot(name: str, path: str) -> OtherRobot:
@@ -101,18 +100,6 @@ def _of_file(
 ) -> ComparedRobot | str:
     robot = read(floating)
     return f"cannot be read: {robot}" if isinstance(robot, str) else ComparedRobot(name, robot)
-
-
-def _document(
-    name: str, analysis: Analysis, values: Mapping[str, float], skeleton: Skeleton
-) -> ComparedRobot:
-    robot = described_document(name, analysis.model, values, skeleton)
-    return ComparedRobot(name, robot, _line_of(analysis))
-
-
-def _line_of(analysis: Analysis) -> LineOf:
-    lines = LineIndex(analysis.text)
-    return lambda at: lines.position(analysis.resolver.span(at)[0])[0] + 1
 
 
 def other_messages(others: Iterable[OtherRobot], chosen: str) -> Messages:
@@ -145,7 +132,7 @@ def compared(
         return ShownComparison(
             ComparisonMessage(label, other.name, told_why, False, (), (), ()), None
         )
-    ours = _document(label, analysis, values, skeleton)
+    ours = compared_document(label, analysis, values, skeleton)
     found = compared_mechanics(ours.robot, theirs.robot, dict(other.joints), other.tolerance)
     message = ComparisonMessage(
         own=label,

@@ -1,7 +1,6 @@
 """Reads two robots of any formats, to compare their mechanics."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -22,13 +21,11 @@ from kindsl.comparison.compared_robot import ComparedRobot
 from kindsl.config.robots import is_robot
 from kindsl.interchange.format import FormatError
 from kindsl.interchange.registry import format_of_suffix
-from kindsl.text.lines import LineIndex
 
 if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis
     from kindsl.cli.documents.choices import Choices
     from kindsl.interchange.descriptions import ReadDescription
-    from kindsl.semantics.places import Located
 
 
 class ComparedRobots(NamedTuple):
@@ -64,34 +61,29 @@ def read_robots(paths: Sequence[str], choices: "Choices") -> ComparedRobots:
         require_own(path, analysis.text)
     if documents:
         require_parameters(next(iter(documents)), *documents.values())
-    bases = [a.model.base.is_floating for a in documents.values() if a.model.base is not None]
-    reads = {} if documents else {path: _foreign(path, None) for path in paths}
-    bases += [each.robot.skeleton.is_floating for each in reads.values() if each.tells_base]
-    sides: list[ComparedRobot] = []
-    notes: list[str] = []
+    from kindsl.interchange.descriptions import read_foreign
+
+    sides: dict[str, ComparedRobot] = {}
     failures: list[Failure] = []
-    for path in paths:
-        if path in documents:
-            side, failed = _document(path, documents[path])
-            failures += failed
-        else:
-            read = reads.get(path)
-            if read is None or (bases and not read.tells_base):
-                read = _foreign(path, bases[0] if bases else None)
-            side = ComparedRobot(shown_name(path), read.robot)
-            notes += read.notes
-        sides.append(side)
-    return ComparedRobots(sides[0], sides[1], tuple(notes), tuple(failures))
+    for path, analysis in documents.items():
+        sides[path], failed = _document(path, analysis)
+        failures += failed
+    others = [path for path in paths if path not in documents]
+    foreign = read_foreign(others, [side.robot for side in sides.values()], _foreign)
+    sides |= {path: ComparedRobot(shown_name(path), read.robot) for path, read in foreign.items()}
+    notes = tuple(note for read in foreign.values() for note in read.notes)
+    old, new = (sides[path] for path in paths)
+    return ComparedRobots(old, new, notes, tuple(failures))
 
 
 def _document(path: str, analysis: "Analysis") -> tuple[ComparedRobot, list[Failure]]:
     """Return the robot of a document, and what is wrong with it where only a part can be read."""
-    from kindsl.comparison.document_side import described_document
+    from kindsl.analysis.compared_document import compared_document
     from kindsl.mechanism.errors import ModelError, UnboundParameterError
     from kindsl.mechanism.fragments import skeleton_as_far_as_known
 
     failures: list[Failure] = []
-    model, values = analysis.model, analysis.context.values
+    values = analysis.context.values
     try:
         require_syntax(path, analysis)
         skeleton = analysis.skeleton()
@@ -104,19 +96,11 @@ def _document(path: str, analysis: "Analysis") -> tuple[ComparedRobot, list[Fail
             else defect(path, analysis, str(error), error.at)
         )
         failures = told.failures
-        found = skeleton_as_far_as_known(model, values)
+        found = skeleton_as_far_as_known(analysis.model, values)
         if found is None:
             raise CommandError(failures) from None
         skeleton = found
-    lines = LineIndex(analysis.text)
-
-    def line_of(at: "Located") -> int:
-        return lines.position(analysis.resolver.span(at)[0])[0] + 1
-
-    name = shown_name(path)
-    robot = described_document(name, model, values, skeleton)
-    robot = replace(robot, properties=analysis.settings.joints)
-    return ComparedRobot(name, robot, line_of), failures
+    return compared_document(shown_name(path), analysis, values, skeleton), failures
 
 
 def _foreign(path: str, floating: bool | None) -> "ReadDescription":

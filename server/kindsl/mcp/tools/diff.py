@@ -6,10 +6,13 @@ that changes torques most first.
 """
 
 import json
+from functools import partial
 
+from kindsl.comparison.compared_robot import ComparedRobot
 from kindsl.comparison.mechanical import compared_mechanics
+from kindsl.interchange.descriptions import read_foreign
 from kindsl.mcp.folder import Folder
-from kindsl.mcp.robots import compared_document, compared_other, is_document
+from kindsl.mcp.robots import compared_robot, is_document, read_other
 from kindsl.mcp.tool import Arguments, Content, Field, text
 from kindsl.reports.mechanics import facts, lines, report_of
 
@@ -25,13 +28,13 @@ class DiffArguments(Arguments):
 def run(arguments: DiffArguments, folder: Folder) -> list[Content]:
     """Return what differs."""
     both = arguments.a, arguments.b
-    values, notes = arguments.parameters, list[str]()
-    sides = {p: compared_document(p, folder, values) for p in both if is_document(p)}
-    bases = [side.robot.skeleton.is_floating for side in sides.values()]
-    for path in both:
-        if path not in sides:
-            sides[path], told = compared_other(path, folder, bases[0] if bases else None)
-            notes += (f"note: {note}" for note in told)
+    values = arguments.parameters
+    sides = {p: compared_robot(p, folder, values) for p in both if is_document(p)}
+    others = [path for path in both if path not in sides]
+    robots = [side.robot for side in sides.values()]
+    foreign = read_foreign(others, robots, partial(read_other, folder))
+    sides |= {path: ComparedRobot(path, read.robot) for path, read in foreign.items()}
+    notes = [f"note: {note}" for read in foreign.values() for note in read.notes]
     old, new = (sides[path] for path in both)
     report = report_of(old, new, compared_mechanics(old.robot, new.robot))
     found = "\n".join((*lines(report), *notes))
