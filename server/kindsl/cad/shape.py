@@ -38,6 +38,12 @@ CAPSULE = Kind("capsule", ("radius", "length"))
 KINDS = (BOX, CYLINDER, HOLLOW_CYLINDER, SPHERE, CAPSULE)
 
 
+def kind_called(name: str) -> Kind | None:
+    """Return the kind of a name, its words separated in any way, None if there is none."""
+    words = name.replace("-", " ").replace("_", " ")
+    return next((kind for kind in KINDS if kind.name == words), None)
+
+
 def shape_properties(
     kind: Kind,
     sizes: Sequence[Decimal],
@@ -83,7 +89,8 @@ def shape_called(text: str) -> MassProperties:
         ShapeError: It has not the sizes that it needs, or no body has them.
     """
     name, _, arguments = text.partition("(")
-    kind = next(kind for kind in KINDS if kind.name.replace(" ", "_") == name.strip())
+    kind = kind_called(name.strip())
+    assert kind is not None, "what is no shape is not called one"
     *sizes, heavy = (part.strip() for part in arguments.rstrip(" )").split(","))
     what, _, value = (part.strip() for part in heavy.partition("="))
     if len(sizes) != len(kind.sizes) or what not in ("mass", "density"):

@@ -19,14 +19,13 @@ from kindsl.cli.console import is_terminal, write
 from kindsl.cli.documents.choices import choices_of
 from kindsl.cli.documents.document_reading import (
     CommandError,
-    defect,
+    model_told,
     note_errors,
     note_readings,
     read_document,
     require_parameters,
     require_syntax,
     shown_name,
-    unbound,
 )
 from kindsl.cli.documents.sources import STDIN
 from kindsl.cli.documents.writing import write_output
@@ -76,7 +75,9 @@ def run(args: argparse.Namespace) -> int:
     try:
         analysis = read_document(args.file, choices_of(args))
         require_syntax(args.file, analysis)
-        mechanism = _mechanism(args.file, analysis)
+        require_parameters(args.file, analysis)
+        with model_told(args.file, analysis):
+            mechanism = analysis.mechanism()
         note_readings(args.file, analysis)
         note_errors(args.file, analysis)
         robot = ConfigurationSpace(mechanism.bodies.joint_names, mechanism.bodies.is_floating)
@@ -90,18 +91,6 @@ def run(args: argparse.Namespace) -> int:
         needs = "needs NumPy; install with: pip install 'kindsl[numpy]'"
         write(sys.stderr, f"kindsl compute: error: {needs}\n")
         return UNUSABLE
-
-
-def _mechanism(path: str, analysis: "Analysis") -> "Mechanism":
-    from kindsl.mechanism.errors import ModelError, UnboundParameterError
-
-    require_parameters(path, analysis)
-    try:
-        return analysis.mechanism()
-    except UnboundParameterError as error:
-        raise unbound(path, analysis, error) from None
-    except ModelError as error:
-        raise defect(path, analysis, str(error), error.at) from None
 
 
 def _show(

@@ -21,17 +21,17 @@ from kindsl.cli.console import write
 from kindsl.cli.documents.choices import choices_of
 from kindsl.cli.documents.document_reading import (
     CommandError,
-    defect,
     missing_module,
+    model_told,
     note_errors,
     note_readings,
     read_document,
+    read_whole,
     require_parameters,
     require_syntax,
     shown_name,
-    unbound,
 )
-from kindsl.cli.documents.sources import STDIN, read_text, reason
+from kindsl.cli.documents.sources import STDIN, reason
 from kindsl.cli.documents.writing import unwritable
 from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import Failure
@@ -175,14 +175,7 @@ def _transforms(args: argparse.Namespace) -> str | None:
     """Return the text of the transforms document: the one named, else the one beside the model."""
     beside = Path(args.file).with_suffix(".dtdsl")
     path = args.transforms or (str(beside) if args.file != STDIN and beside.is_file() else None)
-    if path is None:
-        return None
-    text = read_text(path, path)
-    if isinstance(text, Failure):
-        raise CommandError([text])
-    if not isinstance(text, str):
-        raise CommandError([Failure(path, f"the document {text.message}")])
-    return text
+    return None if path is None else read_whole(path)
 
 
 def _generate(args: argparse.Namespace, source: "Source") -> int:
@@ -243,16 +236,12 @@ def _check(args: argparse.Namespace, source: "Source") -> int:
 def _told(args: argparse.Namespace, source: "Source") -> Iterator[None]:
     """Report why code cannot be generated."""
     from kindsl.codegen.library import GenerationError
-    from kindsl.mechanism.errors import ModelError, UnboundParameterError
 
     try:
-        yield
+        with model_told(args.file, source.analysis):
+            yield
     except GenerationError as error:
         raise CommandError([Failure(shown_name(args.file), str(error))], status=1) from None
-    except UnboundParameterError as error:
-        raise unbound(args.file, source.analysis, error) from None
-    except ModelError as error:
-        raise defect(args.file, source.analysis, str(error), error.at) from None
 
 
 def _options(args: argparse.Namespace, source: "Source") -> "Options":

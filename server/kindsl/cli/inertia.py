@@ -19,8 +19,13 @@ from typing import TYPE_CHECKING
 
 from kindsl.cli.console import write
 from kindsl.cli.documents.choices import Choices
-from kindsl.cli.documents.document_reading import CommandError, read_document, shown_name
-from kindsl.cli.documents.sources import STDIN, NotText, read_text, reason
+from kindsl.cli.documents.document_reading import (
+    CommandError,
+    read_document,
+    read_whole,
+    shown_name,
+)
+from kindsl.cli.documents.sources import STDIN, reason
 from kindsl.cli.outcome import Failure
 from kindsl.text.nearest import hint, nearest_name
 from kindsl.text.phrases import alternatives
@@ -29,7 +34,6 @@ from kindsl.text.regular import require_regular
 
 if TYPE_CHECKING:
     from kindsl.cad.properties import MassProperties
-    from kindsl.cad.shape import Kind
     from kindsl.semantics.declarations import Link
 
 SUMMARY = "write the inertia of a CAD report, a shape or a mesh"
@@ -81,8 +85,7 @@ def run(args: argparse.Namespace) -> int:
     for note in found.notes:
         if not frame or "coordinate system" not in note:
             write(sys.stderr, f"{_name(args)}: note: {printable(note)}\n")
-    keyword = _keyword(link)
-    write(sys.stdout, found.block(keyword, frame=frame) + "\n")
+    write(sys.stdout, found.block(_keyword(link), frame=frame) + "\n")
     return 0
 
 
@@ -133,11 +136,7 @@ def _found(args: argparse.Namespace) -> "MassProperties":
 
 
 def _of_report(path: str) -> "MassProperties":
-    text = read_text(path, shown_name(path))
-    if isinstance(text, Failure):
-        raise CommandError([text])
-    if isinstance(text, NotText):
-        raise CommandError([Failure(shown_name(path), text.message)])
+    text = read_whole(path)
     from kindsl.cad.report import NoReportError, ReportError
     from kindsl.cad.taking_over import mass_properties
 
@@ -167,16 +166,12 @@ def _of_mesh(args: argparse.Namespace) -> "MassProperties":
 
 
 def _of_shape(args: argparse.Namespace) -> "MassProperties":
-    from kindsl.cad.shape import shape_properties
+    from kindsl.cad.shape import kind_called, shape_properties
 
     name = next(name for name in _SIZES if _given(args, _attribute(name)))
-    return shape_properties(_kind(name), getattr(args, _attribute(name)), args.mass, args.density)
-
-
-def _kind(name: str) -> "Kind":
-    from kindsl.cad.shape import KINDS
-
-    return next(kind for kind in KINDS if kind.name.replace(" ", "-") == name)
+    kind = kind_called(name)
+    assert kind is not None, "each option is the name of a shape"
+    return shape_properties(kind, getattr(args, _attribute(name)), args.mass, args.density)
 
 
 def _link(args: argparse.Namespace) -> "Link | None":

@@ -6,6 +6,7 @@ import sys
 
 from kindsl.analysis.poses import PoseError, pose_named
 from kindsl.analysis.settings import Settings
+from kindsl.cli.documents.sources import STDIN
 from kindsl.reports.motions import (
     KEYS,
     ConfigurationSpace,
@@ -15,8 +16,6 @@ from kindsl.reports.motions import (
     motions_from,
 )
 from kindsl.text.regular import require_regular
-
-STDIN = "-"
 
 
 def motions_of(

@@ -41,7 +41,6 @@ class LintedFile:
         findings: In the order of the text.
         parameters: Names of the parameters that it uses.
         joints: Names of its joints.
-        configuration: The configuration file that held for it, if any.
         n_fixed: How many findings were fixed.
         n_known: How many findings are left out, since the baseline knows them.
         n_stale: How many findings the baseline knows that are no longer there.
@@ -49,7 +48,7 @@ class LintedFile:
     """
 
     __slots__ = (
-        "__dict__", "configuration", "findings", "joints", "n_fixed", "n_known", "n_stale",
+        "__dict__", "findings", "joints", "n_fixed", "n_known", "n_stale",
         "original", "parameters", "path", "text",
     )  # fmt: skip
 
@@ -70,7 +69,6 @@ class LintedFile:
         self.original = text if original is None else original
         self.n_fixed = n_fixed
         self.n_known = self.n_stale = 0
-        self.configuration: str | None = None
 
     @cached_property
     def lines(self) -> LineIndex:

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kindsl.cli.documents.choices import choices_of
+from kindsl.cli.documents.document_reading import CommandError, read_document, read_whole, told
 from kindsl.cli.documents.sources import STDIN, read_source
 from kindsl.cli.options import add_parameter_arguments
 from kindsl.cli.outcome import Failure
@@ -64,17 +65,12 @@ def run(args: argparse.Namespace) -> int:
         return _run(args)
     except ImportError as error:
         return _fail(f"{error.msg}; install the preview with: pip install 'kindsl[preview]'")
-    except (UnreadableError, ConfigurationError) as error:
-        print(error, file=sys.stderr)
+    except (CommandError, ConfigurationError) as error:
+        return told(error)
     except OSError as error:
         return _fail(f"{error.filename or args.file}: {error.strerror or error}")
     except KeyboardInterrupt:
         return 0
-    return PROBLEM
-
-
-class UnreadableError(Exception):
-    """A document cannot be read; its text is the message."""
 
 
 def _run(args: argparse.Namespace) -> int:
@@ -96,13 +92,12 @@ def _run(args: argparse.Namespace) -> int:
     return 0
 
 
-def _read(args: argparse.Namespace, file: str) -> "Analysis":
-    from kindsl.analysis.analysis import analyse
-
-    text = read_source(file, file)
-    if isinstance(text, Failure):
-        raise UnreadableError(str(text))
-    return analyse(text, choices_of(args).settings_for(file))
+def _reread(args: argparse.Namespace, file: str) -> "Analysis | str":
+    """Return a document as it is now, or why it cannot be read."""
+    try:
+        return read_document(file, choices_of(args))
+    except (CommandError, ConfigurationError) as error:
+        return str(error)
 
 
 def _other(args: argparse.Namespace) -> "OtherRobot":
@@ -110,20 +105,15 @@ def _other(args: argparse.Namespace) -> "OtherRobot":
     from kindsl.cli.documents.compared_robots import is_foreign
     from kindsl.preview.comparing import document_robot, file_robot
 
-    def reread() -> "Analysis | str":
-        try:
-            return _read(args, args.compare)
-        except (UnreadableError, ConfigurationError) as error:
-            return str(error)
-
     name = args.compare
-    is_other = is_foreign(name)
-    if not is_other:
-        _read(args, name)
-    other = file_robot(name, name) if is_other else document_robot(name, reread)
+    if is_foreign(name):
+        other = file_robot(name, name)
+    else:
+        read_document(name, choices_of(args))
+        other = document_robot(name, partial(_reread, args, name))
     problem = other.read(True)
     if isinstance(problem, str):
-        raise UnreadableError(str(Failure(name, problem)))
+        raise CommandError([Failure(name, problem)])
     return other
 
 
@@ -132,7 +122,7 @@ def _write(args: argparse.Namespace, other: "OtherRobot | None") -> None:
     from kindsl.preview.meshes import mesh_data
     from kindsl.scene.formulas import formula_messages
 
-    analysis = _read(args, args.file)
+    analysis = read_document(args.file, choices_of(args))
     document = _document(args.file, analysis, other)
     meshes = _meshes(args)
     if meshes is not None:
@@ -161,7 +151,7 @@ def _meshes(args: argparse.Namespace) -> "MeshSource | None":
 
     missing = [path for path in (args.meshes, args.mesh_folder) if path and not path.exists()]
     if missing:
-        raise UnreadableError(str(Failure(str(missing[0]), "no such file or folder")))
+        raise CommandError([Failure(str(missing[0]), "no such file or folder")])
     return MeshSource(args.meshes.name, args.meshes, args.mesh_folder)
 
 
@@ -169,10 +159,7 @@ def _motion(args: argparse.Namespace) -> tuple[str, str] | None:
     """Return the name and text of the file with a motion, None without one."""
     if args.trajectory is None:
         return None
-    text = read_source(args.trajectory, args.trajectory)
-    if isinstance(text, Failure):
-        raise UnreadableError(str(text))
-    return os.path.basename(args.trajectory), text
+    return os.path.basename(args.trajectory), read_whole(args.trajectory)
 
 
 def _document(file: str, analysis: "Analysis", other: "OtherRobot | None") -> "DocumentPreview":
@@ -192,14 +179,8 @@ def _serve(args: argparse.Namespace, other: "OtherRobot | None") -> None:
     from kindsl.preview.command import Command, serve
     from kindsl.preview.watch import fingerprint
 
-    def reread() -> "Analysis | str":
-        try:
-            return _read(args, args.file)
-        except (UnreadableError, ConfigurationError) as error:
-            return str(error)
-
     configuration = choices_of(args).configuration_for(args.file)
-    first = _read(args, args.file)
+    first = read_document(args.file, choices_of(args))
     others = [str(path) for path in (args.compare, args.meshes) if path]
     others += [
         *([configuration.path] if configuration else []),
@@ -210,7 +191,16 @@ def _serve(args: argparse.Namespace, other: "OtherRobot | None") -> None:
     write = partial(_write_dragged, args) if args.edit else None
     opens = not args.no_open
     command = Command(
-        *(args.file, reread, first, other, args.port, opens, paths, known),
+        *(
+            args.file,
+            partial(_reread, args, args.file),
+            first,
+            other,
+            args.port,
+            opens,
+            paths,
+            known,
+        ),
         *(partial(_keep, args), write, args.pose, _motion(args), _meshes(args)),
     )
     asyncio.run(serve(command))
@@ -235,7 +225,6 @@ def _write_dragged(args: argparse.Namespace, writing: "Writing") -> str:
 
 def _keep(args: argparse.Namespace, wanted: "WriteParameters | KeepPose") -> str:
     """Keep a pose where the page may write; return the lines to be written by hand elsewhere."""
-    from kindsl.cli.documents.document_reading import CommandError
     from kindsl.config.parameter_lines import parameter_table, pose_table
     from kindsl.preview.requests import KeepPose
 

@@ -34,6 +34,7 @@ from kindsl.text.writing import write_folder
 
 if TYPE_CHECKING:
     from kindsl.analysis.analysis import Analysis
+    from kindsl.reports.page.blocks import Page
 
 SUMMARY = "write a report on a change for its reviewer"
 
@@ -55,12 +56,14 @@ def run(args: argparse.Namespace) -> int:
         0, or 2 if a document cannot be read or the folder cannot be written.
     """
     _check_folder(args)
-    choices = choices_of(args)
-    if args.git is None and len(args.files) == 2 and any(map(is_foreign, args.files)):
-        _write(args.output, _mechanics(args.files, choices))
-        return 0
-    old, new, names = _documents(args, choices)
-    _write(args.output, _files(args, old, new, names))
+    try:
+        files = _files(args)
+    except ModuleNotFoundError as error:
+        raise missing_module(args.files[0], error, "numpy") from None
+    try:
+        write_folder(args.output, files)
+    except OSError as error:
+        raise CommandError([Failure(args.output, unwritable(args.output, error))]) from None
     return 0
 
 
@@ -88,8 +91,23 @@ def _documents(
     return old, new, (f"{base}:{before}" if before is not None else base, head)
 
 
-def _mechanics(files: list[str], choices: Choices) -> dict[str, str]:
-    """Return the files of a review of two robots of any formats."""
+def _files(args: argparse.Namespace) -> dict[str, str]:
+    """Return the texts of the review's files."""
+    choices = choices_of(args)
+    if args.git is None and len(args.files) == 2 and any(map(is_foreign, args.files)):
+        page = _mechanics(args.files, choices)
+    else:
+        documents = _documents(args, choices)
+        from kindsl.reports.review.page import review_page
+
+        page = review_page(*documents)
+    from kindsl.reports.review.files import review_files
+
+    return review_files(page)
+
+
+def _mechanics(files: list[str], choices: Choices) -> "Page":
+    """Return a review of two robots of any formats."""
     from kindsl.comparison.mechanical import compared_mechanics
     from kindsl.reports.mechanics import report_of
 
@@ -99,30 +117,6 @@ def _mechanics(files: list[str], choices: Choices) -> dict[str, str]:
         f"{failed.path} has errors: showing the rest" for failed in read.failures
     )
     write(sys.stderr, "".join(f"note: {printable(note)}\n" for note in read.notes))
-    try:
-        from kindsl.reports.review.files import review_files
-        from kindsl.reports.review.mechanics_page import mechanics_page
+    from kindsl.reports.review.mechanics_page import mechanics_page
 
-        return review_files(mechanics_page(report, tuple(broken)))
-    except ModuleNotFoundError as error:
-        raise missing_module(files[0], error, "numpy") from None
-
-
-def _files(
-    args: argparse.Namespace, old: "Analysis | None", new: "Analysis | None", names: tuple[str, str]
-) -> dict[str, str]:
-    try:
-        from kindsl.reports.review.files import review_files
-        from kindsl.reports.review.page import review_page
-
-        return review_files(review_page(old, new, names))
-    except ModuleNotFoundError as error:
-        raise missing_module(args.files[0], error, "numpy") from None
-
-
-def _write(folder: str, files: dict[str, str]) -> None:
-    """Write all files, or none."""
-    try:
-        write_folder(folder, files)
-    except OSError as error:
-        raise CommandError([Failure(folder, unwritable(folder, error))]) from None
+    return mechanics_page(report, tuple(broken))

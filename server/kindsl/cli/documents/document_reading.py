@@ -1,6 +1,8 @@
 """Reads the one document that a command is about."""
 
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from kindsl.analysis.analysis import Analysis, analyse
@@ -56,18 +58,27 @@ def shown_name(path: str) -> str:
     return UNNAMED if path == STDIN else path
 
 
+def read_whole(path: str) -> str:
+    """Return the text of a file, or of stdin for `-`.
+
+    Raises:
+        CommandError: It cannot be read.
+    """
+    text = read_source(path, shown_name(path))
+    if isinstance(text, Failure):
+        raise CommandError([text])
+    return text
+
+
 def read_document(path: str, choices: Choices) -> Analysis:
     """Return the analysis of a file, or of stdin for `-`.
 
     Raises:
         CommandError: The file or the configuration cannot be read.
     """
-    shown = shown_name(path)
-    text = read_source(path, shown)
-    if isinstance(text, Failure):
-        raise CommandError([text])
+    text = read_whole(path)
     try:
-        return analyse(text, choices.settings_for(shown))
+        return analyse(text, choices.settings_for(shown_name(path)))
     except ConfigurationError as error:
         raise CommandError(as_failures(error)) from None
 
@@ -145,21 +156,28 @@ def unbound(path: str, analysis: Analysis, error: "UnboundParameterError") -> Co
     return defect(path, analysis, message, error.at)
 
 
+@contextmanager
+def model_told(path: str, analysis: Analysis) -> Iterator[None]:
+    """Raise CommandError for what is wrong with a document's model, or has no value."""
+    from kindsl.mechanism.errors import ModelError, UnboundParameterError
+
+    try:
+        yield
+    except UnboundParameterError as error:
+        raise unbound(path, analysis, error) from None
+    except ModelError as error:
+        raise defect(path, analysis, str(error), error.at) from None
+
+
 def skeleton_of_document(path: str, analysis: Analysis) -> "Skeleton":
     """Return the bodies of a document in plain floats.
 
     Raises:
         CommandError: It does not describe a mechanism.
     """
-    from kindsl.mechanism.errors import ModelError, UnboundParameterError
-
     require_syntax(path, analysis)
-    try:
+    with model_told(path, analysis):
         return analysis.skeleton()
-    except UnboundParameterError as error:
-        raise unbound(path, analysis, error) from None
-    except ModelError as error:
-        raise defect(path, analysis, str(error), error.at) from None
 
 
 def missing_module(path: str, error: ModuleNotFoundError, extra: str) -> CommandError:

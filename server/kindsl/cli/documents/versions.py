@@ -4,8 +4,12 @@ import os
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from kindsl.cli.documents.document_reading import CommandError, require_parameters, shown_name
-from kindsl.cli.documents.sources import read_source
+from kindsl.cli.documents.document_reading import (
+    CommandError,
+    read_whole,
+    require_parameters,
+    shown_name,
+)
 from kindsl.cli.outcome import Failure, as_failures
 from kindsl.config.errors import ConfigurationError
 
@@ -64,9 +68,7 @@ def _analysed(
 def _text(path: str) -> str | None:
     if path == os.devnull:
         return None
-    text = read_source(path, shown_name(path))
-    if isinstance(text, Failure):
-        raise CommandError([text])
+    text = read_whole(path)
     require_own(path, text)
     return text
 

@@ -9,7 +9,7 @@ from decimal import Decimal
 
 from kindsl.cad.properties import MassProperties
 from kindsl.cad.report import ReportError
-from kindsl.cad.shape import KINDS, ShapeError, shape_properties
+from kindsl.cad.shape import KINDS, ShapeError, kind_called, shape_properties
 from kindsl.cad.taking_over import mass_properties
 from kindsl.mcp.errors import ToolError
 from kindsl.mcp.folder import Folder
@@ -45,7 +45,7 @@ def _found(arguments: InertiaArguments, folder: Folder) -> MassProperties:
     if arguments.shape is None:
         report = arguments.text
         return mass_properties(folder.read(arguments.path or "") if report is None else report)
-    kind = next((kind for kind in KINDS if kind.name == arguments.shape), None)
+    kind = kind_called(arguments.shape)
     if kind is None:
         raise ToolError(f"there is no shape '{arguments.shape}': {_SHAPES}")
     if len(arguments.sizes) != len(kind.sizes):
