@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 
 from kindsl.codegen.c_text import EXTERNAL, real, stamp_comment
+from kindsl.codegen.filling import fill, template
 from kindsl.codegen.library import Library
 from kindsl.codegen.reference import Reference
 from kindsl.codegen.resistance import magnification
@@ -39,42 +40,17 @@ def test_program(
     )
     calls = "\n".join(f"    failures += test_{n}(&model);" for n in library.function_names.values())
     summary = f"Compares the library of {library.robot_name} with reference numbers."
-    return f"""\
-{stamp_comment(library, summary)}{include}
-
-#include <math.h>
-#include <stddef.h>
-#include <stdio.h>
-
-{values}
-
-static int differs(const char *what, const {number} *found, const double *expected, int length,
-                   double tolerance)
-{{
-    double largest = 1.0, worst = 0.0;
-    for (int i = 0; i < length; i++) {{
-        largest = fmax(largest, fabs(expected[i]));
-    }}
-    for (int i = 0; i < length; i++) {{
-        const double difference = fabs((double)found[i] - expected[i]);
-        worst = difference <= worst ? worst : difference;
-    }}
-    const int is_wrong = !(worst <= tolerance * largest);
-    printf("%s %s (%.1e)\\n", is_wrong ? "FAILED" : "ok", what, worst / largest);
-    return is_wrong;
-}}
-
-{"".join(tests)}int main(void)
-{{
-    int failures = 0;
-    {p}_model model;
-    {p}_parameters parameters = {p}_default_parameters();
-{given}
-    {p}_model_init(&model, &parameters);
-{calls}
-    return failures != 0;
-}}
-"""
+    return fill(
+        template("test_program.c"),
+        STAMP=stamp_comment(library, summary),
+        INCLUDE=include,
+        VALUES=values,
+        REAL=number,
+        TESTS="".join(tests),
+        PREFIX=p,
+        GIVEN=given,
+        CALLS=calls,
+    )
 
 
 def _test(library: Library, reference: Reference, function: Function) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from kindsl.codegen.c_build import beginning, installation
 from kindsl.codegen.c_test_program import test_program
 from kindsl.codegen.c_text import EXTERNAL, stamp_comment
+from kindsl.codegen.filling import fill, template
 from kindsl.codegen.language import Language
 from kindsl.codegen.library import Library
 from kindsl.codegen.readme import readme
@@ -38,98 +39,22 @@ def cpp_header(library: Library) -> str:
         "            p[i] = S(given[i]);\n        }\n"
         "        detail::set_up(p, c_);\n"
     )
-    return f"""\
-{stamp_comment(library, f"{library.robot_name} in C++14, with Eigen.")}#pragma once
-#include <cmath>
-#include <limits>
-
-#include <Eigen/Core>
-
-namespace {library.prefix} {{
-
-constexpr int n_joints = {len(library.robot.joint_names)};
-constexpr int n_velocities = {library.robot.n_velocities};
-constexpr int n_bodies = {len(library.body_names)};
-
-/* What is known only at run time, with the values that it had when this was generated. */
-struct Parameters {{
-{fields}}};
-
-namespace detail {{
-
-template <class S>
-inline S sin(const S& x)
-{{
-    using std::sin;
-    return sin(x);
-}}
-
-template <class S>
-inline S cos(const S& x)
-{{
-    using std::cos;
-    return cos(x);
-}}
-
-{_SIGN if _has_friction(library) else ""}{_functions(library)}
-}} // namespace detail
-
-/* S is any type of numbers, automatic derivatives' too. All functions are pure. */
-template <class S>
-class BasicModel {{
-public:
-    using Scalar = S;
-    /* By rows, but for columns. */
-    template <int rows, int columns>
-    using Matrix =
-        Eigen::Matrix<S, rows, columns, columns == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
-    template <int rows>
-    using Vector = Matrix<rows, 1>;
-    using JointVector = Vector<n_joints>;
-    /* One column a body: the wrench on it in its own coordinates. */
-    using ExternalForces = Eigen::Matrix<S, 6, n_bodies>;
-
-{bound}    explicit BasicModel(const Parameters& parameters) {{ set(parameters); }}
-
-    void set(const Parameters& parameters)
-    {{
-{setting if given and n_constants else "        (void)parameters;" + chr(10)}    }}
-
-{methods}
-private:
-    S c_[{max(1, n_constants)}] = {{}};
-}};
-
-using Model = BasicModel<{library.options.real}>;
-template <int rows, int columns>
-using Matrix = Model::Matrix<rows, columns>;
-template <int rows>
-using Vector = Model::Vector<rows>;
-using JointVector = Model::JointVector;
-using ExternalForces = Model::ExternalForces;
-
-}} // namespace {library.prefix}
-"""
-
-
-_SIGN = """\
-namespace of_plain_numbers {
-template <class S>
-inline S sign(const S& x)
-{
-    return x > S(0) ? S(1) : x < S(0) ? S(-1) : x;
-}
-} // namespace of_plain_numbers
-
-/* A type of numbers may have a `sign` of its own in its namespace, as CppAD's has. */
-template <class S>
-inline S sign(const S& x)
-{
-    using of_plain_numbers::sign;
-    return sign(x);
-}
-
-"""
+    return fill(
+        template("library.hpp"),
+        STAMP=stamp_comment(library, f"{library.robot_name} in C++14, with Eigen."),
+        PREFIX=library.prefix,
+        NJ=len(library.robot.joint_names),
+        NV=library.robot.n_velocities,
+        NB=len(library.body_names),
+        FIELDS=fields,
+        SIGN=template("sign.hpp") if _has_friction(library) else "",
+        FUNCTIONS=_functions(library),
+        BOUND=bound,
+        SETTING=setting if given and n_constants else "        (void)parameters;\n",
+        METHODS=methods,
+        SIZE=max(1, n_constants),
+        REAL=library.options.real,
+    )
 
 
 def _has_friction(library: Library) -> bool:

@@ -2,9 +2,10 @@
 
 from collections.abc import Iterable
 
-from kindsl.codegen.robcogen.robot import GeneratedRobot, template
+from kindsl.codegen.filling import template
+from kindsl.codegen.robcogen.robot import GeneratedRobot
 
-_TEXT = template("CMakeLists.txt")
+_TEXT = template("robcogen/CMakeLists.txt")
 
 
 def build(robot: GeneratedRobot, files: Iterable[str], has_runtime: bool) -> dict[str, str]:

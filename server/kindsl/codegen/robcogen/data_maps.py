@@ -1,8 +1,9 @@
 """`link_data_map.h` and `joint_data_map.h`: one item a link or joint."""
 
-from kindsl.codegen.robcogen.robot import GeneratedRobot, template
+from kindsl.codegen.filling import template
+from kindsl.codegen.robcogen.robot import GeneratedRobot
 
-_TEXT = template("data_map.h")
+_TEXT = template("robcogen/data_map.h")
 
 
 def data_maps(robot: GeneratedRobot) -> dict[str, str]:

@@ -1,9 +1,10 @@
 """`declarations.h`: sizes, joint vectors, and the identifiers of joints and links."""
 
+from kindsl.codegen.filling import template
 from kindsl.codegen.robcogen import rcg_names
-from kindsl.codegen.robcogen.robot import GeneratedRobot, template
+from kindsl.codegen.robcogen.robot import GeneratedRobot
 
-_TEXT = template("declarations.h")
+_TEXT = template("robcogen/declarations.h")
 
 
 def declarations(robot: GeneratedRobot) -> dict[str, str]:

@@ -3,7 +3,8 @@
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import NamedTuple, TypeAlias
 
-from kindsl.codegen.robcogen.robot import GeneratedRobot, template
+from kindsl.codegen.filling import template
+from kindsl.codegen.robcogen.robot import GeneratedRobot
 from kindsl.dynamics.generation.terms import Scalar
 from kindsl.dynamics.generation.vectors import Vector
 
@@ -15,7 +16,7 @@ _INCLUDES = (
     '"inertia_properties.h"', '"transforms.h"', '"link_data_map.h"',
 )  # fmt: skip
 
-_CLASS = template("engine.h")
+_CLASS = template("robcogen/engine.h")
 
 
 class Engine(NamedTuple):

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from kindsl.codegen.filling import template
 from kindsl.codegen.robcogen.engines import (
     Arguments,
     at_rest,
@@ -9,7 +10,7 @@ from kindsl.codegen.robcogen.engines import (
     parameters,
 )
 from kindsl.codegen.robcogen.link_motions import KEEP_MOTION
-from kindsl.codegen.robcogen.robot import GeneratedRobot, template
+from kindsl.codegen.robcogen.robot import GeneratedRobot
 from kindsl.dynamics.generation.inverse_dynamics import (
     bias_torque,
     inverse_dynamics,
@@ -17,8 +18,8 @@ from kindsl.dynamics.generation.inverse_dynamics import (
 from kindsl.dynamics.generation.terms import Scalar
 from kindsl.dynamics.generation.vectors import ZERO, Vector
 
-_CALLS = template("inverse_dynamics_fixed.h")
-_COMPUTING = template("inverse_dynamics_fixed_private.h")
+_CALLS = template("robcogen/inverse_dynamics_fixed.h")
+_COMPUTING = template("robcogen/inverse_dynamics_fixed_private.h")
 
 
 def fixed_base(robot: GeneratedRobot) -> tuple[str, str, list[str]]:

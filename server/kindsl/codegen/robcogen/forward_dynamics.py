@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from kindsl.codegen.filling import template
 from kindsl.codegen.robcogen.engines import (
     Arguments,
     Engine,
@@ -9,15 +10,15 @@ from kindsl.codegen.robcogen.engines import (
     kernels_under_loads,
     parameters,
 )
-from kindsl.codegen.robcogen.robot import GeneratedRobot, template
+from kindsl.codegen.robcogen.robot import GeneratedRobot
 from kindsl.dynamics.generation.forward_dynamics import forward_dynamics
 from kindsl.dynamics.generation.terms import Scalar
 from kindsl.dynamics.generation.vectors import ZERO, Vector
 
-_FIXED = template("forward_dynamics_fixed.h")
-_FIXED_COMPUTE = template("forward_dynamics_fixed_private.h")
-_FLOATING = template("forward_dynamics_floating.h")
-_FLOATING_COMPUTE = template("forward_dynamics_floating_private.h")
+_FIXED = template("robcogen/forward_dynamics_fixed.h")
+_FIXED_COMPUTE = template("robcogen/forward_dynamics_fixed_private.h")
+_FLOATING = template("robcogen/forward_dynamics_floating.h")
+_FLOATING_COMPUTE = template("robcogen/forward_dynamics_floating_private.h")
 
 
 def forward_dynamics_headers(robot: GeneratedRobot) -> dict[str, str]:

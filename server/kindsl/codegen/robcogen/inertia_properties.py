@@ -1,18 +1,19 @@
 """`inertia_properties.h` and `inertia_properties.impl.h`: masses, centres and moments of links."""
 
+from kindsl.codegen.filling import template
 from kindsl.codegen.robcogen.parameters import names_of
-from kindsl.codegen.robcogen.robot import GeneratedRobot, template
+from kindsl.codegen.robcogen.robot import GeneratedRobot
 from kindsl.dynamics.generation.terms import Scalar
 from kindsl.semantics.declarations import ValueKind
 
-_TEXT = template("inertia_properties.h")
+_TEXT = template("robcogen/inertia_properties.h")
 
 _CONSTRUCTION = """\
     InertiaProperties() { compute(); }
     void updateParameters(const RuntimeInertiaParams&) {}
 """
 
-_WITH_PARAMETERS = template("inertia_properties_parameters.h")
+_WITH_PARAMETERS = template("robcogen/inertia_properties_parameters.h")
 
 
 def inertia_properties(robot: GeneratedRobot) -> dict[str, str]:

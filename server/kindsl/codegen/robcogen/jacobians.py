@@ -2,14 +2,15 @@
 
 from itertools import chain
 
+from kindsl.codegen.filling import template
 from kindsl.codegen.robcogen.parameters import parameter_array, parameters_of_class, setters
-from kindsl.codegen.robcogen.robot import GeneratedRobot, template
+from kindsl.codegen.robcogen.robot import GeneratedRobot
 from kindsl.codegen.robcogen.wanted_names import NamedPair, jacobian_pairs, joints_of
 from kindsl.dynamics.generation.relative_frames import relative_jacobians
 from kindsl.dynamics.generation.terms import Scalar
 
-_TEXT = template("jacobians.h")
-_TYPE = template("jacobian.h")
+_TEXT = template("robcogen/jacobians.h")
+_TYPE = template("robcogen/jacobian.h")
 
 
 def jacobians(robot: GeneratedRobot) -> dict[str, str]:

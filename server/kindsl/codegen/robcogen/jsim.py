@@ -1,18 +1,19 @@
 """`jsim.h` and `jsim.impl.h`: the joint-space inertia matrix."""
 
+from kindsl.codegen.filling import template
 from kindsl.codegen.robcogen.engines import parameters
-from kindsl.codegen.robcogen.robot import GeneratedRobot, template
+from kindsl.codegen.robcogen.robot import GeneratedRobot
 from kindsl.dynamics.generation.composite_bodies import joint_space_inertia
 from kindsl.dynamics.generation.vectors import transpose
 
-_TEXT = template("jsim.h")
+_TEXT = template("robcogen/jsim.h")
 
 _BLOCK_TYPES = """\
     typedef const Eigen::Block<const MatrixType, 6, @NJ@> BlockF_t;
     typedef const Eigen::Block<const MatrixType, @NJ@, @NJ@> BlockFixedBase_t;
 """
 
-_BLOCKS = template("jsim_blocks.h")
+_BLOCKS = template("robcogen/jsim_blocks.h")
 
 
 def jsim(robot: GeneratedRobot) -> dict[str, str]:

@@ -1,7 +1,8 @@
 """The motions of links that inverse dynamics was asked for, computed when a getter asks."""
 
+from kindsl.codegen.filling import template
 from kindsl.codegen.robcogen.engines import parameters
-from kindsl.codegen.robcogen.robot import GeneratedRobot, template
+from kindsl.codegen.robcogen.robot import GeneratedRobot
 
 # The statements that keep a motion for the getters.
 KEEP_MOTION = """\
@@ -11,9 +12,9 @@ KEEP_MOTION = """\
         asked = MOTION;
 """
 
-_STATE = template("link_motions_state.h")
-_PASSES = template("link_motions.h")
-_GETTERS = template("link_getters.h")
+_STATE = template("robcogen/link_motions_state.h")
+_PASSES = template("robcogen/link_motions.h")
+_GETTERS = template("robcogen/link_getters.h")
 
 _BASE_GETTER = """\
     const Force& getForce_@NAME@() const

@@ -2,7 +2,8 @@
 
 from collections.abc import Iterator
 
-from kindsl.codegen.robcogen.robot import GeneratedRobot, template
+from kindsl.codegen.filling import template
+from kindsl.codegen.robcogen.robot import GeneratedRobot
 from kindsl.codegen.robcogen.wanted_names import NamedPair
 from kindsl.dynamics.generation.jacobians import support
 from kindsl.dynamics.generation.robot import PlacedFrame
@@ -14,9 +15,9 @@ MOST_JOINTS = 7
 MOST_JOINTS_OF_LARGE = 2
 
 # T has the columns of rotation and position; X those of a 6x6 transform.
-HELPERS = template("transform_helpers.h")
-_PRODUCT = template("transform_product.h")
-_SHARING = template("transform_of_product.h")
+HELPERS = template("robcogen/transform_helpers.h")
+_PRODUCT = template("robcogen/transform_product.h")
+_SHARING = template("robcogen/transform_of_product.h")
 _STEP = """\
     h_@NAME@_constants<TRAIT>(B);
     h_@NAME@<TRAIT>(@P@q, B);

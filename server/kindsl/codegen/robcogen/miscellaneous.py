@@ -1,9 +1,10 @@
 """`miscellaneous.h` and `miscellaneous.cpp`: the centre of mass."""
 
-from kindsl.codegen.robcogen.robot import GeneratedRobot, template
+from kindsl.codegen.filling import template
+from kindsl.codegen.robcogen.robot import GeneratedRobot
 
-_HEADER = template("miscellaneous.h")
-_SOURCE = template("miscellaneous.cpp")
+_HEADER = template("robcogen/miscellaneous.h")
+_SOURCE = template("robcogen/miscellaneous.cpp")
 
 
 def miscellaneous(robot: GeneratedRobot) -> dict[str, str]:

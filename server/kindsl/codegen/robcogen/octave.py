@@ -2,17 +2,18 @@
 
 from collections.abc import Mapping, Sequence
 
+from kindsl.codegen.filling import template
 from kindsl.codegen.library import Library
 from kindsl.codegen.robcogen.inertia_properties import ten_of
 from kindsl.codegen.robcogen.jacobians import jacobian_columns
-from kindsl.codegen.robcogen.robot import GeneratedRobot, template
+from kindsl.codegen.robcogen.robot import GeneratedRobot
 from kindsl.codegen.robcogen.transforms import KINDS, matrix_of
 from kindsl.codegen.robcogen.wanted_names import jacobian_pairs, transform_pairs
 from kindsl.dynamics.generation.emitters.straight_line import OPERATORS, computed
 from kindsl.dynamics.generation.terms import Operand, Scalar, Term
 from kindsl.dynamics.generation.vectors import Matrix, transpose
 
-_INERTIA = template("inertiaProperties.m")
+_INERTIA = template("robcogen/inertiaProperties.m")
 
 _FIXED = """\
 function tau = inverseDynamics(ip, xm, qd, qdd, varargin)
@@ -31,7 +32,7 @@ function [tau, @BASE@_a] = inverseDynamics(ip, xm, @BASE@_v, gravity, qd, qdd, v
 % own coordinates.
 """
 
-_PASSES = template("inverseDynamics.m")
+_PASSES = template("robcogen/inverseDynamics.m")
 
 _FIXED_REST = """\
     tau = zeros(n, 1);
@@ -52,7 +53,7 @@ _FLOATING_BASE = """\
     end
 """
 
-_FLOATING_REST = template("inverseDynamics_floating.m")
+_FLOATING_REST = template("robcogen/inverseDynamics_floating.m")
 
 _FIXED_BASE = """\
     a(6, 1) = 9.81;

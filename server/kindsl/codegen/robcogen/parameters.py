@@ -2,7 +2,8 @@
 
 from collections.abc import Sequence
 
-from kindsl.codegen.robcogen.robot import GeneratedRobot, template
+from kindsl.codegen.filling import template
+from kindsl.codegen.robcogen.robot import GeneratedRobot
 from kindsl.semantics.declarations import ValueKind
 
 KINEMATIC = {"lengths": ValueKind.LENGTH, "angles": ValueKind.ANGLE}
@@ -20,9 +21,9 @@ public:
 @METHODS@};
 """
 
-_KINEMATICS = template("kinematics_parameters.h")
-_DYNAMICS = template("dynamics_parameters.h")
-_DEFAULT = template("default_dynparams_getter.h")
+_KINEMATICS = template("robcogen/kinematics_parameters.h")
+_DYNAMICS = template("robcogen/dynamics_parameters.h")
+_DEFAULT = template("robcogen/default_dynparams_getter.h")
 
 
 def parameter_headers(robot: GeneratedRobot) -> dict[str, str]:

@@ -1,10 +1,11 @@
 """The names of RobCoGen 0.5, all in `NAME::rcg`: a header that the others include."""
 
-from kindsl.codegen.robcogen.robot import GeneratedRobot, template
+from kindsl.codegen.filling import template
+from kindsl.codegen.robcogen.robot import GeneratedRobot
 
 LAYOUT = "robcogen-0.5"
 
-_TYPES = template("rbd_types.h")
+_TYPES = template("robcogen/rbd_types.h")
 
 _CONSTANTS = """
 #error "constants are in the code: change the document and generate again, or use parameters"

@@ -5,8 +5,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
-from pathlib import Path
 
+from kindsl.codegen.filling import fill
 from kindsl.codegen.library import Library
 from kindsl.codegen.names_in_code import identifiers, prefix_of, whole_name
 from kindsl.dynamics.generation.emitters.cpp_templates import (
@@ -26,13 +26,6 @@ MOST_JOINTS_OF_SMALL = 20
 _TYPES_IN_CLASSES = ("TRAIT", "SCALAR")
 
 DIALECT = TemplateDialect("class TRAIT", "TRAIT::Scalar", "TRAIT", "TRAIT::{}")
-
-_TEMPLATES = Path(__file__).parent / "templates"
-
-
-def template(file: str) -> str:
-    """Return a text of the folder `templates`, to be filled; see `GeneratedRobot.filled`."""
-    return (_TEMPLATES / file).read_text(encoding="utf-8")
 
 
 @dataclass(frozen=True)
@@ -212,12 +205,12 @@ class GeneratedRobot:
     def filled(self, text: str, **values: object) -> str:
         """Return a text in which `@NAME@` stands for a value: a given one, or one of the robot."""
         has_p = self.has_parameters
-        known = {
+        known: dict[str, object] = {
             "NS": self.space, "NJ": self.n_joints, "NV": self.n_velocities, "NB": len(self.bodies),
             "BASE": self.bodies[0], "P": "p, " if has_p else "",
             "TAKES": "const typename TRAIT::Scalar* p, " if has_p else "", **values,
         }  # fmt: skip
-        return re.sub(r"@(\w+)@", lambda match: str(known[match[1]]), text)
+        return fill(text, **known)
 
 
 def _distinct(names: Iterable[str]) -> list[str]:

@@ -1,8 +1,9 @@
 """`traits.h`: the types of one robot for one type of numbers."""
 
-from kindsl.codegen.robcogen.robot import GeneratedRobot, template
+from kindsl.codegen.filling import template
+from kindsl.codegen.robcogen.robot import GeneratedRobot
 
-_TEXT = template("traits.h")
+_TEXT = template("robcogen/traits.h")
 
 
 def traits(robot: GeneratedRobot) -> dict[str, str]:

@@ -3,15 +3,16 @@
 from itertools import chain
 from typing import NamedTuple
 
+from kindsl.codegen.filling import template
 from kindsl.codegen.robcogen.long_transforms import HELPERS, is_long, long_kernels
 from kindsl.codegen.robcogen.parameters import groups, parameter_array, parameters_of_class, setters
-from kindsl.codegen.robcogen.robot import GeneratedRobot, template
+from kindsl.codegen.robcogen.robot import GeneratedRobot
 from kindsl.codegen.robcogen.wanted_names import transform_pairs
 from kindsl.dynamics.generation.vectors import Matrix, Vector, multiply, transpose
 
-_BASES = template("transforms.h")
-_CONTAINER = template("transforms_container.h")
-_TYPE = template("transform.h")
+_BASES = template("robcogen/transforms.h")
+_CONTAINER = template("robcogen/transforms_container.h")
+_TYPE = template("robcogen/transform.h")
 _CASE = """\
     case @LINK@:
         m_@NAME@_constants<TRAIT>(X);
