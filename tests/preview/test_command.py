@@ -12,6 +12,10 @@ from tests.preview.robots import ARM, BROKEN_ARM, PARAMETRIC_ARM, require
 from tests.preview.websocket import connected, first_part, whole_state
 from tests.support.ports import free_port
 
+from kindsl.analysis.analysis import analyse
+from kindsl.interchange.format import ORDINARY
+from kindsl.interchange.registry import format_named
+
 DRIVER = (
     "import argparse, sys; from kindsl.cli import preview; parser = argparse.ArgumentParser();"
     "preview.add_arguments(parser); sys.exit(preview.run(parser.parse_args()))"
@@ -157,6 +161,16 @@ async def test_it_begins_with_a_pose_of_the_configuration(tmp_path, file):
     code, _, err = await run(tmp_path, file, "--export", page, "--pose", "down")
     assert code == 2
     assert "kindsl.toml names no pose 'down'" in err
+
+
+async def test_meshes_that_a_page_lacks_are_told(tmp_path, file):
+    urdf, mesh = tmp_path / "arm.urdf", '<visual><geometry><mesh filename="x.stl"/></geometry>'
+    written = format_named("urdf").write("arm", analyse(ARM).skeleton(), ORDINARY).text
+    urdf.write_text(written.replace('<link name="upper">', f'<link name="upper">{mesh}</visual>'))
+    page = tmp_path / "x.html"
+    code, _, err = await run(tmp_path, file, "--export", page, "--meshes", urdf)
+    assert code == 0
+    assert err == f"{urdf}: 1 mesh left out, not found in '{tmp_path.name}': x.stl\n"
 
 
 async def test_export_writes_a_page_and_ends(tmp_path, file):

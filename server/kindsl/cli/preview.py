@@ -10,6 +10,7 @@ import argparse
 import os
 import sys
 from functools import partial
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -121,6 +122,7 @@ def _write(args: argparse.Namespace, other: "OtherRobot | None") -> None:
     from kindsl.preview.export import exported_page
     from kindsl.preview.meshes import mesh_data
     from kindsl.scene.formulas import formula_messages
+    from kindsl.scene.messages import MeshesMessage
 
     analysis = read_document(args.file, choices_of(args))
     document = _document(args.file, analysis, other)
@@ -133,6 +135,9 @@ def _write(args: argparse.Namespace, other: "OtherRobot | None") -> None:
     if motion is not None:
         document.play(*motion)
     state = document.channel.state
+    lost = (each.problems for each in state if isinstance(each, MeshesMessage))
+    for problem in chain.from_iterable(lost):
+        print(f"{args.meshes}: {problem}", file=sys.stderr)
     formulas = formula_messages(analysis.model, analysis.context.values)
     page = exported_page([*state, *formulas, *mesh_data(document.mesh_files)])
     if args.export:
