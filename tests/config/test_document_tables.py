@@ -65,7 +65,7 @@ POSE = {"wrist": 0.5, "elbow": -1.25}
     [
         ("", '[[document]]\npath = "arm.kindsl"\n[document.poses.stand]\n'),
         ("[joints.wrist]\nmax = 3.0\n", "\n[document.poses.stand]\n"),
-        ('[[document]]\npath = "arm.kindsl"\n\n\n', "[document.poses.stand]\n"),
+        ('[[document]]\npath = "arm.kindsl"\n\n\n', '"arm.kindsl"\n\n[document.poses.stand]\n'),
         ('[[document]]\npath = "leg.kindsl"\n', 'path = "arm.kindsl"\n[document.poses.stand]\n'),
         ('[[document]]\npath = "arm.kindsl"\n[poses.sit]\nwrist = 1.0', "\n[document.poses.stand]"),
         ("[poses.stand]\nwrist = 1.0\n", "\n[document.poses.stand]\n"),

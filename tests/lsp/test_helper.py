@@ -141,6 +141,7 @@ async def test_a_large_workspace_is_read_ahead_and_stopped_at_once(
     with session_with() as (session, _):
         session.workspace.add_folders([folder_of(tmp_path)])
         jobs = counted(session, monkeypatch)
+        monkeypatch.setattr(symbols, "_MANY", 4)
         await read_ahead(session)
         assert jobs == []
         monkeypatch.setattr(symbols, "_MANY", 3)

@@ -33,6 +33,9 @@ class EditorSettings(NamedTuple):
     problems: tuple[str, ...] = ()
 
 
+_USUAL = EditorSettings()
+
+
 def editor_settings(raw: object) -> EditorSettings:
     """Read the section `kindsl`, or an object around it; never raises.
 
@@ -47,7 +50,7 @@ def editor_settings(raw: object) -> EditorSettings:
         severity=section.read("severity", {}, _severities),
         bindings=section.read("parameters", {}, _bindings),
     )
-    delay = section.read("diagnostics.delay", 0.1, _milliseconds)
+    delay = section.read("diagnostics.delay", _USUAL.diagnostics_delay, _milliseconds)
     hints: dict[str, bool] = section.read("inlayHints", {}, _switches)
     return EditorSettings(rules, delay, hints, tuple(section.problems))
 
