@@ -7,7 +7,7 @@ from tests.cli.conftest import Runner
 from tests.comparison.trials import ARM, described_text
 from tests.comparison.variants import urdf_of, variant
 
-from kindsl.reports.review.mechanics_page import MOVED
+from kindsl.reports.review.mechanics_page import HEAVIER, MOVED
 
 
 @pytest.fixture
@@ -33,6 +33,30 @@ def test_what_differs_is_told_and_drawn_on_both_sides(kindsl: Runner, arm: Path)
     assert MOVED in before
     assert MOVED in after
     assert "before.svg" not in Path("out/comment.md").read_text()
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "colors"),
+    [
+        ('value="1.3"', 'value="1.4"', {HEAVIER}),
+        ('xyz="0.35', 'xyz="0.45', {MOVED}),
+        ('xyz="0.125', 'xyz="0.25', {MOVED}),
+        ("arm", "robot", set()),
+    ],
+)
+def test_colours_tell_what_moved_and_what_is_heavier(
+    kindsl: Runner, arm: Path, old: str, new: str, colors: set[str]
+) -> None:
+    frame = "frames { tip { translation = (0.125, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) } }\n    "
+    arm.write_text(ARM.replace("children {}", f"children {{}} {frame}"))
+    kindsl("convert", "-q", arm, "arm.urdf")
+    text = Path("arm.urdf").read_text()
+    assert text.count(old) == 1
+    Path("arm.urdf").write_text(text.replace(old, new))
+    assert kindsl("review", arm.name, "arm.urdf", "-o", "out").status == 0
+    for side in ("before", "after"):
+        picture = Path(f"out/{side}.svg").read_text()
+        assert {color for color in (MOVED, HEAVIER) if color in picture} == colors
 
 
 def test_conventions_are_listed_and_both_pictures_are_one(kindsl: Runner, arm: Path) -> None:
