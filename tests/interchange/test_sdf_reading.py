@@ -177,6 +177,8 @@ def test_included_models_are_the_robot_that_they_make(tmp_path: Path) -> None:
     for name, file, text in (("forearm", "arm.sdf", FOREARM), ("hand", "v2.sdf", HAND)):
         (models / name).mkdir(parents=True)
         (models / name / file).write_text(text)
+    for name in ("old.sdf", "model.sdf"):
+        (models / "hand" / name).write_text("<sdf/>")
     manifest = "<model><sdf version='1.6'>old.sdf</sdf><sdf version='1.9'>v2.sdf</sdf></model>"
     (models / "hand" / "model.config").write_text(manifest)
     path = tmp_path / "arm.sdf"
@@ -193,6 +195,10 @@ def test_included_models_are_the_robot_that_they_make(tmp_path: Path) -> None:
         H, other_H = ours.joint_space_inertia(q), plain.joint_space_inertia(q)
         np.testing.assert_allclose(H, other_H, atol=1e-12)
     assert found.joints["leg::slider"].limits == (-1.0, 2.0)
+    (models / "hand" / "model.config").unlink()
+    (models / "hand" / "v2.sdf").rename(models / "hand" / "model.sdf")
+    again = format.read(path, ReadingChoices(model_paths=(models,)))
+    assert kindsl_text(again.robot) == kindsl_text(found.robot)
 
 
 def test_a_model_that_includes_itself_is_refused(tmp_path: Path) -> None:

@@ -71,20 +71,17 @@ def _path_of(uri: str, searched: Sequence[Path]) -> Path | None:
 
 def _file_in(folder: Path) -> Path | None:
     """Return the SDF file of a model's folder, the newest where its manifest names several."""
-    manifest = folder / "model.config"
-    if manifest.is_file():
-        from kindsl.interchange.xml_reading import XmlError, parsed_xml
+    from kindsl.interchange.xml_reading import XmlError, parsed_xml
 
-        try:
-            files = parsed_xml(manifest.read_bytes()).findall("sdf")
-        except (OSError, XmlError):
-            files = []
-        named = [folder / (file.text or "").strip() for file in files]
-        found = [path for path in named if path.is_file()]
-        if found:
-            return found[-1]
-    plain = folder / "model.sdf"
-    return plain if plain.is_file() else None
+    manifest = folder / "model.config"
+    try:
+        require_regular(str(manifest))
+        files = parsed_xml(manifest.read_bytes()).findall("sdf")
+    except (OSError, XmlError):
+        files = []
+    named = [folder / (file.text or "").strip() for file in files]
+    found = [path for path in (folder / "model.sdf", *named) if path.is_file()]
+    return found[-1] if found else None
 
 
 def _model_of(path: Path) -> Any:
