@@ -73,6 +73,18 @@ async def test_a_document_is_published_when_it_is_opened_and_after_the_last_keys
         assert cleared == {"uri": URI, "diagnostics": []}
 
 
+async def test_what_a_document_needs_is_set_aside_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    told_of: list[str] = []
+    monkeypatch.setattr(publishing.memory, "set_aside", lambda: told_of.append("once"))
+    with session_with() as (session, told):
+        for uri in (URI, "untitled:b"):
+            opened(session, uri, GOOD, 1)
+            await published(told, uri)
+            change(session, uri, 2, INTEGER)
+            await published(told, uri, 2)
+    assert len(told_of) == 2
+
+
 async def test_who_listens_hears_what_was_found() -> None:
     with session_with() as (session, told):
         heard: list[tuple[int | None, int]] = []

@@ -35,12 +35,14 @@ def bound(
     place = _place(state, shown)
     if place is None:
         return None
-    if place.is_new:
+    document, is_new = place
+    if is_new:
         text = "\n".join(("[parameters]", *parameter_lines(values), ""))
-        return place._replace(edit=TextEdit(0, 0, text))
-    file, document = str(uris.path(place.document.uri)), str(uris.path(shown.uri))
-    edit = binding_edit(file, place.document.text, document, values)
-    return None if edit is None else place._replace(edit=edit)
+        edit: TextEdit | None = difference(document.text, text)
+    else:
+        file, robot = str(uris.path(document.uri)), str(uris.path(shown.uri))
+        edit = binding_edit(file, document.text, robot, values)
+    return None if edit is None else ConfigurationEdit(document, is_new, edit)
 
 
 def posed(
@@ -52,21 +54,24 @@ def posed(
     place = _place(state, shown)
     if place is None:
         return None
-    file, text = str(uris.path(place.document.uri)), place.document.text
+    document, is_new = place
     try:
-        new = with_pose(file, text, str(uris.path(shown.uri)), name, joints)
+        new = with_pose(
+            str(uris.path(document.uri)), document.text, str(uris.path(shown.uri)), name, joints
+        )
     except ConfigurationError:
         return None
-    return None if new is None else place._replace(edit=difference(text, new))
+    if new is None:
+        return None
+    return ConfigurationEdit(document, is_new, difference(document.text, new))
 
 
-def _place(state: State, shown: Document) -> ConfigurationEdit | None:
-    """Return the configuration file of a document, with nothing to be written yet."""
-    nothing = TextEdit(0, 0, "")
+def _place(state: State, shown: Document) -> tuple[Document, bool] | None:
+    """Return the configuration file of a document, and whether it is to be made."""
     file = state.workspace.configuration_file(shown)
     if file is not None:
         found = state.documents.get(uris.uri(file))
-        return None if found is None else ConfigurationEdit(found, False, nothing)
+        return None if found is None else (found, False)
     from kindsl.config.discovery import nearest_configuration
 
     path = uris.path(shown.uri)
@@ -74,5 +79,4 @@ def _place(state: State, shown: Document) -> ConfigurationEdit | None:
         return None  # nowhere to write it, or a file decides that says something wrong
     around = [folder for folder in state.workspace.paths() if path.is_relative_to(folder)]
     file = max(around, key=lambda folder: len(folder.parts), default=path.parent) / OWN_FILE
-    empty = document(uris.uri(file), None, "", shown.encoding)
-    return ConfigurationEdit(empty, True, nothing)
+    return document(uris.uri(file), None, "", shown.encoding), True

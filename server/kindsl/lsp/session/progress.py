@@ -43,13 +43,13 @@ class Progress:
         return self
 
     async def report(self, done: int, total: int) -> None:
-        """Tell how much is done, when that is a per cent more than told before."""
+        """Tell how much is done of something, when that is a per cent more than told before."""
         if self._may_begin and time.monotonic() - self._start > _PATIENCE:
             await self._begin()
-        percentage = _WHOLE * done // max(total, 1)
+        percentage = _WHOLE * done // total
         if percentage > self._shown:
             self._shown = percentage
-            self._send(types.WorkDoneProgressReport(percentage=min(percentage, _WHOLE)))
+            self._send(types.WorkDoneProgressReport(percentage=percentage))
 
     async def over(self, items: Sequence[S], work: Callable[[S], Awaitable[T]]) -> AsyncIterator[T]:
         """Yield what work on each item comes to, some at a time; tell how much is done."""
