@@ -3,58 +3,33 @@
 from collections.abc import Mapping
 
 from kindsl.codegen.c_text import batch_declaration, declaration, macro, stamp_comment
+from kindsl.codegen.filling import fill, template
 from kindsl.codegen.library import Library
 from kindsl.dynamics.generation.function import Function
-
-CONVENTIONS = """\
-/* SI units and radians. Vectors are in base coordinates unless said otherwise; spatial vectors hold
- * the angular part first. Matrices are stored by rows. Joints are in the order of the links' ids.
- * With a floating base its six rows and columns come first.
- *
- * Functions are pure: no allocation, no global state, no errno. Arguments must not overlap results.
- * What is not finite, or a motion that nothing resists, gives results that are not finite.
- */
-"""
 
 
 def header(library: Library) -> str:
     """Return the header."""
-    P, p = macro(library), library.prefix
-    return f"""\
-{stamp_comment(library, f"Kinematics and dynamics of {library.robot_name}.")}
-{CONVENTIONS}#ifndef {P}_H
-#define {P}_H
-#ifdef __cplusplus
-extern "C" {{
-#endif
-
-#define {P}_DOCUMENT_SHA256 "{library.stamp.sha256}"
-#define {P}_NJ {len(library.robot.joint_names)} /* joints */
-#define {P}_NV {library.robot.n_velocities} /* velocity variables */
-#define {P}_NB {len(library.body_names)} /* bodies, base first */
-#define {P}_NPOSES {len(library.pose_names)} /* links, then frames */
-
-typedef {library.options.real} {p}_real;
-
-{_enumeration(library, "joint", library.joint_names)}
-{_enumeration(library, "body", library.body_names)}
-{_enumeration(library, "pose", library.pose_names)}
-{_parameter_struct(library)}
-/* What depends on parameters only, computed once. */
-typedef struct {p}_model {{
-    {p}_real c[{max(1, len(library.setup))}];
-}} {p}_model;
-
-{_setup_declarations(library)}
-{_functions(library)}
-/* The same for n configurations: arguments and results hold n of them one after the other, but
- * there is one g for all. */
-{_batches(library)}
-#ifdef __cplusplus
-}}
-#endif
-#endif
-"""
+    return fill(
+        template("library.h"),
+        STAMP=stamp_comment(library, f"Kinematics and dynamics of {library.robot_name}."),
+        MACRO=macro(library),
+        SHA256=library.stamp.sha256,
+        NJ=len(library.robot.joint_names),
+        NV=library.robot.n_velocities,
+        NB=len(library.body_names),
+        NPOSES=len(library.pose_names),
+        REAL=library.options.real,
+        PREFIX=library.prefix,
+        JOINTS=_enumeration(library, "joint", library.joint_names),
+        BODIES=_enumeration(library, "body", library.body_names),
+        POSES=_enumeration(library, "pose", library.pose_names),
+        PARAMETERS=_parameter_struct(library),
+        SIZE=max(1, len(library.setup)),
+        SETUP=_setup_declarations(library),
+        FUNCTIONS=_functions(library),
+        BATCHES=_batches(library),
+    )
 
 
 def _enumeration(library: Library, kind: str, names: Mapping[str, str]) -> str:

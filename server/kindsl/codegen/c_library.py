@@ -42,7 +42,7 @@ def c_files(library: Library, reference: Reference, parameters: dict[str, float]
     return {
         **files,
         f"{p}_test.c": test_program(library, reference, parameters, f'#include "{p}.h"'),
-        "CMakeLists.txt": cmake_lists(library, names),
+        "CMakeLists.txt": cmake_lists(library, "C", f"{p}.h", names),
         "README.md": readme(library, _usage(library)),
     }
 

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Sequence
 
-from kindsl.codegen.c_build import beginning, installation
+from kindsl.codegen.c_build import cmake_lists
 from kindsl.codegen.c_test_program import test_program
 from kindsl.codegen.c_text import EXTERNAL, stamp_comment
 from kindsl.codegen.filling import fill, template
@@ -196,32 +196,11 @@ static void {p}_model_init({p}_model *m, const {p}_parameters *parameters)
     return re.sub(r"\bNULL\b", "nullptr", text).replace(f"    {p}_model model;", f"    {start};")
 
 
-def _cmake(library: Library) -> str:
-    p = library.prefix
-    return f"""\
-{beginning(library, "CXX")}
-find_package(Eigen3 REQUIRED NO_MODULE)
-add_library({p} INTERFACE)
-add_library({p}::{p} ALIAS {p})
-target_compile_features({p} INTERFACE cxx_std_14)
-target_link_libraries({p} INTERFACE Eigen3::Eigen)
-target_include_directories({p} INTERFACE
-  $<BUILD_INTERFACE:${{CMAKE_CURRENT_SOURCE_DIR}}>
-  $<INSTALL_INTERFACE:${{CMAKE_INSTALL_INCLUDEDIR}}>)
-
-if(BUILD_TESTING)
-  add_executable({p}_test {p}_test.cpp)
-  target_link_libraries({p}_test PRIVATE {p})
-  add_test(NAME {p}_test COMMAND {p}_test)
-endif()
-{installation(p, f"{p}.hpp")}"""
-
-
 def _files(library: Library, reference: Reference, parameters: dict[str, float]) -> dict[str, str]:
     return {
         f"{library.prefix}.hpp": cpp_header(library),
         f"{library.prefix}_test.cpp": _test(library, reference, parameters),
-        "CMakeLists.txt": _cmake(library),
+        "CMakeLists.txt": cmake_lists(library, "CXX", f"{library.prefix}.hpp"),
         "README.md": readme(library, _usage(library)),
     }
 

@@ -1,5 +1,6 @@
 """Writes functions as a CPython extension that reads and fills NumPy arrays."""
 
+import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
@@ -10,6 +11,7 @@ from kindsl.dynamics.generation.terms import Graph, Scalar
 
 MODULE = "compiled_mechanism"
 RUNTIME = Path(__file__).with_name("extension_runtime.c")
+TABLES = Path(__file__).with_name("extension_module.c")
 PLAIN = Dialect("double", "", "KEPT_APART ")
 
 
@@ -152,50 +154,11 @@ def _tables(kernels: Sequence[Kernel]) -> str:
     names = "".join(f'#define KERNELS_NAME_{i} "{k.name}"\n' for i, k in enumerate(kernels))
     entries = "".join(f"ENTRY({i})\n" for i in range(len(kernels)))
     methods = ",\n    ".join(f"METHOD({i})" for i in range(len(kernels)))
-    return f"""\
-static const kernel KERNELS[{len(kernels)}] = {{
-{rows}
-}};
-{names}{entries}
-static PyMethodDef METHODS[{len(kernels)}] = {{
-    {methods}
-}};
-
-static PyObject *bind(PyObject *module, PyObject *args)
-{{
-    const char *name;
-    PyObject *python, *class, *batches, *self, *function = NULL;
-    (void)module;
-    if (!PyArg_ParseTuple(args, "sOOO", &name, &python, &class, &batches)) {{
-        return NULL;
-    }}
-    for (size_t i = 0; i < sizeof METHODS / sizeof METHODS[0]; i++) {{
-        if (strcmp(METHODS[i].ml_name, name) == 0) {{
-            self = PyTuple_Pack(3, python, class, batches);
-            if (self != NULL) {{
-                function = PyCFunction_New(&METHODS[i], self);
-                Py_DECREF(self);
-            }}
-            return function;
-        }}
-    }}
-    PyErr_SetString(PyExc_KeyError, name);
-    return NULL;
-}}
-
-static PyMethodDef MODULE_METHODS[] = {{
-    {{"bind", bind, METH_VARARGS, NULL}}, {{NULL, NULL, 0, NULL}}}};
-static struct PyModuleDef DEFINITION = {{
-    PyModuleDef_HEAD_INIT, "{MODULE}", NULL, -1, MODULE_METHODS, NULL, NULL, NULL, NULL}};
-
-PyMODINIT_FUNC PyInit_{MODULE}(void)
-{{
-    (void)ZEROS;
-    (void)GRAVITY;
-    import_array();
-    return PyModule_Create(&DEFINITION);
-}}
-"""
+    texts = {
+        "COUNT": str(len(kernels)), "ROWS": rows, "NAMES": names, "ENTRIES": entries,
+        "METHODS": methods, "MODULE": MODULE,
+    }  # fmt: skip
+    return re.sub(r"@(\w+)@", lambda m: texts[m[1]], TABLES.read_text(encoding="utf-8"))
 
 
 def _row(number: int, kernel: Kernel) -> str:
