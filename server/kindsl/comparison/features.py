@@ -1,12 +1,12 @@
 """Frames that a body's lines and points define, whatever its link frame is."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from itertools import pairwise
 from math import hypot, sqrt
 from typing import NamedTuple
 
 from kindsl.rigid.body import MassDistribution, eigensystem, second_moments_about_com, seen_from
-from kindsl.rigid.pose import IDENTITY, RigidPose, Vector3, transposed
+from kindsl.rigid.pose import IDENTITY, RigidPose, Vector3, cross, dot, minus, scaled, transposed
 
 _PARALLEL = 0.05
 _ALIKE = 0.01
@@ -119,11 +119,11 @@ def _principal_axis(mass: MassDistribution) -> Vector3:
 
 def _frame(origin: Vector3, along: Vector3, beside: Vector3) -> RigidPose | None:
     """Return the frame with z along one direction and x as near to another as can be."""
-    across = minus(beside, _scaled(along, dot(beside, along)))
+    across = minus(beside, scaled(along, dot(beside, along)))
     length, size = hypot(*across), hypot(*beside)
     if length <= _PARALLEL * size or length < 1e-9:
         return None
-    x = _scaled(across, 1.0 / length)
+    x = scaled(across, 1.0 / length)
     return RigidPose(transposed((x, cross(along, x), along)), origin)
 
 
@@ -141,21 +141,6 @@ def lines_apart(line: AxisLine, other: AxisLine) -> tuple[float, float]:
     return sine, hypot(*minus(other.point, foot))
 
 
-def dot(a: Sequence[float], b: Sequence[float]) -> float:
-    """Return the scalar product."""
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-def cross(a: Vector3, b: Vector3) -> Vector3:
-    """Return the vector product."""
-    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
-
-
-def minus(a: Vector3, b: Vector3) -> Vector3:
-    """Return the difference."""
-    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
-
-
 def second_moment_gap(one: MassDistribution, other: MassDistribution) -> float:
     """Return the greatest difference of the second moments about the centres, beside the least."""
     a, b = second_moments_about_com(one), second_moments_about_com(other)
@@ -165,8 +150,3 @@ def second_moment_gap(one: MassDistribution, other: MassDistribution) -> float:
 
 def _moved(point: Vector3, direction: Vector3, way: float) -> Vector3:
     return tuple(p + way * d for p, d in zip(point, direction, strict=True))  # type: ignore[return-value]
-
-
-def _scaled(vector: Vector3, factor: float) -> Vector3:
-    x, y, z = vector
-    return factor * x, factor * y, factor * z

@@ -90,7 +90,7 @@ def _drag(data: Mapping[str, Any]) -> Drag | None:
     revision = data.get("revision")
     if kind not in _KINDS or phase not in _PHASES or not (is_name(name) and is_name(component)):
         return None
-    if not (_is_number(value) and _is_number(revision) and (step is None or _is_number(step))):
+    if not (is_number(value) and is_number(revision) and (step is None or is_number(step))):
         return None
     snap = None if step is None else float(step)
     thing = (str(kind), str(name), str(component))
@@ -101,13 +101,13 @@ def _drag(data: Mapping[str, Any]) -> Drag | None:
 def _plan(data: Mapping[str, Any]) -> Plan | None:
     gesture, name, revision = data.get("gesture"), data.get("name", ""), data.get("revision")
     point, joints = data.get("point", [0.0, 0.0, 0.0]), data.get("joints", {})
-    if gesture not in _PLANS or not (name == "" or is_name(name)) or not _is_number(revision):
+    if gesture not in _PLANS or not (name == "" or is_name(name)) or not is_number(revision):
         return None
-    if not isinstance(point, list) or len(point) != 3 or not all(map(_is_number, point)):
+    if not isinstance(point, list) or len(point) != 3 or not all(map(is_number, point)):
         return None
     if not isinstance(joints, dict) or len(joints) > _MOST_JOINTS:
         return None
-    known = {k: float(v) for k, v in joints.items() if is_name(k) and _is_number(v)}
+    known = {k: float(v) for k, v in joints.items() if is_name(k) and is_number(v)}
     x, y, z = map(float, point)
     accepted = data.get("accepted") is True
     return Plan(str(gesture), str(name), (x, y, z), known, accepted, int(revision))
@@ -118,6 +118,7 @@ def is_name(value: object) -> TypeGuard[str]:
     return isinstance(value, str) and 0 < len(value) <= _LONGEST_NAME and value.isprintable()
 
 
-def _is_number(value: Any) -> TypeGuard[float]:
+def is_number(value: Any) -> TypeGuard[float]:
+    """Return whether a page may mean a number by it: finite, and not beyond all measure."""
     is_real = isinstance(value, int | float) and not isinstance(value, bool)
     return is_real and abs(value) < 1e12 and math.isfinite(value)

@@ -1,10 +1,15 @@
 """Requests of a page: its messages, checked."""
 
 import json
-import math
 from typing import Any, NamedTuple
 
-from kindsl.preview.gesture_requests import GESTURES, GestureRequest, gesture_request, is_name
+from kindsl.preview.gesture_requests import (
+    GESTURES,
+    GestureRequest,
+    gesture_request,
+    is_name,
+    is_number,
+)
 
 MOST_BYTES = 1 << 16
 _REVEALED = ("link", "joint", "frame", "parameter", "finding")
@@ -106,10 +111,10 @@ def request_of(data: object) -> Request | None:
 
 def _named_request(data: dict[str, Any], name: str, value: object) -> Request | None:
     kind = data.get("type")
-    if kind == "set-joint" and _is_number(value):
-        return SetJoint(name, float(value))  # type: ignore[arg-type]
-    if kind == "set-parameter" and (value is None or _is_number(value)):
-        return SetParameters({name: None if value is None else float(value)})  # type: ignore[arg-type]
+    if kind == "set-joint" and is_number(value):
+        return SetJoint(name, float(value))
+    if kind == "set-parameter" and (value is None or is_number(value)):
+        return SetParameters({name: None if value is None else float(value)})
     if kind == "keep-pose":
         return KeepPose(name, _numbers(data.get("values")))
     if kind == "reveal" and data.get("kind") in _REVEALED:
@@ -120,9 +125,4 @@ def _named_request(data: dict[str, Any], name: str, value: object) -> Request | 
 def _numbers(data: object) -> dict[str, float]:
     if not isinstance(data, dict):
         return {}
-    return {k: float(v) for k, v in data.items() if is_name(k) and _is_number(v)}
-
-
-def _is_number(value: object) -> bool:
-    is_real = isinstance(value, int | float) and not isinstance(value, bool)
-    return is_real and abs(value) < 1e12 and math.isfinite(value)  # type: ignore[arg-type]
+    return {k: float(v) for k, v in data.items() if is_name(k) and is_number(v)}

@@ -182,6 +182,17 @@ def dot(a: Vector3, b: Vector3) -> float:
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
+def minus(a: Vector3, b: Vector3) -> Vector3:
+    """Return the difference."""
+    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
+
+
+def scaled(vector: Vector3, factor: float) -> Vector3:
+    """Return a multiple of a vector."""
+    x, y, z = vector
+    return factor * x, factor * y, factor * z
+
+
 def cross(a: Vector3, b: Vector3) -> Vector3:
     """Return the vector product."""
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]

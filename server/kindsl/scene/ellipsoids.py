@@ -5,7 +5,7 @@ from math import sqrt
 from typing import NamedTuple
 
 from kindsl.rigid.body import MassDistribution, eigensystem, moments_of, second_moments_about_com
-from kindsl.rigid.pose import Vector3, cross
+from kindsl.rigid.pose import Vector3, cross, scaled
 from kindsl.rigid.solid import TOLERANCE
 
 # As in Drake: an axis is never drawn thinner than this share of the largest.
@@ -46,10 +46,5 @@ def inertia_ellipsoid(body: MassDistribution) -> InertiaEllipsoid:
         sqrt(5.0 * max(pair.value, thinnest) / body.mass) for pair in (least, middle, largest)
     ]
     axes = (least.axis, middle.axis, cross(least.axis, middle.axis))
-    a, b, c = (_scaled(axis, length) for axis, length in zip(axes, lengths, strict=True))
+    a, b, c = (scaled(axis, length) for axis, length in zip(axes, lengths, strict=True))
     return InertiaEllipsoid((a, b, c), about_com, is_consistent)
-
-
-def _scaled(vector: Vector3, factor: float) -> Vector3:
-    x, y, z = vector
-    return factor * x, factor * y, factor * z

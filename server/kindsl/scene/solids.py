@@ -9,7 +9,7 @@ from typing import Literal, NamedTuple, TypeAlias
 from kindsl.mechanism.body_verdicts import body_verdicts
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.rigid.body import NO_BODY, MassDistribution, principal_moments_about_com
-from kindsl.rigid.pose import RigidPose, Vector3, dot
+from kindsl.rigid.pose import RigidPose, Vector3, dot, minus
 from kindsl.rigid.solid import Solid, equivalent_solid
 from kindsl.scene.size import Extent, Segment
 
@@ -221,7 +221,7 @@ def _strut(core: Solid, ends: Sequence[Vector3]) -> tuple[Vector3, ...]:
     """Return the way from the nearest bone to the centre of mass, empty where they touch."""
     places = [_nearest(core.center, end) for end in ends] or [(0.0, 0.0, 0.0)]
     place = min(places, key=lambda place: math.dist(place, core.center))
-    way = _difference(place, core.center)
+    way = minus(place, core.center)
     is_touched = dot(way, core.support(way)) >= dot(way, place)
     return () if is_touched else (place, core.center)
 
@@ -255,7 +255,3 @@ def _sinks(link: LinkSolid, pose: RigidPose, extent: Extent) -> bool:
         return False
     x, y, z = pose.rotation[2]
     return pose.point(core.support((-x, -y, -z)))[2] < limit
-
-
-def _difference(a: Vector3, b: Vector3) -> Vector3:
-    return a[0] - b[0], a[1] - b[1], a[2] - b[2]

@@ -5,7 +5,7 @@ from math import cos, radians, sin
 from typing import NamedTuple
 
 from kindsl.reports.drawing.shapes import Spot
-from kindsl.rigid.pose import Vector3
+from kindsl.rigid.pose import Vector3, dot
 
 WIDTH, HEIGHT = 640.0, 480.0
 _MARGIN = 56.0
@@ -45,7 +45,7 @@ def across(angle: float) -> Vector3:
 
 def depth(point: Vector3) -> float:
     """Return how far out of the sheet a point is, metres."""
-    return _dot(_OUT, point)
+    return dot(_OUT, point)
 
 
 def camera_for(points: Sequence[Vector3]) -> Camera:
@@ -62,8 +62,4 @@ def camera_for(points: Sequence[Vector3]) -> Camera:
 
 
 def _flat(point: Vector3) -> tuple[float, float]:
-    return _dot(_RIGHT, point), _dot(_UP, point)
-
-
-def _dot(a: Vector3, b: Vector3) -> float:
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    return dot(_RIGHT, point), dot(_UP, point)
