@@ -22,7 +22,7 @@ from kindsl.dynamics.generation.terms import Scalar
 FIXED = {"v0": 6, "a0": 6, "g": 3}
 # The argument that holds what parameters decide.
 CONSTANTS = "constants"
-DIALECT = TemplateDialect("class S", "S", "S", "detail::{}")
+DIALECT = TemplateDialect("class S", "S", "S", "detail::{}({})")
 
 
 def cpp_header(library: Library) -> str:

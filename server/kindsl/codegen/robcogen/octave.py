@@ -9,7 +9,7 @@ from kindsl.codegen.robcogen.jacobians import jacobian_columns
 from kindsl.codegen.robcogen.robot import GeneratedRobot
 from kindsl.codegen.robcogen.transforms import KINDS, matrix_of
 from kindsl.codegen.robcogen.wanted_names import jacobian_pairs, transform_pairs
-from kindsl.dynamics.generation.emitters.straight_line import OPERATORS, computed
+from kindsl.dynamics.generation.emitters.straight_line import computed, operation_text
 from kindsl.dynamics.generation.terms import Operand, Scalar, Term
 from kindsl.dynamics.generation.vectors import Matrix, transpose
 
@@ -154,11 +154,7 @@ def _lines(
     lines = []
     for node in computed(graph, list(values.values()), known):
         operation, *operands = graph.nodes[node]
-        words = [word(operand) for operand in operands]
-        if operation in OPERATORS:
-            text = f"{words[0]} {operation} {words[1]}"
-        else:
-            text = f"-{words[0]}" if operation == "neg" else f"{operation}({words[0]})"
+        text = operation_text(operation, [word(operand) for operand in operands])
         lines.append(f"    x{node} = {text};")
     for place, value in values.items():
         lines.append(f"    {place} = {word(value.index if isinstance(value, Term) else value)};")

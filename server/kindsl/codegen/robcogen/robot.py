@@ -25,7 +25,7 @@ MOST_JOINTS_OF_SMALL = 20
 # Enumerators of these names would be hidden where classes use them.
 _TYPES_IN_CLASSES = ("TRAIT", "SCALAR")
 
-DIALECT = TemplateDialect("class TRAIT", "TRAIT::Scalar", "TRAIT", "TRAIT::{}")
+DIALECT = TemplateDialect("class TRAIT", "TRAIT::Scalar", "TRAIT", "TRAIT::{}({})")
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from itertools import groupby
 from typing import NamedTuple
 
-from kindsl.dynamics.generation.emitters.straight_line import OPERATORS, Part, computed, cut
+from kindsl.dynamics.generation.emitters.straight_line import Part, computed, cut, operation_text
 from kindsl.dynamics.generation.terms import Graph, Operand, Scalar, Term
 
 OPERATIONS_PER_PART = 500
@@ -200,13 +200,9 @@ class _Writer:
     def _operation(self, node: int, local: set[int], uses: set[str]) -> str:
         operation, *operands = self._graph.nodes[node]
         words = [self._operand(o, local, uses) for o in operands]
-        if operation in OPERATORS:
-            return f"{words[0]} {operation} {words[1]}"
-        if operation in ("sin", "cos"):
-            return f"{operation}{self._dialect.suffix}({words[0]})"
         if operation == "sign":
             return self._dialect.sign.format(words[0])
-        return f"-{words[0]}"
+        return operation_text(operation, words, f"{{0}}{self._dialect.suffix}({{1}})")
 
     def _operand(self, operand: Operand | Term, local: set[int], uses: set[str]) -> str:
         node = operand.index if isinstance(operand, Term) else operand

@@ -9,7 +9,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
-from kindsl.dynamics.generation.emitters.straight_line import OPERATORS, cut
+from kindsl.dynamics.generation.emitters.straight_line import cut, operation_text
 from kindsl.dynamics.generation.terms import Graph, Scalar, Term, operand_nodes
 
 # Compilers take one function of this size well; longer ones cost more than linear time.
@@ -28,7 +28,7 @@ class TemplateDialect(NamedTuple):
         template: The template's parameter: `class TRAIT`.
         number: The type of numbers, from that parameter.
         argument: The parameter's name, to hand it on.
-        call: How `sin` and `cos` are called, by their name.
+        call: How `sin` and `cos` are called, by their name and argument.
     """
 
     template: str
@@ -117,14 +117,7 @@ def _operations(
         words = [
             (known.get(o) or f"x{o}") if isinstance(o, int) else literal(o) for o in operands
         ]  # fmt: skip
-        if operation in OPERATORS:
-            text = f"{words[0]} {operation} {words[1]}"
-        else:
-            text = (
-                f"-{words[0]}"
-                if operation == "neg"
-                else f"{dialect.call.format(operation)}({words[0]})"
-            )
+        text = operation_text(operation, words, dialect.call)
         lines.append(f"const S x{node} = {text};")
     return lines
 

@@ -6,7 +6,7 @@ CasADi. The names `sin`, `cos` and `sign` are to be there.
 
 from collections.abc import Mapping, Sequence
 
-from kindsl.dynamics.generation.emitters.straight_line import OPERATORS, computed
+from kindsl.dynamics.generation.emitters.straight_line import computed, operation_text
 from kindsl.dynamics.generation.terms import Graph, Operand, Scalar, Term
 
 
@@ -38,11 +38,7 @@ def python_function(
 def _operation(graph: Graph, node: int, texts: Mapping[int, str]) -> str:
     operation, *operands = graph.nodes[node]
     words = [_operand(operand, texts) for operand in operands]
-    if operation in OPERATORS:
-        return f"{words[0]} {operation} {words[1]}"
-    if operation in ("sin", "cos", "sign"):
-        return f"{operation}({words[0]})"
-    return f"-{words[0]}"
+    return operation_text(operation, words)
 
 
 def _text(entry: Scalar, texts: Mapping[int, str]) -> str:

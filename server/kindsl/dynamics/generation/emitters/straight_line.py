@@ -47,6 +47,19 @@ def computed(graph: Graph, values: Iterable[Scalar | None], known: Iterable[int]
     return [i for i in sorted(found - given) if graph.nodes[i][0] != "input"]
 
 
+def operation_text(operation: str, words: Sequence[str], call: str = "{0}({1})") -> str:
+    """Return an operation as most languages write it.
+
+    Args:
+        operation: Its name in a graph.
+        words: Its operands.
+        call: How a function is called, by its name and argument.
+    """
+    if operation in OPERATORS:
+        return f"{words[0]} {operation} {words[1]}"
+    return f"-{words[0]}" if operation == "neg" else call.format(operation, words[0])
+
+
 def cut(graph: Graph, order: Sequence[int], size: int) -> Parts:
     """Cut operations into parts of a size; a place is used again when its value is not needed."""
     pieces = [list(order[start : start + size]) for start in range(0, len(order), size)]
