@@ -178,6 +178,31 @@ def test_a_frame_that_is_a_link_with_a_mass_there_is_compared_too(
     assert "x of frame 'tip_0' is 0.5 m in moved.kindsl" in run.out
 
 
+def test_names_tell_which_joint_is_which_as_a_document_can_write_them(
+    kindsl: Runner, folder: Path
+) -> None:
+    """Two like fingers, mounts exchanged: by their places each would be the other."""
+    finger = HAND[HAND.index('<joint name="hinge"') : HAND.index('<joint name="bend"')]
+    fingers = "".join(
+        finger.replace('"hinge"', f'"hinge.{n}"')
+        .replace('"arm"', f'"arm.{n}"')
+        .replace("<axis", f'<origin xyz="0 {place} 0"/><axis')
+        for n, place in ((1, "0.2"), (2, "-0.1"))
+    )
+    Path("hand.urdf").write_text(f'<robot name="hand"><link name="base"/>{fingers}</robot>')
+    assert kindsl("convert", "--quiet", "hand.urdf", "hand.kindsl").status == 0
+    for one, other in (("hand.kindsl", "hand.urdf"), ("hand.urdf", "hand.kindsl")):
+        run = kindsl("diff", one, other)
+        assert run.status == 0
+        assert "name" not in run.out
+    text = Path("hand.kindsl").read_text()
+    one, other = "r_joint hinge_1 {", "r_joint hinge_2 {"
+    Path("other.kindsl").write_text(text.replace(one, "@").replace(other, one).replace("@", other))
+    run = kindsl("diff", "other.kindsl", "hand.urdf")
+    assert run.status == 1
+    assert "y of joint 'hinge_2' (there 'hinge.2') is 0.2 m in other.kindsl" in run.out
+
+
 # As exports write a neck: point masses on axes that meet, 1.5708 for a right angle.
 NECK = """<robot name="neck">
 <link name="chest"/>

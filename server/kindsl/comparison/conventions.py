@@ -43,7 +43,7 @@ def _names(ours: Described, theirs: Described, matching: MatchedJoints) -> Itera
         ("link", one.link_names, other.link_names),
     ):
         named = [(mine[a - 1], its_names[b - 1]) for a, b in pairs]
-        renamed = [f"'{a}' is '{b}'" for a, b in named if a != b]
+        renamed = [f"'{a}' is '{b}'" for a, b in named if writable(a) != writable(b)]
         if renamed:
             number = counted(len(renamed), what)
             some = ", ".join(renamed[:_SHOWN]) + (", ..." if renamed[_SHOWN:] else "")

@@ -95,7 +95,12 @@ def matched(
 
 
 def _same_names(ours: Skeleton, theirs: Skeleton) -> dict[str, str]:
-    return {name: name for name in ours.joint_names if name in theirs.joint_names}
+    """Return the joints of one name: the same, or the same as far as a document can write it."""
+    written = {writable(name): name for name in theirs.joint_names}
+    pairs = {name: written.get(writable(name)) for name in ours.joint_names}
+    exact = {name: name for name in ours.joint_names if name in theirs.joint_names}
+    taken = set(exact.values())
+    return {a: b for a, b in pairs.items() if b is not None and b not in taken} | exact
 
 
 def _view(skeleton: Skeleton, frame: RigidPose) -> _ViewAtZero:
