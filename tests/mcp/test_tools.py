@@ -12,6 +12,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from mcp.client.stdio import stdio_client
 from mcp.types import CallToolResult, ImageContent, TextContent
+from tests.cad.test_reports import REPORTS
 from tests.cli.samples import GOOD, INTEGER, UNBOUND
 from tests.comparison.trials import ARM, described_text
 from tests.comparison.variants import links_of, urdf_of
@@ -158,6 +159,13 @@ async def test_a_picture(folder: Path) -> None:
     }
     assert len(set(looks.values())) == 4 and looks["bodies"] == straight
     assert "nothing" in await refused(folder, "view", text="")
+
+
+async def test_squares_of_a_report_in_latin_1_are_read(folder: Path) -> None:
+    text = REPORTS["Onshape_finger"].replace("m³", "m^3")
+    (folder / "report.txt").write_bytes(text.encode("latin-1"))
+    found = await said(folder, "inertia", path="report.txt")
+    assert found == await said(folder, "inertia", text=text)
 
 
 async def test_explanations(folder: Path) -> None:

@@ -16,13 +16,16 @@ _SIGNS = {1: "as Σ m x y", -1: "as entries of the tensor"}
 def mass_properties(text: str) -> MassProperties:
     """Return the mass properties that a report of a CAD program has.
 
+    Args:
+        text: The report; its bytes that are no UTF-8, as surrogates, are taken for Latin-1.
+
     Raises:
         ReportError: There is no report in the text, something in it is missing, or its numbers
             contradict each other.
     """
     errors: list[ReportError] = []
     found: list[MassProperties] = []
-    for read in readings(text):
+    for read in readings(_of_latin_1(text)):
         try:
             found.append(_taken_over(read()))
         except ReportError as error:
@@ -33,6 +36,11 @@ def mass_properties(text: str) -> MassProperties:
     if not found:
         raise errors[0]
     return found[0]
+
+
+def _of_latin_1(text: str) -> str:
+    """Return a text with what is no UTF-8 in it read as Latin-1: old programs write squares so."""
+    return "".join(chr(ord(c) - 0xDC00) if "\udc80" <= c <= "\udcff" else c for c in text)
 
 
 def _taken_over(report: Report) -> MassProperties:

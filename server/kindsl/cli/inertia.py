@@ -141,16 +141,11 @@ def _of_report(path: str) -> "MassProperties":
     from kindsl.cad.taking_over import mass_properties
 
     try:
-        return mass_properties(_of_latin_1(text))
+        return mass_properties(text)
     except ReportError as error:
         status = 2 if isinstance(error, NoReportError) else 1
         failures = [Failure(shown_name(path), reason) for reason in error.reasons]
         raise CommandError(failures, status) from None
-
-
-def _of_latin_1(text: str) -> str:
-    """Return a text with what is no UTF-8 in it read as Latin-1: old programs write squares so."""
-    return "".join(chr(ord(c) - 0xDC00) if "\udc80" <= c <= "\udcff" else c for c in text)
 
 
 def _of_mesh(args: argparse.Namespace) -> "MassProperties":
