@@ -17,7 +17,7 @@ from kindsl.features.manipulation.things import Thing, carrying_frame
 from kindsl.preview.document_preview import DocumentPreview
 from kindsl.preview.gesture_requests import Drag, GestureRequest, Grasp, Plan
 from kindsl.preview.outcomes import RequestOutcome, Writing, drag_outcome, plan_outcome
-from kindsl.preview.steps import Steps, difference
+from kindsl.preview.steps import Steps
 from kindsl.scene.messages import (
     DraggedMessage,
     EditingMessage,
@@ -27,6 +27,7 @@ from kindsl.scene.messages import (
     WrittenMessage,
 )
 from kindsl.scene.state import keyed
+from kindsl.text.edits import difference
 
 PATIENCE = 2.0  # seconds, for what was written to be shown
 _OUTDATED = "the document has changed in the meantime"
@@ -127,7 +128,7 @@ class Dragging:
             self._refuse(request, step)
             return
         label = f"Undo: {step.label}" if is_undo else step.label
-        reason = await self._write_and_wait(Writing(label, text, (difference(step),)))
+        reason = await self._write_and_wait(Writing(label, text, (difference(step.old, step.new),)))
         if not reason:
             (steps.undone if is_undo else steps.redone)()
         self._preview.channel.announce(WrittenMessage(request.gesture, label, reason))

@@ -54,14 +54,3 @@ class Steps:
     def redone(self) -> None:
         """Know that the step that was taken back last was made again."""
         self._done.append(self._undone.pop())
-
-
-def difference(step: Step) -> TextEdit:
-    """Return the one edit that makes a step, as short as it can be."""
-    old, new = step.old, step.new
-    most = min(len(old), len(new))
-    start = next((i for i in range(most) if old[i] != new[i]), most)
-    most -= start
-    ends = (i for i in range(most) if old[len(old) - 1 - i] != new[len(new) - 1 - i])
-    same = next(ends, most)
-    return TextEdit(start, len(old) - same, new[start : len(new) - same])
