@@ -9,7 +9,7 @@ from kindsl.analysis.poses import pose_named
 from kindsl.mechanism.posing import posed
 from kindsl.mechanism.skeleton import Skeleton
 from kindsl.mechanism.total_mass import unknown_bodies
-from kindsl.reports.columns import number
+from kindsl.reports.columns import PARAMETER_UNITS, number
 from kindsl.reports.drawing.robot import robot_drawing
 from kindsl.reports.joint_transforms import joint_transform
 from kindsl.reports.page.blocks import Block, Figure, Heading, Matrix, Page, Paragraph, Table
@@ -19,8 +19,6 @@ from kindsl.rigid.pose import PLAIN, RigidPose, angles
 from kindsl.rules.inertia.shapes import shape_verdicts
 from kindsl.scene.picture import Picture, picture
 from kindsl.text.phrases import counted
-
-_UNITS = {"length": "m", "angle": "rad", "dynamics": ""}
 
 
 def card_page(analysis: Analysis, pose: str | None = None) -> Page:
@@ -166,7 +164,7 @@ def _parameters(facts: dict[str, Any]) -> Iterator[Block]:
         (
             parameter["name"],
             parameter["kind"],
-            number(parameter["value"], _UNITS[parameter["kind"]]),
+            number(parameter["value"], PARAMETER_UNITS[parameter["kind"]]),
             number(parameter["min"]),
             number(parameter["max"]),
             parameter["origin"] or "nothing",

@@ -2,6 +2,9 @@
 
 from collections.abc import Sequence
 
+# Of the values of parameters, by their kind.
+PARAMETER_UNITS = {"length": "m", "angle": "rad", "dynamics": ""}
+
 
 def aligned(rows: Sequence[Sequence[str]], right: frozenset[int] = frozenset()) -> str:
     """Return rows of equal length as lines with columns of equal width.

@@ -22,13 +22,13 @@ def finding_object(path: str, finding: Diagnostic, lines: LineIndex) -> dict[str
         "name": finding.name,
         "severity": finding.severity.value,
         "message": printable(finding.message),
-        "start": _position(lines, finding.start),
-        "end": _position(lines, finding.end),
+        "start": position_object(lines, finding.start),
+        "end": position_object(lines, finding.end),
         "related": [
             {
                 "path": path,
-                "start": _position(lines, related.start),
-                "end": _position(lines, related.end),
+                "start": position_object(lines, related.start),
+                "end": position_object(lines, related.end),
                 "message": printable(related.message),
             }
             for related in finding.related
@@ -44,8 +44,8 @@ def _fix(lines: LineIndex, fix: TextFix) -> dict[str, Any]:
         "safe": fix.is_safe,
         "edits": [
             {
-                "start": _position(lines, edit.start),
-                "end": _position(lines, edit.end),
+                "start": position_object(lines, edit.start),
+                "end": position_object(lines, edit.end),
                 "text": edit.text,
             }
             for edit in fix.edits
@@ -53,6 +53,7 @@ def _fix(lines: LineIndex, fix: TextFix) -> dict[str, Any]:
     }
 
 
-def _position(lines: LineIndex, offset: int) -> dict[str, int]:
+def position_object(lines: LineIndex, offset: int) -> dict[str, int]:
+    """Return line and column of an offset from 1, and the offset from 0."""
     line, column = lines.position(offset)
     return {"line": line + 1, "column": column + 1, "offset": offset}

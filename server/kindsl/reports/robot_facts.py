@@ -8,8 +8,8 @@ from kindsl.analysis.analysis import Analysis
 from kindsl.analysis.verdicts import verdicts
 from kindsl.mechanism.total_mass import Weight, missing_masses, own_mass, total_mass
 from kindsl.reports.columns import number
-from kindsl.reports.robot_health import health_facts
-from kindsl.rules.base import Severity
+from kindsl.reports.finding_objects import position_object
+from kindsl.reports.robot_health import health_facts, severity_counts
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
 from kindsl.semantics.parameters import Parameter
@@ -44,10 +44,7 @@ def robot_facts(analysis: Analysis) -> dict[str, Any]:
             {"name": str(c.name), "value": values.get(f"<{c.name}>"), **places.of(c.name)}
             for c in model.constants
         ],
-        "findings": {
-            severity.value: sum(finding.severity is severity for finding in analysis.findings)
-            for severity in Severity
-        },
+        "findings": severity_counts(analysis.findings),
         "verdicts": {
             verdict.target: {
                 "reads": verdict.reads,
@@ -75,8 +72,7 @@ class _Places:
         return self.at(self._resolver.span(at)[0])
 
     def at(self, offset: int) -> dict[str, int]:
-        line, column = self._lines.position(offset)
-        return {"line": line + 1, "column": column + 1, "offset": offset}
+        return position_object(self._lines, offset)
 
 
 def _in_order(model: Model) -> Iterator[Link]:

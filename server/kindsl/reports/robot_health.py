@@ -1,5 +1,6 @@
 """The health of a document, as in `kindsl info`."""
 
+from collections import Counter
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -33,7 +34,10 @@ def health_facts(
     serious = [f for f in findings if f.severity in (Severity.ERROR, Severity.WARNING)]
     return {
         "verdict": _verdict(serious),
-        "subjects": {name: _counts(findings, prefix) for prefix, name in _SUBJECTS.items()},
+        "subjects": {
+            name: severity_counts([f for f in findings if f.code.startswith(prefix)])
+            for prefix, name in _SUBJECTS.items()
+        },
         "findings": [
             {
                 "code": finding.code,
@@ -67,9 +71,7 @@ def _verdict(serious: Sequence[Diagnostic]) -> str:
     return "suspect" if serious else "good"
 
 
-def _counts(findings: Sequence[Diagnostic], prefix: str) -> dict[str, int]:
-    mine = [finding for finding in findings if finding.code.startswith(prefix)]
-    return {
-        severity.value: sum(finding.severity is severity for finding in mine)
-        for severity in Severity
-    }
+def severity_counts(findings: Sequence[Diagnostic]) -> dict[str, int]:
+    """Return how many findings there are of each severity."""
+    counts = Counter(finding.severity for finding in findings)
+    return {severity.value: counts[severity] for severity in Severity}

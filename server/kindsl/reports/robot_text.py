@@ -4,13 +4,11 @@ from collections.abc import Iterator
 from typing import Any
 
 from kindsl.mechanism.total_mass import UNKNOWN
-from kindsl.reports.columns import aligned, number
+from kindsl.reports.columns import PARAMETER_UNITS, aligned, number
 from kindsl.reports.robot_facts import mass_text
 from kindsl.reports.robot_health import health_text
 from kindsl.text.phrases import counted
 from kindsl.text.printable import printable
-
-_UNITS = {"length": "m", "angle": "rad", "dynamics": ""}
 
 
 def robot_text(facts: dict[str, Any]) -> str:
@@ -34,7 +32,7 @@ def printable_lines(text: str) -> str:
 
 def _heading(facts: dict[str, Any]) -> str:
     base = "floating base" if facts["floating"] else "fixed base"
-    dof = "1 degree" if facts["dof"] == 1 else f"{facts['dof']} degrees"
+    dof = counted(facts["dof"], "degree")
     mass = mass_text(facts)
     mass = f"mass {mass}" if mass.startswith(UNKNOWN) else mass
     return f"{facts['robot'] or '(unnamed)'}: {base}, {dof} of freedom, {mass}\n"
@@ -102,7 +100,7 @@ def _row(body: dict[str, Any], branch: str) -> tuple[str, ...]:
 def _parameters(parameters: list[dict[str, Any]]) -> str:
     rows = [("parameter", "kind", "value", "range", "bound by", "places")]
     for parameter in parameters:
-        unit = _UNITS[parameter["kind"]]
+        unit = PARAMETER_UNITS[parameter["kind"]]
         ends = parameter["min"], parameter["max"]
         span = "" if ends == (None, None) else f"{number(ends[0])} … {number(ends[1])}"
         places = " ".join(f"{use['line']}:{use['column']}" for use in parameter["uses"][:4])
