@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 import pytest
 from tests.support.example_documents import document_of
+from tests.support.one_rule import section
 
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.diagnostics import Diagnostic
@@ -33,10 +34,15 @@ def second_of_two(rotation: str = "0.0, 0.0, PI/4.0", x: str = "0.0", kind: str 
 
 
 def ball(mass: str = "4.1", ix: str = "0.0041", iz: str = "0.0041", products: str = "") -> str:
-    section = inertia(mass, "0.0", ix, ix, iz)
+    written = inertia(mass, "0.0", ix, ix, iz)
     for product in products.split():
-        section = section.replace(f"{product.partition('=')[0]}=0.0", product)
-    return link("ball", 1, inertia=section)
+        written = written.replace(f"{product.partition('=')[0]}=0.0", product)
+    return link("ball", 1, inertia=written)
+
+
+def far_com(x: str) -> str:
+    """Return a body that is impossible so far from its CoM."""
+    return link("ball", 1, inertia=section(2.0, f"{x}, 0.0, 0.0", 0.01, 0.01, 0.01))
 
 
 def two_arms(right: str) -> str:
@@ -118,6 +124,7 @@ def hand_at(height: str, com: str = "2.0", ix: str = "4.01", iz: str = "0.01") -
         ("KD501", pitched_joint, "1e999", "1e300"),
         ("KD502", moved_by, "10.0", "10.001"),
         ("KD502", moved_by, "-10.0", "-10.001"),
+        ("KD502", far_com, "5.0", "-5.001"),
         ("KD503", pitched_joint, "1.6", "1.57"),
         ("KD503", pitched_joint, "1.560", "1.570"),
         ("KD503", pitched_joint, "1.56", "1.58"),

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 import pytest
 from tests.support.bodies import document_of_bodies
+from tests.support.one_rule import body, found
 
 from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.analysis.settings import Settings
@@ -208,6 +209,15 @@ SMALL = "%s 0.0004 0.0004 0.0 0.0 %s"
 
 
 ONLY_TWO = ("robcogen2",)
+
+
+def test_two_slips_at_once_that_leave_a_body_denser_than_lead_have_no_fix() -> None:
+    """A leg of iCub that is a point mass, with one more sign changed."""
+    moments = ("0.000009814328", "0.0145042256944", "0.0145027851136", "-0.000246381408")
+    leg = body(1.264, "-0.1071, -0.00182, 0.00211", *moments, "-0.000285639984", "-0.0000048540128")
+    (finding,) = found("KD306", leg)
+    assert "16 500 kg/m³" in finding.message
+    assert finding.fix is None
 
 
 @pytest.mark.parametrize(

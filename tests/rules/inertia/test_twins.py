@@ -128,6 +128,26 @@ def test_a_slip_in_many_numbers_is_told_with_its_rivals() -> None:
         assert any("taken about the CoM rather than the frame" in each for each in told_of)
 
 
+@pytest.mark.parametrize(
+    ("place", "sign"), [(1, "the x of the CoM"), (2, "the y of the CoM"), (7, "Ixy"), (9, "Iyz")]
+)
+def test_a_sign_that_makes_a_mirror_image_is_named(place: int, sign: str) -> None:
+    left = ("20.0", "0.02", "0.04", "0.06", "0.5", "0.45", "0.4", "0.04", "0.03", "0.05")
+    (finding,) = found("KD312", pair(left, changed(left, {place: f"-{left[place]}"})))
+    told_of = {finding.message, *(each.message for each in finding.related)}
+    assert any(f"the sign of {sign} were changed" in each for each in told_of)
+
+
+def test_parts_of_one_design_are_no_copies_of_each_other() -> None:
+    """Both sides of both have the same moments, but for the one with a slip."""
+    left, right, twice = shifted_by(0.0, 1.0), shifted_by(0.0, -1.0), shifted_by(1.0, 1.0)
+    sections = [section(n[0], ", ".join(n[1:4]), *n[4:]) for n in (twice, right, left, right)]
+    (message,) = told(
+        "KD312", row(*sections, names="left_index right_index left_middle right_middle")
+    )
+    assert "another part" not in message
+
+
 @pytest.mark.parametrize("ixx", ["0.33456", "0.334561", "0.33456499"])
 def test_moments_of_another_part_are_told(ixx: str) -> None:
     """They may have been copied with fewer digits."""

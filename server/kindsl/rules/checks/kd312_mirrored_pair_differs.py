@@ -9,9 +9,10 @@ signs that are not those of any turn or reflection of the axes.
 Such parts are copied and then edited by hand. One number that was changed on one side only, or one
 sign that was forgotten, makes the robot drift to that side.
 
-Where many numbers differ, and one slip explains that, such as moments shifted twice or those of
-another part, the slip is told. Else the two were measured part by part and are not reported, nor
-are differences below 5 % of the greatest number of their kind. Impossible inertias are left to
+A slip that explains the difference, such as a sign, a unit or moments shifted twice, is told
+instead, with its rivals, and where many numbers differ, moments that are those of another part.
+Else many that differ were measured part by part and are not reported, nor are differences below 5 %
+of the greatest number of their kind. Impossible inertias are left to
 KD301 and KD302, a centre of mass behind its joint to KD511, and where more limbs than two are alike
 and one differs, that is left to KD509.
 
@@ -71,10 +72,12 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
             b.name in told or is_told_of(b, model, context) for b in (left, right)
         ):
             continue
-        if numbers:
+        is_suspect = any(found.link in (left, right) for found in suspects_of(model, context))
+        explained = None if is_suspect else _explained(model, slips, left, right)
+        if explained is not None:
+            yield explained
+        elif numbers:
             yield _finding(right, left, numbers)
-        elif not any(found.link in (left, right) for found in suspects_of(model, context)):
-            yield from _explained(model, slips, left, right)
 
 
 def _unlike(left: Link, right: Link, values: Mapping[str, float]) -> _Unlike:
@@ -82,35 +85,36 @@ def _unlike(left: Link, right: Link, values: Mapping[str, float]) -> _Unlike:
     if isinstance(here, Unknown) or isinstance(there, Unknown):
         return "", ()
     numbers = mirror_difference((str(left.name), str(right.name)), here, there)
-    if numbers or any(not differing(seen_by(here, C), there, _NEARLY) for C in REFLECTIONS):
-        return numbers, ()
+    if not numbers and any(not differing(seen_by(here, C), there, _NEARLY) for C in REFLECTIONS):
+        return "", ()
     # Imported for twins that are unlike only, since it delays the linter's start.
     from kindsl.rules.inertia.surroundings import images
     from kindsl.rules.inertia.unlike_twins import slips_of
 
-    return "", (slips_of(here, images(there)), slips_of(there, images(here)))
+    return numbers, (slips_of(here, images(there)), slips_of(there, images(here)))
 
 
-def _explained(model: Model, slips: Sequence[_Slips], *pair: Link) -> Iterator[Finding]:
-    """Yield what explains many numbers that differ: another part's moments, or slips."""
+def _explained(model: Model, slips: Sequence[_Slips], *pair: Link) -> Finding | None:
+    """Return what explains numbers that differ: slips, or else another part's moments."""
     from kindsl.rules.inertia.unlike_twins import copied_from, without
 
     sides = list(zip(pair, pair[::-1], slips, strict=True))
-    copies = [(own, twin, copied_from(model, own, ())) for own, twin, _ in sides]
-    copied = [(own, twin, why) for own, twin, why in copies if why]
     likely = sorted((side for side in sides if side[2]), key=lambda side: -side[2][0].weight)
-    if len(copied) == 1:
-        own, twin, why = copied[0]
-        yield _finding(own, twin, f"'{own.name}' is not the mirror image of '{twin.name}': {why}")
-    elif likely:
+    copied = [(own, twin, why) for own, twin, _ in sides if (why := copied_from(model, own, ()))]
+    if likely:
         own, twin, found = likely[0]
         why, *others = without(found, "it would be")
         rivals = [(own, each) for each in others]
         rivals += [
             (o, each) for o, _, s in likely[1:] for each in without(s, f"'{o.name}' would be")
         ]
-        message = f"'{own.name}' is not the mirror image of '{twin.name}': {why}"
-        yield _finding(own, twin, message, rivals)
+    elif len(copied) == 1:
+        (own, twin, why), rivals = copied[0], []
+    else:
+        return None
+    return _finding(
+        own, twin, f"'{own.name}' is not the mirror image of '{twin.name}': {why}", rivals
+    )
 
 
 def _finding(

@@ -1,7 +1,8 @@
 """A length was given in millimetres.
 
 ## What it does
-Reports a translation or a centre of mass of more than 10 m in some direction.
+Reports a translation or a centre of mass of more than 10 m in some direction, of an impossible
+inertia a centre of mass of more than 5 m.
 
 ## Why is this bad?
 Lengths are in metres, and no robot of this kind is that large.
@@ -22,15 +23,21 @@ from kindsl.rules.base import Example, Finding, Fix, Rule, Severity
 from kindsl.rules.context import Context
 from kindsl.rules.examples import joint
 from kindsl.rules.geometry import lengths
+from kindsl.rules.inertia.judgements import judgements
 from kindsl.rules.number_writing import rescaled
 from kindsl.semantics.declarations import Declarations, Vector
 
+_GREATEST_OF_IMPOSSIBLE = 5.0
 
-def check_island(declared: Declarations, _: Context) -> Iterator[Finding]:
+
+def check_island(declared: Declarations, context: Context) -> Iterator[Finding]:
     """Yield a finding for each vector that is longer than a robot."""
+    impossible = [j.inertia.com for j in judgements(declared, context) if j.is_impossible]
     for vector in lengths(declared):
+        is_of_impossible = any(vector is com for com in impossible)
+        greatest = _GREATEST_OF_IMPOSSIBLE if is_of_impossible else GREATEST_LENGTH
         for value in vector.components:
-            if value.literal is not None and abs(value.literal) > GREATEST_LENGTH:
+            if value.literal is not None and abs(value.literal) > greatest:
                 message = f"length {value.text} m is implausible; is it in millimetres?"
                 yield Finding(value, message, fix=_fix(vector))
                 break

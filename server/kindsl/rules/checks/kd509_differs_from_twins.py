@@ -40,6 +40,7 @@ from kindsl.rules.context import Context
 from kindsl.rules.examples import four_legs
 from kindsl.rules.inertia.judgements import TEN, is_impossible, is_round
 from kindsl.rules.inertia.shapes import is_told_of
+from kindsl.rules.inertia.suspects import told_causes
 from kindsl.rules.limb_places import OF_A_LINK, PARTS, located, numbers_at, place_at, told
 from kindsl.rules.limb_verdicts import limb_slips
 from kindsl.rules.limb_writing import as_numbers, rewriting, written
@@ -49,6 +50,7 @@ from kindsl.semantics.model import Model
 from kindsl.semantics.numbers import written_pose
 
 _MOST_NAMED = 2
+_THEIRS = "would be theirs"
 
 
 def check_document(model: Model, context: Context) -> Iterator[Finding]:
@@ -60,6 +62,8 @@ def check_document(model: Model, context: Context) -> Iterator[Finding]:
             if place.what in OF_A_LINK and _is_told_better(model, context, verdict):
                 continue
             message, fix = _message(model, context, verdict)
+            if fix is None and _is_cause_told(model, context, verdict, message):
+                continue
             others = [Related(located(model, p), f"or {told(p)}") for p in verdict.places[1:]]
             twins = [place_at(model, twin, place.what) for twin in verdict.twins]
             others += [Related(located(model, p), told(p)) for p in twins]
@@ -132,7 +136,7 @@ def _why(model: Model, context: Context, verdict: LimbVerdict) -> str:
     from kindsl.rules.inertia.unlike_twins import copied_from, slips_of, without
 
     place, body = verdict.places[0], model.body_named[verdict.places[0].link]
-    said = f"{'they' if place.what == 'moments' else 'it'} would be theirs"
+    said = f"{'they' if place.what == 'moments' else 'it'} {_THEIRS}"
     why = copied_from(model, body, verdict.twins)
     seen, own = link_inertia(body, context.values), body.inertia
     written = written_inertia(own, context.values) if own is not None else None
@@ -161,6 +165,15 @@ def _is_told_better(model: Model, context: Context, verdict: LimbVerdict) -> boo
     body = model.body_named[verdict.places[0].link]
     return is_told_of(body, model, context) and not (
         is_impossible(body, context) and _are_impossible(model, context, verdict.twins)
+    )
+
+
+def _is_cause_told(model: Model, context: Context, verdict: LimbVerdict, message: str) -> bool:
+    """Return whether the inertia's own numbers have told what its twins tell, too."""
+    at, (_, _, cause) = located(model, verdict.places[0]), message.partition(f" {_THEIRS} if ")
+    return bool(cause) and any(
+        told.at == at and f"consistent if {cause}" in told.message
+        for _, told in told_causes(model, context)
     )
 
 

@@ -23,6 +23,7 @@ from kindsl.rules.inertia.judgements import (
     keyword,
     verdict_of,
 )
+from kindsl.rules.inertia.likelihood import density
 from kindsl.rules.inertia.slips import Slip
 from kindsl.rules.inertia.told import likely_cause, rivals, shared_cause, title
 from kindsl.rules.number_writing import rescaled, rewritten
@@ -34,6 +35,8 @@ from kindsl.text.facts import Fact
 from kindsl.text.quantities import with_unit
 
 _LIKELY, _SURE = 0.5, 0.85
+# In kg/m³: two slips at once that make a body denser than lead are too much to believe.
+_DENSEST_OF_TWO = 12e3
 _MOST_RELATED = 20
 _LEAST_SHARED = 3
 _EVIDENCE = frozenset(("KD311",))
@@ -107,6 +110,9 @@ def _finding(explained: Explained, at: str, context: Context) -> Finding:
 def _fix(found: Judgement, cause: Cause, context: Context) -> Fix | None:
     is_guess = cause.hypothesis.is_last_resort and not cause.has_twin
     if cause.probability < _SURE or is_guess or not title(cause.hypothesis):
+        return None
+    is_dense = density(cause.hypothesis.body.mass, cause.shape) > _DENSEST_OF_TWO
+    if len(cause.hypothesis.slips) > 1 and is_dense and not cause.has_twin:
         return None
     changes = _changes(found, cause)
     if not changes or not _holds(found, changes, cause.is_left_odd, context):

@@ -19,10 +19,12 @@ _CAUSES = Fact[tuple[object, list[tuple[str, Finding]]]]("inertia causes")
 
 def explained(model: Model, context: Context, code: str) -> Iterator[Finding]:
     """Yield a finding for each inertia whose most likely mistake belongs to a rule."""
-    findings = model.facts.made_of(_CAUSES, context, partial(_findings, model, context))
-    for own_code, finding in findings:
-        if own_code == code:
-            yield finding
+    yield from (finding for own, finding in told_causes(model, context) if own == code)
+
+
+def told_causes(model: Model, context: Context) -> list[tuple[str, Finding]]:
+    """Return all that is told of mistakes in inertias, with the code of its rule."""
+    return model.facts.made_of(_CAUSES, context, partial(_findings, model, context))
 
 
 def suspects_of(model: Model, context: Context) -> list[Judgement]:
