@@ -20,7 +20,7 @@ import signal
 import sys
 import tempfile
 import time
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from multiprocessing import get_context
 from multiprocessing.pool import Pool
 from pathlib import Path
@@ -38,6 +38,7 @@ sys.path.insert(0, str(ROOT))
 from benchmarks.mutating.sites import Site, instrumented, mutated, sample  # noqa: E402
 
 GOAL = 0.95
+_FIRST = 3.0  # seconds of tests
 # What is tried if nothing is named, with the folders or files of its tests, its own first. Any
 # other folder has the tests of the innermost folder around it that is named here, else those of
 # its package.
@@ -193,15 +194,14 @@ class Worker:
         own = {name: seconds for name, seconds in tests.items() if name.startswith(near)}
         others = {name: seconds for name, seconds in tests.items() if name not in own}
         cls.copy.write(site.path, mutated(original(site.path), site))
-        fates = (cls._fate(cls._quickest(some)) for some in (own, others))
+        batches = (batch for some in (own, others) for batch in cls._batches(some))
+        fates = (cls._fate(batch) for batch in batches)
         fate = next((fate for fate in fates if fate != "lives"), "lives")
         cls.copy.restore(site.path)
         return fate
 
     @classmethod
     def _fate(cls, tests: Seconds) -> str:
-        if not tests:
-            return "lives"
         listed = cls.copy.kindsl.parent / "tests.txt"
         listed.write_text("\n".join(tests), encoding="utf-8")
         files = sorted({name.partition("::")[0] for name in tests})
@@ -210,14 +210,19 @@ class Worker:
         return {0: "lives", None: "late"}.get(told, "killed")
 
     @classmethod
-    def _quickest(cls, tests: Seconds) -> Seconds:
-        """Return the tests in the order of their seconds, as far as patience goes."""
-        chosen: Seconds = {}
-        for name in sorted(tests, key=lambda name: tests[name]):
-            chosen[name] = tests[name]
-            if sum(chosen.values()) > cls.patience:
-                break
-        return chosen
+    def _batches(cls, tests: Seconds) -> Iterator[Seconds]:
+        """Yield tests in the order of their seconds, as far as patience goes.
+
+        First only a few, so that what hangs is not waited for as long as for all.
+        """
+        left = sorted(tests, key=lambda name: tests[name], reverse=True)
+        for patience in (min(_FIRST, cls.patience), cls.patience):
+            batch: Seconds = {}
+            while left and sum(batch.values()) <= patience:
+                name = left.pop()
+                batch[name] = tests[name]
+            if batch:
+                yield batch
 
 
 def tests_of(folder: str) -> Sequence[str]:
