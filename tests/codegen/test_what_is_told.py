@@ -1,5 +1,6 @@
 """What generated code says of itself: its README, its head, how long its lines are."""
 
+import re
 from dataclasses import replace
 from itertools import pairwise
 
@@ -40,6 +41,18 @@ def test_one_header_tells_how_it_is_included() -> None:
     readme = files(replace(OPTIONS, is_single_header=True))["README.md"]
     assert '`#define ARM_IMPLEMENTATION` before `#include "arm.h"`' in readme
     assert "arm_model_init(&model, &parameters)" in readme
+    readme = files(OPTIONS)["README.md"]
+    assert "`find_package(arm)` and `target_link_libraries(program arm::arm)`" in readme
+    assert "arm_model_init(&model, &parameters)" in readme
+
+
+def test_gravity_is_shared_by_a_batch_and_has_three_numbers() -> None:
+    header = " ".join(files(OPTIONS)["arm.h"].split())
+    (batch,) = re.findall(r"void arm_inverse_dynamics_batch\(([^)]*)\)", header)
+    assert batch.split(", ") == [
+        "long n", "const arm_model *m", "const arm_real q[]", "const arm_real qd[]",
+        "const arm_real qdd[]", "const arm_real g[3]", "const arm_real *fext", "arm_real tau[]",
+    ]  # fmt: skip
 
 
 @pytest.mark.parametrize("language", ["python", "jax", "casadi"])
