@@ -42,6 +42,15 @@ async def test_all_who_ask_share_one_analysis(analyses: Analyses) -> None:
     assert await analyses.of(shown) is one
 
 
+async def test_what_is_known_is_no_job_again(
+    analyses: Analyses, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shown = document("untitled:r", 1, TEXT, "utf-16")
+    findings = await analyses.findings(shown)
+    monkeypatch.setattr(Worker, "submit", None)
+    assert await analyses.findings(shown) is findings
+
+
 async def test_other_settings_make_another_analysis(
     analyses: Analyses, workspace: Workspace
 ) -> None:
@@ -54,12 +63,19 @@ async def test_other_settings_make_another_analysis(
     assert after.syntax is before.syntax
 
 
-async def test_a_cancelled_waiter_leaves_the_analysis_to_the_others(analyses: Analyses) -> None:
+async def test_a_cancelled_waiter_leaves_the_analysis_to_the_others(
+    analyses: Analyses, worker: Worker
+) -> None:
     shown = document("untitled:r", 1, TEXT, "utf-16")
+    await analyses.of(document("untitled:r", 0, "", "utf-16"))
+    release = busy(worker)
     first = asyncio.ensure_future(analyses.of(shown))
     second = asyncio.ensure_future(analyses.of(shown))
-    await asyncio.sleep(0)
+    await asyncio.sleep(0.01)
     first.cancel()
+    with pytest.raises(asyncio.CancelledError):
+        await first
+    release()
     assert (await second).syntax.text == TEXT
 
 

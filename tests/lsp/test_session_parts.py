@@ -547,6 +547,15 @@ async def test_of_several_robots_the_one_that_a_transforms_document_names_is_see
         assert (str(view.model.name) if view.model else None) == found
 
 
+def test_a_workspace_is_trusted_until_an_editor_says_otherwise(tmp_path: Path) -> None:
+    workspace = Workspace()
+    workspace.add_folders([folder_of(tmp_path / "in")])
+    inside, outside = (str(tmp_path / name / "a.urdf") for name in ("in", "out"))
+    assert workspace.may_read(inside) and workspace.may_read(outside)
+    workspace.is_trusted = False
+    assert workspace.may_read(inside) and not workspace.may_read(outside)
+
+
 async def test_only_closed_configuration_files_are_looked_at(tmp_path: Path) -> None:
     told: list[str] = []
     for name in ("kindsl.toml", "notes.toml", "open/kindsl.toml"):
