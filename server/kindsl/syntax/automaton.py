@@ -1,5 +1,8 @@
 """The LALR automaton of the grammar, states only: what may follow what."""
 
+from functools import lru_cache
+from typing import ClassVar
+
 from kindsl.syntax.tables import RULES, STARTS, STATES
 
 CONSTRUCTS = [state[0] for state in STATES]
@@ -7,23 +10,27 @@ ROWS = [dict(zip(*state[1:3], strict=True)) for state in STATES]
 TARGETS = [dict(zip(*state[3:5], strict=True)) for state in STATES]
 
 _MATTER = 5
+_MOST_KNOWN = 20_000  # ten megabytes at most
 
 
 class Stack:
     """The states of a half-read construct, innermost first; shared between readings.
 
     There is one stack of the same states above the same beginning, which knows what follows it:
-    repairs are sought by reading on from it in many ways.
+    repairs are sought by reading on from it in many ways, in one text after another.
 
     Attributes:
+        made: How many there have been.
         state: The innermost state.
         below: The others.
         innermost: The last states, enough to tell stacks apart that matter.
     """
 
     __slots__ = ("_above", "_after", "below", "innermost", "state")
+    made: ClassVar[int] = 0
 
     def __init__(self, state: int, below: "Stack | None") -> None:
+        Stack.made += 1
         self.state = state
         self.below = below
         around = below.innermost[: _MATTER - 1] if below is not None else ()
@@ -48,7 +55,15 @@ class Stack:
 
 
 def initial(start: str) -> Stack:
-    """Return the stack before the first token of a construct."""
+    """Return the stack before the first token of a construct, which knows what was read of others.
+
+    When a great many stacks have been made, they are forgotten and made anew.
+    """
+    return _initial(start, Stack.made // _MOST_KNOWN)
+
+
+@lru_cache(maxsize=len(STARTS))
+def _initial(start: str, _era: int) -> Stack:
     return Stack(STARTS[start][0], None)
 
 
