@@ -13,7 +13,7 @@ from kindsl.analysis.analysis import analyse
 from kindsl.preview.channel import Tab
 from kindsl.preview.documents import DocumentPreviews
 from kindsl.preview.outcomes import Writing
-from kindsl.preview.requests import parse_request
+from kindsl.preview.requests import Request, parse_request
 from kindsl.scene.encoding import as_json, encode
 from kindsl.scene.messages import Change, Part
 from kindsl.text.edits import apply_edits
@@ -21,6 +21,7 @@ from kindsl.text.edits import apply_edits
 _KEY = "untitled:arm"
 _MOST_MESSAGES = 20
 _ANALYSIS = analyse(robots.ARM)
+_LOOP = asyncio.Runner()
 _MOST_KNOWN = 10_000
 _known: set[Part] = set()
 
@@ -51,10 +52,13 @@ class _Previews(DocumentPreviews):
 
 def one_input(data: bytes) -> None:
     """Show a robot with a parameter, receive messages, and send all that is shown."""
-    asyncio.run(_receive(data.decode("utf-8", "surrogateescape").split("\n")[:_MOST_MESSAGES]))
+    lines = data.decode("utf-8", "surrogateescape").split("\n")[:_MOST_MESSAGES]
+    requests = [request for request in map(parse_request, lines) if request is not None]
+    if requests:
+        _LOOP.run(_receive(requests))
 
 
-async def _receive(lines: list[str]) -> None:
+async def _receive(requests: list[Request]) -> None:
     previews, sent = _Previews(), list[Part]()
     await previews.show(_KEY, _ANALYSIS, _ANALYSIS.findings)
     document = previews.document(None)
@@ -66,11 +70,9 @@ async def _receive(lines: list[str]) -> None:
     tab = Tab(write)
     document.channel.join(tab)
     writer = asyncio.ensure_future(tab.run())
-    for line in lines:
-        request = parse_request(line)
-        if request is not None:
-            previews.receive(document, tab, request)
-            await _gestures_done(writer)
+    for request in requests:
+        previews.receive(document, tab, request)
+        await _gestures_done(writer)
     await asyncio.sleep(0)
     writer.cancel()
     for message in {id(each): each for each in (*sent, *document.channel.state)}.values():
