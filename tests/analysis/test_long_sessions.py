@@ -1,7 +1,7 @@
 """Edit after edit of a document: what is found is what a fresh analysis finds, every time.
 
-Where all cases are tried, these are ten thousand edits of long documents. A fresh analysis takes ten
-times as long as the edit, so there what is found is compared after a part of the edits.
+Where all cases are tried, these are ten thousand edits of long documents. A fresh analysis takes
+ten times as long as the edit, so there what is found is compared after a part of the edits.
 """
 
 import random
