@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 from tests.support.amount import usually
-from tests.support.kept import changed_numbers, lost_blocks, lost_remarks, n_errors
+from tests.support.kept import changed_numbers, errors, lost_blocks, lost_remarks
 from tests.support.spoilt import spoilt_robot
 
 from kindsl.analysis.analysis import Analysis, analyse
@@ -34,7 +34,7 @@ def assert_kept(text: str, settings: Settings) -> None:
 def assert_no_harm(before: Analysis, after: Analysis) -> None:
     assert lost_remarks(before.text, after.text) == []
     assert lost_blocks(before, after) == []
-    assert n_errors(after) <= n_errors(before)
+    assert errors(after).total() <= errors(before).total()
 
 
 @pytest.mark.parametrize("part", range(PARTS))

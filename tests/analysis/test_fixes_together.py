@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 import pytest
 from tests.support import robots
+from tests.support.kept import errors
 
 from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.analysis.diagnostics import Diagnostic
@@ -29,10 +30,6 @@ def fix(text: str, old: str, new: str, *, safe: bool = True) -> Diagnostic:
     edit = TextEdit(at, at + len(old), new)
     proposed = TextFix("Fix", safe, (edit,), False, parse(text))
     return Diagnostic("KD500", "x", Severity.HINT, "is odd", edit.start, edit.end, fix=proposed)
-
-
-def errors(analysis: Analysis) -> Counter[str]:
-    return Counter(f.code for f in analysis.findings if f.severity is Severity.ERROR)
 
 
 def made_of(text: str, *findings: Diagnostic) -> Made | None:

@@ -9,6 +9,7 @@ from re import compile as pattern
 
 import pytest
 from tests.support import robots
+from tests.support.kept import errors
 from tests.support.models import Style, random_model
 from tests.support.mutants import mutants
 
@@ -44,10 +45,6 @@ def remarks(text: str) -> Counter[str]:
     return Counter(text[start:end].strip() for start, end in comments(text))
 
 
-def n_errors(analysis: Analysis) -> int:
-    return sum(finding.severity is Severity.ERROR for finding in analysis.findings)
-
-
 def called_wrong(analysis: Analysis) -> Counter[Decimal]:
     """Return the numbers in findings; causes of an impossible inertia call all of it wrong."""
     found: Counter[Decimal] = Counter()
@@ -69,7 +66,7 @@ def assert_nothing_is_lost(text: str, is_wanted: Wanted) -> None:
         analysis = analysis.edited(edits)
     assert not numbers(text) - numbers(analysis.text) - wrong
     assert not remarks(text) - remarks(analysis.text)
-    assert n_errors(analysis) <= n_errors(before)
+    assert errors(analysis).total() <= errors(before).total()
     assert fixed(result.analysis, is_wanted).rounds == ()
 
 
@@ -127,4 +124,4 @@ def test_six_moments_in_one_line_are_one_mistake() -> None:
     text = fixed(analyse(OBSOLETE), is_safe).analysis.text
     assert "// of the drawing\n        Ix = 0.3\n        Iy = 0.31\n        Iz = .1\n" in text
     assert "Ixy = 0.0\n        Ixz = -0.01\n        Iyz = 0.0" in text
-    assert not n_errors(analyse(text))
+    assert not errors(analyse(text))

@@ -11,6 +11,7 @@ import pytest
 from tests.dynamics.pinocchio_model import PinocchioModel
 from tests.dynamics.random_bodies import tree_of_seed
 from tests.support.amount import usually
+from tests.support.differences import assert_close
 
 from kindsl.dynamics.bodies import Bodies
 from kindsl.dynamics.evaluation import readable_form as readable
@@ -22,7 +23,6 @@ TREES_PER_BLOCK = 30
 # Of the trees that are compiled, which takes nearly all of the time.
 COMPILED_STEP = usually(5, thoroughly=1)
 GRAVITY = np.array([1.2, -3.4, -9.0])
-TOLERANCE = 1e-9
 
 
 @pytest.mark.parametrize("block", range(10))
@@ -37,10 +37,10 @@ def _check_tree(seed: int, bodies: Bodies, generator: np.random.Generator) -> No
     base_velocity = generator.uniform(-1.0, 1.0, 6) * bodies.is_floating
     expected = _expected(bodies, q, qd, x, base_velocity)
     for quantity, got in _readable(bodies, q, qd, x, base_velocity):
-        _assert_close(f"seed {seed}, readable, {quantity}", got, expected[quantity])
+        assert_close(f"seed {seed}, readable, {quantity}", got, expected[quantity])
     if seed % COMPILED_STEP == 0:
         for quantity, got in _compiled(Mechanics(bodies), q, qd, x, base_velocity):
-            _assert_close(f"seed {seed}, compiled, {quantity}", got, expected[quantity])
+            assert_close(f"seed {seed}, compiled, {quantity}", got, expected[quantity])
 
 
 def _expected(
@@ -93,10 +93,3 @@ def _readable(
         vectors = (q, qd, x)[: len(JOINT_VECTORS[quantity])]
         request = Request(quantity, (), vectors, base_velocity, GRAVITY)
         yield quantity, readable.evaluate(bodies, request)
-
-
-def _assert_close(label: str, got: np.ndarray, expected: np.ndarray) -> None:
-    assert got.shape == expected.shape, label
-    scale = max(1e-3, float(abs(expected).max()))
-    error = float(abs(got - expected).max()) / scale
-    assert error < TOLERANCE, f"{label}: {error:.1e}"

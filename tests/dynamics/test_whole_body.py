@@ -12,6 +12,7 @@ from tests.codegen.robots import CONTROL, bodies_of_seed
 from tests.dynamics.pinocchio_model import PinocchioModel
 from tests.dynamics.random_bodies import tree_of_seed
 from tests.support.amount import usually
+from tests.support.differences import assert_close
 
 from kindsl.codegen.reference import Reference, independent_contacts, sample
 from kindsl.dynamics.bodies import Bodies
@@ -27,7 +28,6 @@ SEEDS = range(0, 300, usually(5, thoroughly=1))
 # Code for long trees takes long to record.
 MOST_LINKS = usually(8, thoroughly=20)
 GRAVITY = np.array([1.2, -3.4, -9.0])
-TOLERANCE = 1e-9
 
 
 def _tree(seed: int) -> tuple[Bodies, np.random.Generator]:
@@ -42,7 +42,7 @@ def test_numpy_gives_pinocchios_numbers(block: int) -> None:
     for seed in SEEDS[block::6]:
         bodies, generator = _tree(seed)
         for what, got, expected in _pairs(bodies, generator):
-            _assert_close(f"seed {seed}, {what}", got, expected)
+            assert_close(f"seed {seed}, {what}", got, expected)
 
 
 def _pairs(bodies: Bodies, generator: np.random.Generator) -> Iterator[tuple[str, Array, Array]]:
@@ -112,14 +112,7 @@ def _check_generated(seed: int, bodies: Bodies) -> None:
             }
             for result, answer in zip(function.results, reference.results(function), strict=True):
                 got = np.array(evaluate(robot.graph, given, result.entries))
-                _assert_close(f"seed {seed}, {function.name}", got, answer.ravel())
-
-
-def _assert_close(label: str, got: Array, expected: Array) -> None:
-    assert got.shape == expected.shape, label
-    scale = max(1e-3, float(abs(expected).max()))
-    error = float(abs(got - expected).max()) / scale
-    assert error < TOLERANCE, f"{label}: {error:.1e}"
+                assert_close(f"seed {seed}, {function.name}", got, answer.ravel())
 
 
 @pytest.mark.parametrize("seed", [3, 4])

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from tests.support.cursor import at_cursor
 from tests.support.documents import ROOT
+from tests.support.mechanisms import matrix
 from tests.support.models import Style, random_model
 
 from kindsl.analysis.analysis import Analysis, analyse
@@ -112,12 +113,6 @@ def test_poses_at_zero_are_those_that_are_drawn(text: str) -> None:
     for frame in model.frames:
         wanted = drawn[frame.link] @ matrix(own_pose(analysis, frame))
         np.testing.assert_allclose(matrix(frame_pose(analysis, frame)), wanted, atol=1e-12)
-
-
-def matrix(pose: object) -> np.ndarray:
-    T = np.eye(4)
-    T[:3, :3], T[:3, 3] = pose.rotation, pose.translation
-    return T
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ import pytest
 from tests.features.samples import PARAMETRIC
 from tests.support import robots
 from tests.support.amount import usually
-from tests.support.kept import changed_at_their_values, n_errors
+from tests.support.kept import changed_at_their_values, errors
 from tests.support.models import LAYOUTS, Style, random_model
 from tests.support.spoilt import spoilt_robot
 from tests.support.walkers import walker
@@ -65,7 +65,7 @@ def assert_whole(before: Analysis, edits: tuple[TextEdit, ...], title: str) -> A
     # A body that is impossible but for rounding is so for certain with all its digits.
     is_impossible = any("KD300" < finding.code < "KD309" for finding in before.findings)
     if not (is_impossible and title.startswith("Give the inertia")):
-        assert n_errors(after) <= n_errors(before), title
+        assert errors(after).total() <= errors(before).total(), title
     return after
 
 

@@ -8,7 +8,7 @@ import pinocchio
 import pytest
 from tests.interchange.configurations import configuration, velocity_order
 from tests.interchange.random_robots import random_robot
-from tests.interchange.round_trips import written
+from tests.interchange.round_trips import mechanism_of, written
 
 import kindsl
 from kindsl.analysis.settings import Settings
@@ -21,12 +21,6 @@ from kindsl.spatial.arrays import Array
 TOLERANCE = 1e-9  # what the issue of a round trip promises, absolute, at dimensions near one
 SEEDS = range(200)
 URDF_FORMAT = format_named("urdf")
-
-
-def mechanism_of(text: str) -> Mechanics:
-    document = kindsl.parse(text, Settings())
-    assert not [f for f in document.findings if f.severity == "error"]
-    return document.mechanism()
 
 
 def written_and_read(robot: Mechanics, folder: Path) -> Mechanics:

@@ -6,15 +6,12 @@ from typing import NamedTuple
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from tests.semantics.placed import expression
 
-from kindsl.semantics.expressions import Expression
-from kindsl.semantics.lowering import declarations
 from kindsl.semantics.ranges import Interval, bounds_of, degrees_of
-from kindsl.syntax.document import parse
 
 Monomials = frozenset[tuple[int, int]]
 
-POSE = "r_joint j {{ ref_frame {{ translation = ({0}, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) }} }}"
 K = 0.75
 
 
@@ -60,12 +57,6 @@ written = st.recursive(
 numbers = st.floats(-4.0, 4.0).map(lambda value: round(value, 2))
 intervals = st.tuples(numbers, numbers).map(lambda ends: (min(ends), max(ends)))
 steady = settings(deadline=None, derandomize=True, max_examples=80)
-
-
-def expression(text: str) -> Expression:
-    (joint,) = (j for i in parse(POSE.format(text)).islands for j in declarations(i).joints)
-    assert joint.pose.translation is not None
-    return joint.pose.translation.components[0]
 
 
 def value(text: str, x: float, y: float) -> float | None:

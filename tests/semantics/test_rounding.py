@@ -5,12 +5,10 @@ from typing import NamedTuple
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.semantics.placed import expression
 
-from kindsl.semantics.expressions import Expression, half_unit
-from kindsl.semantics.lowering import declarations
-from kindsl.syntax.document import parse
+from kindsl.semantics.expressions import half_unit
 
-POSE = "r_joint j {{ ref_frame {{ translation = ({0}, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) }} }}"
 BOUND = {"x": 1.75}
 STEP = 1e-3
 
@@ -44,12 +42,6 @@ def larger(inner: st.SearchStrategy[Written]) -> st.SearchStrategy[Written]:
         st.builds(two_operands, inner, st.sampled_from("+-*"), inner),
         st.builds(two_operands, inner, st.just("/"), leaves),
     )
-
-
-def expression(text: str) -> Expression:
-    (joint,) = (j for i in parse(POSE.format(text)).islands for j in declarations(i).joints)
-    assert joint.pose.translation is not None
-    return joint.pose.translation.components[0]
 
 
 def value(what: Written, moved: int, by: float) -> float:

@@ -146,6 +146,11 @@ def _blocks(analysis: Analysis) -> Counter[str]:
     )
 
 
-def n_errors(analysis: Analysis) -> int:
-    """Return how many errors are told."""
-    return sum(finding.severity is Severity.ERROR for finding in analysis.findings)
+def errors(analysis: Analysis) -> Counter[str]:
+    """Return how often each error is told, by code."""
+    return Counter(f.code for f in analysis.findings if f.severity is Severity.ERROR)
+
+
+def remarks(analysis: Analysis) -> list[str]:
+    """Return the comments, sorted."""
+    return sorted(i.text[s:e] for i in analysis.syntax.islands for s, e in i.comments)

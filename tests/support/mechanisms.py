@@ -33,6 +33,13 @@ def mechanics_by_name(analysis: Analysis, values: dict[str, float] | None = None
     return found
 
 
+def matrix(pose):
+    """Return a rigid pose as a homogeneous matrix, shape (4, 4)."""
+    T = np.eye(4)
+    T[:3, :3], T[:3, 3] = pose.rotation, pose.translation
+    return T
+
+
 def assert_same_mechanism(before, after, tolerance=1e-9):
     """Fail unless all that the first has is in the second, numbers within a tolerance."""
     assert before.keys() <= after.keys()

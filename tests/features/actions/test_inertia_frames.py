@@ -1,19 +1,18 @@
 """An inertia given in another frame: the same body, short numbers, only where both are known."""
 
 import random
-from collections import Counter
 from itertools import permutations
 
 import pytest
 from tests.features.samples import ARM
 from tests.support.amount import usually
 from tests.support.cursor import at_cursor
+from tests.support.kept import errors
 from tests.support.mechanisms import assert_same_mechanism, mechanics_by_name
 
-from kindsl.analysis.analysis import Analysis, analyse
+from kindsl.analysis.analysis import analyse
 from kindsl.features.actions.code_actions import quick_fixes
 from kindsl.features.actions.move_inertia import move_inertia
-from kindsl.rules.base import Severity
 
 FRAME = "{name} {{ translation = ({x}, 0.0, 0.0) rotation = (0.0, 0.0, 0.0) }}"
 TO_COM = "Give the inertia of 'upper' about its CoM, in a new frame 'upper_com'"
@@ -276,10 +275,6 @@ def test_an_inertia_that_its_digits_make_possible_stays_possible(part: int) -> N
             assert errors(after) <= errors(before)
             assert any(m.literal for m in after.model.body_named["upper"].inertia.moments.values())
     assert n_offered > 1.5 * n_rods
-
-
-def errors(analysis: Analysis) -> Counter[str]:
-    return Counter(f.code for f in analysis.findings if f.severity is Severity.ERROR)
 
 
 def test_only_such_an_inertia_loses_digits() -> None:

@@ -2,6 +2,7 @@ import pytest
 from tests.features.samples import ARM, PARAMETRIC
 from tests.support.cursor import at_cursor
 from tests.support.documents import sound_documents
+from tests.support.kept import remarks
 from tests.support.mechanisms import assert_same_mechanism, mechanics_by_name
 
 from kindsl.analysis.analysis import analyse
@@ -247,7 +248,7 @@ def test_refactorings_keep_the_mechanism(path):
         for action in refactorings(analysis, offset, offset):
             new = analysis.edited(action.edits)
             assert_same_mechanism(before, mechanics_by_name(new, values))
-            assert comments(new) == comments(analysis)
+            assert remarks(new) == remarks(analysis)
             done.add(action.title)
     assert done
 
@@ -264,9 +265,5 @@ def test_renaming_keeps_the_document(path):
     for entity, offset in list(names.items())[::7]:
         new = analysis.edited(rename(analysis, offset, "renamed_thing").edits)
         assert [f.code for f in new.findings if f.code < "KD3"] == before, entity
-        assert comments(new) == comments(analysis)
+        assert remarks(new) == remarks(analysis)
         assert new.text.count("renamed_thing") >= 1
-
-
-def comments(analysis):
-    return sorted(i.text[s:e] for i in analysis.syntax.islands for s, e in i.comments)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.support.mechanisms import matrix
 from tests.support.models import Style, random_model
 
 from kindsl.analysis.analysis import analyse
@@ -72,12 +73,6 @@ def poses(analysis, q):
     for frame in skeleton.frames:
         found[frame.name] = found[names[frame.body]] @ matrix(frame.pose)
     return found
-
-
-def matrix(pose):
-    T = np.eye(4)
-    T[:3, :3], T[:3, 3] = pose.rotation, pose.translation
-    return T
 
 
 def motion(kind, position):

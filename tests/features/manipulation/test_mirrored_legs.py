@@ -3,8 +3,9 @@
 from pathlib import Path
 
 import pytest
+from tests.features.manipulation.made import changed
 
-from kindsl.analysis.analysis import Analysis, analyse
+from kindsl.analysis.analysis import analyse
 from kindsl.features.manipulation.gesture import Gesture, Refusal
 from kindsl.features.manipulation.mirror_leg import can_mirror, mirror_leg
 
@@ -25,13 +26,6 @@ r_joint o { ref_frame { translation = (0.0, 0.0, 0.0) rotation = (0.0, 0.0, 0.0)
 
 
 EXAMPLES = sorted((Path(__file__).parents[3] / "examples").glob("*.kindsl"))
-
-
-def changed(text: str, gesture: Gesture | Refusal) -> Analysis:
-    assert isinstance(gesture, Gesture), gesture
-    starts = [edit.start for edit in gesture.edits]
-    assert starts == sorted(starts)
-    return analyse(text).edited(gesture.edits)
 
 
 @pytest.mark.parametrize(

@@ -1,11 +1,12 @@
 """Where gestures put new things: laid out like what is around them, under names that are free."""
 
 import pytest
+from tests.features.manipulation.made import changed
 
-from kindsl.analysis.analysis import Analysis, analyse
+from kindsl.analysis.analysis import analyse
 from kindsl.features.manipulation.add_child import add_child
 from kindsl.features.manipulation.add_frame import add_frame
-from kindsl.features.manipulation.gesture import Gesture, Refusal
+from kindsl.features.manipulation.gesture import Refusal
 
 ROBOT = """\
 Robot R {
@@ -32,13 +33,6 @@ r_joint j {
 CHILD = "link1 via joint1"
 POINT = (0.1, -0.25, 0.0)
 WRITTEN = "translation = (0.1, -0.25, 0.0)"
-
-
-def changed(text: str, gesture: Gesture | Refusal) -> Analysis:
-    assert isinstance(gesture, Gesture), gesture
-    starts = [edit.start for edit in gesture.edits]
-    assert starts == sorted(starts)
-    return analyse(text).edited(gesture.edits)
 
 
 def with_child(text: str, parent: str, kind: str = "revolute") -> str:
