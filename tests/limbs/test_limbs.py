@@ -63,3 +63,38 @@ def test_two_slips_in_two_limbs_are_meant(seed: int) -> None:
         first, rest = old.split(", ", 1)
         text = text.replace(f"({old})", f"({float(first) + 0.1:.9f}, {rest})")
     assert told(analyse(text)) == []
+
+
+# Like fingers, mounted anyhow, and a thumb, which is none of them.
+HAND = {
+    1: ("(0.0, 0.045, -0.001) rotation = (-0.09, 0.0, 0.0)", "0.016", "0.054", "0.038"),
+    2: ("(0.0, 0.0, 0.003) rotation = (0.0, 0.0, 0.0)", "0.016", "0.054", "0.038"),
+    3: ("(0.01, -0.05, 0.0) rotation = (0.12, 0.03, 0.0)", "0.016", "0.054", "0.038"),
+    4: ("(0.0, -0.02, -0.05) rotation = (0.0, 0.4, 1.2)", "0.01", "0.05", "0.04"),
+}
+HEADS = " ".join(f"finger_{n}_0 via joint_{n}_0" for n in HAND)
+
+
+def hand() -> str:
+    links, joints = "", ""
+    for n, (mount, *lengths) in HAND.items():
+        places = [mount, *(f"({x}, 0.0, 0.0) rotation = (PI/2.0, 0.0, 0.0)" for x in lengths)]
+        for part, place in enumerate(places):
+            child = f"finger_{n}_{part + 1} via joint_{n}_{part + 1}" if part < 3 else ""
+            links += (
+                f"link finger_{n}_{part} {{ id = {4 * n + part - 3} children {{ {child} }} }}\n"
+            )
+            joints += f"r_joint joint_{n}_{part} {{ ref_frame {{ translation = {place} }} }}\n"
+    return f"Robot hand {{\nRobotBase palm {{ children {{ {HEADS} }} }}\n{links}{joints}}}\n"
+
+
+def test_a_finger_is_compared_however_it_is_mounted() -> None:
+    text = hand()
+    assert told(analyse(text)) == []
+    joint = text.index("r_joint joint_2_2")
+    spoilt = text[:joint] + text[joint:].replace("0.054", "0.045", 1)
+    (finding,) = told(analyse(spoilt))
+    assert finding.code == "KD509"
+    assert "by its twins (0.054, 0.0, 0.0)" in finding.message
+    assert finding.fix is not None
+    assert apply_edits(spoilt, finding.fix.edits) == text

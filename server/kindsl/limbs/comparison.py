@@ -86,7 +86,13 @@ class LimbComparison:
         """
         if way not in self._readings:
             among = [mount for mount in self._mounts if mount.way == way] or self._mounts
-            found = ([*self._read(among, may_slip)] for may_slip in (False, True))
+            # Numbered limbs that no mount explains may be mounted in any way, as fingers are.
+            anyhow = mounts("HELD", *self.rows[0][1:]) if self.how == "TURN" else ()
+            found = (
+                [*self._read(tried, may_slip)]
+                for tried in (among, list(anyhow))
+                for may_slip in (False, True)
+            )
             self._readings[way] = next(filter(None, found), [])
         return self._readings[way]
 

@@ -74,6 +74,7 @@ class ComparedLimbs:
 def verdicts(limbs: ComparedLimbs, masses: Masses) -> list[LimbVerdict]:
     """Return what does not fit in a group of limbs, nothing where more than a slip or two does."""
     weighed = _in_one_way({p: WeighedComparison(c, masses) for p, c in limbs.pairs.items()})
+    weighed = _without_strangers(weighed)
     if all(c.n_slips == 0 for c in weighed.values()):
         return [*_odd_masses(weighed)] if weighed else []
     return _convicted(weighed) or [v for c in weighed.values() for v in _of_pair(c)]
@@ -105,6 +106,12 @@ def _in_one_way(pairs: _Weighed) -> _Weighed:
             _, best = min(whole, key=lambda each: each[0])
             found |= {pair: c.in_way(best.mount.way) for pair, c in alike.items()}
     return found
+
+
+def _without_strangers(pairs: _Weighed) -> _Weighed:
+    """Return the pairs without limbs that differ from every other by more than a slip: a thumb."""
+    kin = {label for pair, c in pairs.items() if c.n_slips <= 1 for label in pair}
+    return {pair: c for pair, c in pairs.items() if kin.issuperset(pair)}
 
 
 def _convicted(pairs: _Weighed) -> list[LimbVerdict]:
