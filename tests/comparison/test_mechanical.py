@@ -45,6 +45,11 @@ def test_the_number_is_named_though_it_moves_what_frames_are_found_by(seed: int)
     assert off_trial(random_document(seed), seed).result == "right"
 
 
+def test_a_fixed_base_is_found_by_the_vertical_where_one_link_slides() -> None:
+    """Its axis has no place, and a product of inertia that is off turns its principal axes."""
+    assert off_trial(random_document(296), 296).result == "unseen"
+
+
 def test_equal_numbers_agree_in_inertia_matrix_and_bias_forces() -> None:
     ours = described_text(ARM)[0]
     found = compared_mechanics(ours, ours)

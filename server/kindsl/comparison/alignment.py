@@ -35,6 +35,7 @@ from kindsl.rigid.pose import (
 DRIFT = 0.05
 _GRADES = ((1e-10, 1.0), (1e-6, 0.8), (3e-4, 0.5))
 _ORIGIN = (0.0, 0.0, 0.0)
+_VERTICAL = AxisLine(_ORIGIN, (0.0, 0.0, 1.0), is_free=True)
 _TURNED_ONLY = 0.4
 _AXES_OF_ROOT = 4
 _MOST_ROOTS = 6
@@ -173,6 +174,8 @@ def _root_pair(ours: Skeleton, theirs: Skeleton, matching: MatchedJoints, size: 
     bodies = sorted(matching.theirs)[1 : 1 + _AXES_OF_ROOT]
     lines = _axes_at_zero(ours, bodies)
     others = _axes_at_zero(theirs, [matching.theirs[body] for body in bodies])
+    if not (ours.is_floating or theirs.is_floating):
+        lines, others = (*lines, _VERTICAL), (*others, _VERTICAL)
     masses = [ours.masses[0], theirs.masses[0]]
     if not (ours.is_floating and masses[0].mass and masses[1].mass):
         masses = [_whole(ours), _whole(theirs)]
