@@ -2,6 +2,7 @@
 
 import itertools
 import logging
+from collections.abc import AsyncIterator
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from lsprotocol import types
@@ -64,27 +65,41 @@ async def pull(session: Session, params: types.DocumentDiagnosticParams) -> Repo
 async def pull_all(session: Session, params: types.WorkspaceDiagnosticParams) -> Report:
     """Answer what is wrong with every robot in the workspace, whether open or not.
 
-    A client that takes partial results asks again and again; it has its answer when there is news.
+    A client that takes partial results is told of each robot as soon as that is known. It asks
+    again and again, and has its answer when there was news.
     """
-    reports = await _workspace_reports(session, params)
-    while params.partial_result_token is not None and not any(map(_is_news, reports)):
+    token = params.partial_result_token
+    if token is None:
+        return {"items": [report async for report in _workspace_reports(session, params)]}
+    has_news = False
+    while not has_news:
         session.news.clear()
-        await session.news.wait()
-        reports = await _workspace_reports(session, params)
-    return {"items": reports}
+        async for report in _workspace_reports(session, params):
+            if report["kind"] == "full":
+                session.editor.progress(types.ProgressParams(token, {"items": [report]}))
+                has_news = True
+        if not has_news:
+            await session.news.wait()
+    return {"items": []}
 
 
 async def _workspace_reports(
     session: Session, params: types.WorkspaceDiagnosticParams
-) -> list[Report]:
+) -> AsyncIterator[Report]:
+    """Yield what is wrong with each robot, then with those that are no more."""
     known = {uris.key(each.uri): each.value for each in params.previous_result_ids}
+    listed = set()
     async with Progress(session, "Checking robots", params.work_done_token) as progress:
         robots = await session.open_and_closed()
-        asked = progress.over(robots, lambda uri: _workspace_report(session, uri, known))
-        reports = [report async for report in asked if report is not None]
-    listed = {uris.key(report["uri"]) for report in reports}
-    gone = (each for each in params.previous_result_ids if uris.key(each.uri) not in listed)
-    return [*reports, *map(_gone_report, gone)]
+        async for report in progress.over(
+            robots, lambda uri: _workspace_report(session, uri, known)
+        ):
+            if report is not None:
+                listed.add(uris.key(report["uri"]))
+                yield report
+    for each in params.previous_result_ids:
+        if uris.key(each.uri) not in listed:
+            yield _gone_report(each)
 
 
 def _gone_report(previous: types.PreviousResultId) -> Report:
@@ -93,10 +108,6 @@ def _gone_report(previous: types.PreviousResultId) -> Report:
     if previous.value == _GONE:
         return {**told, "kind": "unchanged"}
     return {**told, "kind": "full", "items": []}
-
-
-def _is_news(report: Report) -> bool:
-    return bool(report["kind"] == "full")
 
 
 async def _workspace_report(session: Session, uri: str, known: dict[str, str]) -> Report | None:
