@@ -5,17 +5,15 @@ by the text of what is found there. Robots and options are those of `planted_sli
 lists what is told of the inertias as they are, `--wrong` each slip whose cause or fix is wrong.
 """
 
-import argparse
 import random
 import re
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from decimal import Decimal
 from math import dist
-from pathlib import Path
 from typing import NamedTuple
 
-from planted_slips import Robot, edited, robots, write_section
+from planted_slips import Robot, edited, run
 
 from kindsl.analysis.analysis import Analysis, analyse
 from kindsl.analysis.diagnostics import Diagnostic
@@ -275,6 +273,7 @@ def table(pool: Sequence[Robot], number: int, seed: int, show: bool = False) -> 
         *("fix", "fix right", "codes"),
     )
     lines = [f"| {' | '.join(head)} |", "|---" * len(head) + "|"]
+    print(lines[0])
     total: list[Outcome] = []
     for kind in KINDS:
         outcomes = measure(pool, kind, number, seed, show)
@@ -302,26 +301,7 @@ def _row(kind: str, outcomes: Sequence[Outcome]) -> str:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser()
-    parser.add_argument("folders", nargs="*", type=Path)
-    parser.add_argument("--number", type=int, default=40)
-    parser.add_argument("--seed", type=int, default=2018)
-    parser.add_argument("--half", type=int)
-    parser.add_argument("--honest", action="store_true")
-    parser.add_argument("--wrong", action="store_true")
-    parser.add_argument("--write", action="store_true")
-    given = parser.parse_args()
-    pool = list(robots(given.folders, given.half))
-    if given.honest:
-        for robot in pool:
-            for finding in robot.analysis.findings:
-                if finding.code.startswith("KD3"):
-                    print(f"{robot.name}: {finding.code} {finding.message}")
-        print(f"{len(pool)} robots")
-        return
-    text = table(pool, given.number, given.seed, given.wrong)
-    if given.write:
-        write_section(HEADING, f"{INTRODUCTION}\n{text}")
+    run(__doc__ or "", ("KD3",), table, HEADING, INTRODUCTION)
 
 
 INTRODUCTION = """\

@@ -3,8 +3,9 @@
 Each slip is made in the text of a whole robot, in a joint or a body of a limb that agreed with its
 twins before. Robots are the examples and the published models, and those of the folders given
 (`.kindsl`, `.urdf`). `--write` puts the table into the docs, `--honest` lists what is told of the
-robots as they are, `--seed N` and `--number N` choose other slips and how many of each kind,
-`--half 0` and `--half 1` take every other robot: rules are tuned on the first half only.
+robots as they are, `--wrong` the slips that are not told, `--seed N` and `--number N` choose other
+slips and how many of each kind, `--half 0` and `--half 1` take every other robot: rules are tuned
+on the first half only.
 """
 
 import argparse
@@ -341,7 +342,9 @@ def from_urdf(path: Path) -> str:
         return ""
 
 
-def measure(pool: Sequence[Robot], twins: str, kind: str, number: int, seed: int) -> list[Outcome]:
+def measure(
+    pool: Sequence[Robot], twins: str, kind: str, number: int, seed: int, show: bool = False
+) -> list[Outcome]:
     """Plant a kind of slip so often, and tell what came of it."""
     generator = random.Random(f"{seed} {twins} {kind}")
     fitting = [robot for robot in pool if robot.limbs[twins]]
@@ -355,19 +358,24 @@ def measure(pool: Sequence[Robot], twins: str, kind: str, number: int, seed: int
         planted = KINDS[kind](generator, robot.analysis, edge)
         if planted and not is_same(analyse(planted.text), robot.analysis):
             outcomes.append(outcome(robot, planted))
+            if show and not outcomes[-1].codes:
+                print(f"--- {kind}: {robot.name} {', '.join(planted.links)}")
     return outcomes
 
 
-def table(pool: Sequence[Robot], number: int, seed: int) -> str:
+def table(pool: Sequence[Robot], number: int, seed: int, show: bool = False) -> str:
     head = ("slip", "twins", "planted", "in place", "elsewhere only", "fix", "fix right", "codes")
     lines = [f"| {' | '.join(head)} |", "|---" * len(head) + "|"]
+    print(lines[0])
     for twins in ("three", "pair"):
         total: list[Outcome] = []
         for kind in KINDS:
-            outcomes = measure(pool, twins, kind, number, seed)
+            outcomes = measure(pool, twins, kind, number, seed, show)
             total += outcomes if kind in NUMBERS_OF_JOINTS else []
             lines.append(_row(kind, twins, outcomes))
+            print(lines[-1], flush=True)
         lines.append(_row("*all numbers of joints*", twins, total))
+        print(lines[-1], flush=True)
     return "\n".join(lines) + "\n"
 
 
@@ -385,29 +393,41 @@ def _row(kind: str, twins: str, outcomes: Sequence[Outcome]) -> str:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser()
+    run(__doc__ or "", CODES, table, HEADING, INTRODUCTION)
+
+
+def run(
+    about: str,
+    codes: tuple[str, ...],
+    tabled: Callable[[Sequence[Robot], int, int, bool], str],
+    heading: str,
+    introduction: str,
+) -> None:
+    """Plant slips as the command line says, or list what has these codes in honest robots."""
+    parser = argparse.ArgumentParser(
+        description=about, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("folders", nargs="*", type=Path)
     parser.add_argument("--number", type=int, default=40)
     parser.add_argument("--seed", type=int, default=2018)
     parser.add_argument("--half", type=int)
-    parser.add_argument("--honest", action="store_true")
-    parser.add_argument("--write", action="store_true")
+    for option in ("--honest", "--wrong", "--write"):
+        parser.add_argument(option, action="store_true")
     given = parser.parse_args()
     pool = list(robots(given.folders, given.half))
     if given.honest:
         for robot in pool:
             for finding in robot.analysis.findings:
-                if finding.code in CODES:
+                if finding.code.startswith(codes):
                     print(f"{robot.name}: {finding.code} {finding.message}")
         print(f"{len(pool)} robots")
         return
-    text = table(pool, given.number, given.seed)
-    print(text)
+    text = tabled(pool, given.number, given.seed, given.wrong)
     if given.write:
-        write_section(HEADING, f"{INTRODUCTION}\n{text}")
+        _write_section(heading, f"{introduction}\n{text}")
 
 
-def write_section(heading: str, text: str) -> None:
+def _write_section(heading: str, text: str) -> None:
     """Put a section in the place of the one that the page has."""
     before, _, rest = PAGE.read_text("utf-8").partition(heading)
     after = "".join(rest.partition("\n## ")[1:])
