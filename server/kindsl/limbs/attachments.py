@@ -80,23 +80,22 @@ class LimbNames:
             count = Counter(views.values())
             crossed = [a for a, view in views.items() if view.side == "other"]
             accused = crossed or [a for a, view in views.items() if count[view] == 1]
-            is_told = len(accused) == 1 if len(twins) > 2 else _is_sided(twins, what, sided)
-            is_odd = len(count) == 2 and is_told
-            if len(crossed) > _MOST_CROSSED or (not crossed and len(count) > 1 and not is_odd):
-                return []
             found = [self._judged(a, views, accused, sided) for a in accused]
             if crossed:
                 across += found
-            elif is_odd:
+            elif len(count) > 1:
+                is_told = len(found) == 1 if len(twins) > 2 else _is_sided(twins, what, sided)
+                if len(count) > 2 or not is_told:
+                    return []
                 odd.append((set(count), found))
         if across:
             return across if not odd and len(across) <= _MOST_CROSSED else []
-        found = [each for _, group in odd for each in group]
+        told = [each for _, group in odd for each in group]
         if what == "joint" and len(odd) == 2 and odd[0][0] == odd[1][0]:
-            return found
+            return told
         # A part that is only named otherwise has no place elsewhere.
-        is_alone = len(odd) == 1 and (what == "parent" or len(found) == 1)
-        return found if is_alone and all(each.meant is not None for each in found) else []
+        is_alone = len(odd) == 1 and (what == "parent" or len(told) == 1)
+        return told if is_alone and all(each.meant is not None for each in told) else []
 
     def _judged(
         self,
@@ -105,11 +104,11 @@ class LimbNames:
         among: Sequence[Attachment],
         sided: _Sided,
     ) -> Misplaced:
+        """Return an attachment with what its twins, which are not accused, let expect."""
         twins = tuple(a for a in views if a not in among)
-        expected = {views[a] for a in twins}
         meant = None
-        if len(expected) == 1:
-            words, side = expected.pop()
+        if len({views[a] for a in twins}) == 1:
+            words, side = views[twins[0]]
             label = self._read(accused.link)[0]
             alike = (n for n, own in sided.items() if own == label and self._read(n)[1] == words)
             meant = words[0] if side == "none" else next(alike, None)

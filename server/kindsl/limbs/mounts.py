@@ -2,11 +2,11 @@
 
 from collections.abc import Iterator
 from itertools import product as combinations
-from math import atan2, cos, hypot, sin
+from math import atan2, hypot
 from typing import NamedTuple
 
 from kindsl.limbs.limb import Body
-from kindsl.rigid.pose import Rotation, Vector3, cross, dot, product, transposed, turned
+from kindsl.rigid.pose import Rotation, Vector3, cross, dot, pose_from, product, transposed, turned
 
 _APART = 1e-3
 # The plainest explanation first: what costs more must explain a slip more.
@@ -104,9 +104,5 @@ def moved(here: Vector3, there: Vector3, axis: int) -> Vector3:
 
 def _turn(axis: int, angle: float) -> Rotation:
     """Return a rotation about an axis."""
-    c, s = cos(angle), sin(angle)
-    return (
-        ((1.0, 0.0, 0.0), (0.0, c, -s), (0.0, s, c)),
-        ((c, 0.0, s), (0.0, 1.0, 0.0), (-s, 0.0, c)),
-        ((c, -s, 0.0), (s, c, 0.0), (0.0, 0.0, 1.0)),
-    )[axis]
+    x, y, z = (angle if i == axis else 0.0 for i in range(3))
+    return pose_from((0.0, 0.0, 0.0), (x, y, z)).rotation

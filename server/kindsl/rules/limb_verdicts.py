@@ -6,7 +6,7 @@ rules about syntax alone: two fixes of one number would contradict each other.
 """
 
 from collections.abc import Mapping, Sequence
-from functools import partial
+from functools import lru_cache, partial
 from typing import NamedTuple
 from zlib import crc32
 
@@ -20,13 +20,15 @@ from kindsl.rules.limb_places import is_broken
 from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Link, ValueKind
 from kindsl.semantics.model import Model
-from kindsl.semantics.parameters import Parameter
 from kindsl.semantics.unknown import Unknown
 from kindsl.text.facts import Fact
 
 _ASSIGNMENTS = range(3)
 # Where arbitrary values of parameters begin and how far they go: what a robot may have.
-_ARBITRARY = {ValueKind.LENGTH: (0.1, 0.4), ValueKind.ANGLE: (0.2, 1.0)}
+_ARBITRARY: dict[object, tuple[float, float]] = {
+    ValueKind.LENGTH: (0.1, 0.4),
+    ValueKind.ANGLE: (0.2, 1.0),
+}
 _ANYTHING = (0.5, 1.0)
 
 Values = Mapping[str, float]
@@ -145,11 +147,13 @@ def _assignments(model: Model, context: Context) -> tuple[Values, ...]:
     here = model.base.island if model.base is not None else None
     if all(use.name.island is here for parameter in model.parameters for use in parameter.uses):
         return (context.values,)
-    arbitrary = [{str(p.name): _value(p, n) for p in model.parameters} for n in _ASSIGNMENTS]
+    named = [(str(p.name), p.kind) for p in model.parameters]
+    arbitrary = [{name: _value(name, kind, n) for name, kind in named} for n in _ASSIGNMENTS]
     known = context.values
     return {**arbitrary[0], **known}, *({**known, **values} for values in arbitrary[1:])
 
 
-def _value(parameter: Parameter, n: int) -> float:
-    low, width = _ARBITRARY.get(parameter.kind, _ANYTHING)
-    return low + width * (crc32(f"{parameter.name} {n}".encode()) % 9973) / 9973.0
+@lru_cache(maxsize=1024)
+def _value(name: str, kind: object, n: int) -> float:
+    low, width = _ARBITRARY.get(kind, _ANYTHING)
+    return low + width * (crc32(f"{name} {n}".encode()) % 9973) / 9973.0
