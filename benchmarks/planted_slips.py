@@ -249,7 +249,7 @@ def agreeing(analysis: Analysis) -> dict[str, list[str]]:
             heads = dict(limbs.heads)
             for one, other, how in limbs.pairs():
                 rows = matched(heads[one], heads[other])
-                if rows is not None and all(
+                if rows is not None and any(
                     r.slip is None for r in LimbComparison(rows, how).readings()
                 ):
                     alike.setdefault(one, []).append((how, [row.one.name for row in rows]))
