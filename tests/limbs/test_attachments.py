@@ -24,8 +24,8 @@ def legs(*changes: tuple[str, str, str], names: tuple[str, ...] = LEGS) -> tuple
 def misplaced(*attachments: Attachment) -> tuple[list[object], list[object]]:
     names = LimbNames(attachments)
     return (
-        [(each.attachment.link, each.meant) for each in names.elsewhere()],
-        [(each.attachment.link, each.meant) for each in names.crossed()],
+        [(each.attachment.link, each.meant) for each in names.elsewhere],
+        [(each.attachment.link, each.meant) for each in names.crossed],
     )
 
 

@@ -2,6 +2,7 @@
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
 from itertools import combinations, pairwise
 from typing import NamedTuple
 
@@ -63,12 +64,14 @@ class LimbNames:
             if len(by_label) > 1 and all(len(found) == 1 for found in by_label.values())
         ]
 
+    @cached_property
     def elsewhere(self) -> list[Misplaced]:
-        """Return the links that another body carries than their twins let expect."""
+        """The links that another body carries than their twins let expect."""
         return self._misplaced(self._links, "parent")
 
+    @cached_property
     def crossed(self) -> list[Misplaced]:
-        """Return the links whose joint is another than their twins, or names, let expect."""
+        """The links whose joint is another than their twins, or names, let expect."""
         return self._misplaced(self._joints, "joint") or self._crossed_by_name()
 
     def _misplaced(self, sided: _Sided, what: str) -> list[Misplaced]:

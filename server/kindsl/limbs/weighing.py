@@ -138,10 +138,16 @@ class WeighedComparison:
         forward = product(product(forth, one.rotation), conventions[index])
         backward = product(product(back, other.rotation), transposed(conventions[index]))
         free_axis = mount.free_axis if index == 0 and what == "translation" else None
-        return (
-            _accusation((one, other), what, turned(back, (x, y, z)), backward, cost, free_axis),
-            _accusation((other, one), what, there, forward, cost, free_axis),
-        )
+
+        def said(body: Body, twin: Body, place: Vector3, rotation: Rotation) -> Accusation:
+            own, meant = body.translation, place
+            if what == "angles":
+                own, meant = body.angles, angles_near(rotation, body.angles, twin.angles)
+            change = max(abs(x - y) for x, y in zip(own, meant, strict=True))
+            n_new, suspect = n_retyped(own, meant), Suspect(body.name, body.joint, what)
+            return Accusation(suspect, twin.name, meant, cost, n_new, change, free_axis)
+
+        return said(one, other, turned(back, (x, y, z)), backward), said(other, one, there, forward)
 
 
 def differing(
@@ -168,20 +174,3 @@ def seen_by(body: MassDistribution, C: Rotation) -> MassDistribution:
     if not a:
         moments = (yy, xx, zz, b * c * xy, c * e * yz, b * e * xz)
     return MassDistribution(body.mass, turned(transposed(C), body.com), moments)
-
-
-def _accusation(
-    bodies: tuple[Body, Body],
-    what: str,
-    place: Vector3,
-    rotation: Rotation,
-    cost: float,
-    free_axis: int | None,
-) -> Accusation:
-    body, twin = bodies
-    written, meant = body.translation, place
-    if what == "angles":
-        written, meant = body.angles, angles_near(rotation, body.angles, twin.angles)
-    change = max(abs(x - y) for x, y in zip(written, meant, strict=True))
-    suspect = Suspect(body.name, body.joint, what)
-    return Accusation(suspect, twin.name, meant, cost, n_retyped(written, meant), change, free_axis)

@@ -10,7 +10,7 @@ from functools import lru_cache, partial
 from typing import NamedTuple
 from zlib import crc32
 
-from kindsl.limbs.attachments import Attachment, LimbNames, Misplaced
+from kindsl.limbs.attachments import Attachment, LimbNames
 from kindsl.limbs.limb import Limbs, limbs_of
 from kindsl.limbs.verdicts import ComparedLimbs, LimbVerdict, agreed, verdicts
 from kindsl.limbs.weighing import Masses
@@ -48,37 +48,24 @@ class LimbSlips(NamedTuple):
     assignments: tuple[Values, ...]
 
 
-class MisplacedLinks(NamedTuple):
-    """The links that are not attached as their twins.
-
-    Attributes:
-        elsewhere: Those that another body carries.
-        crossed: Those that move by another joint.
-    """
-
-    elsewhere: list[Misplaced]
-    crossed: list[Misplaced]
-
-
 _SLIPS = Fact[tuple[object, LimbSlips]]("slips in limbs")
-_MISPLACED = Fact[tuple[object, MisplacedLinks]]("misplaced links")
+_NAMES = Fact[tuple[object, LimbNames]]("names of limbs")
 _LIMBS = Fact[tuple[object, dict[str, list[_Compared]]]]("limbs by carrier")
 _COMPARED = Fact[tuple[object, list[_Compared]]]("compared limbs")
 _VERDICTS = Fact[tuple[object, list[LimbVerdict]]]("verdicts on limbs")
 
 
-def misplaced_links(model: Model) -> MisplacedLinks:
-    """Return the links that are not attached as their twins."""
+def limb_names(model: Model) -> LimbNames:
+    """Return the names of links and joints, which tell the links that are misplaced."""
     structure = model.edition.facts(Aspect.STRUCTURE)
-    return structure.made_of(_MISPLACED, (), partial(_misplaced, model))
+    return structure.made_of(_NAMES, (), partial(_names, model))
 
 
-def _misplaced(model: Model) -> MisplacedLinks:
-    edges = [e for e in model.tree.edges if e.link is not None and e.joint is not None]
-    names = LimbNames(
+def _names(model: Model) -> LimbNames:
+    edges = (e for e in model.tree.edges if e.link is not None and e.joint is not None)
+    return LimbNames(
         [Attachment(str(e.child.link), str(e.predecessor.name), str(e.child.joint)) for e in edges]
     )
-    return MisplacedLinks(names.elsewhere(), names.crossed())
 
 
 def limb_slips(model: Model, context: Context) -> LimbSlips:
@@ -88,7 +75,8 @@ def limb_slips(model: Model, context: Context) -> LimbSlips:
 
 def _slips(model: Model, context: Context) -> LimbSlips:
     assignments = _assignments(model, context)
-    if model.base is None or any(misplaced_links(model)):
+    names = limb_names(model)
+    if model.base is None or names.elsewhere or names.crossed:
         return LimbSlips([], assignments)
     places = model.edition.facts(Aspect.STRUCTURE | Aspect.PLACES)
     given = context.targets, assignments

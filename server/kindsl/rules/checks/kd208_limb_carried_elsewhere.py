@@ -30,7 +30,7 @@ from kindsl.rules.base import Example, Finding, Fix, Related, Replacement, Rule,
 from kindsl.rules.context import Context
 from kindsl.rules.examples import four_legs
 from kindsl.rules.limb_places import child_of
-from kindsl.rules.limb_verdicts import misplaced_links
+from kindsl.rules.limb_verdicts import limb_names
 from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.declarations import Child
 from kindsl.semantics.model import Model
@@ -39,7 +39,7 @@ from kindsl.semantics.places import Place
 
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each link that another body carries than its twins let expect."""
-    found = misplaced_links(model).elsewhere
+    found = limb_names(model).elsewhere
     for misplaced in found:
         (name, parent, _joint), meant, twins = misplaced
         child = child_of(model, name)

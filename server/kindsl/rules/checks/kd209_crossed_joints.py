@@ -29,7 +29,7 @@ from kindsl.rules.base import Example, Finding, Fix, Related, Replacement, Rule,
 from kindsl.rules.context import Context
 from kindsl.rules.examples import four_legs, joint, link, robot
 from kindsl.rules.limb_places import child_of
-from kindsl.rules.limb_verdicts import misplaced_links
+from kindsl.rules.limb_verdicts import limb_names
 from kindsl.semantics.aspects import Aspect
 from kindsl.semantics.model import Model
 
@@ -37,7 +37,7 @@ from kindsl.semantics.model import Model
 def check_document(model: Model, _: Context) -> Iterator[Finding]:
     """Yield a finding for each link that moves by another joint than its twins let expect."""
     told: list[Misplaced] = []
-    found = misplaced_links(model).crossed
+    found = limb_names(model).crossed
     for misplaced in found:
         if misplaced in told:
             continue
