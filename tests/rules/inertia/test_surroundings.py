@@ -279,3 +279,11 @@ def test_the_part_of_the_same_number_is_the_twin_in_a_chain() -> None:
     (found,) = suspects_of(analysis.model, analysis.context)
     around = surroundings(analysis.model, analysis.context, found)
     assert [twin.name for twin in around.twins] == ["right_arm_7"]
+
+
+@pytest.mark.parametrize("moment", ["1.0e999", "1.7e308"])  # robcogen2 reads the first as inf
+def test_a_moment_beyond_all_numbers_is_a_copy_of_none(moment: str) -> None:
+    told = "inertia_params { mass = 7.8261 CoM = (-0.0491, 0.1772, -0.1023) Ix = %s Iy = %s"
+    told += " Iz = 0.367571 Ixy = -0.067875 Ixz = 0.039114 Iyz = -0.141291 }"
+    texts = [told % ("0.1234567", "0.0419"), told % (moment, moment)]
+    assert analyse(document_of_bodies(texts), Settings(frozenset({"robcogen2"}))).faults == ()

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from itertools import islice
-from math import hypot, isclose, log, log10
+from math import hypot, isclose, isfinite, log, log10
 from typing import NamedTuple
 
 from kindsl.limbs.mounts import REFLECTIONS
@@ -229,7 +229,7 @@ class _Telling(NamedTuple):
     @property
     def size(self) -> int:
         """The order of magnitude, finely: what is the same has this one, or one next to it."""
-        return round(log(sum(map(abs, self.numbers))) / _NEXT)
+        return round(log(max(map(abs, self.numbers))) / _NEXT)
 
     def is_as(self, other: "_Telling", seen: Callable[[float], float] = float) -> bool:
         """Return whether others are the same, as far as copies with fewer digits are."""
@@ -263,7 +263,8 @@ def _telling_numbers(body: Link) -> list[_Telling]:
     moments = tuple(inertia.moments.values())
     for what, group in (("moments", moments), ("CoM", inertia.com.components)):
         digits = {abs(v.literal): significant_digits(v.text) for v in group if v.literal}
-        if len(digits) > 1 and sum(digits.values()) >= _FEWEST_DIGITS:
+        is_told = len(digits) > 1 and sum(digits.values()) >= _FEWEST_DIGITS
+        if is_told and all(map(isfinite, digits)):
             found.append(_Telling(what, tuple(value.literal or 0.0 for value in group)))
     return found
 
