@@ -68,6 +68,18 @@ async def slow(session: Session) -> Slow:
     return slow
 
 
+async def test_a_page_lists_what_is_wrong_though_it_was_told_before(session: Session) -> None:
+    session.on_findings.clear()
+    opening = asyncio.ensure_future(session.previews.open(URI))
+    await until(lambda: session.previews._preview is not None or opening.done())
+    slow = session.previews._preview
+    assert isinstance(slow, Slow)
+    for _ in range(2):
+        slow.may_draw.release()
+    await opening
+    await until(lambda: slow.told == ["first"])
+
+
 def type_comment(session: Session, version: int, comment: str) -> None:
     whole = types.TextDocumentContentChangeWholeDocument(ROBOT.format(comment))
     identifier = types.VersionedTextDocumentIdentifier(version, URI)

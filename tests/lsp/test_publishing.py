@@ -187,6 +187,10 @@ async def test_an_open_configuration_file_speaks_for_itself_and_names_what_nobod
         *_, again = await published(told, file.as_uri(), 2)
         await settled(session)
         assert ["'length'" in each["message"] for each in again["diagnostics"]] == [True]
+        opened(session, "file:///elsewhere/leg.kindsl", arm(reach="length"), 1)
+        *_, still = await published(told, file.as_uri(), 3)
+        await settled(session)
+        assert still["diagnostics"] == again["diagnostics"]
         change(session, file.as_uri(), 5, "y = 1\n")
         *_, wrong = await until_says(told, file.as_uri(), "unknown key 'y'")
         assert wrong["version"] == 5
