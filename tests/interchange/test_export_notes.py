@@ -83,6 +83,22 @@ def test_what_other_tools_refuse_of_an_sdf(old: str, new: str, told: list[str]) 
     assert notes(TEXT.replace(HAND, HAND.replace(old, new)), "sdf") == told
 
 
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        (" turn", " arm", "the joint 'arm' is now 'arm_joint': names are unique in SDF"),
+        ("slide", "world", "the joint 'world' is now 'world_joint': names are unique in SDF"),
+        ("base", "world", "the link 'world' is now 'world_link': names are unique in SDF"),
+    ],
+)
+def test_a_name_that_an_sdf_cannot_give_twice_is_told(old: str, new: str, told: str) -> None:
+    skeleton = kindsl.parse(TEXT.replace(old, new), Settings()).skeleton()
+    made = format_named("sdf").write("r", skeleton, ORDINARY)
+    assert list(made.remarks) == [told]
+    names = [element.get("name") for element in fromstring(made.text).findall("model/*")]
+    assert len(set(names)) == len(names) == 6
+
+
 URDF = """<robot name="r"><link name="base"/><link name="arm"/><link name="tip">{tip}</link>
 <joint name="j" type="continuous"><parent link="base"/><child link="arm"/></joint>
 <joint name="k" type="fixed"><parent link="arm"/><child link="tip"/>

@@ -21,6 +21,7 @@ from kindsl.semantics.parameters import UNTOLD
 
 # The first version whose poses may be quaternions, which keep every rotation exact.
 _VERSION = "1.9"
+_WELD = ("weld", "world_fixed")  # the joint that fixes the base
 
 
 def written_sdf(name: str, skeleton: Skeleton, choices: WritingChoices = ORDINARY) -> WrittenRobot:
@@ -39,7 +40,7 @@ def written_sdf(name: str, skeleton: Skeleton, choices: WritingChoices = ORDINAR
     if skeleton.is_floating:
         _add_inertial(base, skeleton.masses[0])
     else:
-        _add_joint(model, names["joint", WORLD], "fixed", WORLD, body_names[0])
+        _add_joint(model, names[_WELD], "fixed", WORLD, body_names[0])
     for link, parent in skeleton.links():
         axis = _add_link(model, skeleton, names, link, body_names[parent])
         add_properties(axis, choices.joints.get(skeleton.joint_names[link - 1], UNTOLD))
@@ -50,7 +51,7 @@ def written_sdf(name: str, skeleton: Skeleton, choices: WritingChoices = ORDINAR
     renamed = (
         f"the {kind} '{old}' is now '{new}': names are unique in SDF"
         for (kind, old), new in names.items()
-        if old not in (new, WORLD) or (old == WORLD and kind != "joint")
+        if old != new and (kind, old) != _WELD
     )
     return WrittenRobot(document_text(root), (*renamed, *_refused_elsewhere(skeleton)))
 
@@ -62,8 +63,8 @@ def _names(skeleton: Skeleton) -> dict[tuple[str, str], str]:
     things += [("frame", frame.name) for frame in skeleton.frames]
     taken = {WORLD}
     names: dict[tuple[str, str], str] = {}
-    for kind, name in (*things, ("joint", WORLD)):
-        free = f"{WORLD}_fixed" if (kind, name) == ("joint", WORLD) else name.replace("::", "_")
+    for kind, name in (*things, _WELD):
+        free = name.replace("::", "_")
         while free in taken:
             free += f"_{kind}"
         taken.add(free)
