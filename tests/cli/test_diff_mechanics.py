@@ -57,6 +57,22 @@ def test_moments_about_turned_axes_are_named_as_the_file_has_them(
     )
 
 
+def test_a_link_that_is_fixed_is_a_frame_with_its_line(kindsl: Runner, arm: Path) -> None:
+    place = "translation = (0.1, 0.0, 0.0) rotation = (0.0, 0.0, 0.0)"
+    arm.write_text(ARM.replace("children {}", f"children {{}} frames {{ camera {{ {place} }} }}"))
+    kindsl("convert", "-q", arm, "arm.sdf")
+    text = re.sub("<frame.*?</frame>", "", Path("arm.sdf").read_text(), flags=re.DOTALL)
+    camera = """<link name="camera"><pose relative_to="lower">0.2 0 0 0 0 0</pose>
+<inertial><mass>0</mass><inertia><ixx>0</ixx><iyy>0</iyy><izz>0</izz></inertia></inertial></link>
+<joint name="mount" type="fixed"><parent>lower</parent><child>camera</child></joint></model>"""
+    text = text.replace("</model>", camera)
+    Path("arm.sdf").write_text(text)
+    line = text[: text.index('"camera"')].count("\n") + 1
+    (told,) = kindsl("diff", arm.name, "arm.sdf").out.splitlines()[1:]
+    lines = f"0.1 m in arm.kindsl (line 21) and 0.2 m in arm.sdf (line {line})"
+    assert told == f"  x of frame 'camera' is {lines} [no joint torque]"
+
+
 # A point mass between axes that meet, whose angles are written with few digits.
 WRIST = """Robot wrist {
 RobotBase base { children { forearm via roll } }

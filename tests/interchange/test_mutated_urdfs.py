@@ -37,7 +37,7 @@ def test_plain_robot_is_read(tmp_path: Path) -> None:
         (
             '<parent link="base"/><child link="arm"',
             '<parent link="hand"/><child link="arm"',
-            "closes a loop: .*arm",
+            "line 6: <joint name='wrist'> closes a loop: hand -> arm -> hand$",
         ),
         ('<child link="hand"', '<child link="arm"', "line 6: .*'arm' a second parent.*'shoulder'"),
         ('"hand"><inertial', '"arm"><inertial', "line 4: .*has the name of the link in line 3"),

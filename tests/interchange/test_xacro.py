@@ -13,6 +13,7 @@ from kindsl.interchange.kindsl_writing import kindsl_text
 from kindsl.interchange.registry import format_named
 from kindsl.interchange.urdf.urdf_reading import robot_of_urdf
 from kindsl.interchange.xacro.expansion import expanded
+from kindsl.interchange.xacro.packages import package_folder
 
 HEAD = '<?xml version="1.0"?>\n<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="leg">'
 MACROS = f"""{HEAD}
@@ -214,3 +215,13 @@ def test_arguments_are_for_xacro_files(tmp_path: Path, capsys) -> None:
     with pytest.raises(SystemExit):
         main(["convert", str(path), str(tmp_path / "leg.kindsl"), "hip"])
     assert "'hip' is not NAME:=VALUE" in capsys.readouterr().err
+
+
+def test_a_folder_of_the_name_will_do_and_a_manifest_goes_before(tmp_path: Path) -> None:
+    assert package_folder("leg", [tmp_path]) is None
+    (tmp_path / "leg").mkdir()
+    assert package_folder("leg", [tmp_path / "none", tmp_path]) == tmp_path / "leg"
+    other = tmp_path / "src" / "other"
+    other.mkdir(parents=True)
+    (other / "package.xml").write_text("<package><name>leg</name></package>")
+    assert package_folder("leg", [tmp_path]) == other

@@ -123,9 +123,9 @@ def _found(
     numbers: FileNumbers, kind: str, owner: str, names: Sequence[str], values: Sequence[float]
 ) -> Numbers:
     found = (numbers.found.get((kind, owner, name)) for name in names)
-    scale = max(map(abs, values), default=1.0) or 1.0
+    slack = _EQUAL * max(map(abs, values))
     return tuple(
-        _read_as(value, number, _EQUAL * scale) for number, value in zip(found, values, strict=True)
+        _read_as(value, number, slack) for number, value in zip(found, values, strict=True)
     )
 
 

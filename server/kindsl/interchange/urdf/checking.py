@@ -147,7 +147,7 @@ def _loop_above(link: str, parent: dict[str, Any], done: set[str]) -> list[str]:
     if link not in chain:
         return []
     loop = chain[chain.index(link) :]
-    return [*reversed(loop), loop[-1]] if loop[0] == link else []
+    return [*reversed(loop), loop[-1]]
 
 
 def _remarkable(robot: Any, links: list[Any], joints: list[Any]) -> Remarkable:
