@@ -249,7 +249,8 @@ def _is_proved_impossible(
 
 def _used(inertia: Inertia, values: Mapping[str, float]) -> dict[str, float]:
     """Return the values that an inertia uses, of parameters by name, of constants by `<name>`."""
-    uses = [use for value in inertia_values(inertia) for use in symbols(value)]
+    unknown = (value for value in inertia_values(inertia) if value.literal is None)
+    uses = [use for value in unknown for use in symbols(value)]
     names = dict.fromkeys(
         str(use.name) if isinstance(use, ParameterUse) else f"<{use.name}>" for use in uses
     )

@@ -1,6 +1,7 @@
 """Evidence from the rest of the robot on a link's inertia: its children's joints, its twins."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
 from itertools import islice
 from math import hypot, isclose, isfinite, log, log10
 from typing import NamedTuple
@@ -77,6 +78,9 @@ class LinkSurroundings(NamedTuple):
         return max([hypot(*com), *(hypot(*point) for point in self.points)])
 
 
+_SURROUNDINGS = Fact[tuple[object, LinkSurroundings]]("surroundings")
+
+
 class Evidence(NamedTuple):
     """The evidence for a hypothesis: a logarithm to add, and why in words."""
 
@@ -85,7 +89,24 @@ class Evidence(NamedTuple):
 
 
 def surroundings(model: Model, context: Context, found: Judgement) -> LinkSurroundings:
-    """Return what is known of a link besides its inertia."""
+    """Return what is known of a link besides its inertia; looked at again where that changes."""
+    link, namesakes = found.link, _namesakes(model, found.link)
+    made_of = (
+        found,
+        context.values,
+        model.edition.facts(Aspect.STRUCTURE | Aspect.PLACES),
+        model.tree.joints_on(link),
+        namesakes,
+        [_bodies_with(model, telling) for telling in _telling_numbers(link)],
+        _middle_mass(model),
+    )
+    look = partial(_surroundings, model, context, found, namesakes)
+    return link.facts.made_of(_SURROUNDINGS, made_of, look)
+
+
+def _surroundings(
+    model: Model, context: Context, found: Judgement, namesakes: Iterable[Link]
+) -> LinkSurroundings:
     link = found.link
     points: list[Vector3] = []
     if found.inertia.frame is None:
@@ -94,7 +115,7 @@ def surroundings(model: Model, context: Context, found: Judgement) -> LinkSurrou
         poses += [edge.joint.pose for edge in edges if edge.joint is not None]
         placed = (written_pose(pose, context.values) for pose in poses)
         points = [place.translation for place in placed if place is not None]
-    alike = list(_alike(model, context, link))
+    alike = list(_with_inertia(namesakes, context))
     possible = [each for each in alike if not is_impossible(each[0], context)]
     twins = _twins(model, context, found, possible)
     return LinkSurroundings(
@@ -269,9 +290,9 @@ def _telling_numbers(body: Link) -> list[_Telling]:
     return found
 
 
-def _alike(model: Model, context: Context, link: Link) -> Iterator[_Inertia]:
-    """Yield the links of the same part, with their inertias."""
-    for other in _namesakes(model, link):
+def _with_inertia(links: Iterable[Link], context: Context) -> Iterator[_Inertia]:
+    """Yield the links that have a mass, with their inertias."""
+    for other in links:
         if other.inertia is not None:
             body = mass_distribution(other.inertia, context.values)
             if body is not None and body.mass > 0.0:
