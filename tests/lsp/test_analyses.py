@@ -13,6 +13,7 @@ from kindsl.lsp.session.workspace import Workspace
 from kindsl.lsp.text.document import document
 from kindsl.rules.base import Finding, Rule, Severity
 from kindsl.rules.registry import checking_rules
+from kindsl.semantics.aspects import Aspect
 
 TEXT = "Robot R {\nRobotBase base { children { one via first } }\n}\n"
 
@@ -143,7 +144,8 @@ async def test_findings_under_way_are_abandoned_and_those_that_are_left_made_lat
         ended.append(True)
         yield from ()
 
-    rule = Rule("KD999", "slow", Severity.ERROR, check_document=slow)
+    reads = Aspect.STRUCTURE
+    rule = Rule("KD999", "slow", Severity.ERROR, check_document=slow, reads=reads)
     later = Rule("KD999", "later", Severity.ERROR, check_document=slow)
     monkeypatch.setattr(analysis, "checking_rules", lambda: (rule, later))
     waiting = asyncio.ensure_future(analyses.findings(shown))

@@ -37,11 +37,6 @@ class _Known(NamedTuple):
     islands: frozenset[Island]
 
 
-_OF_ISLANDS = Fact[_Known]("findings of islands")
-_OF_BODIES = Fact[_Known]("findings of bodies")
-_OF_DOCUMENT = Fact[dict[object, _Known]]("findings of documents")
-
-
 class Readers(NamedTuple):
     """Rules that read the same of a document.
 
@@ -54,6 +49,11 @@ class Readers(NamedTuple):
     reads: Aspect
     reads_twins: bool
     rules: tuple[Rule, ...]
+
+
+_OF_ISLANDS = Fact[_Known]("findings of islands")
+_OF_BODIES = Fact[_Known]("findings of bodies")
+_OF_DOCUMENT = Fact[dict[tuple[Aspect, bool], _Known]]("findings of documents")
 
 
 class RunningRules(NamedTuple):
@@ -134,28 +134,23 @@ class CheckRun:
         last = versions.get(_OF_DOCUMENT) or versions.keep(_OF_DOCUMENT, {})
         found: Found = []
         for reads, reads_twins, rules in self._rules.of_documents:
-            if reads_twins and self.is_without_twins:
-                before = (last[rule.code].found for rule in rules if rule.code in last)
-                found += (
-                    each for some in before for each in some if _islands([each]) <= self._islands
-                )
-            else:
-                known, key = last.get((reads, reads_twins)), self._key(reads)
-                check = partial(self._of_readers, rules, key, last)
-                known = last[reads, reads_twins] = self._known(known, (rules, *key), check)
+            known = last.get((reads, reads_twins))
+            if not (reads_twins and self.is_without_twins):
+                key = rules, *self._key(reads)
+                known = self._known(known, key, partial(self._of_readers, rules))
+                last[reads, reads_twins] = known
                 found += known.found
+            elif known is not None:
+                before = (each for each in known.found if each[0] in rules)
+                found += (each for each in before if _islands([each]) <= self._islands)
         return found
 
-    def _of_readers(
-        self, rules: Iterable[Rule], key: _Key, last: dict[object, _Known]
-    ) -> _Findings:
-        """Yield the findings of rules that read the same, each run where its own do not hold."""
+    def _of_readers(self, rules: Iterable[Rule]) -> _Findings:
+        """Yield the findings of rules that read the same."""
         for rule in rules:
             if rule.check_document is not None:
-                check = partial(self._of, rule, rule.check_document(self._model, self._context))
-                known = self._known(last.get(rule.code), (rule, *key), check)
-                last[rule.code] = known
-                yield from known.found
+                self._checkpoint()
+                yield from self._of(rule, rule.check_document(self._model, self._context))
 
     def _island_findings(self) -> Found:
         """Return the findings of the rules that see one island at a time."""
