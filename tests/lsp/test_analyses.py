@@ -1,10 +1,13 @@
 """The analysis of a version is made once, for all who ask, and not when nobody asks any more."""
 
 import asyncio
+import gc
 import threading
+import weakref
 from collections.abc import Callable, Iterator
 
 import pytest
+from lsprotocol import types
 
 from kindsl.analysis import analysis
 from kindsl.lsp.session.analyses import Analyses
@@ -191,3 +194,17 @@ def busy(worker: Worker) -> Callable[[], None]:
     gate = threading.Event()
     worker.submit(gate.wait)
     return gate.set
+
+
+async def test_a_version_is_freed_without_the_collector(analyses: Analyses) -> None:
+    first = document("untitled:r", 1, TEXT, "utf-16")
+    await analyses.findings(first)
+    known = weakref.ref(await analyses.of(first)), weakref.ref((await analyses.of(first)).model)
+    gc.disable()
+    try:
+        second = first.changed([types.TextDocumentContentChangeWholeDocument(TEXT + " ")], 2)
+        del first
+        await analyses.findings(second)
+        assert [each() for each in known] == [None, None]
+    finally:
+        gc.enable()

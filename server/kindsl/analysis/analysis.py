@@ -73,7 +73,7 @@ class Analysis:
             return Context(settings.targets, settings.bindings, self.model)
         from kindsl.analysis.twins import compared_twins
 
-        compare = partial(compared_twins, settings.twins)
+        compare = partial(compared_twins, settings.twins, self.model)
         twins = settings.twins
         return Context(settings.targets, settings.bindings, self.model, compare, twins)
 

@@ -15,11 +15,10 @@ ROBCOGEN2 = "robcogen2"
 TARGETS = (ROBCOGEN, ROBCOGEN2)
 ZERO_FOR_ROBCOGEN2 = 5e-6
 
-CompareTwins = Callable[[Model, Mapping[str, float]], "Iterable[ComparedTwin]"]
+CompareTwins = Callable[[Mapping[str, float]], "Iterable[ComparedTwin]"]
 
 
-def _no_twins(model: Model, values: Mapping[str, float]) -> "tuple[ComparedTwin, ...]":
-    del model, values
+def _no_twins(_: Mapping[str, float]) -> "tuple[ComparedTwin, ...]":
     return ()
 
 
@@ -44,12 +43,13 @@ class Context:
         self.bindings = bindings
         given = {name: binding.value for name, binding in bindings.items()}
         self.values = values_of(model.parameters, model.constants, given)
-        self._model, self._compare_twins, self._twins_key = model, twins, twins_key
+        # It outlives no model, but models keep it: one that it kept would be freed late.
+        self._compare_twins, self._twins_key = twins, twins_key
 
     @cached_property
     def twins(self) -> "tuple[ComparedTwin, ...]":
         """Other files of the same robot, compared with the document."""
-        return tuple(self._compare_twins(self._model, self.values))
+        return tuple(self._compare_twins(self.values))
 
     @cached_property
     def key(self) -> tuple[object, ...]:

@@ -124,9 +124,12 @@ class Job(Generic[T]):
         """Do the work, unless its future has been cancelled."""
         if not self.future.set_running_or_notify_cancel():
             return
+        # Else what it was asked of, which may keep the job, would live until the next collection.
+        work = self._work
+        del self._work
         with contextlib.suppress(RuntimeError):  # the event loop that waits for it has ended
             try:
-                result = self._work()
+                result = work()
             except BaseException as error:
                 self.future.set_exception(error)
             else:
