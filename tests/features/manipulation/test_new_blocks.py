@@ -72,6 +72,14 @@ def test_a_child_is_laid_out_like_its_section(children: str, new: str) -> None:
     assert new in with_child(ROBOT.replace("    children {}\n", children), "k")
 
 
+def test_a_name_that_only_a_list_of_children_has_is_taken() -> None:
+    """The new link would be carried twice."""
+    text = ROBOT.replace("// the leg", "link1 via joint2")
+    new = with_child(text, "k")
+    assert "link2 via joint1" in new
+    assert "KD202" not in {finding.code for finding in analyse(new).findings}
+
+
 def test_lines_of_new_things_end_like_the_others() -> None:
     for newline in ("\r\n", "\r"):
         text = ROBOT.replace("\n", newline)

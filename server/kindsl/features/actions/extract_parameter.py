@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.actions.action import CodeAction
-from kindsl.features.actions.free_name import free_name
+from kindsl.features.names_taken import free_name, names_taken
 from kindsl.features.tree_path import TokenAt, token_at
 from kindsl.features.value_place import ValuePlace, expression_at, value_place
 from kindsl.rules.context import ROBCOGEN
@@ -55,7 +55,4 @@ def _new_name(analysis: Analysis, place: ValuePlace) -> str:
     wanted = _NO_NAME.sub("_", words.lower()).strip("_")
     if wanted.startswith("pi"):
         wanted = f"p_{wanted}"
-    model = analysis.model
-    taken = {*map(str, (p.name for p in model.parameters)), *analysis.settings.bindings}
-    taken |= {*model.body_named, *model.joint_named}
-    return free_name(wanted, taken)
+    return free_name(wanted, {*names_taken(analysis.model), *analysis.settings.bindings})

@@ -12,9 +12,9 @@ from typing import NamedTuple
 from kindsl.analysis.analysis import Analysis
 from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.features.actions.action import CodeAction
-from kindsl.features.actions.free_name import free_name
 from kindsl.features.actions.layout_edits import inserted_section
 from kindsl.features.actions.new_frame import new_frame
+from kindsl.features.names_taken import free_name, names_taken
 from kindsl.features.tree_path import path_at
 from kindsl.mechanism.link_inertia import link_inertia
 from kindsl.rigid.body import MassDistribution, seen_from
@@ -153,7 +153,7 @@ def _to_frames(moving: _Moving) -> Iterator[CodeAction]:
 
 def _to_com(analysis: Analysis, moving: _Moving) -> Iterator[CodeAction]:
     link, inertia, com = moving.link, moving.inertia, moving.body.com
-    name = _new_frame_name(analysis, link)
+    name = free_name(f"{link.name}_com", names_taken(analysis.model))
     pose = IDENTITY._replace(translation=com)
     frame = new_frame(link, name, com)
     reference = _with_frame(inertia, name)
@@ -199,12 +199,6 @@ def _without_frame(inertia: Inertia) -> TextEdit:
     node = next(inertia.node.nodes("inertia_frame"))
     before = _BLANKS_BEFORE.sub("", inertia.island.text[: node.start])
     return TextEdit(len(before), node.end, "")
-
-
-def _new_frame_name(analysis: Analysis, link: Link) -> str:
-    taken = {str(frame.name) for frame in analysis.model.frames}
-    taken |= {*analysis.model.body_named, *analysis.model.joint_named}
-    return free_name(f"{link.name}_com", taken)
 
 
 def _action(title: str, edits: Sequence[TextEdit], origin: int) -> CodeAction:

@@ -1,18 +1,16 @@
 """Names and numbers that nothing has yet, in the manner of those that are there."""
 
 from collections.abc import Collection, Sequence
-from itertools import chain, count
+from itertools import count
 
 from kindsl.analysis.analysis import Analysis
+from kindsl.features.names_taken import names_taken
 from kindsl.semantics.declarations import Link
-from kindsl.text.facts import Fact
-
-_TAKEN = Fact[set[str]]("names taken")
 
 
 def fresh_link(analysis: Analysis) -> str:
     """Return a name for a new link: `link4` behind `link3`."""
-    return _fresh([link.name for link in analysis.model.links], "link", _taken(analysis))
+    return _fresh([link.name for link in analysis.model.links], "link", names_taken(analysis.model))
 
 
 def fresh_joint(analysis: Analysis, child: str = "") -> str:
@@ -20,7 +18,7 @@ def fresh_joint(analysis: Analysis, child: str = "") -> str:
     names: list[str] = [joint.name for joint in analysis.model.joints]
     names += [child.joint for body in analysis.model.bodies for child in body.children]
     stem = f"{child}_joint" if child and names else "joint"
-    return _fresh(names, stem, _taken(analysis))
+    return _fresh(names, stem, names_taken(analysis.model))
 
 
 def next_id(analysis: Analysis, own: Collection[Link] = ()) -> int:
@@ -47,17 +45,3 @@ def _fresh(names: Sequence[str], stem: str, taken: Collection[str]) -> str:
 
 def _is_numbered(name: str) -> bool:
     return name[-1:].isdecimal()
-
-
-def _taken(analysis: Analysis) -> Collection[str]:
-    """Return every name that something has, or is called by; collected once in a model's life."""
-    model = analysis.model
-    known = model.facts.get(_TAKEN)
-    if known is None:
-        known = model.facts.keep(
-            _TAKEN, {str(model.name), *map(str, model.body_named), *map(str, model.joint_named)}
-        )
-        known |= {frame.name for frame in model.frames}
-        children = chain.from_iterable(body.children for body in model.bodies)
-        known.update(chain.from_iterable(children))
-    return known

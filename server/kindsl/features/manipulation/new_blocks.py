@@ -6,6 +6,7 @@ from itertools import count
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.actions.layout_edits import inserted_section, last_section, newline_of
 from kindsl.features.actions.new_frame import added_frame
+from kindsl.features.names_taken import names_taken
 from kindsl.semantics.declarations import Link
 from kindsl.semantics.model import Model
 from kindsl.semantics.places import Construct, Place
@@ -38,8 +39,7 @@ def behind_last(analysis: Analysis, blocks: Sequence[Construct], texts: Iterable
 
 def fresh_name(model: Model, stem: str) -> str:
     """Return a name that nothing in a document has: the stem with the next number."""
-    taken = {*model.body_named, *model.joint_named, *(str(frame.name) for frame in model.frames)}
-    taken |= {str(parameter.name) for parameter in model.parameters}
+    taken = names_taken(model)
     return next(f"{stem}{number}" for number in count(1) if f"{stem}{number}" not in taken)
 
 
