@@ -15,18 +15,13 @@ from kindsl.dynamics.generation.forward_dynamics import forward_dynamics
 from kindsl.dynamics.generation.terms import Scalar
 from kindsl.dynamics.generation.vectors import ZERO, Vector
 
-_FIXED = template("robcogen/forward_dynamics_fixed.h")
-_FIXED_COMPUTE = template("robcogen/forward_dynamics_fixed_private.h")
-_FLOATING = template("robcogen/forward_dynamics_floating.h")
-_FLOATING_COMPUTE = template("robcogen/forward_dynamics_floating_private.h")
-
 
 def forward_dynamics_headers(robot: GeneratedRobot) -> dict[str, str]:
     """Return both headers by their names."""
-    compute = _FLOATING_COMPUTE if robot.is_floating else _FIXED_COMPUTE
-    computing = robot.filled(compute, PARAMETERS=parameters(robot))
+    file = f"robcogen/forward_dynamics_{'floating' if robot.is_floating else 'fixed'}"
+    computing = robot.filled(template(f"{file}_private.h"), PARAMETERS=parameters(robot))
     construction = "    ForwardDynamics(IProperties& in, MTransforms& tr)"
-    calls = robot.filled(_FLOATING if robot.is_floating else _FIXED)
+    calls = robot.filled(template(f"{file}.h"))
     engine = Engine(
         "ForwardDynamics",
         "The joint accelerations under joint forces.",

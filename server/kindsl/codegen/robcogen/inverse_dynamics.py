@@ -1,9 +1,9 @@
 """`inverse_dynamics.h` and `inverse_dynamics.impl.h`."""
 
-from kindsl.codegen.robcogen.engines import Engine, engine_headers
-from kindsl.codegen.robcogen.fixed_base import fixed_base
-from kindsl.codegen.robcogen.floating_base import floating_base
-from kindsl.codegen.robcogen.link_motions import getters, link_motions
+from kindsl.codegen.filling import template
+from kindsl.codegen.robcogen.engines import Engine, engine_headers, parameters
+from kindsl.codegen.robcogen.inverse_dynamics_kernels import inverse_dynamics_kernels
+from kindsl.codegen.robcogen.link_motions import KEEP_MOTION, getters, link_motions
 from kindsl.codegen.robcogen.robot import GeneratedRobot
 
 _CONSTRUCTION = """\
@@ -27,20 +27,21 @@ _ABSENT = """\
 
 def inverse_dynamics_headers(robot: GeneratedRobot) -> dict[str, str]:
     """Return both headers by their names."""
-    calls, computing, kernels = (floating_base if robot.is_floating else fixed_base)(robot)
+    file = f"robcogen/inverse_dynamics_{'floating' if robot.is_floating else 'fixed'}"
+    calls, computing = template(f"{file}.h"), template(f"{file}_private.h")
     absent = ["secondPass_fullyActuated"] if robot.is_floating else ["firstPass", "secondPass"]
     parts = (
         getters(robot),
         "protected:\n",
         *(robot.filled(_ABSENT, METHOD=method) for method in absent),
         "\nprivate:\n",
-        computing,
+        robot.filled(computing, KEEP=KEEP_MOTION, PARAMETERS=parameters(robot)),
         link_motions(robot),
     )
     engine = Engine(
         "InverseDynamics",
         "The joint forces of a motion. What the getters tell is computed when they are asked.",
-        f"{_CONSTRUCTION}\n{calls}",
+        f"{_CONSTRUCTION}\n{robot.filled(calls)}",
         "".join(parts),
     )
-    return engine_headers(robot, "inverse_dynamics", engine, kernels)
+    return engine_headers(robot, "inverse_dynamics", engine, inverse_dynamics_kernels(robot))

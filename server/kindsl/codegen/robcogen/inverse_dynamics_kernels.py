@@ -1,35 +1,45 @@
-"""Inverse dynamics of a robot whose base is free, or driven: calls, and the code behind them."""
+"""The code that inverse dynamics calls, of a base that stands still, and of a free or driven one."""
 
 from collections.abc import Sequence
 
-from kindsl.codegen.filling import template
-from kindsl.codegen.robcogen.engines import (
-    Arguments,
-    at_rest,
-    kernels_under_loads,
-    parameters,
-)
-from kindsl.codegen.robcogen.link_motions import KEEP_MOTION
+from kindsl.codegen.robcogen.engines import Arguments, at_rest, kernels_under_loads
 from kindsl.codegen.robcogen.robot import GeneratedRobot
 from kindsl.dynamics.generation.inverse_dynamics import (
     actuated_base_inverse_dynamics,
     bias_torque,
     floating_base_inverse_dynamics,
+    inverse_dynamics,
 )
 from kindsl.dynamics.generation.terms import Scalar
 from kindsl.dynamics.generation.vectors import ZERO, Vector
 
-_CALLS = template("robcogen/inverse_dynamics_floating.h")
-_COMPUTING = template("robcogen/inverse_dynamics_floating_private.h")
+
+def inverse_dynamics_kernels(robot: GeneratedRobot) -> list[str]:
+    """Return the functions that compute joint forces, and what of them gravity and speed are."""
+    return (_of_floating_base if robot.is_floating else _of_fixed_base)(robot)
 
 
-def floating_base(robot: GeneratedRobot) -> tuple[str, str, list[str]]:
-    """Return the class's functions, what they call, and the functions that compute."""
-    hidden = robot.filled(_COMPUTING, KEEP=KEEP_MOTION, PARAMETERS=parameters(robot))
-    return robot.filled(_CALLS), hidden, _kernels(robot)
+def _of_fixed_base(robot: GeneratedRobot) -> list[str]:
+    """Return functions for a base that stands still."""
+    graph, tree, x = robot.library.robot.graph, robot.tree, robot.library.inputs
+    g = graph.input()
+    weight: Vector = [0.0, 0.0, -g]
+    motion: dict[str, Sequence[Scalar]] = {"q": x.q, "qd": x.qd, "qdd": x.qdd, "g": [g]}
+    rest = at_rest(robot)
+    still = bias_torque(tree, x.q, rest, [0.0] * 6, weight)
+    floating = bias_torque(tree, x.q, x.qd, [0.0] * 6, ZERO)
+
+    def results(forces: Sequence[Vector]) -> Arguments:
+        return {"tau": inverse_dynamics(tree, x.q, x.qd, x.qdd, weight, forces)}
+
+    return [
+        *kernels_under_loads(robot, "inverse_dynamics", motion, results),
+        robot.kernel("gravity", {"q": x.q, "g": [g]}, {"tau": still}),
+        robot.kernel("coriolis", {"q": x.q, "qd": x.qd}, {"tau": floating}),
+    ]
 
 
-def _kernels(robot: GeneratedRobot) -> list[str]:
+def _of_floating_base(robot: GeneratedRobot) -> list[str]:
     """Return functions for a base in free fall; what gravity does is added to accelerations."""
     tree, x, n = robot.tree, robot.library.inputs, robot.n_joints
     motion: dict[str, Sequence[Scalar]] = {"q": x.q, "qd": x.qd, "qdd": x.qdd, "v0": x.v0}
