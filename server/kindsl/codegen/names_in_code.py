@@ -5,6 +5,8 @@ import re
 import shlex
 from collections.abc import Iterable
 
+from kindsl.text.distinct import distinct
+
 _UNSAFE = re.compile(r"[^A-Za-z0-9_]")
 _COMMENT_END = re.compile(r'[*"\\]|[^\w\s!-~]|[^\S ]')
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
@@ -90,13 +92,5 @@ def command_line(words: Iterable[str]) -> str:
 
 def identifiers(names: Iterable[str]) -> dict[str, str]:
     """Return each name's form in code; two names never share one."""
-    found: dict[str, str] = {}
-    taken: set[str] = set()
-    for name in names:
-        safe = wanted = identifier(name)
-        number = 2
-        while safe in taken:
-            safe, number = f"{wanted}_{number}", number + 1
-        taken.add(safe)
-        found[name] = safe
-    return found
+    known = list(names)
+    return dict(zip(known, distinct(map(identifier, known)), strict=True))

@@ -1,7 +1,7 @@
 """Names that something new cannot have."""
 
 from collections.abc import Collection
-from itertools import chain, count
+from itertools import chain
 
 from kindsl.semantics.model import Model
 from kindsl.text.facts import kept
@@ -16,9 +16,3 @@ def names_taken(model: Model) -> Collection[str]:
     for body in model.bodies:
         taken.update(map(str, chain.from_iterable(body.children)))
     return taken
-
-
-def free_name(wanted: str, taken: Collection[str]) -> str:
-    """Return the name that is wanted, with a number from 2 on where it is taken."""
-    names = chain((wanted,), (f"{wanted}_{number}" for number in count(2)))
-    return next(name for name in names if name not in taken)

@@ -1,4 +1,4 @@
-"""The code that inverse dynamics calls, of a base that stands still, and of a free or driven one."""
+"""The code that inverse dynamics calls: of a base that stands still, of a free, of a driven one."""
 
 from collections.abc import Sequence
 

@@ -19,6 +19,7 @@ from kindsl.dynamics.generation.robot import PlacedFrame
 from kindsl.dynamics.generation.terms import Scalar, needed
 from kindsl.dynamics.generation.tree import Tree
 from kindsl.dynamics.generation.vectors import Matrix, Vector
+from kindsl.text.distinct import distinct
 
 MOST_JOINTS_OF_SMALL = 20
 
@@ -90,8 +91,8 @@ class GeneratedRobot:
     @cached_property
     def _enumerators(self) -> list[str]:
         names = (name.upper() for name in (*self.joints, *self.bodies))
-        distinct = _distinct((*_TYPES_IN_CLASSES, *names))[len(_TYPES_IN_CLASSES) :]
-        return list(identifiers(distinct).values())
+        unlike = distinct((*_TYPES_IN_CLASSES, *names))[len(_TYPES_IN_CLASSES) :]
+        return list(identifiers(unlike).values())
 
     @property
     def joint_ids(self) -> list[str]:
@@ -211,14 +212,3 @@ class GeneratedRobot:
             "TAKES": "const typename TRAIT::Scalar* p, " if has_p else "", **values,
         }  # fmt: skip
         return fill(text, **known)
-
-
-def _distinct(names: Iterable[str]) -> list[str]:
-    """Return names, made unlike where they are equal."""
-    found: list[str] = []
-    for name in names:
-        number, wanted = 2, name
-        while name in found:
-            name, number = f"{wanted}_{number}", number + 1
-        found.append(name)
-    return found

@@ -5,11 +5,12 @@ from collections.abc import Iterator
 
 from kindsl.analysis.analysis import Analysis
 from kindsl.features.actions.action import CodeAction
-from kindsl.features.names_taken import free_name, names_taken
+from kindsl.features.names_taken import names_taken
 from kindsl.features.tree_path import TokenAt, token_at
 from kindsl.features.value_place import ValuePlace, expression_at, value_place
 from kindsl.rules.context import ROBCOGEN
 from kindsl.syntax.vocabulary import NUMBERS, OPERANDS
+from kindsl.text.distinct import free_name
 from kindsl.text.edits import TextEdit
 
 _KIND = "refactor.extract"

@@ -14,7 +14,7 @@ from kindsl.analysis.diagnostics import Diagnostic
 from kindsl.features.actions.action import CodeAction
 from kindsl.features.actions.layout_edits import inserted_section
 from kindsl.features.actions.new_frame import new_frame
-from kindsl.features.names_taken import free_name, names_taken
+from kindsl.features.names_taken import names_taken
 from kindsl.features.tree_path import path_at
 from kindsl.mechanism.link_inertia import link_inertia
 from kindsl.rigid.body import MassDistribution, seen_from
@@ -32,6 +32,7 @@ from kindsl.syntax.tables import WORDS
 from kindsl.syntax.tree import Node
 from kindsl.syntax.vocabulary import MOMENTS
 from kindsl.text.decimals import fixed_decimal, rounded_decimal
+from kindsl.text.distinct import free_name
 from kindsl.text.edits import TextEdit
 
 _KIND = "refactor.rewrite"
