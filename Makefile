@@ -152,7 +152,7 @@ sbom: $(SUPPLY)/pip-audit
 		--omit dev) > dist/sbom/$$part.cdx.json || exit 1; done
 
 audit: $(SUPPLY)/pip-audit
-	$(SUPPLY)/pip-audit --requirement $(PINS).txt --no-deps --disable-pip
+	$(SUPPLY)/pip-audit --strict --requirement $(PINS).txt --no-deps --disable-pip
 	for part in web vscode-extension; do (cd $$part && npm audit --omit dev) || exit 1; done
 
 demo-web: playground
