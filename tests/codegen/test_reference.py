@@ -12,11 +12,26 @@ from kindsl.analysis.settings import Settings
 from kindsl.codegen.generating import Source, generate
 from kindsl.codegen.library import Library, Options
 from kindsl.codegen.reference import Reference, sample
+from kindsl.codegen.resistance import magnification
 from kindsl.dynamics.generation.emitters.numbers import evaluate
 from kindsl.dynamics.generation.function import Function, Result
 from kindsl.dynamics.generation.terms import Term
 from kindsl.semantics.parameters import Binding
 from kindsl.spatial.arrays import Array
+
+
+def test_rounding_is_magnified_by_the_condition_of_what_is_solved() -> None:
+    M = np.eye(8)
+    M[0, 1] = M[1, 0] = 0.5
+    M[6, 7] = M[7, 6] = 0.8
+    units = np.array([1e3, 1e-3, 2.0, 1.0, 1.0, 1.0, 10.0, 0.1])
+    for inertia in (M, M * np.outer(units, units)):
+        found = [
+            magnification(name, inertia, 2)
+            for name in ("gravity_torque", "inverse_dynamics", "forward_dynamics")
+        ]
+        assert found == pytest.approx([1.0, 1.5 / 0.5, 1.8 / 0.2])
+    assert magnification("inverse_dynamics", np.eye(2), 2) == 1.0
 
 
 @pytest.fixture(scope="module", params=[4, 3, None], ids=["fixed", "floating", "transforms"])
