@@ -89,6 +89,14 @@ def test_of_a_link_whose_keyword_is_misspelt_the_image_is_as_right_as_the_rest()
     assert found == new.replace("link LF_b", "ink LF_b").replace("link RF_b", "ink RF_b")
 
 
+def test_an_image_that_is_listed_already_is_not_listed_twice() -> None:
+    text = (LEG % ("0.1", "0.1")).replace("other via o }", "other via o RF_a via RF_j }")
+    moved = changed(text, mirror_leg(analyse(text), "LF_a"))
+    children = [(str(c.link), str(c.joint)) for c in moved.model.base.children]
+    assert children == [("LF_a", "LF_j"), ("other", "o"), ("RF_a", "RF_j")]
+    assert "RF_b" in moved.model.body_named
+
+
 def test_a_link_that_is_named_only_has_no_image() -> None:
     text = LEG % ("0.1", "0.1")
     refused = mirror_leg(analyse(text.replace("other via", "LF_d via")), "LF_d")
@@ -109,6 +117,13 @@ def test_a_link_that_is_named_only_has_no_image() -> None:
             "id = 1 children {} frames { RF_b {} }",
             "'RF_b' is already defined",
         ),
+        (
+            "id = 1 children {}",
+            "id = 1 children { RF_b via p }",
+            "'other' has 'RF_b via p' already",
+        ),
+        ("other via o }", "other via o x via RF_k }", "'b' has 'x via RF_k' already"),
+        ("other via o }", "other via o RF_a via p }", "'b' has 'RF_a via p' already"),
         ("children { LF_a via LF_j", "children LF_a via LF_j", "link 'LF_a' is not whole"),
     ],
 )

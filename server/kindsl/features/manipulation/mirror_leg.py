@@ -45,7 +45,9 @@ def mirror_leg(analysis: Analysis, link: str) -> Gesture | Refusal:
         return leg
     edge, names = leg.edge, leg.names
     joints = [model.joint_named[child.joint] for child in leg.children]
-    listed = with_child(analysis, edge.predecessor, names[link], names[edge.child.joint])
+    head = names[link], names[edge.child.joint]
+    is_listed = head in edge.predecessor.children
+    listed = with_child(analysis, edge.predecessor, *head)
     ids = enumerate(leg.links, next_ids(model))
     new_links = [_mirrored_link(body, names, number) for number, body in ids]
     new_joints = [_mirrored_joint(joint, names) for joint in joints]
@@ -54,7 +56,8 @@ def mirror_leg(analysis: Analysis, link: str) -> Gesture | Refusal:
     if listed is None:
         return Refusal(f"link '{link}' is not whole")
     title = f"Mirror '{link}' as '{names[link]}'"
-    return Gesture(title, tuple(sorted((listed, linked, jointed))), tuple(names.values()))
+    edits = (linked, jointed) if is_listed else (listed, linked, jointed)
+    return Gesture(title, tuple(sorted(edits)), tuple(names.values()))
 
 
 def _leg(model: Model, link: str) -> _Leg | Refusal:
@@ -64,7 +67,15 @@ def _leg(model: Model, link: str) -> _Leg | Refusal:
     links = [edge.link, *model.tree.in_topological_order(edge.link)]
     children = [edge.child, *(child for body in links for child in body.children)]
     names = _mirrored_names(model, links, children)
-    return names if isinstance(names, Refusal) else _Leg(edge, links, children, names)
+    if isinstance(names, Refusal):
+        return names
+    image = names[edge.child.link], names[edge.child.joint]
+    for body in model.bodies:
+        for child in body.children:
+            is_image = body is edge.predecessor and child == image
+            if not is_image and not {*names.values()}.isdisjoint(child):
+                return Refusal(f"'{body.name}' has '{child.link} via {child.joint}' already")
+    return _Leg(edge, links, children, names)
 
 
 def _mirrored_names(
