@@ -106,6 +106,22 @@ URDF = """<robot name="r"><link name="base"/><link name="arm"/><link name="tip">
 MASS = '<inertial><mass value="2"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>'
 
 
+@pytest.mark.parametrize(
+    ("joint", "body", "is_told"),
+    [
+        ("l_knee", f"{MASS}</inertial>", True),
+        ("l_knee", "", False),
+        ("kneed", f"{MASS}</inertial>", False),
+    ],
+)
+def test_a_robot_on_legs_may_float(joint: str, body: str, is_told: bool, tmp_path: Path) -> None:
+    text = URDF.format(tip="", x="0").replace('"j"', f'"{joint}"')
+    text = text.replace('<link name="base"/>', f'<link name="base">{body}</link>')
+    remarks = read(text, format_named("urdf"), tmp_path).remarks
+    told = "the base 'base' is fixed, and its mass without effect: for a robot on legs, use "
+    assert (f"{told}--floating-base" in remarks) is is_told
+
+
 def test_links_without_inertia_are_told_unless_something_fixed_to_them_has_it(tmp_path) -> None:
     fixed = "the link 'tip', fixed to 'arm', became a frame of it"
     urdf = format_named("urdf")
@@ -119,3 +135,9 @@ def test_numbers_beyond_all_measure_are_refused(number: str, tmp_path: Path) -> 
     with pytest.raises(FormatError, match=f"has '{number}' in 'xyz', which is not a finite number"):
         read(URDF.format(tip="", x=number), format_named("urdf"), tmp_path)
     read(URDF.format(tip="", x="1e50"), format_named("urdf"), tmp_path)
+
+
+def test_a_body_beyond_all_measure_is_refused(tmp_path: Path) -> None:
+    body = f"<origin xyz='1e25 0 0'/>{MASS.removeprefix('<inertial>')}".replace('"2"', '"1e20"')
+    with pytest.raises(FormatError, match="'tip' has a number that is not finite"):
+        read(URDF.format(tip=f"<inertial>{body}</inertial>", x="0"), format_named("urdf"), tmp_path)
