@@ -134,3 +134,15 @@ def test_each_source_tells_where_it_is_from() -> None:
             assert "from arm.kindsl; do not edit." in head
             assert f"SHA-256 of the document: {digest(LIFT.encode())}\n" in head
             assert "Options: kindsl generate arm.kindsl --language c --name arm" in head
+
+
+@pytest.mark.parametrize("language", ["python", "jax"])
+def test_an_energy_is_one_number_and_a_matrix_is_one(language: str) -> None:
+    options = replace(OPTIONS, language=language, quantities=("energies", "joint_space_inertia"))
+    (module,) = [text for name, text in files(options).items() if name.endswith(".py")]
+    for name, shape in (
+        ("kinetic_energy", ()),
+        ("potential_energy", ()),
+        ("joint_space_inertia", (2, 2)),
+    ):
+        assert f"_answer(_{name}, {(shape,)!r}, parameters" in module
