@@ -249,6 +249,17 @@ def test_angles_of_few_digits_do_not_shift_what_hangs_on_them(kindsl: Runner, fo
     assert run.status == 0, run.out
 
 
+def test_a_link_without_mass_is_at_one_place_in_two_files(kindsl: Runner, folder: Path) -> None:
+    light = HAND.replace('<mass value="0.1"/>', '<mass value="0"/>')
+    tip = light.rindex("<inertia ")
+    light = light[:tip] + light[tip:].replace('="0.01"', '="0"')
+    Path("one.urdf").write_text(light)
+    Path("other.urdf").write_text(light.replace('xyz="0.4 0 0"', 'xyz="0.5 0 0"'))
+    run = kindsl("diff", "one.urdf", "other.urdf")
+    assert run.status == 1
+    assert "x of frame 'tip.0' is 0.4 m in one.urdf" in run.out
+
+
 def test_a_frame_on_another_link_is_told(kindsl: Runner, folder: Path) -> None:
     Path("hand.urdf").write_text(HAND)
     assert kindsl("convert", "--quiet", "hand.urdf", "hand.kindsl").status == 0

@@ -43,10 +43,17 @@ def described_robot(
         skeleton_of_robot(robot),
         tuple(tuple(_inertias(link, numbers)) for link in robot.links),
         tuple(_pose(link, numbers) for link in robot.links[1:]),
-        frozenset(part.name for link in robot.links for part in link.parts if part.body),
+        frozenset(_heavy_parts(robot)),
     )
     frames = {f.name: _frame(f, numbers) for f in described.skeleton.frames}
     return replace(described, frames=frames)
+
+
+def _heavy_parts(robot: RobotDescription) -> Iterator[str]:
+    for link in robot.links:
+        for part in link.parts:
+            if part.body is not None and part.body.mass:
+                yield part.name
 
 
 def skeleton_of_robot(robot: RobotDescription) -> Skeleton:
