@@ -13,9 +13,9 @@ from tests.codegen.robots import ALL, bodies_of_seed, write_c
 from tests.dynamics.random_bodies import tree_of_seed, with_drives
 from tests.dynamics.test_against_pinocchio import _check_tree
 from tests.dynamics.test_compiled import _assert_close, _calls
-from tests.dynamics.test_whole_body import _assert_close as assert_near
 from tests.dynamics.test_whole_body import _check_generated, _pairs
 from tests.support.amount import usually
+from tests.support.differences import assert_close
 
 from kindsl.dynamics.bodies import Bodies, Drives
 from kindsl.dynamics.evaluation import readable_form
@@ -40,7 +40,7 @@ def test_random_trees_agree_with_pinocchio(seed: int) -> None:
     bodies, generator = _driven(seed)
     _check_tree(seed, bodies, generator)
     for what, got, expected in _pairs(bodies, generator):
-        assert_near(f"seed {seed}, {what}", got, expected)
+        assert_close(f"seed {seed}, {what}", got, expected)
 
 
 @pytest.mark.parametrize("seed", [1, 2, 9, 12])
