@@ -40,7 +40,8 @@ class LimbLabel(NamedTuple):
     part: tuple[str, ...]
 
 
-@lru_cache(maxsize=4096)
+# As many as the largest documents have names: all are asked for at each key.
+@lru_cache(maxsize=32_768)
 def label_of(name: str) -> LimbLabel:
     """Return what a name says; only whole words tell a side or a row, the first of each."""
     side = row = ""
