@@ -205,7 +205,7 @@ class Worker:
         listed = cls.copy.kindsl.parent / "tests.txt"
         listed.write_text("\n".join(tests), encoding="utf-8")
         files = sorted({name.partition("::")[0] for name in tests})
-        timeout = 60.0 + 5.0 * sum(tests.values())
+        timeout = 120.0 + 5.0 * sum(tests.values())
         told = cls.copy.status(files, timeout, MUTATION_TESTS=str(listed), PYTEST_ADDOPTS="-x")
         return {0: "lives", None: "late"}.get(told, "killed")
 
