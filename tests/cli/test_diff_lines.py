@@ -94,6 +94,7 @@ SDF = """<sdf version="1.9">
 _ELBOW = "<axis><xyz>0 0 1</xyz></axis>"
 _EXPRESSED = '<axis>\n        <xyz expressed_in="elbow">0 0 1</xyz></axis>'
 _OF_JOINT = '<pose relative_to="elbow"/>'
+_IN_DEGREES = "<pose relative_to='upper' degrees='true'>0.35 0 0.1 0 0 0</pose>"
 _QUATERNION = '<pose rotation_format="quat_xyzw" relative_to="upper">0.35 0 0.1 0 0 0 1</pose>'
 
 
@@ -106,6 +107,7 @@ _QUATERNION = '<pose rotation_format="quat_xyzw" relative_to="upper">0.35 0 0.1 
         ("a.xml", 'pos="0.35 0 0.1" euler="0 0 0"', "", ('euler="0 0', 'euler="0.1 0')),
         ("a.sdf", "<pose relative_to='upper'>0.35 0 0.1 0 0 0</pose>", _ELBOW, ("0.35", "0.36")),
         ("a.sdf", "<pose>0.35 -0.1 0.3 1.5707963267948966 0 0</pose>", _ELBOW, ("0.35", "0.36")),
+        ("a.sdf", _IN_DEGREES, _ELBOW, ("e'>0.35 0 0.1 0", "e'>0.35 0 0.1 5")),
         ("a.sdf", _OF_JOINT, _QUATERNION + _ELBOW, ("0.35", "0.36")),
         ("a.sdf", _OF_JOINT, _QUATERNION + _ELBOW, ("0 0 0 1", "0.1 0 0 1")),
         ("a.sdf", "<pose relative_to='upper'>0.35 0 0.1 0 0 0</pose>", _EXPRESSED,

@@ -53,6 +53,11 @@ def test_limits_that_a_urdf_must_give() -> None:
     assert notes(TEXT, "urdf", WritingChoices(joints=limits)) == [TURN]
 
 
+def test_a_floating_base_that_a_urdf_cannot_tell() -> None:
+    told = "the floating base 'base' became the root link, which some tools fix"
+    assert notes(TEXT.replace("RobotBase base", "RobotBase base floating"), "urdf")[-1] == told
+
+
 @pytest.mark.parametrize(
     ("old", "new", "told"),
     [
