@@ -130,6 +130,12 @@ def test_what_an_sdf_says_of_mechanics(old, new, told, tmp_path: Path) -> None:
             URDF.replace("</robot>", "<transmission/></robot>"),
             [NOT_SUPPORTED.format("1 transmission")],
         ),
+        (
+            URDF.replace(INERTIA, f"{INERTIA}<visual/>", 1).replace(
+                "</link>\n", "<collision/></link>\n"
+            ),
+            ["visuals and collisions of 2 links dropped"],
+        ),
         (FLOATING, [UNMOVED]),
         (TURNED, [UNMOVED, INITIAL]),
     ],

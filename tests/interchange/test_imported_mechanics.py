@@ -46,6 +46,22 @@ def test_mechanics_are_those_of_mujoco(
         assert max(gaps(ours, again, chance)) < TOLERANCE
 
 
+@pytest.mark.parametrize("format", ["urdf", "mjcf"])
+def test_the_axis_that_is_not_written(format: str, tmp_path: Path) -> None:
+    """x in a URDF, z in an MJCF, as MuJoCo reads both."""
+    mass = '<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>'
+    text = {
+        "urdf": f"""<robot name="r"><link name="base"/><link name="arm">{mass}</inertial></link>
+<joint name="turn" type="revolute"><parent link="base"/><child link="arm"/>
+<limit lower="-1" upper="1" effort="1" velocity="1"/></joint></robot>""",
+        "mjcf": """<mujoco><worldbody><body name="base"><body name="arm"><joint name="turn"/>
+<inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/></body></body></worldbody></mujoco>""",
+    }[format]
+    ours = mechanism_of(kindsl_text(read(text, format_named(format), tmp_path).robot))
+    axis = ours.bodies.p_R_j[0, :, 2]
+    np.testing.assert_allclose(axis, mujoco.MjModel.from_xml_string(text).jnt_axis[0], atol=1e-15)
+
+
 @pytest.mark.parametrize("size", [1e-4, 1e-2, 1.0, 1e2])
 def test_bodies_of_any_size_keep_their_digits(size: float) -> None:
     """Of one density: a body of 0.1 mm weighs micrograms, and its moments are of 1e-17 kg m^2."""

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from kindsl.interchange import mesh_files
-from kindsl.interchange.mesh_files import mesh_file, package_of
+from kindsl.interchange.mesh_files import MeshFile, mesh_file, package_of
 from kindsl.interchange.urdf.visuals import visuals_of_urdf
 
 
@@ -85,6 +85,15 @@ def test_a_pipe_and_a_file_too_large_are_refused(
     assert found(package, "package://arm/meshes/pipe.stl") == ("not found in 'arm'", None)
     monkeypatch.setattr(mesh_files, "LARGEST", 2)
     assert found(package, "../meshes/a b.stl") == ("larger than 0 MB", None)
+
+
+def test_a_file_that_grows_while_it_is_read_is_left_out(
+    package: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(MeshFile, "problem", lambda _: "")
+    assert found(package, "../meshes/a b.stl")[1] is not None
+    monkeypatch.setattr(mesh_files, "LARGEST", 2)
+    assert found(package, "../meshes/a b.stl")[1] is None
 
 
 def test_the_folder_is_the_package_else_where_the_description_is(package: Path) -> None:

@@ -30,7 +30,7 @@ __all__ = ["UrdfError", "read_urdf", "robot_of_urdf"]
 
 _WORLD = "world"
 _OF_LEGS = re.compile(r"(?<![a-z])(foot|feet|leg|ankle|knee|thigh|calf|shank|toe)(?![a-z])", re.I)
-_X, _Z = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
+_USUAL_AXIS = (1.0, 0.0, 0.0)
 
 
 def read_urdf(path: Path, *, floating: bool = False) -> ReadRobot:
@@ -138,7 +138,8 @@ def _carried(joint: Any, parent: int, bodies: dict[str, MassDistribution | None]
     if kind not in JOINT_KINDS:
         raise UrdfError(f"the joint '{name}' is {kind}, which the language does not support")
     child = _end(joint, "child")
-    axis = _Z if kind == "fixed" else _triple(joint.find("axis"), "xyz", _X)
+    told = None if kind == "fixed" else joint.find("axis")
+    axis = _triple(told, "xyz", _USUAL_AXIS)
     pose = pose_of_origin(joint.find("origin"))
     return RigidLink(child, parent, name, JOINT_KINDS[kind], axis, pose, body=bodies[child])
 
