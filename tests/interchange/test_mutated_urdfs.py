@@ -30,6 +30,11 @@ def test_plain_robot_is_read(tmp_path: Path) -> None:
     assert "link arm {" in read(ARM, tmp_path)
 
 
+def test_another_kind_of_file_is_told(tmp_path: Path) -> None:
+    with pytest.raises(UrdfError, match=r"^not a URDF: its root element is <model>"):
+        read(ARM.replace("robot", "model"), tmp_path)
+
+
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [

@@ -149,6 +149,13 @@ def test_model_without_links_is_refused_where_it_begins(tmp_path: Path) -> None:
         robot("<sdf>\n<model name='a'/></sdf>", tmp_path)
 
 
+def test_a_model_in_a_model_without_links_is_refused_where_it_begins(tmp_path: Path) -> None:
+    text = ARM.replace("</model>", "\n<model name='tool'/></model>")
+    line = text[: text.index("<model name='tool'")].count("\n") + 1
+    with pytest.raises(FormatError, match=rf"^line {line}: <model name='tool'> has no link$"):
+        robot(text, tmp_path)
+
+
 FOREARM = f"""<sdf version="1.9"><model name="forearm" canonical_link="upper">
 <pose>7 7 7 0 0 0</pose>
 <frame name="middle"><pose relative_to="upper">0.5 0 0 0 0 0</pose></frame>
