@@ -419,6 +419,7 @@ async def test_a_copied_link_says_where_and_how_long_it_leads_here(page_of_quadr
 async def test_a_motion_is_opened_by_keyboard_and_its_torques_follow_the_robot(browser, server):
     async with opened(browser, await url_of(server)) as page:
         await until_shown(page, "Arm")
+        await page.locator("#play-file").wait_for()
         await page.locator("#play-file").focus()
         async with page.expect_file_chooser() as choosing:
             await page.keyboard.press("Enter")
