@@ -139,6 +139,22 @@ def test_both_lines_are_named(kindsl: Runner, arm: Path) -> None:
     assert found["torque"] > 0.1
 
 
+@pytest.mark.parametrize(
+    "name, other", [("arm.urdf", "hand.urdf"), ("old/arm.urdf", "new/arm.urdf")]
+)
+def test_sentences_name_files_by_the_ends_of_their_paths(
+    kindsl: Runner, arm: Path, folder: Path, name: str, other: str
+) -> None:
+    paths = [folder / "a long way to" / each for each in (name, other)]
+    for path, mass in zip(paths, ("1.3", "1.4"), strict=True):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        arm.write_text(ARM.replace("1.3", mass))
+        kindsl("convert", "-q", arm, path)
+    run = kindsl("diff", *paths)
+    assert f"is 1.3 kg in {name} (line 8) and 1.4 kg in {other} (line 8)" in run.out
+    assert str(folder) not in run.out
+
+
 def test_the_largest_effect_comes_first(kindsl: Runner, arm: Path) -> None:
     text = ARM.replace("1.3", "1.4").replace("Ix = 0.005", "Ix = 0.006").replace("0.35", "0.45")
     Path("other.kindsl").write_text(text)

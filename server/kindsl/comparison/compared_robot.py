@@ -34,7 +34,8 @@ class ComparedRobot(NamedTuple):
         """Return where a number stands, in words."""
         line = self.line(number)
         if number is None or line is None:
-            return f"in {self.name}"
+            return f"in {self.robot.label}"
         file = number.at.file if isinstance(number.at, TextPlace) else ""
-        name = f"{self.name.rstrip('/')}/{file}" if file else self.name
+        label = self.robot.label
+        name = f"{label.rstrip('/')}/{file}" if file else label
         return f"in {name} (line {line})"

@@ -63,20 +63,36 @@ def read_robots(paths: Sequence[str], choices: "Choices") -> ComparedRobots:
         require_parameters(next(iter(documents)), *documents.values())
     from kindsl.interchange.descriptions import read_foreign
 
+    labels = _labels([shown_name(path) for path in paths])
+    label_of = dict(zip(paths, labels, strict=True))
     sides: dict[str, ComparedRobot] = {}
     failures: list[Failure] = []
     for path, analysis in documents.items():
-        sides[path], failed = _document(path, analysis)
+        sides[path], failed = _document(path, label_of[path], analysis)
         failures += failed
     others = [path for path in paths if path not in documents]
-    foreign = read_foreign(others, [side.robot for side in sides.values()], _foreign)
+
+    def read(path: str, floating: bool | None) -> "ReadDescription":
+        return _foreign(path, label_of[path], floating)
+
+    foreign = read_foreign(others, [side.robot for side in sides.values()], read)
     sides |= {path: ComparedRobot(shown_name(path), read.robot) for path, read in foreign.items()}
     notes = tuple(note for read in foreign.values() for note in read.notes)
     old, new = (sides[path] for path in paths)
     return ComparedRobots(old, new, notes, tuple(failures))
 
 
-def _document(path: str, analysis: "Analysis") -> tuple[ComparedRobot, list[Failure]]:
+def _labels(names: Sequence[str]) -> Sequence[str]:
+    """Return what sentences call two files: the ends of their paths that tell them apart."""
+    parts = [Path(name).parts for name in names]
+    for n in range(1, max(map(len, parts))):
+        ends = [str(Path(*each[-n:])) for each in parts]
+        if len(set(ends)) == len(names):
+            return ends
+    return names
+
+
+def _document(path: str, label: str, analysis: "Analysis") -> tuple[ComparedRobot, list[Failure]]:
     """Return the robot of a document, and what is wrong with it where only a part can be read."""
     from kindsl.analysis.compared_document import compared_document
     from kindsl.mechanism.errors import ModelError, UnboundParameterError
@@ -100,14 +116,15 @@ def _document(path: str, analysis: "Analysis") -> tuple[ComparedRobot, list[Fail
         if found is None:
             raise CommandError(failures) from None
         skeleton = found
-    return compared_document(shown_name(path), analysis, values, skeleton), failures
+    robot = compared_document(label, analysis, values, skeleton)
+    return robot._replace(name=shown_name(path)), failures
 
 
-def _foreign(path: str, floating: bool | None) -> "ReadDescription":
+def _foreign(path: str, label: str, floating: bool | None) -> "ReadDescription":
     from kindsl.interchange.descriptions import read_description
 
     try:
-        return read_description(Path(path), path, floating)
+        return read_description(Path(path), label, floating)
     except ModuleNotFoundError as error:
         format = format_of_suffix(Path(path).suffix)
         raise missing_module(path, error, format.extra if format else "") from None
