@@ -151,7 +151,7 @@ def test_sentences_name_files_by_the_ends_of_their_paths(
         arm.write_text(ARM.replace("1.3", mass))
         kindsl("convert", "-q", arm, path)
     run = kindsl("diff", *paths)
-    assert f"is 1.3 kg in {name} (line 8) and 1.4 kg in {other} (line 8)" in run.out
+    assert f"is 1.3 kg in {name} (line 7) and 1.4 kg in {other} (line 7)" in run.out
     assert str(folder) not in run.out
 
 
