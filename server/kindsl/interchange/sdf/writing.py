@@ -21,6 +21,8 @@ from kindsl.semantics.parameters import UNTOLD
 
 # The first version whose poses may be quaternions, which keep every rotation exact.
 _VERSION = "1.9"
+# By how much, of the greatest principal moment, rounding may break the triangle inequality.
+_ROUNDING = 1e-12
 _WELD = ("weld", "world_fixed")  # the joint that fixes the base
 
 
@@ -140,8 +142,9 @@ def _refused_elsewhere(skeleton: Skeleton) -> Iterator[str]:
     for index, (name, body) in enumerate(zip(skeleton.body_names, skeleton.masses, strict=True)):
         if index == 0 and not skeleton.is_floating:
             continue
-        moments = principal_moments(eigensystem(second_moments_about_com(body)))
+        pairs = eigensystem(second_moments_about_com(body))
+        moments = principal_moments(pairs)
         if body.mass == 0.0 and not any(moments):
             yield f"the link '{name}' has no mass: other tools refuse it"
-        elif not body.mass > 0.0 or moments[0] <= 0.0:
+        elif body.mass <= 0.0 or moments[0] <= 0.0 or pairs[0].value < -_ROUNDING * moments[2]:
             yield f"inertia of '{name}' is physically impossible: other tools refuse it"
