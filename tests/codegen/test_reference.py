@@ -34,6 +34,13 @@ def test_rounding_is_magnified_by_the_condition_of_what_is_solved() -> None:
     assert magnification("inverse_dynamics", np.eye(2), 2) == 1.0
 
 
+# Frames of joints among those of links.
+WITH_JOINTS = TRANSFORMS.replace(
+    "{\n    base",
+    "{\n    base=fr_L2, target=fr_R1 base=hand, target=fr_L1 base=fr_L2, target=tip\n    base",
+).replace("Frames { ", "Frames { fr_L1, fr_L2, fr_R1, ")
+
+
 @pytest.fixture(scope="module", params=[4, 3, None], ids=["fixed", "floating", "transforms"])
 def pair(request: pytest.FixtureRequest) -> tuple[Library, Reference]:
     """All functions of a robot, or those between all of its frames, and the right answers."""
@@ -41,7 +48,7 @@ def pair(request: pytest.FixtureRequest) -> tuple[Library, Reference]:
         bindings = {name: Binding(value) for name, value in VALUES.items()}
         analysis = kindsl.parse(MOVING, Settings(bindings=bindings))
         options = Options("c", ("poses",), "double", False, "unbound", "crab")
-        made, _ = generate(Source("crab.kindsl", analysis, {}, TRANSFORMS), options)
+        made, _ = generate(Source("crab.kindsl", analysis, {}, WITH_JOINTS), options)
         mechanics = analysis.mechanism()
         return made, Reference(mechanics, sample(mechanics.bodies))
     bodies = bodies_of_seed(request.param, 4)

@@ -2,13 +2,16 @@
 
 import random
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import cached_property
 
 import numpy as np
 
-from kindsl.dynamics.bodies import Bodies
+from kindsl.dynamics.bodies import Bodies, BodyFrame
 from kindsl.dynamics.evaluation.mechanics import Mechanics
 from kindsl.dynamics.generation.function import Function
 from kindsl.dynamics.joints import solve
+from kindsl.semantics.transforms import LINK_PREFIX
 from kindsl.spatial.arrays import Array
 from kindsl.spatial.cross_products import skew
 
@@ -116,47 +119,51 @@ class Reference:
         return [found.qdd, *base, forces, Lambda]
 
     def _foot_jacobian(self, name: str) -> Array:
-        columns = [self._first + joint - 1 for joint in self._support(name)[::-1]]
+        is_link = name in self.mechanics.bodies.link_names
+        support = self._support(f"{LINK_PREFIX}{name}" if is_link else name)
+        columns = [self._first + joint - 1 for joint in support[::-1]]
         return self._jacobian(name, is_own=False)[:, columns]
 
     def _relative_jacobian(self, target: str, base: str) -> Array:
         """Return the target's less what it would move by if it were fixed to the base."""
-        targets, bases = self._columns(target), self._columns(base)
-        on_base = self._pose(target, base)[:3, 3]
-        rotated = self._pose(target, base)[:3, :3]
-        moved = np.concatenate((rotated @ targets[:3], rotated @ targets[3:]))
+        targets, bases = (self._framed.jacobian(self.values["q"], name) for name in (target, base))
+        pose = self._pose(target, base)
+        moved = np.concatenate((pose[:3, :3] @ targets[:3], pose[:3, :3] @ targets[3:]))
         carried = bases.copy()
-        carried[3:] -= skew(on_base) @ bases[:3]
+        carried[3:] -= skew(pose[:3, 3]) @ bases[:3]
         joints = sorted({*self._support(target)} ^ {*self._support(base)})
         return (moved - carried)[:, [self._first + joint - 1 for joint in joints]]
 
-    def _columns(self, name: str) -> Array:
-        own = self._own_name(name)
-        if own == self.mechanics.bodies.base_name:
-            J = np.zeros((6, self.mechanics.bodies.n_velocities))
-            J[:, : self._first] = np.eye(6)[:, : self._first]
-            return J
-        return self.mechanics.jacobian(self.values["q"], own)
-
     def _pose(self, target: str, base: str) -> Array:
         """Return `base_T_target`."""
-        poses = dict(self.mechanics.forward_kinematics(self.values["q"]))
-        poses[self.mechanics.bodies.base_name] = np.eye(4)
-        relative: Array = np.linalg.inv(poses[self._own_name(base)]) @ poses[self._own_name(target)]
+        poses = self._framed.forward_kinematics(self.values["q"])
+        relative: Array = np.linalg.inv(poses[base]) @ poses[target]
         return relative
 
-    def _own_name(self, name: str) -> str:
-        """Return the name here of a frame in a transforms document."""
-        bodies = self.mechanics.bodies
-        if name in {frame.name for frame in bodies.frames}:
-            return name
-        return name.removeprefix("fr_")
-
     def _support(self, name: str) -> list[int]:
-        bodies, own = self.mechanics.bodies, self._own_name(name)
-        owners = {frame.name: frame.body for frame in bodies.frames}
-        owners |= {link: i for i, link in enumerate(bodies.link_names, start=1)}
-        return bodies.support(owners.get(own, 0))
+        bodies = self._framed.bodies
+        return bodies.support({frame.name: frame.body for frame in bodies.frames}[name])
+
+    @cached_property
+    def _framed(self) -> Mechanics:
+        """The mechanism with a frame of each name that a transforms document may have.
+
+        Bodies have numbers for names, which frames take; of equal names the last one counts.
+        """
+        bodies = self.mechanics.bodies
+        joints = zip(bodies.joint_names, bodies.parents, bodies.p_R_j, bodies.p_r_j, strict=True)
+        placed = [(f"{LINK_PREFIX}{name}", *place) for name, *place in joints]
+        placed += [
+            (f"{LINK_PREFIX}{name}", body, np.eye(3), np.zeros(3))
+            for body, name in enumerate((bodies.base_name, *bodies.link_names))
+        ]
+        frames = {name: BodyFrame(name, *place) for name, *place in placed}
+        frames |= {frame.name: frame for frame in bodies.frames}
+        base, *links = map(str, range(bodies.n_links + 1))
+        framed = replace(
+            bodies, base_name=base, link_names=tuple(links), frames=tuple(frames.values())
+        )
+        return Mechanics(framed)
 
     def _dynamics(self, name: str, load: Array) -> list[Array]:
         """Return forces or accelerations, from `M a + bias = forces + load`."""
