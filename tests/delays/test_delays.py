@@ -17,6 +17,7 @@ THOROUGHLY = [
         ("server", ("lsp", *PAGES)),
         ("worker", ("lsp",)),
         ("frames", PAGES),
+        ("messages", PAGES),
     )
     for seed in (1, 2)
 ]

@@ -133,8 +133,8 @@ async def _blank_page(browser: Browser) -> Page:
     if not _spare.get(browser):
         page = await browser.new_page(viewport=SIZE)
         page.set_default_timeout(TIMEOUT)
-        if injected.WHO == "frames":
-            await page.add_init_script(injected.FRAMES)
+        if injected.ON_PAGE is not None:
+            await page.add_init_script(injected.ON_PAGE)
         return page
     page = _spare[browser].pop()
     await page.set_viewport_size(SIZE)
