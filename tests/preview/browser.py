@@ -82,6 +82,15 @@ IS_SHOWN = """(name) => {
 }"""
 
 
+TWO_FRAMES = "() => new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(r)))"
+# Whether a page has that size, and the picture that of its pane.
+IS_FILLED = """([width, height]) => {
+  const pane = document.getElementById("pane"), canvas = kindsl.viewer.renderer.domElement;
+  return innerWidth === width && innerHeight === height
+    && canvas.clientWidth === pane.clientWidth && canvas.clientHeight === pane.clientHeight;
+}"""
+
+
 # Whether a page has the links, joints and frames of a state, no others, and its revision.
 HAS = """(messages) => {
   const { robot } = kindsl.scene.trees, groups = ["link", "joint", "frame"];
@@ -155,6 +164,13 @@ async def until(page: Page, condition: str, argument: object = None) -> None:
 async def until_shown(page: Page, robot: str) -> None:
     """Wait until the whole state has come and a robot is drawn, all of it in the picture."""
     await until(page, IS_SHOWN, robot)
+
+
+async def resize(page: Page, width: int, height: int) -> None:
+    """Give a page another size, and wait until all that follows its size has followed."""
+    await page.set_viewport_size({"width": width, "height": height})
+    await page.evaluate(TWO_FRAMES)
+    await until(page, IS_FILLED, [width, height])
 
 
 async def until_current(page: Page, server: PreviewServer, key: str = "robot") -> None:

@@ -234,15 +234,6 @@ async def test_a_leg_is_mirrored_only_where_its_name_tells_a_side(opened_once):
         assert await button.count() == count, link
 
 
-async def press_and_pull(page, component, share):
-    """Take an arrow and pull it by a share of its length; it is still held."""
-    (x0, y0), (x1, y1) = (await page.evaluate(LINES))[component]
-    await page.mouse.move(x0 + 0.8 * (x1 - x0), y0 + 0.8 * (y1 - y0))
-    await page.mouse.down()
-    for pulled in (0.8 + share * part for part in (0.25, 0.5, 1.0)):
-        await page.mouse.move(x0 + pulled * (x1 - x0), y0 + pulled * (y1 - y0))
-
-
 async def test_without_an_owner_there_are_no_handles(browser):
     server = PreviewServer()
     await server.start()

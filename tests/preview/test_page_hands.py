@@ -4,7 +4,7 @@ import asyncio
 import math
 
 import pytest
-from tests.preview.browser import eventually, opened, until, until_shown
+from tests.preview.browser import eventually, opened, resize, until, until_shown
 from tests.preview.handles import touch
 from tests.preview.robots import ARM, EXAMPLES, PARAMETRIC_ARM
 
@@ -323,7 +323,7 @@ async def page_of_quadruped(browser):
     await running.start()
     async with opened(browser, await url_of(running, LONG)) as page:
         await until_shown(page, "Quadruped")
-        await page.set_viewport_size({"width": 1280, "height": 860})
+        await resize(page, 1280, 860)
         yield page
     await running.stop()
 
@@ -342,6 +342,7 @@ async def test_what_is_selected_is_told_beside_the_lists(page_of_quadruped):
 async def test_bars_share_the_panel_out_and_the_address_keeps_it(page_of_quadruped):
     page = page_of_quadruped
     usual = await page.evaluate(SHARES)
+    await page.locator("#divider").wait_for()
     await page.locator("#divider").focus()
     for _ in range(4):
         await page.keyboard.press("ArrowUp")
@@ -381,7 +382,7 @@ async def test_a_pose_gets_a_name(browser, server):
 @pytest.mark.parametrize(("width", "least"), [(200, 70), (360, 80), (1280, 80), (2560, 200)])
 async def test_sliders_use_the_width_and_names_keep_their_ends(page_of_quadruped, width, least):
     page = page_of_quadruped
-    await page.set_viewport_size({"width": width, "height": 860})
+    await resize(page, width, 860)
     slider = await page.get_by_label("LF_HAA", exact=True).bounding_box()
     assert slider["width"] > least
     assert (await page.locator("#joints .row").first.bounding_box())["height"] < 40
@@ -390,7 +391,7 @@ async def test_sliders_use_the_width_and_names_keep_their_ends(page_of_quadruped
     row = await page.locator("#tree").bounding_box()
     assert ends[0]["x"] + ends[0]["width"] < row["x"] + row["width"]
     assert ends[1]["width"] > 5
-    await page.set_viewport_size({"width": 1280, "height": 860})
+    await resize(page, 1280, 860)
 
 
 async def test_a_limit_that_nobody_gave_looks_otherwise(browser, server):
@@ -434,4 +435,4 @@ async def test_a_motion_is_opened_by_keyboard_and_its_torques_follow_the_robot(b
         await url_of(server, ARM.replace("mass = 1.0", "mass = 3.0"))
         await until(page, "!document.querySelector('#player [data-old]')")
         assert abs(await page.evaluate(told)) > abs(before)
-        assert await page.locator("#player .chart.stale").count() == 0
+        await page.locator("#player .chart.stale").wait_for(state="detached")

@@ -3,7 +3,7 @@
 from itertools import pairwise
 
 import pytest
-from tests.preview.browser import opened, until, until_shown
+from tests.preview.browser import opened, resize, until, until_shown
 from tests.preview.robots import ARM, EXAMPLES, plain_robot
 from tests.support.published import CORPUS, published
 
@@ -97,8 +97,7 @@ async def test_the_first_picture_is_calm_and_its_names_do_not_flicker(browser, s
     text = next(CORPUS.glob("*__ANYmal__*")).read_text()
     async with opened(browser, await url_of(server, text)) as page:
         await until_shown(page, "ANYmal")
-        await page.set_viewport_size({"width": 1280, "height": 800})
-        await until(page, "kindsl.viewer.renderer.domElement.clientWidth === 940")
+        await resize(page, 1280, 800)
         await until(page, "kindsl.camera.framedSize > 0 && kindsl.history.present !== null")
         assert set(await page.evaluate(VISIBLE)) == {
             "core", "bone", "drum", "doubtful", "impossible", "ghost", "ground", "link-names",
@@ -119,6 +118,7 @@ async def test_the_first_picture_is_calm_and_its_names_do_not_flicker(browser, s
 async def test_presets_show_what_they_are_called_and_keep_own_choices(browser, server):
     text = (EXAMPLES / "quadruped.kindsl").read_text()
     async with opened(browser, await url_of(server, text)) as page:
+        await until_shown(page, "Quadruped")
         await page.locator("[data-preset=Inertia]").click()
         await until(page, "kindsl.lineArt.circles.visible && kindsl.lineArt.outlines.visible")
         shown = set(await page.evaluate(VISIBLE))
