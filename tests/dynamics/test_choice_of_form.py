@@ -77,6 +77,14 @@ def test_long_chains_are_answered_by_what_pays(quantity: Quantity, asked: Counte
     assert asked["path made"] == 1
 
 
+def test_no_code_is_written_where_that_is_said(asked: Counter[str]) -> None:
+    bodies = random_bodies(np.random.default_rng(0), SHORT, is_floating=False)
+    chosen = Forms(bodies, generates_code=False)
+    for size in SIZES:
+        chosen.evaluate(_request("bias_torque", (size,), SHORT))
+    assert asked == {"path made": 1, "path": 2, "readable": 3}
+
+
 @pytest.mark.parametrize("is_floating", [False, True])
 def test_code_is_written_once(is_floating: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     """Each quantity's, for one configuration and for many, at rest and in motion."""

@@ -72,7 +72,7 @@ def _states(skeleton: Skeleton) -> _States:
 
 def _forces(skeleton: Skeleton, states: _States) -> tuple[Array, Array]:
     """Return inertia matrices and bias forces."""
-    mechanics = Mechanics(bodies_of(skeleton))
+    mechanics = Mechanics(bodies_of(skeleton), generates_code=False)
     return mechanics.joint_space_inertia(states.q), mechanics.bias_torque(states.q, states.qd)
 
 
@@ -83,7 +83,7 @@ def _counted_as_ours(
     T, offsets = _velocities(ours, theirs, found)
     first = 6 if theirs.is_floating else 0
     joints = T[first:, first:]
-    mechanics = Mechanics(bodies_of(theirs))
+    mechanics = Mechanics(bodies_of(theirs), generates_code=False)
     q = (states.q - offsets) @ joints.T
     gravity = GRAVITY
     if theirs.is_floating:

@@ -1,6 +1,7 @@
 """The server: the protocol is the SDK's, the tools are ours."""
 
 import contextlib
+import gc
 import logging
 from pathlib import Path
 
@@ -87,3 +88,5 @@ def _warm_up(folder: Folder) -> None:
     for name in ("check", "compute", "view"):
         with contextlib.suppress(ToolError):
             answer(tools[name], {"text": example}, folder)
+    # The collector need not walk what was loaded, time and again.
+    gc.freeze()

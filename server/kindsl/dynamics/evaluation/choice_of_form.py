@@ -31,9 +31,10 @@ class Forms:
         generated: The form whose ready functions may be called directly.
     """
 
-    __slots__ = ("_path", "_readable", "generated")
+    __slots__ = ("_generates_code", "_path", "_readable", "generated")
 
-    def __init__(self, bodies: Bodies) -> None:
+    def __init__(self, bodies: Bodies, *, generates_code: bool = True) -> None:
+        self._generates_code = generates_code
         self.generated = GeneratedForm(bodies)
         self._readable = partial(readable.evaluate, bodies)
         self._path: PathForm | None = None
@@ -49,7 +50,8 @@ class Forms:
 
     def _chosen(self, quantity: Quantity, size: int) -> Callable[[Request], Array]:
         is_short = self.generated.bodies.n_links <= MOST_LINKS_TO_GENERATE_FOR
-        if is_short or (quantity in LINEAR and size >= WORTH_GENERATING):
+        is_worth_it = is_short or (quantity in LINEAR and size >= WORTH_GENERATING)
+        if self._generates_code and is_worth_it:
             return self.generated.evaluate
         if size >= WORTH_READABLE and quantity != "joint_space_inertia":
             return self._readable

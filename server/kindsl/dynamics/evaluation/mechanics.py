@@ -57,9 +57,16 @@ class Mechanics(WholeBody):
 
     __slots__ = ("_forms", "_generated", "_pose_indices", "bodies")
 
-    def __init__(self, bodies: Bodies) -> None:
+    def __init__(self, bodies: Bodies, *, generates_code: bool = True) -> None:
+        """Take over a tree of bodies.
+
+        Args:
+            bodies: The tree.
+            generates_code: Whether to write code for it, which takes ten times as long as a few
+                answers do without, and answers ten times sooner from then on.
+        """
         self.bodies = bodies
-        self._forms = Forms(bodies)
+        self._forms = Forms(bodies, generates_code=generates_code)
         self._generated = self._forms.generated
         names = (*bodies.link_names, *(frame.name for frame in bodies.frames))
         self._pose_indices = {name: index for index, name in enumerate(names)}

@@ -13,13 +13,13 @@ _WHITE = "#ffffff"
 
 def png_bytes(drawing: Drawing) -> bytes:
     """Return the content of a file."""
-    size = round(drawing.width), round(drawing.height)
-    sheet = Image.new("RGB", (size[0] * _FINER, size[1] * _FINER), _WHITE)
+    width, height = round(drawing.width), round(drawing.height)
+    sheet = Image.new("RGB", (width * _FINER, height * _FINER), _WHITE)
     pen = ImageDraw.Draw(sheet, "RGBA")
     for shape in drawing.shapes:
         _draw(pen, shape)
     file = BytesIO()
-    sheet.resize(size, Image.Resampling.LANCZOS).save(file, "PNG")
+    sheet.reduce(_FINER).save(file, "PNG")
     return file.getvalue()
 
 
