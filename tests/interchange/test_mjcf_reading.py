@@ -189,11 +189,11 @@ def test_a_name_that_is_not_utf_8_is_refused(tmp_path: Path) -> None:
     file = tmp_path / "arm.xml"
     file.write_bytes(ARM.encode().replace(b'"lower"', b'"l\xf6wer"'))
     with pytest.raises(FormatError, match="a name in it is not UTF-8"):
-        read_mjcf(file)
+        read_mjcf(file, floating=False)
 
 
 def test_a_text_that_is_cut_off_is_told_with_its_line_alone(tmp_path: Path) -> None:
     path = tmp_path / "cut.xml"
     path.write_text('<mujoco>\n<worldbody>\n<body name="a"><joint na')
     with pytest.raises(FormatError, match=r"^not a readable MJCF: not well-formed XML at line 3$"):
-        read_mjcf(path)
+        read_mjcf(path, floating=False)

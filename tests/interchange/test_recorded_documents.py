@@ -74,17 +74,24 @@ def _imported(read: ReadRobot) -> Iterator[str]:
 
 def _compared(read: ReadDescription, text: str) -> Iterator[str]:
     robot = read.robot
-    yield f"compared as floating: {robot.skeleton.is_floating}, {read.tells_base}"
+    skeleton = robot.skeleton
+    yield f"compared as floating: {skeleton.is_floating}, {read.tells_base}"
+    yield f"base of {skeleton.masses[0].mass} kg, joints {skeleton.joint_kinds}"
+    yield f"on {skeleton.parents}, frames on {[frame.body for frame in skeleton.frames]}"
     yield from read.notes
     yield f"with a mass of their own: {sorted(robot.heavy_frames)}"
     yield f"told of joints: {sorted(robot.properties)}"
-    for name, parts in zip(robot.skeleton.body_names, robot.inertias, strict=True):
+    for name, parts in zip(skeleton.body_names, robot.inertias, strict=True):
         for part in parts:
             turn = [value for row in part.turn for value in row]
+            assert part.is_about_com and part.sign == -1.0
+            pairs = zip(part.values, part.numbers, strict=True)
+            assert all(number is None or number.value == value for value, number in pairs)
             yield f"in {name}: {part.owner} at {_pose(part.body_T_frame)}, moments along {turn}"
             yield from _numbers(part.values, part.numbers, text)
     for pose in (*robot.joints, *robot.frames.values()):
-        yield f"pose of {pose.owner} in {_pose(pose.before)}, then {_pose(pose.after)}"
+        way = "own axes" if pose.is_intrinsic else "fixed axes"
+        yield f"pose of {pose.owner} in {_pose(pose.before)}, then {_pose(pose.after)}, {way}"
         yield from _numbers(pose.values, pose.numbers, text)
         if pose.axis is not None:
             yield f"    axis {_place(pose.axis, text)}"

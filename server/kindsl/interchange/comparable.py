@@ -102,8 +102,7 @@ def _inertias(link: DescribedLink, numbers: FileNumbers) -> Iterator[WrittenIner
 
 def _inertia(part: DescribedPart, numbers: FileNumbers) -> WrittenInertia:
     turn = numbers.turns.get(part.name, IDENTITY.rotation)
-    unknown: Numbers = (None,) * len(INERTIA)
-    form = WrittenInertia(part.name, part.body_T_link, turn, True, -1.0, (), unknown)
+    form = WrittenInertia(part.name, part.body_T_link, turn, True, -1.0, (), ())
     values = form.values_of(part.body or NO_BODY)
     found = _found(numbers, "link", part.name, INERTIA, values)
     exact = tuple(v if n is None else n.value for v, n in zip(values, found, strict=True))
@@ -117,10 +116,10 @@ def _frame(frame: AttachedFrame, numbers: FileNumbers) -> WrittenPose:
 
 def _pose(link: DescribedLink, numbers: FileNumbers) -> WrittenPose:
     before, after = link.parent_T_origin, link.written_T_joint
-    form = WrittenPose(link.joint, before, after, False, (0.0,) * 6, (None,) * 6)
     written = (numbers.found.get(("joint", link.joint, name)) for name in POSE)
-    guess = tuple(0.0 if n is None or n.is_implied else n.value for n in written)
-    values = replace(form, values=guess).values_of(link.parent_T_joint)
+    guess = tuple(0.0 if number is None else number.value for number in written)
+    form = WrittenPose(link.joint, before, after, False, guess, ())
+    values = form.values_of(link.parent_T_joint)
     found = _found(numbers, "joint", link.joint, POSE, values)
     axis = numbers.found.get(("joint", link.joint, AXIS))
     return replace(form, values=values, numbers=found, axis=axis)

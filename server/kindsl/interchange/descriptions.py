@@ -57,7 +57,7 @@ def read_description(path: Path, label: str, floating: bool | None) -> ReadDescr
         return ReadDescription(_of_folder(path, label))
     path.stat()
     format = _format(path)
-    assert format.read is not None, "only formats that can be read are found"
+    assert format.read is not None, "every format is read"
     require_regular(str(path))
     return read_robot(format, partial(format.read, path), path.read_bytes(), label, floating)
 
@@ -109,8 +109,8 @@ def read_robot(
         FormatError: It is not in its format.
     """
     found = read(AS_WRITTEN)
-    is_open = floating is not None and not found.tells_base
-    if is_open and floating:
+    asked = None if found.tells_base else floating
+    if asked:
         found = read(ReadingChoices(floating=True))
     numbers = format.find_numbers(content) if format.find_numbers else NO_NUMBERS
     robot = described_robot(label, found.robot, numbers)
@@ -120,9 +120,11 @@ def read_robot(
     if mimics:
         told = f"{counted(mimics, 'mimicking joint')} of {label}"
         notes.append(f"{told} compared as if independent")
-    if is_open and floating is not None:
-        robot, kind = _with_base(robot, floating), "floating" if floating else "fixed"
+    if asked is False:
+        robot = _with_fixed_base(robot)
+    if asked is not None:
         told = f"{label} leaves open whether its base floats"
+        kind = "floating" if asked else "fixed"
         notes.append(f"{told}: compared as {kind}, like the other")
     return ReadDescription(robot, tuple(notes), found.tells_base)
 
@@ -135,16 +137,14 @@ def _of_folder(folder: Path, label: str) -> Described:
     raise FormatError("no generated code in this folder")
 
 
-def _with_base(robot: Described, floating: bool) -> Described:
-    """Return a robot whose base floats or does not."""
-    skeleton = robot.skeleton
-    masses = skeleton.masses if floating else (NO_BODY, *skeleton.masses[1:])
-    return replace(robot, skeleton=replace(skeleton, masses=masses, is_floating=floating))
+def _with_fixed_base(robot: Described) -> Described:
+    masses = NO_BODY, *robot.skeleton.masses[1:]
+    return replace(robot, skeleton=replace(robot.skeleton, masses=masses, is_floating=False))
 
 
 def _format(path: Path) -> Format:
     format = format_of_suffix(path.suffix)
-    if format is None or format.read is None:
-        known = [suffix for f in all_formats() if f.read for suffix in f.suffixes]
+    if format is None:
+        known = [suffix for format in all_formats() for suffix in format.suffixes]
         raise FormatError(suffix_unknown(path.suffix, known))
     return format

@@ -14,7 +14,7 @@ from kindsl.comparison.written import (
 )
 from kindsl.interchange.format import FormatError
 from kindsl.mechanism.skeleton import AttachedFrame, Skeleton
-from kindsl.rigid.body import NO_BODY, MassDistribution
+from kindsl.rigid.body import MassDistribution
 from kindsl.rigid.pose import IDENTITY, RigidPose
 
 MANIFEST = "kindsl-generated.json"
@@ -139,4 +139,4 @@ def _pose(numbers: list[float]) -> RigidPose:
 def _body(numbers: list[float]) -> MassDistribution:
     mass, x, y, z, *moments = map(float, numbers)
     xx, yy, zz, xy, xz, yz = moments
-    return MassDistribution(mass, (x, y, z), (xx, yy, zz, xy, xz, yz)) if mass else NO_BODY
+    return MassDistribution(mass, (x, y, z), (xx, yy, zz, xy, xz, yz))

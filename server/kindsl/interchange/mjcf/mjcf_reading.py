@@ -31,7 +31,7 @@ _FREE, _SLIDE = 0, 2
 _DUST = 3e-14
 
 
-def read_mjcf(path: Path, *, floating: bool = False) -> ReadRobot:
+def read_mjcf(path: Path, *, floating: bool) -> ReadRobot:
     """Return the robot of an MJCF file.
 
     Args:
