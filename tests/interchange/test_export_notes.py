@@ -91,6 +91,30 @@ def test_what_other_tools_refuse_of_an_sdf(old: str, new: str, told: list[str]) 
 
 
 @pytest.mark.parametrize(
+    ("moments", "is_told"),
+    [
+        ("Ix = 0.1 Iy = 0.2 Iz = 0.3000000000001", False),
+        ("Ix = 0.1 Iy = 0.2 Iz = 0.300000000001", True),
+    ],
+)
+def test_rounding_makes_no_body_impossible(moments: str, is_told: bool) -> None:
+    text = TEXT.replace(HAND, HAND.replace("Ix = 0.1 Iy = 0.2 Iz = 0.2", moments))
+    for format in ("sdf", "mjcf"):
+        told = notes(text, format)
+        assert [note.startswith("inertia of 'hand' is phys") for note in told] == [True] * is_told
+
+
+@pytest.mark.parametrize(("least", "is_told"), [("0.5", False), ("2", True)])
+def test_what_mujoco_requires_of_a_small_body_is_added(least: str, is_told: bool) -> None:
+    """Up to 2e-15 kg m^2, which is less than what a body without mass gets."""
+    zeros = "0." + "0" * 14
+    moments = f"Ix = -{zeros}{least.replace('.', '')} Iy = {zeros}5 Iz = {zeros}5"
+    hand = HAND.replace("Ix = 0.1 Iy = 0.2 Iz = 0.2", moments)
+    told = notes(TEXT.replace(HAND, hand), "mjcf")
+    assert [note.startswith("inertia of 'hand' is phys") for note in told] == [True] * is_told
+
+
+@pytest.mark.parametrize(
     ("old", "new", "told"),
     [
         (" turn", " arm", "the joint 'arm' is now 'arm_joint': names are unique in SDF"),

@@ -87,6 +87,34 @@ def test_a_pipe_and_a_file_too_large_are_refused(
     assert found(package, "../meshes/a b.stl") == ("larger than 0 MB", None)
 
 
+def test_a_file_may_be_as_large_as_the_limit(
+    package: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    mesh = package / "meshes/a b.stl"
+    file = mesh_file("../meshes/a b.stl", package / "urdf/arm.urdf", package)
+    for size, problem in ((64 * 2**20, ""), (64 * 2**20 + 1, "larger than 64 MB")):
+        os.truncate(mesh, size)
+        assert file.problem() == problem
+    mesh.write_text("solid")
+    monkeypatch.setattr(mesh_files, "LARGEST", 5)
+    assert file.read() == b"solid"
+
+
+def test_the_addresses_of_a_mesh_are_tried_in_turn(package: Path) -> None:
+    """A folder of all packages has the package in it, and that of the package what is in it."""
+    description = package / "urdf/arm.urdf"
+    around = package.parent
+    assert mesh_file("package://arm/meshes/a b.stl", description, around).path == (
+        around / "arm/meshes/a b.stl"
+    )
+    for name, where in (("arm", "arm"), ("other", "arm/other")):
+        file = mesh_file(f"package://{name}/none.stl", description, package)
+        assert file.path == around / where / "none.stl"
+    (package / "meshes/x.stl").symlink_to("a b.stl")
+    inner = mesh_file("package://other/meshes/x.stl", description, package)
+    assert (inner.path, inner.read()) == (package / "meshes/x.stl", b"solid")
+
+
 def test_a_file_that_grows_while_it_is_read_is_left_out(
     package: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

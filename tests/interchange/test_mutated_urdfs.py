@@ -26,6 +26,17 @@ def read(text: str, folder: Path) -> str:
     return kindsl_text(read_urdf(path).robot)
 
 
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        (SHOULDER, SHOULDER.replace('<axis xyz="0 0 1"/>', "<axis/>")),
+        (WRIST, WRIST.replace('<axis xyz="0 0 1"', '<axis xyz="0 0 0"')),
+    ],
+)
+def test_an_axis_that_is_not_needed_need_not_be_one(old: str, new: str, tmp_path: Path) -> None:
+    assert "link arm {" in read(ARM.replace(old, new), tmp_path)
+
+
 def test_plain_robot_is_read(tmp_path: Path) -> None:
     assert "link arm {" in read(ARM, tmp_path)
 
@@ -57,6 +68,35 @@ def test_another_kind_of_file_is_told(tmp_path: Path) -> None:
         ('<parent link="arm"', '<parent link="arn"', "does not exist; did you mean 'arm'"),
         (WRIST, "", "has 2 root links"),
         (' izz="0.1"', "", "<inertia> has no attribute 'izz'"),
+        ('"hand"><inertial', '" "><inertial', "^line 4: <link name=' '> has an empty name$"),
+        ('<mass value="1.0"/>', "", "^line 2: <inertial> of link 'base' has no <mass>$"),
+        ('izz="0.1"', 'izz="1 2"', "^line 2: <inertia> has 2 numbers in 'izz', not 1$"),
+        (' type="revolute"', "", "^line 5: <joint name='shoulder'> has no attribute 'type'$"),
+        ('<parent link="arm"', "<parent ", "^line 6: <parent> has no attribute 'link'$"),
+        (
+            '<child link="hand"/>',
+            '<child link="hand"/><child link="base"/>',
+            "^line 6: <joint name='wrist'> has 2 <child>, and needs one$",
+        ),
+        (
+            'rpy="0 0 0"',
+            'rpy="0 0 0" quat_xyzw="0 0 0 1"',
+            "^line 5: <origin> has both 'rpy' and 'quat_xyzw'$",
+        ),
+        ('rpy="0 0 0"', 'quat_xyzw="0 0 0 0"', "^line 5: <origin> has a quaternion of no length$"),
+        ('rpy="0 0 0"', 'rpy="0 0"', "^line 5: <origin> has 2 numbers in 'rpy', not 3$"),
+        ('<axis xyz="0 0 1"', '<axis xyz="0 1"', "^line 5: <axis> has 2 numbers in 'xyz', not 3$"),
+        (
+            "</robot>",
+            "<link name='a'/><link name='b'/><link name='c'/><link name='d'/></robot>",
+            "the URDF has 5 root links, .*: 'base', 'a', 'b', 'c', 'd'$",
+        ),
+        (
+            "</robot>",
+            "".join(f"<link name='{name}'/>" for name in "abcde") + "</robot>",
+            "the URDF has 6 root links, .*: 'base', 'a', 'b', 'c', 'd', ...$",
+        ),
+        (ARM[ARM.index("<link") : -8], "", "^the URDF has no link$"),
     ],
 )
 def test_defect_is_told_with_its_line(old: str, new: str, message: str, tmp_path: Path) -> None:

@@ -65,6 +65,14 @@ def test_each_new_name_is_told_and_no_other(robot: RobotDescription) -> None:
     assert told == tuple(sentence for is_kept, sentence in kept if not is_kept)
 
 
+def test_equal_names_are_numbered_from_two() -> None:
+    frames = tuple(DescribedFrame("tip", BESIDE) for _ in range(4))
+    base = DescribedLink("base", None, frames, None, "", "", IDENTITY)
+    told = written_kindsl(ReadRobot(RobotDescription("arm", False, (base,)), ())).remarks
+    names = ("tip_frame", "tip_2", "tip_3")
+    assert told == tuple(f"the frame 'tip' is now '{name}'" for name in names)
+
+
 def test_links_keep_their_names_before_joints_frames_and_the_robot() -> None:
     frames = (DescribedFrame("arm", BESIDE), DescribedFrame("fr_arm", BESIDE))
     base = DescribedLink("base", None, frames, None, "", "", IDENTITY)

@@ -22,7 +22,8 @@ from kindsl.rigid.pose import RigidPose
 from kindsl.semantics.parameters import JointProperties
 
 DOCUMENTS = Path(__file__).parent / "documents"
-READ = sorted(path for path in DOCUMENTS.iterdir() if path.suffix != ".kindsl")
+FORMATS = (".sdf", ".urdf", ".xml")
+READ = sorted(path for path in DOCUMENTS.iterdir() if path.suffix in FORMATS)
 RECORDED = Path(__file__).parent / "recorded"
 ENDLESS = WritingChoices(
     endless_joints=True,
@@ -44,6 +45,13 @@ def test_all_that_is_read_is_as_recorded(path: Path) -> None:
     described = read_description(path, path.name, floating=None)
     told += _compared(described, path.read_text("utf-8"))
     assert_as_recorded(RECORDED / f"{path.name}.txt", map(rounded, told))
+
+
+def test_all_that_is_read_of_generated_code_is_as_recorded() -> None:
+    described = read_description(DOCUMENTS / "robcogen", "robcogen", floating=None)
+    text = (DOCUMENTS / "robcogen" / "inertia_properties.cpp").read_text("utf-8")
+    told = _compared(described, text, is_about_com=False)
+    assert_as_recorded(RECORDED / "robcogen.txt", map(rounded, told))
 
 
 @pytest.mark.parametrize("format", ["mjcf", "sdf", "urdf"])
@@ -72,7 +80,7 @@ def _imported(read: ReadRobot) -> Iterator[str]:
     yield from made.text.splitlines()
 
 
-def _compared(read: ReadDescription, text: str) -> Iterator[str]:
+def _compared(read: ReadDescription, text: str, *, is_about_com: bool = True) -> Iterator[str]:
     robot = read.robot
     skeleton = robot.skeleton
     yield f"compared as floating: {skeleton.is_floating}, {read.tells_base}"
@@ -84,7 +92,8 @@ def _compared(read: ReadDescription, text: str) -> Iterator[str]:
     for name, parts in zip(skeleton.body_names, robot.inertias, strict=True):
         for part in parts:
             turn = [value for row in part.turn for value in row]
-            assert part.is_about_com and part.sign == -1.0
+            assert part.is_about_com == is_about_com
+            assert part.sign == (-1.0 if is_about_com else 1.0)
             pairs = zip(part.values, part.numbers, strict=True)
             assert all(number is None or number.value == value for value, number in pairs)
             yield f"in {name}: {part.owner} at {_pose(part.body_T_frame)}, moments along {turn}"
@@ -110,5 +119,6 @@ def _place(number: WrittenNumber, text: str) -> str:
     assert isinstance(number.at, TextPlace)
     line = text.count("\n", 0, number.at.start) + 1
     shown = text[number.at.start : number.at.end]
+    shown = f"{number.at.file}: {shown}" if number.at.file else shown
     implied = " implied" if number.is_implied else f" half {number.half}"
     return f"line {number.at.line} of {line} {shown!r} {number.text!r}{implied}"

@@ -144,6 +144,17 @@ def test_each_loss_is_one_sentence(tmp_path: Path) -> None:
     )
 
 
+def test_of_many_models_and_roots_five_are_named(tmp_path: Path) -> None:
+    for part, message in (
+        ("<model name='{}'/>", "the SDF has 7 models, .*: 'arm', 'a', 'b', 'c' and 'd'"),
+        ("<link name='{}'/>", "the SDF has 7 root links, .*: the world, 'a', 'b', 'c' and 'd'"),
+    ):
+        more = "".join(map(part.format, "abcdef"))
+        text = ARM.replace("</model>", f"</model>{more}" if "model" in part else f"{more}</model>")
+        with pytest.raises(FormatError, match=f"^{message}$"):
+            robot(text, tmp_path)
+
+
 def test_model_without_links_is_refused_where_it_begins(tmp_path: Path) -> None:
     with pytest.raises(FormatError, match=r"^line 2: <model name='a'> has no link$"):
         robot("<sdf>\n<model name='a'/></sdf>", tmp_path)

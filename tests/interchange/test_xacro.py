@@ -1,5 +1,6 @@
 """xacro files: arguments, macros and includes become the robot they mean; what never ends does."""
 
+import subprocess
 import sys
 from pathlib import Path
 
@@ -121,6 +122,15 @@ def test_what_never_ends_is_given_up(tmp_path: Path) -> None:
     path.write_text(FOREVER)
     with pytest.raises(FormatError, match=r"^xacro does not expand it within 0\.5 s$"):
         expanded(path, seconds=0.5)
+
+
+def test_it_is_given_thirty_seconds(leg: Path, monkeypatch) -> None:
+    def run(command: list[str], *, timeout: float, **_: object) -> None:
+        raise subprocess.TimeoutExpired(command, timeout)
+
+    monkeypatch.setattr(subprocess, "run", run)
+    with pytest.raises(FormatError, match=r"^xacro does not expand it within 30 s$"):
+        expanded(leg)
 
 
 def test_expressions_reach_nothing_of_the_process_that_asks(leg: Path, monkeypatch) -> None:

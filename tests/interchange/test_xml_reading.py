@@ -2,8 +2,9 @@
 
 import pytest
 
+from kindsl.interchange import xml_reading
 from kindsl.interchange.urdf.urdf_reading import UrdfError, robot_of_urdf
-from kindsl.interchange.xml_reading import XmlError, parsed_xml
+from kindsl.interchange.xml_reading import XmlError, finite_number, parsed_xml
 
 ROBOT = '<robot name="é">\n<link name="a"/><!-- a\n b --><link\n name="b"/>\n</robot>'
 
@@ -25,6 +26,23 @@ def test_names_are_what_is_written_whether_declared_or_not() -> None:
 
 def test_a_document_type_without_entities_does_no_harm() -> None:
     assert parsed_xml(b'<!DOCTYPE robot SYSTEM "robot.dtd"><robot/>').tag == "robot"
+
+
+def test_a_text_may_be_as_long_as_the_limit_and_as_deep(monkeypatch) -> None:
+    deepest = "<a>" * 256 + "</a>" * 256
+    assert len(list(parsed_xml(deepest).iter())) == 256
+    monkeypatch.setattr(xml_reading, "_LARGEST", 4)
+    assert parsed_xml("<r/>").tag == "r"
+    with pytest.raises(XmlError, match="longer than"):
+        parsed_xml("<ro/>")
+
+
+@pytest.mark.parametrize(
+    ("word", "value"),
+    [("1e50", 1e50), ("-1e50", -1e50), ("1.5e50", None), ("-1.5e50", None), ("0x1", None)],
+)
+def test_a_number_has_a_measure(word: str, value: float | None) -> None:
+    assert finite_number(word) == value
 
 
 LAUGHS = "".join(f'<!ENTITY l{i} "{f"&l{i - 1};" * 10}">' for i in range(1, 10))

@@ -1,0 +1,1 @@
+out << "   Turn = " << map[TURN] << "   push = " << map[PUSH];

@@ -1,0 +1,2 @@
+out << "   hull = " << map[HULL] << "   arm = " << map[ARM]
+    << "   rod = " << map[ROD];
