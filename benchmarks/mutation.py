@@ -53,7 +53,12 @@ TESTS = {
     "interchange": ("interchange", "comparison", "cli", "analysis/test_pasted_urdf.py"),
     "lsp/session": ("lsp",),
     "config": ("config", "cli"),
-    "codegen": ("codegen", "cli"),
+    "codegen": (
+        "codegen",
+        "cli/test_generate.py",
+        "cli/test_robcogen.py",
+        "cli/test_transforms.py",
+    ),
     "scene": ("scene", "preview"),
 }
 OPTIONS = ["-q", "-p", "no:cacheprovider", "-p", "no:xdist"]

@@ -18,7 +18,7 @@ _JOINT = """
 
 
 def chain(n: int, base: str = "", x: str = "0.25", mass: str = "1.5") -> str:
-    """Return a robot of links one after the other, each third joint prismatic.
+    """Return a robot of links one after the other, the last one beside, each third joint prismatic.
 
     Args:
         n: How many.
@@ -29,9 +29,9 @@ def chain(n: int, base: str = "", x: str = "0.25", mass: str = "1.5") -> str:
     inertia = """inertia_params { mass = 4.0 CoM = (0.0, 0.0, 0.0)
         Ix=0.5 Iy=0.6 Iz=0.7 Ixy=0.0 Ixz=0.0 Iyz=0.0 }"""
     parts = [f"Robot Chain {{ RobotBase root {base} {{ {inertia if base else ''}",
-             "    children { l1 via j1 } }"]  # fmt: skip
+             f"    children {{ l1 via j1 l{n} via j{n} }} }}"]  # fmt: skip
     for k in range(1, n + 1):
-        below = f"l{k + 1} via j{k + 1}" if k < n else ""
+        below = f"l{k + 1} via j{k + 1}" if k < n - 1 else ""
         own = (x, mass) if k == n else ("0.0", "2.0")
         parts.append(_LINK.format(name=f"l{k}", id=k, x=own[0], mass=own[1], children=below))
         first = x if k == 1 else "0.0"
@@ -60,7 +60,7 @@ DOCUMENTS = {
     "one": ONE_LINK,
     "reach": LIFT.replace("(0.4, 0.0, 0.0)", "(reach, 0.0, 0.0)"),
     "angle": LIFT.replace("(-PI/2.0, 0.0, 0.0)", "(-angle, 0.0, 0.0)"),
-    "chain": chain(9),
+    "chain": chain(10),
     "long": chain(21, "floating"),
     "long_parameters": chain(21, x="reach", mass="m"),
 }
@@ -80,9 +80,14 @@ Jacobians {
 }
 """,
     "chain": """Robot Chain
-Frames { fr_root, fr_l1, fr_l8, fr_l9, fr_j9 }
-Transforms { base=fr_l9, target=fr_root  base=fr_l9, target=fr_l1  base=fr_root, target=fr_j9 }
-Jacobians { base=fr_root, target=fr_l9 }
+Frames { fr_root, fr_l8, fr_l9, fr_l10, fr_j9 }
+Transforms {
+    base=fr_l9, target=fr_root
+    base=fr_l8, target=fr_l10
+    base=fr_root, target=fr_j9
+    base=fr_j9, target=fr_l10
+}
+Jacobians { base=fr_l9, target=fr_l10 }
 """,
 }
 DRIVES = {"shoulder": JointProperties(friction=0.25, damping=0.5, armature=0.125)}

@@ -38,10 +38,11 @@ def folder(tmp_path: Path) -> Path:
     ],
 )
 def test_code_fits_while_it_gives_the_numbers(
-    folder: Path, text: str, expected: str | None
+    folder: Path, text: str, expected: str | None, capfd: pytest.CaptureFixture[str]
 ) -> None:
     why = misfit(source(text), folder)
     assert why == expected or (expected and str(why).endswith(expected))
+    assert capfd.readouterr() == ("", "")
 
 
 def test_without_a_compiler_a_changed_document_does_not_fit(

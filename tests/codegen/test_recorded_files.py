@@ -46,6 +46,7 @@ CASES: dict[str, list[tuple[str, dict[str, object]]]] = {
     "c": [
         ("arm", {"quantities": ALL}),
         *PLAINLY,
+        ("crab", {"quantities": ALL}),
         ("arm", {"is_single_header": True}),
         ("arm", {"real": "float"}),
         ("arm", {"is_single_header": True, "real": "float"}),

@@ -1,0 +1,44 @@
+"""Batches are computed in lanes where that saves time, and forces apart where they cost any."""
+
+import pytest
+from tests.codegen.robots import bodies_of_seed, library
+
+from kindsl.codegen.c_sources import _is_lightly_loaded, _is_wide
+from kindsl.dynamics.generation.function import Function, Result, argument
+
+MADE = library(bodies_of_seed(2), ("poses",))
+
+
+def function(entries: int, name: str = "poses", takes: str = "q") -> Function:
+    """Return a function of so many numbers."""
+    results = (Result("x", (entries,), [0.0] * entries),)
+    given = (argument(takes, MADE.inputs.q),)
+    return Function(name, "numbers", given, results, loaded=results)
+
+
+@pytest.mark.parametrize(
+    ("operations", "entries", "is_wide"),
+    [
+        (99, 1, False), (100, 1, True),
+        (149, 100, False), (150, 100, True), (150, 101, False),
+        (20_000, 1, True), (20_001, 1, False),
+        (9_999, 4096, True), (9_999, 4097, False),
+    ],
+)  # fmt: skip
+def test_neither_little_nor_very_much_is_in_lanes(
+    operations: int, entries: int, is_wide: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("kindsl.codegen.c_sources.operations", lambda *_: operations)
+    assert _is_wide(MADE, function(entries)) is is_wide
+    assert not _is_wide(MADE, function(entries, "jacobian_tip"))
+    assert not _is_wide(MADE, function(entries, takes="qd"))
+    assert not _is_wide(library(bodies_of_seed(2), ("poses",), real="float"), function(entries))
+
+
+@pytest.mark.parametrize(("loaded", "is_light"), [(104, True), (105, False), (106, False)])
+def test_forces_are_light_if_they_add_less_than_a_twentieth(
+    loaded: int, is_light: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    counts = iter([100, loaded])
+    monkeypatch.setattr("kindsl.codegen.c_sources.operations", lambda *_: next(counts))
+    assert _is_lightly_loaded(MADE, function(1)) is is_light
