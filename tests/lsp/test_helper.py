@@ -100,7 +100,7 @@ async def test_without_a_process_the_worker_does_it(monkeypatch: pytest.MonkeyPa
 
 async def test_what_is_printed_is_no_answer_and_settings_cross() -> None:
     helper = HelperProcess(Worker())
-    await helper.run(print, "to the log")
+    assert await helper.run(os.write, 1, b"to the log\n") == 11
     settings = Settings(twins=(TwinFile("a.urdf", "a.urdf"),), known={"x": 1})
     assert (await helper.run(tuple, settings)) == tuple(settings)
     helper.stop()

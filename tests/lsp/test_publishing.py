@@ -73,6 +73,16 @@ async def test_a_document_is_published_when_it_is_opened_and_after_the_last_keys
         assert cleared == {"uri": URI, "diagnostics": []}
 
 
+async def test_of_several_turns_to_publish_a_version_the_last_is_taken() -> None:
+    with session_with() as (session, told):
+        document = opened(session, URI, INTEGER)
+        for _ in range(3):
+            session.publisher.schedule(document, 0.0)
+        await published(told, URI)
+        await settled(session)
+        assert len(told.named(PUBLISH)) == 1
+
+
 async def test_what_a_document_needs_is_set_aside_once(monkeypatch: pytest.MonkeyPatch) -> None:
     told_of: list[str] = []
     monkeypatch.setattr(publishing.memory, "set_aside", lambda: told_of.append("once"))

@@ -1,6 +1,7 @@
 """What a session tells the editor, and what it makes of the answers."""
 
 import asyncio
+import gc
 import math
 from array import array
 from pathlib import Path
@@ -16,8 +17,11 @@ from tests.lsp.sessions import REFUSAL, folder_of, of_versions, opened, session_
 from kindsl.analysis.analysis import analyse
 from kindsl.analysis.diagnostics import RelatedPlace
 from kindsl.config.editor_settings import editor_settings
+from kindsl.lsp.session import memory
 from kindsl.lsp.session.binding import bound
 from kindsl.lsp.session.closed_configurations import ClosedConfigurations
+from kindsl.lsp.session.configuration_diagnostics import configuration_problems
+from kindsl.lsp.session.configuration_files import configuration_of
 from kindsl.lsp.session.findings import diagnostics
 from kindsl.lsp.session.progress import Progress
 from kindsl.lsp.session.status import tell_status
@@ -554,6 +558,25 @@ def test_a_workspace_is_trusted_until_an_editor_says_otherwise(tmp_path: Path) -
     assert workspace.may_read(inside) and workspace.may_read(outside)
     workspace.is_trusted = False
     assert workspace.may_read(inside) and not workspace.may_read(outside)
+
+
+@pytest.mark.parametrize(("name", "is_ours"), [("kindsl.toml", True), ("notes.toml", False)])
+def test_a_file_of_another_tool_is_no_configuration(name: str, is_ours: bool) -> None:
+    for text in ("mistaken = 1\n", "target = 'robcogen'\n"):
+        shown = document(f"untitled:{name}", 1, text, types.PositionEncodingKind.Utf16)
+        told = [problem["message"] for problem in configuration_problems(shown)]
+        assert bool(told) is (is_ours and "mistaken" in text)
+        if not told:
+            assert (configuration_of(shown) is not None) is is_ours
+
+
+def test_the_collector_looks_seldom_at_what_is_young_and_old() -> None:
+    usual = gc.get_threshold()
+    try:
+        memory.tune()
+        assert gc.get_threshold() == (10_000, 10, 3)
+    finally:
+        gc.set_threshold(*usual)
 
 
 async def test_only_closed_configuration_files_are_looked_at(tmp_path: Path) -> None:

@@ -103,8 +103,7 @@ class Publisher:
         self._checked.discard(key)
         self._names.pop(key, None)
         self.clear(document.uri)
-        if document.is_toml:
-            start_task(self._closed.look([document.uri]))
+        start_task(self._closed.look([document.uri]))
 
     async def _publish_later(self, document: Document, delay: float) -> None:
         if delay:
