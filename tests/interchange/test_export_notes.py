@@ -83,6 +83,7 @@ def test_name_of_the_world_of_mujoco(old: str, new: str, told: list[str]) -> Non
         ("Ix = 0.1", "Ix = 0.41", [IMPOSSIBLE]),
         ("Ix = 0.1 Iy = 0.2 Iz = 0.2", "Ix = 0.1 Iy = 0.2 Iz = 0.3", []),
         ("mass = 2.0", "mass = -2.0", [IMPOSSIBLE]),
+        ("mass = 2.0", "mass = 0.0", [IMPOSSIBLE]),
         (BODY, "", ["the link 'hand' has no mass: other tools refuse it"]),
     ],
 )

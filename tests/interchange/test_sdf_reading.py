@@ -113,6 +113,11 @@ def test_world_is_the_base_of_what_turns_on_it(tmp_path: Path) -> None:
         ("</model>", "</model><world><joint name='w'/></world>", ".*is a joint of the world.*"),
         ("<pose>0.1 0 0 0 0 0", "<pose relative_to='base'>0.1 0 0 0 0 0", ".*another frame.*"),
         ('"arm"', '"arm"><pose relative_to="x"/><frame name="y"/', ".*relative to 'x' of the.*"),
+        (
+            "<parent>world</parent><child>base",
+            "<parent>lower</parent><child>base",
+            "the joints of the SDF close a kinematic loop, which the language does not support",
+        ),
         ("</model>", "</model><model name='b'/>", "the SDF has 2 models.*'arm' and 'b'"),
         ("</model>", "<link name='b'/></model>", "the SDF has 2 root links.*the world and 'b'"),
     ],

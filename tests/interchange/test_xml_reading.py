@@ -56,6 +56,7 @@ LAUGHS = "".join(f'<!ENTITY l{i} "{f"&l{i - 1};" * 10}">' for i in range(1, 10))
         ('<!DOCTYPE r [<!ENTITY % e "x">]><r/>', "entity declared at line 1"),
         ("<r>&nbsp;</r>", "not well-formed XML at line 1"),
         ("<a>\n" * 100_000, "nested deeper than 256 at line 257"),
+        ("<a>" + "<b/>" * 9 + "<a>\n" * 256, "nested deeper than 256 at line 256"),
         ("<r>" + " " * 2**26 + "</r>", "longer than 64 MB"),
         ('<?xml version="1.0" encoding="klingon"?><r/>', "encoding that is not supported"),
         ('<?xml version="1.0" encoding="gb2312"?><r/>', "encoding that is not supported"),

@@ -98,11 +98,14 @@ async def test_without_a_process_the_worker_does_it(monkeypatch: pytest.MonkeyPa
     assert await helper.run(os.getpid) == os.getpid()  # it is not tried again
 
 
-async def test_what_is_printed_is_no_answer_and_settings_cross() -> None:
+async def test_what_is_printed_is_no_answer_and_settings_cross(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
     helper = HelperProcess(Worker())
     assert await helper.run(os.write, 1, b"to the log\n") == 11
     settings = Settings(twins=(TwinFile("a.urdf", "a.urdf"),), known={"x": 1})
     assert (await helper.run(tuple, settings)) == tuple(settings)
+    assert not caplog.records
     helper.stop()
 
 
