@@ -30,6 +30,9 @@ FAR = LIFT.replace("0.0, 0.0, 0.5", "0.0, -1.7e+308, 0.5").replace(
     "0.4, 0.0, 0.0", "0.4, 0.0, 1.7e+308"
 )
 
+# The product of its mass and its centre is more.
+HEAVY = LIFT.replace("CoM = (0.2", "CoM = (1.0e+200").replace("mass = 2.0", "mass = 1.0e+200")
+
 
 def source(text: str = LIFT, transforms: str | None = None, **settings: object) -> Source:
     return Source("arm.kindsl", kindsl.parse(text, Settings(**settings)), {}, transforms)
@@ -44,6 +47,8 @@ def source(text: str = LIFT, transforms: str | None = None, **settings: object) 
          "'center_of_mass' is not defined: the total mass is zero; "
          "use --quantities to choose others, such as poses,jacobians"),
         (source(FAR), {"language": "python"}, "'poses': the values of the document are too large"),
+        (source(HEAVY), {"language": "python", "quantities": ("gravity_torque",)},
+         "'gravity_torque': the values of the document are too large"),
         (source(DOCUMENTS["reach"]), {"parameters": "reach, zzz, reech"},
          "--parameters: there is no parameter 'reech'; did you mean 'reach'?"),
         (source(), {"frames": ("upper", "fr_uper", "zzz")},

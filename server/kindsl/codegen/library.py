@@ -167,10 +167,7 @@ class Library:
     def setup(self) -> list[Term]:
         """The model's constants: values that depend on parameters only and that others use."""
         graph = self.robot.graph
-        values: list[Scalar] = []
-        for function in self.all_functions:
-            for result in (*function.results, *(function.loaded or ())):
-                values += result.entries
+        values = [entry for function in self.all_functions for entry in _entries(function)]
         order = needed(graph, values)
         parameters = [p.index for p in self.robot.parameters.values()]
         fixed = setup_nodes(graph, parameters, order)
@@ -240,11 +237,19 @@ def _recorded(robot: Robot, inputs: Inputs, name: str) -> list[Function]:
             f"'{name}' is not defined: the inertia matrix is "
             "singular; use --quantities to choose others, such as poses,jacobians"
         ) from None
+    graph = robot.graph
     for function in functions:
-        for result in (*function.results, *(function.loaded or ())):
-            if not all(math.isfinite(x) for x in result.entries if isinstance(x, float)):
-                raise GenerationError(f"'{name}': the values of the document are too large")
+        entries = _entries(function)
+        operands = (x for node in needed(graph, entries) for x in graph.nodes[node][1:])
+        if not all(math.isfinite(x) for x in (*entries, *operands) if isinstance(x, float)):
+            raise GenerationError(f"'{name}': the values of the document are too large")
     return [_with_safe_results(function) for function in functions]
+
+
+def _entries(function: Function) -> list[Scalar]:
+    """Return all that a function gives, without and with external forces."""
+    results = (*function.results, *(function.loaded or ()))
+    return [entry for result in results for entry in result.entries]
 
 
 def _with_safe_results(function: Function) -> Function:
