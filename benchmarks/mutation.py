@@ -53,14 +53,15 @@ TESTS = {
     "interchange": ("interchange", "comparison", "cli", "analysis/test_pasted_urdf.py"),
     "lsp/session": ("lsp",),
     "config": ("config", "cli"),
+    # Without those that compile for minutes: a changed text is noticed where texts are recorded.
     "codegen": (
-        "codegen",
-        "cli/test_generate.py",
-        "cli/test_robcogen.py",
+        "codegen/test_recorded_files.py", "codegen/test_reference.py", "codegen/test_refusals.py",
+        "codegen/test_choice_of_lanes.py", "codegen/test_what_is_told.py", "codegen/test_names.py",
+        "codegen/test_checking.py", "cli/test_generate.py", "cli/test_robcogen.py",
         "cli/test_transforms.py",
     ),
     "scene": ("scene", "preview"),
-}
+}  # fmt: skip
 OPTIONS = ["-q", "-p", "no:cacheprovider", "-p", "no:xdist"]
 OPTIONS += ["-p", "benchmarks.mutating.plugin", "-W", "ignore::pytest.PytestAssertRewriteWarning"]
 # A file for each number, since the tests may come past it in a process that they start.
