@@ -8,10 +8,11 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from typing import Any
 
-from playwright.sync_api import Frame, Page, TimeoutError
+from playwright.sync_api import Frame, Page, TimeoutError, ViewportSize
 from tests.preview.handles import ARE_FREE, IS_GRASPED, LINES
 
 TIMEOUT = 90.0
+SIZE: ViewportSize = {"width": 1400, "height": 850}
 FOUND = """() => {
     const { monaco, files } = window.playground;
     return monaco.editor.getModelMarkers({ resource: files.model().uri }).map((one) =>
@@ -70,6 +71,10 @@ class Tab:
         """Go to an address and wait for the server in the page."""
         self.page.goto(address)
         self.page.locator("body[data-state=ready]").wait_for()
+        self.wait_for_texts()
+
+    def wait_for_texts(self) -> None:
+        """Wait until a text is shown, and all is said that a visit begins with."""
         self.page.wait_for_function("() => window.playground?.files.model() !== undefined")
 
     def eventually(self, see: Callable[[], Any], what: str) -> Any:

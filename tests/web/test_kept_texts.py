@@ -1,14 +1,15 @@
 """What was typed into the playground is there again, and nothing takes its place unasked."""
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, BrowserContext, Page
+from playwright.sync_api import BrowserContext
 from tests.vscode import models
+from tests.vscode.browser import UNDRAWN
 from tests.web import site
 from tests.web.tab import Tab, fragment
 
+BROWSER_ARGUMENTS = UNDRAWN
 # The first test waits for what is built for all of them.
 pytestmark = pytest.mark.timeout(900)
 MINE = models.ARM.replace("Robot arm", "Robot mine")
@@ -18,24 +19,12 @@ NO_STORAGE = """Object.defineProperty(window, "localStorage", { get() { throw ne
 window.stays = () => !dispatchEvent(new Event("beforeunload", { cancelable: true }));"""
 
 
-@pytest.fixture
-def context(browser: Browser) -> Iterator[BrowserContext]:
-    """A browser that was never here."""
-    context = browser.new_context(viewport={"width": 1400, "height": 850})
-    yield context
-    context.close()
-
-
 def opened(context: BrowserContext, address: str) -> Tab:
-    """Open the playground in a new tab; its server need not run."""
+    """Open the playground in a new tab; its server does not run."""
     tab = Tab(context.new_page())
-    tab.page.goto(f"{address}")
-    wait(tab.page)
+    tab.page.goto(address)
+    tab.wait_for_texts()
     return tab
-
-
-def wait(page: Page) -> None:
-    page.wait_for_function("() => window.playground?.files.model() !== undefined")
 
 
 def put(tab: Tab, name: str, text: str) -> None:
@@ -55,7 +44,7 @@ def test_what_was_typed_is_there_after_a_reload_and_on_another_day(
     tab.page.locator("#do-new").click()
     before = tab.page.evaluate(TEXTS)
     tab.page.reload()
-    wait(tab.page)
+    tab.wait_for_texts()
     assert tab.page.evaluate(TEXTS) == before
     assert tab.page.evaluate("() => playground.files.active") == "robot.kindsl"
     assert told(tab).startswith("Restored as you left it, ")
@@ -71,7 +60,7 @@ def test_what_was_typed_is_there_after_a_reload_and_on_another_day(
 def test_a_visit_that_changes_nothing_leaves_nothing(context: BrowserContext, address: str) -> None:
     tab = opened(context, address)
     tab.page.reload()
-    wait(tab.page)
+    tab.wait_for_texts()
     assert tab.page.locator("#notice").is_hidden()
 
 
@@ -81,7 +70,7 @@ def test_two_tabs_keep_each_its_own(context: BrowserContext, address: str) -> No
     put(other, "quadruped.kindsl", models.OTHER)
     for tab, text in ((one, MINE), (other, models.OTHER)):
         tab.page.reload()
-        wait(tab.page)
+        tab.wait_for_texts()
         assert tab.text() == text
 
 
@@ -96,7 +85,7 @@ def test_a_shared_link_and_ones_own_texts_leave_each_other_alone(
     assert shared.page.evaluate(TEXTS) == {"arm.kindsl": models.ARM}
     put(shared, "arm.kindsl", models.OTHER)
     shared.page.reload()
-    wait(shared.page)
+    shared.wait_for_texts()
     assert shared.text() == models.OTHER
     # Another link in the same tab.
     shared.page.evaluate("(hash) => { location.hash = hash; }", fragment("b.kindsl", {"b": MINE}))

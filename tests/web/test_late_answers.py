@@ -75,6 +75,7 @@ def test_a_place_in_the_tree_moves_with_the_text(tab: Tab) -> None:
 def test_a_listed_problem_moves_with_the_text(tab: Tab) -> None:
     tab.show("arm.kindsl", models.BROKEN)
     first = tab.eventually(tab.found, "the problems")[0]
+    tab.page.locator("#problems .place").first.wait_for()
     assert at_once(tab, ("click", "#problems .place"))["line"] == first[1]
     assert at_once(tab, "edit", ("click", "#problems .place"))["line"] == first[1] + 3
 
