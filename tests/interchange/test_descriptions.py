@@ -9,6 +9,7 @@ import pytest
 import kindsl
 from kindsl.cli.main import main
 from kindsl.interchange.descriptions import ReadDescription, read_description, read_foreign
+from kindsl.interchange.format import FormatError
 from kindsl.interchange.registry import all_formats
 from kindsl.rigid.body import NO_BODY
 
@@ -104,3 +105,23 @@ def test_generated_code_tells_its_base(tmp_path: Path) -> None:
         atol=1e-15,
     )
     assert replace(theirs, placements=ours.placements) == ours
+
+
+@pytest.mark.parametrize("files", [(), ("inertia_properties.h",), ("transforms.h",)])
+def test_a_folder_of_anything_else_is_said(files: tuple[str, ...], tmp_path: Path) -> None:
+    for name in files:
+        (tmp_path / name).touch()
+    with pytest.raises(FormatError, match=r"^no generated code in this folder$"):
+        read_description(tmp_path, "folder", None)
+
+
+@pytest.mark.parametrize("name", ["link_data_map.h", "joint_data_map.h"])
+def test_generated_code_without_names_is_said(name: str, tmp_path: Path) -> None:
+    for file in (DOCUMENTS / "robcogen").iterdir():
+        (tmp_path / file.name).write_bytes(file.read_bytes())
+    (tmp_path / name).write_text("")
+    with pytest.raises(FormatError, match=f"^'{name}' names nothing$"):
+        read_description(tmp_path, "folder", None)
+    (tmp_path / name).unlink()
+    with pytest.raises(FormatError, match=f"^has no '{name}'$"):
+        read_description(tmp_path, "folder", None)

@@ -10,6 +10,7 @@ from tests.interchange.round_trips import read
 import kindsl
 from kindsl.analysis.settings import Settings
 from kindsl.interchange.format import ORDINARY, FormatError, WritingChoices
+from kindsl.interchange.mjcf import writing
 from kindsl.interchange.registry import format_named
 from kindsl.semantics.parameters import JointProperties
 
@@ -71,8 +72,20 @@ def test_a_floating_base_that_a_urdf_cannot_tell() -> None:
         ("hand", "world", ["the link 'world' is now 'world_': MuJoCo's world has that name"]),
     ],
 )
-def test_name_of_the_world_of_mujoco(old: str, new: str, told: list[str]) -> None:
-    assert notes(TEXT.replace(old, new), "mjcf") == told
+@pytest.mark.parametrize("taken", ["arm", "world_"])
+def test_name_of_the_world_of_mujoco(old: str, new: str, told: list[str], taken: str) -> None:
+    free = "world_" if taken == "arm" else "world__"
+    told = [note.replace("world_'", f"{free}'") for note in told]
+    assert notes(TEXT.replace(old, new).replace(" arm", f" {taken}"), "mjcf") == told
+
+
+def test_what_mujoco_refuses_is_not_written(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(text: str) -> None:
+        raise FormatError(text)
+
+    monkeypatch.setattr(writing, "checked_text", refuse)
+    with pytest.raises(FormatError, match='body name="hand"'):
+        notes(TEXT, "mjcf")
 
 
 @pytest.mark.parametrize(

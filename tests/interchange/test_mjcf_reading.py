@@ -170,6 +170,24 @@ def test_each_loss_is_one_sentence(tmp_path: Path) -> None:
     assert kindsl_text(found.robot) == kindsl_text(plain.robot)
 
 
+@pytest.mark.parametrize(
+    ("mass", "moment", "is_kept"),
+    [
+        ("1", "2e-14", True),
+        ("2e-14", "1", True),
+        ("2e-14", "2e-14", False),
+        ("4e-14", "4e-14", True),
+    ],
+)
+def test_dust_is_left_out_and_a_point_is_not(
+    mass: str, moment: str, is_kept: bool, tmp_path: Path
+) -> None:
+    dust = f'<inertial pos="0 0 0" mass="{mass}" diaginertia="{moment} {moment} {moment}"/>'
+    found = robot(ARM.replace(f'quat="1 1 0 0">{BODY}', f'quat="1 1 0 0">{dust}'), tmp_path).robot
+    (tool,) = [part for part in found.links[2].parts if part.name == "tool"]
+    assert (tool.body is not None) is is_kept
+
+
 def test_an_equality_of_one_joint_names_it_alone(tmp_path: Path) -> None:
     text = LOSSY.replace(" joint2='shoulder'/></equality>", "/></equality>")
     (told,) = [remark for remark in robot(text, tmp_path).remarks if "equality" in remark]

@@ -99,7 +99,10 @@ def test_a_model_is_found_by_its_address(tmp_path: Path, uri: str) -> None:
 
 @pytest.mark.parametrize("uri", ["", "https://example.org/leg", "model://none", "model://empty"])
 def test_a_model_that_is_not_found_is_told_with_its_line(tmp_path: Path, uri: str) -> None:
-    (tmp_path / "models" / "empty").mkdir(parents=True)
+    for name in ("empty", "https:/example.org/leg"):
+        (tmp_path / "models" / name).mkdir(parents=True)
+    for name in ("https:/example.org/leg", ""):
+        (tmp_path / "models" / name / "model.sdf").write_text(MODEL)
     message = f"line 3: <include> names '{uri}', which is in none of {tmp_path / 'models'}, "
     with pytest.raises(FormatError) as caught:
         included(tmp_path, uri)
@@ -130,6 +133,14 @@ def test_a_model_that_cannot_be_read_is_told_with_its_file(
     with pytest.raises(FormatError) as caught:
         included(tmp_path, "leg.sdf")
     assert str(caught.value) == f"{file}{told}"
+
+
+def test_models_may_be_in_models_in_models(tmp_path: Path) -> None:
+    (tmp_path / "m0.sdf").write_text(MODEL)
+    for depth in range(12):
+        inner = f"<model name='own'><include><uri>m{depth}.sdf</uri></include></model>"
+        (tmp_path / f"m{depth + 1}.sdf").write_text(f"<sdf version='1.9'>{inner}</sdf>")
+    assert included(tmp_path, "m12.sdf", own="::".join(["own"] * 13)) == (0.0, 0.0, 1.0)
 
 
 def test_of_an_included_model_its_frame_and_whether_it_is_static_may_be_said(

@@ -109,6 +109,7 @@ def test_world_is_the_base_of_what_turns_on_it(tmp_path: Path) -> None:
         ("0.1 0 0 0 0 0", "0.1 0", "line 6: <pose> has 2 numbers, not 6"),
         ("<xyz>0 0 -1<", "<xyz>0 0 0<", "line 9: <xyz> of joint 'slider' has no length"),
         ('<frame name="mark"', '<include/><frame name="mark"', ".*none of .*: --model-path DIR"),
+        ("<inertial>", "<inertial auto='1'>", "line 4: <link name='upper'> .*its shape .auto.*"),
         ("<mass>2", "<origin/><mass>2", "line 4: <origin> is the pose of SDF before 1.2.*"),
         ("</model>", "</model><world><joint name='w'/></world>", ".*is a joint of the world.*"),
         ("<pose>0.1 0 0 0 0 0", "<pose relative_to='base'>0.1 0 0 0 0 0", ".*another frame.*"),
@@ -158,6 +159,15 @@ def test_of_many_models_and_roots_five_are_named(tmp_path: Path) -> None:
         text = ARM.replace("</model>", f"</model>{more}" if "model" in part else f"{more}</model>")
         with pytest.raises(FormatError, match=f"^{message}$"):
             robot(text, tmp_path)
+
+
+def test_roots_without_the_world_are_named(tmp_path: Path) -> None:
+    text = ARM.replace("<parent>world</parent><child>base", "<parent>base</parent><child>lower")
+    text = text.replace("<parent>upper</parent><child>lower", "<parent>upper</parent><child>b")
+    message = "the SDF has 2 root links, exactly one root link is required: 'base' and 'b0'"
+    text = text.replace("</model>", "<link name='b'/><link name='b0'/></model>")
+    with pytest.raises(FormatError, match=f"^{message}$"):
+        robot(text, tmp_path)
 
 
 def test_model_without_links_is_refused_where_it_begins(tmp_path: Path) -> None:

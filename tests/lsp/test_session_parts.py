@@ -18,7 +18,7 @@ from kindsl.analysis.analysis import analyse
 from kindsl.analysis.diagnostics import RelatedPlace
 from kindsl.config.editor_settings import editor_settings
 from kindsl.lsp.session import memory
-from kindsl.lsp.session.binding import bound
+from kindsl.lsp.session.binding import bound, posed
 from kindsl.lsp.session.closed_configurations import ClosedConfigurations
 from kindsl.lsp.session.configuration_diagnostics import configuration_problems
 from kindsl.lsp.session.configuration_files import configuration_of
@@ -102,6 +102,19 @@ async def test_without_a_file_to_write_values_into_nothing_is_written(
         why = await written(session, view, "Set", [EDIT], [("length", 2.5)])
         assert why == "the configuration file cannot be written"
         assert told.named("workspace_apply_edit") == []
+
+
+@pytest.mark.parametrize(
+    ("text", "is_kept"),
+    [("", True), ('document = [{path = "other.kindsl"}]\n', False), ("mistaken = 1\n", False)],
+)
+async def test_a_pose_is_kept_where_the_file_can_be_extended(
+    text: str, is_kept: bool, tmp_path: Path
+) -> None:
+    (tmp_path / "kindsl.toml").write_text(text)
+    with session_with() as (session, _):
+        robot = opened(session, (tmp_path / "arm.kindsl").as_uri(), UNBOUND)
+        assert (posed(session, robot, "home", {"shoulder": 1.0}) is not None) is is_kept
 
 
 async def test_a_new_file_goes_into_the_innermost_folder_around_the_robot(tmp_path: Path) -> None:

@@ -71,16 +71,21 @@ def written_mjcf(name: str, skeleton: Skeleton, choices: WritingChoices = ORDINA
 def _base(world: Element, bodies: Bodies) -> Element:
     if not bodies.is_floating and bodies.base_name == WORLD:
         return world
-    base = added(world, "body", name=_base_name(bodies))
+    base = added(world, "body", name=_name(bodies, 0))
     if bodies.is_floating:
         added(base, "freejoint")
     return base
 
 
-def _base_name(bodies: Bodies) -> str:
-    """Return the base's name, which in MuJoCo is not the world's."""
-    name = bodies.base_name
-    while name == WORLD or (name != bodies.base_name and name in bodies.link_names):
+def _name(bodies: Bodies, body: int) -> str:
+    """Return a body's name, another one where that is the name of MuJoCo's world."""
+    names = bodies.base_name, *bodies.link_names
+    return names[body] if names[body] != WORLD else _free_name(names)
+
+
+def _free_name(names: Sequence[str]) -> str:
+    name = f"{WORLD}_"
+    while name in names:
         name += "_"
     return name
 
@@ -88,7 +93,7 @@ def _base_name(bodies: Bodies) -> str:
 def _link(parent: Element, bodies: Bodies, link: int, choices: WritingChoices) -> Element:
     i = link - 1
     pose = _pose(bodies.p_R_j[i], bodies.p_r_j[i])
-    body = added(parent, "body", name=_link_name(bodies, i), **pose)
+    body = added(parent, "body", name=_name(bodies, link), **pose)
     kind = _TYPES[bodies.joint_kinds[i]]
     name = bodies.joint_names[i]
     added(
@@ -110,11 +115,6 @@ def _told(own: JointProperties) -> dict[str, str]:
     amounts = {"armature": own.armature, "damping": own.damping, "frictionloss": own.friction}
     given |= {name: (value,) for name, value in amounts.items() if value is not None}
     return {name: numbers(values) for name, values in given.items()}
-
-
-def _link_name(bodies: Bodies, i: int) -> str:
-    name = bodies.link_names[i]
-    return f"{name}_" if name == WORLD else name
 
 
 def _inertial(bodies: Bodies, body: int) -> dict[str, str]:
@@ -174,8 +174,7 @@ def _mass_remarks(bodies: Bodies) -> Iterator[str]:
 
 
 def _remarks(bodies: Bodies) -> Iterator[str]:
-    names = (bodies.base_name, *bodies.link_names)
-    if bodies.is_floating and bodies.base_name == WORLD:
-        yield f"the base '{WORLD}' is now '{_base_name(bodies)}': MuJoCo's world has that name"
-    if WORLD in names[1:]:
-        yield f"the link '{WORLD}' is now '{WORLD}_': MuJoCo's world has that name"
+    for body, name in enumerate((bodies.base_name, *bodies.link_names)):
+        if name == WORLD and (body or bodies.is_floating):
+            told = f"the {'link' if body else 'base'} '{WORLD}' is now '{_name(bodies, body)}'"
+            yield f"{told}: MuJoCo's world has that name"

@@ -37,6 +37,7 @@ from kindsl.rigid.body import MassDistribution, Symmetric
 from kindsl.rigid.pose import IDENTITY, Vector3
 from kindsl.text.phrases import listed
 
+_Z = (0.0, 0.0, 1.0)
 _UNIT: Symmetric = (1.0, 1.0, 1.0, 0.0, 0.0, 0.0)
 
 
@@ -183,7 +184,7 @@ def _carried(joint: Any, index: int, parent: str, child: str, graph: FrameGraph)
     model_T_written = graph.model_T(name_of(placing), joint)
     model_T_origin = graph.model_T(reference_of(placing), joint)
     kind = JOINT_KINDS[joint.get("type")]
-    axis = (0.0, 0.0, 1.0)
+    axis = _Z
     if kind != "fixed":
         axis = model_T_joint.inverse().turn(_axis_in_model(joint, graph))
     return RigidLink(
@@ -202,7 +203,7 @@ def _carried(joint: Any, index: int, parent: str, child: str, graph: FrameGraph)
 def _axis_in_model(joint: Any, graph: FrameGraph) -> Vector3:
     axis = joint.find("axis")
     xyz = None if axis is None else axis.find("xyz")
-    x, y, z = (0.0, 0.0, 1.0) if xyz is None else numbers_in(xyz, 3)
+    x, y, z = _Z if xyz is None else numbers_in(xyz, 3)
     if not (x or y or z):
         raise defect(xyz, f"of joint '{name_of(joint)}' has no length")
     frame = name_of(joint) if xyz is None else xyz.get("expressed_in")

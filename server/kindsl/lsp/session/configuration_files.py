@@ -102,6 +102,6 @@ def _document_links(document: Document) -> Iterator[types.DocumentLink]:
         if place and not _GLOB & set(table.pattern) and target.is_file():
             text = document.text
             start = text.find(table.pattern, place[1])
-            if start >= 0:
+            if start != -1:
                 span = document.range(start, start + len(table.pattern))
                 yield types.DocumentLink(span, uris.uri(target))
